@@ -46,20 +46,34 @@ def _import_rows(folder: Path) -> list[Row]:
     trial = jn.Trial(road=road, speed="20 m/s", duration=_SECONDS)
     instants = _SECONDS * _RATE
     problem = f"quarter car, ISO C, {instants:.0f} control instants"
-    laws: list[tuple[str, Any, str]] = [("Python function", jn.PythonControl(function=lambda _m, _t: 1500.0), "")]
+    laws: list[tuple[str, Any, str]] = [
+        ("Python function", jn.PythonControl(function=lambda _m, _t: 1500.0), "")
+    ]
     for version in (2, 3):
-        file = fmu_component.write(folder / f"{version}.fmu", version, fmu_component.binary(version, folder))
+        file = fmu_component.write(
+            folder / f"{version}.fmu", version, fmu_component.binary(version, folder)
+        )
         fields = {"file": str(file), "inputs": _INPUTS, "output": "coefficient"}
-        laws.append((f"component FMU, FMI {version}.0", FmuControl(**fields, trusted=True), "≤ 5 µs per instant"))
+        laws.append(
+            (
+                f"component FMU, FMI {version}.0",
+                FmuControl(**fields, trusted=True),
+                "≤ 5 µs per instant",
+            )
+        )
     laws.append(("the same in a separate process", FmuControl(**fields), ""))
     runs = [partial(jn.simulate, rig, trial, control=law, output_step=1e-2) for _, law, _ in laws]
     measured = side_by_side([partial(processor_time, run) for run in runs[:-1]])
-    measured.append((median_time(runs[-1], repeats=7), math.nan))  # its child's time is none of this process
+    measured.append(
+        (median_time(runs[-1], repeats=7), math.nan)
+    )  # its child's time is none of this process
     rows = []
     for (way, _, target), (median, ratio) in zip(laws, measured, strict=True):
         clock = "wall clock, " if math.isnan(ratio) else ""
         note = f"{clock}{1e6 * median / instants:.2g} µs per instant, run included"
-        rows.append(Row(problem, way, median, None, None if math.isnan(ratio) else ratio, target, note))
+        rows.append(
+            Row(problem, way, median, None, None if math.isnan(ratio) else ratio, target, note)
+        )
     return rows
 
 
@@ -75,7 +89,9 @@ def _export_rows(folder: Path) -> list[Row]:
         file = folder / f"{name}.fmu"
         jn.export_fmu(jn.load(name), file)
         about = read_fmu(file)
-        inputs = [("Float64", v.reference, 0, [0.0]) for v in about.inputs if v.unit in ("m", "m/s")]
+        inputs = [
+            ("Float64", v.reference, 0, [0.0]) for v in about.inputs if v.unit in ("m", "m/s")
+        ]
         told = {
             "library": str(unpack(about) / about.binary()), "version": about.version, "token": about.token,
             "resources": "", "period": _STEP, "inputs": inputs, "starts": [],
@@ -84,7 +100,9 @@ def _export_rows(folder: Path) -> list[Row]:
         instances = caller.Instances([told])
         still = [0.0] * len(inputs)
 
-        def run(instances: caller.Instances = instances, still: list[float] = still, count: int = count) -> None:
+        def run(
+            instances: caller.Instances = instances, still: list[float] = still, count: int = count
+        ) -> None:
             instances.start()
             for _ in range(count):
                 instances.step(still)
@@ -92,10 +110,30 @@ def _export_rows(folder: Path) -> list[Row]:
         problem = f"FMU of {name}, co-simulation at 1 ms"
         in_c = min(_stepped(own, told, count) for _ in range(7))
         note = "× real time, processor time"
-        rows.append(Row(problem, "importer in C", in_c, None, 1.0, real_time, f"{count * _STEP / in_c:.0f} {note}"))
+        rows.append(
+            Row(
+                problem,
+                "importer in C",
+                in_c,
+                None,
+                1.0,
+                real_time,
+                f"{count * _STEP / in_c:.0f} {note}",
+            )
+        )
         in_python = min(processor_time(partial(run, instances)) for _ in range(5))
         own_note = f"{count * _STEP / in_python:.0f} {note}"
-        rows.append(Row(problem, "jounce's importer in Python", in_python, None, in_python / in_c, "", own_note))
+        rows.append(
+            Row(
+                problem,
+                "jounce's importer in Python",
+                in_python,
+                None,
+                in_python / in_c,
+                "",
+                own_note,
+            )
+        )
         (here, _), (there, ratio), (asked, as_asked) = side_by_side(_rates(own, told, name))
         problem = f"{name}, one evaluation of the state derivatives"
         rows.append(Row(problem, "jounce's machine code", here, None, 1.0))
@@ -111,7 +149,17 @@ def _master(folder: Path) -> ctypes.CDLL:
     assert compiler is not None
     out = folder / f"master{PLATFORMS[this_platform()].suffix}"
     source = Path(__file__).with_name("fmu_master.c")
-    words = [*compiler[1], "-std=c99", "-O2", "-fPIC", "-shared", "-o", str(out), str(source), "-lm"]
+    words = [
+        *compiler[1],
+        "-std=c99",
+        "-O2",
+        "-fPIC",
+        "-shared",
+        "-o",
+        str(out),
+        str(source),
+        "-lm",
+    ]
     subprocess.run(words, check=True)
     library = ctypes.CDLL(str(out))
     for name in ("steps", "rates", "native"):
@@ -159,9 +207,18 @@ def _rates(own: ctypes.CDLL, told: dict[str, Any], name: str) -> list[Callable[[
     # What depends on parameters alone is taken out of both, in an order of its own.
     extended = np.zeros(100_000)
     library.jn_derived(_at(np.ascontiguousarray(p, dtype=float)), _at(extended))
-    known = [np.ascontiguousarray(part, dtype=float) for part in (u, compiled.plain.extend(p), rest.modes)]
-    ours, theirs = ctypes.c_void_p(compiled.plain.native.address["rate"]), ctypes.cast(library.jn_rate, ctypes.c_void_p)
-    addresses = [_function(library, word) for word in ("SetContinuousStates", "GetContinuousStateDerivatives")]
+    known = [
+        np.ascontiguousarray(part, dtype=float)
+        for part in (u, compiled.plain.extend(p), rest.modes)
+    ]
+    ours, theirs = (
+        ctypes.c_void_p(compiled.plain.native.address["rate"]),
+        ctypes.cast(library.jn_rate, ctypes.c_void_p),
+    )
+    addresses = [
+        _function(library, word)
+        for word in ("SetContinuousStates", "GetContinuousStateDerivatives")
+    ]
 
     def evaluated(rate: ctypes.c_void_p, e: Array) -> float:
         return float(own.native(rate, x, _at(known[0]), _at(e), _at(known[2]), dx, count)) / count

@@ -58,11 +58,16 @@ def gradient_rows() -> list[Row]:
         plain, sensitive = compile_rig(rig), compile_rig(rig, FREE)
         p, column = plain.parameter_values(rig.parameters()), plain.output_names.index(CHANNEL)
 
-        def value(p: np.ndarray, plain: Compiled = plain, road: Segments = road, column: int = column) -> float:
+        def value(
+            p: np.ndarray, plain: Compiled = plain, road: Segments = road, column: int = column
+        ) -> float:
             return float(np.mean(solve(plain, p, road, TIMES).outputs[column] ** 2))
 
         def slopes(
-            p: np.ndarray = p, sensitive: Compiled = sensitive, road: Segments = road, column: int = column
+            p: np.ndarray = p,
+            sensitive: Compiled = sensitive,
+            road: Segments = road,
+            column: int = column,
         ) -> np.ndarray:
             run: Solution = solve(sensitive, p, road, TIMES)
             return 2.0 * run.output_slopes[column] @ run.outputs[column] / len(TIMES)
@@ -97,7 +102,10 @@ def gradient_rows() -> list[Row]:
         }
         times = in_turns({way: run for way, (run, _, _) in ways.items()})
         one = times["one simulation"]
-        rows += [Row(problem, way, times[way], None, times[way] / one, *texts) for way, (_, *texts) in ways.items()]
+        rows += [
+            Row(problem, way, times[way], None, times[way] / one, *texts)
+            for way, (_, *texts) in ways.items()
+        ]
     return rows
 
 
@@ -124,7 +132,10 @@ def residual_rows() -> list[Row]:
     for tyre in TYRES:
         rig = _rig(tyre)
         compiled = compile_rig(rig, detail=True)
-        p, row = compiled.parameter_values(rig.parameters()), compiled.output_names.index("constraint.residual")
+        p, row = (
+            compiled.parameter_values(rig.parameters()),
+            compiled.output_names.index("constraint.residual"),
+        )
         for speed in SPEEDS:
             run = prepare(compiled, p, _road(Case(tyre, speed)), TIMES)
             worst = max(worst, float(np.max(run.run().outputs[row])))
@@ -156,7 +167,9 @@ def _reduction(rig: jn.Rig) -> Reduction:
 def _road(case: Case) -> Segments:
     height, wave, start = case.bump
     edges = np.array([0.0, start, start + np.pi / wave, DURATION])
-    return Segments(edges, np.array([0, 1, 0]), np.array([[0.0] * 4, [0.0, height, wave, 0.0], [0.0] * 4]))
+    return Segments(
+        edges, np.array([0, 1, 0]), np.array([[0.0] * 4, [0.0, height, wave, 0.0], [0.0] * 4])
+    )
 
 
 def _apart(found: np.ndarray, exact: np.ndarray) -> float:

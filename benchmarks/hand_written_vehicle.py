@@ -22,7 +22,9 @@ def vehicle() -> jn.mechanics.Mechanism:
     car.free("ride", body)
     for name, (ahead, side) in CORNERS.items():
 
-        def at(x: float, y: float, z: float, ahead: float = ahead, side: float = side) -> tuple[float, float, float]:
+        def at(
+            x: float, y: float, z: float, ahead: float = ahead, side: float = side
+        ) -> tuple[float, float, float]:
             return ahead + x, side * y, z
 
         arm = car.body(f"{name}.arm", 2.0, at(0.0, 0.4, 0.14), (0.02, 0.02, 0.03))
@@ -34,7 +36,9 @@ def vehicle() -> jn.mechanics.Mechanism:
         car.rod(f"{name}.upper_rear", body, upright, at(-0.12, 0.28, 0.33), ball)
         car.rod(f"{name}.tie_rod", body, upright, at(-0.08, 0.25, 0.17), at(-0.08, 0.57, 0.17))
         spring = {"stiffness": "45 N/mm", "damping": 1800, "free_length": "0.42 m"}
-        _, force = car.spring_damper(f"{name}.strut", body, arm, at(0.0, 0.35, 0.5), at(0.0, 0.5, 0.15), **spring)
+        _, force = car.spring_damper(
+            f"{name}.strut", body, arm, at(0.0, 0.35, 0.5), at(0.0, 0.5, 0.15), **spring
+        )
         hub = upright.point(at(0.0, 0.6, 0.25))
         depth = car.track(f"{name}.road").value + 0.255 - hub.value[2]
         load = car.switch(f"{name}.contact", depth) * 120e3 * depth

@@ -28,8 +28,18 @@ POINTS = (
     "tie_rod_outer",
     "pushrod_outer",
 )
-TOLERANCES = {"toe": "0.005 deg", "camber": "0.02 deg", "roll_centre_height": "0.5 mm", "motion_ratio": 0.002}
-TOLERANCES |= {"caster": "0.05 deg", "scrub_radius": "0.5 mm", "caster_trail": "0.5 mm", "camber_gain": "0.2 deg/m"}
+TOLERANCES = {
+    "toe": "0.005 deg",
+    "camber": "0.02 deg",
+    "roll_centre_height": "0.5 mm",
+    "motion_ratio": 0.002,
+}
+TOLERANCES |= {
+    "caster": "0.05 deg",
+    "scrub_radius": "0.5 mm",
+    "caster_trail": "0.5 mm",
+    "camber_gain": "0.2 deg/m",
+}
 _MOST = 30
 TRAVELS = (-0.02, 0.02, 0.0, -0.01, 0.01)
 
@@ -44,7 +54,10 @@ def kinematic_design_rows() -> list[Row]:
         worst = max(_off(target) for target in found.targets)
 
         def run(
-            rig: Any = rig, free: dict[str, str] = free, targets: Sequence[Any] = targets, starts: int = starts
+            rig: Any = rig,
+            free: dict[str, str] = free,
+            targets: Sequence[Any] = targets,
+            starts: int = starts,
         ) -> Any:
             return jn.design_kinematics(rig, free, targets, starts=starts)
 
@@ -93,7 +106,13 @@ _GOALS = (
     {"quantity": "camber_gain", "value": "-45 deg/m", "tolerance": "1 deg/m"},
     {"quantity": "roll_centre_height", "value": "15 mm", "tolerance": "1 mm"},
 )
-_MOVES = ("upper_arm_front[2]", "upper_arm_rear[2]", "lower_arm_front[2]", "lower_arm_rear[2]", "upper_ball_joint[2]")
+_MOVES = (
+    "upper_arm_front[2]",
+    "upper_arm_rear[2]",
+    "lower_arm_front[2]",
+    "lower_arm_rear[2]",
+    "upper_ball_joint[2]",
+)
 _FROM = (60.0, 60.0)  # tolerances: where areas under fronts count from
 
 
@@ -127,7 +146,12 @@ def _front() -> list[Row]:
 
     class Goals(ElementwiseProblem):  # type: ignore[misc]
         def __init__(self) -> None:
-            super().__init__(n_var=len(free), n_obj=2, xl=np.full(len(free), -0.005), xu=np.full(len(free), 0.005))
+            super().__init__(
+                n_var=len(free),
+                n_obj=2,
+                xl=np.full(len(free), -0.005),
+                xu=np.full(len(free), 0.005),
+            )
 
         def _evaluate(self, x: np.ndarray, out: dict[str, Any], *_: object, **__: object) -> None:
             sweep.walk.p[points] = before + x
@@ -187,20 +211,28 @@ def _scipy(paths: list[str], targets: list[dict[str, Any]]) -> tuple[float, floa
     """Time (s) and worst target of a script with finite differences of sweeps."""
     rig = jn.load(RIG)
     before = np.array([rig.parameters()[path] for path in paths])
-    read = jn.design_kinematics(rig, {paths[0]: "1 mm"}, targets, starts=1).targets  # values and tolerances in SI
+    read = jn.design_kinematics(
+        rig, {paths[0]: "1 mm"}, targets, starts=1
+    ).targets  # values and tolerances in SI
     heights = np.unique([target["at"] for target in targets])
 
     def off(shift: np.ndarray) -> np.ndarray:
         moved = rig.with_changes(dict(zip(paths, (before + shift).tolist(), strict=True)))
         swept = jn.sweep_travel(moved, heights)
         rows = [
-            (float(swept[item["quantity"]][np.searchsorted(heights, item["at"])]) - float(goal.wanted)) / goal.tolerance
+            (
+                float(swept[item["quantity"]][np.searchsorted(heights, item["at"])])
+                - float(goal.wanted)
+            )
+            / goal.tolerance
             for item, goal in zip(targets, read, strict=True)
         ]
         return np.array(rows)
 
     def run() -> Any:
-        return least_squares(off, np.zeros(len(paths)), bounds=(-0.015, 0.015), x_scale=0.015, max_nfev=_MOST)
+        return least_squares(
+            off, np.zeros(len(paths)), bounds=(-0.015, 0.015), x_scale=0.015, max_nfev=_MOST
+        )
 
     begin = perf_counter()
     worst = float(np.max(np.abs(run().fun)))

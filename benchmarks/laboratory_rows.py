@@ -35,12 +35,28 @@ def laboratory_rows() -> list[Row]:
             return campaign_from_folder(folder / "mine", folder / "raw", force=True)
 
         made = take_in()
-        problem = f"folder of raw records: {count} CSV files, 16 trials of 10 s at 2 kHz (processor time)"
+        problem = (
+            f"folder of raw records: {count} CSV files, 16 trials of 10 s at 2 kHz (processor time)"
+        )
         recognised = _processor(take_in)
         updated = _processor(lambda: jn.run_campaign(made.campaign), repeats=3)
         rows = [
-            Row(problem, "jounce, recognised and converted to a campaign", recognised, None, 1.0, "≤ 3 s"),
-            Row(problem, "jounce, up to the updated and validated model", recognised + updated, None, None, "≤ 60 s"),
+            Row(
+                problem,
+                "jounce, recognised and converted to a campaign",
+                recognised,
+                None,
+                1.0,
+                "≤ 3 s",
+            ),
+            Row(
+                problem,
+                "jounce, up to the updated and validated model",
+                recognised + updated,
+                None,
+                None,
+                "≤ 60 s",
+            ),
         ]
     return rows + _belt_rows() + _integration_rows()
 
@@ -61,12 +77,20 @@ def _belt_rows() -> list[Row]:
 def _integration_rows() -> list[Row]:
     clock = np.arange(600_000) / 1000.0
     draw = np.random.default_rng(1)
-    names = [f"sprung_{side}.a{axis}" for side in ("left", "right") for axis in "xyz"] + ["sprung.az", "unsprung.az"]
-    channels = {name: (np.sin(31.0 * clock) + 0.1 * draw.standard_normal(clock.size), "m/s^2", "") for name in names}
+    names = [f"sprung_{side}.a{axis}" for side in ("left", "right") for axis in "xyz"] + [
+        "sprung.az",
+        "unsprung.az",
+    ]
+    channels = {
+        name: (np.sin(31.0 * clock) + 0.1 * draw.standard_normal(clock.size), "m/s^2", "")
+        for name in names
+    }
     data = recording(clock, channels)
     seconds = _median(lambda: jn.integrate_acceleration(data), time.perf_counter, 3)
     problem = "integration of 8 accelerations over 10 minutes at 1 kHz"
-    return [Row(problem, "jounce, velocity and displacement without drift", seconds, None, 1.0, "≤ 1 s")]
+    return [
+        Row(problem, "jounce, velocity and displacement without drift", seconds, None, 1.0, "≤ 1 s")
+    ]
 
 
 def _processor(work: Callable[[], object], repeats: int = 5) -> float:

@@ -44,8 +44,12 @@ PEERS = {
         (1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 3e-8, 1e-8, 1e-9),
         "contact events located",
     ),
-    "MuJoCo, RK4": Peer("mujoco", "peer_mujoco", (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64), "soft loops, no events"),
-    "Exudyn, generalised alpha": Peer("exudyn", "peer_exudyn", (2, 4, 8, 16, 32, 64, 96, 128), "no events"),
+    "MuJoCo, RK4": Peer(
+        "mujoco", "peer_mujoco", (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64), "soft loops, no events"
+    ),
+    "Exudyn, generalised alpha": Peer(
+        "exudyn", "peer_exudyn", (2, 4, 8, 16, 32, 64, 96, 128), "no events"
+    ),
 }
 TARGETS = {"bilateral": (2e-5, 1e-6), "unilateral": (1e-4, 1e-6)}
 
@@ -66,7 +70,9 @@ class Found:
         return self.error <= self.asked
 
 
-def cheapest(name: str, case: Case, asked: float, *, budget: float = 4.0, repeats: int = 5) -> Found:
+def cheapest(
+    name: str, case: Case, asked: float, *, budget: float = 4.0, repeats: int = 5
+) -> Found:
     """The loosest setting that reaches the asked error, else the most exact run within ``budget`` seconds a run."""
     peer = PEERS[name]
     run, best = peer.prepared(case), None
@@ -102,7 +108,9 @@ def main() -> None:
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--only")
     arguments = parser.parse_args()
-    print(f"{'engine':28} {'tyre':11} {'m/s':>5} {'asked':>7} {'setting':>8} {'time':>10} {'error':>8}")
+    print(
+        f"{'engine':28} {'tyre':11} {'m/s':>5} {'asked':>7} {'setting':>8} {'time':>10} {'error':>8}"
+    )
     for f in all_found(quick=arguments.quick, only=arguments.only):
         mark = "" if f.is_reached else "  not reached"
         head = f"{f.peer:28} {f.case.tyre:11} {f.case.speed:5.2f} {f.asked:7.0e} {f.setting:8g}"

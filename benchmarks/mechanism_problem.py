@@ -46,7 +46,11 @@ class Case:
         """Mass, centre of mass and inertia tensor about it, in design axes."""
         entry = self.model["bodies"][body]
         xx, yy, zz, xy, xz, yz = entry["inertia"]
-        return entry["mass"], np.array(entry["com"]), np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        return (
+            entry["mass"],
+            np.array(entry["com"]),
+            np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]),
+        )
 
     @property
     def bump(self) -> tuple[float, float, float]:

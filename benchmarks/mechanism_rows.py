@@ -55,29 +55,50 @@ def double_wishbone_rows(*, quick: bool = False) -> list[Row]:
             rows.append(_row(problem, "jounce, as one coordinate", one, own, REDUCED[tyre, asked]))
             for name, peer in PEERS.items():
                 if peer.is_installed:
-                    found = [cheapest(name, Case(tyre, v), asked, budget=0.6 if quick else 3.0) for v in speeds]
+                    found = [
+                        cheapest(name, Case(tyre, v), asked, budget=0.6 if quick else 3.0)
+                        for v in speeds
+                    ]
                     reached = "" if all(f.is_reached for f in found) else "error not reached"
-                    rows.append(_row(problem, name, [(f.seconds, f.error) for f in found], own, note=reached))
+                    rows.append(
+                        _row(
+                            problem, name, [(f.seconds, f.error) for f in found], own, note=reached
+                        )
+                    )
     return rows
 
 
-def _row(problem: str, way: str, found: list[tuple[float, float]], own, target: str = "", note: str = "") -> Row:
+def _row(
+    problem: str, way: str, found: list[tuple[float, float]], own, target: str = "", note: str = ""
+) -> Row:
     """Median at the first speed; the others in the note."""
     times = " / ".join(f"{seconds * 1e3:.3g}" for seconds, _ in found)
     speeds = " / ".join(str(speed) for speed in SPEEDS[: len(found)])
     text = f"{times} ms at {speeds} m/s" if len(found) > 1 else ""
     error = max(error for _, error in found)
     ratio = found[0][0] / own[0][0]
-    return Row(problem, way, found[0][0], error, ratio, target, ", ".join(part for part in (note, text) if part))
+    return Row(
+        problem,
+        way,
+        found[0][0],
+        error,
+        ratio,
+        target,
+        ", ".join(part for part in (note, text) if part),
+    )
 
 
 def _full(rig: jn.Rig, road: Segments, tolerance: float) -> PreparedRun:
     compiled = compile_rig(rig)
-    return prepare(compiled, compiled.parameter_values(rig.parameters()), road, TIMES, tolerance=tolerance)
+    return prepare(
+        compiled, compiled.parameter_values(rig.parameters()), road, TIMES, tolerance=tolerance
+    )
 
 
 def _reduced(rig: jn.Rig, road: Segments, tolerance: float) -> PreparedRun:
-    laid_out = ReducedCorner(reduction_of(rig), rig.parameters(), [road], TIMES, tolerance).lay_out()
+    laid_out = ReducedCorner(
+        reduction_of(rig), rig.parameters(), [road], TIMES, tolerance
+    ).lay_out()
     assert laid_out.holds(laid_out.prepared.run().states)
     return laid_out.prepared
 
@@ -89,7 +110,9 @@ def _own(case: Case, asked: float, lay_out=_full) -> tuple[float, float]:
     names = [output.name for output in compile_rig(rig).facts.outputs]
     height, wave, start = case.bump
     edges = np.array([0.0, start, start + np.pi / wave, DURATION])
-    road = Segments(edges, np.array([0, 1, 0]), np.array([[0.0] * 4, [0.0, height, wave, 0.0], [0.0] * 4]))
+    road = Segments(
+        edges, np.array([0, 1, 0]), np.array([[0.0] * 4, [0.0, height, wave, 0.0], [0.0] * 4])
+    )
     assert abs(hub - 0.1385) < 1e-12
     for tolerance in TOLERANCES:
         run = lay_out(rig, road, tolerance)
@@ -102,7 +125,10 @@ def _own(case: Case, asked: float, lay_out=_full) -> tuple[float, float]:
 
 def sweep_rows() -> list[Row]:
     """Travel sweeps of the reference double wishbone."""
-    rig, problem = jn.load("reference-double-wishbone"), "travel sweep of a double wishbone, 41 poses"
+    rig, problem = (
+        jn.load("reference-double-wishbone"),
+        "travel sweep of a double wishbone, 41 poses",
+    )
     sweep = prepare_sweep(rig, TRAVELS)
     count = len(sweep.run())
     own = median_time(sweep.run, repeats=101)

@@ -13,8 +13,12 @@ from typing import Any
 import numpy as np
 from mechanism_problem import DURATION, SAMPLES, Array, Case
 
-UP = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])  # turns x to z: a sliding mass slides along its x
-HINGE = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])  # turns z to x: a generic joint turns about its z
+UP = np.array(
+    [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]
+)  # turns x to z: a sliding mass slides along its x
+HINGE = np.array(
+    [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+)  # turns z to x: a generic joint turns about its z
 
 
 class System:
@@ -33,8 +37,13 @@ class System:
         chassis = self._chassis()
         lower, upper, upright = (self._body(name) for name in ("lower_arm", "upper_arm", "upright"))
         for arm, point in ((lower, "P_L"), (upper, "P_U")):
-            ends = [self._marker(chassis, h[point], UP.T @ HINGE), self._marker(arm, h[point], HINGE)]
-            mbs.AddObject(items.GenericJoint(markerNumbers=ends, constrainedAxes=[1, 1, 1, 1, 1, 0]))
+            ends = [
+                self._marker(chassis, h[point], UP.T @ HINGE),
+                self._marker(arm, h[point], HINGE),
+            ]
+            mbs.AddObject(
+                items.GenericJoint(markerNumbers=ends, constrainedAxes=[1, 1, 1, 1, 1, 0])
+            )
         for arm, point in ((lower, "BJ_L"), (upper, "BJ_U")):
             ends = [self._marker(arm, h[point]), self._marker(upright, h[point])]
             mbs.AddObject(items.SphericalJoint(markerNumbers=ends))
@@ -45,8 +54,13 @@ class System:
         law = {"stiffness": strut["k"], "damping": strut["c"], "referenceLength": strut["L0"]}
         mbs.AddObject(items.SpringDamper(markerNumbers=ends, **law))
         hub = self._marker(upright, h["W"])
-        ends = [mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround()))), hub]
-        tyre = mbs.AddObject(items.CartesianSpringDamper(markerNumbers=ends, stiffness=[0.0, 0.0, 1.0]))
+        ends = [
+            mbs.AddMarker(items.MarkerBodyRigid(bodyNumber=mbs.AddObject(items.ObjectGround()))),
+            hub,
+        ]
+        tyre = mbs.AddObject(
+            items.CartesianSpringDamper(markerNumbers=ends, stiffness=[0.0, 0.0, 1.0])
+        )
         self.law = CreateSymbolicUserFunction(mbs, tyre_law(case), "springForceUserFunction", tyre)
         mbs.SetObjectParameter(tyre, "springForceUserFunction", self.law)
         kept, kind = {"storeInternal": True, "writeToFile": False}, exu.OutputVariableType
@@ -58,11 +72,17 @@ class System:
 
     def _chassis(self) -> int:
         items, mass = self.items, self.case.model["bodies"]["chassis"]["mass"]
-        start = {"referenceCoordinates": [0.0], "initialCoordinates": [0.0], "initialVelocities": [0.0]}
+        start = {
+            "referenceCoordinates": [0.0],
+            "initialCoordinates": [0.0],
+            "initialVelocities": [0.0],
+        }
         self.node = self.mbs.AddNode(items.Node1D(**start))
         body = items.ObjectMass1D(mass=mass, nodeNumber=self.node, referenceRotation=UP.tolist())
         marker = self.mbs.AddMarker(items.MarkerNodeCoordinate(nodeNumber=self.node, coordinate=0))
-        self.mbs.AddLoad(items.LoadCoordinate(markerNumber=marker, load=-mass * self.case.model["gravity"]))
+        self.mbs.AddLoad(
+            items.LoadCoordinate(markerNumber=marker, load=-mass * self.case.model["gravity"])
+        )
         self.chassis = self.mbs.AddObject(body)
         return self.chassis
 

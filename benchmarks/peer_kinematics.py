@@ -32,9 +32,16 @@ RADIUS, CAMBER = 0.3, np.radians(-1.0)
 TRAVELS = np.linspace(-0.08, 0.08, 41)
 
 INNER = np.array(
-    [POINTS[f"{a}_arm_{e}"] for a in ("lower", "upper") for e in ("front", "rear")] + [POINTS["tie_rod_inner"]]
+    [POINTS[f"{a}_arm_{e}"] for a in ("lower", "upper") for e in ("front", "rear")]
+    + [POINTS["tie_rod_inner"]]
 )
-ENDS = ("lower_ball_joint", "lower_ball_joint", "upper_ball_joint", "upper_ball_joint", "tie_rod_outer")
+ENDS = (
+    "lower_ball_joint",
+    "lower_ball_joint",
+    "upper_ball_joint",
+    "upper_ball_joint",
+    "tie_rod_outer",
+)
 OUTER = np.array([POINTS[name] for name in ENDS])
 CENTRE, SPIN = POINTS["wheel_centre"], np.array([0.0, np.cos(CAMBER), -np.sin(CAMBER)])
 LOCAL = OUTER - CENTRE
@@ -140,7 +147,10 @@ def _spring(ball: Array, velocity: Array) -> tuple[Array, Array]:
 
 def sweeps() -> dict[str, Callable[[], object]]:
     """What to time: the poses alone, and with eleven quantities."""
-    return {"SciPy fsolve, poses": poses, "SciPy fsolve, poses and 11 quantities": lambda: metrics(poses())}
+    return {
+        "SciPy fsolve, poses": poses,
+        "SciPy fsolve, poses and 11 quantities": lambda: metrics(poses()),
+    }
 
 
 if __name__ == "__main__":

@@ -97,7 +97,9 @@ def prepared(case: Case) -> Callable[[int], tuple[float, Array, Array]]:
                 data.qpos[0], data.qvel[0] = 0.0, swing
             model.opt.timestep = length
             mujoco.mj_getState(model, data, state, full)
-            after, sensors = rollout.rollout(model, data, state[None], np.repeat(none, count, axis=1), nstep=count)
+            after, sensors = rollout.rollout(
+                model, data, state[None], np.repeat(none, count, axis=1), nstep=count
+            )
             mujoco.mj_setState(model, data, after[0, -1], full)
             return sensors[0]
 

@@ -24,18 +24,26 @@ class Wishbone:
         def joint(parent: int, kind, place: Array, name: str, origin: Array) -> int:
             number = model.addJoint(parent, kind, pin.SE3(np.eye(3), place), name)
             mass, centre, tensor = case.inertia(name)
-            model.appendBodyToJoint(number, pin.Inertia(mass, centre - origin, tensor), pin.SE3.Identity())
+            model.appendBodyToJoint(
+                number, pin.Inertia(mass, centre - origin, tensor), pin.SE3.Identity()
+            )
             return number
 
         chassis = model.addJoint(0, pin.JointModelPZ(), pin.SE3.Identity(), "chassis")
         mass = case.model["bodies"]["chassis"]["mass"]
-        model.appendBodyToJoint(chassis, pin.Inertia(mass, np.zeros(3), np.eye(3)), pin.SE3.Identity())
+        model.appendBodyToJoint(
+            chassis, pin.Inertia(mass, np.zeros(3), np.eye(3)), pin.SE3.Identity()
+        )
         lower = joint(chassis, pin.JointModelRX(), h["P_L"], "lower_arm", h["P_L"])
-        upright = joint(lower, pin.JointModelSphericalZYX(), h["BJ_L"] - h["P_L"], "upright", h["BJ_L"])
+        upright = joint(
+            lower, pin.JointModelSphericalZYX(), h["BJ_L"] - h["P_L"], "upright", h["BJ_L"]
+        )
         upper = joint(chassis, pin.JointModelRX(), h["P_U"], "upper_arm", h["P_U"])
 
         def frame(name: str, body: int, origin: Array, point: str) -> int:
-            return model.addFrame(pin.Frame(name, body, pin.SE3(np.eye(3), h[point] - origin), pin.FrameType.OP_FRAME))
+            return model.addFrame(
+                pin.Frame(name, body, pin.SE3(np.eye(3), h[point] - origin), pin.FrameType.OP_FRAME)
+            )
 
         self.ball = frame("ball of the upright", upright, h["BJ_L"], "BJ_U")
         self.arm_end = frame("end of the upper arm", upper, h["P_U"], "BJ_U")
@@ -44,7 +52,9 @@ class Wishbone:
         self.hub = frame("hub", upright, h["BJ_L"], "W")
         self.model, self.data = model, model.createData()
 
-    def right_hand_side(self, road: Callable[[float], float], touching: bool) -> Callable[[float, Array], Array]:
+    def right_hand_side(
+        self, road: Callable[[float], float], touching: bool
+    ) -> Callable[[float, Array], Array]:
         """``x' = f(t, x)`` with x = (q, v)."""
         from scipy.linalg.lapack import dgesv
 
@@ -52,8 +62,19 @@ class Wishbone:
         h, strut, tyre = self.case.points, self.case.model["strut"], self.case.model["tyre"]
         rate, damping, free_length = strut["k"], strut["c"], strut["L0"]
         stiffness, radius = (tyre["k"] if touching else 0.0), tyre["R0"]
-        top, inner, axes, still = h["S_C"].copy(), h["T_C"].copy(), pin.LOCAL_WORLD_ALIGNED, np.zeros(6)
-        ball, arm_end, rod_end, seat, hub = self.ball, self.arm_end, self.rod_end, self.seat, self.hub
+        top, inner, axes, still = (
+            h["S_C"].copy(),
+            h["T_C"].copy(),
+            pin.LOCAL_WORLD_ALIGNED,
+            np.zeros(6),
+        )
+        ball, arm_end, rod_end, seat, hub = (
+            self.ball,
+            self.arm_end,
+            self.rod_end,
+            self.seat,
+            self.hub,
+        )
         system, right, out = np.zeros((10, 10), order="F"), np.zeros(10), np.empty(12)
 
         def f(t: float, x: Array) -> Array:
@@ -72,7 +93,8 @@ class Wishbone:
             d_rod = places[rod_end].translation - inner
             d_rod[2] -= q[0]
             rows = (
-                pin.getFrameJacobian(model, data, ball, axes)[:3] - pin.getFrameJacobian(model, data, arm_end, axes)[:3]
+                pin.getFrameJacobian(model, data, ball, axes)[:3]
+                - pin.getFrameJacobian(model, data, arm_end, axes)[:3]
             )
             rod = pin.getFrameJacobian(model, data, rod_end, axes)[:3]
             rod[2, 0] -= 1.0
@@ -81,12 +103,17 @@ class Wishbone:
             system[6:9, :6] = rows
             system[:6, 6:9] = rows.T
             system[9, :6] = system[:6, 9] = d_rod @ rod
-            right[:6] = force * along + load * pin.getFrameJacobian(model, data, hub, axes)[2] - data.nle
+            right[:6] = (
+                force * along + load * pin.getFrameJacobian(model, data, hub, axes)[2] - data.nle
+            )
             right[6:9] = (
                 pin.getFrameClassicalAcceleration(model, data, arm_end, axes).linear
                 - pin.getFrameClassicalAcceleration(model, data, ball, axes).linear
             )
-            right[9] = -speed @ speed - d_rod @ pin.getFrameClassicalAcceleration(model, data, rod_end, axes).linear
+            right[9] = (
+                -speed @ speed
+                - d_rod @ pin.getFrameClassicalAcceleration(model, data, rod_end, axes).linear
+            )
             out[:6] = v
             out[6:] = dgesv(system, right)[2][:6]
             return out.copy()
@@ -109,7 +136,9 @@ def prepared(case: Case) -> Callable[[float], tuple[float, Array, Array]]:
         return height * sin(wave * (t - start))
 
     roads = (lambda _: 0.0), on_bump, (lambda _: 0.0)
-    functions = [[wishbone.right_hand_side(road, touching) for touching in (False, True)] for road in roads]
+    functions = [
+        [wishbone.right_hand_side(road, touching) for touching in (False, True)] for road in roads
+    ]
 
     def run(tolerance: float) -> tuple[float, Array, Array]:
         begin = perf_counter()
@@ -120,13 +149,17 @@ def prepared(case: Case) -> Callable[[float], tuple[float, Array, Array]]:
     return run
 
 
-def _integrate(case: Case, wishbone: Wishbone, functions, roads, radius: float, tolerance: float) -> Array:
+def _integrate(
+    case: Case, wishbone: Wishbone, functions, roads, radius: float, tolerance: float
+) -> Array:
     """DOP853 step by step, restarted at the road's edges and where the tyre leaves or meets the road."""
     from scipy.integrate import DOP853
 
     x, touching, parts = np.zeros(12), True, [np.zeros((1, 12))]
     atol = tolerance * np.repeat([1e-2, 1e0], 6)
-    for (begin, end), pair, road in zip(pairwise((0.0, *case.edges, DURATION)), functions, roads, strict=True):
+    for (begin, end), pair, road in zip(
+        pairwise((0.0, *case.edges, DURATION)), functions, roads, strict=True
+    ):
         t = begin
 
         def gap(s: float, y: Array, road=road) -> float:
@@ -136,7 +169,10 @@ def _integrate(case: Case, wishbone: Wishbone, functions, roads, radius: float, 
             solver = DOP853(pair[touching], t, x, end, rtol=tolerance, atol=atol)
             while solver.status == "running":
                 solver.step()
-                dense, switched = None, case.unilateral and (gap(solver.t, solver.y) > 0.0) != touching
+                dense, switched = (
+                    None,
+                    case.unilateral and (gap(solver.t, solver.y) > 0.0) != touching,
+                )
                 low, high = solver.t_old, solver.t
                 if switched:
                     dense = solver.dense_output()

@@ -7,7 +7,16 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from problems import DURATION, SAMPLES, TIMES, Array, Obstacle, QuarterCar, channels_of, displacement_error
+from problems import (
+    DURATION,
+    SAMPLES,
+    TIMES,
+    Array,
+    Obstacle,
+    QuarterCar,
+    channels_of,
+    displacement_error,
+)
 
 Run = Callable[[], Array]
 
@@ -16,7 +25,9 @@ def road_height(t: Any, bump: Obstacle) -> Any:  # noqa: ANN401
     """Height of the half-sine bump at times ``t``, m."""
     begin, end = bump.edges
     inside = (t > begin) & (t < end)
-    return np.where(inside, bump.height * np.sin(np.pi * (t - begin) * bump.speed / bump.length), 0.0)
+    return np.where(
+        inside, bump.height * np.sin(np.pi * (t - begin) * bump.speed / bump.length), 0.0
+    )
 
 
 def right_hand_side(car: QuarterCar, bump: Obstacle) -> Callable[[float, Array], Array]:
@@ -30,7 +41,9 @@ def right_hand_side(car: QuarterCar, bump: Obstacle) -> Callable[[float, Array],
         z = bump.height * np.sin(wave * (t - begin)) if begin < t < end else 0.0
         strut = k * (zu - zs) + c * (vu - vs)
         tyre = max(car.tyre * (z - zu), 0.0)
-        return np.array([vs, vu, strut / car.sprung - car.gravity, (tyre - strut) / car.unsprung - car.gravity])
+        return np.array(
+            [vs, vu, strut / car.sprung - car.gravity, (tyre - strut) / car.unsprung - car.gravity]
+        )
 
     return rate
 
@@ -96,8 +109,12 @@ def numba_runs(car: QuarterCar, bump: Obstacle) -> Iterator[tuple[str, float, Ru
                 out[0, i // sub], out[1, i // sub], out[2, i // sub], out[3, i // sub] = a, b, p, q
             t = i * h
             a1, b1, p1, q1 = rate(t, a, b, p, q)
-            a2, b2, p2, q2 = rate(t + h / 2, a + h / 2 * a1, b + h / 2 * b1, p + h / 2 * p1, q + h / 2 * q1)
-            a3, b3, p3, q3 = rate(t + h / 2, a + h / 2 * a2, b + h / 2 * b2, p + h / 2 * p2, q + h / 2 * q2)
+            a2, b2, p2, q2 = rate(
+                t + h / 2, a + h / 2 * a1, b + h / 2 * b1, p + h / 2 * p1, q + h / 2 * q1
+            )
+            a3, b3, p3, q3 = rate(
+                t + h / 2, a + h / 2 * a2, b + h / 2 * b2, p + h / 2 * p2, q + h / 2 * q2
+            )
             a4, b4, p4, q4 = rate(t + h, a + h * a3, b + h * b3, p + h * p3, q + h * q3)
             a += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
             b += h / 6 * (b1 + 2 * b2 + 2 * b3 + b4)
@@ -131,12 +148,15 @@ def diffrax_runs(car: QuarterCar, bump: Obstacle) -> Iterator[tuple[str, float, 
         z = jnp.where((t > begin) & (t < end), bump.height * jnp.sin(wave * (t - begin)), 0.0)
         strut = k * (zu - zs) + c * (vu - vs)
         tyre = jnp.maximum(car.tyre * (z - zu), 0.0)
-        return jnp.stack([vs, vu, strut / car.sprung - car.gravity, (tyre - strut) / car.unsprung - car.gravity])
+        return jnp.stack(
+            [vs, vu, strut / car.sprung - car.gravity, (tyre - strut) / car.unsprung - car.gravity]
+        )
 
     for name, solver in (("Tsit5", diffrax.Tsit5()), ("Dopri8", diffrax.Dopri8())):
         for tolerance in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10):
             controller = diffrax.ClipStepSizeController(
-                diffrax.PIDController(rtol=tolerance, atol=tolerance * 1e-3), step_ts=jnp.array([begin, end])
+                diffrax.PIDController(rtol=tolerance, atol=tolerance * 1e-3),
+                step_ts=jnp.array([begin, end]),
             )
 
             @jax.jit
@@ -173,11 +193,18 @@ def casadi_runs(car: QuarterCar, bump: Obstacle) -> Iterator[tuple[str, float, R
     z = ca.if_else(ca.logic_and(t > begin, t < end), bump.height * ca.sin(wave * (t - begin)), 0.0)
     strut = k * (x[1] - x[0]) + c * (x[3] - x[2])
     tyre = ca.fmax(car.tyre * (z - x[1]), 0.0)
-    rate = ca.vertcat(x[2], x[3], strut / car.sprung - car.gravity, (tyre - strut) / car.unsprung - car.gravity)
+    rate = ca.vertcat(
+        x[2], x[3], strut / car.sprung - car.gravity, (tyre - strut) / car.unsprung - car.gravity
+    )
     grid = np.unique(np.concatenate([TIMES, bump.edges]))
     keep = np.isin(grid, TIMES)
     for tolerance in (1e-6, 1e-7, 1e-8, 1e-9):
-        options = {"reltol": tolerance, "abstol": tolerance * 1e-3, "max_num_steps": 1000000, "max_step_size": 5e-3}
+        options = {
+            "reltol": tolerance,
+            "abstol": tolerance * 1e-3,
+            "max_num_steps": 1000000,
+            "max_step_size": 5e-3,
+        }
         solver = ca.integrator("s", "cvodes", {"x": x, "t": t, "ode": rate}, 0.0, grid[1:], options)
 
         def run(solver: Any = solver) -> Array:  # noqa: ANN401
@@ -212,5 +239,11 @@ def linear_runs(car: QuarterCar, time: Array, road: Array) -> Iterator[tuple[str
     system = control.ss(a, b[:, None], c, d)
     yield "python-control", lambda: control.forced_response(system, time, road).outputs
     discrete = signal.cont2discrete((a, b[:, None], c, d), time[1] - time[0], method="foh")
-    filters = [signal.ss2tf(discrete[0], discrete[1], discrete[2][i : i + 1], discrete[3][i : i + 1]) for i in range(4)]
-    yield "foh discretisation + lfilter", lambda: np.array([signal.lfilter(n[0], m, road) for n, m in filters])
+    filters = [
+        signal.ss2tf(discrete[0], discrete[1], discrete[2][i : i + 1], discrete[3][i : i + 1])
+        for i in range(4)
+    ]
+    yield (
+        "foh discretisation + lfilter",
+        lambda: np.array([signal.lfilter(n[0], m, road) for n, m in filters]),
+    )

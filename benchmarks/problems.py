@@ -25,7 +25,14 @@ class QuarterCar:
     def rest(self) -> Array:
         """Static equilibrium (sprung.z, unsprung.z, 0, 0)."""
         unsprung = -(self.sprung + self.unsprung) * self.gravity / self.tyre
-        return np.array([unsprung - self.sprung * self.gravity / (self.rate * self.lever**2), unsprung, 0.0, 0.0])
+        return np.array(
+            [
+                unsprung - self.sprung * self.gravity / (self.rate * self.lever**2),
+                unsprung,
+                0.0,
+                0.0,
+            ]
+        )
 
     def matrices(self) -> tuple[Array, Array, Array]:
         """``x' = A x + B z_road + g`` without lift-off."""
@@ -35,7 +42,12 @@ class QuarterCar:
                 [0, 0, 1, 0],
                 [0, 0, 0, 1],
                 [-k / self.sprung, k / self.sprung, -c / self.sprung, c / self.sprung],
-                [k / self.unsprung, -(k + self.tyre) / self.unsprung, c / self.unsprung, -c / self.unsprung],
+                [
+                    k / self.unsprung,
+                    -(k + self.tyre) / self.unsprung,
+                    c / self.unsprung,
+                    -c / self.unsprung,
+                ],
             ]
         )
         b = np.array([0, 0, 0, self.tyre / self.unsprung])
@@ -96,4 +108,6 @@ def channels_of(states: Array, road: Array, car: QuarterCar, *, lift_off: bool) 
 
 def displacement_error(states: Array, reference: Array) -> float:
     """Largest error of both displacements relative to the range of each."""
-    return float(np.max(np.max(np.abs(states[:2] - reference[:2]), axis=1) / np.ptp(reference[:2], axis=1)))
+    return float(
+        np.max(np.max(np.abs(states[:2] - reference[:2]), axis=1) / np.ptp(reference[:2], axis=1))
+    )

@@ -42,19 +42,50 @@ def report_rows() -> list[Row]:
         _, result = run_demo(Path(folder) / "demo")
         write_campaign(result, Path(folder) / "warm")
         page = _processor(lambda: write_campaign(result, Path(folder) / "report", force=True))
-        both = _processor(lambda: write_campaign(result, Path(folder) / "both", force=True, pdf=True))
+        both = _processor(
+            lambda: write_campaign(result, Path(folder) / "both", force=True, pdf=True)
+        )
         size = (Path(folder) / "report" / "report.html").stat().st_size
         problem = "report of the shipped campaign, 16 trials (processor time)"
         rows = [
-            Row(problem, "jounce, one HTML file", page, None, 1.0, "≤ 2.5 s", f"{1e-6 * size:.1f} MB"),
+            Row(
+                problem,
+                "jounce, one HTML file",
+                page,
+                None,
+                1.0,
+                "≤ 2.5 s",
+                f"{1e-6 * size:.1f} MB",
+            ),
             Row(problem, "jounce, and the same as PDF", both, None, both / page, "+ 1 s"),
         ]
         signal = np.sin(np.arange(10_000_000) / 700.0)
         long = recording(np.arange(10_000_000) / 1000.0, {"sprung.az": (signal, "m/s^2", "")})
-        picture = _processor(lambda: write_figure(time_history(long), Path(folder) / "long.png", force=True), repeats=3)
-        rows.append(Row("plot of a recording of 10 million samples", "jounce, PNG", picture, None, 1.0, "≤ 3 s"))
+        picture = _processor(
+            lambda: write_figure(time_history(long), Path(folder) / "long.png", force=True),
+            repeats=3,
+        )
+        rows.append(
+            Row(
+                "plot of a recording of 10 million samples",
+                "jounce, PNG",
+                picture,
+                None,
+                1.0,
+                "≤ 3 s",
+            )
+        )
         page = _processor(lambda: _long_page(long, Path(folder) / "long.html"), repeats=3)
-        rows.append(Row("page of a recording of 10 million samples", "jounce, HTML", page, None, 1.0, "≤ 3 s"))
+        rows.append(
+            Row(
+                "page of a recording of 10 million samples",
+                "jounce, HTML",
+                page,
+                None,
+                1.0,
+                "≤ 3 s",
+            )
+        )
         return rows + _browser_rows(Path(folder))
 
 
@@ -103,7 +134,15 @@ def _browser_rows(folder: Path) -> list[Row]:
     ready, frame = statistics.median(opened), statistics.median(frames)
     note = "Chromium without a graphics card"
     return [
-        Row("report of 16 trials, from opening until usable", "jounce", ready, None, 1.0, "≤ 1 s", note),
+        Row(
+            "report of 16 trials, from opening until usable",
+            "jounce",
+            ready,
+            None,
+            1.0,
+            "≤ 1 s",
+            note,
+        ),
         Row(
             "zoom and pan of 3 x 10 000 points, mechanism moving: one frame",
             "jounce",

@@ -29,7 +29,9 @@ def ride_rows() -> list[Row]:
 def _road_rows() -> list[Row]:
     """10 km of ISO 8608 at 1 cm, a new seed each time; the peer sums 1 km of cosines."""
     seeds = iter(range(1_000_000))
-    own = median_time(lambda: Iso8608(class_="C", length=1e4, step=0.01, seed=next(seeds)).points(), repeats=5)
+    own = median_time(
+        lambda: Iso8608(class_="C", length=1e4, step=0.01, seed=next(seeds)).points(), repeats=5
+    )
     problem = "ISO 8608 road, 10 km at 1 cm"
     sums = 10.0 * 10.0 * median_time(_sum_of_cosines, repeats=1, budget=0.0)
     note = "sequential; extrapolated from 1 km with a tenth of the points and cosines"
@@ -46,7 +48,9 @@ def _sum_of_cosines() -> np.ndarray:
     phase = np.random.default_rng(0).uniform(0.0, 2.0 * np.pi, len(n))
     height = np.zeros_like(x)
     for line, angle in zip(n, phase, strict=True):
-        height += np.sqrt(2.0 * 256e-6 * (0.1 / line) ** 2 * 1e-2) * np.cos(2.0 * np.pi * line * x + angle)
+        height += np.sqrt(2.0 * 256e-6 * (0.1 / line) ** 2 * 1e-2) * np.cos(
+            2.0 * np.pi * line * x + angle
+        )
     return height
 
 
@@ -72,11 +76,18 @@ def _robust_rows() -> list[Row]:
 
     theirs = median_time(one_by_one, repeats=5)
     problem = "damper for three roads, one design over 32 samples, with slopes"
-    whole = median_time(lambda: jn.design_front(rig, free, _GOALS, cases=cases, spread=_SPREAD, points=15), repeats=1)
+    whole = median_time(
+        lambda: jn.design_front(rig, free, _GOALS, cases=cases, spread=_SPREAD, points=15),
+        repeats=1,
+    )
     return [
         Row(problem, "jounce, all samples together", own, None, 1.0),
         Row(problem, "jn.stationary for each", theirs, None, theirs / own, note="all channels"),
-        Row("the same, Pareto front of three objectives, 15 designs", "jounce, jn.design_front", whole),
+        Row(
+            "the same, Pareto front of three objectives, 15 designs",
+            "jounce, jn.design_front",
+            whole,
+        ),
     ]
 
 
@@ -90,7 +101,14 @@ def _iri_rows() -> list[Row]:
     median = median_time(lambda: _iri_loop(z), repeats=3)
     return [
         Row(problem, "jounce.iri with its segments", own, 0.0, 1.0, "≤ 0.5 s"),
-        Row(problem, "NumPy, matrix times state", median, abs(plain / found - 1.0), median / own, note="total only"),
+        Row(
+            problem,
+            "NumPy, matrix times state",
+            median,
+            abs(plain / found - 1.0),
+            median / own,
+            note="total only",
+        ),
     ]
 
 
@@ -117,11 +135,27 @@ def _weighting_rows() -> list[Row]:
     own = median_time(lambda: weight(values, rate, "Wk"), repeats=5)
     other = median_time(lambda: signal.sosfilt(filters, values), repeats=5)
     errors = [
-        _response_error(run, rate) for run in (lambda v: weight(v, rate, "Wk"), lambda v: signal.sosfilt(filters, v))
+        _response_error(run, rate)
+        for run in (lambda v: weight(v, rate, "Wk"), lambda v: signal.sosfilt(filters, v))
     ]
     return [
-        Row(problem, "jounce.ride.weighting", own, errors[0], 1.0, "≤ 1 s", "error of the response, 0.63 to 63 Hz"),
-        Row(problem, "SciPy, bilinear filter", other, errors[1], other / own, note="error not reached"),
+        Row(
+            problem,
+            "jounce.ride.weighting",
+            own,
+            errors[0],
+            1.0,
+            "≤ 1 s",
+            "error of the response, 0.63 to 63 Hz",
+        ),
+        Row(
+            problem,
+            "SciPy, bilinear filter",
+            other,
+            errors[1],
+            other / own,
+            note="error not reached",
+        ),
     ]
 
 
@@ -161,8 +195,12 @@ def _control_rows() -> list[Row]:
     for name, target in (("audi-a6-quarter-car", "≥ 500 × real time"), ("audi-a6-full-car", "")):
         rig = jn.load(name)
         trial = iso_trial(rig, "C", 20.0, duration=_CONTROLLED).trial
-        problem = f"controlled {rig.model}, ISO C at 20 m/s, {trial.duration:.4g} s, control at 1 kHz"
-        corners = tuple(f"{corner}." for corner in rig.corners) if isinstance(rig, jn.Vehicle) else ("",)
+        problem = (
+            f"controlled {rig.model}, ISO C at 20 m/s, {trial.duration:.4g} s, control at 1 kHz"
+        )
+        corners = (
+            tuple(f"{corner}." for corner in rig.corners) if isinstance(rig, jn.Vehicle) else ("",)
+        )
         own = 0.0
         for way, control, goal in (
             ("compiled skyhook", "skyhook", target),
@@ -181,6 +219,9 @@ def _skyhook_at(corners: tuple[str, ...]) -> Callable[[Any, float], list[float]]
     names = [(f"{corner}sprung.vz", f"{corner}strut.velocity") for corner in corners]
 
     def skyhook(measurement: Any, t: float) -> list[float]:  # noqa: ARG001
-        return [4000.0 if measurement[body] * measurement[stroke] < 0.0 else 300.0 for body, stroke in names]
+        return [
+            4000.0 if measurement[body] * measurement[stroke] < 0.0 else 300.0
+            for body, stroke in names
+        ]
 
     return skyhook

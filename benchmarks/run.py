@@ -49,13 +49,30 @@ def obstacle_rows() -> list[Row]:
         error = displacement_error(case.out.states, reference)
         if error <= ERROR:
             break
-    problem, own = "quarter car with lift-off, obstacle, 3 s at 1 kHz", median_time(case.run, repeats=101)
-    rows = [Row(problem, "jounce, compiled run", own, error, 1.0, "≤ 0.08 ms", f"states and {len(CHANNELS)} channels")]
+    problem, own = (
+        "quarter car with lift-off, obstacle, 3 s at 1 kHz",
+        median_time(case.run, repeats=101),
+    )
+    rows = [
+        Row(
+            problem,
+            "jounce, compiled run",
+            own,
+            error,
+            1.0,
+            "≤ 0.08 ms",
+            f"states and {len(CHANNELS)} channels",
+        )
+    ]
     trial = jn.Trial(
-        road=jn.HalfSine(height=bump.height, length=bump.length, start=bump.start), speed=bump.speed, duration=DURATION
+        road=jn.HalfSine(height=bump.height, length=bump.length, start=bump.start),
+        speed=bump.speed,
+        duration=DURATION,
     )
     whole = median_time(lambda: jn.simulate(rig, trial, tolerance=tolerance), repeats=51)
-    rows.append(Row(problem, "jounce, jn.simulate with its Dataset", whole, error, whole / own, "+ 0.7 ms"))
+    rows.append(
+        Row(problem, "jounce, jn.simulate with its Dataset", whole, error, whole / own, "+ 0.7 ms")
+    )
     for peers in (numba_runs, diffrax_runs, casadi_runs, scipy_runs):
         for name, _, run, error in cheapest(peers(car, bump), reference, ERROR):
             note = "" if error <= ERROR else "error not reached"
@@ -75,7 +92,15 @@ def linear_rows() -> list[Row]:
     reference = case.out.states - case.out.states[:, :1]
     problem, own = "linear quarter car, road of 10 s at 1 kHz", median_time(case.run, repeats=101)
     rows = [
-        Row(problem, "jounce, exact propagation", own, None, 1.0, "≤ 0.1 ms", f"states and {len(CHANNELS)} channels")
+        Row(
+            problem,
+            "jounce, exact propagation",
+            own,
+            None,
+            1.0,
+            "≤ 0.1 ms",
+            f"states and {len(CHANNELS)} channels",
+        )
     ]
     for name, run in linear_runs(car, time_, height):
         error = displacement_error(run(), reference)
@@ -87,7 +112,11 @@ def linear_rows() -> list[Row]:
 def update_rows() -> list[Row]:
     """One update with three parameters on one trial, against its own noise-free data."""
     rig = jn.load("kart-quarter-car")
-    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m"), speed="1.95 m/s", duration="3 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m"),
+        speed="1.95 m/s",
+        duration="3 s",
+    )
     factors = {"strut.spring.rate": 1.06, "strut.damper.coefficient": 0.93, "tyre.stiffness": 0.95}
     values = rig.parameters()
     truth = rig.with_changes({path: values[path] * factor for path, factor in factors.items()})
@@ -98,10 +127,25 @@ def update_rows() -> list[Row]:
     for method in ("least-squares", "bfgs"):
         result = jn.update_model([fit], free, method=method)
         found = result.parameters
-        error = max(abs(found[path].value / (values[path] * factor) - 1.0) for path, factor in factors.items())
-        median = median_time(lambda method=method: jn.update_model([fit], free, method=method), repeats=9)
+        error = max(
+            abs(found[path].value / (values[path] * factor) - 1.0)
+            for path, factor in factors.items()
+        )
+        median = median_time(
+            lambda method=method: jn.update_model([fit], free, method=method), repeats=9
+        )
         note = f"{result.evaluations} evaluations, truth to {error:.0e}"
-        rows.append(Row("update of three parameters on one trial", method, median, None, None, "≤ 50 ms, 1e-6", note))
+        rows.append(
+            Row(
+                "update of three parameters on one trial",
+                method,
+                median,
+                None,
+                None,
+                "≤ 50 ms, 1e-6",
+                note,
+            )
+        )
     return rows
 
 
@@ -142,7 +186,9 @@ def main() -> None:
     text = PAGE.read_text(encoding="utf-8")
     head, _, rest = text.partition("<!-- table -->")
     _, _, tail = rest.partition("<!-- end of table -->")
-    PAGE.write_text(f"{head}<!-- table -->\n\n{table}\n\n<!-- end of table -->{tail}", encoding="utf-8")
+    PAGE.write_text(
+        f"{head}<!-- table -->\n\n{table}\n\n<!-- end of table -->{tail}", encoding="utf-8"
+    )
 
 
 if __name__ == "__main__":

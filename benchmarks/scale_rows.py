@@ -47,7 +47,9 @@ def _course() -> jn.Trial:
 
 
 def _design(count: int, seed: int = 1) -> jn.variants.designs.Design:
-    return jn.sobol({"strut.spring.rate": "20 %", "sprung.mass": ["14 kg", "18 kg"]}, count, seed=seed)
+    return jn.sobol(
+        {"strut.spring.rate": "20 %", "sprung.mass": ["14 kg", "18 kg"]}, count, seed=seed
+    )
 
 
 def _variants() -> list[Row]:
@@ -67,7 +69,14 @@ def _variants() -> list[Row]:
         ratio = one / rows[0].median if rows else 1.0
         target = "≤ 1.1 of the first" if rows else ""
         rows.append(
-            Row("one variant of a Sobol study, linear quarter car, 3 s at 1 kHz", words, one, None, ratio, target)
+            Row(
+                "one variant of a Sobol study, linear quarter car, 3 s at 1 kHz",
+                words,
+                one,
+                None,
+                ratio,
+                target,
+            )
         )
     return rows
 
@@ -78,20 +87,38 @@ def _posterior() -> Row:
         campaign = prepare_demo(Path(folder) / "demo")
         seconds = _once(lambda: jn.campaign_posterior(campaign, "strategy 2", draws=100_000))
     return Row(
-        "posterior of strategy 2 of the shipped campaign", "jounce, 100 000 draws", seconds, None, None, "≤ 60 s"
+        "posterior of strategy 2 of the shipped campaign",
+        "jounce, 100 000 draws",
+        seconds,
+        None,
+        None,
+        "≤ 60 s",
     )
 
 
 def _starts() -> Row:
     """Ten parameters of a half car from two hundred points, against its own noise-free data."""
     rig = jn.load("audi-a6-half-car-4dof")
-    trial = jn.Trial(road=jn.HalfSine(height="30 mm", length="1 m", start="1 m"), speed="10 m/s", duration="2 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="30 mm", length="1 m", start="1 m"), speed="10 m/s", duration="2 s"
+    )
     values = rig.parameters()
-    truth = rig.with_changes({path: values[path] * (1.05 if i % 2 else 0.95) for i, path in enumerate(_TEN)})
-    measured = jn.simulate(truth, trial)[["body.az", "body.pitch", "front.unsprung.az", "rear.unsprung.az"]]
+    truth = rig.with_changes(
+        {path: values[path] * (1.05 if i % 2 else 0.95) for i, path in enumerate(_TEN)}
+    )
+    measured = jn.simulate(truth, trial)[
+        ["body.az", "body.pitch", "front.unsprung.az", "rear.unsprung.az"]
+    ]
     fit = jn.FitTrial("one", rig, trial, measured)
     seconds = _once(lambda: jn.update_model([fit], dict.fromkeys(_TEN, "20 %"), starts=200))
-    return Row("update of ten parameters of a half car, 200 starts", "jounce", seconds, None, None, "≤ 10 s")
+    return Row(
+        "update of ten parameters of a half car, 200 starts",
+        "jounce",
+        seconds,
+        None,
+        None,
+        "≤ 10 s",
+    )
 
 
 def _cluster() -> list[Row]:
@@ -108,10 +135,18 @@ def _cluster() -> list[Row]:
     work, columns = read_request(rig, trial, _design(_TASKS * size), settings, metrics, None, None)
     version = metadata.version("jounce")
     tasks = [
-        Task(i, i * size, {path: column[i * size : (i + 1) * size] for path, column in columns.items()}, version)
+        Task(
+            i,
+            i * size,
+            {path: column[i * size : (i + 1) * size] for path, column in columns.items()},
+            version,
+        )
         for i in range(_TASKS)
     ]
-    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+    with (
+        LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster,
+        Client(cluster) as client,
+    ):
         list(on_cluster(client, work, tasks[:1]))
         own, away = (
             _once(lambda run=run: list(run()))

@@ -26,10 +26,21 @@ KART, CORNER, CAR = "kart-quarter-car", "reference-double-wishbone", "formula-st
 COLD = {
     "jounce simulate of the quarter car": (["simulate", KART, *DRIVEN], "≤ 4 s"),
     "the same, implicit method": (["simulate", KART, *DRIVEN, "--method", "implicit"], "≤ 6 s"),
-    "the same, controlled (jounce compare)": (["compare", KART, *DRIVEN, "--control", "skyhook"], "≤ 6 s"),
+    "the same, controlled (jounce compare)": (
+        ["compare", KART, *DRIVEN, "--control", "skyhook"],
+        "≤ 6 s",
+    ),
     "jounce simulate of a 3-D corner": (["simulate", CORNER, *DRIVEN], "≤ 6 s"),
     "jounce inspect simulate": (
-        ["inspect", "simulate", "audi-a6-quarter-car", "--tester", "egea-specsus2018", "--out", "lane.csv"],
+        [
+            "inspect",
+            "simulate",
+            "audi-a6-quarter-car",
+            "--tester",
+            "egea-specsus2018",
+            "--out",
+            "lane.csv",
+        ],
         "≤ 6 s",
     ),
     "jounce kinematics": (["kinematics", CORNER, "--travel", "-80 mm:80 mm:4 mm"], "≤ 6 s"),
@@ -79,11 +90,15 @@ open(sys.argv[1], "w").write(json.dumps(told))"""
 def process(arguments: list[str], folder: Path) -> Process:
     """Run Python in a folder, whose own cache it uses."""
     environment = {**os.environ, "JOUNCE_CACHE_DIR": str(folder / "cache"), "COLUMNS": "140"}
-    environment.pop("PYTHONDONTWRITEBYTECODE", None)  # or every process would make it anew of all our sources
+    environment.pop(
+        "PYTHONDONTWRITEBYTECODE", None
+    )  # or every process would make it anew of all our sources
     with tempfile.TemporaryDirectory() as told:
         numbers = Path(told, "used.json")
         command = [sys.executable, "-S", "-c", _STARTED, str(numbers), *arguments]
-        printed = subprocess.run(command, cwd=folder, env=environment, stdout=subprocess.PIPE, check=True).stdout
+        printed = subprocess.run(
+            command, cwd=folder, env=environment, stdout=subprocess.PIPE, check=True
+        ).stdout
         code, seconds, memory = json.loads(numbers.read_text())
     if code:
         raise SystemExit(f"{' '.join(arguments)} failed: {code}")
@@ -96,7 +111,9 @@ def cold_rows() -> list[Row]:
         with tempfile.TemporaryDirectory() as folder:
             Path(folder, "bump.toml").write_text(BUMP, encoding="utf-8")
             used = process(["-m", "jounce", *words], Path(folder))
-        rows.append(Row("first run, empty caches, processor time", name, used.seconds, target=target))
+        rows.append(
+            Row("first run, empty caches, processor time", name, used.seconds, target=target)
+        )
     return rows
 
 
@@ -107,11 +124,16 @@ def warm_rows() -> list[Row]:
         (folder / "bump.toml").write_text(BUMP, encoding="utf-8")
         for way, (words, target) in WARM.items():
             used = [process(["-m", "jounce", *words], folder) for _ in range(6)][1:]
-            seconds, most = float(np.median([one.seconds for one in used])), max(one.megabytes for one in used)
+            seconds, most = (
+                float(np.median([one.seconds for one in used])),
+                max(one.megabytes for one in used),
+            )
             note = f"{most:.0f} MB at most"
             rows.append(Row("warm command, processor time", way, seconds, target=target, note=note))
         script = "import time; start = time.perf_counter(); import jounce; print(time.perf_counter() - start)"
-        imported = float(np.median([float(process(["-c", script], folder).printed) for _ in range(5)]))
+        imported = float(
+            np.median([float(process(["-c", script], folder).printed) for _ in range(5)])
+        )
         rows.append(Row("import jounce", "in a fresh process", imported, target="≤ 0.3 s"))
     return rows
 
@@ -120,33 +142,74 @@ def compile_rows() -> list[Row]:
     rows = []
     for what, (name, target) in COMPILED.items():
         with tempfile.TemporaryDirectory() as folder:
-            first, *cached = (float(process(["-c", COMPILE.format(name=name)], Path(folder)).printed) for _ in range(4))
+            first, *cached = (
+                float(process(["-c", COMPILE.format(name=name)], Path(folder)).printed)
+                for _ in range(4)
+            )
         problem = f"build and compile the {what}, processor time"
-        rows += [Row(problem, "first time", first, target=target), Row(problem, "from the cache", min(cached))]
+        rows += [
+            Row(problem, "first time", first, target=target),
+            Row(problem, "from the cache", min(cached)),
+        ]
     with tempfile.TemporaryDirectory() as folder:
         used = process([str(HERE / "hand_written_vehicle.py")], Path(folder))
-    rows.append(Row("hand-written vehicle of nine bodies, processor time", "first run", used.seconds, target="≤ 15 s"))
+    rows.append(
+        Row(
+            "hand-written vehicle of nine bodies, processor time",
+            "first run",
+            used.seconds,
+            target="≤ 15 s",
+        )
+    )
     return rows
 
 
 def call_rows() -> list[Row]:
     """Calls of the public functions, warm: with the same rig and trial again, and with others each time."""
-    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m"), speed="1.95 m/s", duration="3 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m"),
+        speed="1.95 m/s",
+        duration="3 s",
+    )
     rows, count = [], 101
     for name, targets in ((KART, ("≤ 0.4 ms", "≤ 0.6 ms")), (CORNER, ("run + 0.7 ms", ""))):
         rig = jn.load(name)
         path = next(path for path in rig.parameters() if path.endswith("spring.rate"))
         value = rig.parameters()[path]
-        others = iter([rig.with_changes({path: value * (1.0 + 1e-4 * i)}) for i in range(count + 1)])
+        others = iter(
+            [rig.with_changes({path: value * (1.0 + 1e-4 * i)}) for i in range(count + 1)]
+        )
         again = median_time(lambda rig=rig: jn.simulate(rig, trial), repeats=count)
         other = median_time(lambda others=others: jn.simulate(next(others), trial), repeats=count)
-        rows.append(Row(f"jn.simulate of {name}, 3 s at 1 kHz", "same rig and trial", again, target=targets[0]))
-        rows.append(Row(f"jn.simulate of {name}, 3 s at 1 kHz", "a different rig each time", other, target=targets[1]))
+        rows.append(
+            Row(
+                f"jn.simulate of {name}, 3 s at 1 kHz",
+                "same rig and trial",
+                again,
+                target=targets[0],
+            )
+        )
+        rows.append(
+            Row(
+                f"jn.simulate of {name}, 3 s at 1 kHz",
+                "a different rig each time",
+                other,
+                target=targets[1],
+            )
+        )
     travel, rig = np.linspace(-0.08, 0.08, 41), jn.load(CORNER)
     swept = median_time(lambda: jn.sweep_travel(rig, travel), repeats=count)
     rows.append(Row("jn.sweep_travel, 41 poses", "with its Dataset", swept, target="≤ 0.6 ms"))
     pairs = median_time(lambda: jn.sweep_path(rig, travel, 0.1 * travel), repeats=count)
-    rows.append(Row("jn.sweep_path, 41 pairs of travel and rack", "with its Dataset", pairs, None, pairs / swept))
+    rows.append(
+        Row(
+            "jn.sweep_path, 41 pairs of travel and rack",
+            "with its Dataset",
+            pairs,
+            None,
+            pairs / swept,
+        )
+    )
     return rows
 
 

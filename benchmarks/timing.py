@@ -33,7 +33,9 @@ def median_time(run: Callable[[], object], *, repeats: int = 15, budget: float =
     return float(np.median(times))
 
 
-def side_by_side(ways: Sequence[Callable[[], float]], *, rounds: int = 20) -> list[tuple[float, float]]:
+def side_by_side(
+    ways: Sequence[Callable[[], float]], *, rounds: int = 20
+) -> list[tuple[float, float]]:
     """Median of the time (s) that each method returns, and of its ratio to the first method in the same round.
 
     The methods run alternately, so other load and clock changes of the machine affect all of them.
@@ -61,10 +63,15 @@ def shown(seconds: float) -> str:
 
 def markdown(rows: list[Row]) -> str:
     """The rows as a table for the documentation."""
-    lines = ["| problem | method | median | × jounce | displacement error | target |", "|---|---|---:|---:|---:|---|"]
+    lines = [
+        "| problem | method | median | × jounce | displacement error | target |",
+        "|---|---|---:|---:|---:|---|",
+    ]
     for row in rows:
         ratio = "" if row.ratio is None else f"{row.ratio:.3g}"
         error = "" if row.error is None else f"{row.error:.1e}"
         way = f"{row.way} ({row.note})" if row.note else row.way
-        lines.append(f"| {row.problem} | {way} | {shown(row.median)} | {ratio} | {error} | {row.target} |")
+        lines.append(
+            f"| {row.problem} | {way} | {shown(row.median)} | {ratio} | {error} | {row.target} |"
+        )
     return "\n".join(lines)

@@ -44,18 +44,38 @@ def variant_rows() -> list[Row]:
 
 def _quarter_cars(title: str, rig: jn.Rig, height: float, target: str) -> list[Row]:
     time, road = long_road()
-    trial = jn.Trial(road=jn.Table(x=time, height=height * road), speed="1 m/s", duration=float(time[-1]))
+    trial = jn.Trial(
+        road=jn.Table(x=time, height=height * road), speed="1 m/s", duration=float(time[-1])
+    )
     problem = f"{_shown(COUNT)} quarter cars, {title}, road of 10 s at 1 kHz, 3 metrics"
     design = jn.sobol(SPREAD, COUNT, seed=1)
     found: list[Any] = []
-    own = median_time(lambda: found.append(jn.simulate_many(rig, trial, design, metrics=METRICS)), repeats=5)
+    own = median_time(
+        lambda: found.append(jn.simulate_many(rig, trial, design, metrics=METRICS)), repeats=5
+    )
     many = found[-1]
-    rows = [Row(problem, "jounce, simulate_many", own, None, 1.0, target, f"{many.attrs['side_by_side']} per batch")]
-    one = median_time(lambda: jn.simulate_many(rig, trial, design, metrics=METRICS, threads=1), repeats=3)
+    rows = [
+        Row(
+            problem,
+            "jounce, simulate_many",
+            own,
+            None,
+            1.0,
+            target,
+            f"{many.attrs['side_by_side']} per batch",
+        )
+    ]
+    one = median_time(
+        lambda: jn.simulate_many(rig, trial, design, metrics=METRICS, threads=1), repeats=3
+    )
     rows.append(Row(problem, "jounce, one thread", one, None, one / own))
     few = {path: many[path].values[:FEWER] for path in SPREAD}
-    alone = median_time(lambda: [_alone(rig, trial, few, i) for i in range(20)], repeats=3) * COUNT / 20
-    rows.append(Row(problem, "jounce, jn.simulate one by one", alone, None, alone / own, note="from 20"))
+    alone = (
+        median_time(lambda: [_alone(rig, trial, few, i) for i in range(20)], repeats=3) * COUNT / 20
+    )
+    rows.append(
+        Row(problem, "jounce, jn.simulate one by one", alone, None, alone / own, note="from 20")
+    )
     for name, count, run in _peers(many, height * road, linear=not rig.tyre.lift_off):
         seconds = median_time(run, repeats=3) * COUNT / count
         expected = many["rms sprung.az"].values[:count]
@@ -70,7 +90,9 @@ def _shown(count: int) -> str:
 
 
 def _alone(rig: jn.Rig, trial: jn.Trial, few: dict[str, Array], i: int) -> float:
-    run = jn.simulate(rig.with_changes({path: float(values[i]) for path, values in few.items()}), trial)
+    run = jn.simulate(
+        rig.with_changes({path: float(values[i]) for path, values in few.items()}), trial
+    )
     return float(np.sqrt(np.mean(run["sprung.az"].values ** 2)))
 
 
@@ -79,16 +101,30 @@ def _peers(many: Any, road: Array, *, linear: bool) -> list[tuple[str, int, Call
     rate, mass = many["strut.spring.rate"].values, many["sprung.mass"].values
     if linear:
         return [
-            ("Numba by hand, exact steps, SIMD, all cores", COUNT, lambda: _by_hand(rate, mass, road)),
+            (
+                "Numba by hand, exact steps, SIMD, all cores",
+                COUNT,
+                lambda: _by_hand(rate, mass, road),
+            ),
             (
                 "SciPy lsim",
                 20,
-                lambda: np.array([_lsim(*pair, road) for pair in zip(rate[:20], mass[:20], strict=True)]),
+                lambda: np.array(
+                    [_lsim(*pair, road) for pair in zip(rate[:20], mass[:20], strict=True)]
+                ),
             ),
         ]
     return [
-        ("Numba by hand, RK4 with 2 steps per sample, all cores", COUNT, lambda: _rk4(rate, mass, road)),
-        ("jax, vmap of the same", COUNT // 10, lambda: _jax(rate[: COUNT // 10], mass[: COUNT // 10], road)),
+        (
+            "Numba by hand, RK4 with 2 steps per sample, all cores",
+            COUNT,
+            lambda: _rk4(rate, mass, road),
+        ),
+        (
+            "jax, vmap of the same",
+            COUNT // 10,
+            lambda: _jax(rate[: COUNT // 10], mass[: COUNT // 10], road),
+        ),
     ]
 
 
@@ -97,7 +133,9 @@ def _lsim(rate: float, mass: float, road: Array) -> float:
 
     car = QuarterCar(sprung=mass, rate=rate)
     a, b, _ = car.matrices()
-    _, y, _ = lsim(StateSpace(a, b[:, None], a[2:3], np.zeros((1, 1))), road, np.arange(len(road)) * _STEP)
+    _, y, _ = lsim(
+        StateSpace(a, b[:, None], a[2:3], np.zeros((1, 1))), road, np.arange(len(road)) * _STEP
+    )
     return float(np.sqrt(np.mean(y**2)))
 
 
@@ -125,7 +163,13 @@ def _loops() -> tuple[Callable[..., Array], Callable[..., Array]]:
     from numba import njit, prange
 
     car = QuarterCar()
-    lever, damping, unsprung, tyre, gravity = car.lever**2, car.damping, car.unsprung, car.tyre, car.gravity
+    lever, damping, unsprung, tyre, gravity = (
+        car.lever**2,
+        car.damping,
+        car.unsprung,
+        car.tyre,
+        car.gravity,
+    )
 
     @njit(parallel=True, fastmath=True)
     def exact(blocks, road, slope):  # noqa: ANN001, ANN202
@@ -161,7 +205,9 @@ def _loops() -> tuple[Callable[..., Array], Callable[..., Array]]:
             x, total = np.zeros((4, wide)), np.zeros(wide)
             for lane in range(wide):
                 x[1, lane] = -(masses[block, lane] + unsprung) * gravity / tyre
-                x[0, lane] = x[1, lane] - masses[block, lane] * gravity / (rates[block, lane] * lever)
+                x[0, lane] = x[1, lane] - masses[block, lane] * gravity / (
+                    rates[block, lane] * lever
+                )
             for k in range(road.size):
                 rise = road[min(k + 1, road.size - 1)] - road[k]
                 for lane in range(wide):
@@ -173,11 +219,17 @@ def _loops() -> tuple[Callable[..., Array], Callable[..., Array]]:
                         z = road[k] + 0.5 * half * rise
                         p1, q1 = accelerations(a, b, c, d, z, rate, mass)
                         c2, d2 = c + 0.5 * h * p1, d + 0.5 * h * q1
-                        p2, q2 = accelerations(a + 0.5 * h * c, b + 0.5 * h * d, c2, d2, z + 0.25 * rise, rate, mass)
+                        p2, q2 = accelerations(
+                            a + 0.5 * h * c, b + 0.5 * h * d, c2, d2, z + 0.25 * rise, rate, mass
+                        )
                         c3, d3 = c + 0.5 * h * p2, d + 0.5 * h * q2
-                        p3, q3 = accelerations(a + 0.5 * h * c2, b + 0.5 * h * d2, c3, d3, z + 0.25 * rise, rate, mass)
+                        p3, q3 = accelerations(
+                            a + 0.5 * h * c2, b + 0.5 * h * d2, c3, d3, z + 0.25 * rise, rate, mass
+                        )
                         c4, d4 = c + h * p3, d + h * q3
-                        p4, q4 = accelerations(a + h * c3, b + h * d3, c4, d4, z + 0.5 * rise, rate, mass)
+                        p4, q4 = accelerations(
+                            a + h * c3, b + h * d3, c4, d4, z + 0.5 * rise, rate, mass
+                        )
                         a, b = (
                             a + h / 6.0 * (c + 2.0 * c2 + 2.0 * c3 + c4),
                             b + h / 6.0 * (d + 2.0 * d2 + 2.0 * d3 + d4),
@@ -209,7 +261,9 @@ def _jax_function() -> Callable[..., Any]:
     def slope(x: Any, z: Any, k: Any, m: Any) -> Any:  # noqa: ANN401
         strut = k * lever * (x[1] - x[0]) + car.damping * lever * (x[3] - x[2])
         tyre = jnp.maximum(car.tyre * (z - x[1]), 0.0)
-        return jnp.stack([x[2], x[3], strut / m - car.gravity, (tyre - strut) / car.unsprung - car.gravity])
+        return jnp.stack(
+            [x[2], x[3], strut / m - car.gravity, (tyre - strut) / car.unsprung - car.gravity]
+        )
 
     def one(k: Any, m: Any, road: Any, rise: Any) -> Any:  # noqa: ANN401
         wheel = -(m + car.unsprung) * car.gravity / car.tyre
@@ -238,14 +292,21 @@ def _full_cars() -> list[Row]:
     road = jn.Iso8608(class_="C", length="1300 m", step="5 cm")
     trial = jn.Trial(road=road, right=road.other_track(), speed="20 m/s", duration="60 s")
     design = jn.sobol({"body.mass": "20 %", "front.spring_rate": "20 %"}, CARS, seed=1)
-    metrics, rows = ["rms body.az", "max front_left.tyre.force", "range front_left.strut.deflection"], []
+    metrics, rows = (
+        ["rms body.az", "max front_left.tyre.force", "range front_left.strut.deflection"],
+        [],
+    )
     held = car.with_changes({"front.tyre.lift_off": False, "rear.tyre.lift_off": False})
     for title, rig, target in (("linear", held, "≤ 1.5 s on two cores"), ("lift-off", car, "")):
         problem = f"{_shown(CARS)} full cars with 7 degrees of freedom, {title}, ISO road C, 60 s at 1 kHz"
-        own = median_time(lambda rig=rig: jn.simulate_many(rig, trial, design, metrics=metrics), repeats=3)
+        own = median_time(
+            lambda rig=rig: jn.simulate_many(rig, trial, design, metrics=metrics), repeats=3
+        )
         rows.append(Row(problem, "jounce, simulate_many", own, None, 1.0, target))
         alone = median_time(lambda rig=rig: jn.simulate(rig, trial), repeats=3) * CARS
-        rows.append(Row(problem, "jounce, jn.simulate one by one", alone, None, alone / own, note="from 1"))
+        rows.append(
+            Row(problem, "jounce, jn.simulate one by one", alone, None, alone / own, note="from 1")
+        )
     return rows
 
 
@@ -254,7 +315,11 @@ def _double_wishbones() -> list[Row]:
     rig = jn.load(str(WISHBONE)).with_changes({"tyre.lift_off": True})
     road = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")
     trial = jn.Trial(road=road, speed="1.95 m/s", duration="3 s")
-    spread = {path: [value - 2e-3, value + 2e-3] for path, value in rig.parameters().items() if path in _MOVED}
+    spread = {
+        path: [value - 2e-3, value + 2e-3]
+        for path, value in rig.parameters().items()
+        if path in _MOVED
+    }
     spread |= {"strut.spring.rate": "10 %", "tyre.stiffness": "10 %"}
     design = jn.sobol(spread, COUNT, seed=1)
     found = jn.simulate_many(rig, trial, design, metrics=METRICS, tolerance=1e-4)
@@ -263,34 +328,65 @@ def _double_wishbones() -> list[Row]:
         few = {path: found[path].values[:count] for path in spread}
         return jn.simulate_many(rig, trial, few, metrics=METRICS, tolerance=tolerance, **options)
 
-    problem = f"{_shown(COUNT)} double wishbones, unilateral tyre, obstacle, 3 s at 1 kHz, tolerance 1e-4"
+    problem = (
+        f"{_shown(COUNT)} double wishbones, unilateral tyre, obstacle, 3 s at 1 kHz, tolerance 1e-4"
+    )
     own = median_time(lambda: many(COUNT), repeats=3)
     exact = many(20, 1e-8)
-    error = max(float(np.max(np.abs(found[name].values[:20] / exact[name].values - 1.0))) for name in METRICS)
+    error = max(
+        float(np.max(np.abs(found[name].values[:20] / exact[name].values - 1.0)))
+        for name in METRICS
+    )
     note = f"{found.attrs['side_by_side']} per batch; largest error of a metric, from 20"
     rows = [Row(problem, "jounce, simulate_many", own, error, 1.0, "≤ 1.2 s on two cores", note)]
     one = median_time(lambda: many(COUNT, threads=1), repeats=3)
     rows.append(Row(problem, "jounce, one thread", one, None, one / own))
     alone = median_time(lambda: many(3), repeats=5) * COUNT / 3
-    rows.append(Row(problem, "jounce, as one coordinate, one by one", alone, None, alone / own, note="from 3"))
+    rows.append(
+        Row(
+            problem,
+            "jounce, as one coordinate, one by one",
+            alone,
+            None,
+            alone / own,
+            note="from 3",
+        )
+    )
     full = median_time(lambda: many(FULL, method="explicit"), repeats=3) * COUNT / FULL
     note = f"from {_shown(FULL)}"
-    rows.append(Row(problem, "jounce, full mechanism", full, None, full / own, "≤ 4 s on two cores", note))
+    rows.append(
+        Row(problem, "jounce, full mechanism", full, None, full / own, "≤ 4 s on two cores", note)
+    )
     one = median_time(lambda: many(FULL, method="explicit", threads=1), repeats=3) * COUNT / FULL
     rows.append(Row(problem, "jounce, full mechanism, one thread", one, None, one / own, note=note))
     alone = median_time(lambda: many(20, method="explicit", threads=1), repeats=5) * COUNT / 20
     way = "jounce, full mechanism, one by one on one thread"
-    rows.append(Row(problem, way, alone, None, alone / own, note=f"from 20, {alone / one:.2g} times as long"))
+    rows.append(
+        Row(
+            problem, way, alone, None, alone / own, note=f"from 20, {alone / one:.2g} times as long"
+        )
+    )
     name = "Pinocchio + SciPy DOP853"
     if PEERS[name].is_installed:
         peer = cheapest(name, Case("unilateral", 1.95), 1e-4)
         rows.append(
-            Row(problem, name, peer.seconds * COUNT, peer.error, peer.seconds * COUNT / own, note="from one variant")
+            Row(
+                problem,
+                name,
+                peer.seconds * COUNT,
+                peer.error,
+                peer.seconds * COUNT / own,
+                note="from one variant",
+            )
         )
     return rows
 
 
-_MOVED = ("hardpoints.upper_ball_joint[2]", "hardpoints.lower_ball_joint[1]", "hardpoints.tie_rod_outer[2]")
+_MOVED = (
+    "hardpoints.upper_ball_joint[2]",
+    "hardpoints.lower_ball_joint[1]",
+    "hardpoints.tie_rod_outer[2]",
+)
 
 
 if __name__ == "__main__":

@@ -66,7 +66,11 @@ class Problem:
 
     def inputs(self, times: Array) -> Array:
         """Value and rate of every track at some times, one row each."""
-        rows = [row for signal in self.signals for row in signal.evaluate(times)[: self.compiled.facts.track_order]]
+        rows = [
+            row
+            for signal in self.signals
+            for row in signal.evaluate(times)[: self.compiled.facts.track_order]
+        ]
         return np.array(rows)
 
     def matrices(self) -> tuple[Array, Array, Array]:
@@ -100,11 +104,17 @@ def own_row(title: str, problem: Problem, target: str, note: str = "") -> Row:
     seconds = median_time(run.run, repeats=31)
     faster = f"{problem.times[-1] / seconds:.0f} × real time"
     how = f"{solution.method}, {solution.steps} steps" if solution.steps else solution.method
-    text = ", ".join(part for part in (note, how, f"{len(problem.compiled.facts.outputs)} channels", faster) if part)
+    text = ", ".join(
+        part
+        for part in (note, how, f"{len(problem.compiled.facts.outputs)} channels", faster)
+        if part
+    )
     return Row(title, "jounce, compiled run", seconds, error, 1.0, target, text)
 
 
-def peer_rows(title: str, problem: Problem, own: Row, peers: Iterator[tuple[str, Run]]) -> list[Row]:
+def peer_rows(
+    title: str, problem: Problem, own: Row, peers: Iterator[tuple[str, Run]]
+) -> list[Row]:
     """The first setting of each peer that reaches the error, else its last."""
     best: dict[str, tuple[float, Run, float]] = {}
     for name, run in peers:
@@ -137,7 +147,10 @@ def linear_peers(problem: Problem) -> Iterator[tuple[str, Run]]:
         pass
     else:
         same = control.ss(a, b, *keep)
-        yield "python-control forced_response", lambda: np.asarray(control.forced_response(same, times, du).outputs)
+        yield (
+            "python-control forced_response",
+            lambda: np.asarray(control.forced_response(same, times, du).outputs),
+        )
     for count in (1, 2, 4, 8):
         yield "Numba RK4, up to 8 steps per sample", _rk4(problem, a, b, count)
     for tolerance in (1e-6, 1e-8):
@@ -148,7 +161,9 @@ def linear_peers(problem: Problem) -> Iterator[tuple[str, Run]]:
 
             options = {"rtol": tolerance, "atol": 1e-3 * tolerance, "max_step": 0.01}
             end = min(times[-1], 10.0)
-            return solve_ivp(rate, (0.0, end), np.zeros(len(a)), "DOP853", times[times <= end], **options).y[:n]
+            return solve_ivp(
+                rate, (0.0, end), np.zeros(len(a)), "DOP853", times[times <= end], **options
+            ).y[:n]
 
         if times[-1] <= 10.0:
             yield "SciPy solve_ivp DOP853", integrate
@@ -192,8 +207,13 @@ def _rk4_loop(a: Array, forcing: Array, h: float, count: int) -> Array:
 def half_car_rows() -> list[Row]:
     """Case A of paper 2 in its physical form: brakes from 3 s, 5 cm obstacle from 6 s to 8 s."""
     road = Trapezoid(height="5 cm", length="20 m", ramp="0.5 m", shape="cosine", start="60 m")
-    trial = Trial(road=road, speed="10 m/s", duration="10 s", pitch_moment={"value": 2700.0, "start": "3 s"})
-    title, problem = "half car, case A, 10 s at 1 kHz", Problem.of(jn.load("audi-a6-half-car"), trial)
+    trial = Trial(
+        road=road, speed="10 m/s", duration="10 s", pitch_moment={"value": 2700.0, "start": "3 s"}
+    )
+    title, problem = (
+        "half car, case A, 10 s at 1 kHz",
+        Problem.of(jn.load("audi-a6-half-car"), trial),
+    )
     own = own_row(title, problem, "≤ 1 ms")
     return [own, *peer_rows(title, problem, own, linear_peers(problem))]
 
@@ -209,18 +229,27 @@ def full_car_rows() -> list[Row]:
     vehicle = jn.load("audi-a6-full-car")
     held = vehicle.with_changes({"front.tyre.lift_off": False, "rear.tyre.lift_off": False})
     rows = []
-    for title, car, step in (("linear", held, "5 cm"), ("lift-off", vehicle, "5 cm"), ("lift-off", vehicle, "10 cm")):
+    for title, car, step in (
+        ("linear", held, "5 cm"),
+        ("lift-off", vehicle, "5 cm"),
+        ("lift-off", vehicle, "10 cm"),
+    ):
         name = f"full car with 7 degrees of freedom, {title}, ISO road C, a point every {step}, 60 s at 1 kHz"
         problem = Problem.of(car, iso_trial(step, "60 s"))
         own = own_row(name, problem, "≤ 20 ms")
-        rows += [own, *(peer_rows(name, problem, own, linear_peers(problem)) if car is held else [])]
+        rows += [
+            own,
+            *(peer_rows(name, problem, own, linear_peers(problem)) if car is held else []),
+        ]
     return rows
 
 
 def spatial_rows() -> list[Row]:
     """Formula Student car on four double wishbones with push rods and rockers."""
     vehicle = jn.load("formula-student-car")
-    bumps = Train(of=jn.HalfSine(height="20 mm", length="0.5 m", start="5 m"), count=40, pitch="3 m")
+    bumps = Train(
+        of=jn.HalfSine(height="20 mm", length="0.5 m", start="5 m"), count=40, pitch="3 m"
+    )
     trials = {
         "40 obstacles": Trial(road=bumps, right=jn.Flat(), speed="15 m/s", duration="10 s"),
         "ISO road C, a point every 10 cm": iso_trial("10 cm", "10 s"),
@@ -232,7 +261,9 @@ def spatial_rows() -> list[Row]:
         problem = Problem.of(vehicle, trial)
         own = own_row(title, problem, "≥ 50 × real time")
         rows += [own, reduced_row(title, problem, vehicle, own)]
-        rows += peer_rows(title, problem, own, compiled_peers(problem)) if "obstacles" in road else []
+        rows += (
+            peer_rows(title, problem, own, compiled_peers(problem)) if "obstacles" in road else []
+        )
     return rows
 
 
@@ -241,7 +272,9 @@ def reduced_row(title: str, problem: Problem, vehicle: jn.Vehicle, own: Row) -> 
     assert isinstance(vehicle, FullCar3D)
     reduction = car_reduction_of(vehicle)
     assert reduction is not None
-    shown = [i for i, name in enumerate(problem.compiled.output_names) if name.endswith(_DISPLACEMENTS)]
+    shown = [
+        i for i, name in enumerate(problem.compiled.output_names) if name.endswith(_DISPLACEMENTS)
+    ]
     reference = problem.prepared(1e-11).run().outputs[shown]
     size = np.ptp(reference, axis=1)
     for tolerance in TOLERANCES:
@@ -250,20 +283,31 @@ def reduced_row(title: str, problem: Problem, vehicle: jn.Vehicle, own: Row) -> 
         assert found is not None
         solution = found[0]
         error = float(
-            np.max(np.max(np.abs(solution.outputs[shown] - reference), axis=1)[size > 1e-9] / size[size > 1e-9])
+            np.max(
+                np.max(np.abs(solution.outputs[shown] - reference), axis=1)[size > 1e-9]
+                / size[size > 1e-9]
+            )
         )
         if error <= ERROR:
             break
-    seconds = median_time(lambda: replace(car, reduction=replace(reduction, made=LastTables())).run(), repeats=31)
+    seconds = median_time(
+        lambda: replace(car, reduction=replace(reduction, made=LastTables())).run(), repeats=31
+    )
     how = f"{solution.method}, {solution.steps} steps, {len(solution.outputs)} channels, with its tables"
-    return Row(title, "jounce, one coordinate per wheel", seconds, error, seconds / own.median, note=how)
+    return Row(
+        title, "jounce, one coordinate per wheel", seconds, error, seconds / own.median, note=how
+    )
 
 
 def compiled_peers(problem: Problem) -> Iterator[tuple[str, Run]]:
     """SciPy on our compiled right-hand side; without location of lift-off and steps on the obstacles' edges."""
     from scipy.integrate import solve_ivp
 
-    compiled, p, n = problem.compiled, problem.compiled.extend(problem.p), len(problem.compiled.facts.coordinates)
+    compiled, p, n = (
+        problem.compiled,
+        problem.compiled.extend(problem.p),
+        len(problem.compiled.facts.coordinates),
+    )
     modes, start = np.ones(len(compiled.facts.switches)), problem.matrices()[2]
 
     def rate(t: float, x: Array) -> Array:
@@ -276,7 +320,9 @@ def compiled_peers(problem: Problem) -> Iterator[tuple[str, Run]]:
         def run(tolerance: float = tolerance) -> Array:
             options = {"rtol": tolerance, "atol": 1e-3 * tolerance, "max_step": 0.01}
             span = problem.times[0], problem.times[-1]
-            return problem.moved(solve_ivp(rate, span, start, "DOP853", problem.times, **options).y[:n])
+            return problem.moved(
+                solve_ivp(rate, span, start, "DOP853", problem.times, **options).y[:n]
+            )
 
         yield "SciPy solve_ivp DOP853 on jounce's compiled right-hand side", run
 
@@ -292,13 +338,20 @@ def start_rows() -> list[Row]:
     def once(folder: str) -> float:
         environment = {**os.environ, "JOUNCE_CACHE_DIR": folder}
         command = [sys.executable, "-c", script]
-        return float(subprocess.run(command, capture_output=True, text=True, check=True, env=environment).stdout)
+        return float(
+            subprocess.run(
+                command, capture_output=True, text=True, check=True, env=environment
+            ).stdout
+        )
 
     problem = "build and compile the full car on four 3-D double wishbones"
     with tempfile.TemporaryDirectory() as folder:
         first = once(folder)
         cached = float(np.median([once(folder) for _ in range(3)]))
-    return [Row(problem, "first time", first, target="≤ 5 s"), Row(problem, "from the cache", cached, target="≤ 50 ms")]
+    return [
+        Row(problem, "first time", first, target="≤ 5 s"),
+        Row(problem, "from the cache", cached, target="≤ 50 ms"),
+    ]
 
 
 def vehicle_rows() -> list[Row]:

@@ -109,7 +109,9 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
         trial = "trial?rig=kart-double-wishbone&duration=10%20s"
         opened(trial, ".player .u-over")
         for name in ("strut.deflection",):
-            page.get_by_role("button", name=name, exact=True).click()  # three curves of 10 000 samples stay
+            page.get_by_role(
+                "button", name=name, exact=True
+            ).click()  # three curves of 10 000 samples stay
         path = ".slider[data-path='strut.spring.rate'] input[type=range]"
         times = page.evaluate(SLIDER, [path, 30, True])
         what = "slider to redrawn curves (3 x 10 000 samples, as changed and as it is) with the mechanism moving"
@@ -119,14 +121,28 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
         times = page.evaluate(DRAG, 30)
         rows.append((f"dragged hardpoint to {count} redrawn curves", "100 ms", median(times)))
         times = page.evaluate(SLIDER, [".drive input[type=range]", 30, False])
-        rows.append((f"travel slider to the pose of mechanism and {count} curves", "–", median(times)))
+        rows.append(
+            (f"travel slider to the pose of mechanism and {count} curves", "–", median(times))
+        )
         long_record(folder)
         began = time.perf_counter()
         opened("record?path=long.nc", ".u-over")
-        rows.append(("recording of 10 million samples opened", "3 s", f"{time.perf_counter() - began - 2.5:.2f} s"))
+        rows.append(
+            (
+                "recording of 10 million samples opened",
+                "3 s",
+                f"{time.perf_counter() - began - 2.5:.2f} s",
+            )
+        )
         times = page.evaluate(PAN, 40)
         rows.append(("panned by a fifth of what is seen, redrawn", "no stutter", median(times)))
-        rows.append(("eight tabs and four jobs: the page answers in", "300 ms", busy(served, context, folder)))
+        rows.append(
+            (
+                "eight tabs and four jobs: the page answers in",
+                "300 ms",
+                busy(served, context, folder),
+            )
+        )
         browser.close()
     return rows
 
@@ -184,7 +200,11 @@ def busy(served: Served, context: Any, folder: Path) -> str:
     jobs = []
     for k in range(4):
         (folder / f"busy-{k}.toml").write_text(STUDY, encoding="utf-8")
-        jobs.append(served.ask("POST", "api/jobs", {"kind": "sweep", "study": f"busy-{k}.toml", "out": f"busy-{k}"}))
+        jobs.append(
+            served.ask(
+                "POST", "api/jobs", {"kind": "sweep", "study": f"busy-{k}.toml", "out": f"busy-{k}"}
+            )
+        )
     tabs = [context.new_page() for _ in range(7)]
     for tab in tabs:
         tab.goto(f"{served.base}#/jobs")
@@ -198,7 +218,9 @@ def busy(served: Served, context: Any, folder: Path) -> str:
         times.append(1e3 * (time.perf_counter() - began))
 
     for k in range(40):
-        workers = [threading.Thread(target=ask, args=(path,)) for path in ("api/project", "api/jobs")]
+        workers = [
+            threading.Thread(target=ask, args=(path,)) for path in ("api/project", "api/jobs")
+        ]
         for worker in workers:
             worker.start()
         for worker in workers:
@@ -223,7 +245,11 @@ def main() -> None:
         finally:
             served.process.terminate()
             served.process.wait(20)
-    lines = ["| action | target | measured |", "|---|---|---|", *(f"| {' | '.join(row)} |" for row in rows)]
+    lines = [
+        "| action | target | measured |",
+        "|---|---|---|",
+        *(f"| {' | '.join(row)} |" for row in rows),
+    ]
     load = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0
     day = datetime.now(tz=UTC).date().isoformat()
     where = f"{day}, {os.cpu_count()} processors, {platform.machine()}, Python {platform.python_version()}"

@@ -74,12 +74,18 @@ class Page(HTMLParser):
 
 def problems(site: Path) -> list[str]:
     """List broken links, network requests, pictures without alternative text, and an excessive size."""
-    files = [file for file in sorted(site.rglob("*")) if file.is_file() and ".doctrees" not in file.parts]
-    pages = {file: Page(file.read_text(encoding="utf-8")) for file in files if file.suffix == ".html"}
+    files = [
+        file for file in sorted(site.rglob("*")) if file.is_file() and ".doctrees" not in file.parts
+    ]
+    pages = {
+        file: Page(file.read_text(encoding="utf-8")) for file in files if file.suffix == ".html"
+    }
     found = []
     for file, page in pages.items():
         name = file.relative_to(site).as_posix()
-        found += [f"{name}: loads {load} from a network" for load in page.loads if urlparse(load).netloc]
+        found += [
+            f"{name}: loads {load} from a network" for load in page.loads if urlparse(load).netloc
+        ]
         found += [f"{name}: picture without a text: {source}" for source in page.bare]
         for link in [*page.links, *(load for load in page.loads if not load.startswith("data:"))]:
             address = urlparse(link)
@@ -88,7 +94,11 @@ def problems(site: Path) -> list[str]:
             target = (file.parent / unquote(address.path)).resolve() if address.path else file
             if not target.exists():
                 found.append(f"{name}: {link} leads nowhere")
-            elif address.fragment and target in pages and unquote(address.fragment) not in pages[target].ids:
+            elif (
+                address.fragment
+                and target in pages
+                and unquote(address.fragment) not in pages[target].ids
+            ):
                 found.append(f"{name}: {link}: no such place on that page")
     size = sum(file.stat().st_size for file in files)
     if size > LARGEST:
@@ -108,7 +118,9 @@ def seen_on_a_phone(site: Path) -> list[str]:
         for file in sorted(site.rglob("*.html")):
             name = file.relative_to(site).as_posix()
             took = wide = float("inf")
-            for attempt in range(5):  # where the machine was busy with something else, again, a little later
+            for attempt in range(
+                5
+            ):  # where the machine was busy with something else, again, a little later
                 time.sleep(1.0 if attempt else 0.0)
                 begun = time.perf_counter()
                 view.goto(file.as_uri(), wait_until="domcontentloaded")
@@ -136,14 +148,21 @@ def not_found(site: Path) -> list[str]:
         view = browser.new_context(offline=True).new_page()
         for question, page in QUESTIONS.items():
             view.goto(f"{(site / 'search.html').as_uri()}?q={quote(question)}")
-            view.wait_for_function("/finished|did not match/.test(document.querySelector('#search-results').innerText)")
+            view.wait_for_function(
+                "/finished|did not match/.test(document.querySelector('#search-results').innerText)"
+            )
             links = view.eval_on_selector_all(
-                "#search-results li > a", "links => links.slice(0, 3).map(link => link.getAttribute('href'))"
+                "#search-results li > a",
+                "links => links.slice(0, 3).map(link => link.getAttribute('href'))",
             )
             if page not in {link.partition(".html")[0] for link in links}:
-                found.append(f"search for {question!r}: {page} is not among the first three, which are {links}")
+                found.append(
+                    f"search for {question!r}: {page} is not among the first three, which are {links}"
+                )
         browser.close()
-    print(f"{len(QUESTIONS) - len(found)} of {len(QUESTIONS)} questions find their page among the first three")
+    print(
+        f"{len(QUESTIONS) - len(found)} of {len(QUESTIONS)} questions find their page among the first three"
+    )
     return found
 
 

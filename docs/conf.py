@@ -26,7 +26,9 @@ extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinxcon
 exclude_patterns = ["_build", "_generated"]
 myst_enable_extensions = ["colon_fence", "deflist", "dollarmath", "substitution"]
 myst_heading_anchors = 3
-nb_execution_mode = "cache"  # tutorials are notebooks: they are run where their cells or jounce have changed
+nb_execution_mode = (
+    "cache"  # tutorials are notebooks: they are run where their cells or jounce have changed
+)
 nb_execution_in_temp = True
 nb_execution_raise_on_error = True
 nb_execution_timeout = 300  # s, of a cell
@@ -35,14 +37,20 @@ nb_output_stderr = "remove"  # what compiles, says so there
 html_theme = "furo"
 html_title = f"jounce {release}"
 html_show_sphinx = False
-html_math_renderer = "mathml"  # browsers typeset it themselves, without scripts and without a network
+html_math_renderer = (
+    "mathml"  # browsers typeset it themselves, without scripts and without a network
+)
 html_static_path = ["_static"]
 html_css_files = ["site.css", "notebooks.css"]
 html_search_scorer = str(Path(__file__).parent / "_static" / "search_scorer.js")
 bibtex_bibfiles = ["../references.bib"]
 bibtex_default_style = "unsrt"
 autodoc_typehints = "none"  # the sections say type, unit and shape
-autodoc_default_options = {"members": True, "inherited-members": False, "exclude-members": "model_config"}
+autodoc_default_options = {
+    "members": True,
+    "inherited-members": False,
+    "exclude-members": "model_config",
+}
 add_module_names = False
 napoleon_google_docstring = False
 napoleon_use_ivar = True
@@ -52,8 +60,12 @@ suppress_warnings = ["bibtex.missing_field", "ref.python"]  # attributes of one 
 def what_runs(source: str) -> bytes:
     """Return a module without comments and docstrings of functions, which do not affect the output of lessons."""
     tree = ast.parse(source)
-    for node in ast.walk(tree):  # docstrings of classes stay: a notebook shows what they say of a value
-        if isinstance(node, ast.Module | ast.FunctionDef | ast.AsyncFunctionDef) and ast.get_docstring(node):
+    for node in ast.walk(
+        tree
+    ):  # docstrings of classes stay: a notebook shows what they say of a value
+        if isinstance(
+            node, ast.Module | ast.FunctionDef | ast.AsyncFunctionDef
+        ) and ast.get_docstring(node):
             del node.body[0]
     return ast.dump(tree).encode()
 
@@ -64,7 +76,11 @@ def cache_of_notebooks(folder: Path) -> str:
     sources = Path(jounce.__file__).parent
     for file in sorted(sources.rglob("*")):
         if file.suffix in {".py", ".toml", ".csv"}:
-            content = what_runs(file.read_text(encoding="utf-8")) if file.suffix == ".py" else file.read_bytes()
+            content = (
+                what_runs(file.read_text(encoding="utf-8"))
+                if file.suffix == ".py"
+                else file.read_bytes()
+            )
             digest.update(str(file.relative_to(sources)).encode() + b"\0" + content)
     cache = folder / digest.hexdigest()[:12]
     for other in folder.glob("*"):
@@ -138,7 +154,9 @@ def formula(self: HTML5Translator, node: nodes.math_block) -> None:
     raise nodes.SkipNode
 
 
-def pictures_when_they_are_near(_: Sphinx, __: str, ___: str, context: dict[str, object], ____: object) -> None:
+def pictures_when_they_are_near(
+    _: Sphinx, __: str, ___: str, context: dict[str, object], ____: object
+) -> None:
     """Load pictures lazily, and only those of the reader's colour scheme."""
     if "body" in context:
         context["body"] = str(context["body"]).replace("<img ", '<img loading="lazy" ')

@@ -20,7 +20,9 @@ Point = Sequence[float]
 DRAWINGS: dict[str, Callable[[], Any]] = {}
 
 
-def drawing(width: float, height: float, *, parts: int = 1, rows: int = 1, size: float = 3.0) -> Callable[[Any], Any]:
+def drawing(
+    width: float, height: float, *, parts: int = 1, rows: int = 1, size: float = 3.0
+) -> Callable[[Any], Any]:
     """Register a function of one or more axes as a drawing."""
 
     def made(draw: Callable[..., None]) -> Callable[..., None]:
@@ -45,20 +47,37 @@ def drawing(width: float, height: float, *, parts: int = 1, rows: int = 1, size:
 # --- what drawings are made of ---------------------------------------------------------------------------------------
 
 
-def line(axes: Any, *points: Point, color: str = INK, width: float = 1.3, dashed: bool = False) -> None:
+def line(
+    axes: Any, *points: Point, color: str = INK, width: float = 1.3, dashed: bool = False
+) -> None:
     x, y = np.array(points).T
     axes.plot(x, y, color=color, linewidth=width, linestyle=(0, (4, 3)) if dashed else "-")
 
 
-def arrow(axes: Any, start: Point, end: Point, label: str = "", color: str = BLUE, at: Point = (0.1, 0.0)) -> None:
+def arrow(
+    axes: Any, start: Point, end: Point, label: str = "", color: str = BLUE, at: Point = (0.1, 0.0)
+) -> None:
     """An arrow with its name beside the head."""
     how = {"arrowstyle": "-|>,head_width=0.22,head_length=0.45", "color": color, "linewidth": 1.4}
     axes.annotate("", xy=end, xytext=start, arrowprops={**how, "shrinkA": 0, "shrinkB": 0})
     if label:
-        word(axes, (end[0] + at[0], end[1] + at[1]), label, color=color, ha="left" if at[0] >= 0 else "right")
+        word(
+            axes,
+            (end[0] + at[0], end[1] + at[1]),
+            label,
+            color=color,
+            ha="left" if at[0] >= 0 else "right",
+        )
 
 
-def turn(axes: Any, centre: Point, radius: float, degrees: tuple[float, float], label: str, color: str = BLUE) -> None:
+def turn(
+    axes: Any,
+    centre: Point,
+    radius: float,
+    degrees: tuple[float, float],
+    label: str,
+    color: str = BLUE,
+) -> None:
     """An arc with a head, from the first angle to the second."""
     angle = np.radians(np.linspace(*degrees, 40))
     x, y = centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle)
@@ -73,19 +92,40 @@ def size(axes: Any, start: Point, end: Point, label: str, at: Point = (0.0, 0.15
     """A dimension: a thin line with two heads."""
     how = {"arrowstyle": "<->", "color": GREY, "linewidth": 0.9, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", xy=end, xytext=start, arrowprops=how)
-    word(axes, ((start[0] + end[0]) / 2 + at[0], (start[1] + end[1]) / 2 + at[1]), label, color=GREY)
+    word(
+        axes, ((start[0] + end[0]) / 2 + at[0], (start[1] + end[1]) / 2 + at[1]), label, color=GREY
+    )
 
 
-def word(axes: Any, place: Point, text: str, color: str = INK, ha: str = "center", bold: bool = False) -> None:
+def word(
+    axes: Any, place: Point, text: str, color: str = INK, ha: str = "center", bold: bool = False
+) -> None:
     weight = "bold" if bold else "normal"
-    axes.text(*place, text, color=color, ha=ha, va="center", fontsize=9, fontweight=weight, linespacing=1.25)
+    axes.text(
+        *place,
+        text,
+        color=color,
+        ha=ha,
+        va="center",
+        fontsize=9,
+        fontweight=weight,
+        linespacing=1.25,
+    )
 
 
-def box(axes: Any, corner: Point, width: float, height: float, text: str = "", fill: str = FILL) -> None:
+def box(
+    axes: Any, corner: Point, width: float, height: float, text: str = "", fill: str = FILL
+) -> None:
     from matplotlib.patches import FancyBboxPatch
 
     rounded = FancyBboxPatch(
-        corner, width, height, boxstyle="round,pad=0,rounding_size=0.08", facecolor=fill, edgecolor=INK, linewidth=1.3
+        corner,
+        width,
+        height,
+        boxstyle="round,pad=0,rounding_size=0.08",
+        facecolor=fill,
+        edgecolor=INK,
+        linewidth=1.3,
     )
     axes.add_patch(rounded)
     word(axes, (corner[0] + width / 2, corner[1] + height / 2), text)
@@ -97,12 +137,17 @@ def circle(axes: Any, centre: Point, radius: float, fill: str = FILL, width: flo
     axes.add_patch(Circle(centre, radius, facecolor=fill, edgecolor=INK, linewidth=width))
 
 
-def spring(axes: Any, foot: Point, head: Point, label: str = "", side: float = -1.0, coils: int = 5) -> None:
+def spring(
+    axes: Any, foot: Point, head: Point, label: str = "", side: float = -1.0, coils: int = 5
+) -> None:
     a, b = np.array(foot, dtype=float), np.array(head, dtype=float)
     along = b - a
     across = 0.16 * np.array([along[1], -along[0]]) / np.linalg.norm(along)
     share = np.linspace(0.2, 0.8, 2 * coils + 1)
-    zigzag = [a + s * along + (0 if i in {0, 2 * coils} else (-1) ** i) * across for i, s in enumerate(share)]
+    zigzag = [
+        a + s * along + (0 if i in {0, 2 * coils} else (-1) ** i) * across
+        for i, s in enumerate(share)
+    ]
     line(axes, a, *zigzag, b)
     if label:
         word(axes, (a + b) / 2 + side * np.array([0.38, 0.0]), label)
@@ -243,9 +288,23 @@ def double_wishbone(front: Any, side: Any) -> None:
         word(axes, (5.0, 7.3), title, bold=True)
         q = {name: at(point) for name, point in p.items()}
         for arm, color in (("lower", BLUE), ("upper", GREEN)):
-            line(axes, q[f"{arm}_arm_front"], q[f"{arm}_ball_joint"], q[f"{arm}_arm_rear"], color=color, width=2.2)
+            line(
+                axes,
+                q[f"{arm}_arm_front"],
+                q[f"{arm}_ball_joint"],
+                q[f"{arm}_arm_rear"],
+                color=color,
+                width=2.2,
+            )
         line(axes, q["tie_rod_inner"], q["tie_rod_outer"], color=ORANGE, width=2.0)
-        line(axes, q["lower_ball_joint"], q["upper_ball_joint"], q["wheel_centre"], q["lower_ball_joint"], width=1.8)
+        line(
+            axes,
+            q["lower_ball_joint"],
+            q["upper_ball_joint"],
+            q["wheel_centre"],
+            q["lower_ball_joint"],
+            width=1.8,
+        )
         spring(axes, q["strut_bottom"], q["strut_top"], coils=6)
         reach = q["lower_ball_joint"] - q["upper_ball_joint"]
         foot = q["lower_ball_joint"] + reach * (q["lower_ball_joint"][1] - _GROUND) / -reach[1]
@@ -290,27 +349,47 @@ def signs_of_a_wheel(camber: Any, toe: Any, caster: Any, travel: Any) -> None:
     lean = np.radians(12.0)
     middle, half, width = np.array([1.5, 1.75]), 1.15, 0.32
     up, out = np.array([-np.sin(lean), np.cos(lean)]), np.array([np.cos(lean), np.sin(lean)])
-    corners = [middle + a * half * up + b * width * out for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1), (1, 1))]
+    corners = [
+        middle + a * half * up + b * width * out
+        for a, b in ((1, 1), (1, -1), (-1, -1), (-1, 1), (1, 1))
+    ]
     line(camber, *corners)
     line(camber, (middle[0] + 0.24, 0.6), (middle[0] + 0.24, 3.2), color=GREY, dashed=True)
     ground(camber, 0.5, 3.6, 0.55)
     arrow(camber, (2.5, 1.5), (3.5, 1.5), "to the car", color=GREY)
-    word(camber, (4.0, 2.9), "left wheel, from behind:\nits top leans outward", ha="left", color=GREY)
+    word(
+        camber, (4.0, 2.9), "left wheel, from behind:\nits top leans outward", ha="left", color=GREY
+    )
     word(toe, (2.2, 3.6), "toe > 0", bold=True)
     for y, sense in ((2.6, -1.0), (1.2, 1.0)):
         a = np.radians(9.0) * sense
-        line(toe, (2.2 - 0.8 * np.cos(a), y - 0.8 * np.sin(a)), (2.2 + 0.8 * np.cos(a), y + 0.8 * np.sin(a)), width=7.0)
+        line(
+            toe,
+            (2.2 - 0.8 * np.cos(a), y - 0.8 * np.sin(a)),
+            (2.2 + 0.8 * np.cos(a), y + 0.8 * np.sin(a)),
+            width=7.0,
+        )
         line(toe, (1.1, y), (3.4, y), color=GREY, width=0.8, dashed=True)
     arrow(toe, (2.9, 1.9), (3.8, 1.9), "x", at=(-0.2, 0.2))
     word(
-        toe, (4.0, 2.9), "from above:\nin at the front.\nsteer counts to the\nleft on both sides", ha="left", color=GREY
+        toe,
+        (4.0, 2.9),
+        "from above:\nin at the front.\nsteer counts to the\nleft on both sides",
+        ha="left",
+        color=GREY,
     )
     word(caster, (2.2, 3.6), "bump > 0", bold=True)
     box(caster, (1.2, 2.6), 2.0, 0.5, "body")
     circle(caster, (2.2, 1.35), 0.75)
     ground(caster, 0.8, 3.6, 0.6)
     arrow(caster, (3.3, 1.1), (3.3, 2.1), "wheel\ntravel", at=(0.1, -0.2))
-    word(caster, (4.0, 2.6), "towards the body;\ncompression and its\nforce are positive", ha="left", color=GREY)
+    word(
+        caster,
+        (4.0, 2.6),
+        "towards the body;\ncompression and its\nforce are positive",
+        ha="left",
+        color=GREY,
+    )
     word(travel, (2.2, 3.6), "sizes of a strut", bold=True)
     spring(travel, (1.2, 0.7), (1.2, 2.9), coils=6)
     damper(travel, (2.0, 0.7), (2.0, 2.9))
@@ -323,7 +402,10 @@ def signs_of_a_wheel(camber: Any, toe: Any, caster: Any, travel: Any) -> None:
 @drawing(6.4, 5.0, parts=2, size=3.7)
 def testers(eusama: Any, theta: Any) -> None:
     """Draw a rigidly driven plate (EUSAMA, EGEA) and a plate on a spring (THETA)."""
-    for axes, title in ((eusama, "EUSAMA, EGEA: a rigid plate"), (theta, "THETA: a plate on a spring")):
+    for axes, title in (
+        (eusama, "EUSAMA, EGEA: a rigid plate"),
+        (theta, "THETA: a plate on a spring"),
+    ):
         word(axes, (3.2, 4.8), title, bold=True)
         box(axes, (2.3, 3.95), 1.8, 0.55, "body")
         spring(axes, (2.9, 3.0), (2.9, 3.95), "")
@@ -381,7 +463,10 @@ def tester_signals(axes: Any) -> None:
     top = int(np.argmax(height[: len(time) // 2]))
     low = top + int(np.argmin(force[top : top + 300]))
     axes.annotate(
-        "", xy=(1e3 * time[low], 1.5), xytext=(1e3 * time[top], 1.5), arrowprops={"arrowstyle": "->", "color": PURPLE}
+        "",
+        xy=(1e3 * time[low], 1.5),
+        xytext=(1e3 * time[top], 1.5),
+        arrowprops={"arrowstyle": "->", "color": PURPLE},
     )
     for place in (top, low):
         axes.plot([1e3 * time[place]] * 2, [0.6, 1.55], color=PURPLE, linewidth=0.8)
@@ -399,7 +484,12 @@ def bench(axes: Any) -> None:
     line(axes, (1.6, 1.8), (6.4, 1.8), width=2.0)
     line(axes, (1.6, 0.6), (6.4, 0.6), width=2.0)
     box(axes, (2.6, 1.5), 2.8, 0.18, fill=GREY)
-    line(axes, *[(5.2 + 0.01 * i, 1.8 + 0.22 * np.sin(np.pi * i / 60)) for i in range(61)], color=ORANGE, width=2.4)
+    line(
+        axes,
+        *[(5.2 + 0.01 * i, 1.8 + 0.22 * np.sin(np.pi * i / 60)) for i in range(61)],
+        color=ORANGE,
+        width=2.4,
+    )
     arrow(axes, (3.4, 0.85), (2.4, 0.85), "")
     word(axes, (3.4, 1.1), "belt, 1.97 m round", color=GREY)
     arrow(axes, (5.6, 2.25), (4.9, 2.25), "obstacle", color=ORANGE, at=(0.75, 0.2))
@@ -421,7 +511,12 @@ def bench(axes: Any) -> None:
 @drawing(7.0, 5.4, parts=1, size=3.4)
 def free_upright(axes: Any) -> None:
     """Free-body diagram of an upright: forces of rods and spring along their lines, road force at the contact point."""
-    upper, lower, rod, centre = np.array([2.9, 4.2]), np.array([2.6, 2.0]), np.array([2.9, 2.5]), np.array([2.0, 3.1])
+    upper, lower, rod, centre = (
+        np.array([2.9, 4.2]),
+        np.array([2.6, 2.0]),
+        np.array([2.9, 2.5]),
+        np.array([2.0, 3.1]),
+    )
     contact = np.array([1.9, 0.6])
     box(axes, centre + np.array([-0.75, -2.5]), 1.3, 4.8, fill="none")
     line(axes, lower, upper, centre, lower, width=1.8)
@@ -434,7 +529,13 @@ def free_upright(axes: Any) -> None:
     arrow(axes, rod + np.array([1.3, 0.02]), rod + np.array([0.1, 0.0]), "", color=ORANGE)
     word(axes, rod + np.array([1.4, 0.02]), "tie rod", color=ORANGE, ha="left")
     arrow(axes, lower + np.array([0.25, 1.2]), lower + np.array([0.05, 0.1]), "", color=PURPLE)
-    word(axes, lower + np.array([0.5, 1.1]), "spring and damper, by the lower arm", color=PURPLE, ha="left")
+    word(
+        axes,
+        lower + np.array([0.5, 1.1]),
+        "spring and damper, by the lower arm",
+        color=PURPLE,
+        ha="left",
+    )
     arrow(axes, contact + np.array([0.0, -0.6]), contact, "F_z", color=INK, at=(0.1, -0.45))
     arrow(axes, contact, contact + np.array([0.9, 0.0]), "F_y", color=INK, at=(0.1, 0.0))
     ground(axes, 0.6, 6.0, 0.6)
@@ -448,9 +549,15 @@ def contact_point(leaning: Any, guided: Any) -> None:
     down, out = np.array([np.sin(lean), -np.cos(lean)]), np.array([np.cos(lean), np.sin(lean)])
     contact = np.array([3.4, road])
     centre = contact - loaded * down
-    for axes, title in ((leaning, "cars; a corner on a radial tyre"), (guided, "a corner on its guide, vertical tyre")):
+    for axes, title in (
+        (leaning, "cars; a corner on a radial tyre"),
+        (guided, "a corner on its guide, vertical tyre"),
+    ):
         word(axes, (4.1, 6.1), title, bold=True)
-        ends = [centre + a * free * down + 0.4 * b * out for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))]
+        ends = [
+            centre + a * free * down + 0.4 * b * out
+            for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))
+        ]
         line(axes, *(end for end in ends), color=GREY, width=1.0)
         ground(axes, 0.5, 7.8, road)
         circle(axes, centre, 0.09, fill="#ffffff")
@@ -470,7 +577,9 @@ def contact_point(leaning: Any, guided: Any) -> None:
     word(guided, (5.6, 5.0), "deflection R − h", color=GREY)
 
 
-def _chain(axes: Any, boxes: Sequence[tuple[float, float, str]], width: float = 1.9, height: float = 0.75) -> None:
+def _chain(
+    axes: Any, boxes: Sequence[tuple[float, float, str]], width: float = 1.9, height: float = 0.75
+) -> None:
     for x, y, text in boxes:
         box(axes, (x, y), width, height, text)
 

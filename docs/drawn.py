@@ -49,14 +49,22 @@ def _files(name: str) -> list[Path]:
 
 
 def _mark(made_from: str) -> str:
-    return hashlib.sha256((made_from + Path(__file__).read_text(encoding="utf-8")).encode()).hexdigest()
+    return hashlib.sha256(
+        (made_from + Path(__file__).read_text(encoding="utf-8")).encode()
+    ).hexdigest()
 
 
 def in_the_dark(text: str) -> str:
     """Convert the colours of a picture for a dark page; unlisted colours keep their hue and change brightness."""
-    text = re.sub(r"(?<![\w-])(white|black)(?=[;\"'])", lambda m: {"white": "#ffffff", "black": "#000000"}[m[1]], text)
+    text = re.sub(
+        r"(?<![\w-])(white|black)(?=[;\"'])",
+        lambda m: {"white": "#ffffff", "black": "#000000"}[m[1]],
+        text,
+    )
     text = re.sub(r"#[0-9a-fA-F]{6}\b", lambda m: DARK.get(m[0].lower()) or _turned(m[0]), text)
-    return re.sub(r"(?<=data:image/png;base64,)[\w+/=\s]+", lambda m: _points_in_the_dark(m[0]), text)
+    return re.sub(
+        r"(?<=data:image/png;base64,)[\w+/=\s]+", lambda m: _points_in_the_dark(m[0]), text
+    )
 
 
 def _points_in_the_dark(encoded: str) -> str:
@@ -67,7 +75,9 @@ def _points_in_the_dark(encoded: str) -> str:
     pixels = np.array(Image.open(io.BytesIO(base64.b64decode(encoded))).convert("RGBA"))
     colour = pixels[..., :3].astype(int)
     for bright, dark in DARK.items():
-        here, there = (np.array([int(one[i : i + 2], 16) for i in (1, 3, 5)]) for one in (bright, dark))
+        here, there = (
+            np.array([int(one[i : i + 2], 16) for i in (1, 3, 5)]) for one in (bright, dark)
+        )
         meant = (np.abs(colour - here).max(axis=-1) <= _ROUNDED) & (pixels[..., 3] > 0)
         pixels[meant, :3] = there
     stream = io.BytesIO()

@@ -39,7 +39,10 @@ class Record:
     def text(self) -> str:
         """The file, comma-separated."""
         rows = zip(*self.columns.values(), strict=True)
-        lines = [",".join(self.columns), *(",".join(f"{value:.9g}" for value in row) for row in rows)]
+        lines = [
+            ",".join(self.columns),
+            *(",".join(f"{value:.9g}" for value in row) for row in rows),
+        ]
         return "\n".join(lines) + "\n"
 
 
@@ -63,7 +66,9 @@ def steps_of(signal: Array, size: float) -> Array:
 def lost(count: int, rate: float, seconds: float, times: int, seed: int = 5) -> Array:
     """Mark sections in which a logger loses the signal."""
     marks, length = np.zeros(count, bool), max(1, round(seconds * rate))
-    for begin in np.random.default_rng(seed).integers(count // 8, count - count // 8 - length, times):
+    for begin in np.random.default_rng(seed).integers(
+        count // 8, count - count // 8 - length, times
+    ):
         marks[begin : begin + length] = True
     return marks
 
@@ -100,9 +105,17 @@ def run_of_dyno(
     size = size**2 * (3.0 - 2.0 * size)
     x = 0.02 * size * np.sin(turn)
     v = np.gradient(x, t) if rest else 0.04 * np.pi * frequency * np.cos(turn)
-    f = np.where(v > 0.0, BUMP, rebound) * v + gas + GAS_RATE * (gas > 0.0) * x + friction * np.tanh(v / 2e-3)
+    f = (
+        np.where(v > 0.0, BUMP, rebound) * v
+        + gas
+        + GAS_RATE * (gas > 0.0) * x
+        + friction * np.tanh(v / 2e-3)
+    )
     random = np.random.default_rng(seed)
-    x, f = x + noise * 1e-6 * random.standard_normal(len(t)), f + noise * random.standard_normal(len(t))
+    x, f = (
+        x + noise * 1e-6 * random.standard_normal(len(t)),
+        f + noise * random.standard_normal(len(t)),
+    )
     return t, x, f
 
 
@@ -110,7 +123,14 @@ def dampers() -> Iterator[Record]:
     """Runs of a damper dyno."""
 
     def record(
-        group: str, name: str, t: Array, x: Array, f: Array, about: str = "", rebound: float = REBOUND, **choice: Any
+        group: str,
+        name: str,
+        t: Array,
+        x: Array,
+        f: Array,
+        about: str = "",
+        rebound: float = REBOUND,
+        **choice: Any,
     ) -> Record:
         columns = {"time [s]": t, "displacement [mm]": 1e3 * x, "force [N]": f}
         truth = {"bump_coefficient": BUMP, "rebound_coefficient": rebound}
@@ -130,17 +150,28 @@ def dampers() -> Iterator[Record]:
         t, x, f = run_of_dyno(rebound=rebound, gas=gas, friction=friction, rest=rest)
         said = {"stroke_positive": "compression", "force_positive": "compression"} if told else {}
         name = (
-            f"{stroke:+d} {force:+d}, rebound {rebound:g}, gas {gas:g}, friction {friction:g}, rest {rest:g} s, {told}"
+            f"{stroke:+d} {force:+d}, rebound {rebound:g}, gas {gas:g}, friction {friction:g}, "
+            f"rest {rest:g} s, {told}"
         )
         if told and not gas and stroke == force and rebound != BUMP:
             continue  # stated wrongly, and nothing in the record shows it
         about = "other sign|_positive|turned|stated"
-        yield record("sign", name, t, stroke * x, force * f, about, rebound, friction=friction > 0.0, **said)
-    for zero, rest in itertools.product((-105.0, -200.0), (0.0, 0.5)):  # a gas that pulls: the load cell's zero
+        yield record(
+            "sign", name, t, stroke * x, force * f, about, rebound, friction=friction > 0.0, **said
+        )
+    for zero, rest in itertools.product(
+        (-105.0, -200.0), (0.0, 0.5)
+    ):  # a gas that pulls: the load cell's zero
         for rebound in (REBOUND, BUMP):
             t, x, f = run_of_dyno(rebound=rebound, rest=rest)
             yield record(
-                "datum", f"zero {zero:g} N, rest {rest:g} s, rebound {rebound:g}", t, x, f + zero, "gas", rebound
+                "datum",
+                f"zero {zero:g} N, rest {rest:g} s, rebound {rebound:g}",
+                t,
+                x,
+                f + zero,
+                "gas",
+                rebound,
             )
     for rebound, rest, friction, fits in itertools.product(
         (REBOUND, 600.0), (0.0, 0.5, 1.0), (0.0, 30.0), (False, True)
@@ -148,10 +179,17 @@ def dampers() -> Iterator[Record]:
         t, x, f = run_of_dyno(gas=45.0, rest=rest, friction=friction, rebound=rebound)
         name = f"both turned, gas 45, rest {rest:g} s, friction {friction:g} {fits}, rebound {rebound:g}"
         yield record("sign", name, t, -x, -f, "gas", rebound, friction=fits)
-    for size, frequency, noise in itertools.product((1.0, 10.0, 20.0, 50.0, 100.0), (0.5, 1.0, 2.0), (0.0, 1.0)):
+    for size, frequency, noise in itertools.product(
+        (1.0, 10.0, 20.0, 50.0, 100.0), (0.5, 1.0, 2.0), (0.0, 1.0)
+    ):
         t, x, f = run_of_dyno(frequency=frequency, noise=noise)
         yield record(
-            "steps", f"force {size:g} N, {frequency:g} Hz, noise {noise:g}", t, x, steps_of(f, size), "steps of"
+            "steps",
+            f"force {size:g} N, {frequency:g} Hz, noise {noise:g}",
+            t,
+            x,
+            steps_of(f, size),
+            "steps of",
         )
     for size, frequency in itertools.product((0.01e-3, 0.1e-3, 1e-3, 5e-3), (0.5, 2.0)):
         t, x, f = run_of_dyno(frequency=frequency)
@@ -171,7 +209,9 @@ def dampers() -> Iterator[Record]:
         f = low_pass(f, 500.0, corner * frequency, order) if which != "stroke" else f
         name = f"{which} low pass of order {order} at {corner:g} times {frequency:g} Hz"
         yield record("filter", name, t, x, f, "low.pass|hysteresis|behind")
-    for seconds, times, which, kind in itertools.product((0.02, 0.1, 0.4), (1, 5), ("force", "all"), ("zero", "held")):
+    for seconds, times, which, kind in itertools.product(
+        (0.02, 0.1, 0.4), (1, 5), ("force", "all"), ("zero", "held")
+    ):
         t, x, f = run_of_dyno()
         marks = lost(len(t), 500.0, seconds, times)
         f = held(f, marks) if kind == "held" else np.where(marks, 0.0, f)
@@ -185,7 +225,12 @@ def dampers() -> Iterator[Record]:
             place = t / t[-1]
             f = (f - GAS) * (1.0 + warm * (place - 0.5)) + GAS + drift * place
             yield record(
-                "drift", f"force {drift:g} N, damping {100.0 * warm:g} %", t, x, f, "drifts|damping (falls|grows)"
+                "drift",
+                f"force {drift:g} N, damping {100.0 * warm:g} %",
+                t,
+                x,
+                f,
+                "drifts|damping (falls|grows)",
             )
     t, x, f = run_of_dyno()
     for size in (2e-3, 10e-3):
@@ -194,8 +239,17 @@ def dampers() -> Iterator[Record]:
     yield record("exchange", "stroke in m said to be mm", t, x / 1e3, f, "range|unit|mm")
     yield record("exchange", "stroke in mm said to be m", t, 1e3 * x, f, "range|unit|mm")
     yield record("exchange", "force in kN said to be N", t, x, f / 1e3, "peak|unit|kN")
-    yield record("exchange", "time in ms said to be s", 1e3 * t, x, f, "sample|unit|time|clock|rate")
-    yield record("exchange", "time in s said to be ms", t / 1e3, x, f, "sample|unit|time|clock|rate|power|work")
+    yield record(
+        "exchange", "time in ms said to be s", 1e3 * t, x, f, "sample|unit|time|clock|rate"
+    )
+    yield record(
+        "exchange",
+        "time in s said to be ms",
+        t / 1e3,
+        x,
+        f,
+        "sample|unit|time|clock|rate|power|work",
+    )
     spikes = f.copy()
     spikes[[300, 900, 1500, 2100]] += 4000.0
     yield record("dropout", "four spikes", t, x, spikes, "spikes")
@@ -222,14 +276,27 @@ def press(
     way = np.concatenate([way, way[-2::-1]]) if back else way
     side = np.where(np.arange(len(way)) < count, 1.0, -1.0)
     random = np.random.default_rng(seed)
-    f = preload + RATE * way + friction * side * (way != low) + noise * random.standard_normal(len(way))
+    f = (
+        preload
+        + RATE * way
+        + friction * side * (way != low)
+        + noise * random.standard_normal(len(way))
+    )
     return way + noise * 2e-6 * random.standard_normal(len(way)), f
 
 
 def springs() -> Iterator[Record]:
     """Trials of a spring press; rates in N/m."""
 
-    def record(group: str, name: str, x: Array, f: Array, about: str = "", rate: float = RATE, **choice: Any) -> Record:
+    def record(
+        group: str,
+        name: str,
+        x: Array,
+        f: Array,
+        about: str = "",
+        rate: float = RATE,
+        **choice: Any,
+    ) -> Record:
         return Record(
             group,
             name,
@@ -243,7 +310,13 @@ def springs() -> Iterator[Record]:
         (21, 41, 400), (True, False), ("loading", "both"), (0.0, 8.0), (1, 2, 3)
     ):
         x, f = press(count, back=back, friction=friction, seed=seed)
-        yield record(PLAIN, f"{count} rows, back {back}, {branch}, friction {friction:g}, {seed}", x, f, branch=branch)
+        yield record(
+            PLAIN,
+            f"{count} rows, back {back}, {branch}, friction {friction:g}, {seed}",
+            x,
+            f,
+            branch=branch,
+        )
     for (stroke, force), preload, back in itertools.product(
         itertools.product((1, -1), (1, -1)), (0.0, 300.0), (True, False)
     ):
@@ -251,15 +324,26 @@ def springs() -> Iterator[Record]:
             x, f = press(preload=preload, back=back)
             about = "reversed|already loaded"
             yield record(
-                "sign", f"{stroke:+d} {force:+d}, preload {preload:g}, back {back}", stroke * x, force * f, about
+                "sign",
+                f"{stroke:+d} {force:+d}, preload {preload:g}, back {back}",
+                stroke * x,
+                force * f,
+                about,
             )
     for (low, high), back, branch, soft in itertools.product(
-        ((-0.02, 0.02), (-0.02, 0.005), (-0.005, 0.02), (-0.03, -0.01)), (True, False), ("loading", "both"), (1.0, 0.6)
+        ((-0.02, 0.02), (-0.02, 0.005), (-0.005, 0.02), (-0.03, -0.01)),
+        (True, False),
+        ("loading", "both"),
+        (1.0, 0.6),
     ):
         x, f = press(low=low, high=high, back=back)
         f = np.where(x < 0.0, soft, 1.0) * f  # a bush that is softer in tension
         rate = RATE if soft == 1.0 else float("nan")
-        about = "already loaded|both sides|not linear|side" if soft == 1.0 else "not linear|both sides|side"
+        about = (
+            "already loaded|both sides|not linear|side"
+            if soft == 1.0
+            else "not linear|both sides|side"
+        )
         yield record(
             "both sides",
             f"{1e3 * low:g} to {1e3 * high:g} mm, back {back}, {branch}, {soft:g}",
@@ -270,7 +354,13 @@ def springs() -> Iterator[Record]:
             branch=branch,
         )
     for first, branch in itertools.product((1, -1), ("loading", "both")):
-        way = np.concatenate([np.linspace(0.0, 0.02, 21), np.linspace(0.019, -0.02, 40), np.linspace(-0.019, 0.0, 20)])
+        way = np.concatenate(
+            [
+                np.linspace(0.0, 0.02, 21),
+                np.linspace(0.019, -0.02, 40),
+                np.linspace(-0.019, 0.0, 20),
+            ]
+        )
         f = RATE * way + np.random.default_rng(2).normal(0.0, 1.0, len(way))
         yield record(
             "both sides",
@@ -287,13 +377,23 @@ def springs() -> Iterator[Record]:
     for gap in (1e-3, 4e-3):
         x, f = press(100)
         yield record(
-            "datum", f"free travel of {1e3 * gap:g} mm", x, np.where(x > gap, f - RATE * gap, 0.0 * f), "free travel"
+            "datum",
+            f"free travel of {1e3 * gap:g} mm",
+            x,
+            np.where(x > gap, f - RATE * gap, 0.0 * f),
+            "free travel",
         )
-    for place, slip, count, back in itertools.product((0.3, 0.5, 0.7), (0.5e-3, 1e-3, 2e-3), (41, 200), (True, False)):
+    for place, slip, count, back in itertools.product(
+        (0.3, 0.5, 0.7), (0.5e-3, 1e-3, 2e-3), (41, 200), (True, False)
+    ):
         x, f = press(count, back=back)
         after = (x > place * 0.03) | (np.arange(len(x)) >= count)
         yield record(
-            "slip", f"{1e3 * slip:g} mm at {place:g}, {count} rows, back {back}", x, f - RATE * slip * after, "slip"
+            "slip",
+            f"{1e3 * slip:g} mm at {place:g}, {count} rows, back {back}",
+            x,
+            f - RATE * slip * after,
+            "slip",
         )
         x, f = press(count, back=back)
         slid = np.clip(x - place * 0.03, 0.0, slip)
@@ -313,10 +413,18 @@ def springs() -> Iterator[Record]:
         yield record("steps", f"stroke {1e3 * size:g} mm", steps_of(x, size), f, "steps of")
     for drift in (20.0, 80.0, -80.0):
         x, f = press()
-        yield record("drift", f"force {drift:g} N", x, f + drift * np.linspace(0.0, 1.0, len(f)), "drift|zero")
+        yield record(
+            "drift",
+            f"force {drift:g} N",
+            x,
+            f + drift * np.linspace(0.0, 1.0, len(f)),
+            "drift|zero",
+        )
     for top in (300.0, 600.0):
         x, f = press(200)
-        yield record("out of range", f"force beyond {top:g} N", x, np.minimum(f, top), "out of range")
+        yield record(
+            "out of range", f"force beyond {top:g} N", x, np.minimum(f, top), "out of range"
+        )
     for count in (1, 3, 8):
         x, f = press(100)
         f[40 : 40 + count] = 0.0
@@ -345,7 +453,9 @@ def twists() -> Iterator[Record]:
             x, f = one.columns.values()
             truth = {"stiffness": rate * one.truth["stiffness"] / RATE}
             columns = {"angle [deg]": degrees * x, "torque [N*m]": f}
-            yield replace(one, columns=columns, truth=truth, about=one.about and f"{one.about}|mean of both")
+            yield replace(
+                one, columns=columns, truth=truth, about=one.about and f"{one.about}|mean of both"
+            )
     x, f = press()
     angle = 1e3 * degrees * x
     for (head, turned), (unit, torque), sign in itertools.product(
@@ -355,7 +465,10 @@ def twists() -> Iterator[Record]:
     ):
         name = f"{head} and {unit}, {sign:+d}"
         yield Record(
-            "unit", name, {f"angle [{head}]": sign * turned, f"torque [{unit}]": sign * torque}, {"stiffness": rate}
+            "unit",
+            name,
+            {f"angle [{head}]": sign * turned, f"torque [{unit}]": sign * torque},
+            {"stiffness": rate},
         )
     for name, columns, about in (
         ("deg said to be rad", {"angle [rad]": angle, "torque [N*m]": f}, "unit"),
@@ -406,7 +519,9 @@ def swing(  # noqa: PLR0913
 
     def acceleration(x: float, v: float) -> float:
         c = damping * (bump if v < 0.0 else 1.0)
-        return (-c * v - stiffness * x * (1.0 - softening * x * x) - friction * math.tanh(v / sharp)) / mass
+        return (
+            -c * v - stiffness * x * (1.0 - softening * x * x) - friction * math.tanh(v / sharp)
+        ) / mass
 
     x, v, rows, left = start, 0.0, [], list(hits)
     for index in range(count):
@@ -423,7 +538,9 @@ def swing(  # noqa: PLR0913
             x, v = x + 0.5 * step * (v + v1), v + 0.5 * step * (a + a1)
     table = np.array(rows).T
     random = np.random.default_rng(seed)
-    table = table + noise * np.abs(table).max(axis=1, keepdims=True) * random.standard_normal(table.shape)
+    table = table + noise * np.abs(table).max(axis=1, keepdims=True) * random.standard_normal(
+        table.shape
+    )
     return {"t": np.arange(count) / rate, "z": table[0], "vz": table[1], "az": table[2]}
 
 
@@ -465,7 +582,15 @@ def decays() -> Iterator[Record]:
         if friction is not None:
             truth["coulomb_force"] = friction
         choice = {"channel": f"sprung.{kind}", "mass": MASS, **choice}
-        return Record(group, name, columns, truth, about, tuple(choice.items()), (("coulomb_force", NO_FRICTION),))
+        return Record(
+            group,
+            name,
+            columns,
+            truth,
+            about,
+            tuple(choice.items()),
+            (("coulomb_force", NO_FRICTION),),
+        )
 
     for rate, kind, friction, seed in itertools.product((200.0, 1000.0), UNITS, (0.0, 3.0), (1, 2)):
         run = swing(rate, friction=friction, seed=seed)
@@ -478,32 +603,74 @@ def decays() -> Iterator[Record]:
         for shift in (0.2, 1.5):
             reach = float(np.abs(run[kind]).max())
             about = "the mean is" if kind == "az" else ""
-            yield record("datum", f"{kind} shifted by {shift:g}", run["t"], run[kind] + shift * reach, kind, about)
+            yield record(
+                "datum",
+                f"{kind} shifted by {shift:g}",
+                run["t"],
+                run[kind] + shift * reach,
+                kind,
+                about,
+            )
         for jump, when in itertools.product((0.05, -0.3), (0.5, 1.2)):
             moved = run[kind] + jump * reach * (run["t"] > when)
             about = "zero|jump|explains only|hit"
-            yield record("datum", f"{kind} jumps by {jump:g} at {when:g} s", run["t"], moved, kind, about)
+            yield record(
+                "datum", f"{kind} jumps by {jump:g} at {when:g} s", run["t"], moved, kind, about
+            )
     for kind, friction in itertools.product(UNITS, (0.0, 3.0)):
         run = swing(500.0, friction=friction)
         for unit in IN_SI[kind]:
             about = "dry friction" if friction else ""
             name = f"{unit}, friction {friction:g}"
-            yield record("unit", name, run["t"], run[kind], kind, about, friction=friction, unit=unit)
+            yield record(
+                "unit", name, run["t"], run[kind], kind, about, friction=friction, unit=unit
+            )
         for unit, said in itertools.permutations(IN_SI[kind], 2):
-            about = "unit" if IN_SI[kind][said] > 30.0 * IN_SI[kind][unit] or not friction else HIDDEN
+            about = (
+                "unit" if IN_SI[kind][said] > 30.0 * IN_SI[kind][unit] or not friction else HIDDEN
+            )
             name = f"{unit} said to be {said}, friction {friction:g}"
-            yield record("unit", name, run["t"], run[kind], kind, about, friction=friction, unit=unit, said=said)
-    for kind, size, curve in itertools.product(UNITS, (-0.4, -0.1, 0.1, 0.4), ("line", "warming", "slow wave")):
+            yield record(
+                "unit",
+                name,
+                run["t"],
+                run[kind],
+                kind,
+                about,
+                friction=friction,
+                unit=unit,
+                said=said,
+            )
+    for kind, size, curve in itertools.product(
+        UNITS, (-0.4, -0.1, 0.1, 0.4), ("line", "warming", "slow wave")
+    ):
         run = swing(500.0)
         t, reach = run["t"], float(np.abs(run[kind]).max())
-        way = {"line": t / t[-1], "warming": 1.0 - np.exp(-t / 0.7), "slow wave": np.sin(2.0 * np.pi * t / 4.0)}[curve]
-        yield record("drift", f"{kind} by {size:g} as a {curve}", t, run[kind] + size * reach * way, kind, "drift")
-    for kind, corner, order, friction in itertools.product(UNITS, (1.5, 4.0, 10.0, 25.0), (1, 2, 4), (0.0, 8.0)):
+        way = {
+            "line": t / t[-1],
+            "warming": 1.0 - np.exp(-t / 0.7),
+            "slow wave": np.sin(2.0 * np.pi * t / 4.0),
+        }[curve]
+        yield record(
+            "drift",
+            f"{kind} by {size:g} as a {curve}",
+            t,
+            run[kind] + size * reach * way,
+            kind,
+            "drift",
+        )
+    for kind, corner, order, friction in itertools.product(
+        UNITS, (1.5, 4.0, 10.0, 25.0), (1, 2, 4), (0.0, 8.0)
+    ):
         run = swing(500.0, friction=friction)
         signal = low_pass(run[kind], 500.0, corner, order)
         name = f"{kind} low pass of order {order} at {corner:g} Hz, friction {friction:g}"
-        yield record("filter", name, run["t"], signal, kind, "low.pass|explains only", friction=friction)
-    for kind, corner, order, friction in itertools.product(UNITS, (0.1, 0.5, 2.0), (1, 2), (0.0, 8.0)):
+        yield record(
+            "filter", name, run["t"], signal, kind, "low.pass|explains only", friction=friction
+        )
+    for kind, corner, order, friction in itertools.product(
+        UNITS, (0.1, 0.5, 2.0), (1, 2), (0.0, 8.0)
+    ):
         run = swing(500.0, friction=friction)
         signal = high_pass(run[kind], 500.0, corner, order)
         yield record(
@@ -515,14 +682,28 @@ def decays() -> Iterator[Record]:
             run = swing(500.0)
             reach = float(np.abs(run[kind]).max())
             yield record(
-                "steps", f"{kind} in steps of {size:g}", run["t"], steps_of(run[kind], size * reach), kind, "steps of"
+                "steps",
+                f"{kind} in steps of {size:g}",
+                run["t"],
+                steps_of(run[kind], size * reach),
+                kind,
+                "steps of",
             )
     for limit, kind, sides in itertools.product((0.9, 0.6, 0.3), UNITS, ("both sides", "one side")):
         run = swing(500.0)
         top = limit * float(np.abs(run[kind]).max())
         signal = np.clip(run[kind], -top if sides == "both sides" else -np.inf, top)
-        yield record("clipped", f"{kind} at {limit:g}, {sides}", run["t"], signal, kind, "out of range|clipped")
-    for seconds, times, how, kind in itertools.product((0.04, 0.2), (1, 4), ("zero", "held"), UNITS):
+        yield record(
+            "clipped",
+            f"{kind} at {limit:g}, {sides}",
+            run["t"],
+            signal,
+            kind,
+            "out of range|clipped",
+        )
+    for seconds, times, how, kind in itertools.product(
+        (0.04, 0.2), (1, 4), ("zero", "held"), UNITS
+    ):
         run = swing(500.0)
         marks = lost(len(run["t"]), 500.0, seconds, times)
         signal = held(run[kind], marks) if how == "held" else np.where(marks, 0.0, run[kind])
@@ -539,12 +720,22 @@ def decays() -> Iterator[Record]:
     for when, kind, size in itertools.product((0.9, 1.37), UNITS, (0.3, 0.6)):
         run = swing(500.0, hits=((when, size),))
         yield record(
-            "hit", f"second at {when:g} s, {size:g} m/s, {kind}", run["t"], run[kind], kind, "hit|explains only"
+            "hit",
+            f"second at {when:g} s, {size:g} m/s, {kind}",
+            run["t"],
+            run[kind],
+            kind,
+            "hit|explains only",
         )
     for when, kind, size in itertools.product((0.6, 1.0, 1.8), UNITS, (-0.5, 0.1, 0.2)):
         run = swing(500.0, hits=((when, size),))
         yield record(
-            "hit", f"second at {when:g} s, {size:g} m/s, {kind}", run["t"], run[kind], kind, "hit|explains only"
+            "hit",
+            f"second at {when:g} s, {size:g} m/s, {kind}",
+            run["t"],
+            run[kind],
+            kind,
+            "hit|explains only",
         )
     for kind in UNITS:
         run = swing(500.0, start=1e-5, hits=((0.5, 0.7),))
@@ -554,18 +745,44 @@ def decays() -> Iterator[Record]:
     for apart, share, kind in itertools.product((0.05, 0.08, 0.15), (0.5, 0.8, 0.98), ("z", "az")):
         t = np.arange(0.0, 7.0, 0.005)
         fall, omega = np.exp(-0.15 * t), 33.9
-        signal = 0.02 * fall * (np.cos(omega * t) + share * np.cos(omega * (1.0 + apart) * t)) / (1.0 + share)
+        signal = (
+            0.02
+            * fall
+            * (np.cos(omega * t) + share * np.cos(omega * (1.0 + apart) * t))
+            / (1.0 + share)
+        )
         signal = signal * (1.0 if kind == "z" else -(omega**2)) + 2e-5 * (
             1.0 if kind == "z" else omega**2
         ) * np.random.default_rng(1).standard_normal(len(t))
         yield record(
-            "beat", f"{100.0 * apart:g} % apart, {share:g}, {kind}", t, signal, kind, "beat|explains only", 0.3 * MASS
+            "beat",
+            f"{100.0 * apart:g} % apart, {share:g}, {kind}",
+            t,
+            signal,
+            kind,
+            "beat|explains only",
+            0.3 * MASS,
         )
     for bump, kind in itertools.product((0.3, 0.6, 1.5, 3.0), UNITS):
         run = swing(500.0, bump=bump)
         mean = 0.5 * (1.0 + bump) * DAMPING
-        yield record("firmer in one direction", f"{bump:g}, {kind}", run["t"], run[kind], kind, "one direction", mean)
-    for said, truth in (("z", "vz"), ("z", "az"), ("vz", "z"), ("vz", "az"), ("az", "z"), ("az", "vz")):
+        yield record(
+            "firmer in one direction",
+            f"{bump:g}, {kind}",
+            run["t"],
+            run[kind],
+            kind,
+            "one direction",
+            mean,
+        )
+    for said, truth in (
+        ("z", "vz"),
+        ("z", "az"),
+        ("vz", "z"),
+        ("vz", "az"),
+        ("az", "z"),
+        ("az", "vz"),
+    ):
         for friction in (0.0, 8.0):
             run = swing(500.0, friction=friction)
             about = "rather one of" if friction else "unit"
@@ -575,14 +792,37 @@ def decays() -> Iterator[Record]:
             )  # fmt: skip
     run = swing(500.0)
     yield record("exchange", "signal and time", run["z"], run["t"], "z", "time|clock")
-    yield record("exchange", "rows turned round", run["t"], run["z"][::-1], "z", "grows|explains only|hit|turned")
-    yield record("clock", "ms said to be s", 1e3 * run["t"], run["z"], "z", "sample|unit|clock|time")
-    yield record("clock", "s said to be ms", run["t"] / 1e3, run["z"], "z", "sample|unit|clock|time|stiffness|rate")
+    yield record(
+        "exchange",
+        "rows turned round",
+        run["t"],
+        run["z"][::-1],
+        "z",
+        "grows|explains only|hit|turned",
+    )
+    yield record(
+        "clock", "ms said to be s", 1e3 * run["t"], run["z"], "z", "sample|unit|clock|time"
+    )
+    yield record(
+        "clock",
+        "s said to be ms",
+        run["t"] / 1e3,
+        run["z"],
+        "z",
+        "sample|unit|clock|time|stiffness|rate",
+    )
     for factor, friction in itertools.product((0.5, 1.0 / 1.1, 1.05, 2.0), (0.0, 3.0)):
         run = swing(500.0, friction=friction)
         name = f"{factor:.3g} times, friction {friction:g}, stiffness stated"
         yield record(
-            "clock", name, factor * run["t"], run["z"], "z", "stiffness", friction=friction, stiffness=STIFFNESS
+            "clock",
+            name,
+            factor * run["t"],
+            run["z"],
+            "z",
+            "stiffness",
+            friction=friction,
+            stiffness=STIFFNESS,
         )
         name = f"{factor:.3g} times, friction {friction:g}"
         yield record("clock", name, factor * run["t"], run["z"], "z", HIDDEN, friction=friction)
@@ -590,12 +830,24 @@ def decays() -> Iterator[Record]:
         run = swing(500.0)
         late = run["t"] + size / 500.0 * np.random.default_rng(4).uniform(-1.0, 1.0, len(run["t"]))
         yield record("clock", f"jitter of {size:g} samples", late, run["z"], "z", "step|jitter")
-    yield record("clock", "in steps of 10 ms", np.floor(run["t"] * 100.0) / 100.0, run["z"], "z", "ascend|step")
+    yield record(
+        "clock",
+        "in steps of 10 ms",
+        np.floor(run["t"] * 100.0) / 100.0,
+        run["z"],
+        "z",
+        "ascend|step",
+    )
     for few, kind in itertools.product((2.5, 4.0, 7.0, 12.0), UNITS):
         run = swing(1000.0)
         thin = max(1, round(1000.0 / (5.39 * few)))
         yield record(
-            "rate", f"{few:g} samples a cycle, {kind}", run["t"][::thin], run[kind][::thin], kind, "samples per cycle"
+            "rate",
+            f"{few:g} samples a cycle, {kind}",
+            run["t"][::thin],
+            run[kind][::thin],
+            kind,
+            "samples per cycle",
         )
 
 
@@ -610,7 +862,9 @@ _LIKE = dict(zip(TURNED, UNITS, strict=True))
 def rotations() -> Iterator[Record]:
     """Pendulums and parts on torsion bars, by encoders of their angle and rate gyros."""
 
-    def turn(friction: float = 0.0, *, start: float = 0.2, softening: float = 0.0, seed: int = 1) -> dict[str, Array]:
+    def turn(
+        friction: float = 0.0, *, start: float = 0.2, softening: float = 0.0, seed: int = 1
+    ) -> dict[str, Array]:
         return swing(
             500.0, 4.0, mass=INERTIA, stiffness=TWIST, damping=TORQUE_DAMPING, friction=friction, start=start,
             softening=softening, seed=seed,
@@ -633,7 +887,13 @@ def rotations() -> Iterator[Record]:
         truth = {"damping_coefficient": TORQUE_DAMPING, "coulomb_force": friction}
         choice = {"channel": f"arm.{kind}", "inertia": INERTIA, **choice}
         return Record(
-            group, name, columns, truth, about, tuple(choice.items()), (("coulomb_force", 2e-4 * TWIST * 0.2),)
+            group,
+            name,
+            columns,
+            truth,
+            about,
+            tuple(choice.items()),
+            (("coulomb_force", 2e-4 * TWIST * 0.2),),
         )
 
     for (kind, like), friction, sign in itertools.product(_LIKE.items(), (0.0, 0.6), (1, -1)):
@@ -644,7 +904,11 @@ def rotations() -> Iterator[Record]:
             yield record(PLAIN, name, run["t"], sign * run[like], kind, about, friction, unit)
         for unit, said in itertools.permutations(TURNED[kind], 2):
             if sign > 0:
-                about = "unit" if TURNED[kind][said] > 30.0 * TURNED[kind][unit] or not friction else HIDDEN
+                about = (
+                    "unit"
+                    if TURNED[kind][said] > 30.0 * TURNED[kind][unit] or not friction
+                    else HIDDEN
+                )
                 name = f"{kind}, {unit} said to be {said}, friction {friction:g}"
                 yield record("unit", name, run["t"], run[like], kind, about, friction, unit, said)
     for (kind, like), friction in itertools.product(_LIKE.items(), (0.0, 0.6)):
@@ -652,29 +916,73 @@ def rotations() -> Iterator[Record]:
         t, signal, reach = run["t"], run[like], float(np.abs(run[like]).max())
         more = f"{kind}, friction {friction:g}"
         about = "dry friction" if friction else ""
-        yield record("datum", f"bias of 0.4, {more}", t, signal + 0.4 * reach, kind, about, friction)
+        yield record(
+            "datum", f"bias of 0.4, {more}", t, signal + 0.4 * reach, kind, about, friction
+        )
         for size in (0.1, -0.4):
-            yield record("drift", f"{size:g}, {more}", t, signal + size * reach * t / t[-1], kind, "drift", friction)
+            yield record(
+                "drift",
+                f"{size:g}, {more}",
+                t,
+                signal + size * reach * t / t[-1],
+                kind,
+                "drift",
+                friction,
+            )
         for corner, order in itertools.product((4.0, 15.0), (1, 2)):
             behind = low_pass(signal, 500.0, corner, order)
             name = f"low pass of order {order} at {corner:g} Hz, {more}"
             yield record("filter", name, t, behind, kind, "low.pass|explains only", friction)
         for size in (0.002, 0.05, 0.2):
-            yield record("steps", f"{size:g}, {more}", t, steps_of(signal, size * reach), kind, "steps of", friction)
+            yield record(
+                "steps",
+                f"{size:g}, {more}",
+                t,
+                steps_of(signal, size * reach),
+                kind,
+                "steps of",
+                friction,
+            )
         for limit in (0.8, 0.4):
             cut = np.clip(signal, -limit * reach, limit * reach)
-            yield record("clipped", f"{limit:g}, {more}", t, cut, kind, "limits of the record|clipped", friction)
+            yield record(
+                "clipped",
+                f"{limit:g}, {more}",
+                t,
+                cut,
+                kind,
+                "limits of the record|clipped",
+                friction,
+            )
         for how in ("zero", "held"):
             marks = lost(len(t), 500.0, 0.2, 3)
             gone = held(signal, marks) if how == "held" else np.where(marks, 0.0, signal)
-            yield record("dropout", f"{how}, {more}", t, gone, kind, "stands still|stays at", friction)
+            yield record(
+                "dropout", f"{how}, {more}", t, gone, kind, "stands still|stays at", friction
+            )
         for factor in (0.5, 1.1):
             name = f"{factor:g} times, stiffness stated, {more}"
-            yield record("clock", name, factor * t, signal, kind, "stiffness", friction, stiffness=TWIST)
-        yield record("inertia", f"a mass in its place, {more}", t, signal, kind, "inertia", friction, mass=1.0)
+            yield record(
+                "clock", name, factor * t, signal, kind, "stiffness", friction, stiffness=TWIST
+            )
+        yield record(
+            "inertia",
+            f"a mass in its place, {more}",
+            t,
+            signal,
+            kind,
+            "inertia",
+            friction,
+            mass=1.0,
+        )
     for start in (0.1, 0.4, 0.8):
         run = turn(start=start, softening=1.0 / 6.0)
         for kind, like in _LIKE.items():
             yield record(
-                "pendulum", f"let go at {start:g} rad, {kind}", run["t"], run[like], kind, "softer|explains only"
+                "pendulum",
+                f"let go at {start:g} rad, {kind}",
+                run["t"],
+                run[like],
+                kind,
+                "softer|explains only",
             )

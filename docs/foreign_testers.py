@@ -18,7 +18,10 @@ G, PLATE, SPRING = 9.81, 20.0, 50e3  # m/s^2; kg and N/m of the plates
 RATE, SIDES = 1000.0, ("left", "right")
 EGEA, THETA = "egea-specsus2018", "theta-msd3000"
 STROKES = {EGEA: 6e-3, THETA: 6.5e-3}  # m
-SWEEPS = {EGEA: (25.0, 0.3, 2.5, 2.0), THETA: (20.0, 1.0, 1.5, 2.0)}  # start, end (Hz), rate (Hz/s), hold (s)
+SWEEPS = {
+    EGEA: (25.0, 0.3, 2.5, 2.0),
+    THETA: (20.0, 1.0, 1.5, 2.0),
+}  # start, end (Hz), rate (Hz/s), hold (s)
 REST = 1.0  # s before, between and after
 
 
@@ -54,7 +57,9 @@ class Wheel:
         s = 2j * np.pi * frequency
         strut = self.spring + self.damper * s
         body = self.body * s**2 + strut
-        return self.tyre * (1.0 - body * self.tyre / (body * (self.wheel * s**2 + strut + self.tyre) - strut**2))
+        return self.tyre * (
+            1.0 - body * self.tyre / (body * (self.wheel * s**2 + strut + self.tyre) - strut**2)
+        )
 
     def truth(self, tester: str) -> dict[str, float]:
         """True results of a tester: the minimum force of its sweep; the other values from poles and response."""
@@ -109,10 +114,15 @@ def run(wheel: Wheel, tester: str) -> tuple[Array, Array, Array]:
     drive = 0.5 * STROKES[tester] * np.sin(2.0 * np.pi * (start * swept - 0.5 * rate * falls**2))
     is_rigid, h = tester == EGEA, 1.0 / (RATE * fine)
     kt, k, load = wheel.tyre, wheel.spring, wheel.load
-    bump, rebound = wheel.damper * 2.0 / (1.0 + wheel.rebound), wheel.damper * 2.0 / (1.0 + 1.0 / wheel.rebound)
+    bump, rebound = (
+        wheel.damper * 2.0 / (1.0 + wheel.rebound),
+        wheel.damper * 2.0 / (1.0 + 1.0 / wheel.rebound),
+    )
     zs = vs = zu = vu = zp = vp = 0.0
     heights, forces = np.empty(t.size), np.empty(t.size)
-    for i, at in enumerate(drive):  # half a step of velocities, a step of heights, half a step of velocities
+    for i, at in enumerate(
+        drive
+    ):  # half a step of velocities, a step of heights, half a step of velocities
         zp = at if is_rigid else zp
         contact = max(load + kt * (zp - zu), 0.0)
         heights[i], forces[i] = zp, contact
@@ -150,7 +160,16 @@ class TesterRecord:
         """The file, comma-separated."""
         head = [f"# {key} = {value}" for key, value in self.header.items()]
         rows = np.column_stack(list(self.columns.values()))
-        return "\n".join([*head, ",".join(self.columns), *(",".join(f"{x:.8g}" for x in row) for row in rows)]) + "\n"
+        return (
+            "\n".join(
+                [
+                    *head,
+                    ",".join(self.columns),
+                    *(",".join(f"{x:.8g}" for x in row) for row in rows),
+                ]
+            )
+            + "\n"
+        )
 
 
 @dataclass
@@ -176,8 +195,12 @@ class Axle:
             columns[f"{side}.plate.force [{force}]"] = self.f[side]
         header = {f"{side}.static_load": f'"{load:.0f} N"' for side, load in self.loads.items()}
         header |= {"wheel_order": self.order} if self.order else {}
-        truth = {side: wheel.truth(self.tester) for side, wheel in zip(SIDES, self.wheels, strict=True)}
-        return TesterRecord(group, f"{self.tester}: {name}", self.tester, header, columns, truth, about)
+        truth = {
+            side: wheel.truth(self.tester) for side, wheel in zip(SIDES, self.wheels, strict=True)
+        }
+        return TesterRecord(
+            group, f"{self.tester}: {name}", self.tester, header, columns, truth, about
+        )
 
 
 def axle(tester: str, car: str | tuple[Wheel, Wheel], noise: float = 0.003, seed: int = 1) -> Axle:
@@ -189,8 +212,12 @@ def axle(tester: str, car: str | tuple[Wheel, Wheel], noise: float = 0.003, seed
         height, force, _ = run(wheel, tester)
         rest = [np.zeros(height.size), np.full(height.size, wheel.load)]
         order = slice(None, None, 1 if i == 0 else -1)
-        z[side] = np.concatenate([height, rest[0]][order]) + 2e-6 * draw.standard_normal(2 * height.size)
-        f[side] = np.concatenate([force, rest[1]][order]) + noise * wheel.load * draw.standard_normal(2 * height.size)
+        z[side] = np.concatenate([height, rest[0]][order]) + 2e-6 * draw.standard_normal(
+            2 * height.size
+        )
+        f[side] = np.concatenate(
+            [force, rest[1]][order]
+        ) + noise * wheel.load * draw.standard_normal(2 * height.size)
     loads = {side: wheel.load for side, wheel in zip(SIDES, wheels, strict=True)}
     return Axle(tester, wheels, RATE, np.arange(z["left"].size) / RATE, z, f, loads)
 
@@ -218,12 +245,16 @@ def _scales(tester: str) -> Iterator[TesterRecord]:
         one.z = {side: -v if which != "force" else v for side, v in one.z.items()}
         one.f = {side: -v if which != "height" else v for side, v in one.f.items()}
         yield one.record("sign", f"{car}, {which}", "upside_down|force_sign")
-    for car, share, sides in itertools.product(CARS, (-1.0, -0.3, -0.12, -0.05, 0.05, 0.12, 0.3), (("left",), SIDES)):
+    for car, share, sides in itertools.product(
+        CARS, (-1.0, -0.3, -0.12, -0.05, 0.05, 0.12, 0.3), (("left",), SIDES)
+    ):
         one = axle(tester, car)
         for side in sides:
             one.f[side] = one.f[side] + share * one.loads[side]
         name = f"{car}, force zero {share:+g} of the load, {' and '.join(sides)}"
-        yield one.record("datum", name, "load_off|load_contradicts|both_offset|force_unit|no_wheel_load")
+        yield one.record(
+            "datum", name, "load_off|load_contradicts|both_offset|force_unit|no_wheel_load"
+        )
         one.loads = {}
         about = "load_from_signal|no_wheel_load"
         yield one.record("datum", f"{name}, no load stated", about)
@@ -236,8 +267,17 @@ def _scales(tester: str) -> Iterator[TesterRecord]:
         one.f = {side: factor * v for side, v in one.f.items()}
         name = f"force times {factor:.3g} called N, load {'stated' if said else 'not stated'}"
         one.loads = one.loads if said else {}
-        yield one.record("unit", name, "force_unit|no_wheel_load|load_contradicts|load_from_signal|columns_swapped")
-    for unit, factor in (("kN", 1e-3), ("daN", 0.1), ("lbf", 1.0 / 4.4482216), ("kgf", 1.0 / 9.80665)):
+        yield one.record(
+            "unit",
+            name,
+            "force_unit|no_wheel_load|load_contradicts|load_from_signal|columns_swapped",
+        )
+    for unit, factor in (
+        ("kN", 1e-3),
+        ("daN", 0.1),
+        ("lbf", 1.0 / 4.4482216),
+        ("kgf", 1.0 / 9.80665),
+    ):
         one = axle(tester, "hatchback")
         one.f, one.units = {side: factor * v for side, v in one.f.items()}, ("s", "mm", unit)
         yield one.record("unit", f"force in {unit}")
@@ -261,11 +301,17 @@ def _scales(tester: str) -> Iterator[TesterRecord]:
                 one.f[side] = factor * one.f[side]
             one.loads = one.loads if said else {}
             name = f"force times {factor:g} {' and '.join(sides)}, load {'stated' if said else 'not stated'}"
-            yield one.record("gain", name, "load_off|load_contradicts|load_from_signal|both_offset|force_unit")
+            yield one.record(
+                "gain", name, "load_off|load_contradicts|load_from_signal|both_offset|force_unit"
+            )
     for factor in (1e-3, 0.1, 10.0, 1.0 / G):
         one = axle(tester, "estate")
         one.loads = {side: factor * load for side, load in one.loads.items()}
-        yield one.record("unit", f"static load times {factor:.3g}", "load_unit|load_contradicts|both_offset|force_unit")
+        yield one.record(
+            "unit",
+            f"static load times {factor:.3g}",
+            "load_unit|load_contradicts|both_offset|force_unit",
+        )
 
 
 def _clocks(tester: str) -> Iterator[TesterRecord]:
@@ -282,7 +328,9 @@ def _clocks(tester: str) -> Iterator[TesterRecord]:
         one.z = {side: v[keep] if which != "force" else v for side, v in one.z.items()}
         one.f = {side: v[keep] if which != "height" else v for side, v in one.f.items()}
         yield one.record(
-            "rate", f"{car}, {which} held for {times}", "recordings.held|force_late|force_early|channels_apart"
+            "rate",
+            f"{car}, {which} held for {times}",
+            "recordings.held|force_late|force_early|channels_apart",
         )
     for car, factor in itertools.product(CARS, (0.5, 0.8, 0.95, 1.05, 1.25, 2.0)):
         one = axle(tester, car)
@@ -293,19 +341,26 @@ def _clocks(tester: str) -> Iterator[TesterRecord]:
     for factor in (1e3, 1e-3):
         one = axle(tester, "estate")
         one.time = factor * one.time
-        yield one.record("clock", f"time times {factor:g}", "clock|samples|too_short|never_high|reading")
+        yield one.record(
+            "clock", f"time times {factor:g}", "clock|samples|too_short|never_high|reading"
+        )
     for car, size in itertools.product(CARS, (0.005, 0.2, 0.45)):
         one = axle(tester, car)
         late = np.random.default_rng(7).uniform(-1.0, 1.0, one.time.size) * size / RATE
         one.time = np.maximum(one.time + late, 0.0)
-        yield one.record("clock", f"{car}, jitter of {size:g} samples", "clock|recordings.time_step_varies")
+        yield one.record(
+            "clock", f"{car}, jitter of {size:g} samples", "clock|recordings.time_step_varies"
+        )
 
 
 def _losses(tester: str) -> Iterator[TesterRecord]:
     """Dropouts, coarse steps and ends of the range."""
     about = "recordings.frozen|dropout|samples_missing|rows_missing|clock|several_sweeps|saturated|clipped"
     for car, seconds, times, (which, how) in itertools.product(
-        FEW, (0.02, 0.1, 0.4), (1, 4), itertools.product(("force", "height", "both"), ("zero", "held"))
+        FEW,
+        (0.02, 0.1, 0.4),
+        (1, 4),
+        itertools.product(("force", "height", "both"), ("zero", "held")),
     ):
         one = axle(tester, car)
         for side, seed in zip(SIDES, (5, 6), strict=True):
@@ -328,11 +383,19 @@ def _losses(tester: str) -> Iterator[TesterRecord]:
     for car, size in itertools.product(CARS, (1.0, 10.0, 50.0, 150.0, 400.0, 1000.0)):
         one = axle(tester, car)
         one.f = {side: steps_of(v, size) for side, v in one.f.items()}
-        yield one.record("steps", f"{car}, force in steps of {size:g} N", "coarse|clipped|saturated|load_contradicts")
+        yield one.record(
+            "steps",
+            f"{car}, force in steps of {size:g} N",
+            "coarse|clipped|saturated|load_contradicts",
+        )
     for car, size in itertools.product(CARS, (1e-5, 1e-4, 5e-4, 1e-3, 2e-3)):
         one = axle(tester, car)
         one.z = {side: steps_of(v, size) for side, v in one.z.items()}
-        yield one.record("steps", f"{car}, height in steps of {1e3 * size:g} mm", "coarse|stroke_off|stroke_wrong")
+        yield one.record(
+            "steps",
+            f"{car}, height in steps of {1e3 * size:g} mm",
+            "coarse|stroke_off|stroke_wrong",
+        )
     for car, share, end in itertools.product(CARS, (0.95, 0.7, 0.4), ("upper", "lower", "height")):
         one = axle(tester, car)
         for side in SIDES:
@@ -344,7 +407,9 @@ def _losses(tester: str) -> Iterator[TesterRecord]:
             else:
                 low, high = (-np.inf, load + reach) if end == "upper" else (load - reach, np.inf)
                 one.f[side] = np.clip(one.f[side], low, high)
-        yield one.record("clipped", f"{car}, {end} at {share:g}", "saturated|clipped|stroke_off|stroke_wrong")
+        yield one.record(
+            "clipped", f"{car}, {end} at {share:g}", "saturated|clipped|stroke_off|stroke_wrong"
+        )
 
 
 def _filters(tester: str) -> Iterator[TesterRecord]:
@@ -358,10 +423,13 @@ def _filters(tester: str) -> Iterator[TesterRecord]:
         if which != "force":
             one.z = {side: low_pass(v, RATE, corner, order) for side, v in one.z.items()}
         about = (
-            "force_late|force_early|not_rigid|stroke|never_high|no_wheel|poor_fit|not_sprung|exciter_off|channels_apart"
+            "force_late|force_early|not_rigid|stroke|never_high|no_wheel|poor_fit|not_sprung|"
+            "exciter_off|channels_apart"
         )
         yield one.record("low pass", f"{car}, {which} {corner:g} Hz, order {order}", about)
-    for car, corner, order, which in itertools.product(FEW, (0.1, 0.5, 2.0, 5.0), (1, 2), ("force", "height", "both")):
+    for car, corner, order, which in itertools.product(
+        FEW, (0.1, 0.5, 2.0, 5.0), (1, 2), ("force", "height", "both")
+    ):
         one = axle(tester, car)
         if which != "height":
             one.f = {side: high_pass(v, RATE, corner, order) for side, v in one.f.items()}
@@ -374,7 +442,9 @@ def _filters(tester: str) -> Iterator[TesterRecord]:
 
 def _exchanges(tester: str) -> Iterator[TesterRecord]:
     """Exchanged channels and sides."""
-    for car, order in itertools.product(CARS, ('["left", "right"]', "", '["right", "left"]', '"together"')):
+    for car, order in itertools.product(
+        CARS, ('["left", "right"]', "", '["right", "left"]', '"together"')
+    ):
         one = axle(tester, car)
         one.order = order
         about = "" if order == '["left", "right"]' else "order_"
@@ -395,23 +465,43 @@ def _exchanges(tester: str) -> Iterator[TesterRecord]:
             yield one.record("exchange", f"{car}, {which}, order {order or 'not stated'}", about)
     for car in CARS:
         one = axle(tester, car)
-        one.z, one.f = {s: 1e-3 * v for s, v in one.f.items()}, {s: 1e3 * v for s, v in one.z.items()}
-        yield one.record("exchange", f"{car}, height and force", "columns_swapped|no_wheel_load|reading")
+        one.z, one.f = (
+            {s: 1e-3 * v for s, v in one.f.items()},
+            {s: 1e3 * v for s, v in one.z.items()},
+        )
+        yield one.record(
+            "exchange", f"{car}, height and force", "columns_swapped|no_wheel_load|reading"
+        )
         one = axle(tester, car)
         one.f["left"], one.z["left"] = 1e3 * one.z["left"], 1e-3 * one.f["left"]
-        yield one.record("exchange", f"{car}, height and force of the left plate", "columns_swapped|no_wheel|reading")
+        yield one.record(
+            "exchange",
+            f"{car}, height and force of the left plate",
+            "columns_swapped|no_wheel|reading",
+        )
 
 
 _ODD = (
-    (Wheel(310.0, 36.0, 21e3, 900.0, 190e3, friction=60.0), Wheel(330.0, 36.0, 21e3, 1500.0, 195e3, rebound=3.0)),
-    (Wheel(420.0, 45.0, 28e3, 180.0, 230e3), Wheel(405.0, 45.0, 28e3, 1500.0, 225e3, friction=40.0, rebound=2.0)),
+    (
+        Wheel(310.0, 36.0, 21e3, 900.0, 190e3, friction=60.0),
+        Wheel(330.0, 36.0, 21e3, 1500.0, 195e3, rebound=3.0),
+    ),
+    (
+        Wheel(420.0, 45.0, 28e3, 180.0, 230e3),
+        Wheel(405.0, 45.0, 28e3, 1500.0, 225e3, friction=40.0, rebound=2.0),
+    ),
     (Wheel(180.0, 38.0, 14e3, 450.0, 220e3), Wheel(620.0, 60.0, 52e3, 2400.0, 320e3, rebound=2.5)),
-    (Wheel(260.0, 40.0, 18e3, 2400.0, 260e3), Wheel(260.0, 40.0, 18e3, 700.0, 260e3, friction=100.0)),
+    (
+        Wheel(260.0, 40.0, 18e3, 2400.0, 260e3),
+        Wheel(260.0, 40.0, 18e3, 700.0, 260e3, friction=100.0),
+    ),
 )
 """Dry friction, dampers with bends, worn and stiff ones, a tyre that lifts off: sound records of odd wheels."""
 
 
 def odd_wheels() -> Iterator[TesterRecord]:
     """Correct records that checks of linear wheels must not reject."""
-    for tester, (i, wheels), noise in itertools.product((EGEA, THETA), enumerate(_ODD), (0.0005, 0.003, 0.01)):
+    for tester, (i, wheels), noise in itertools.product(
+        (EGEA, THETA), enumerate(_ODD), (0.0005, 0.003, 0.01)
+    ):
         yield axle(tester, wheels, noise).record("odd", f"{i}, noise {noise:g}")

@@ -47,10 +47,18 @@ def dampers() -> Iterator[Outcome]:
     ):
         t = np.arange(0.0, 4.0, 1.0 / rate)
         x, v = 0.02 * np.sin(2 * np.pi * t), 0.04 * np.pi * np.cos(2 * np.pi * t)
-        f = np.where(v > 0.0, bump, rebound) * v + gas + np.random.default_rng(1).normal(0.0, 3.0, len(t))
-        result = fit_damper(stroke * x, stroke * v if has_velocity else None, force * f, t, law="bilinear")
+        f = (
+            np.where(v > 0.0, bump, rebound) * v
+            + gas
+            + np.random.default_rng(1).normal(0.0, 3.0, len(t))
+        )
+        result = fit_damper(
+            stroke * x, stroke * v if has_velocity else None, force * f, t, law="bilinear"
+        )
         found = result.parameters
-        right = _close(found["bump_coefficient"].value, bump) and _close(found["rebound_coefficient"].value, rebound)
+        right = _close(found["bump_coefficient"].value, bump) and _close(
+            found["rebound_coefficient"].value, rebound
+        )
         yield right, _is_loud(result.findings, "_positive")
 
 
@@ -58,7 +66,9 @@ def springs() -> Iterator[Outcome]:
     """Springs with and without preload, stroke and force of any sign, nothing stated."""
     way = np.concatenate([np.linspace(0.0, 0.03, 80), np.linspace(0.03, 0.0, 80)])
     for preload, (stroke, force) in itertools.product((0.0, 300.0), SIGNS):
-        result = fit_stiffness([ForceDeflectionTrial(stroke * way, force * (preload + 22.7e3 * way))], intercept="keep")
+        result = fit_stiffness(
+            [ForceDeflectionTrial(stroke * way, force * (preload + 22.7e3 * way))], intercept="keep"
+        )
         assert result.intercept is not None
         yield (
             _close(result.stiffness.value, 22.7e3) and abs(result.intercept.value - preload) < 1.0,
@@ -103,13 +113,20 @@ def datums() -> Iterator[Outcome]:
         measured = run[[name]].map(lambda signal: sign * (signal - offset))  # noqa: B023 - used at once
         update = jn.update_model([jn.FitTrial("one", rig, trial, measured)], free)
         values = truth.parameters()
-        right = all(_close(one.value, values[path], 1e-3) for path, one in update.parameters.items())
+        right = all(
+            _close(one.value, values[path], 1e-3) for path, one in update.parameters.items()
+        )
         yield right, _is_loud(update.findings, "sign is reversed")
 
 
 def _fit_damper(file: Path, **choice: Any) -> tuple[dict[str, Any], list[Any]]:
     run, notes = read_recording(file)
-    signals = (run["displacement"].to_numpy(), None, run["force"].to_numpy(), run["time"].to_numpy())
+    signals = (
+        run["displacement"].to_numpy(),
+        None,
+        run["force"].to_numpy(),
+        run["time"].to_numpy(),
+    )
     result = fit_damper(*signals, law="bilinear", **choice)
     return result.parameters, [*notes, *result.findings]
 
@@ -124,7 +141,10 @@ def _fit_decay(file: Path, channel: str, **choice: Any) -> tuple[dict[str, Any],
     run, notes = read_recording(file)
     quantity = QUANTITY_OF_UNIT[run[channel].attrs["units"]]
     result = fit_decay(run["time"].to_numpy(), run[channel].to_numpy(), quantity=quantity, **choice)
-    found = {"damping_coefficient": result.damping_coefficient, "coulomb_force": result.coulomb_force}
+    found = {
+        "damping_coefficient": result.damping_coefficient,
+        "coulomb_force": result.coulomb_force,
+    }
     return found, [*notes, *result.findings]
 
 
@@ -140,7 +160,11 @@ def judged(record: Record, fit: Callable[..., tuple[dict[str, Any], list[Any]]])
             found, findings = fit(file, **dict(record.choice))
         except JounceError:
             return "refused"
-    loud = [one.message for one in findings if one.severity != "note" and "only one trial" not in one.message]
+    loud = [
+        one.message
+        for one in findings
+        if one.severity != "note" and "only one trial" not in one.message
+    ]
     slack = dict(record.slack)
     if all(
         _close(found[name].value, value, 0.03)
@@ -151,7 +175,9 @@ def judged(record: Record, fit: Callable[..., tuple[dict[str, Any], list[Any]]])
         return "false alarm" if loud and not record.about else "right"
     if record.about == foreign_records.HIDDEN:
         return "hidden"
-    return "told" if record.about and any(re.search(record.about, text) for text in loud) else "silent"
+    return (
+        "told" if record.about and any(re.search(record.about, text) for text in loud) else "silent"
+    )
 
 
 def files(records: Callable[[], Iterator[Record]], fit: Callable[..., Any]) -> Iterator[Outcome]:
@@ -190,7 +216,10 @@ def counts(subject: str) -> tuple[int, int, int, int]:
 
 def write_table(folder: Path) -> None:
     """Write the table of all subjects as a page to include."""
-    lines = ["| recorded | variants tried | right | wrong, flagged | silently wrong |", "|---|---|---|---|---|"]
+    lines = [
+        "| recorded | variants tried | right | wrong, flagged | silently wrong |",
+        "|---|---|---|---|---|",
+    ]
     lines += [f"| {subject} | {' | '.join(map(str, counts(subject)))} |" for subject in SUBJECTS]
     folder.mkdir(exist_ok=True)
     (folder / "identification-variants.md").write_text("\n".join(lines) + "\n", encoding="utf-8")

@@ -25,7 +25,12 @@ KINDS = {
     "program": "another program, not ours",
     "computed": "the source's equations, solved beside jounce by other means for this comparison",
 }
-COLOURS = {"measured": "#d55e00", "published": "#0067a8", "program": "#00896b", "computed": "#9aa1a9"}
+COLOURS = {
+    "measured": "#d55e00",
+    "published": "#0067a8",
+    "program": "#00896b",
+    "computed": "#9aa1a9",
+}
 APART = {
     "physics": "Laws and closed forms",
     "agreement": "Models and programs against each other, by our own hand",
@@ -54,8 +59,12 @@ def overview() -> str:
     """Count the tests of each kind for each capability."""
     lines = [f"| | {' | '.join(KINDS)} |", "|---|" + "---:|" * len(KINDS)]
     for name in capabilities():
-        counts = [sum(row["of"] == name and row["kind"] == kind for row in rows()) for kind in KINDS]
-        lines.append(f"| [{name}](#{name.replace(' ', '-')}) | {' | '.join(_count(one) for one in counts)} |")
+        counts = [
+            sum(row["of"] == name and row["kind"] == kind for row in rows()) for kind in KINDS
+        ]
+        lines.append(
+            f"| [{name}](#{name.replace(' ', '-')}) | {' | '.join(_count(one) for one in counts)} |"
+        )
     return "\n".join(lines) + "\n"
 
 
@@ -69,7 +78,14 @@ def tables() -> str:
     for name in capabilities():
         word = name.replace(" ", "-")
         alt = f"How much of what is allowed each comparison of {name} takes; the numbers are in the table below"
-        parts += [f"### {name[0].upper()}{name[1:]}", "", f"```{{drawn}} validation-{word}", f":alt: {alt}", "```", ""]
+        parts += [
+            f"### {name[0].upper()}{name[1:]}",
+            "",
+            f"```{{drawn}} validation-{word}",
+            f":alt: {alt}",
+            "```",
+            "",
+        ]
         for kind, label in KINDS.items():
             found = [row for row in rows() if row["of"] == name and row["kind"] == kind]
             if found:
@@ -87,10 +103,23 @@ def _table(found: list[dict[str, Any]]) -> str:
     for (key, where, tolerance, file), members in groups.items():
         source = f"{{cite}}`{key}`: {where}" if key else where[0].upper() + where[1:]
         parts += [f"{source}. Its tolerance: {tolerance}. `{file}`", ""]
-        parts += ["| compared | numbers | ours | theirs | of the allowed | s |", "|---|---:|---:|---:|---:|---:|"]
+        parts += [
+            "| compared | numbers | ours | theirs | of the allowed | s |",
+            "|---|---:|---:|---:|---:|---:|",
+        ]
         for row in members:
-            theirs = "difference" if row["theirs"] == 0.0 and row["allowed"] < 0.1 else _number(row["theirs"])
-            values = (row["compares"], _count(row["values"]), _number(row["ours"]), theirs, _share(row["share"]))
+            theirs = (
+                "difference"
+                if row["theirs"] == 0.0 and row["allowed"] < 0.1
+                else _number(row["theirs"])
+            )
+            values = (
+                row["compares"],
+                _count(row["values"]),
+                _number(row["ours"]),
+                theirs,
+                _share(row["share"]),
+            )
             parts.append(f"| {' | '.join(values)} | {_number(row['seconds'], 1)} |")
         parts.append("")
     return "\n".join(parts)
@@ -116,12 +145,22 @@ def apart() -> str:
     for folder, label in APART.items():
         parts += [f"### {label}", ""]
         if folder == "unit":
-            parts += ["Worked out by hand, by brute force, or refused with a reason; `tests/unit`:", "", *units(), ""]
+            parts += [
+                "Worked out by hand, by brute force, or refused with a reason; `tests/unit`:",
+                "",
+                *units(),
+                "",
+            ]
             continue
         lines = ["| file | what it holds | tests |", "|---|---|---:|"]
         for file in sorted((ROOT / "tests" / folder).glob("test_*.py")):
             tree, count = ast.parse(file.read_text(encoding="utf-8")), without_source(file)
-            first = (ast.get_docstring(tree) or "").partition("\n\n")[0].replace("\n", " ").replace("|", "\\|")
+            first = (
+                (ast.get_docstring(tree) or "")
+                .partition("\n\n")[0]
+                .replace("\n", " ")
+                .replace("|", "\\|")
+            )
             lines += [f"| {_named(file)} | {first} | {count} |"] if count else []
         lines += golden_elsewhere() if folder == "golden" else []
         parts += [f"Files `tests/{folder}/test_….py`:", "", *lines, ""]
@@ -137,7 +176,11 @@ def without_source(file: Path) -> int:
     """Count the tests of a file that name no external source."""
     outside, path = {row["test"] for row in rows()}, file.relative_to(ROOT).as_posix()
     body = ast.parse(file.read_text(encoding="utf-8")).body
-    tests = [one.name for one in body if isinstance(one, ast.FunctionDef) and one.name.startswith("test_")]
+    tests = [
+        one.name
+        for one in body
+        if isinstance(one, ast.FunctionDef) and one.name.startswith("test_")
+    ]
     return sum(f"{path}::{name}" not in outside for name in tests)
 
 
@@ -145,9 +188,16 @@ def golden_elsewhere() -> list[str]:
     """Rows for golden numbers in other folders: the text or comment that starts with *Golden*."""
     found = []
     for file in sorted((ROOT / "tests").rglob("test_*.py")):
-        texts = _GOLDEN.findall(file.read_text(encoding="utf-8")) if file.parent.name != "golden" else []
+        texts = (
+            _GOLDEN.findall(file.read_text(encoding="utf-8"))
+            if file.parent.name != "golden"
+            else []
+        )
         folder = file.parent.relative_to(ROOT / "tests").as_posix()
-        found += [f"| {_named(file)} (in `{folder}`) | {text[0].upper()}{text[1:]} | 1 |" for text in texts]
+        found += [
+            f"| {_named(file)} (in `{folder}`) | {text[0].upper()}{text[1:]} | 1 |"
+            for text in texts
+        ]
     return found
 
 
@@ -156,7 +206,9 @@ _GOLDEN = re.compile(r'^\s*(?:"""|# )Golden: ([^\n"]+?)(?:"""|$)', re.MULTILINE)
 
 def units() -> list[str]:
     """One row per package: the number of unit tests without an external source."""
-    folders = sorted(one for one in (ROOT / "tests" / "unit").iterdir() if any(one.glob("test_*.py")))
+    folders = sorted(
+        one for one in (ROOT / "tests" / "unit").iterdir() if any(one.glob("test_*.py"))
+    )
     counts = [sum(without_source(file) for file in folder.glob("test_*.py")) for folder in folders]
     rows = [f"| `{folder.name}` | {count} |" for folder, count in zip(folders, counts, strict=True)]
     return ["| package | tests |", "|---|---:|", *rows]
@@ -172,7 +224,13 @@ def shares(name: str) -> Any:
         figure = new_figure(0.75 + 0.21 * len(found))
         axes = figure.subplots()
         for place, row in enumerate(found):
-            axes.plot([0.0, row["share"]], [place, place], color=COLOURS[row["kind"]], linewidth=1.0, alpha=0.6)
+            axes.plot(
+                [0.0, row["share"]],
+                [place, place],
+                color=COLOURS[row["kind"]],
+                linewidth=1.0,
+                alpha=0.6,
+            )
             axes.plot(row["share"], place, "o", color=COLOURS[row["kind"]], markersize=5)
         axes.set_yticks(range(len(found)), [_short(row, found) for row in found])
         axes.set_xlim(-0.02, 1.05)
@@ -231,10 +289,20 @@ def damper() -> Any:
     from jounce.identify.damper import damper_curve, fit_damper
     from jounce.plots import damper_loops
 
-    path = ROOT / "src" / "jounce" / "library" / "measurements" / "mr_damper" / "shaking_table_088v.csv"
+    path = (
+        ROOT
+        / "src"
+        / "jounce"
+        / "library"
+        / "measurements"
+        / "mr_damper"
+        / "shaking_table_088v.csv"
+    )
     time, displacement, velocity, force = np.loadtxt(path, delimiter=",", skiprows=1).T
     record = (1e-3 * displacement, 1e-3 * velocity, force, time)
-    curves = {law: damper_curve(fit_damper(*record, law=law), *record) for law in ("linear", "bouc-wen")}
+    curves = {
+        law: damper_curve(fit_damper(*record, law=law), *record) for law in ("linear", "bouc-wen")
+    }
     seen = curves["linear"]  # the record as it is fitted: without samples at rest
     laws = {law: one.fitted for law, one in curves.items()}
     return damper_loops(seen.displacement, seen.velocity, seen.measured, laws)
@@ -244,13 +312,19 @@ def write() -> None:
     """Write tables and pictures beside the pages."""
     folder = Path(__file__).with_name("_generated")
     folder.mkdir(exist_ok=True)
-    texts = {"validation.md": tables(), "validation-overview.md": overview(), "validation-apart.md": apart()}
+    texts = {
+        "validation.md": tables(),
+        "validation-overview.md": overview(),
+        "validation-apart.md": apart(),
+    }
     for name, text in texts.items():
         if not (folder / name).is_file() or (folder / name).read_text(encoding="utf-8") != text:
             (folder / name).write_text(text, encoding="utf-8")
     own = Path(__file__).read_text(encoding="utf-8")
     for name in capabilities():
         kept = json.dumps([row for row in rows() if row["of"] == name])
-        drawn.write(f"validation-{name.replace(' ', '-')}", lambda name=name: shares(name), own + kept)
+        drawn.write(
+            f"validation-{name.replace(' ', '-')}", lambda name=name: shares(name), own + kept
+        )
     drawn.write("validation-adams", adams, own)
     drawn.write("validation-damper", damper, own)

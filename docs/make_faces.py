@@ -104,12 +104,20 @@ def _complete_models(definitions: dict[str, Any], models: Iterable[type[Rig]]) -
     for model in models:
         definition = definitions.get(model.__name__)
         if definition is not None:
-            left_out = ("bodies", "strut", "tyre") if definition["properties"].pop("without", None) else ()
-            definition["required"] = ["model", *(name for name in definition["required"] if name not in left_out)]
+            left_out = (
+                ("bodies", "strut", "tyre") if definition["properties"].pop("without", None) else ()
+            )
+            definition["required"] = [
+                "model",
+                *(name for name in definition["required"] if name not in left_out),
+            ]
             if "strut" in definition["properties"]:
                 strut = definition["properties"]["strut"]["$ref"].rpartition("/")[2]
                 stop = definitions[strut]["properties"]["bump_stop"]
-                definition["properties"]["bump_stop"] = {**stop, "description": "the same as strut.bump_stop"}
+                definition["properties"]["bump_stop"] = {
+                    **stop,
+                    "description": "the same as strut.bump_stop",
+                }
 
 
 def road_schema() -> dict[str, Any]:
@@ -120,7 +128,10 @@ def road_schema() -> dict[str, Any]:
         definition["properties"]["schema"] = {"const": SCHEMA}
         definition["required"] = ["kind", *definition.get("required", [])]
         if "of" in definition["properties"]:
-            name = {"type": "string", "description": "in a campaign: the name of another of its roads"}
+            name = {
+                "type": "string",
+                "description": "in a campaign: the name of another of its roads",
+            }
             definition["properties"]["of"] = {"anyOf": [name, definition["properties"]["of"]]}
     return {"$schema": DIALECT, "title": "jounce road file", **schema}
 
@@ -145,9 +156,9 @@ def control_schema() -> dict[str, Any]:
     """Schema of a control file: any of the laws, by any of its names."""
     known = {**CONTROLS, **FILE_CONTROLS}
     laws = {kind.law for kind in known.values()}
-    schema: dict[str, Any] = TypeAdapter(reduce(or_, sorted(laws, key=lambda law: law.__name__))).json_schema(
-        by_alias=True
-    )
+    schema: dict[str, Any] = TypeAdapter(
+        reduce(or_, sorted(laws, key=lambda law: law.__name__))
+    ).json_schema(by_alias=True)
     for law in laws:
         definition = schema["$defs"][law.__name__]
         names = [name for name, kind in known.items() if kind.law is law]
@@ -170,7 +181,10 @@ def limits_schema() -> dict[str, Any]:
     schema["properties"]["methods"]["propertyNames"] = {"enum": list(METHODS)}
     definitions = schema["$defs"]
     for side in ("from", "to"):
-        edge = {"type": ["number", "string"], "description": "with a unit, or bare: SI, degrees for angles; none: open"}
+        edge = {
+            "type": ["number", "string"],
+            "description": "with a unit, or bare: SI, degrees for angles; none: open",
+        }
         definitions["VerdictBand"]["properties"][side] = edge
     for name in ("Criterion", "Condition", "DifferenceCriterion"):
         definitions[name]["properties"]["quantity"]["enum"] = list(QUANTITIES)
@@ -183,10 +197,18 @@ def record_schema() -> dict[str, Any]:
     texts["axle"] = {"enum": ["front", "rear"]}
     texts["date"] = {"description": "a date, or text"}
     texts["wheel_order"] = {"type": ["array", "string"], "items": {"enum": list(SIDES)}}
-    numbers = {name: {"type": ["number", "string"], "description": f"in {si}"} for name, si in NUMBERS.items()}
+    numbers = {
+        name: {"type": ["number", "string"], "description": f"in {si}"}
+        for name, si in NUMBERS.items()
+    }
     wheel = {"type": "object", "properties": numbers}
     properties = {**texts, **dict.fromkeys(SIDES, wheel)}
-    return {"$schema": DIALECT, "title": "jounce header of a record", "type": "object", "properties": properties}
+    return {
+        "$schema": DIALECT,
+        "title": "jounce header of a record",
+        "type": "object",
+        "properties": properties,
+    }
 
 
 def _written(schema: Any) -> Any:
@@ -204,7 +226,9 @@ def _written(schema: Any) -> Any:
 def _shared(own: dict[str, Any], other: dict[str, Any]) -> set[str]:
     """Names of the definitions that two schemas share, with everything that they refer to."""
     found = {name for name, definition in own.items() if other.get(name) == definition}
-    while lost := {name for name in found if not {ref.rpartition("/")[2] for ref in _refs(own[name])} <= found}:
+    while lost := {
+        name for name in found if not {ref.rpartition("/")[2] for ref in _refs(own[name])} <= found
+    }:
         found -= lost
     return found
 
@@ -239,15 +263,24 @@ def sweep_schema() -> dict[str, Any]:
     schema = SweepStudy.model_json_schema(by_alias=True)
     schema["required"] = ["schema", *(name for name in schema["required"] if name != "schema")]
     trial = Trial.model_json_schema(by_alias=True)
-    properties = {name: one for name, one in trial["properties"].items() if name not in ("road", "right", "excitation")}
+    properties = {
+        name: one
+        for name, one in trial["properties"].items()
+        if name not in ("road", "right", "excitation")
+    }
     road = {"anyOf": [{"type": "string"}, {FILE_REF: ROADS.schema}]}
-    file = {"type": ["string", "object"], "description": "a recording with time and road.z, or {file = ..., ...}"}
+    file = {
+        "type": ["string", "object"],
+        "description": "a recording with time and road.z, or {file = ..., ...}",
+    }
     schema["properties"]["trial"] |= {
         "properties": {"road": road, "right": road, "excitation": file, **properties},
         "additionalProperties": False,
     }
     schema["$defs"] |= {
-        name: one for name, one in trial["$defs"].items() if any(name in ref for ref in _refs(properties))
+        name: one
+        for name, one in trial["$defs"].items()
+        if any(name in ref for ref in _refs(properties))
     }
     number = {"type": ["number", "string"]}
     schema["properties"]["vary"]["additionalProperties"] = {
@@ -277,7 +310,12 @@ def schemas() -> dict[str, str]:
         "campaign": campaign_schema,
         "truth": truth_schema,
     }
-    makers |= {"control": control_schema, "tester": tester_schema, "limits": limits_schema, "record": record_schema}
+    makers |= {
+        "control": control_schema,
+        "tester": tester_schema,
+        "limits": limits_schema,
+        "record": record_schema,
+    }
     makers |= {"design": design_schema, "sweep": sweep_schema, "optimisation": optimisation_schema}
     found: dict[str, Any] = {}
     for kind, make in makers.items():
@@ -286,9 +324,13 @@ def schemas() -> dict[str, str]:
             shared = _shared(schema.get("$defs", {}), earlier.get("$defs", {}))
             for each in shared:
                 del schema["$defs"][each]
-            schema = _redirected(schema, {f"#/$defs/{each}": f"{other}#/$defs/{each}" for each in shared})
+            schema = _redirected(
+                schema, {f"#/$defs/{each}": f"{other}#/$defs/{each}" for each in shared}
+            )
         found[name] = schema
-    return {name: json.dumps(schema, indent=1, allow_nan=False) + "\n" for name, schema in found.items()}
+    return {
+        name: json.dumps(schema, indent=1, allow_nan=False) + "\n" for name, schema in found.items()
+    }
 
 
 INDEX = SOURCE / "operations" / "index.json"
@@ -310,12 +352,17 @@ def page_quantities() -> str:
 
     def estimates(result: type) -> dict[str, Any]:
         marks = marks_of(result)
-        return {name: (said(mark.label), *_shown(said(mark.unit))) for name, mark in marks.items() if mark.unit}
+        return {
+            name: (said(mark.label), *_shown(said(mark.unit)))
+            for name, mark in marks.items()
+            if mark.unit
+        }
 
     units = {row.unit for row in RIDE_METRICS} | {"kg", "kg*m^2", "N/m", "N*s/m", "rad"}
     found = {
         "inspection": [
-            (row.name, row.english, row.german, row.unit or "–", row.factor) for row in WHEEL_NUMBERS.values()
+            (row.name, row.english, row.german, row.unit or "–", row.factor)
+            for row in WHEEL_NUMBERS.values()
         ],
         "merits": [(row.name, row.label, *_shown(row.unit)) for row in MERITS],
         "units": {si: _shown(si) for si in sorted(units)},
@@ -325,14 +372,26 @@ def page_quantities() -> str:
 
 
 ANSWERS = PAGE_QUANTITIES.with_name("answers.ts")
-ANSWERED = (Entry, Text, Version, FormProblem, Form, Identifiability, UpdatedParameter, ParetoFront, Trend)
+ANSWERED = (
+    Entry,
+    Text,
+    Version,
+    FormProblem,
+    Form,
+    Identifiability,
+    UpdatedParameter,
+    ParetoFront,
+    Trend,
+)
 
 
 def page_answers() -> str:
     """Types of answers that pages read: the fields of results, written for TypeScript."""
     kinds, written = list(ANSWERED), []
     for kind in kinds:  # grows by the classes of their fields
-        lines = [f"  {one.name}: {_typescript(_hint(kind, one.type), kinds)};" for one in fields(kind)]
+        lines = [
+            f"  {one.name}: {_typescript(_hint(kind, one.type), kinds)};" for one in fields(kind)
+        ]
         written.append("\n".join([f"export interface {kind.__name__} {{", *lines, "}"]))
     head = "/** Answers of the server: the fields of results in Python, written by `make faces`. */"
     return "\n\n".join([head, *written]) + "\n"
@@ -352,7 +411,14 @@ def _hint(kind: type, annotation: Any) -> Any:
 
 def _typescript(hint: Any, kinds: list[type]) -> str:
     """Write a type for TypeScript; a dataclass is written by its name and added to the types to write."""
-    plain = {str: "string", bool: "boolean", int: "number", float: "number", type(None): "null", None: "null"}
+    plain = {
+        str: "string",
+        bool: "boolean",
+        int: "number",
+        float: "number",
+        type(None): "null",
+        None: "null",
+    }
     origin, parts = typing.get_origin(hint), typing.get_args(hint)
     if origin is typing.Annotated:
         return _typescript(parts[0], kinds)
@@ -385,7 +451,12 @@ def _shown(si: str) -> tuple[str, float]:
 
 def committed() -> dict[Path, str]:
     """Give all files that are committed: stubs, the index of operations, schemas and quantities of the pages."""
-    written = {**stubs(), INDEX: operations_index(), PAGE_QUANTITIES: page_quantities(), ANSWERS: page_answers()}
+    written = {
+        **stubs(),
+        INDEX: operations_index(),
+        PAGE_QUANTITIES: page_quantities(),
+        ANSWERS: page_answers(),
+    }
     return written | {SCHEMAS / name: text for name, text in schemas().items()}
 
 
@@ -406,9 +477,18 @@ def stubs() -> dict[Path, str]:
         package = ".".join(["jounce", *file.parent.relative_to(SOURCE).parts])
         modules = {kind.__name__: kind.__module__.removeprefix(package) for kind in classes}
         written = file.read_text(encoding="utf-8").replace(STUB_PART, "").splitlines()
-        by_hand = [line for line in written if not line.startswith("from ") or line.split()[-1] not in modules]
-        lines = (f"from {modules[name]} import {name} as {name}" for name in sorted(modules, key=_as_ruff_sorts))
-        found[file] = "\n".join(["\n".join(by_hand).rstrip(), "", STUB_PART, *sorted(lines, key=_module), ""])
+        by_hand = [
+            line
+            for line in written
+            if not line.startswith("from ") or line.split()[-1] not in modules
+        ]
+        lines = (
+            f"from {modules[name]} import {name} as {name}"
+            for name in sorted(modules, key=_as_ruff_sorts)
+        )
+        found[file] = "\n".join(
+            ["\n".join(by_hand).rstrip(), "", STUB_PART, *sorted(lines, key=_module), ""]
+        )
     return found
 
 
@@ -433,7 +513,10 @@ def tables() -> dict[str, str]:
         "roads.md": _table(("`kind`", "keys", "what it is"), _road_rows()),
         "readers.md": _table(
             ("format", "suffixes", "extra"),
-            [(row.label, _codes(row.suffixes), f"`{row.extra}`" if row.extra else "") for row in READERS],
+            [
+                (row.label, _codes(row.suffixes), f"`{row.extra}`" if row.extra else "")
+                for row in READERS
+            ],
         ),
         "ride-metrics.md": _table(
             ("metric", "unit", "what it is", "what it is not"),
@@ -442,11 +525,20 @@ def tables() -> dict[str, str]:
         "kinematic-quantities.md": _table(
             ("name", "unit", "what", "positive", "clause", "needs"),
             [
-                (f"`{row.name}`", row.unit, row.long_name, positive(row), row.clause, needs.get(row.needs, ""))
+                (
+                    f"`{row.name}`",
+                    row.unit,
+                    row.long_name,
+                    positive(row),
+                    row.clause,
+                    needs.get(row.needs, ""),
+                )
                 for row in KINEMATIC_QUANTITIES
             ],
         ),
-        "joints.md": _table(("joint", "takes", "coordinates", "what it is", "hangs", "closes"), _joint_rows()),
+        "joints.md": _table(
+            ("joint", "takes", "coordinates", "what it is", "hangs", "closes"), _joint_rows()
+        ),
         "inspection-methods.md": _table(
             ("method", "plates", "shipped tester", "graded values"),
             [
@@ -461,7 +553,10 @@ def tables() -> dict[str, str]:
         ),
         "controllers.md": _table(
             ("name", "class", "what it does"),
-            [(f"`{name}`", f"`{control.law.__name__}`", control.summary) for name, control in CONTROLS.items()],
+            [
+                (f"`{name}`", f"`{control.law.__name__}`", control.summary)
+                for name, control in CONTROLS.items()
+            ],
         ),
     }
 
@@ -470,9 +565,15 @@ def _joint_rows() -> Iterator[tuple[str, ...]]:
     """Every class of joint; those that cannot attach a body come last."""
     for joint in sorted(_kinds_of(Joint), key=lambda one: not one.hangs):
         coordinates = [f"`.{tag}` ({unit})" for tag, unit in joint.coordinates]
-        numbers = [(one.name, one.metadata["unit"]) for one in fields(joint) if "read" in one.metadata]
-        takes = ", ".join(f"`{name}`" if unit == "1" else f"`{name}` ({unit})" for name, unit in numbers)
-        quaternion = ["quaternion `.e0` to `.e3` against the ground"] if joint.has_quaternion else []
+        numbers = [
+            (one.name, one.metadata["unit"]) for one in fields(joint) if "read" in one.metadata
+        ]
+        takes = ", ".join(
+            f"`{name}`" if unit == "1" else f"`{name}` ({unit})" for name, unit in numbers
+        )
+        quaternion = (
+            ["quaternion `.e0` to `.e3` against the ground"] if joint.has_quaternion else []
+        )
         says = (inspect.getdoc(joint) or "").partition("\n\n")[0].replace("\n", " ")
         answers = ("yes" if joint.hangs else "no", "yes" if joint.closes else "no")
         shown = ", ".join([*coordinates, *quaternion]) or "none"
@@ -499,8 +600,14 @@ def _road_rows() -> Iterator[tuple[str, str, str]]:
         return places.get(module, len(places)), module, inspect.getsourcelines(item[1])[1]
 
     for word, road in sorted(ROADS.items(), key=place):
-        fields = {field.alias or name: field for name, field in road.model_fields.items() if name not in shared}
-        keys = ", ".join(f"`{name}`" if field.is_required() else f"[`{name}`]" for name, field in fields.items())
+        fields = {
+            field.alias or name: field
+            for name, field in road.model_fields.items()
+            if name not in shared
+        }
+        keys = ", ".join(
+            f"`{name}`" if field.is_required() else f"[`{name}`]" for name, field in fields.items()
+        )
         summary = (road.__doc__ or "").strip().split("\n\n")[0]
         yield f"`{word}`", keys, " ".join(summary.split()).replace("``", "`")
 
@@ -510,14 +617,20 @@ def _codes(words: Iterable[str]) -> str:
 
 
 def _table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    lines = [header, ["---"] * len(header), *([cell.replace("|", "\\|") for cell in row] for row in rows)]
+    lines = [
+        header,
+        ["---"] * len(header),
+        *([cell.replace("|", "\\|") for cell in row] for row in rows),
+    ]
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def commands() -> dict[str, str]:
     """Reference of every command by its full name, e.g. ``jounce fit decay``: its help, arguments and options."""
     found: dict[str, str] = {}
-    pending: list[tuple[str, Any]] = [("jounce", with_shared_options(typer.main.get_command(application())))]
+    pending: list[tuple[str, Any]] = [
+        ("jounce", with_shared_options(typer.main.get_command(application())))
+    ]
     while pending:
         name, command = pending.pop()
         inner = getattr(command, "commands", {})
@@ -537,9 +650,17 @@ def _option(item: Any) -> tuple[str, str, str]:
     is_flag = getattr(item, "is_flag", False)
     names = "/".join([*item.opts, *item.secondary_opts]) if item.param_type_name == "option" else ""
     value = item.metavar or (item.name.upper() if names == "" else "" if is_flag else "VALUE")
-    default = "" if item.default in (None, "") or is_flag or not item.show_default else f"`{item.default}`"
+    default = (
+        ""
+        if item.default in (None, "") or is_flag or not item.show_default
+        else f"`{item.default}`"
+    )
     words = (getattr(item, "help", None) or "").replace("\\[", "[")
-    return f"`{' '.join(filter(None, (names, value)))}`", words, "required" if item.required else default
+    return (
+        f"`{' '.join(filter(None, (names, value)))}`",
+        words,
+        "required" if item.required else default,
+    )
 
 
 def write_tables() -> None:

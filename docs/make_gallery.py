@@ -15,7 +15,9 @@ from typing import Any
 import drawn
 
 PAGE = Path(__file__).parent / "reference" / "gallery.md"
-BLOCK = re.compile(r"^```(?:(python|console)|\{drawn\} gallery-(\w+))\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(
+    r"^```(?:(python|console)|\{drawn\} gallery-(\w+))\n(.*?)^```$", re.MULTILINE | re.DOTALL
+)
 
 
 def write() -> None:

@@ -53,15 +53,21 @@ BENCHES = {
     "little friction": Bench(
         PROTOTYPE, "dry friction 1 N and 1.5 N in place of 5 N and 9 N", _friction("1 N", "1.5 N")
     ),
-    "viscous": Bench(PROTOTYPE, "viscous damper, 85 N s/m", {"rig.strut.damper": {"coefficient": "85 N*s/m"}}),
-    "two masses": Bench(PROTOTYPE, "two masses in place of the linkage (`quick-look.toml`)", file="quick-look.toml"),
+    "viscous": Bench(
+        PROTOTYPE, "viscous damper, 85 N s/m", {"rig.strut.damper": {"coefficient": "85 N*s/m"}}
+    ),
+    "two masses": Bench(
+        PROTOTYPE, "two masses in place of the linkage (`quick-look.toml`)", file="quick-look.toml"
+    ),
     "low": Bench(LOW, "nothing", trials=ALL),
     "low, friction": Bench(LOW, "dry friction back to 5 N and 9 N", _friction("5 N", "9 N")),
     "low, degressive": Bench(LOW, "degressive damper back", {"rig.strut.damper": _DEGRESSIVE}),
     "low, settles": Bench(LOW, "settling back to 0.45 mm", _settling("0.45 mm", "50 N")),
     "low, weighted": Bench(LOW, "every channel weighted by its variance", weights="normalised"),
     "low, two masses": Bench(LOW, "two masses in place of the linkage", file="quick-look.toml"),
-    "low, decrement": Bench(LOW, "damping by the logarithmic decrement", decay="logarithmic-decrement"),
+    "low, decrement": Bench(
+        LOW, "damping by the logarithmic decrement", decay="logarithmic-decrement"
+    ),
 }
 Numbers = dict[str, Any]
 
@@ -72,11 +78,15 @@ def run(bench: Bench) -> Numbers:
     from jounce.papers.virtual_bench import virtual_bench
 
     with tempfile.TemporaryDirectory() as folder:
-        file = virtual_bench(Path(folder) / "bench", bench.truth, changes=bench.changes, seed=bench.seed)
+        file = virtual_bench(
+            Path(folder) / "bench", bench.truth, changes=bench.changes, seed=bench.seed
+        )
         file = file.with_name(bench.file)
         head, *updates = file.read_text(encoding="utf-8").split("[[update]]")
         head, *trials = head.split("[[trial]]")
-        head = "[[trial]]".join([head, *(one for i, one in enumerate(trials, 1) if i in bench.trials)])
+        head = "[[trial]]".join(
+            [head, *(one for i, one in enumerate(trials, 1) if i in bench.trials)]
+        )
         head = head.replace("[bench.decay] ", f'[bench.decay]\nmethod = "{bench.decay}" ')
         chosen = [
             one.replace('method = "bfgs"', f'method = "bfgs"\nweights = "{bench.weights}"')
@@ -94,7 +104,10 @@ def run(bench: Bench) -> Numbers:
                 "iterations": one.update.iterations,
                 "fitted_on": one.fitted_on[0],
                 "share_of_wheel": split[WHEEL][0] / (split[WHEEL][0] + split[BODY][0]),
-                "r2": {trial.number: [trial.after.channels[name].r2 for name in (BODY, WHEEL)] for trial in one.trials},
+                "r2": {
+                    trial.number: [trial.after.channels[name].r2 for name in (BODY, WHEEL)]
+                    for trial in one.trials
+                },
                 "nrmse": {trial.number: trial.after.channels[WHEEL].nrmse for trial in one.trials},
             }
         )
@@ -127,11 +140,15 @@ def whole_vehicle() -> Numbers:
         force = run["front_left.tyre.force"].to_numpy()
         return float(np.count_nonzero(force <= 0.0) * float(run["time"][1] - run["time"][0]))
 
-    rows: Numbers = {name: [] for name in ("joint", "guide", "quarter", "joint_off", "guide_off", "roll", "y")}
+    rows: Numbers = {
+        name: [] for name in ("joint", "guide", "quarter", "joint_off", "guide_off", "roll", "y")
+    }
     for speed in SPEEDS_OF_VEHICLE:
         one_side = jn.Trial(road=bump, right=jn.Flat(), speed=speed, duration=1.5)
         turning, sliding = jn.simulate(vehicle, one_side), jn.simulate(guided, one_side)
-        quarter = jn.simulate(jn.load("kart-double-wishbone"), jn.Trial(road=bump, speed=speed, duration=1.5))
+        quarter = jn.simulate(
+            jn.load("kart-double-wishbone"), jn.Trial(road=bump, speed=speed, duration=1.5)
+        )
         rows["joint"].append(largest(turning, "front_left.sprung.az"))
         rows["guide"].append(largest(sliding, "front_left.sprung.az"))
         rows["quarter"].append(largest(quarter, "sprung.az"))
@@ -150,7 +167,12 @@ def table_of_vehicle() -> str:
     """Effect of the joint at each speed."""
     rows = results()["whole vehicle"]
     lines = [
-        ("acceleration of the body over the front left wheel, guide and joint", "joint", "{:.1f} m/s²", 1.0),
+        (
+            "acceleration of the body over the front left wheel, guide and joint",
+            "joint",
+            "{:.1f} m/s²",
+            1.0,
+        ),
         ("the same, guide alone", "guide", "{:.1f} m/s²", 1.0),
         ("quarter vehicle on its guide (`kart-double-wishbone`)", "quarter", "{:.1f} m/s²", 1.0),
         ("front left wheel without contact, guide and joint", "joint_off", "{:.0f} ms", 1e3),
@@ -158,7 +180,10 @@ def table_of_vehicle() -> str:
         ("roll", "roll", "{:.2f}°", 1.0),
         ("centre of gravity to the side", "y", "{:.1f} mm", 1e3),
     ]
-    head = ["| speed | " + " | ".join(f"{speed:g} m/s" for speed in SPEEDS_OF_VEHICLE) + " |", "|---|---:|---:|---:|"]
+    head = [
+        "| speed | " + " | ".join(f"{speed:g} m/s" for speed in SPEEDS_OF_VEHICLE) + " |",
+        "|---|---:|---:|---:|",
+    ]
     body = [
         f"| {what} | " + " | ".join(shown.format(factor * one) for one in rows[key]) + " |"
         for what, key, shown, factor in lines
@@ -190,12 +215,18 @@ def reductions() -> str:
         ]
         rows.append(" | ".join([f"| ours, `{name}`", *cells]) + " |")
     paper = "| paper | 31.4 (4), body only | 65.5 (6), body and wheel | 52.0 (3), body and wheel |"
-    return "\n".join(["| | strategy 1 | strategy 2 | strategy 3 |", "|---|---|---|---|", paper, *rows]) + "\n"
+    return (
+        "\n".join(["| | strategy 1 | strategy 2 | strategy 3 |", "|---|---|---|---|", paper, *rows])
+        + "\n"
+    )
 
 
 def causes() -> str:
     """R² of body and wheel after strategies 1 and 2, for each single change."""
-    lines, before = ["| bench | what is changed | after strategy 1 | after strategy 2 |", "|---|---|---|---|"], ""
+    lines, before = (
+        ["| bench | what is changed | after strategy 1 | after strategy 2 |", "|---|---|---|---|"],
+        "",
+    )
     for name, bench in BENCHES.items():
         if bench.what:
             first, second, *_ = results()[name]["strategies"]
@@ -217,7 +248,10 @@ def numbers() -> dict[str, str]:
 
     less = [f"{one['reduction_percent']:.0f}" for one in kept["little friction"]["strategies"]]
     paper = (4, 6, 3)
-    more = [one["iterations"] / of for one, of in zip(kept["prototype"]["strategies"], paper, strict=False)]
+    more = [
+        one["iterations"] / of
+        for one, of in zip(kept["prototype"]["strategies"], paper, strict=False)
+    ]
     return {
         "little_friction_reductions": f"{less[0]}, {less[1]} and {less[2]}",
         "iterations_least": f"{min(more):.1f}",

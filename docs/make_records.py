@@ -45,7 +45,9 @@ def judged_test(record: TesterRecord) -> str:
         except JounceError:
             return "refused"
     said = [*notes, *found.findings, *chain.from_iterable(wheel.findings for wheel in found.wheels)]
-    loud = [one.code for one in said if one.code and (one.severity != "note" or "order" in one.code)]
+    loud = [
+        one.code for one in said if one.code and (one.severity != "note" or "order" in one.code)
+    ]
     names = [bool(record.about) and re.search(record.about, code) is not None for code in loud]
     values = [
         (found.wheel(side).value(key), true, record.within[key])
@@ -60,7 +62,9 @@ def judged_test(record: TesterRecord) -> str:
     return "told" if any(names) else "hidden" if HIDDEN in record.about else "silent"
 
 
-def _of_files(records: Callable[[], Iterable[foreign_records.Record]], fit: Callable[..., object]) -> Verdicts:
+def _of_files(
+    records: Callable[[], Iterable[foreign_records.Record]], fit: Callable[..., object]
+) -> Verdicts:
     for one in records():
         yield one.group, one.name, identification_variants.judged(one, fit)  # type: ignore[arg-type]
 
@@ -74,12 +78,16 @@ def _of_rides() -> Verdicts:
     for kind, found in ride_variants.outcomes().items():
         for verdict, names in found.items():
             wrong = "hidden" if kind in ride_variants.HIDDEN else "silent"
-            yield from ((kind, name, wrong if verdict == "silently wrong" else verdict) for name in names)
+            yield from (
+                (kind, name, wrong if verdict == "silently wrong" else verdict) for name in names
+            )
 
 
 COMMANDS: dict[str, Callable[[], Verdicts]] = {
     "fit damper": lambda: _of_files(foreign_records.dampers, identification_variants._fit_damper),
-    "fit stiffness": lambda: _of_files(foreign_records.springs, identification_variants._fit_spring),
+    "fit stiffness": lambda: _of_files(
+        foreign_records.springs, identification_variants._fit_spring
+    ),
     "fit decay": lambda: _of_files(foreign_records.decays, identification_variants._fit_decay),
     "ride": _of_rides,
     "inspect": _of_tests,
@@ -90,7 +98,11 @@ def counted(verdicts: Verdicts) -> dict[str, object]:
     """Counts of the verdicts, and names of silently wrong records and false alarms."""
     kept = list(verdicts)
     counts = Counter(verdict for _, _, verdict in kept)
-    names = [f"{verdict}: {group}, {name}" for group, name, verdict in kept if verdict in ("silent", "false alarm")]
+    names = [
+        f"{verdict}: {group}, {name}"
+        for group, name, verdict in kept
+        if verdict in ("silent", "false alarm")
+    ]
     return {"counts": {one: counts[one] for one in VERDICTS}, "names": names}
 
 

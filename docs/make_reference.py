@@ -55,7 +55,9 @@ def names() -> dict[str, list[tuple[str, Any]]]:
         value = getattr(jounce, name)
         if isinstance(value, types.ModuleType):
             inner = sorted(getattr(value, "__all__", ()), key=str.lower)
-            found[value.__name__.split(".")[1]] += [(f"{name}.{word}", getattr(value, word)) for word in inner]
+            found[value.__name__.split(".")[1]] += [
+                (f"{name}.{word}", getattr(value, word)) for word in inner
+            ]
         else:
             found[_module_of(value).split(".")[1]].append((name, value))
     return {package: members for package, members in found.items() if members}
@@ -123,7 +125,12 @@ def files() -> dict[str, str]:
     for file in sorted(SCHEMAS.glob("*.schema.json")):
         kind = file.name.partition(".")[0]
         schema = json.loads(file.read_text(encoding="utf-8"))
-        parts = [f"# Keys of a {kind} file", "", f"{{download}}`{file.name} </schemas/{file.name}>`", ""]
+        parts = [
+            f"# Keys of a {kind} file",
+            "",
+            f"{{download}}`{file.name} </schemas/{file.name}>`",
+            "",
+        ]
         for title, table in _tables(schema):
             says = _text(table.get("description", ""))
             parts += [f"**{title}**" + (f": {says}" if says else ""), "", *_rows(table), ""]
@@ -152,11 +159,19 @@ def _rows(table: dict[str, Any]) -> list[str]:
 
 
 def _default(value: Any) -> str:
-    return "" if value in (None, "", []) or isinstance(value, dict) else f"`{json.dumps(value)}`".replace("|", "\\|")
+    return (
+        ""
+        if value in (None, "", []) or isinstance(value, dict)
+        else f"`{json.dumps(value)}`".replace("|", "\\|")
+    )
 
 
 def _text(words: str) -> str:
-    said = re.sub(r"text with a unit that converts to (\S+), or a bare number in \1", r"in \1", " ".join(words.split()))
+    said = re.sub(
+        r"text with a unit that converts to (\S+), or a bare number in \1",
+        r"in \1",
+        " ".join(words.split()),
+    )
     return re.sub(r"^in 1$", "number, or in %", said).replace("``", "`").replace("|", "\\|")
 
 
@@ -178,11 +193,18 @@ def _kind(value: dict[str, Any]) -> str:
         inner = _kind(value.get("items", {})) if isinstance(value.get("items"), dict) else ""
         return f"list of {inner}" if inner else "list"
     if value.get("type") == "object":
-        inner = _kind(value["additionalProperties"]) if isinstance(value.get("additionalProperties"), dict) else ""
+        inner = (
+            _kind(value["additionalProperties"])
+            if isinstance(value.get("additionalProperties"), dict)
+            else ""
+        )
         return f"table of {inner}" if inner else "table"
-    return {"string": "text", "number": "number", "integer": "whole number", "boolean": "true or false"}.get(
-        str(value.get("type", "")), ""
-    )
+    return {
+        "string": "text",
+        "number": "number",
+        "integer": "whole number",
+        "boolean": "true or false",
+    }.get(str(value.get("type", "")), "")
 
 
 def write() -> None:

@@ -38,7 +38,9 @@ def write() -> None:
         with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
             assert server.stdout is not None
             address = json.loads(server.stdout.readline())["url"]
-            browser = playwright.chromium.launch(executable_path=browser_file, args=["--no-sandbox"])
+            browser = playwright.chromium.launch(
+                executable_path=browser_file, args=["--no-sandbox"]
+            )
             for scheme in ("light", "dark"):
                 context = browser.new_context(viewport=SIZE, color_scheme=scheme, locale="en-GB")
                 page = context.new_page()
@@ -54,11 +56,15 @@ def write() -> None:
                             page.get_by_text("computed and drawn in").wait_for(timeout=FIRST_ANSWER)
                     SHOWN[name](page)
                     page.wait_for_timeout(STILL)
-                    with Image.open(io.BytesIO(page.screenshot())) as picture:  # 256 colours: a third of the bytes
-                        few = Image.Quantize.MAXCOVERAGE  # which keeps the colours of thin rods apart
-                        picture.convert("RGB").quantize(method=few, kmeans=3, dither=Image.Dither.NONE).save(
-                            FIGURES / f"workbench-{name}-{scheme}.png", optimize=True
-                        )
+                    with Image.open(
+                        io.BytesIO(page.screenshot())
+                    ) as picture:  # 256 colours: a third of the bytes
+                        few = (
+                            Image.Quantize.MAXCOVERAGE
+                        )  # which keeps the colours of thin rods apart
+                        picture.convert("RGB").quantize(
+                            method=few, kmeans=3, dither=Image.Dither.NONE
+                        ).save(FIGURES / f"workbench-{name}-{scheme}.png", optimize=True)
                 context.close()
             browser.close()
             server.terminate()

@@ -162,7 +162,9 @@ def table() -> str:
         "| row of an axle | compared with | at most |",
         "|---|---|---|",
     ]
-    lines += [f"| `{name}` | {AXLE[name]} | {_bound(error)} |" for name, error in compared_axle().items()]
+    lines += [
+        f"| `{name}` | {AXLE[name]} | {_bound(error)} |" for name, error in compared_axle().items()
+    ]
     return "\n".join(lines) + "\n"
 
 

@@ -45,7 +45,10 @@ def truth(time: np.ndarray) -> dict[str, np.ndarray]:
 def table(time: np.ndarray = TIME, units: dict[str, str] = USUAL) -> dict[str, np.ndarray]:
     """Columns in the units of a file."""
     columns = {"time": time, **truth(time)}
-    return {name: values / conversion_factor(units[name], channel_unit(name)) for name, values in columns.items()}
+    return {
+        name: values / conversion_factor(units[name], channel_unit(name))
+        for name, values in columns.items()
+    }
 
 
 @dataclass
@@ -68,7 +71,12 @@ def judge(file: Path, told: dict[str, Any], held: Callable[[Any], bool] | None =
     time = run["time"].to_numpy()
     expected, inner = truth(time), slice(15, -15)
     is_right = all(
-        np.allclose(run[name].to_numpy()[inner], expected[name][inner], rtol=0.0, atol=2e-3 * np.ptp(expected[name]))
+        np.allclose(
+            run[name].to_numpy()[inner],
+            expected[name][inner],
+            rtol=0.0,
+            atol=2e-3 * np.ptp(expected[name]),
+        )
         for name in map(str, run.data_vars)
     )
     is_whole = set(map(str, run.data_vars)) == set(CHANNELS) and (held is None or held(run))
@@ -97,7 +105,9 @@ def text(
     if not style:
         lines.append(line([units[name] for name in columns]) + (more[1] and separator))
     rows = zip(*columns.values(), strict=True)
-    lines += [line([f"{value:.12g}".replace(".", decimal) for value in row]) + more[2] for row in rows]
+    lines += [
+        line([f"{value:.12g}".replace(".", decimal) for value in row]) + more[2] for row in rows
+    ]
     return "\n".join(lines) + "\n"
 
 
@@ -110,7 +120,10 @@ def texts() -> Iterator[tuple[str, Variant]]:
     styles = ("{} [{}]", "{}[{}]", "{} ({})", "{} / {}", "{} in {}", "")
     for separator, decimal, style in itertools.product((",", ";", "\t", " "), ".,", styles):
         content = text(table(), separator=separator, decimal=decimal, style=style, quoted=False)
-        yield "text: separator, decimal, header", (f"{separator}{decimal}{style}", ".csv", content.encode(), {})
+        yield (
+            "text: separator, decimal, header",
+            (f"{separator}{decimal}{style}", ".csv", content.encode(), {}),
+        )
     for decimal in ".,":
         content = text(table(), decimal=decimal, quoted=True)
         yield "text: separator, decimal, header", (f"quoted{decimal}", ".csv", content.encode(), {})
@@ -176,7 +189,10 @@ def samplings() -> Iterator[Variant]:
                 continue  # the truth is not counted from 1970
         content = "\n".join(
             [", ".join(f"{name} [{USUAL[name]}]" for name in columns)]
-            + [", ".join(repr(float(value)) for value in row) for row in zip(*columns.values(), strict=True)]
+            + [
+                ", ".join(repr(float(value)) for value in row)
+                for row in zip(*columns.values(), strict=True)
+            ]
         )
         yield f"{clock} {way}", ".csv", content.encode(), told
 
@@ -202,7 +218,11 @@ def binaries() -> Iterator[tuple[str, Variant]]:
         for way in ({}, {"resample": "10 ms"}):
 
             def irregular(file: Path, write: Any = write) -> None:
-                write(file, table(np.cumsum(0.002 * np.random.default_rng(3).uniform(0.4, 1.6, TIME.size))), USUAL)
+                write(
+                    file,
+                    table(np.cumsum(0.002 * np.random.default_rng(3).uniform(0.4, 1.6, TIME.size))),
+                    USUAL,
+                )
 
             if suffix not in (".tdms", ".uff"):  # these write a step, not instants
                 yield f"{suffix}: irregular time", (f"{way}", suffix, irregular, way)
@@ -212,7 +232,11 @@ def netcdf(file: Path, columns: dict[str, np.ndarray], units: dict[str, str]) ->
     """Files as other programs write them."""
     import xarray as xr
 
-    data = {name: ("time", values, {"units": units[name]}) for name, values in columns.items() if name != "time"}
+    data = {
+        name: ("time", values, {"units": units[name]})
+        for name, values in columns.items()
+        if name != "time"
+    }
     clock = {"time": ("time", columns["time"], {"units": units["time"]})}
     xr.Dataset(data, clock).to_netcdf(file, engine="h5netcdf")
 
@@ -221,7 +245,10 @@ def matlab(file: Path, columns: dict[str, np.ndarray], units: dict[str, str]) ->
     """A struct with a signal in each field."""
     from scipy.io import savemat
 
-    signals = {f"s{i}": {"name": name, "unit": units[name], "values": columns[name]} for i, name in enumerate(columns)}
+    signals = {
+        f"s{i}": {"name": name, "unit": units[name], "values": columns[name]}
+        for i, name in enumerate(columns)
+    }
     savemat(file, {"run": signals}, do_compression=True)
 
 
@@ -238,7 +265,10 @@ def tdms(file: Path, columns: dict[str, np.ndarray], units: dict[str, str]) -> N
     with nptdms.TdmsWriter(file) as writer:
         for part in range(3):
             third = slice(part * 500, (part + 1) * 500)
-            parts = [nptdms.ChannelObject("Run", one.channel, one.data[third], one.properties) for one in channels]
+            parts = [
+                nptdms.ChannelObject("Run", one.channel, one.data[third], one.properties)
+                for one in channels
+            ]
             writer.write_segment(parts)
 
 
@@ -263,11 +293,20 @@ def uff(file: Path, columns: dict[str, np.ndarray], units: dict[str, str]) -> No
             continue
         step = float(columns["time"][1])
         lines += ["    -1", "    58", "title", "NONE", "01-Jan-26", "NONE", "NONE"]
-        lines.append(f"{1:5d}{0:10d}{0:5d}{0:10d} {name[-10:]:<10s}{node:10d}{3:4d} {'NONE':<10s}{0:10d}{0:4d}")
+        lines.append(
+            f"{1:5d}{0:10d}{0:5d}{0:10d} {name[-10:]:<10s}{node:10d}{3:4d} {'NONE':<10s}{0:10d}{0:4d}"
+        )
         lines.append(f"{4:10d}{len(values):10d}{1:10d}{0.0:13.5e}{step:13.5e}{0.0:13.5e}")
-        for label, unit in (("Time", units["time"]), (name, units[name]), ("NONE", "NONE"), ("NONE", "NONE")):
+        for label, unit in (
+            ("Time", units["time"]),
+            (name, units[name]),
+            ("NONE", "NONE"),
+            ("NONE", "NONE"),
+        ):
             lines.append(f"{axis}{label[:20]:<20s} {unit:<20s}")
-        lines += ["".join(f"{v:20.12e}" for v in values[i : i + 4]) for i in range(0, len(values), 4)]
+        lines += [
+            "".join(f"{v:20.12e}" for v in values[i : i + 4]) for i in range(0, len(values), 4)
+        ]
         lines.append("    -1")
     file.write_text("\n".join([*lines, ""]), encoding="utf-8")
 
@@ -277,10 +316,19 @@ def parquet(file: Path, columns: dict[str, np.ndarray], units: dict[str, str]) -
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    pq.write_table(pa.table({f"{name} [{units[name]}]": values for name, values in columns.items()}), file)
+    pq.write_table(
+        pa.table({f"{name} [{units[name]}]": values for name, values in columns.items()}), file
+    )
 
 
-WRITERS = {".nc": netcdf, ".mat": matlab, ".tdms": tdms, ".mf4": mdf, ".uff": uff, ".parquet": parquet}
+WRITERS = {
+    ".nc": netcdf,
+    ".mat": matlab,
+    ".tdms": tdms,
+    ".mf4": mdf,
+    ".uff": uff,
+    ".parquet": parquet,
+}
 UFF_NAMES = {"strut.deflection": "deflection", "strut.force": "trut.force"}  # names of 10 letters
 
 
@@ -325,10 +373,18 @@ def mislabelled() -> list[tuple[str, int, int]]:
             factor = conversion_factor(said, si) / conversion_factor(true, si)
             size = max(factor, 1.0 / factor)
             band = (
-                "1000 and more" if size > 900.0 else "50 to 900" if size > 50.0 else "3 to 50" if size > 3.0 else "less"
+                "1000 and more"
+                if size > 900.0
+                else "50 to 900"
+                if size > 50.0
+                else "3 to 50"
+                if size > 3.0
+                else "less"
             )
             kind = f"too {'large' if factor > 1.0 else 'small'} by {band}"
-            found = implausible({name: factor * values}, float(TIME[1]), where="", written={name: said})
+            found = implausible(
+                {name: factor * values}, float(TIME[1]), where="", written={name: said}
+            )
             entry = counts.setdefault(kind, [0, 0])
             entry[0] += 1
             entry[1] += bool(found)
@@ -339,14 +395,26 @@ def tables() -> str:
     """The end of the page."""
     groups = outcomes(itertools.chain(texts(), binaries()))
     names = ("right", "refused", "flagged", "silently wrong")
-    rows = [[group.what, sum(group.outcomes.values()), *(group.outcomes[name] for name in names)] for group in groups]
+    rows = [
+        [group.what, sum(group.outcomes.values()), *(group.outcomes[name] for name in names)]
+        for group in groups
+    ]
     rows.append(["**all**", *(sum(int(row[i]) for row in rows) for i in range(1, 6))])
-    lines = ["| files | variants | right | refused | flagged | silently wrong |", "|---|--:|--:|--:|--:|--:|"]
+    lines = [
+        "| files | variants | right | refused | flagged | silently wrong |",
+        "|---|--:|--:|--:|--:|--:|",
+    ]
     lines += ["| " + " | ".join(map(str, row)) + " |" for row in rows]
-    lines += ["", "| effect of a wrong unit in the header: values | pairs | reported |", "|---|--:|--:|"]
+    lines += [
+        "",
+        "| effect of a wrong unit in the header: values | pairs | reported |",
+        "|---|--:|--:|",
+    ]
     lines += [f"| {kind} | {count} | {told} |" for kind, count, told in mislabelled()]
     return "\n".join(lines) + "\n"
 
 
 if __name__ == "__main__":
-    PAGE.write_text(PAGE.read_text(encoding="utf-8").partition(MARK)[0] + MARK + tables(), encoding="utf-8")
+    PAGE.write_text(
+        PAGE.read_text(encoding="utf-8").partition(MARK)[0] + MARK + tables(), encoding="utf-8"
+    )

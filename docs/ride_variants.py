@@ -39,9 +39,18 @@ def ride(corner: str, road: str, speed: float, seed: int) -> Columns:
     z = z / (1.0 + s / (2.0 * np.pi * speed / 0.3))  # the contact patch
     strut = spring + damper * s
     whole = (wheel * s**2 + strut + tyre) * (body * s**2 + strut) - strut**2
-    moved = {"sprung.az": strut * tyre / whole * z, "unsprung.az": (body * s**2 + strut) * tyre / whole * z}
-    found = {name: np.fft.irfft(np.concatenate([[0.0], s**2 * one]), count) for name, one in moved.items()}
-    return {"time": np.arange(count) / RATE, **{n: a + 0.02 * draw.normal(size=count) for n, a in found.items()}}
+    moved = {
+        "sprung.az": strut * tyre / whole * z,
+        "unsprung.az": (body * s**2 + strut) * tyre / whole * z,
+    }
+    found = {
+        name: np.fft.irfft(np.concatenate([[0.0], s**2 * one]), count)
+        for name, one in moved.items()
+    }
+    return {
+        "time": np.arange(count) / RATE,
+        **{n: a + 0.02 * draw.normal(size=count) for n, a in found.items()},
+    }
 
 
 def filtered(values: np.ndarray, corner: float, order: int, *, high: bool = False) -> np.ndarray:
@@ -57,7 +66,9 @@ def variants(run: Columns) -> Iterator[tuple[str, str, Signals, dict[str, str]]]
     """Kind and name of a variant, its channels with units, and options of its reader."""
     body, wheel = run["sprung.az"], run["unsprung.az"]
 
-    def of(one: np.ndarray, other: np.ndarray = wheel, unit: str = "m/s^2", factor: float = 1.0) -> Signals:
+    def of(
+        one: np.ndarray, other: np.ndarray = wheel, unit: str = "m/s^2", factor: float = 1.0
+    ) -> Signals:
         return {"sprung.az": (one * factor, unit), "unsprung.az": (other * factor, unit)}
 
     yield "right", "as it is", of(body), {}
@@ -70,7 +81,12 @@ def variants(run: Columns) -> Iterator[tuple[str, str, Signals, dict[str, str]]]
     yield "g called m/s²", "m/s^2", of(body, factor=1.0 / 9.80665), {}
     yield "rate", "s called ms", of(body), {"time": "ms"}
     for step in (2, 5):
-        yield "rate", f"held for {step}", of(np.repeat(body[::step], step), np.repeat(wheel[::step], step)), {}
+        yield (
+            "rate",
+            f"held for {step}",
+            of(np.repeat(body[::step], step), np.repeat(wheel[::step], step)),
+            {},
+        )
     for lost, held in itertools.product((20, 1000, 5000), (0.0, None)):
         cut = body.copy()
         cut[4000 : 4000 + lost] = cut[4000] if held is None else held
@@ -83,25 +99,46 @@ def variants(run: Columns) -> Iterator[tuple[str, str, Signals, dict[str, str]]]
     for order, corner in itertools.product((1, 2, 4), (5.0, 10.0, 40.0)):
         yield "low pass", f"{corner:g} Hz, order {order}", of(filtered(body, corner, order)), {}
     for order, corner in itertools.product((1, 2, 4), (0.3, 1.0, 3.0)):
-        yield "high pass", f"{corner:g} Hz, order {order}", of(filtered(body, corner, order, high=True)), {}
+        yield (
+            "high pass",
+            f"{corner:g} Hz, order {order}",
+            of(filtered(body, corner, order, high=True)),
+            {},
+        )
     yield "exchanged", "body and wheel", of(wheel, body), {}
 
 
 def judge(signals: Signals, time: np.ndarray, unit_of_time: str, true: float, folder: Path) -> str:
     """Right (within 5 % of the weighted acceleration), refused, reported, or silently wrong."""
     file = folder / "ride.csv"
-    head = ",".join([f"time [{unit_of_time}]", *(f"{name} [{unit}]" for name, (_, unit) in signals.items())])
+    head = ",".join(
+        [f"time [{unit_of_time}]", *(f"{name} [{unit}]" for name, (_, unit) in signals.items())]
+    )
     np.savetxt(
-        file, np.column_stack([time, *(one for one, _ in signals.values())]), "%.7g", ",", header=head, comments=""
+        file,
+        np.column_stack([time, *(one for one, _ in signals.values())]),
+        "%.7g",
+        ",",
+        header=head,
+        comments="",
     )
     try:
         run, notes = read_recording(file)
-        found = ride_metrics(run, start="mean", settling=2.0 if unit_of_time == "s" else 0.0, metrics=["weighted_rms"])
+        found = ride_metrics(
+            run,
+            start="mean",
+            settling=2.0 if unit_of_time == "s" else 0.0,
+            metrics=["weighted_rms"],
+        )
     except JounceError:
         return "refused"
     if abs(found.value("weighted_rms", "sprung.az") / true - 1.0) < MARGIN:
         return "right"
-    return "told" if any(one.severity != "note" for one in (*notes, *found.findings)) else "silently wrong"
+    return (
+        "told"
+        if any(one.severity != "note" for one in (*notes, *found.findings))
+        else "silently wrong"
+    )
 
 
 def outcomes(
@@ -116,9 +153,13 @@ def outcomes(
             from jounce.recordings import recording
 
             plain = recording(run["time"], {"sprung.az": (run["sprung.az"], "m/s^2", "")})
-            true = ride_metrics(plain, start="mean", settling=2.0, metrics=["weighted_rms"]).value("weighted_rms")
+            true = ride_metrics(plain, start="mean", settling=2.0, metrics=["weighted_rms"]).value(
+                "weighted_rms"
+            )
             for kind, name, signals, how in variants(run):
                 outcome = judge(signals, run["time"], how.get("time", "s"), true, Path(folder))
                 by_outcome = counted.setdefault(kind, {})
-                by_outcome.setdefault(outcome, []).append(f"{corner}, {road}, {speed:g} m/s: {name}")
+                by_outcome.setdefault(outcome, []).append(
+                    f"{corner}, {road}, {speed:g} m/s: {name}"
+                )
     return counted

@@ -37,7 +37,10 @@ def pins(text: str) -> dict[str, str]:
 
 def is_before(version: str, other: str) -> bool:
     """Whether a version comes before another one, by its numbers; a version without numbers comes before all."""
-    one, two = ([int(part) for part in re.findall(r"\d+", text.partition("+")[0])] for text in (version, other))
+    one, two = (
+        [int(part) for part in re.findall(r"\d+", text.partition("+")[0])]
+        for text in (version, other)
+    )
     longest = max(len(one), len(two))
     return one + [0] * (longest - len(one)) < two + [0] * (longest - len(two))
 
@@ -53,7 +56,17 @@ def listed(pinned: dict[str, str], advisories: list[dict[str, str]]) -> list[str
 
 def asked(python: str, file: Path) -> Answer:
     """Ask pip-audit's service about one file of pins."""
-    command = [python, "-m", "pip_audit", "--progress-spinner", "off", "--timeout", "15", "--format", "json"]
+    command = [
+        python,
+        "-m",
+        "pip_audit",
+        "--progress-spinner",
+        "off",
+        "--timeout",
+        "15",
+        "--format",
+        "json",
+    ]
     command += ["--disable-pip", "--require-hashes", "--requirement", str(file)]
     try:
         ran = subprocess.run(command, capture_output=True, text=True, timeout=_LONGEST, check=False)
@@ -87,16 +100,23 @@ def main(python: str | None = None, folder: Path = HERE) -> int:
     for file in files:
         found.update(listed(pins(file.read_text(encoding="utf-8")), content["advisory"]))
     count = len({pin for file in files for pin in pins(file.read_text(encoding="utf-8")).items()})
-    answers = {file.name: asked(python, file) if python else Answer(silent="pip-audit was not given") for file in files}
+    answers = {
+        file.name: asked(python, file) if python else Answer(silent="pip-audit was not given")
+        for file in files
+    }
     for name, answer in answers.items():
         found.update(answer.found)
         if answer.silent:
             print(f"{name}: offline ({answer.silent})")
         elif answer.unknown:
-            print(f"{name}: {answer.known} packages are known to the service, {answer.unknown} are not")
+            print(
+                f"{name}: {answer.known} packages are known to the service, {answer.unknown} are not"
+            )
     if not any(answer.known for answer in answers.values()):
         advisories = f"{len(content['advisory'])} advisories of {content['as_of']}"
-        print(f"OFFLINE: no service could be asked; {count} pins were held against a list of {advisories} only.")
+        print(
+            f"OFFLINE: no service could be asked; {count} pins were held against a list of {advisories} only."
+        )
     for one in sorted(found):
         print(f"vulnerable: {one}")
     print(f"{len(found)} known vulnerabilities" if found else "no known vulnerability")

@@ -16,7 +16,11 @@ from typing import Any
 import hypothesis
 import pytest
 
-for _library in ("OPENBLAS", "OMP", "MKL"):  # before NumPy comes: on small matrices threads only wait for each other
+for _library in (
+    "OPENBLAS",
+    "OMP",
+    "MKL",
+):  # before NumPy comes: on small matrices threads only wait for each other
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
 
 import rounding  # noqa: E402 - it imports NumPy
@@ -40,21 +44,43 @@ def units_kept() -> Iterator[None]:
 _CACHE = pytest.StashKey[str]()
 COLLECTED = pytest.StashKey[set[str]]()
 SOURCES = pytest.StashKey[dict[str, dict[str, str] | None]]()
-FAST = "not slow and not pages and not examples"  # the tests of `make test`, as pyproject.toml has it
-QUICK = ("unit", "properties")  # the other kinds of test run models, which are compiled, or the whole documentation
+FAST = (
+    "not slow and not pages and not examples"  # the tests of `make test`, as pyproject.toml has it
+)
+QUICK = (
+    "unit",
+    "properties",
+)  # the other kinds of test run models, which are compiled, or the whole documentation
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--quick", action="store_true", help="only what answers at once: `make quick`")
-    parser.addoption("--evidence", action="store_true", help="write what the page on validation says")
-    parser.addoption("--rounding-noise", type=int, metavar="SEED", help="round as another library would")
-    parser.addoption("--shuffle", type=int, metavar="SEED", help="run files, and the tests of each, in random order")
-    parser.addoption("--rounded", action="store_true", help="only files that hang on linear algebra or an optimiser")
+    parser.addoption(
+        "--evidence", action="store_true", help="write what the page on validation says"
+    )
+    parser.addoption(
+        "--rounding-noise", type=int, metavar="SEED", help="round as another library would"
+    )
+    parser.addoption(
+        "--shuffle",
+        type=int,
+        metavar="SEED",
+        help="run files, and the tests of each, in random order",
+    )
+    parser.addoption(
+        "--rounded",
+        action="store_true",
+        help="only files that hang on linear algebra or an optimiser",
+    )
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    if not hasattr(config, "workerinput"):  # the processes of pytest-xdist share the cache of the one that starts them
-        config.stash[_CACHE] = os.environ["JOUNCE_CACHE_DIR"] = tempfile.mkdtemp(prefix="jounce-tests-")
+    if not hasattr(
+        config, "workerinput"
+    ):  # the processes of pytest-xdist share the cache of the one that starts them
+        config.stash[_CACHE] = os.environ["JOUNCE_CACHE_DIR"] = tempfile.mkdtemp(
+            prefix="jounce-tests-"
+        )
     config.stash[COLLECTED] = set()
     config.stash[SOURCES] = {}
     config.pluginmanager.register(Evidence(writes=config.getoption("--evidence")))
@@ -96,7 +122,9 @@ def pytest_itemcollected(item: pytest.Item) -> None:
 
 def pytest_collection_finish(session: pytest.Session) -> None:
     """Thousands of tests are no garbage, and models are made of a million small objects: collections are rare."""
-    if session.config.getoption("--quick"):  # not earlier: so are the processes started that run the tests
+    if session.config.getoption(
+        "--quick"
+    ):  # not earlier: so are the processes started that run the tests
         subprocess.Popen.__init__ = _left_out("starts a process")  # type: ignore[method-assign]
     elif session.config.option.markexpr == FAST:
         _make_code_quickly()
@@ -145,8 +173,12 @@ def _make_code_quickly() -> None:
     def plain(module: Any, *_: object, **__: object) -> bytes:
         return bytes(machine.this_machine(0).emit_object(module))
 
-    _OPTIMISED.update({(module, name): type(getattr(module, name))() for module, name in kept_in_process})
-    _OPTIMISED.update({(native, "machine_code"): native.machine_code, (native, "key_here"): key_here})
+    _OPTIMISED.update(
+        {(module, name): type(getattr(module, name))() for module, name in kept_in_process}
+    )
+    _OPTIMISED.update(
+        {(native, "machine_code"): native.machine_code, (native, "key_here"): key_here}
+    )
     native.machine_code = plain
     native.key_here = lambda identity: key_here(f"{identity} made quickly")
 
@@ -183,7 +215,11 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
         return True
     if not quick:
         return None
-    below = collection_path.relative_to(Path(__file__).parent).parts if collection_path != config.rootpath else ()
+    below = (
+        collection_path.relative_to(Path(__file__).parent).parts
+        if collection_path != config.rootpath
+        else ()
+    )
     return True if below and below[0] not in QUICK else None
 
 

@@ -34,7 +34,9 @@ def __getattr__(name: str) -> object:
     if name not in __all__:
         from jounce.core.synonyms import suggestion
 
-        raise AttributeError(f"module 'jounce' has no attribute {name!r}. {suggestion(name, __all__)}".rstrip())
+        raise AttributeError(
+            f"module 'jounce' has no attribute {name!r}. {suggestion(name, __all__)}".rstrip()
+        )
     value = _loaded(name)
     if isinstance(value, FunctionType):
         from jounce.core.arguments import guard_arguments

@@ -41,7 +41,8 @@ def test_the_body_moves_as_far_as_its_acceleration_says(lap: object) -> None:
     (body,) = motion.channels
     inside = (motion.time >= motion.valid[0]) & (motion.time <= motion.valid[1])
     truth = jn.integrate_acceleration(
-        jn.recording(motion.time, {"sprung.az": (lap["sprung.az"].to_numpy(), "m/s^2", "")}), above=0.3
+        jn.recording(motion.time, {"sprung.az": (lap["sprung.az"].to_numpy(), "m/s^2", "")}),
+        above=0.3,
     ).channels[0]
     assert np.array_equal(truth.displacement, body.displacement)
     moved = np.fft.rfft(lap["sprung.z"].to_numpy() - lap["sprung.z"].to_numpy().mean())
@@ -53,11 +54,16 @@ def test_the_body_moves_as_far_as_its_acceleration_says(lap: object) -> None:
 def test_lost_contact_lowers_the_coherence() -> None:
     rig = jn.load(CAR)
     gentle, harsh = (
-        jn.simulate(rig, jn.iso_trial(rig, kind, "20 m/s", duration="60 s").trial, output_step=0.002) for kind in "AF"
+        jn.simulate(
+            rig, jn.iso_trial(rig, kind, "20 m/s", duration="60 s").trial, output_step=0.002
+        )
+        for kind in "AF"
     )
     assert float(gentle["tyre.force"].min()) > 0.0
     assert float((harsh["tyre.force"] == 0.0).mean()) > 0.02
     band = (2.0, 30.0)
-    held, lost = (jn.estimate_transfer(run, "sprung.az", "road.z", band=band) for run in (gentle, harsh))
+    held, lost = (
+        jn.estimate_transfer(run, "sprung.az", "road.z", band=band) for run in (gentle, harsh)
+    )
     assert held.coherence.mean() > 0.98
     assert lost.coherence.mean() < held.coherence.mean() - 0.1

@@ -28,7 +28,9 @@ def test_every_row_is_that_of_the_poses(found) -> None:
     for case, (errors, shapes) in found.items():
         wrong = {name: error for name, error in errors.items() if not error < 1e-8}
         assert not wrong, (case, wrong)
-        assert max(shapes.values()) < 1e-14, case  # m: links and bodies keep their shape, so the poses are right
+        assert max(shapes.values()) < 1e-14, (
+            case
+        )  # m: links and bodies keep their shape, so the poses are right
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +48,9 @@ def test_no_row_is_left_out(found) -> None:
     assert known == {row.name for row in CATALOGUE}
     for name, travel, rack in CASES:
         swept = jn.sweep_travel(rig_of(name), [travel], rack)
-        own = {str(one) for one in (*swept.data_vars, *swept.coords)} - ({"rack_travel"} if rack is None else set())
+        own = {str(one) for one in (*swept.data_vars, *swept.coords)} - (
+            {"rack_travel"} if rack is None else set()
+        )
         assert own == set(found[name, travel, rack][0]), name
 
 
@@ -58,9 +62,13 @@ def test_poses_are_distinct_enough_to_see_a_mistake() -> None:
         for one in (*swept.data_vars, *swept.coords):
             values.setdefault(str(one), []).append(float(swept[one].to_numpy().ravel()[0]))
     still = {
-        name for name, seen in values.items() if np.all(np.abs(np.abs(seen) - 1.0) < 1e-9) or np.allclose(seen, 0.0)
+        name
+        for name, seen in values.items()
+        if np.all(np.abs(np.abs(seen) - 1.0) < 1e-9) or np.allclose(seen, 0.0)
     }
-    assert still == {"steering_axis_pitch"}  # all of these make a pure turn; others are in tests/physics
+    assert still == {
+        "steering_axis_pitch"
+    }  # all of these make a pure turn; others are in tests/physics
 
 
 def test_the_page_tells_what_is_compared(found, axle) -> None:
@@ -68,7 +76,9 @@ def test_the_page_tells_what_is_compared(found, axle) -> None:
 
     told = {
         match[1]: float(match[2])
-        for match in re.finditer(r"^\| `(\w+)` \|.*\| (\S+) \|$", PAGE.read_text(encoding="utf-8"), re.M)
+        for match in re.finditer(
+            r"^\| `(\w+)` \|.*\| (\S+) \|$", PAGE.read_text(encoding="utf-8"), re.M
+        )
     }
     assert {row.name for row in CATALOGUE} == set(script.HOW)
     assert set(axle) == set(script.AXLE)

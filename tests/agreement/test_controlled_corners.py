@@ -10,7 +10,9 @@ from jounce.control import Skyhook
 from jounce.simulation.corner_models import corner_models
 
 KART = "kart-double-wishbone"
-TRIAL = jn.Trial(road=jn.HalfSine(height="5 mm", length="300 mm", start="0.3 m"), speed="3 m/s", duration="1.5 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="5 mm", length="300 mm", start="0.3 m"), speed="3 m/s", duration="1.5 s"
+)
 
 
 def test_the_corner_of_a_linkage_is_the_quarter_car_it_amounts_to() -> None:
@@ -36,9 +38,14 @@ def test_a_constant_command_is_a_passive_damper() -> None:
     coefficient = rig.parameters()["strut.damper.coefficient"]
     law = jn.Passive(
         damping_coefficient=coefficient,
-        actuator=jn.SemiActiveDamper(minimum=0.5 * coefficient, maximum=2.0 * coefficient, lag="0 s"),
+        actuator=jn.SemiActiveDamper(
+            minimum=0.5 * coefficient, maximum=2.0 * coefficient, lag="0 s"
+        ),
     )
-    passive, controlled = jn.simulate(rig, TRIAL, tolerance=1e-8), jn.simulate(rig, TRIAL, control=law, tolerance=1e-8)
+    passive, controlled = (
+        jn.simulate(rig, TRIAL, tolerance=1e-8),
+        jn.simulate(rig, TRIAL, control=law, tolerance=1e-8),
+    )
     for name in ("sprung.z", "unsprung.z", "strut.force"):
         size = float(passive[name].max() - passive[name].min())
         np.testing.assert_allclose(controlled[name], passive[name], atol=1e-6 * size)

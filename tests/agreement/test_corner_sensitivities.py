@@ -60,11 +60,15 @@ def test_every_kind_of_number(name):
         i = plain.facts.parameters.index(path)
         step = 1e-4 * max(abs(p[i]), 1e-2)
         ahead, behind = (
-            solve(plain, p + sign * step * np.eye(len(p))[i], ROAD, TIMES, tolerance=1e-12) for sign in (1, -1)
+            solve(plain, p + sign * step * np.eye(len(p))[i], ROAD, TIMES, tolerance=1e-12)
+            for sign in (1, -1)
         )
         pairs = {
             "states": (run.state_slopes[:, column], (ahead.states - behind.states) / (2.0 * step)),
-            "outputs": (run.output_slopes[:, column], (ahead.outputs - behind.outputs) / (2.0 * step)),
+            "outputs": (
+                run.output_slopes[:, column],
+                (ahead.outputs - behind.outputs) / (2.0 * step),
+            ),
         }
         n_q, n_v = plain.facts.counts
         groups = {"states": [slice(0, n_q), slice(n_q, n_q + n_v)]}
@@ -72,7 +76,11 @@ def test_every_kind_of_number(name):
         for what, (found, expected) in pairs.items():
             for rows in groups[what]:
                 size = np.max(np.abs(expected[rows]))
-                assert np.max(np.abs(found[rows] - expected[rows])) <= 3e-5 * size + 1e-12, (path, what, rows)
+                assert np.max(np.abs(found[rows] - expected[rows])) <= 3e-5 * size + 1e-12, (
+                    path,
+                    what,
+                    rows,
+                )
 
 
 def test_states_are_those_of_a_run_without_sensitivities():

@@ -31,7 +31,11 @@ RIGS = {
     "bump stop": {"strut.bump_stop": {"gap": 0.009, "rate": 3e5}},
     "table tyre": {
         "tyre.stiffness": None,
-        "tyre.curve": {"kind": "table", "deflection": [0.0, 0.001, 0.002, 0.01], "force": [0.0, 60.0, 150.0, 1400.0]},
+        "tyre.curve": {
+            "kind": "table",
+            "deflection": [0.0, 0.001, 0.002, 0.01],
+            "force": [0.0, 60.0, 150.0, 1400.0],
+        },
     },
 }
 
@@ -57,7 +61,10 @@ def curved(seed: int) -> Segments:
     kinds = generator.integers(0, 2, 15)
     coefficients = generator.normal(0.0, 1.0, (15, 4)) * np.array([2e-3, 0.02, 0.1, 1.0])
     sines = kinds == SINE
-    coefficients[sines, 1], coefficients[sines, 2] = 3e-3, generator.choice([30.0, 55.0, 90.0], int(sines.sum()))
+    coefficients[sines, 1], coefficients[sines, 2] = (
+        3e-3,
+        generator.choice([30.0, 55.0, 90.0], int(sines.sum())),
+    )
     return Segments(edges, kinds, coefficients)
 
 
@@ -118,14 +125,19 @@ def test_contacts_that_open_and_close_just_before_an_edge_on_a_sample(seed: int)
     rig = parts.load("audi-a6-quarter-car")
     times = output_times(1.0, 1e-3)
     heights = np.random.default_rng(seed).normal(0.0, 6e-3, 501).cumsum()
-    assert compared(build(rig), rig.parameters(), piecewise_linear(times[::2], heights), times, 2e-9) > 20
+    assert (
+        compared(build(rig), rig.parameters(), piecewise_linear(times[::2], heights), times, 2e-9)
+        > 20
+    )
 
 
 def test_irregular_samples() -> None:
     rig = KART
     compiled = compile_model(build(rig))
     p, road = compiled.parameter_values(rig.parameters()), ROADS["half-sine"]
-    times = np.unique(np.concatenate([output_times(0.6, 1e-2), np.random.default_rng(0).uniform(0.0, 0.6, 60)]))
+    times = np.unique(
+        np.concatenate([output_times(0.6, 1e-2), np.random.default_rng(0).uniform(0.0, 0.6, 60)])
+    )
     found, expected = (solve(compiled, p, road, t).states for t in (times, output_times(0.6, 1e-2)))
     at = np.searchsorted(times, output_times(0.6, 1e-2))
     assert np.max(np.abs(found[:, at] - expected)) < 1e-11
@@ -170,14 +182,21 @@ def test_several_tracks(seed: int) -> None:
     level = front.coefficients[:1] * [1.0, 0.0, 0.0, 0.0]
     rear = Segments(edges, np.append(0, front.kind), np.vstack([level, front.coefficients]))
     braking = piecewise_linear(np.array([0.0, 0.2, 0.3, 5.0]), np.array([0.0, 0.0, 900.0, 900.0]))
-    signals = dict(zip(("front.road.z", "rear.road.z", "pitch_moment"), (front, rear, braking), strict=True))
+    signals = dict(
+        zip(("front.road.z", "rear.road.z", "pitch_moment"), (front, rear, braking), strict=True)
+    )
     times = output_times(0.6, 1e-3)
     assert compared(model, values, [signals[name] for name in model.tracks], times, 2e-9) > 0
 
 
 def test_a_stop_that_stiffens_or_a_round_obstacle_is_left_to_adaptive_steps() -> None:
-    stiffening = KART.with_changes({"strut.bump_stop": {"gap": 0.009, "rate": 3e5, "progression": 1e8}})
-    for rig, road in ((stiffening, ROADS["rough"]), (KART, obstacle(CIRCLE, [0.0, 0.03, 0.03, 1.0]))):
+    stiffening = KART.with_changes(
+        {"strut.bump_stop": {"gap": 0.009, "rate": 3e5, "progression": 1e8}}
+    )
+    for rig, road in (
+        (stiffening, ROADS["rough"]),
+        (KART, obstacle(CIRCLE, [0.0, 0.03, 0.03, 1.0])),
+    ):
         compiled = compile_model(build(rig))
         p = compiled.parameter_values(rig.parameters())
         assert solve(compiled, p, road, output_times(0.1, 1e-3)).method == "explicit"

@@ -26,7 +26,15 @@ pytestmark = pytest.mark.source(
 )
 
 ROOT = Path(__file__).parents[1]
-WIDTH = {"ball": 3, "ball_velocity": 3, "cross": 3, "rod": 3, "rod_spin": 3, "ball_force": 3, "spring_length": 1}
+WIDTH = {
+    "ball": 3,
+    "ball_velocity": 3,
+    "cross": 3,
+    "rod": 3,
+    "rod_spin": 3,
+    "ball_force": 3,
+    "spring_length": 1,
+}
 
 
 def loaded(path: Path):
@@ -49,17 +57,30 @@ def stored():
 
 @pytest.fixture(scope="module")
 def run():
-    return jn.simulate_mechanism(mechanism(), MODEL["duration"], output_step=MODEL["output_step"], tolerance=1e-9)
+    return jn.simulate_mechanism(
+        mechanism(), MODEL["duration"], output_step=MODEL["output_step"], tolerance=1e-9
+    )
 
 
 def mechanism():
     made = jn.mechanics.Mechanism(gravity=MODEL["gravity"])
     bodies = {name: made.body(name, *MODEL[name]) for name in ("crank", "rod", "slider")}
-    made.revolute("pivot", made.ground, bodies["crank"], at=MODEL["crank_pivot"], axis=MODEL["crank_axis"])
+    made.revolute(
+        "pivot", made.ground, bodies["crank"], at=MODEL["crank_pivot"], axis=MODEL["crank_axis"]
+    )
     made.spherical("ball", bodies["crank"], bodies["rod"], at=MODEL["ball"])
-    made.prismatic("guide", made.ground, bodies["slider"], axis=MODEL["slider_axis"], at=MODEL["cross"])
+    made.prismatic(
+        "guide", made.ground, bodies["slider"], axis=MODEL["slider_axis"], at=MODEL["cross"]
+    )
     axes = MADE.cross_axes()
-    made.universal("cross", bodies["slider"], bodies["rod"], at=MODEL["cross"], axis=axes[0], second_axis=axes[1])
+    made.universal(
+        "cross",
+        bodies["slider"],
+        bodies["rod"],
+        at=MODEL["cross"],
+        axis=axes[0],
+        second_axis=axes[1],
+    )
     law = MODEL["spring"]
     length, _ = made.spring_damper(
         "spring",
@@ -102,7 +123,10 @@ def channels(run) -> dict[str, np.ndarray]:
 
 def errors(found, expected) -> dict[str, float]:
     return {
-        name: float(np.abs(found[name] - expected[name]).max() / np.ptp(expected[name], axis=0).max()) for name in WIDTH
+        name: float(
+            np.abs(found[name] - expected[name]).max() / np.ptp(expected[name], axis=0).max()
+        )
+        for name in WIDTH
     }
 
 
@@ -141,7 +165,13 @@ def twin_run() -> dict[str, np.ndarray]:
     system.perpendicular(slider, rod, *MADE.cross_axes())
     law = MODEL["spring"]
     system.spring(
-        0, slider, MODEL["spring_ground"], MODEL["spring_slider"], law["rate"], law["damping"], law["free_length"]
+        0,
+        slider,
+        MODEL["spring_ground"],
+        MODEL["spring_slider"],
+        law["rate"],
+        law["damping"],
+        law["free_length"],
     )
     model, rows = system.arrays(), []
     times = np.arange(round(MODEL["duration"] / MODEL["output_step"]) + 1) * MODEL["output_step"]
@@ -151,7 +181,9 @@ def twin_run() -> dict[str, np.ndarray]:
         multipliers = twin._accelerations(y, 0.0, *model)[1]
         ball, speed = twin._point(y, 3, crank, local[0])
         cross, _ = twin._point(y, 3, slider, local[1])
-        on_crank = -twin._matrix(y[3:7]) @ multipliers[10:13]  # rows 10 to 12 hold the ball, along axes of the crank
+        on_crank = (
+            -twin._matrix(y[3:7]) @ multipliers[10:13]
+        )  # rows 10 to 12 hold the ball, along axes of the crank
         length = twin._spring(y, 3, *(part[0] for part in model[9:12]))[0]
         return np.concatenate([ball, speed, cross, y[7:10], y[30:33], on_crank, [length]])
 
@@ -159,7 +191,13 @@ def twin_run() -> dict[str, np.ndarray]:
     rows.append(observed(y))
     for begin, end in pairwise(times):
         solver = twin.DOP853(
-            lambda _, x: twin._rate(x, 0.0, *model), begin, y, end, rtol=1e-13, atol=1e-15, first_step=1e-3
+            lambda _, x: twin._rate(x, 0.0, *model),
+            begin,
+            y,
+            end,
+            rtol=1e-13,
+            atol=1e-15,
+            first_step=1e-3,
         )
         while solver.status == "running":
             solver.step()
@@ -173,7 +211,9 @@ def twin_run() -> dict[str, np.ndarray]:
 @pytest.mark.slow
 @pytest.mark.no_source
 def test_jounce_agrees_with_the_twin() -> None:
-    fine = jn.simulate_mechanism(mechanism(), MODEL["duration"], output_step=MODEL["output_step"], tolerance=1e-11)
+    fine = jn.simulate_mechanism(
+        mechanism(), MODEL["duration"], output_step=MODEL["output_step"], tolerance=1e-11
+    )
     found = errors(channels(fine), twin_run())
     assert max(found.values()) < 1e-12
 
@@ -194,4 +234,6 @@ def test_exudyn_gives_what_is_stored(stored) -> None:
     pytest.importorskip("exudyn")
     found, _ = MADE.extrapolated(10)
     limits = {name: 10.0 * limit + 1e-6 for name, limit in LIMITS.items()} | {"ball_force": 1e-4}
-    assert {name: value for name, value in errors(found, stored).items() if value > limits[name]} == {}
+    assert {
+        name: value for name, value in errors(found, stored).items() if value > limits[name]
+    } == {}

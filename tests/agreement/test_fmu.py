@@ -32,7 +32,9 @@ SLOW = (
 
 
 def bump(end: float) -> jn.Trial:
-    return jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration=end)
+    return jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration=end
+    )
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +55,9 @@ def course(name: str, trial: jn.Trial, *, rates: bool = True) -> fmu_master.Cour
     rig = jn.load(name)
     facts = compile_rig(rig).facts
     signals = excitation(facts, rig, trial)
-    names = [word for track in facts.tracks for word in ((track, speed_of(track)) if rates else (track,))]
+    names = [
+        word for track in facts.tracks for word in ((track, speed_of(track)) if rates else (track,))
+    ]
 
     def values(t: float) -> list[float]:
         found = []
@@ -62,7 +66,9 @@ def course(name: str, trial: jn.Trial, *, rates: bool = True) -> fmu_master.Cour
             found += [value, rate] if rates else [value]
         return found
 
-    return fmu_master.Course(names, values, sorted({float(edge) for signal in signals for edge in signal.edges}))
+    return fmu_master.Course(
+        names, values, sorted({float(edge) for signal in signals for edge in signal.edges})
+    )
 
 
 def instance(path: Path, folder: Path, kind: str) -> fmu_master.Fmu:
@@ -72,7 +78,9 @@ def instance(path: Path, folder: Path, kind: str) -> fmu_master.Fmu:
 def displacements(run, outputs) -> list[str]:
     """Channels whose values are compared: displacements and what follows from them."""
     return [
-        n for n in outputs if n in run and n.endswith((".z", ".deflection", "strut.force", "tyre.force", ".camber"))
+        n
+        for n in outputs
+        if n in run and n.endswith((".z", ".deflection", "strut.force", "tyre.force", ".camber"))
     ]
 
 
@@ -80,8 +88,16 @@ def compare(
     path: Path, tmp_path: Path, name: str, trial: jn.Trial, control: str | None = None
 ) -> tuple[float, int, int]:
     """Largest difference of a run of model exchange at its end, of the channel's range; events of both."""
-    run = jn.simulate(jn.load(name), trial, tolerance=1e-10, method="auto" if control else "explicit", control=control)
-    outputs = displacements(run, [v.name for v in fmpy.read_model_description(str(path)).modelVariables])
+    run = jn.simulate(
+        jn.load(name),
+        trial,
+        tolerance=1e-10,
+        method="auto" if control else "explicit",
+        control=control,
+    )
+    outputs = displacements(
+        run, [v.name for v in fmpy.read_model_description(str(path)).modelVariables]
+    )
     reference = np.array([run[channel].values for channel in outputs]).T
     # An angle comes from directions, whose elements of up to 1 round by 1e-16 each: together by about 1e-15 rad. That
     # is a hundredth of 1e-9 of a range of 1e-4 rad; the camber of a wheel guided in parallel stays within 1e-6 rad.
@@ -133,7 +149,9 @@ def test_every_shipped_rig_is_our_run(written, tmp_path, name):
     tolerance="of both integrators, as share of a channel's range",
     compares="model exchange with a controller inside",
 )
-@pytest.mark.parametrize(("name", "law"), [("kart-quarter-car", "skyhook"), ("audi-a6-quarter-car", "lqg")])
+@pytest.mark.parametrize(
+    ("name", "law"), [("kart-quarter-car", "skyhook"), ("audi-a6-quarter-car", "lqg")]
+)
 def test_controller_is_a_sampled_part(written, tmp_path, name, law):
     difference, events, ours = compare(written(name, 3, law), tmp_path, name, bump(0.4), law)
     assert difference == pytest.approx(0.0, abs=1e-9)
@@ -141,7 +159,9 @@ def test_controller_is_a_sampled_part(written, tmp_path, name, law):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "law"), [("audi-a6-full-car", "skyhook"), ("audi-a6-quarter-car", "pid")])
+@pytest.mark.parametrize(
+    ("name", "law"), [("audi-a6-full-car", "skyhook"), ("audi-a6-quarter-car", "pid")]
+)
 def test_every_kind_of_controller(written, tmp_path, name, law):
     difference, events, ours = compare(written(name, 2, law), tmp_path, name, bump(0.4), law)
     assert difference < 1e-7
@@ -164,7 +184,9 @@ def test_co_simulation_follows_the_road(written, tmp_path, step, allowed):
     fmu = instance(written("kart-quarter-car"), tmp_path, "CoSimulation")
     found = fmu_master.cosimulate(fmu, course("kart-quarter-car", trial), 0.4, step, outputs)
     fmu.close()
-    assert (found - reference) / np.ptp(reference, axis=0) == pytest.approx(np.zeros(found.shape), abs=allowed)
+    assert (found - reference) / np.ptp(reference, axis=0) == pytest.approx(
+        np.zeros(found.shape), abs=allowed
+    )
 
 
 def test_height_without_its_rate_keeps_tyre_damping(written, tmp_path):
@@ -176,7 +198,9 @@ def test_height_without_its_rate_keeps_tyre_damping(written, tmp_path):
     off = {}
     for kind, rates in (("given", True), ("taken from the values", False)):
         fmu = instance(written(name, 3), tmp_path, "CoSimulation")
-        found = fmu_master.cosimulate(fmu, course(name, trial, rates=rates), 0.6, 1e-3, ["unsprung.z"])[:, 0]
+        found = fmu_master.cosimulate(
+            fmu, course(name, trial, rates=rates), 0.6, 1e-3, ["unsprung.z"]
+        )[:, 0]
         fmu.close()
         off[kind] = np.max(np.abs(found - reference)) / np.ptp(reference)
     assert off["given"] < 5e-4
@@ -189,7 +213,11 @@ def test_model_exchange_by_cvode_needs_no_rates(written, tmp_path):
     Its CVode takes inputs once a step; with rates it is 0.5 % off, too.
     """
     name = "audi-a6-quarter-car"
-    trial = jn.Trial(road=jn.HalfSine(height="20 mm", length="0.8 m", start="100 mm"), speed="5 m/s", duration=0.3)
+    trial = jn.Trial(
+        road=jn.HalfSine(height="20 mm", length="0.8 m", start="100 mm"),
+        speed="5 m/s",
+        duration=0.3,
+    )
     run = jn.simulate(jn.load(name), trial, tolerance=1e-9)
     t = np.linspace(0.0, 0.3, 3001)
     bump = t - 0.02
@@ -198,7 +226,9 @@ def test_model_exchange_by_cvode_needs_no_rates(written, tmp_path):
         str(written(name, 3)), fmi_type="ModelExchange", relative_tolerance=1e-7, stop_time=0.3, output_interval=1e-3,
         input=np.rec.fromarrays([t, road], names=["time", "road.z"]), output=["unsprung.z"],
     )  # fmt: skip
-    assert np.abs(found["unsprung.z"] - run["unsprung.z"].values).max() < 0.01 * np.ptp(run["unsprung.z"].values)
+    assert np.abs(found["unsprung.z"] - run["unsprung.z"].values).max() < 0.01 * np.ptp(
+        run["unsprung.z"].values
+    )
 
 
 def test_a_short_pulse_needs_its_edges_twice_in_cvode(written):
@@ -216,7 +246,12 @@ def test_a_short_pulse_needs_its_edges_twice_in_cvode(written):
     off = []
     for inputs in (road, twice):
         found = fmpy.simulate_fmu(
-            file, fmi_type="ModelExchange", relative_tolerance=1e-6, output_interval=1e-3, input=inputs, **given
+            file,
+            fmi_type="ModelExchange",
+            relative_tolerance=1e-6,
+            output_interval=1e-3,
+            input=inputs,
+            **given,
         )
         at = np.searchsorted(found["time"], np.arange(501) * 1e-3 - 1e-9)
         off.append(np.max(np.abs(found["unsprung.z"][at] - fine)) / np.ptp(fine))
@@ -297,9 +332,14 @@ def test_derivatives_are_those_of_differences_and_their_transpose(written, tmp_p
     names = {v.valueReference: v.name for v in fmu.about.modelVariables}
     rates = [v for v in names if names[v].startswith("der(")]
     states = [
-        v.derivative.valueReference for v in fmu.about.modelVariables if names[v.valueReference].startswith("der(")
+        v.derivative.valueReference
+        for v in fmu.about.modelVariables
+        if names[v.valueReference].startswith("der(")
     ]
-    inputs = [fmu.references[name] for name in ("road.z", "road.vz", "rig.strut.spring.rate", "rig.sprung.mass")]
+    inputs = [
+        fmu.references[name]
+        for name in ("road.z", "road.vz", "rig.strut.spring.rate", "rig.sprung.mass")
+    ]
     outputs = [unknown.variable.valueReference for unknown in fmu.about.outputs]
     of, by = [*rates, *outputs], [*states, *inputs]
     start = fmu.get(*(names[v] for v in by))
@@ -325,9 +365,13 @@ def test_same_rig_gives_the_same_bytes(written, tmp_path):
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
-@pytest.mark.parametrize(("version", "more"), [(2, {}), (3, {"control": "skyhook", "controller_only": True})])
+@pytest.mark.parametrize(
+    ("version", "more"), [(2, {}), (3, {"control": "skyhook", "controller_only": True})]
+)
 def test_code_gives_no_warning(tmp_path, version, more):
-    made = jn.export_fmu(jn.load("kart-quarter-car"), tmp_path / "a.fmu", version=version, platforms=(), **more)
+    made = jn.export_fmu(
+        jn.load("kart-quarter-car"), tmp_path / "a.fmu", version=version, platforms=(), **more
+    )
     with zipfile.ZipFile(made.path) as archive:
         archive.extractall(tmp_path)
     files = sorted(map(str, (tmp_path / "sources").glob("*.c")))
@@ -356,7 +400,9 @@ def test_code_is_clean_under_sanitizers(written, tmp_path):
         "-fno-sanitize-recover=all",
     ]
     files = [str(sources / name) for name in ("main.c", "model.c", "core.c", "fmi3.c")]
-    subprocess.run(["gcc", *flags, f"-I{sources}", *files, "-lm", "-o", str(tmp_path / "run")], check=True)
+    subprocess.run(
+        ["gcc", *flags, f"-I{sources}", *files, "-lm", "-o", str(tmp_path / "run")], check=True
+    )
     done = subprocess.run([tmp_path / "run"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "events" in done.stdout
@@ -426,7 +472,9 @@ def test_refused_before_anything_is_written(tmp_path):
         jn.export_fmu(rig, tmp_path / "car.fmu", version=1)
     with pytest.raises(jn.DescriptionError, match="unknown platform 'win64'"):
         jn.export_fmu(rig, tmp_path / "car.fmu", platforms=["win64"])
-    with pytest.raises(jn.SimulationError, match=r"a function in Python.* cannot be part of an FMU"):
+    with pytest.raises(
+        jn.SimulationError, match=r"a function in Python.* cannot be part of an FMU"
+    ):
         jn.export_fmu(rig, tmp_path / "car.fmu", control=lambda _measured, _t: 0.0)
     assert [file.name for file in tmp_path.iterdir()] == ["there.fmu"]
 
@@ -449,7 +497,9 @@ def test_the_reference_inside_is_what_the_fmu_gives(written, tmp_path, version, 
         text = archive.read("extra/jounce/reference.csv").decode()
         icon = archive.read("model.png" if version == 2 else "terminalsAndIcons/icon.png")
     assert icon.startswith(b"\x89PNG")
-    table = np.genfromtxt(text.splitlines(), delimiter=",", names=True, deletechars="", replace_space=" ")
+    table = np.genfromtxt(
+        text.splitlines(), delimiter=",", names=True, deletechars="", replace_space=" "
+    )
     fmu = instance(path, tmp_path, "CoSimulation")
     outputs = ["sprung.z", "unsprung.z", "tyre.force"]
     fmu.begin({"road.z": 0.0, "road.vz": 0.0})
@@ -479,8 +529,12 @@ def test_casadi_reads_rates_and_derivatives(written, tmp_path, version):
     x, u = np.array([-0.012, -0.004, 0.3, -0.2]), np.array([0.001, 0.05])
     modes = np.ones(len(compiled.facts.switches))
     assert importer.x() == [fmu_name.replace(" ", "_") for fmu_name in compiled.facts.states]
-    assert np.array(rates(x, u)).ravel() == pytest.approx(compiled.evaluate("rate", x, u, p, modes), rel=1e-12)
-    assert np.array(slope(x, u)) == pytest.approx(compiled.evaluate("rate_x", x, u, p, modes), rel=1e-9)
+    assert np.array(rates(x, u)).ravel() == pytest.approx(
+        compiled.evaluate("rate", x, u, p, modes), rel=1e-12
+    )
+    assert np.array(slope(x, u)) == pytest.approx(
+        compiled.evaluate("rate_x", x, u, p, modes), rel=1e-9
+    )
 
 
 def test_libcosim_runs_it(written):
@@ -507,8 +561,14 @@ def test_libcosim_runs_it(written):
     drive, found = course("kart-quarter-car", trial), []
     inputs = [references[name] for name in drive.names]
     for i in range(50):
-        manipulator.slave_real_values(slave_index=index, variable_references=inputs, values=drive.values(1e-3 * i))
+        manipulator.slave_real_values(
+            slave_index=index, variable_references=inputs, values=drive.values(1e-3 * i)
+        )
         assert execution.step()
-        found.append(observer.last_real_values(slave_index=index, variable_references=[references["sprung.z"]])[0])
+        found.append(
+            observer.last_real_values(
+                slave_index=index, variable_references=[references["sprung.z"]]
+            )[0]
+        )
     own = ours["sprung.z"].values[1:51]
     assert np.max(np.abs(np.array(found) - own)) < 5e-3 * np.ptp(own)

@@ -13,7 +13,11 @@ from jounce.control.fmu import FmuControl  # noqa: E402
 if not fmu_component.can_be_made():
     pytest.skip("no compiler", allow_module_level=True)
 
-TRIAL = jn.Trial(road=jn.HalfSine(height="30 mm", length="0.5 m", start="0.5 m"), speed="10 m/s", duration="0.5 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="30 mm", length="0.5 m", start="0.5 m"),
+    speed="10 m/s",
+    duration="0.5 s",
+)
 INPUTS = {"v_body": "sprung.vz", "v_strut": "strut.velocity"}
 
 
@@ -23,7 +27,9 @@ def made(tmp_path_factory):
 
     def make(version, **more):
         return str(
-            fmu_component.write(folder / f"{version}.fmu", version, fmu_component.binary(version, folder), **more)
+            fmu_component.write(
+                folder / f"{version}.fmu", version, fmu_component.binary(version, folder), **more
+            )
         )
 
     return make
@@ -81,7 +87,10 @@ def damped(made):
             parameters={"gain": times * rig.strut.damper.coefficient}, **fields,
         )  # fmt: skip
         run = jn.simulate(rig, TRIAL, control=law, tolerance=1e-7, check=check)
-        return run, float(np.abs(run["unsprung.z"].values[: len(own)] - own[: run.sizes["time"]]).max() / np.ptp(own))
+        return run, float(
+            np.abs(run["unsprung.z"].values[: len(own)] - own[: run.sizes["time"]]).max()
+            / np.ptp(own)
+        )
 
     return drive
 
@@ -100,7 +109,10 @@ def test_a_force_without_a_rate_follows_the_fastest_mode(damped) -> None:
     assert any("held for 0.5 ms" in finding for finding in run.attrs["findings"])
     assert np.unique(run["command"].values[100:110]).size == 10
     coarse, _ = damped(rate=50.0)
-    assert any(finding.startswith("warning") and "higher rate" in finding for finding in coarse.attrs["findings"])
+    assert any(
+        finding.startswith("warning") and "higher rate" in finding
+        for finding in coarse.attrs["findings"]
+    )
 
 
 @pytest.mark.parametrize("hold", ["zero", "first"])
@@ -108,7 +120,9 @@ def test_a_coupling_that_is_unstable_is_refused(damped, hold) -> None:
     """What is refused swings to the limit of its force, what is allowed does not."""
     with pytest.raises(jn.SimulationError, match="coupling is unstable") as refused:
         damped(60.0, hold=hold, rate=1000.0)
-    assert np.abs(damped(60.0, check=False, hold=hold, rate=1000.0)[0]["command"].values).max() == 1e6
+    assert (
+        np.abs(damped(60.0, check=False, hold=hold, rate=1000.0)[0]["command"].values).max() == 1e6
+    )
     allowed = float(str(refused.value).partition("allowed: ")[2].partition(" Hz")[0])
     assert np.abs(damped(60.0, hold=hold, rate=allowed)[0]["command"].values).max() < 1e5
     with pytest.raises(jn.SimulationError, match=r"grow at any rate.*signs"):
@@ -147,19 +161,27 @@ def stiff_and_soft():
 @pytest.mark.parametrize(
     ("place", "hold", "order"), [("spring", "zero", 1), ("spring", "first", 2), ("tyre", "zero", 1)]
 )
-def test_springs_and_tyres_converge_to_those_in_the_equations(stiff_and_soft, element, place, hold, order) -> None:
+def test_springs_and_tyres_converge_to_those_in_the_equations(
+    stiff_and_soft, element, place, hold, order
+) -> None:
     """From the same rest, with the tyre off the road for a while."""
     rig, soft = stiff_and_soft
     own = jn.simulate(rig, TRIAL, tolerance=1e-7)
     numbers = {
         "spring": {"stiffness": rig.strut.spring.rate},
-        "tyre": {"stiffness": rig.tyre.stiffness, "damping": rig.tyre.damping_coefficient, "pulls": 0.0},
+        "tyre": {
+            "stiffness": rig.tyre.stiffness,
+            "damping": rig.tyre.damping_coefficient,
+            "pulls": 0.0,
+        },
     }[place]
     errors = []
     for rate in (1000.0, 2000.0):
         run = element(soft[place], place, numbers=numbers, hold=hold, rate=rate)
         for channel in ("sprung.z", "unsprung.z", "tyre.deflection", "strut.force", "tyre.force"):
-            assert run[channel].values[0] == pytest.approx(own[channel].values[0], rel=1e-7, abs=1e-9)
+            assert run[channel].values[0] == pytest.approx(
+                own[channel].values[0], rel=1e-7, abs=1e-9
+            )
         assert run["tyre.force"].values.min() == 0.0
         assert run.attrs["events"] == own.attrs["events"]
         error = np.abs(run["unsprung.z"].values - own["unsprung.z"].values).max()
@@ -173,7 +195,13 @@ def test_a_rig_rests_where_the_fmu_carries_it(stiff_and_soft, element) -> None:
     rig, _ = stiff_and_soft
     still = jn.Trial(road=jn.Flat(), speed="1 m/s", duration="0.3 s")
     load = float(jn.simulate(rig, still)["strut.force"].values[0])
-    run = element(rig, "spring", still, numbers={"stiffness": 20e3, "preload": 600.0, "cubic": 4e6}, rate=1000.0)
+    run = element(
+        rig,
+        "spring",
+        still,
+        numbers={"stiffness": 20e3, "preload": 600.0, "cubic": 4e6},
+        rate=1000.0,
+    )
     d = run["strut.deflection"].values[0]
     assert 600.0 + 20e3 * d + 4e6 * d**3 == pytest.approx(load, rel=1e-9)
     assert np.ptp(run["sprung.z"].values) < 1e-9
@@ -185,7 +213,9 @@ def test_changes_from_rest_keep_the_rigs_own_load(stiff_and_soft, element) -> No
     rig, soft = stiff_and_soft
     own = jn.simulate(rig, TRIAL, tolerance=1e-7)["sprung.z"].values
     fields = {"from_rest": True, "rate": 4000.0, "hold": "first"}
-    run = element(soft["spring"], "spring", numbers={"stiffness": rig.strut.spring.rate}, **fields)["sprung.z"].values
+    run = element(soft["spring"], "spring", numbers={"stiffness": rig.strut.spring.rate}, **fields)[
+        "sprung.z"
+    ].values
     np.testing.assert_allclose(run - run[0], own - own[0], rtol=0.0, atol=1e-5 * np.ptp(own))
     with pytest.raises(jn.SimulationError, match=r"not zero there; found '50 N'"):
         element(soft["spring"], "spring", numbers={"preload": 50.0}, **fields)
@@ -198,12 +228,18 @@ def test_a_stop_in_an_fmu_is_the_stop(made, stiff_and_soft) -> None:
         file=made(3), inputs=SPRING, output="load", actuator=jn.ActiveActuator(in_place_of="stops"), trusted=True,
     )  # fmt: skip
     own = jn.simulate(rig, TRIAL)["sprung.z"].values
-    np.testing.assert_allclose(jn.simulate(rig, TRIAL, control=law)["sprung.z"].values, own, rtol=0.0, atol=1e-7)
-    firm = law.model_copy(update={"parameters": {"stiffness": 1e5, "preload": -13e3, "pulls": 0.0}, "rate": 1000.0})
+    np.testing.assert_allclose(
+        jn.simulate(rig, TRIAL, control=law)["sprung.z"].values, own, rtol=0.0, atol=1e-7
+    )
+    firm = law.model_copy(
+        update={"parameters": {"stiffness": 1e5, "preload": -13e3, "pulls": 0.0}, "rate": 1000.0}
+    )
     run = jn.simulate(rig, TRIAL, control=firm)
     felt = run["actuator.force"].values
     assert felt.max() > 1000.0
-    np.testing.assert_allclose(felt, np.fmax(1e5 * run["strut.deflection"].values - 13e3, 0.0), rtol=0.0, atol=1e-3)
+    np.testing.assert_allclose(
+        felt, np.fmax(1e5 * run["strut.deflection"].values - 13e3, 0.0), rtol=0.0, atol=1e-3
+    )
 
 
 def test_an_element_without_equilibrium_or_stability_is_refused(stiff_and_soft, element) -> None:
@@ -215,8 +251,15 @@ def test_an_element_without_equilibrium_or_stability_is_refused(stiff_and_soft, 
         with pytest.raises(jn.SimulationError, match=what):
             element(rig, "spring", numbers=numbers)
     with pytest.raises(jn.SimulationError, match="coupling is unstable"):
-        element(soft["tyre"], "tyre", numbers={"stiffness": 100.0 * rig.tyre.stiffness, "pulls": 0.0}, rate=200.0)
-    with pytest.raises(jn.SimulationError, match="the rig has no tyre that a force could take the place of"):
+        element(
+            soft["tyre"],
+            "tyre",
+            numbers={"stiffness": 100.0 * rig.tyre.stiffness, "pulls": 0.0},
+            rate=200.0,
+        )
+    with pytest.raises(
+        jn.SimulationError, match="the rig has no tyre that a force could take the place of"
+    ):
         element(jn.load("audi-a6-half-car"), "tyre")
 
 
@@ -224,7 +267,10 @@ def test_a_tyre_of_another_radius_is_told(stiff_and_soft, element) -> None:
     rig, _ = stiff_and_soft
     numbers = {"stiffness": rig.tyre.stiffness, "preload": 2e3}
     found = element(rig, "tyre", numbers=numbers, rate=2000.0).attrs["findings"]
-    assert any("off the road, where the wheel feels none: compare the radii" in finding for finding in found)
+    assert any(
+        "off the road, where the wheel feels none: compare the radii" in finding
+        for finding in found
+    )
 
 
 def test_axles_have_numbers_of_their_own(element) -> None:
@@ -237,7 +283,9 @@ def test_axles_have_numbers_of_their_own(element) -> None:
         numbers={"stiffness": rates}, hold="first", rate=1000.0,
     )  # fmt: skip
     for channel in ("body.z", "body.pitch"):
-        np.testing.assert_allclose(run[channel], own[channel], rtol=0.0, atol=1e-4 * np.ptp(own[channel].values))
+        np.testing.assert_allclose(
+            run[channel], own[channel], rtol=0.0, atol=1e-4 * np.ptp(own[channel].values)
+        )
 
 
 @pytest.mark.slow
@@ -253,11 +301,19 @@ def test_a_3d_corner_with_an_element_in_an_fmu(element, place) -> None:
         "spring": {"stiffness": rate, "preload": preload},
         "tyre": {"stiffness": stiffness, "damping": rig.tyre.damping_coefficient, "pulls": 0.0},
     }[place]
-    softer = {"spring": {"strut.spring.rate": 0.9 * rate}, "tyre": {"tyre.stiffness": 0.9 * stiffness}}[place]
-    runs = [element(rig.with_changes(softer), place, numbers=numbers, rate=rate) for rate in (2000.0, 4000.0)]
+    softer = {
+        "spring": {"strut.spring.rate": 0.9 * rate},
+        "tyre": {"tyre.stiffness": 0.9 * stiffness},
+    }[place]
+    runs = [
+        element(rig.with_changes(softer), place, numbers=numbers, rate=rate)
+        for rate in (2000.0, 4000.0)
+    ]
     for channel in ("sprung.z", "unsprung.z"):
         there = own[channel].values
-        coarse, fine = (float(np.abs(run[channel].values - there).max() / np.ptp(there)) for run in runs)
+        coarse, fine = (
+            float(np.abs(run[channel].values - there).max() / np.ptp(there)) for run in runs
+        )
         assert 1.8 < coarse / fine < 2.2
         assert fine < 5e-3
 
@@ -281,16 +337,28 @@ def test_a_controller_that_we_wrote_drives_our_car(tmp_path, law) -> None:
     assert made.parameters > 0
     own = jn.simulate(rig, TRIAL, control=law)
     actuator = jn.controller(law).actuator
-    fields = {"rate": jn.controller(law).rate, **({} if actuator is None else {"actuator": actuator})}
-    other = jn.simulate(rig, TRIAL, control=FmuControl(file=str(made.path), from_rest=True, trusted=True, **fields))
+    fields = {
+        "rate": jn.controller(law).rate,
+        **({} if actuator is None else {"actuator": actuator}),
+    }
+    other = jn.simulate(
+        rig, TRIAL, control=FmuControl(file=str(made.path), from_rest=True, trusted=True, **fields)
+    )
     for channel in ("front.command", "rear.command", "body.z"):
         assert np.ptp(own[channel].values) > 0.0
-        np.testing.assert_allclose(other[channel], own[channel], rtol=1e-9, atol=1e-9 * np.ptp(own[channel].values))
+        np.testing.assert_allclose(
+            other[channel], own[channel], rtol=1e-9, atol=1e-9 * np.ptp(own[channel].values)
+        )
 
 
 def test_a_controller_alone_is_valid_and_named(tmp_path) -> None:
     validation = pytest.importorskip("fmpy.validation")
-    made = jn.export_fmu(jn.load("audi-a6-quarter-car"), tmp_path / "law.fmu", control="skyhook", controller_only=True)
+    made = jn.export_fmu(
+        jn.load("audi-a6-quarter-car"),
+        tmp_path / "law.fmu",
+        control="skyhook",
+        controller_only=True,
+    )
     assert validation.validate_fmu(str(made.path)) == []
     assert "sprung.vz" in made.inputs
     assert not any(name.endswith("_rate") for name in made.inputs)
@@ -298,4 +366,9 @@ def test_a_controller_alone_is_valid_and_named(tmp_path) -> None:
     assert {v.name: v.unit for v in (*about.inputs, *about.outputs)}["sprung.vz"] == "m/s"
     for control in (None, "passive"):
         with pytest.raises(jn.DescriptionError, match="controller"):
-            jn.export_fmu(jn.load("audi-a6-quarter-car"), tmp_path / "no.fmu", control=control, controller_only=True)
+            jn.export_fmu(
+                jn.load("audi-a6-quarter-car"),
+                tmp_path / "no.fmu",
+                control=control,
+                controller_only=True,
+            )

@@ -15,7 +15,11 @@ FILE = Path(__file__).parents[1] / "files" / "fmu" / "pythonfmu" / "Skyhook.fmu"
 if this_platform() not in jn.read_fmu(FILE).platforms:
     pytest.skip(f"PythonFMU has no binary for {this_platform()}", allow_module_level=True)
 
-TRIAL = jn.Trial(road=jn.HalfSine(height="30 mm", length="0.5 m", start="0.5 m"), speed="10 m/s", duration="0.4 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="30 mm", length="0.5 m", start="0.5 m"),
+    speed="10 m/s",
+    duration="0.4 s",
+)
 INPUTS = {"v_body": "sprung.vz", "v_strut": "strut.velocity"}
 
 
@@ -38,7 +42,9 @@ def damper(measured, _):
 def test_the_law_of_another_tool_is_the_law_in_python(output, law, actuator) -> None:
     """In a process of its own and in this one, to the last bit."""
     rig = jn.load("audi-a6-quarter-car")
-    own = jn.simulate(rig, TRIAL, control=jn.PythonControl(function=law, actuator=actuator, rate=1000.0))
+    own = jn.simulate(
+        rig, TRIAL, control=jn.PythonControl(function=law, actuator=actuator, rate=1000.0)
+    )
     assert np.ptp(own["command"].values) > 3000.0
     for trusted in (False, True):
         there = FmuControl(
@@ -47,13 +53,19 @@ def test_the_law_of_another_tool_is_the_law_in_python(output, law, actuator) -> 
         run = jn.simulate(rig, TRIAL, control=there)
         for channel in ("command", "sprung.z", "tyre.force"):
             np.testing.assert_array_equal(run[channel], own[channel])
-        assert any("v_body: it has no unit: taken for m/s" in finding for finding in run.attrs["findings"])
+        assert any(
+            "v_body: it has no unit: taken for m/s" in finding for finding in run.attrs["findings"]
+        )
 
 
 def test_another_tool_is_named_and_heard() -> None:
     (finding,) = jn.read_fmu(FILE).findings
     assert str(finding).startswith("warning")
     assert "it needs the tool PythonFMU 0.7.0" in str(finding)
-    law = FmuControl(file=str(FILE), inputs=INPUTS, output="command", parameters={"fails_after": 0.1})
-    with pytest.raises(jn.SimulationError, match=r"(?s)the step from 0.101 s gave fatal error.*the valve is stuck"):
+    law = FmuControl(
+        file=str(FILE), inputs=INPUTS, output="command", parameters={"fails_after": 0.1}
+    )
+    with pytest.raises(
+        jn.SimulationError, match=r"(?s)the step from 0.101 s gave fatal error.*the valve is stuck"
+    ):
         jn.simulate(jn.load("audi-a6-quarter-car"), TRIAL, control=law)

@@ -24,13 +24,22 @@ if COMPILER is None:
 
 OK, WARNING, ERROR = 0, 1, 3
 LOG_2 = ctypes.CFUNCTYPE(
-    None, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p, ctypes.c_char_p
+    None,
+    ctypes.c_void_p,
+    ctypes.c_char_p,
+    ctypes.c_int,
+    ctypes.c_char_p,
+    ctypes.c_char_p,
+    ctypes.c_char_p,
 )
 LOG_3 = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p)
 
 
 class Callbacks(ctypes.Structure):
-    _fields_ = (("logger", LOG_2), *((name, ctypes.c_void_p) for name in ("allocate", "free", "finished", "of")))
+    _fields_ = (
+        ("logger", LOG_2),
+        *((name, ctypes.c_void_p) for name in ("allocate", "free", "finished", "of")),
+    )
 
 
 class Called:
@@ -42,19 +51,38 @@ class Called:
         self.library = ctypes.CDLL(str(folder / self.about.binary()))
         self.two, self.log = self.about.version == 2, []
         self.references = {
-            v.name: v.reference for v in (*self.about.inputs, *self.about.outputs, *self.about.parameters)
+            v.name: v.reference
+            for v in (*self.about.inputs, *self.about.outputs, *self.about.parameters)
         }
         token = self.about.token.encode()
         if self.two:
             self.logger = LOG_2(
-                lambda _, _name, status, _category, _text, said: self.log.append((status, said.decode()))
+                lambda _, _name, status, _category, _text, said: self.log.append(
+                    (status, said.decode())
+                )
             )
             self.callbacks = Callbacks(self.logger, None, None, None, None)
             given = (b"one", 1, token, b"", ctypes.byref(self.callbacks), 0, 0)
         else:
-            self.logger = LOG_3(lambda _, status, _category, said: self.log.append((status, said.decode())))
-            given = (b"one", token, b"", False, False, False, False, None, ctypes.c_size_t(0), None, self.logger)
-        make = self.library[f"fmi{self.about.version}Instantiate{'' if self.two else 'CoSimulation'}"]
+            self.logger = LOG_3(
+                lambda _, status, _category, said: self.log.append((status, said.decode()))
+            )
+            given = (
+                b"one",
+                token,
+                b"",
+                False,
+                False,
+                False,
+                False,
+                None,
+                ctypes.c_size_t(0),
+                None,
+                self.logger,
+            )
+        make = self.library[
+            f"fmi{self.about.version}Instantiate{'' if self.two else 'CoSimulation'}"
+        ]
         make.restype = ctypes.c_void_p
         self.it = ctypes.c_void_p(make(*given) if self.two else make(*given, None))
 
@@ -62,16 +90,30 @@ class Called:
         return self.library[f"fmi{self.about.version}{name}"](self.it, *given)
 
     def begin(self, start: float = 0.0, stop: float | None = None) -> int:
-        told = (False, ctypes.c_double(0.0), ctypes.c_double(start), stop is not None, ctypes.c_double(stop or 0.0))
+        told = (
+            False,
+            ctypes.c_double(0.0),
+            ctypes.c_double(start),
+            stop is not None,
+            ctypes.c_double(stop or 0.0),
+        )
         if self.two:
             status = self.call("SetupExperiment", *told)
-            return status or self.call("EnterInitializationMode") or self.call("ExitInitializationMode")
+            return (
+                status
+                or self.call("EnterInitializationMode")
+                or self.call("ExitInitializationMode")
+            )
         return self.call("EnterInitializationMode", *told) or self.call("ExitInitializationMode")
 
     def step(self, t: float, h: float) -> int:
         flags, reached = (ctypes.c_bool * 3)(), ctypes.c_double()
         at = ctypes.addressof(flags)
-        more = () if self.two else (*(ctypes.c_void_p(at + i) for i in range(3)), ctypes.byref(reached))
+        more = (
+            ()
+            if self.two
+            else (*(ctypes.c_void_p(at + i) for i in range(3)), ctypes.byref(reached))
+        )
         return self.call("DoStep", ctypes.c_double(t), ctypes.c_double(h), True, *more)
 
     def _numbers(self, names, values):
@@ -105,16 +147,22 @@ def made(request, tmp_path_factory):
     """The kart with a controller, exported."""
     folder = tmp_path_factory.mktemp("receiver")
     file, version = folder / "kart.fmu", request.param
-    jn.export_fmu(jn.load("kart-quarter-car"), file, version=version, control="skyhook", platforms=())
+    jn.export_fmu(
+        jn.load("kart-quarter-car"), file, version=version, control="skyhook", platforms=()
+    )
     with zipfile.ZipFile(file) as archive:
         archive.extractall(folder)
     parts = [str(folder / "sources" / name) for name in ("model.c", "core.c", f"fmi{version}.c")]
     library = folder / "library"
     words = [*COMPILER[1], "-std=c99", "-O0", "-fPIC", "-shared", *parts, "-o", str(library), "-lm"]
-    subprocess.run(words, check=True, capture_output=True)  # nothing is optimised: that takes seconds
+    subprocess.run(
+        words, check=True, capture_output=True
+    )  # nothing is optimised: that takes seconds
     kind = PLATFORMS[HERE]
     with zipfile.ZipFile(file, "a") as archive:
-        archive.write(library, f"binaries/{HERE if version == 3 else kind.fmi2}/{FILE}{kind.suffix}")
+        archive.write(
+            library, f"binaries/{HERE if version == 3 else kind.fmi2}/{FILE}{kind.suffix}"
+        )
     return file
 
 

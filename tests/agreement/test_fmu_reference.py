@@ -21,7 +21,9 @@ FILES = {version: FOLDER / f"Feedthrough-{version}.fmu" for version in (2, 3)}
 if this_platform() not in jn.read_fmu(FILES[3]).platforms:
     pytest.skip(f"no binary for {this_platform()}", allow_module_level=True)
 
-TRIAL = jn.Trial(road=jn.HalfSine(height="30 mm", length="1 m", start="0.5 m"), speed="5 m/s", duration="0.8 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="30 mm", length="1 m", start="0.5 m"), speed="5 m/s", duration="0.8 s"
+)
 ACTUATOR = jn.ActiveActuator(lag=0.0, force_limit=1e5)
 EACH = {  # a value of every type
     2: {"Int32_input": -7, "Boolean_input": True, "String_input": "a text — of more", "Enumeration_input": 2},
@@ -42,7 +44,9 @@ def test_what_goes_in_comes_out(version, way) -> None:
         file=str(FILES[version]), inputs={f"Float64_{way}_input": "strut.velocity"}, output=f"Float64_{way}_output",
         parameters={"Float64_fixed_parameter": 3.0, **EACH[version]}, actuator=ACTUATOR, rate=10.0,
     )  # fmt: skip
-    own = jn.PythonControl(function=lambda measured, _: measured["strut.velocity"], actuator=ACTUATOR, rate=10.0)
+    own = jn.PythonControl(
+        function=lambda measured, _: measured["strut.velocity"], actuator=ACTUATOR, rate=10.0
+    )
     run, same = (jn.simulate(rig, TRIAL, control=control) for control in (law, own))
     assert np.ptp(same["command"].values) > 0.1
     for channel in ("command", "sprung.z", "tyre.force"):
@@ -63,7 +67,12 @@ def test_what_it_is_not_made_for_is_refused() -> None:
         ({"parameters": {"UInt8_input": 300}}, "beyond what its type holds.*300.*UInt8"),
         ({"parameters": {"Int32_input": 2**40}}, "beyond what its type holds"),
     ):
-        given = {"output": "Float64_continuous_output", "actuator": ACTUATOR, "rate": 10.0, **changes}
+        given = {
+            "output": "Float64_continuous_output",
+            "actuator": ACTUATOR,
+            "rate": 10.0,
+            **changes,
+        }
         with pytest.raises(jn.DescriptionError, match=what):
             jn.simulate(rig, TRIAL, control=FmuControl(file=str(FILES[3]), **given))
 
@@ -81,13 +90,18 @@ def test_a_sweep_tells_what_its_fmus_found_once(tmp_path, monkeypatch) -> None:
         actuator=ACTUATOR, rate=500.0,
     )  # fmt: skip
     monkeypatch.setattr(shards, "_size", lambda *_: 2)
-    given = {"variants": {"strut.damper.coefficient": [1000.0, 1500.0, 2000.0]}, "metrics": ["max strut.velocity"]}
+    given = {
+        "variants": {"strut.damper.coefficient": [1000.0, 1500.0, 2000.0]},
+        "metrics": ["max strut.velocity"],
+    }
     trial = jn.Trial(road=TRIAL.road, speed=TRIAL.speed, duration=0.3)
     rig = jn.load("audi-a6-quarter-car")
     found = jn.simulate_many(rig, trial, **given, control=law)
     kept = jn.simulate_many(rig, trial, **given, control=law, out=tmp_path / "out")
     for one in (found, kept, jn.load_sweep(tmp_path / "out")):
-        told = [str(finding) for finding in summarise(one).findings if "Feedthrough" in finding.place]
+        told = [
+            str(finding) for finding in summarise(one).findings if "Feedthrough" in finding.place
+        ]
         assert [text for text in told if "3 of 3 variants: its force is held for 2 ms" in text]
         assert len(told) == 4  # inputs without a connection, two units, the work
         assert all("3 of 3 variants" in text for text in told)
@@ -95,7 +109,11 @@ def test_a_sweep_tells_what_its_fmus_found_once(tmp_path, monkeypatch) -> None:
 
 def test_findings_are_counted_by_what_they_say() -> None:
     tally = Tally()
-    texts = "note: a1.fmu: v[1]: held for {} ms", "note: a1.fmu: v[2]: held for 0.5 ms", "warning: a1.fmu: held"
+    texts = (
+        "note: a1.fmu: v[1]: held for {} ms",
+        "note: a1.fmu: v[2]: held for 0.5 ms",
+        "warning: a1.fmu: held",
+    )
     tally.add(findings_of({"findings": [texts[0].format("0.5"), texts[1]]}))
     tally.add(findings_of({"findings": [texts[0].format("1.5e-05"), texts[2]]}))
     tally.add([finding("control.no_unit", "a1.fmu", unit="m")])
@@ -107,23 +125,38 @@ def test_findings_are_counted_by_what_they_say() -> None:
         ("note: a1.fmu: it has no unit: taken for m.", 1),
     ]
     again = Tally()
-    again.merge({name: json.dumps(value) if isinstance(value, list) else value for name, value in found.items()})
+    again.merge(
+        {
+            name: json.dumps(value) if isinstance(value, list) else value
+            for name, value in found.items()
+        }
+    )
     assert again.attributes() == found  # as a file keeps them
-    assert again.findings(3)[-1].sentence("de") == "1 von 3 Varianten: hat keine Einheit: als m genommen."
+    assert (
+        again.findings(3)[-1].sentence("de")
+        == "1 von 3 Varianten: hat keine Einheit: als m genommen."
+    )
     assert Tally().attributes() == {}
 
 
 WHOLE = [(2, "Int32"), *((3, f"{sign}Int{bits}") for sign in ("", "U") for bits in (8, 16, 32, 64))]
 
 
-@pytest.mark.parametrize(("version", "kind"), [*WHOLE, (3, "Float32_continuous"), (3, "Float32_discrete")])
+@pytest.mark.parametrize(
+    ("version", "kind"), [*WHOLE, (3, "Float32_continuous"), (3, "Float32_discrete")]
+)
 def test_measurements_in_counts_come_out_again(version, kind) -> None:
     """A load in counts of 100 N, as a converter gives it; between two a measurement is refused without counts."""
     rig = jn.load("audi-a6-quarter-car")
     names = f"{kind}_input", f"{kind}_output"
     is_single = kind.startswith("Float")
     channel = "strut.velocity" if is_single else "tyre.force"
-    fields = {"file": str(FILES[version]), "inputs": {names[0]: channel}, "output": names[1], "rate": 10.0}
+    fields = {
+        "file": str(FILES[version]),
+        "inputs": {names[0]: channel},
+        "output": names[1],
+        "rate": 10.0,
+    }
     counts = {} if is_single else {names[0]: "100 N", names[1]: "1 N"}
     run = jn.simulate(rig, TRIAL, control=FmuControl(**fields, counts=counts, actuator=ACTUATOR))
     kept = (lambda f: float(round(f / 100.0))) if counts else (lambda f: float(np.float32(f)))
@@ -133,16 +166,22 @@ def test_measurements_in_counts_come_out_again(version, kind) -> None:
     np.testing.assert_array_equal(run["command"], same["command"])
     if counts:
         with pytest.raises(
-            jn.SimulationError, match=r"whole numbers.*allowed: whole numbers from .* Say what a count is"
+            jn.SimulationError,
+            match=r"whole numbers.*allowed: whole numbers from .* Say what a count is",
         ):
             jn.simulate(rig, TRIAL, control=FmuControl(**fields, actuator=ACTUATOR))
 
 
 def test_a_measurement_beyond_its_type_is_refused() -> None:
-    fields = {"inputs": {"UInt8_input": "tyre.force"}, "output": "UInt8_output", "counts": {"UInt8_input": "1 N"}}
+    fields = {
+        "inputs": {"UInt8_input": "tyre.force"},
+        "output": "UInt8_output",
+        "counts": {"UInt8_input": "1 N"},
+    }
     law = FmuControl(file=str(FILES[3]), actuator=ACTUATOR, rate=10.0, **fields)
     with pytest.raises(
-        jn.SimulationError, match=r"tyre.force is beyond what the input UInt8_input holds.*from 0 to 255"
+        jn.SimulationError,
+        match=r"tyre.force is beyond what the input UInt8_input holds.*from 0 to 255",
     ):
         jn.simulate(jn.load("audi-a6-quarter-car"), TRIAL, control=law)
 
@@ -150,14 +189,18 @@ def test_a_measurement_beyond_its_type_is_refused() -> None:
 def test_a_matrix_of_gains_and_an_element_of_its_output() -> None:
     """y = C x + D u with x at rest is D u: the Reference FMU of arrays, of which one element of each is connected."""
     rig = jn.load("audi-a6-quarter-car")
-    long = jn.Trial(road=jn.HalfSine(height="30 mm", length="20 m", start="0 m"), speed="1 m/s", duration="3 s")
+    long = jn.Trial(
+        road=jn.HalfSine(height="30 mm", length="20 m", start="0 m"), speed="1 m/s", duration="3 s"
+    )
     law = FmuControl(
         file=str(FOLDER / "StateSpace-3.fmu"), inputs={"u[2]": "strut.deflection"}, output="y[3]", rate=1.0,
         actuator=ACTUATOR,
         parameters={"A": [[0.0] * 3] * 3, "B": [[0.0] * 3] * 3, "D[3,2]": 1000.0, "D[3,3]": 0.0, "u[3]": 7.0},
     )  # fmt: skip
     run = jn.simulate(rig, long, control=law)
-    own = jn.PythonControl(function=lambda m, _: 1000.0 * m["strut.deflection"], actuator=ACTUATOR, rate=1.0)
+    own = jn.PythonControl(
+        function=lambda m, _: 1000.0 * m["strut.deflection"], actuator=ACTUATOR, rate=1.0
+    )
     same = jn.simulate(rig, long, control=own)
     assert np.ptp(same["command"].values) > 0.01
     np.testing.assert_allclose(run["command"], same["command"], rtol=1e-12)

@@ -37,7 +37,9 @@ def off(path: Path, folder: Path, channels: list[str]) -> float:
     def values(t: float) -> list[float]:
         return [float(kept[name][round(1e3 * t)]) for name in inputs]
 
-    found = fmu_master.cosimulate(fmu, fmu_master.Course(inputs, values, []), 0.3, 1e-3, channels, 1e-8)
+    found = fmu_master.cosimulate(
+        fmu, fmu_master.Course(inputs, values, []), 0.3, 1e-3, channels, 1e-8
+    )
     fmu.close()
     wanted = np.array([kept[channel] for channel in channels]).T
     assert np.all(np.ptp(wanted, axis=0) > 0.0)
@@ -53,19 +55,27 @@ def off(path: Path, folder: Path, channels: list[str]) -> float:
     compares="a quarter car on a EUSAMA plate",
 )
 def test_a_rig_on_a_tester(tmp_path: Path) -> None:
-    made = jn.export_fmu(jn.load("audi-a6-quarter-car"), tmp_path / "plate.fmu", tester="eusama", adjoint=False)
+    made = jn.export_fmu(
+        jn.load("audi-a6-quarter-car"), tmp_path / "plate.fmu", tester="eusama", adjoint=False
+    )
     assert validation.validate_fmu(str(made.path)) == []
     assert made.inputs[:2] == ("excenter.angle", "excenter.angle_rate")
     difference = off(made.path, tmp_path, ["plate.z", "plate.force", "tyre.force", "unsprung.z"])
     assert difference == pytest.approx(0.0, abs=1e-5)
     description = fmpy.read_model_description(str(made.path))
     units = {v.name: v.unit for v in description.modelVariables}
-    assert (units["tester.amplitude"], units["tester.plate_mass"], units["excenter.angle"]) == ("m", "kg", "rad")
+    assert (units["tester.amplitude"], units["tester.plate_mass"], units["excenter.angle"]) == (
+        "m",
+        "kg",
+        "rad",
+    )
 
 
 @pytest.mark.slow
 def test_an_axle_on_sprung_plates(tmp_path: Path) -> None:
-    made = jn.export_fmu(jn.load("audi-a6-full-car"), tmp_path / "axle.fmu", tester="boge", axle="rear", version=2)
+    made = jn.export_fmu(
+        jn.load("audi-a6-full-car"), tmp_path / "axle.fmu", tester="boge", axle="rear", version=2
+    )
     assert validation.validate_fmu(str(made.path)) == []
     assert off(made.path, tmp_path, ["left.plate.z", "right.tyre.force", "body.z"]) < 1e-5
 
@@ -107,4 +117,6 @@ def test_what_does_not_go_together(tmp_path: Path) -> None:
     with pytest.raises(jn.DescriptionError, match="a mechanism has no control"):
         jn.export_fmu(four_bar(), tmp_path / "a.fmu", control="skyhook")
     with pytest.raises(jn.DescriptionError, match="on a tester is not controlled"):
-        jn.export_fmu(jn.load("kart-quarter-car"), tmp_path / "a.fmu", control="skyhook", tester="eusama")
+        jn.export_fmu(
+            jn.load("kart-quarter-car"), tmp_path / "a.fmu", control="skyhook", tester="eusama"
+        )

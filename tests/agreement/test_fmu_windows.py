@@ -25,13 +25,25 @@ def course(tmp_path_factory):
     """Courses of the tyre's force as the runner prints them, by rig and platform."""
     if WINE is None:
         pytest.skip("Wine is not installed (Debian: apt-get install wine64 wine)")
-    pytest.importorskip("ziglang", reason="the library for Windows is compiled by zig, of the extra fmu")
+    pytest.importorskip(
+        "ziglang", reason="the library for Windows is compiled by zig, of the extra fmu"
+    )
     folder = tmp_path_factory.mktemp("windows")
     here, windows = this_platform(), "x86_64-windows"
     runners = {}
     for name in (here, windows):
         target, runners[name] = PLATFORMS[name], folder / f"runner-{name}.exe"
-        words = [sys.executable, "-P", "-m", "ziglang", "cc", "-target", target.target, "-O1", str(RUNNER)]
+        words = [
+            sys.executable,
+            "-P",
+            "-m",
+            "ziglang",
+            "cc",
+            "-target",
+            target.target,
+            "-O1",
+            str(RUNNER),
+        ]
         words += ["-lm", *(["-ldl"] if name == here else []), "-o", str(runners[name])]
         subprocess.run(words, check=True, capture_output=True)
 

@@ -23,7 +23,10 @@ BODY = ("sprung.distance", "attitude.angle", "attitude.second_angle")
 
 def functions(model):
     symbols = [model.x, model.u, model.p, model.m]
-    return {name: ca.Function(name, symbols, [getattr(model, name)]) for name in ("output", "projection", "switch")}
+    return {
+        name: ca.Function(name, symbols, [getattr(model, name)])
+        for name in ("output", "projection", "switch")
+    }
 
 
 def values_of(model, values):
@@ -43,7 +46,14 @@ def matrix(e):
 
 def quaternion(r):
     w = np.sqrt(1.0 + np.trace(r)) / 2.0
-    return np.array([w, (r[2, 1] - r[1, 2]) / (4 * w), (r[0, 2] - r[2, 0]) / (4 * w), (r[1, 0] - r[0, 1]) / (4 * w)])
+    return np.array(
+        [
+            w,
+            (r[2, 1] - r[1, 2]) / (4 * w),
+            (r[0, 2] - r[2, 0]) / (4 * w),
+            (r[1, 0] - r[0, 1]) / (4 * w),
+        ]
+    )
 
 
 def state(model, seed):
@@ -65,8 +75,12 @@ def in_ground_axes(model, x, values):
     n_q = len(model.coordinates)
     pitch, roll = (x[model.coordinates.index(name)] for name in BODY[1:])
     pitching, rolling = (x[n_q + model.speeds.index(f"{name} rate")] for name in BODY[1:])
-    about_y = np.array([[np.cos(pitch), 0, np.sin(pitch)], [0, 1, 0], [-np.sin(pitch), 0, np.cos(pitch)]])
-    about_x = np.array([[1, 0, 0], [0, np.cos(roll), -np.sin(roll)], [0, np.sin(roll), np.cos(roll)]])
+    about_y = np.array(
+        [[np.cos(pitch), 0, np.sin(pitch)], [0, 1, 0], [-np.sin(pitch), 0, np.cos(pitch)]]
+    )
+    about_x = np.array(
+        [[1, 0, 0], [0, np.cos(roll), -np.sin(roll)], [0, np.sin(roll), np.cos(roll)]]
+    )
     spin = np.array([rolling, pitching * np.cos(roll), -pitching * np.sin(roll)])
     found = x.copy()
     for i, name in enumerate(model.coordinates):
@@ -99,10 +113,14 @@ def design_place(coordinate, values):
 SOFT = {"stiffness": [1e6] * 3, "damping": [100.0] * 3, "rotational_stiffness": [20.0] * 3}
 ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
 CARS = {
-    "bushings": jn.load("formula-student-car").with_changes({"front.corner.bushings": dict.fromkeys(ARMS, SOFT)}),
+    "bushings": jn.load("formula-student-car").with_changes(
+        {"front.corner.bushings": dict.fromkeys(ARMS, SOFT)}
+    ),
     "double wishbones": jn.load("formula-student-car"),
     "multi-link behind": jn.load("sedan-full-car-3d"),
-    "radial tyres": jn.load("formula-student-car").with_changes({"front.corner.tyre.law": "radial"}),
+    "radial tyres": jn.load("formula-student-car").with_changes(
+        {"front.corner.tyre.law": "radial"}
+    ),
 }
 
 
@@ -116,11 +134,16 @@ def both(name):
 def moving(shipped, twin, functions, vehicle, seed):
     """Arguments of both models in any motion with closed loops."""
     x, u = state(shipped, seed)
-    modes, p, q = np.ones(shipped.m.shape[0]), *(values_of(model, vehicle.parameters()) for model in (shipped, twin))
+    modes, p, q = (
+        np.ones(shipped.m.shape[0]),
+        *(values_of(model, vehicle.parameters()) for model in (shipped, twin)),
+    )
     for _ in range(6):
         x = functions["projection"](x, u, p, modes).full().ravel()[: len(x)]
     order = shipped.track_order
-    inputs = np.concatenate([u[shipped.tracks.index(track) * order :][:order] for track in twin.tracks])
+    inputs = np.concatenate(
+        [u[shipped.tracks.index(track) * order :][:order] for track in twin.tracks]
+    )
     return (x, u, p, modes), (in_ground_axes(shipped, x, vehicle.parameters()), inputs, q, modes)
 
 
@@ -156,7 +179,9 @@ def test_reactions_and_hardpoints_agree_in_any_motion(name):
     )
     # The torque of a rack is given where its frame begins: the middle of the car on the road, or the body's centre.
     both = [name for name in found if name in wanted and ".rack.t" not in name]
-    reactions = [name for name in both if name.rpartition(".")[2] in ("fx", "fy", "fz", "tx", "ty", "tz")]
+    reactions = [
+        name for name in both if name.rpartition(".")[2] in ("fx", "fy", "fz", "tx", "ty", "tz")
+    ]
     assert len(reactions) > 4 * 6 * 6
     size = max(abs(wanted[name]) for name in reactions)
     assert size > 1e3
@@ -186,8 +211,14 @@ def test_code_with_corners_side_by_side_gives_what_the_graph_gives():
 
 def test_free_motion_without_dampers_keeps_its_energy():
     """Kinetic energy and height by the twin, springs and tyres by their forces; all of it is exchanged, none lost."""
-    ways = [f"{end}.corner.strut.damper.{way}_coefficient" for end in ("front", "rear") for way in ("bump", "rebound")]
-    loose = dict.fromkeys([*ways, *(f"{end}.corner.tyre.damping_coefficient" for end in ("front", "rear"))], 0.0)
+    ways = [
+        f"{end}.corner.strut.damper.{way}_coefficient"
+        for end in ("front", "rear")
+        for way in ("bump", "rebound")
+    ]
+    loose = dict.fromkeys(
+        [*ways, *(f"{end}.corner.tyre.damping_coefficient" for end in ("front", "rear"))], 0.0
+    )
     bars = {f"{end}.anti_roll_bar_rate": 0.0 for end in ("front", "rear")}
     vehicle = jn.load("formula-student-car").with_changes({**loose, **bars})
     compiled, twin = compile_rig(vehicle), full_car_in_ground_axes(vehicle)
@@ -197,7 +228,9 @@ def test_free_motion_without_dampers_keeps_its_energy():
     still = [flat(1.0) for _ in compiled.facts.tracks]
     found = solve(compiled, p, still, times, tolerance=1e-10, offset=offset)
     rows = {name: i for i, name in enumerate(compiled.output_names)}
-    corners = [(corner, getattr(vehicle, corner.split("_")[0]).corner) for corner in vehicle.corners]
+    corners = [
+        (corner, getattr(vehicle, corner.split("_")[0]).corner) for corner in vehicle.corners
+    ]
     assert min(found.outputs[rows[f"{corner}.tyre.force"]].min() for corner, _ in corners) > 0.0
     stored = np.zeros(len(times))
     for corner, rig in corners:

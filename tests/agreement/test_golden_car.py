@@ -39,8 +39,14 @@ def golden_car() -> jn.Rig:
 def test_its_modes(golden_car: jn.Rig) -> None:
     # computed from the constants of the paper, four digits
     body, hop = jn.modes(golden_car)
-    assert (body.frequency_hz, hop.frequency_hz) == (pytest.approx(1.2363, abs=6e-5), pytest.approx(10.7554, abs=6e-5))
-    assert (body.damping_ratio, hop.damping_ratio) == (pytest.approx(0.3334, abs=6e-5), pytest.approx(0.3020, abs=6e-5))
+    assert (body.frequency_hz, hop.frequency_hz) == (
+        pytest.approx(1.2363, abs=6e-5),
+        pytest.approx(10.7554, abs=6e-5),
+    )
+    assert (body.damping_ratio, hop.damping_ratio) == (
+        pytest.approx(0.3334, abs=6e-5),
+        pytest.approx(0.3020, abs=6e-5),
+    )
 
 
 def test_its_response(golden_car: jn.Rig) -> None:

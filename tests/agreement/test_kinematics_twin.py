@@ -132,15 +132,21 @@ def test_steering_ratio_and_virtual_axis(name: str) -> None:
         assert float(found["steer_gain"][k]) == pytest.approx(ratio, rel=1e-9)
         if rig.model == "five-link":
             _, along = twin.virtual_axis(pose)
-            assert float(found["caster"][k]) == pytest.approx(np.arctan2(-along[0], along[2]), abs=1e-10)
-            assert float(found["kingpin_inclination"][k]) == pytest.approx(np.arctan2(-along[1], along[2]), abs=1e-10)
+            assert float(found["caster"][k]) == pytest.approx(
+                np.arctan2(-along[0], along[2]), abs=1e-10
+            )
+            assert float(found["kingpin_inclination"][k]) == pytest.approx(
+                np.arctan2(-along[1], along[2]), abs=1e-10
+            )
 
 
 @pytest.mark.parametrize("name", ["reference-double-wishbone", "sedan-multi-link"])
 def test_joint_loads(name: str) -> None:
     rig = loaded(name)
     twin, travel = twin_of(rig), (-0.04, 0.0, 0.04)
-    load = ContactLoad(longitudinal_force=500.0, lateral_force=-2000.0, vertical_force=4000.0, aligning_torque=30.0)
+    load = ContactLoad(
+        longitudinal_force=500.0, lateral_force=-2000.0, vertical_force=4000.0, aligning_torque=30.0
+    )
     found = jn.pickup_loads(rig, load, travel)
     names: dict[tuple[float, ...], list[str]] = {}  # links may share a point
     for point, place in rig.hardpoints.given().items():
@@ -149,5 +155,8 @@ def test_joint_loads(name: str) -> None:
         expected = twin.contact_loads(z, (500.0, -2000.0, 4000.0), (0.0, 0.0, 30.0))
         assert float(found["spring.force"][k]) == pytest.approx(expected["spring_force"], rel=1e-9)
         for place, force in expected["on_upright"].items():
-            own = [-sum(float(found[f"{point}.f{axis}"][k]) for point in names[tuple(place)]) for axis in "xyz"]
+            own = [
+                -sum(float(found[f"{point}.f{axis}"][k]) for point in names[tuple(place)])
+                for axis in "xyz"
+            ]
             assert own == pytest.approx(force, rel=1e-8, abs=1e-6), (place, z)

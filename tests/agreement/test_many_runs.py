@@ -13,7 +13,12 @@ from jounce.variants import many as module
 pytestmark = pytest.mark.usefixtures("optimised")
 
 METRICS = {
-    "audi-a6-quarter-car": ["rms sprung.az", "mean tyre.force", "min tyre.force", "range strut.deflection"],
+    "audi-a6-quarter-car": [
+        "rms sprung.az",
+        "mean tyre.force",
+        "min tyre.force",
+        "range strut.deflection",
+    ],
     "audi-a6-half-car": ["rms body.az", "max strut.deflection", "rms sprung.az"],
     "audi-a6-full-car": ["rms body.az", "range tyre.force", "mean strut.deflection"],
 }
@@ -26,8 +31,14 @@ SPREADS = {
 }  # fmt: skip
 
 
-def course(grade: str = "A", speed: str = "20 m/s", duration: str = "2 s", seed: int = 1) -> jn.Trial:
-    return jn.Trial(road=jn.Iso8608(**{"class": grade}, seed=seed, length="100 m"), speed=speed, duration=duration)
+def course(
+    grade: str = "A", speed: str = "20 m/s", duration: str = "2 s", seed: int = 1
+) -> jn.Trial:
+    return jn.Trial(
+        road=jn.Iso8608(**{"class": grade}, seed=seed, length="100 m"),
+        speed=speed,
+        duration=duration,
+    )
 
 
 @pytest.fixture
@@ -46,7 +57,9 @@ def same(first, second, rel=1e-11):
     for name in first.data_vars:
         if name != "reason":
             scale = float(np.nanmax(np.abs(second[name])))
-            assert first[name].values == pytest.approx(second[name].values, rel=rel, abs=rel * scale, nan_ok=True), name
+            assert first[name].values == pytest.approx(
+                second[name].values, rel=rel, abs=rel * scale, nan_ok=True
+            ), name
 
 
 @pytest.mark.parametrize("name", METRICS)
@@ -59,8 +72,12 @@ def test_side_by_side_gives_what_single_runs_give(name, one_by_one):
 
 def test_jumps_of_the_road_blow_side_by_side_as_in_single_runs(one_by_one):
     rig, asked = jn.load("audi-a6-quarter-car"), ["rms sprung.az", "max sprung.z", "min tyre.force"]
-    trial = jn.Trial(road=jn.Rectangle(height="10 mm", length="60 mm", start="1 m"), speed=5.0, duration=0.6)
-    design = jn.sobol({"sprung.mass": "20 %", "tyre.damping_coefficient": ["0 N*s/m", "1000 N*s/m"]}, 8, seed=2)
+    trial = jn.Trial(
+        road=jn.Rectangle(height="10 mm", length="60 mm", start="1 m"), speed=5.0, duration=0.6
+    )
+    design = jn.sobol(
+        {"sprung.mass": "20 %", "tyre.damping_coefficient": ["0 N*s/m", "1000 N*s/m"]}, 8, seed=2
+    )
     found = jn.simulate_many(rig, trial, design, metrics=asked)
     assert found.attrs["side_by_side"] == 8
     same(found, one_by_one(rig, trial, design, metrics=asked), rel=1e-9)  # of slopes of 1e5
@@ -68,7 +85,11 @@ def test_jumps_of_the_road_blow_side_by_side_as_in_single_runs(one_by_one):
 
 def test_what_sweeps_over_one_trial_share_is_no_others(one_by_one):
     """What is laid out for a rig over a trial is kept beside the trial: another rig or step has its own."""
-    rig, trial, design = jn.load("audi-a6-quarter-car"), course(), jn.sobol({"sprung.mass": "20 %"}, 8)
+    rig, trial, design = (
+        jn.load("audi-a6-quarter-car"),
+        course(),
+        jn.sobol({"sprung.mass": "20 %"}, 8),
+    )
     first = jn.simulate_many(rig, trial, design, metrics="rms sprung.az")
     softer = rig.with_changes({"strut.spring.rate": "15 N/mm"})
     for other, step in ((softer, 1e-3), (rig, 2e-3)):
@@ -102,7 +123,9 @@ def test_samples_as_close_or_far_apart_as_wanted(step, one_by_one):
 @pytest.mark.parametrize("seed", range(4))
 def test_variants_whose_tyres_lift_off_come_back_to_the_others(seed, one_by_one):
     rig, trial = jn.load("audi-a6-quarter-car"), course("D", "25 m/s", seed=seed)
-    design = jn.sobol({"strut.damper.coefficient": "90 %", "sprung.mass": ["200 kg", "1500 kg"]}, 24, seed=seed)
+    design = jn.sobol(
+        {"strut.damper.coefficient": "90 %", "sprung.mass": ["200 kg", "1500 kg"]}, 24, seed=seed
+    )
     found = jn.simulate_many(rig, trial, design, metrics=["min tyre.force", "rms sprung.az"])
     alone = one_by_one(rig, trial, design, metrics=["min tyre.force", "rms sprung.az"])
     same(found, alone)
@@ -112,7 +135,9 @@ def test_variants_whose_tyres_lift_off_come_back_to_the_others(seed, one_by_one)
 
 
 LAWS = {
-    "two-slope damper": {"strut.damper": {"bump_coefficient": 1200.0, "rebound_coefficient": 3500.0}},
+    "two-slope damper": {
+        "strut.damper": {"bump_coefficient": 1200.0, "rebound_coefficient": 3500.0}
+    },
     "damper of a table, tyre with damping": {
         "strut.damper": {
             "velocity": [-1.0, -0.2, -0.05, 0.05, 0.2, 1.0],
@@ -130,7 +155,9 @@ OBSTACLES = {
         interpolation="cubic",
     ),
     "sines": lambda seed: jn.Train(
-        of=jn.HalfSine(height="60 mm", length=f"{0.5 + 0.1 * seed} m", start="1.3 m"), count=4, pitch="3.1 m"
+        of=jn.HalfSine(height="60 mm", length=f"{0.5 + 0.1 * seed} m", start="1.3 m"),
+        count=4,
+        pitch="3.1 m",
     ),
     "steps": lambda seed: jn.Step(height=f"{-20 - 20 * seed} mm", start="1.0007 m"),
 }
@@ -138,7 +165,9 @@ OBSTACLES = {
 
 def events_of(rig, trial, design, metrics, one_by_one):
     """Compare both ways, of which the first must be side by side; give the number of events of the rig itself."""
-    found, alone = (run(rig, trial, design, metrics=metrics) for run in (jn.simulate_many, one_by_one))
+    found, alone = (
+        run(rig, trial, design, metrics=metrics) for run in (jn.simulate_many, one_by_one)
+    )
     same(found, alone)
     assert found.attrs["side_by_side"] == found.sizes["variant"]
     return jn.simulate(rig, trial).attrs["events"]
@@ -155,7 +184,10 @@ def test_events_of_all_kinds_on_all_roads(law, road, one_by_one):
 
 
 def test_four_wheels_that_lift_off_each_for_itself(one_by_one):
-    rig, road = jn.load("audi-a6-full-car"), jn.Iso8608(class_="E", seed=4, length="60 m", step="5 cm")
+    rig, road = (
+        jn.load("audi-a6-full-car"),
+        jn.Iso8608(class_="E", seed=4, length="60 m", step="5 cm"),
+    )
     trial = jn.Trial(road=road, right=road.other_track(), speed="22 m/s", duration="0.6 s")
     design = jn.sobol({"body.mass": "20 %", "front.spring_rate": "20 %"}, 6, seed=3)
     assert events_of(rig, trial, design, ["rms body.az", "min tyre.force"], one_by_one) > 20
@@ -168,10 +200,17 @@ def test_random_cases_side_by_side_are_those_one_by_one(seed, one_by_one):
     random = np.random.default_rng(seed)
     law, road = random.choice(list(LAWS)), random.choice(list(OBSTACLES))
     rig = jn.load("audi-a6-quarter-car").with_changes(LAWS[law])
-    trial = jn.Trial(road=OBSTACLES[road](seed % 7), speed=float(random.uniform(4.0, 30.0)), duration="2 s")
+    trial = jn.Trial(
+        road=OBSTACLES[road](seed % 7), speed=float(random.uniform(4.0, 30.0)), duration="2 s"
+    )
     spreads = {"sprung.mass": "40 %", "tyre.stiffness": "30 %", "unsprung.mass": "20 %"}
-    design, metrics = jn.latin_hypercube(spreads, 16, seed=seed), ["rms sprung.az", "min tyre.force", "max strut.force"]
-    found, alone = (run(rig, trial, design, metrics=metrics) for run in (jn.simulate_many, one_by_one))
+    design, metrics = (
+        jn.latin_hypercube(spreads, 16, seed=seed),
+        ["rms sprung.az", "min tyre.force", "max strut.force"],
+    )
+    found, alone = (
+        run(rig, trial, design, metrics=metrics) for run in (jn.simulate_many, one_by_one)
+    )
     assert found.attrs["side_by_side"] >= 8  # others touch a stop at rest, or are too fast
     same(found, alone, rel=1e-4)
     off = np.abs(found["rms sprung.az"] / alone["rms sprung.az"] - 1.0) > 1e-9
@@ -191,13 +230,23 @@ def test_results_keep_the_values_that_were_run():
 
 
 def test_results_do_not_depend_on_threads():
-    rig, design = jn.load("audi-a6-quarter-car"), jn.sobol({"strut.damper.coefficient": "50 %"}, 300)
-    runs = [jn.simulate_many(rig, course(), design, metrics=["rms sprung.az"], threads=n) for n in (1, 2, 3)]
+    rig, design = (
+        jn.load("audi-a6-quarter-car"),
+        jn.sobol({"strut.damper.coefficient": "50 %"}, 300),
+    )
+    runs = [
+        jn.simulate_many(rig, course(), design, metrics=["rms sprung.az"], threads=n)
+        for n in (1, 2, 3)
+    ]
     assert all(run.identical(runs[0]) for run in runs)
 
 
 def test_who_is_interrupted_leaves_nothing_to_the_other_threads(monkeypatch):
-    rig, trial, design = jn.load("audi-a6-quarter-car"), course(), jn.sobol({"sprung.mass": "20 %"}, 2000)
+    rig, trial, design = (
+        jn.load("audi-a6-quarter-car"),
+        course(),
+        jn.sobol({"sprung.mass": "20 %"}, 2000),
+    )
     asked = []
 
     def follow(work):
@@ -220,7 +269,9 @@ def however_short(monkeypatch):
 def test_mechanisms_are_shared_by_threads_and_are_those_of_simulate():
     rig = jn.load("kart-double-wishbone")
     trial = jn.Trial(
-        road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="1.95 m/s", duration="0.2 s"
+        road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"),
+        speed="1.95 m/s",
+        duration="0.2 s",
     )
     z = rig.parameters()["hardpoints.upper_ball_joint[2]"]
     changes = {
@@ -228,12 +279,25 @@ def test_mechanisms_are_shared_by_threads_and_are_those_of_simulate():
         "hardpoints.upper_ball_joint[2]": [z, z + 2e-3, z, z - 1e-3, z, z],
     }
     arguments = (rig, trial, changes)
-    runs = [jn.simulate_many(*arguments, metrics="max tyre.force", threads=count) for count in (1, 3)]
+    runs = [
+        jn.simulate_many(*arguments, metrics="max tyre.force", threads=count) for count in (1, 3)
+    ]
     assert runs[0].identical(runs[1])
-    assert [bool(reason) for reason in runs[0]["reason"].values] == [False, False, True, False, False, True]
+    assert [bool(reason) for reason in runs[0]["reason"].values] == [
+        False,
+        False,
+        True,
+        False,
+        False,
+        True,
+    ]
     for i in (0, 1, 3):
-        run = jn.simulate(rig.with_changes({path: values[i] for path, values in changes.items()}), trial)
-        expected = float(run["tyre.force"].max())  # to the tolerance: steps of a block fall elsewhere
+        run = jn.simulate(
+            rig.with_changes({path: values[i] for path, values in changes.items()}), trial
+        )
+        expected = float(
+            run["tyre.force"].max()
+        )  # to the tolerance: steps of a block fall elsewhere
         assert float(runs[0]["max tyre.force"][i]) == pytest.approx(expected, rel=1e-7)
 
 
@@ -241,7 +305,9 @@ def test_mechanisms_are_shared_by_threads_and_are_those_of_simulate():
 def test_threads_share_what_is_long(monkeypatch, long, alone):
     monkeypatch.setattr(module, "_LONG", long)
     taken, shared = [], []
-    monkeypatch.setattr(module, "share", lambda items, _, workers: shared.append((list(items), workers)))
+    monkeypatch.setattr(
+        module, "share", lambda items, _, workers: shared.append((list(items), workers))
+    )
     module._share_out(range(7), taken.extend, 3)
     assert taken == list(range(alone))
     assert shared == ([([2, 3, 4, 5, 6], 3)] if alone == 2 else [])
@@ -254,14 +320,22 @@ def test_over_circles_variants_step_side_by_side():
     rig = jn.load("audi-a6-quarter-car")
     road = jn.HalfCylinder(radius="20 mm", start="1 m")
     trial = jn.Trial(road=road, speed="10 m/s", duration="0.5 s")
-    many = jn.simulate_many(rig, trial, jn.sobol({"sprung.mass": "10 %"}, 16), metrics="max sprung.az")
+    many = jn.simulate_many(
+        rig, trial, jn.sobol({"sprung.mass": "10 %"}, 16), metrics="max sprung.az"
+    )
     assert many.attrs["side_by_side"] == 16
-    for mass, value in zip(many["sprung.mass"].values[::15], many["max sprung.az"].values[::15], strict=True):
+    for mass, value in zip(
+        many["sprung.mass"].values[::15], many["max sprung.az"].values[::15], strict=True
+    ):
         run = jn.simulate(rig.with_changes({"sprung.mass": float(mass)}), trial, tolerance=1e-8)
         assert value == pytest.approx(float(run["sprung.az"].max()), rel=1e-5)
-    found = jn.simulate_many(rig, trial, {"strut.damper.coefficient": [1000.0, 2000.0]}, metrics=["max sprung.az"])
+    found = jn.simulate_many(
+        rig, trial, {"strut.damper.coefficient": [1000.0, 2000.0]}, metrics=["max sprung.az"]
+    )
     single = [
-        float(jn.simulate(rig.with_changes({"strut.damper.coefficient": c}), trial)["sprung.az"].max())
+        float(
+            jn.simulate(rig.with_changes({"strut.damper.coefficient": c}), trial)["sprung.az"].max()
+        )
         for c in (1000.0, 2000.0)
     ]
     assert found["max sprung.az"].values.tolist() == single
@@ -273,7 +347,9 @@ def test_numbers_that_contradict_each_other_only_together_are_refused_each_by_it
     rig = jn.load("audi-a6-quarter-car").with_changes({"strut.damper": table})
     first, second = [0.1, 0.3, 0.9], [1.0, 0.95, 0.5]
     changes = {"strut.damper.velocity[2]": first, "strut.damper.velocity[3]": second}
-    found = jn.simulate_many(rig, course(speed="1 m/s", duration="0.2 s"), changes, metrics="rms sprung.az")
+    found = jn.simulate_many(
+        rig, course(speed="1 m/s", duration="0.2 s"), changes, metrics="rms sprung.az"
+    )
     assert [bool(reason) for reason in found["reason"].values] == [False, False, True]
     assert np.isfinite(found["rms sprung.az"].values).tolist() == [True, True, False]
 
@@ -283,9 +359,18 @@ def test_one_variant_that_the_description_forbids_leaves_the_others_side_by_side
     masses = [400.0, 420.0, -1.0, 440.0, 460.0, 480.0]
     found = jn.simulate_many(rig, trial, {"sprung.mass": masses}, metrics="rms sprung.az")
     assert found.attrs["side_by_side"] == 5
-    assert [bool(reason) for reason in found["reason"].values] == [False, False, True, False, False, False]
+    assert [bool(reason) for reason in found["reason"].values] == [
+        False,
+        False,
+        True,
+        False,
+        False,
+        False,
+    ]
     sound = [mass for mass in masses if mass > 0.0]
-    others = jn.simulate_many(rig, trial, {"sprung.mass": sound}, metrics="rms sprung.az")["rms sprung.az"].values
+    others = jn.simulate_many(rig, trial, {"sprung.mass": sound}, metrics="rms sprung.az")[
+        "rms sprung.az"
+    ].values
     assert np.delete(found["rms sprung.az"].values, 2).tolist() == others.tolist()
 
 
@@ -293,9 +378,15 @@ def test_one_variant_that_the_description_forbids_leaves_the_others_side_by_side
 @pytest.mark.parametrize("control", [None, "skyhook"])
 def test_trials_that_differ_are_shared_by_threads(control):
     rig = jn.load("audi-a6-quarter-car")
-    changes = {"trial.speed": [10.0, 12.0, 14.0, 14.0, 10.0], "sprung.mass": [400.0, 420.0, -1.0, 460.0, 480.0]}
+    changes = {
+        "trial.speed": [10.0, 12.0, 14.0, 14.0, 10.0],
+        "sprung.mass": [400.0, 420.0, -1.0, 460.0, 480.0],
+    }
     given = {"metrics": ["rms sprung.az", "max tyre.force"], "control": control}
-    one, more = (jn.simulate_many(rig, course(duration="0.2 s"), changes, **given, threads=count) for count in (1, 3))
+    one, more = (
+        jn.simulate_many(rig, course(duration="0.2 s"), changes, **given, threads=count)
+        for count in (1, 3)
+    )
     assert one.identical(more)
     assert [bool(reason) for reason in one["reason"].values] == [False, False, True, False, False]
     assert np.isfinite(one["rms sprung.az"].values).tolist() == [True, True, False, True, True]
@@ -305,7 +396,13 @@ def test_curved_lumped_models_step_side_by_side():
     """A damper without a kink, and a tyre whose force is a polynomial: nothing of it is linear."""
     rig = jn.load("audi-a6-quarter-car").with_changes(
         {
-            "strut.damper": {"kind": "tanh", "coefficient": 800.0, "stiffness": 0.0, "force": 300.0, "slope": 12.0},
+            "strut.damper": {
+                "kind": "tanh",
+                "coefficient": 800.0,
+                "stiffness": 0.0,
+                "force": 300.0,
+                "slope": 12.0,
+            },
             "tyre.stiffness": None,
             "tyre.curve": {"kind": "polynomial", "coefficients": [1.8e5, 2e6]},
         }
@@ -315,7 +412,9 @@ def test_curved_lumped_models_step_side_by_side():
     many = jn.simulate_many(rig, trial, {"sprung.mass": masses}, metrics=words)
     assert many.attrs["side_by_side"] == 17
     for i in (0, 16):
-        one = jn.simulate_many(rig, trial, {"sprung.mass": masses[i : i + 1]}, metrics=words, tolerance=1e-8)
+        one = jn.simulate_many(
+            rig, trial, {"sprung.mass": masses[i : i + 1]}, metrics=words, tolerance=1e-8
+        )
         assert one.attrs["side_by_side"] == 0
         for word in words:
             assert float(many[word][i]) == pytest.approx(float(one[word][0]), rel=1e-5)
@@ -324,7 +423,11 @@ def test_curved_lumped_models_step_side_by_side():
 @pytest.mark.parametrize("name", METRICS)
 def test_runs_of_a_few_channels_are_those_of_all(name, monkeypatch):
     rig, trial = jn.load(name), course(duration="1 s")
-    changes = {"trial.speed": [20.0, 10.0, 30.0], "trial.duration": [0.5, 1.0, 0.5], "trial.road.seed": [1, 2, 3]}
+    changes = {
+        "trial.speed": [20.0, 10.0, 30.0],
+        "trial.duration": [0.5, 1.0, 0.5],
+        "trial.road.seed": [1, 2, 3],
+    }
     every = jn.simulate_many(rig, trial, changes, metrics=METRICS[name])
     assert np.all(every["reason"].values == "")
     monkeypatch.setattr(few_channels, "LEAST", 1)
@@ -347,7 +450,9 @@ def test_what_runs_away_is_said(least, monkeypatch):
 def test_channels_over_time_are_those_of_simulate(least, monkeypatch):
     monkeypatch.setattr(few_channels, "LEAST", least)
     rig, trial = jn.load("audi-a6-quarter-car"), course(duration="0.5 s")
-    found = jn.simulate_many(rig, trial, {"sprung.mass": ["400 kg", "500 kg"]}, outputs="tyre.force")
+    found = jn.simulate_many(
+        rig, trial, {"sprung.mass": ["400 kg", "500 kg"]}, outputs="tyre.force"
+    )
     for variant, mass in enumerate((400.0, 500.0)):
         run = jn.simulate(rig.with_changes({"sprung.mass": mass}), trial)
         assert found["tyre.force"].values[variant].tolist() == run["tyre.force"].values.tolist()
@@ -369,12 +474,18 @@ def test_weighted_metrics_are_those_of_the_ride_metrics():
 @pytest.mark.parametrize("word", ["Wk", "Wd", "We", "Wc", "Wf"])
 def test_runs_too_short_for_a_weighting_are_refused_as_ride_metrics_refuses_them(word):
     rig, trial = jn.load("audi-a6-quarter-car"), course(duration="2 s")
-    with pytest.raises(jn.RecordingError, match=f"too short for {word}; found '2 s'; allowed: ") as many:
-        jn.simulate_many(rig, trial, {"sprung.mass": [460.0]}, metrics=["rms sprung.az", f"{word} sprung.az"])
+    with pytest.raises(
+        jn.RecordingError, match=f"too short for {word}; found '2 s'; allowed: "
+    ) as many:
+        jn.simulate_many(
+            rig, trial, {"sprung.mass": [460.0]}, metrics=["rms sprung.az", f"{word} sprung.az"]
+        )
     with pytest.raises(jn.RecordingError) as one:
         jn.ride_metrics(jn.simulate(rig, trial), weighting={"z": word}, metrics=["weighted_rms"])
     with pytest.raises(jn.RecordingError) as best:
-        jn.optimise(rig, {"strut.damper.coefficient": (500.0, 3000.0)}, f"sprung.az {word}", trial=trial)
+        jn.optimise(
+            rig, {"strut.damper.coefficient": (500.0, 3000.0)}, f"sprung.az {word}", trial=trial
+        )
     for error in (one, best):
         assert str(many.value).partition("measurement")[2].rstrip(".") in str(error.value)
     changes = {"trial.duration": [2.0, 30.0]}
@@ -385,11 +496,18 @@ def test_runs_too_short_for_a_weighting_are_refused_as_ride_metrics_refuses_them
 def test_speeds_seeds_and_controllers_vary():
     rig, trial = jn.load("audi-a6-quarter-car"), course(duration="1 s")
     found = jn.simulate_many(
-        rig, trial, {"trial.speed": ["10 m/s", "20 m/s"], "trial.road.seed": [1, 5]}, metrics="rms sprung.az"
+        rig,
+        trial,
+        {"trial.speed": ["10 m/s", "20 m/s"], "trial.road.seed": [1, 5]},
+        metrics="rms sprung.az",
     )
     for i, (speed, seed) in enumerate(((10.0, 1), (20.0, 5))):
-        run = jn.simulate(rig, course(speed=f"{speed} m/s", duration="1 s", seed=seed))["sprung.az"].values
-        assert float(found["rms sprung.az"][i]) == pytest.approx(float(np.sqrt(np.mean(run**2))), rel=1e-3)
+        run = jn.simulate(rig, course(speed=f"{speed} m/s", duration="1 s", seed=seed))[
+            "sprung.az"
+        ].values
+        assert float(found["rms sprung.az"][i]) == pytest.approx(
+            float(np.sqrt(np.mean(run**2))), rel=1e-3
+        )
     held = jn.simulate_many(
         rig, trial, {"control.rate": ["50 Hz", "1 kHz"]}, metrics="rms sprung.az", control="skyhook"
     )
@@ -401,14 +519,20 @@ def test_speeds_seeds_and_controllers_vary():
 
 def test_a_spread_of_seeds_gives_whole_ones_that_all_run():
     seeds = jn.sobol({"trial.road.seed": [1, 4]}, 8, seed=1)
-    found = jn.simulate_many(jn.load("audi-a6-quarter-car"), course(duration="0.2 s"), seeds, metrics="rms sprung.az")
+    found = jn.simulate_many(
+        jn.load("audi-a6-quarter-car"), course(duration="0.2 s"), seeds, metrics="rms sprung.az"
+    )
     assert sorted(found["trial.road.seed"].values) == [1, 1, 2, 2, 3, 3, 4, 4]
     assert set(found["reason"].values) == {""}
 
 
 def test_geometries_that_cannot_be_assembled_are_rows_with_their_reasons():
     rig = jn.load("audi-double-wishbone")
-    trial = jn.Trial(road=jn.HalfSine(height="50 mm", length="500 mm", start="1 m"), speed="8 m/s", duration="0.3 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="50 mm", length="500 mm", start="1 m"),
+        speed="8 m/s",
+        duration="0.3 s",
+    )
     moved = ("lower_ball_joint[1]", "upper_ball_joint[2]", "strut_bottom[1]")
     design = jn.sobol({f"hardpoints.{point}": "±900 mm" for point in moved}, 32, seed=1)
     many = jn.simulate_many(rig, trial, design, metrics=["max tyre.force"])
@@ -428,7 +552,9 @@ def test_a_variant_that_does_not_run_is_a_row_with_its_reason():
     assert found["reason"].values[0] == ""
     assert "sprung.mass" in found["reason"].values[1]
     assert np.isfinite(found["rms sprung.az"].values).tolist() == [True, False]
-    wrong = jn.simulate_many(rig, course(duration="0.2 s"), {"trial.road.seed": [1.0, 1.5]}, metrics="rms sprung.az")
+    wrong = jn.simulate_many(
+        rig, course(duration="0.2 s"), {"trial.road.seed": [1.0, 1.5]}, metrics="rms sprung.az"
+    )
     assert "seed" in wrong["reason"].values[1]
     assert np.isfinite(wrong["rms sprung.az"].values[0])
 
@@ -449,7 +575,11 @@ def test_a_variant_that_does_not_run_is_a_row_with_its_reason():
         (5, {}, "nothing to vary"),
         ({1: [100.0]}, {}, "nothing to vary"),
         ({"sprung.mass": [400.0]}, {"metrics": []}, "nothing to keep"),
-        ({"sprung.mass": [400.0]}, {"metrics": "rms sprung.az", "threads": -1}, "not a number of threads"),
+        (
+            {"sprung.mass": [400.0]},
+            {"metrics": "rms sprung.az", "threads": -1},
+            "not a number of threads",
+        ),
         ({"trial.duration": [1.0, 2.0]}, {}, "differ in length"),
         ({"sprung.mass": [400.0]}, {"metrics": "rms"}, "not a metric"),
         ({"sprung.mass": [400.0]}, {"metrics": "rns sprung.az"}, "rms"),

@@ -34,7 +34,14 @@ def seen(model, data, name: str) -> np.ndarray:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "name", ["generic-mcpherson", "sedan-multi-link", "formula-student-front", "hmmwv-front", "semi-trailing-arm"]
+    "name",
+    [
+        "generic-mcpherson",
+        "sedan-multi-link",
+        "formula-student-front",
+        "hmmwv-front",
+        "semi-trailing-arm",
+    ],
 )
 def test_it_stands_as_ours(tmp_path: Path, name: str) -> None:
     rig = jn.load(name)
@@ -44,7 +51,9 @@ def test_it_stands_as_ours(tmp_path: Path, name: str) -> None:
         if i < 20_000:  # let it settle: a body's bounce of 1.2 Hz without overshoot
             data.qvel *= 0.9985
     ours = jn.simulate(rig, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.002))
-    assert seen(model, data, "tyre.force")[0] == pytest.approx(float(ours["tyre.force"][0]), rel=1e-6)
+    assert seen(model, data, "tyre.force")[0] == pytest.approx(
+        float(ours["tyre.force"][0]), rel=1e-6
+    )
     assert seen(model, data, "sprung.z")[0] == pytest.approx(float(ours["sprung.z"][0]), abs=1e-7)
     height = rig.hardpoints.wheel_centre[2] + float(ours["unsprung.z"][0])
     assert seen(model, data, "wheel_centre")[2] == pytest.approx(height, abs=1e-7)
@@ -60,12 +69,16 @@ def driven(rig, model, data):
         engine().mj_forward(model, data)
         return data.qacc.copy()
 
-    if not model.neq:  # an arm and a body have no loop that a pose could open; the kart stands at design
+    if (
+        not model.neq
+    ):  # an arm and a body have no loop that a pose could open; the kart stands at design
         data.qpos = scipy.optimize.fsolve(accelerations, np.zeros(2), xtol=1e-12)
 
     def road(t: float) -> tuple[float, float]:
         phase = np.pi * t / 0.1
-        return (0.004 * np.sin(phase), 0.04 * np.pi * np.cos(phase)) if 0.0 <= t < 0.1 else (0.0, 0.0)
+        return (
+            (0.004 * np.sin(phase), 0.04 * np.pi * np.cos(phase)) if 0.0 <= t < 0.1 else (0.0, 0.0)
+        )
 
     found, channels = [], ("sprung.z", "wheel_centre", "tyre.force")
     for i in range(2001):
@@ -75,7 +88,9 @@ def driven(rig, model, data):
             found.append([seen(model, data, name)[-1] for name in channels])
         data.mocap_pos[0][2], data.ctrl[0] = road(1e-4 * (i + 0.5))
         engine().mj_step(model, data)
-    for channel, theirs in zip(("sprung.z", "unsprung.z", "tyre.force"), np.array(found).T, strict=True):
+    for channel, theirs in zip(
+        ("sprung.z", "unsprung.z", "tyre.force"), np.array(found).T, strict=True
+    ):
         own = ours[channel].values
         shift = rig.hardpoints.wheel_centre[2] if channel == "unsprung.z" else 0.0
         yield channel, own, theirs - shift
@@ -111,17 +126,27 @@ def test_stops_and_friction(tmp_path: Path) -> None:
         "strut.bump_stop": {"gap": "20 mm", "rate": "50 N/mm"},
         "strut.rebound_stop": {"gap": "30 mm", "rate": "40 N/mm"},
     }
-    rig = jn.load("kart-double-wishbone").with_changes({**stops, "strut.friction": {"force": "12 N"}})
+    rig = jn.load("kart-double-wishbone").with_changes(
+        {**stops, "strut.friction": {"force": "12 N"}}
+    )
     made, model, _ = opened(rig, tmp_path)
     assert not made.findings
     design = rig.hardpoints.length("spring")
-    assert model.tendon_lengthspring[model.tendon("bump_stop").id] == pytest.approx([design - 0.02, 1e3])
-    assert model.tendon_lengthspring[model.tendon("rebound_stop").id] == pytest.approx([0.0, design + 0.03])
+    assert model.tendon_lengthspring[model.tendon("bump_stop").id] == pytest.approx(
+        [design - 0.02, 1e3]
+    )
+    assert model.tendon_lengthspring[model.tendon("rebound_stop").id] == pytest.approx(
+        [0.0, design + 0.03]
+    )
     assert model.tendon_frictionloss[model.tendon("damper").id] == 12.0
 
 
 def test_what_cannot_be_written(tmp_path: Path) -> None:
-    flat = {"kind": "table", "deflection": [-0.1, 0.0, 0.05, 0.1, 0.2], "force": [0.0, 0.0, 500.0, 500.0, 600.0]}
+    flat = {
+        "kind": "table",
+        "deflection": [-0.1, 0.0, 0.05, 0.1, 0.2],
+        "force": [0.0, 0.0, 500.0, 500.0, 600.0],
+    }
     kart = jn.load("kart-double-wishbone")
     length = kart.hardpoints.length("spring") + 0.075
     soft = kart.with_changes({"strut.spring": {"curve": flat, "free_length": length}})
@@ -144,23 +169,36 @@ def test_what_cannot_be_written(tmp_path: Path) -> None:
         write_mjcf(jn.load("kart-double-wishbone"), tmp_path / "a.json")
     hysteretic = {"kind": "tanh", "coefficient": 800.0, "force": 50.0, "slope": 40.0}
     with pytest.raises(jn.OutputError, match="hysteresis"):
-        write_mjcf(jn.load("kart-double-wishbone").with_changes({"strut.damper": hysteretic}), tmp_path / "a.xml")
+        write_mjcf(
+            jn.load("kart-double-wishbone").with_changes({"strut.damper": hysteretic}),
+            tmp_path / "a.xml",
+        )
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize(("name", "side"), [("kart-double-wishbone", "left"), ("generic-mcpherson", "right")])
+@pytest.mark.parametrize(
+    ("name", "side"), [("kart-double-wishbone", "left"), ("generic-mcpherson", "right")]
+)
 def test_bodies_begin_to_move_as_ours(tmp_path: Path, name: str, side: str) -> None:
     """The body's acceleration at design, where nothing is in balance: masses, levers and forces of both sides."""
-    changes = {"strut.spring": {"rate": "30 N/mm", "preload": "1 kN"}, "wheel.camber": "-2 deg", "gravity": 5.0}
+    changes = {
+        "strut.spring": {"rate": "30 N/mm", "preload": "1 kN"},
+        "wheel.camber": "-2 deg",
+        "gravity": 5.0,
+    }
     rig = jn.load(name).with_changes(changes)
     rig = rig if side == "left" else rig.mirrored()
     compiled = compile_rig(rig)
     count = len(compiled.facts.coordinates)
-    x = np.concatenate([compiled.facts.start, np.zeros(len(compiled.facts.speeds) + len(compiled.facts.internal))])
+    x = np.concatenate(
+        [compiled.facts.start, np.zeros(len(compiled.facts.speeds) + len(compiled.facts.internal))]
+    )
     given = x, compiled.inputs({}), compiled.parameter_values(rig.parameters())
     modes = np.zeros(len(compiled.facts.switches))
     modes = (compiled.evaluate("switch", *given, modes) > 0.0).astype(float)
-    ours = compiled.evaluate("rate", *given, modes)[count + compiled.facts.speeds.index("sprung.distance rate")]
+    ours = compiled.evaluate("rate", *given, modes)[
+        count + compiled.facts.speeds.index("sprung.distance rate")
+    ]
     _, model, data = opened(rig, tmp_path)
     engine().mj_forward(model, data)
     assert abs(ours) > 1.0
@@ -210,16 +248,22 @@ def test_places_are_those_of_the_engine(tmp_path: Path, order: str) -> None:
             at = model.body(name).id
             axes = data.ximat[at].reshape(3, 3)
             np.testing.assert_allclose(body.mass["centre_of_mass"], data.xipos[at], atol=1e-9)
-            np.testing.assert_allclose(tensor_of(body.mass), axes @ np.diag(model.body_inertia[at]) @ axes.T, atol=1e-8)
+            np.testing.assert_allclose(
+                tensor_of(body.mass), axes @ np.diag(model.body_inertia[at]) @ axes.T, atol=1e-8
+            )
 
 
 def test_what_the_engine_saves_again_is_the_same_rig(tmp_path: Path) -> None:
     """MuJoCo writes axes as quaternions: the wheel's camber and toe are in that of its centre."""
     mujoco = engine()
-    rig = jn.load("kart-double-wishbone").with_changes({"wheel.camber": "-1 deg", "wheel.toe": "0.3 deg"})
+    rig = jn.load("kart-double-wishbone").with_changes(
+        {"wheel.camber": "-1 deg", "wheel.toe": "0.3 deg"}
+    )
     model = mujoco.MjModel.from_xml_path(str(write_mjcf(rig, tmp_path / "rig.xml").path))
     mujoco.mj_saveLastXML(str(tmp_path / "saved.xml"), model)
-    before, after = (import_mjcf(tmp_path / name)[0].parameters() for name in ("rig.xml", "saved.xml"))
+    before, after = (
+        import_mjcf(tmp_path / name)[0].parameters() for name in ("rig.xml", "saved.xml")
+    )
     assert set(before) == set(after)
     for path, value in after.items():
         assert value == pytest.approx(before[path], rel=1e-4, abs=1e-6), path  # it saves six digits

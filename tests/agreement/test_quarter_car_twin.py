@@ -60,8 +60,13 @@ RIGS = {
         "guide.friction": {"force": 6.0, "regularisation_velocity": 0.005},
     },
     "bump stop": {"strut.bump_stop": {"gap": 0.012, "rate": 6e4, "progression": 3e8}},
-    "bump stop closed at rest": {"strut.bump_stop": {"gap": 0.005, "rate": 6e4, "progression": 3e8}},
-    "polynomial tyre": {"tyre.stiffness": None, "tyre.curve": {"kind": "polynomial", "coefficients": [6e4, 2e7, -1e8]}},
+    "bump stop closed at rest": {
+        "strut.bump_stop": {"gap": 0.005, "rate": 6e4, "progression": 3e8}
+    },
+    "polynomial tyre": {
+        "tyre.stiffness": None,
+        "tyre.curve": {"kind": "polynomial", "coefficients": [6e4, 2e7, -1e8]},
+    },
     "table tyre": {
         "tyre.stiffness": None,
         "tyre.curve": {
@@ -71,12 +76,19 @@ RIGS = {
         },
     },
     "spring curve and preload": {
-        "strut.spring": {"curve": {"kind": "polynomial", "coefficients": [15e3, 4e5, 2e7]}, "preload": 60.0}
+        "strut.spring": {
+            "curve": {"kind": "polynomial", "coefficients": [15e3, 4e5, 2e7]},
+            "preload": 60.0,
+        }
     },
     "spring table": {
         "strut.spring": {
             "rate": None,
-            "curve": {"kind": "table", "deflection": [0.0, 0.005, 0.01, 0.02], "force": [0.0, 80.0, 190.0, 500.0]},
+            "curve": {
+                "kind": "table",
+                "deflection": [0.0, 0.005, 0.01, 0.02],
+                "force": [0.0, 80.0, 190.0, 500.0],
+            },
         }
     },
     "upright strut and preload": {"strut.angle": 0.0, "strut.spring.preload": 100.0},
@@ -85,7 +97,9 @@ RIGS = {
 }
 
 
-def obstacle(kind: int, coefficients: list[float], *, length: float = 0.06, start: float = 0.1) -> Segments:
+def obstacle(
+    kind: int, coefficients: list[float], *, length: float = 0.06, start: float = 0.1
+) -> Segments:
     """Flat, one piece, flat: against distance."""
     flat = [0.0] * 4
     return Segments(
@@ -102,14 +116,18 @@ ROADS = {
     "hole": obstacle(POLYNOMIAL, [-0.01, 0.0, 0.0, 0.0], length=0.1),
     "half-cylinder": obstacle(CIRCLE, [0.0, 0.01, 0.01, 1.0], length=0.02),
     "cubic": obstacle(POLYNOMIAL, [0.0, 0.0, 3 * 0.01 / 0.06**2, -2 * 0.01 / 0.06**3]),
-    "shaken": Segments(np.array([0.0, 9.0]), np.array([SINE]), np.array([[0.0, 0.002, 2 * np.pi * 2.5, 0.0]])),
+    "shaken": Segments(
+        np.array([0.0, 9.0]), np.array([SINE]), np.array([[0.0, 0.002, 2 * np.pi * 2.5, 0.0]])
+    ),
 }
 
 
 def compare(twin, rig, road, *, duration: float = 0.6, allowed: float = 2e-8) -> None:
     times = output_times(duration, 1e-3)
     compiled = compile_model(build(rig))
-    solution = solve(compiled, compiled.parameter_values(rig.parameters()), road, times, tolerance=1e-10)
+    solution = solve(
+        compiled, compiled.parameter_values(rig.parameters()), road, times, tolerance=1e-10
+    )
     expected = twin.QuarterCarTwin(rig, twin.road_pieces(road)).run(times, tolerance=1e-11)
     assert solution.status.name == "COMPLETED"
     for name, row in zip(compiled.output_names, solution.outputs, strict=True):
@@ -119,7 +137,9 @@ def compare(twin, rig, road, *, duration: float = 0.6, allowed: float = 2e-8) ->
 
 @pytest.mark.parametrize("name", RIGS)
 def test_laws(twin, name):
-    allowed = 3e-7 if name == "friction" else 2e-8  # the friction force magnifies errors of small velocities
+    allowed = (
+        3e-7 if name == "friction" else 2e-8
+    )  # the friction force magnifies errors of small velocities
     compare(twin, KART.with_changes(RIGS[name]), HALF_SINE.in_time(2.86), allowed=allowed)
 
 
@@ -145,18 +165,30 @@ def test_passenger_car(twin):
 
 
 def test_everything_at_once(twin):
-    changes = {**RIGS["friction"], **RIGS["bump stop"], **RIGS["table tyre"], **RIGS["velocity table"]}
+    changes = {
+        **RIGS["friction"],
+        **RIGS["bump stop"],
+        **RIGS["table tyre"],
+        **RIGS["velocity table"],
+    }
     compare(
-        twin, KART.with_changes({**changes, "tyre.damping_coefficient": 30.0}), HALF_SINE.in_time(1.95), allowed=3e-7
+        twin,
+        KART.with_changes({**changes, "tyre.damping_coefficient": 30.0}),
+        HALF_SINE.in_time(1.95),
+        allowed=3e-7,
     )
 
 
 def test_bouc_wen(twin):
-    compare(twin, KART.with_changes({"strut.damper": BOUC_WEN}), HALF_SINE.in_time(2.86), allowed=1e-7)
+    compare(
+        twin, KART.with_changes({"strut.damper": BOUC_WEN}), HALF_SINE.in_time(2.86), allowed=1e-7
+    )
 
 
 def test_bouc_wen_coarsely(twin):
-    compare(twin, KART.with_changes({"strut.damper": BOUC_WEN}), HALF_SINE.in_time(2.86), allowed=2e-5)
+    compare(
+        twin, KART.with_changes({"strut.damper": BOUC_WEN}), HALF_SINE.in_time(2.86), allowed=2e-5
+    )
 
 
 BOUC_WEN = {
@@ -172,7 +204,11 @@ BOUC_WEN = {
 
 
 def test_power_law_tyre(twin):
-    compare(twin, KART.with_changes({"tyre.stiffness": None, "tyre.curve": POWER}), HALF_SINE.in_time(1.95))
+    compare(
+        twin,
+        KART.with_changes({"tyre.stiffness": None, "tyre.curve": POWER}),
+        HALF_SINE.in_time(1.95),
+    )
 
 
 def test_power_law_spring(twin):
@@ -185,9 +221,14 @@ def test_half_cylinder_with_tyre_damping():
     rig = KART.with_changes({"tyre.damping_coefficient": 60.0})
     compiled = compile_model(build(rig))
     p, times = compiled.parameter_values(rig.parameters()), output_times(0.4, 1e-3)
-    runs = [solve(compiled, p, ROADS["half-cylinder"].in_time(1.95), times, tolerance=t) for t in (1e-5, 1e-7)]
+    runs = [
+        solve(compiled, p, ROADS["half-cylinder"].in_time(1.95), times, tolerance=t)
+        for t in (1e-5, 1e-7)
+    ]
     assert [run.status.name for run in runs] == ["COMPLETED"] * 2
-    assert np.max(np.abs(runs[0].states[:2] - runs[1].states[:2])) < 1e-5 * np.ptp(runs[1].states[1])
+    assert np.max(np.abs(runs[0].states[:2] - runs[1].states[:2])) < 1e-5 * np.ptp(
+        runs[1].states[1]
+    )
 
 
 @pytest.mark.parametrize("height", [0.01, -0.01])
@@ -198,7 +239,9 @@ def test_a_jump_gives_the_wheel_the_blow_of_the_tyre_s_damper(height, lift_off):
     The course behind the jump is that of the equations of motion from there on, by SciPy.
     """
     rig = AUDI.with_changes({"tyre.lift_off": lift_off})
-    run = jn.simulate(rig, jn.Trial(road=jn.Step(height=height, start=1.0), speed=5.0, duration=0.7))
+    run = jn.simulate(
+        rig, jn.Trial(road=jn.Step(height=height, start=1.0), speed=5.0, duration=0.7)
+    )
     body, wheel, k, c, tyre, d = (rig.parameters()[path] for path in (
         "sprung.mass", "unsprung.mass", "strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness",
         "tyre.damping_coefficient"))  # fmt: skip
@@ -226,6 +269,8 @@ def test_the_twin_itself_can_fail(twin, step, reason):
     road = HALF_SINE.in_time(1.95)
     times = output_times(0.3, 1e-3)
     compiled = compile_model(build(KART))
-    z = solve(compiled, compiled.parameter_values(KART.parameters()), road, times, tolerance=1e-9).outputs[6]
+    z = solve(
+        compiled, compiled.parameter_values(KART.parameters()), road, times, tolerance=1e-9
+    ).outputs[6]
     expected = twin.QuarterCarTwin(changed, twin.road_pieces(road)).run(times)["sprung.z"]
     assert (np.max(np.abs(z - expected)) > 5e-4) == bool(reason)

@@ -23,7 +23,10 @@ CAR = jn.load("formula-student-car")
 TOLERANCE = 1e-5
 SEED = 20261123
 ENDS = ("front", "rear")
-STOPS = {"bump_stop": {"gap": "12 mm", "rate": "80 N/mm"}, "rebound_stop": {"gap": "15 mm", "rate": "80 N/mm"}}
+STOPS = {
+    "bump_stop": {"gap": "12 mm", "rate": "80 N/mm"},
+    "rebound_stop": {"gap": "15 mm", "rate": "80 N/mm"},
+}
 THIRD = {
     "third_spring": {"spring": {"rate": 30e3, "preload": 150.0}, "damper": {"coefficient": 800.0}},
     "hardpoints.third_spring_end": [0.02, 0.21, 0.42],
@@ -50,7 +53,9 @@ def of(end: str, changes: dict[str, object]) -> dict[str, object]:
 
 def errors(reduced, full) -> dict[str, float]:
     """Largest difference of every channel over the range it sweeps, where it moves at all."""
-    assert {name: reduced[name].attrs for name in reduced} == {name: full[name].attrs for name in full}
+    assert {name: reduced[name].attrs for name in reduced} == {
+        name: full[name].attrs for name in full
+    }
     ranges = {name: float(np.ptp(full[name].values)) for name in full}
     return {
         name: float(np.max(np.abs(reduced[name].values - full[name].values))) / size
@@ -61,7 +66,11 @@ def errors(reduced, full) -> dict[str, float]:
 
 def displacements(found: dict[str, float]) -> dict[str, float]:
     """Those of body and wheels."""
-    return {name: each for name, each in found.items() if name.endswith(("unsprung.z", "body.z", ".pitch", ".roll"))}
+    return {
+        name: each
+        for name, each in found.items()
+        if name.endswith(("unsprung.z", "body.z", ".pitch", ".roll"))
+    }
 
 
 def compare(car: jn.Vehicle, trial: jn.Trial) -> tuple[bool, float]:
@@ -85,11 +94,17 @@ def random_case(random: np.random.Generator, car: jn.Vehicle) -> tuple[jn.Vehicl
         elif path.endswith("rack_travel"):
             changes[path] = 0.01 * random.uniform(-1.0, 1.0)
     loads: dict[str, object] = {}
-    for load, size in (("deceleration", 8.0), ("lateral_acceleration", 6.0), ("pitch_moment", 300.0)):
+    for load, size in (
+        ("deceleration", 8.0),
+        ("lateral_acceleration", 6.0),
+        ("pitch_moment", 300.0),
+    ):
         if random.random() < 0.4:
             loads[load] = {"value": size * random.uniform(-1.0, 1.0), "start": "0.3 s"}
     if random.random() < 0.6:
-        of_one = jn.HalfSine(height=random.uniform(0.005, 0.04), length=random.uniform(0.2, 1.5), start="1 m")
+        of_one = jn.HalfSine(
+            height=random.uniform(0.005, 0.04), length=random.uniform(0.2, 1.5), start="1 m"
+        )
         road: object = jn.Train(of=of_one, count=3, pitch="3 m")
         right: object = jn.Flat() if random.random() < 0.5 else None
     else:
@@ -125,7 +140,16 @@ def test_sixty_random_cars_agree_within_the_tolerance():
         jn.load("sedan-full-car-3d"),
         CAR.with_changes(
             {
-                **of("front", {**THIRD, **U_BAR, **elastic, "tyre.law": "radial", "steering.rack_travel": "4 mm"}),
+                **of(
+                    "front",
+                    {
+                        **THIRD,
+                        **U_BAR,
+                        **elastic,
+                        "tyre.law": "radial",
+                        "steering.rack_travel": "4 mm",
+                    },
+                ),
                 **of("rear", T_BAR),
                 **bars,
             }
@@ -153,7 +177,9 @@ def test_a_car_at_rest_gets_onto_an_obstacle():
             random.uniform(3.0, 30.0),
             10.0 ** random.uniform(-6.0, -4.0),
         )
-        road = jn.HalfSine(height=random.uniform(0.005, 0.03), length=random.uniform(0.1, 2.0), start=start)
+        road = jn.HalfSine(
+            height=random.uniform(0.005, 0.03), length=random.uniform(0.1, 2.0), start=start
+        )
         trial = jn.Trial(road=road, right=jn.Flat(), speed=speed, duration=start / speed + 0.05)
         varied = car.with_changes({"body.mass": car.body.mass * random.uniform(0.85, 1.15)})
         exact = jn.simulate(varied, trial, tolerance=1e-9, method="explicit")
@@ -162,13 +188,17 @@ def test_a_car_at_rest_gets_onto_an_obstacle():
             moved = [name for name in exact if name.endswith(("unsprung.z", "body.z"))]
             size = max(float(np.ptp(exact[name].values)) for name in moved)
             assert (
-                max(float(np.max(np.abs(run[name].values - exact[name].values))) for name in moved) < tolerance * size
+                max(float(np.max(np.abs(run[name].values - exact[name].values))) for name in moved)
+                < tolerance * size
             )
 
 
 def test_every_channel_is_that_of_the_car_with_linkages():
     trial = jn.Trial(
-        road=jn.HalfSine(height="20 mm", length="0.5 m", start="1 m"), right=jn.Flat(), speed=8.0, duration=0.5
+        road=jn.HalfSine(height="20 mm", length="0.5 m", start="1 m"),
+        right=jn.Flat(),
+        speed=8.0,
+        duration=0.5,
     )
     reduced = jn.simulate(CAR, trial, tolerance=1e-6)
     full = jn.simulate(CAR, trial, tolerance=1e-9, method="explicit")
@@ -181,7 +211,12 @@ def test_every_channel_is_that_of_the_car_with_linkages():
 
 @pytest.mark.parametrize(
     "options",
-    [{"method": "explicit"}, {"offset": {"sprung.distance": 0.001}}, {"tolerance": 1e-8}, {"output_step": 0.01}],
+    [
+        {"method": "explicit"},
+        {"offset": {"sprung.distance": 0.001}},
+        {"tolerance": 1e-8},
+        {"output_step": 0.01},
+    ],
     ids=["asked for", "from an offset", "tight tolerance", "far samples"],
 )
 def test_the_linkages_run_where_one_coordinate_does_not_do(options):
@@ -191,7 +226,10 @@ def test_the_linkages_run_where_one_coordinate_does_not_do(options):
 
 def test_wheels_that_travel_farther_than_any_table_are_run_by_their_linkages():
     trial = jn.Trial(
-        road=jn.HalfSine(height="160 mm", length="1 m", start="1 m"), right=jn.Flat(), speed=10.0, duration=0.4
+        road=jn.HalfSine(height="160 mm", length="1 m", start="1 m"),
+        right=jn.Flat(),
+        speed=10.0,
+        duration=0.4,
     )
     run, full = jn.simulate(CAR, trial), jn.simulate(CAR, trial, method="explicit", tolerance=1e-8)
     assert run.attrs["method"] == "explicit"
@@ -223,7 +261,10 @@ def exact_and_polynomial(reduction, which, degree, travel):
     sampled = dict(zip(sampling.names, sampling.sample(p, 0.0, travel)[:, 0], strict=True))
     rows = table.numbers[3:].reshape(len(names), degree + 1)
     x = travel / table.numbers[1]
-    return {name: (sampled[name], np.polyval(row[::-1], x)) for name, row in zip(names, rows, strict=True)}, table
+    return {
+        name: (sampled[name], np.polyval(row[::-1], x))
+        for name, row in zip(names, rows, strict=True)
+    }, table
 
 
 def test_the_bound_of_a_table_holds_between_its_points_and_falls_with_its_degree(reduction):
@@ -232,10 +273,18 @@ def test_the_bound_of_a_table_holds_between_its_points_and_falls_with_its_degree
         bounds, worst = [], []
         for degree in (4, 6, 8, 10):
             found, table = exact_and_polynomial(reduction, which, degree, travel)
-            sizes = {"wheel_centre.x": 0.03, "wheel_centre.y": 0.03, "turning.x": 1.0, "turning.z": 1.0}
+            sizes = {
+                "wheel_centre.x": 0.03,
+                "wheel_centre.y": 0.03,
+                "turning.x": 1.0,
+                "turning.z": 1.0,
+            }
             sizes |= {f"moment.{axis}": 0.03 * table.numbers[2] for axis in "xyz"}
             sizes["spring.length"] = np.ptp(found["spring.length"][0])
-            off = {name: np.max(np.abs(np.subtract(*found[name]))) / size for name, size in sizes.items()}
+            off = {
+                name: np.max(np.abs(np.subtract(*found[name]))) / size
+                for name, size in sizes.items()
+            }
             assert max(off.values()) < table.error + 1e-14
             bounds.append(table.error)
             worst.append(max(off.values()))
@@ -245,16 +294,27 @@ def test_the_bound_of_a_table_holds_between_its_points_and_falls_with_its_degree
 
 def test_energy_is_neither_made_nor_lost_without_dampers(reduction):
     """Kinetic energy and heights from masses and moments by hand, springs and tyres by their forces."""
-    dampers = [f"{end}.corner.strut.damper.{way}_coefficient" for end in ENDS for way in ("bump", "rebound")]
+    dampers = [
+        f"{end}.corner.strut.damper.{way}_coefficient"
+        for end in ENDS
+        for way in ("bump", "rebound")
+    ]
     tyres = [f"{end}.corner.tyre.damping_coefficient" for end in ENDS]
     loose = CAR.with_changes(
-        {**dict.fromkeys([*dampers, *tyres], 0.0), **{f"{end}.anti_roll_bar_rate": 0.0 for end in ENDS}}
+        {
+            **dict.fromkeys([*dampers, *tyres], 0.0),
+            **{f"{end}.anti_roll_bar_rate": 0.0 for end in ENDS},
+        }
     )
     road = jn.HalfSine(height="2 mm", length="0.4 m", start="0.1 m")
     trial = jn.Trial(road=road, right=jn.Flat(), speed=8.0, duration=1.0)
     compiled = reduction.compiled(DEGREES[0])
     laid_out = ReducedCar(
-        reduction, loose.parameters(), excitation(compiled.facts, loose, trial), RunSettings().times(1.0), 1e-6
+        reduction,
+        loose.parameters(),
+        excitation(compiled.facts, loose, trial),
+        RunSettings().times(1.0),
+        1e-6,
     ).lay_out(0.03)
     run = laid_out.prepared.run()
     facts, rows = laid_out.prepared.compiled.facts, {}
@@ -298,17 +358,25 @@ def corner_energy(car, place, rows, p):
         return np.polyval(np.polyder(row), x) / half if slope else np.polyval(row, x)
 
     mass = p[f"{place}.of_travel.mass[0]"]
-    moment, momentum = (np.array([of_travel(f"moment.{axis}", slope) for axis in "xyz"]) for slope in (False, True))
+    moment, momentum = (
+        np.array([of_travel(f"moment.{axis}", slope) for axis in "xyz"]) for slope in (False, True)
+    )
     angular = np.array([of_travel(f"angular.{axis}") for axis in "xyz"])
     tensor = np.array([[of_travel(f"tensor.{min(a, b)}{max(a, b)}") for a in "xyz"] for b in "xyz"])
-    kinetic = 0.5 * mass * np.sum(velocity**2, axis=0) + np.sum(velocity * np.cross(spin.T, moment.T).T, axis=0)
-    kinetic += 0.5 * np.einsum("it,ijt,jt->t", spin, tensor, spin) + 0.5 * of_travel("inertia") * rate**2
+    kinetic = 0.5 * mass * np.sum(velocity**2, axis=0) + np.sum(
+        velocity * np.cross(spin.T, moment.T).T, axis=0
+    )
+    kinetic += (
+        0.5 * np.einsum("it,ijt,jt->t", spin, tensor, spin) + 0.5 * of_travel("inertia") * rate**2
+    )
     kinetic += rate * np.sum(velocity * momentum + spin * angular, axis=0)
     return kinetic + car.gravity * (mass * height + np.sum(up * moment, axis=0))
 
 
 def test_variants_of_a_car_are_what_its_runs_are():
-    trial = jn.Trial(road=jn.HalfSine(height="20 mm", length="0.5 m", start="1 m"), speed=8.0, duration=0.3)
+    trial = jn.Trial(
+        road=jn.HalfSine(height="20 mm", length="0.5 m", start="1 m"), speed=8.0, duration=0.3
+    )
     masses = [200.0, 260.0]
     many = jn.simulate_many(CAR, trial, {"body.mass": masses}, outputs="body.z")
     for i, mass in enumerate(masses):

@@ -21,7 +21,11 @@ pytestmark = pytest.mark.usefixtures("optimised")
 KART = jn.load("kart-double-wishbone")
 BESIDE_STRUT = {  # torsion bar, third spring and damper, Z-bar: both wheels move alike
     "torsion_bar": {"stiffness": 60.0, "preload": 3.0, "on": "lower_arm"},
-    "third_spring": {"spring": {"rate": 2e3, "preload": 10.0}, "damper": {"coefficient": 40.0}, "on": "lower_arm"},
+    "third_spring": {
+        "spring": {"rate": 2e3, "preload": 10.0},
+        "damper": {"coefficient": 40.0},
+        "on": "lower_arm",
+    },
     "anti_roll_bar": {"stiffness": 8.0, "on": "lower_arm", "kind": "z"},
     "hardpoints.third_spring_end": [0.0, 0.12, 0.125],
     "hardpoints.arb_pivot": [-0.1, 0.1, 0.12],
@@ -43,7 +47,9 @@ SEED = 20261123
 
 
 def bump(height: float = 0.012, speed: float = 2.0, duration: float = 0.6) -> jn.Trial:
-    return jn.Trial(road=jn.HalfSine(height=height, length=0.06, start=0.1), speed=speed, duration=duration)
+    return jn.Trial(
+        road=jn.HalfSine(height=height, length=0.06, start=0.1), speed=speed, duration=duration
+    )
 
 
 def errors(reduced, full) -> dict[str, float]:
@@ -65,10 +71,14 @@ def compare(rig: jn.Rig, trial: jn.Trial) -> tuple[bool, float]:
     full = jn.simulate(rig, trial, tolerance=1e-3 * TOLERANCE, method="explicit")
     found = errors(reduced, full)
     assert {"reduced explicit", "reduced implicit"} & {reduced.attrs["method"]}
-    return True, max(found[name] for name in ("sprung.z", "unsprung.z") if name in found) / TOLERANCE
+    return True, max(
+        found[name] for name in ("sprung.z", "unsprung.z") if name in found
+    ) / TOLERANCE
 
 
-def random_case(random: np.random.Generator, rig: jn.Rig, *, alike: bool = False) -> tuple[jn.Rig, jn.Trial]:
+def random_case(
+    random: np.random.Generator, rig: jn.Rig, *, alike: bool = False
+) -> tuple[jn.Rig, jn.Trial]:
     """Other hardpoints, masses and rates, with or without stops and lift-off, over an obstacle or a rough road.
 
     Those that are ``alike`` all have stops and may lift off, so that one model is compiled for them.
@@ -76,7 +86,9 @@ def random_case(random: np.random.Generator, rig: jn.Rig, *, alike: bool = False
     numbers = rig.parameters()
     changes: dict[str, object] = {}
     for path, value in numbers.items():
-        if path.startswith("hardpoints.") and not path.startswith(("hardpoints.wheel", "hardpoints.contact")):
+        if path.startswith("hardpoints.") and not path.startswith(
+            ("hardpoints.wheel", "hardpoints.contact")
+        ):
             changes[path] = value + 0.004 * random.uniform(-1.0, 1.0)
         elif path.endswith(".mass") or path in ("strut.spring.rate", "tyre.stiffness"):
             changes[path] = value * random.uniform(0.85, 1.15)
@@ -89,9 +101,17 @@ def random_case(random: np.random.Generator, rig: jn.Rig, *, alike: bool = False
     if random.random() < 0.7:
         height, length = size * random.uniform(0.005, 0.05), size * random.uniform(0.1, 1.0)
         road = jn.HalfSine(height=height, length=length, start=0.1)
-        return rig.with_changes(changes), jn.Trial(road=road, speed=random.uniform(1.0, 12.0), duration=0.8)
-    road = jn.Iso8608(**{"class": str(random.choice(list("ABCD")))}, length="30 m", seed=int(random.integers(1000)))
-    return rig.with_changes(changes), jn.Trial(road=road, speed=random.uniform(4.0, 20.0), duration=0.8)
+        return rig.with_changes(changes), jn.Trial(
+            road=road, speed=random.uniform(1.0, 12.0), duration=0.8
+        )
+    road = jn.Iso8608(
+        **{"class": str(random.choice(list("ABCD")))},
+        length="30 m",
+        seed=int(random.integers(1000)),
+    )
+    return rig.with_changes(changes), jn.Trial(
+        road=road, speed=random.uniform(4.0, 20.0), duration=0.8
+    )
 
 
 def test_random_corners_agree_within_the_tolerance():
@@ -139,16 +159,23 @@ def test_every_force_and_every_channel_is_that_of_the_mechanism(everything):
     assert full.attrs["method"] == "explicit"
     assert reduced.attrs["events"] >= 10
     assert {"third_spring.force", "torsion_bar.torque", "anti_roll_bar.torque"} <= set(reduced)
-    assert {name: reduced[name].attrs for name in reduced} == {name: full[name].attrs for name in full}
+    assert {name: reduced[name].attrs for name in reduced} == {
+        name: full[name].attrs for name in full
+    }
     found = errors(reduced, full)
     assert len(found) == len(full.data_vars)  # everything moves
-    assert max(found[name] for name in ("sprung.z", "unsprung.z", "strut.deflection", "wheel.steer")) < 1e-6
+    assert (
+        max(found[name] for name in ("sprung.z", "unsprung.z", "strut.deflection", "wheel.steer"))
+        < 1e-6
+    )
     assert max(found.values()) < 1e-4  # accelerations and forces, with steep friction
 
 
 def test_a_body_that_is_held_leaves_one_coordinate():
     held = KART.with_changes({"guide": "fixed", "sprung": None})
-    reduced, full = (jn.simulate(held, bump(), method=method, tolerance=1e-7) for method in ("auto", "explicit"))
+    reduced, full = (
+        jn.simulate(held, bump(), method=method, tolerance=1e-7) for method in ("auto", "explicit")
+    )
     assert reduced.attrs["method"] == "reduced explicit"
     assert "sprung.z" not in reduced
     assert max(errors(reduced, full).values()) < 1e-5
@@ -173,17 +200,25 @@ def test_the_bound_of_a_table_holds_between_its_points():
         rows = table.numbers[3:].reshape(len(reduction.names) - 1, degree + 1)
         x = (others - table.numbers[0]) / table.numbers[1]
         for name, row, wanted in zip(reduction.names[1:], rows, exact.outputs[1:], strict=True):
-            size = np.ptp(wanted) if "." in name else np.abs(row[0])  # a length or an angle, or a mass
-            bound = table.error * (100.0 if name.startswith("wheel.") else 1.0)  # what nothing feels may be less exact
+            size = (
+                np.ptp(wanted) if "." in name else np.abs(row[0])
+            )  # a length or an angle, or a mass
+            bound = table.error * (
+                100.0 if name.startswith("wheel.") else 1.0
+            )  # what nothing feels may be less exact
             assert np.max(np.abs(np.polyval(row[::-1], x) - wanted)) <= bound * size + 1e-15
         bounds.append(table.error)
     assert bounds[1] < bounds[0] < 1e-8
     assert reduction.table(p, 0.0, -0.06, 0.06, DEGREES[0]).error > 10.0 * bounds[0]
-    assert reduction.table(p, 0.0, -0.3, 0.3, DEGREES[0]) is None  # no wheel of a kart travels that far
+    assert (
+        reduction.table(p, 0.0, -0.3, 0.3, DEGREES[0]) is None
+    )  # no wheel of a kart travels that far
 
 
 def test_a_wheel_that_travels_far_gets_a_wider_table_or_the_mechanism():
-    soft = KART.with_changes({"strut.spring.rate": 4e3, "strut.spring.preload": None, "strut.damper.coefficient": 20.0})
+    soft = KART.with_changes(
+        {"strut.spring.rate": 4e3, "strut.spring.preload": None, "strut.damper.coefficient": 20.0}
+    )
     trial = bump(height=0.03, speed=3.0)
     run = jn.simulate(soft, trial)
     full = jn.simulate(soft, trial, method="explicit", tolerance=1e-8)
@@ -194,7 +229,12 @@ def test_a_wheel_that_travels_far_gets_a_wider_table_or_the_mechanism():
 
 @pytest.mark.parametrize(
     "options",
-    [{"method": "explicit"}, {"detail": True}, {"offset": {"sprung.distance": 0.001}}, {"tolerance": 1e-12}],
+    [
+        {"method": "explicit"},
+        {"detail": True},
+        {"offset": {"sprung.distance": 0.001}},
+        {"tolerance": 1e-12},
+    ],
     ids=["asked for", "detail", "from an offset", "tight tolerance"],
 )
 def test_the_mechanism_runs_where_one_coordinate_does_not_do(options):
@@ -204,7 +244,10 @@ def test_the_mechanism_runs_where_one_coordinate_does_not_do(options):
 
 def test_a_wheel_that_leaves_the_table_between_samples_is_run_by_the_mechanism():
     """It travels 140 mm, and is at rest again when the next sample is taken."""
-    stiff, trial = KART.with_changes({"strut.damper.coefficient": 300.0}), bump(height=0.1, speed=4.0, duration=2.0)
+    stiff, trial = (
+        KART.with_changes({"strut.damper.coefficient": 300.0}),
+        bump(height=0.1, speed=4.0, duration=2.0),
+    )
     fine, coarse = (jn.simulate(stiff, trial, output_step=step) for step in (1e-3, 1.0))
     assert np.ptp((fine["unsprung.z"] - fine["sprung.z"]).values) > 0.13
     assert np.ptp((coarse["unsprung.z"] - coarse["sprung.z"]).values) < 0.01
@@ -231,7 +274,9 @@ def spread(random: np.random.Generator, count: int) -> dict[str, np.ndarray]:
     }
 
 
-STOPPED = KART.with_changes({"strut.bump_stop": {"gap": "6 mm", "rate": "50 N/mm", "progression": 1e8}})
+STOPPED = KART.with_changes(
+    {"strut.bump_stop": {"gap": "6 mm", "rate": "50 N/mm", "progression": 1e8}}
+)
 RANGE = 0.0199  # m, which half of their wheels leave
 WORDS = ("rms sprung.az", "max tyre.force", "range strut.deflection", "min wheel.camber")
 
@@ -245,7 +290,9 @@ def test_variants_step_side_by_side_as_they_run_alone():
     assert not any(many["reason"].values)
     for i in (0, 7, 18):
         rig = STOPPED.with_changes({path: float(values[i]) for path, values in changes.items()})
-        one = jn.simulate_many(rig, trial, {"sprung.mass": [rig.parameters()["sprung.mass"]]}, metrics=words)
+        one = jn.simulate_many(
+            rig, trial, {"sprung.mass": [rig.parameters()["sprung.mass"]]}, metrics=words
+        )
         assert one.attrs["side_by_side"] == 0
         for word in words:
             assert float(many[word][i]) == pytest.approx(float(one[word][0]), rel=1e-6)
@@ -293,13 +340,17 @@ def test_neither_threads_nor_variants_that_fail_change_the_others():
         alone = {path: values[i : i + 1] for path, values in changes.items()}
         one = jn.simulate_many(STOPPED, trial, alone, metrics=WORDS[:3])
         assert str(one["reason"].values[0]) == str(others["reason"].values[i])
-        assert others[WORDS[0]].values[i] == pytest.approx(one[WORDS[0]].values[0], rel=1e-6, nan_ok=True)
+        assert others[WORDS[0]].values[i] == pytest.approx(
+            one[WORDS[0]].values[0], rel=1e-6, nan_ok=True
+        )
 
 
 def test_the_mechanism_runs_each_variant_where_it_is_asked_for():
     rates = {"strut.spring.rate": np.linspace(2e4, 2.4e4, 16)}
     given = (KART, bump(duration=0.1), rates)
-    many = [jn.simulate_many(*given, metrics=WORDS[0], method=method) for method in ("auto", "explicit")]
+    many = [
+        jn.simulate_many(*given, metrics=WORDS[0], method=method) for method in ("auto", "explicit")
+    ]
     assert [runs.attrs["side_by_side"] for runs in many] == [16, 0]
     assert many[0][WORDS[0]].values == pytest.approx(many[1][WORDS[0]].values, rel=1e-6)
 
@@ -311,7 +362,9 @@ def test_mechanisms_step_side_by_side_as_they_run_alone(monkeypatch):
     changes["strut.spring.rate"][3] = 1.0
     changes["strut.spring.rate"][5] = 4e6
     changes["hardpoints.upper_ball_joint[2]"][12] += 0.05
-    many = jn.simulate_many(STOPPED, trial, changes, metrics=WORDS, outputs="sprung.z", method="explicit")
+    many = jn.simulate_many(
+        STOPPED, trial, changes, metrics=WORDS, outputs="sprung.z", method="explicit"
+    )
     assert many.attrs["side_by_side"] == 64
     reduced = jn.simulate_many(STOPPED, trial, changes, metrics=WORDS)
     kept = [i for i in range(66) if i not in (3, 5, 12)]
@@ -319,12 +372,16 @@ def test_mechanisms_step_side_by_side_as_they_run_alone(monkeypatch):
         assert many[word].values[kept] == pytest.approx(reduced[word].values[kept], rel=1e-5)
     for i in (0, 3, 5, 12, 65):
         alone = {path: values[i : i + 1] for path, values in changes.items()}
-        one = jn.simulate_many(STOPPED, trial, alone, metrics=WORDS, outputs="sprung.z", method="explicit")
+        one = jn.simulate_many(
+            STOPPED, trial, alone, metrics=WORDS, outputs="sprung.z", method="explicit"
+        )
         assert one.attrs["side_by_side"] == 0
         assert str(one["reason"].values[0]) == str(many["reason"].values[i])
         for word in WORDS:
             assert many[word].values[i] == pytest.approx(one[word].values[0], rel=1e-6, nan_ok=True)
-        assert many["sprung.z"].values[i] == pytest.approx(one["sprung.z"].values[0], abs=1e-9, nan_ok=True)
+        assert many["sprung.z"].values[i] == pytest.approx(
+            one["sprung.z"].values[0], abs=1e-9, nan_ok=True
+        )
 
 
 def test_one_lane_whose_wheel_flips_over_leaves_the_others_there(monkeypatch):
@@ -332,7 +389,9 @@ def test_one_lane_whose_wheel_flips_over_leaves_the_others_there(monkeypatch):
     dampers = np.full(64, 3000.0)
     dampers[10] = 100.0
     high = bump(height=0.15, speed=4.0, duration=0.1)
-    many = jn.simulate_many(KART, high, {"strut.damper.coefficient": dampers}, metrics=WORDS[:2], method="explicit")
+    many = jn.simulate_many(
+        KART, high, {"strut.damper.coefficient": dampers}, metrics=WORDS[:2], method="explicit"
+    )
     assert many.attrs["side_by_side"] == 63
     assert "flipped" in str(many["reason"].values[10])
     assert np.flatnonzero(many["reason"].values != "").tolist() == [10]

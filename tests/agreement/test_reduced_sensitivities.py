@@ -21,7 +21,9 @@ pytestmark = pytest.mark.usefixtures("optimised")
 
 KART = jn.load("kart-double-wishbone")
 STOPS = {"bump_stop": {"gap": "4 mm", "rate": "50 N/mm", "progression": 1e8}}
-STOPPED = KART.with_changes({f"strut.{name}": stop for name, stop in STOPS.items()} | {"steering.rack_travel": "4 mm"})
+STOPPED = KART.with_changes(
+    {f"strut.{name}": stop for name, stop in STOPS.items()} | {"steering.rack_travel": "4 mm"}
+)
 FREE = (
     "hardpoints.upper_ball_joint[2]",
     "hardpoints.strut_bottom[2]",
@@ -37,7 +39,9 @@ SEED = 20261123
 
 
 def bump(height: float = 0.012, duration: float = 0.5) -> jn.Trial:
-    return jn.Trial(road=jn.HalfSine(height=height, length=0.06, start=0.1), speed=2.0, duration=duration)
+    return jn.Trial(
+        road=jn.HalfSine(height=height, length=0.06, start=0.1), speed=2.0, duration=duration
+    )
 
 
 def mechanism(rig: Rig, trial: jn.Trial, free: tuple[str, ...], tolerance: float):
@@ -69,15 +73,26 @@ def test_every_kind_of_number_over_stops_and_lift_off():
     assert found.attrs["method"] == "reduced explicit"
     assert found.attrs["events"] >= 4
     full, numbers = {name: np.empty(found[name].shape) for name in found}, rig.parameters()
-    for i, path in enumerate(FREE):  # central differences of the mechanism, whose own slopes the slow test takes
+    for i, path in enumerate(
+        FREE
+    ):  # central differences of the mechanism, whose own slopes the slow test takes
         step = 1e-4 * max(abs(numbers[path]), 1e-2)
         changed = (rig.with_changes({path: numbers[path] + sign * step}) for sign in (1, -1))
-        ahead, behind = (jn.simulate(each, trial, method="explicit", tolerance=1e-11) for each in changed)
+        ahead, behind = (
+            jn.simulate(each, trial, method="explicit", tolerance=1e-11) for each in changed
+        )
         for name, slopes in full.items():
             slopes[i] = (ahead[name].values - behind[name].values) / (2.0 * step)
     reduced = {name: found[name].values for name in found}
     # forces and accelerations have kinks at events, where a difference over the kink is no slope
-    assert worst(reduced, full, ("sprung.z", "unsprung.z", "strut.deflection", "wheel.camber", "wheel.steer")) < 3e-5
+    assert (
+        worst(
+            reduced,
+            full,
+            ("sprung.z", "unsprung.z", "strut.deflection", "wheel.camber", "wheel.steer"),
+        )
+        < 3e-5
+    )
 
 
 def test_numbers_that_move_no_pose_leave_the_table_alone():
@@ -115,7 +130,8 @@ def test_a_tighter_tolerance_takes_the_higher_degree_for_slopes_first():
     signals = excitation(compile_rig(KART).facts, KART, trial)
     given = (reduction_of(KART), values, signals, output_times(trial.duration, 1e-3), 1e-6)
     plain, sensitive = (
-        ReducedCorner(*given, free).over(-0.04, 0.04) for free in ((), ("hardpoints.tie_rod_outer[1]",))
+        ReducedCorner(*given, free).over(-0.04, 0.04)
+        for free in ((), ("hardpoints.tie_rod_outer[1]",))
     )
     assert plain is not None
     assert sensitive is not None
@@ -132,23 +148,49 @@ def test_the_mechanism_runs_where_one_coordinate_does_not_do():
 def test_random_corners_of_every_suspension():
     """Other hardpoints, masses and rates, stops, with and without lift-off; what cannot stand is no case."""
     random, found, reduced = np.random.default_rng(SEED), [], 0
-    names = ("kart-double-wishbone", "reference-double-wishbone", "generic-mcpherson", "sedan-multi-link")
-    rigs = [jn.load(name) for name in (*names, "semi-trailing-arm", "formula-student-front", "suv-front")]
+    names = (
+        "kart-double-wishbone",
+        "reference-double-wishbone",
+        "generic-mcpherson",
+        "sedan-multi-link",
+    )
+    rigs = [
+        jn.load(name)
+        for name in (*names, "semi-trailing-arm", "formula-student-front", "suv-front")
+    ]
     for attempt in range(84):
         if len(found) == 42:
             break
         rig = rigs[attempt % len(rigs)]
         numbers = rig.parameters()
-        places = sorted(path for path in numbers if path.startswith("hardpoints.") and "wheel" not in path)
-        spring = "strut.spring.rate" if "strut.spring.rate" in numbers else "strut.spring.free_length"  # of a curve
-        free = (*places[:: max(len(places) // 4, 1)][:4], spring, "strut.bump_stop.gap", "tyre.stiffness")
-        free += tuple(path for path in numbers if path.startswith("bodies.") and path.endswith(".mass"))[:1]
+        places = sorted(
+            path for path in numbers if path.startswith("hardpoints.") and "wheel" not in path
+        )
+        spring = (
+            "strut.spring.rate" if "strut.spring.rate" in numbers else "strut.spring.free_length"
+        )  # of a curve
+        free = (
+            *places[:: max(len(places) // 4, 1)][:4],
+            spring,
+            "strut.bump_stop.gap",
+            "tyre.stiffness",
+        )
+        free += tuple(
+            path for path in numbers if path.startswith("bodies.") and path.endswith(".mass")
+        )[:1]
         gap, rate = random.uniform(0.003, 0.02, 2), 5.0 * numbers.get("strut.spring.rate", 3e4)
         changes = {path: numbers[path] + 0.003 * random.uniform(-1.0, 1.0) for path in places}
-        changes |= {"tyre.lift_off": bool(random.random() < 0.7), "strut.rebound_stop": {"gap": gap[1], "rate": rate}}
+        changes |= {
+            "tyre.lift_off": bool(random.random() < 0.7),
+            "strut.rebound_stop": {"gap": gap[1], "rate": rate},
+        }
         changes["strut.bump_stop"] = {"gap": gap[0], "rate": rate, "progression": 1e7}
         size = max(numbers.get("tyre.undeformed_radius", 0.25), 0.12) / 0.3
-        road = jn.HalfSine(height=size * random.uniform(0.005, 0.03), length=size * random.uniform(0.2, 1.0), start=0.1)
+        road = jn.HalfSine(
+            height=size * random.uniform(0.005, 0.03),
+            length=size * random.uniform(0.2, 1.0),
+            start=0.1,
+        )
         trial = jn.Trial(road=road, speed=random.uniform(1.0, 8.0), duration=0.6)
         try:
             changed = rig.with_changes(changes)

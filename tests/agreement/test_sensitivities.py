@@ -25,7 +25,12 @@ BASIC = (
     "tyre.stiffness",
 )
 DAMPED = {"tyre.damping_coefficient": 60.0}
-TABLE = {"strut.damper": {"velocity": [-1.0, -0.2, 0.0, 0.3, 1.0], "force": [-120.0, -60.0, 0.0, 30.0, 60.0]}}
+TABLE = {
+    "strut.damper": {
+        "velocity": [-1.0, -0.2, 0.0, 0.3, 1.0],
+        "force": [-120.0, -60.0, 0.0, 30.0, 60.0],
+    }
+}
 BLOW_OFF = {
     "kind": "blow-off",
     "bump_blow_off_force": 9.0,
@@ -46,16 +51,30 @@ TANH = {
         "offset": 4.0,
     }
 }
-FRICTION = {"strut.friction": {"force": 12.0}, "guide.friction": {"force": 6.0, "regularisation_velocity": 0.005}}
-POLYNOMIAL_TYRE = {"tyre.stiffness": None, "tyre.curve": {"kind": "polynomial", "coefficients": [6e4, 2e7]}}
+FRICTION = {
+    "strut.friction": {"force": 12.0},
+    "guide.friction": {"force": 6.0, "regularisation_velocity": 0.005},
+}
+POLYNOMIAL_TYRE = {
+    "tyre.stiffness": None,
+    "tyre.curve": {"kind": "polynomial", "coefficients": [6e4, 2e7]},
+}
 TABLE_TYRE = {
     "tyre.stiffness": None,
-    "tyre.curve": {"kind": "table", "deflection": [0.0, 0.001, 0.002, 0.01], "force": [0.0, 60.0, 150.0, 1400.0]},
+    "tyre.curve": {
+        "kind": "table",
+        "deflection": [0.0, 0.001, 0.002, 0.01],
+        "force": [0.0, 60.0, 150.0, 1400.0],
+    },
 }
 CASES = {
     "lift-off": ({}, BUMP, BASIC),
     "tyre damping": (DAMPED, BUMP, (*BASIC, "tyre.damping_coefficient")),
-    "no lift-off": ({"tyre.lift_off": False}, BUMP, ("sprung.mass", "unsprung.mass", "strut.spring.rate")),
+    "no lift-off": (
+        {"tyre.lift_off": False},
+        BUMP,
+        ("sprung.mass", "unsprung.mass", "strut.spring.rate"),
+    ),
     "cleat": ({}, CLEAT, BASIC),
     "preload": ({"strut.spring.preload": 40.0}, BUMP, ("strut.angle",)),
     "bilinear": (
@@ -63,7 +82,11 @@ CASES = {
         BUMP,
         ("strut.damper.bump_coefficient", "strut.damper.rebound_coefficient"),
     ),
-    "velocity table": (TABLE, BUMP, (*(f"strut.damper.force[{i}]" for i in range(5)), "strut.damper.velocity[1]")),
+    "velocity table": (
+        TABLE,
+        BUMP,
+        (*(f"strut.damper.force[{i}]" for i in range(5)), "strut.damper.velocity[1]"),
+    ),
     "blow-off": (
         {"strut.damper": BLOW_OFF},
         BUMP,
@@ -72,7 +95,10 @@ CASES = {
     "tanh": (
         TANH,
         BUMP,
-        tuple(f"strut.damper.{name}" for name in ("coefficient", "force", "slope", "displacement_coupling", "offset")),
+        tuple(
+            f"strut.damper.{name}"
+            for name in ("coefficient", "force", "slope", "displacement_coupling", "offset")
+        ),
     ),
     "friction": (
         FRICTION,
@@ -84,17 +110,29 @@ CASES = {
         BUMP,
         tuple(f"strut.bump_stop.{name}" for name in ("gap", "rate", "progression")),
     ),
-    "polynomial tyre": (POLYNOMIAL_TYRE, BUMP, ("tyre.curve.coefficients[0]", "tyre.curve.coefficients[1]")),
+    "polynomial tyre": (
+        POLYNOMIAL_TYRE,
+        BUMP,
+        ("tyre.curve.coefficients[0]", "tyre.curve.coefficients[1]"),
+    ),
     "table tyre": (TABLE_TYRE, BUMP, ("tyre.curve.force[2]", "tyre.curve.deflection[2]")),
     "spring curve": (
-        {"strut.spring": {"rate": None, "preload": 60.0, "curve": {"kind": "polynomial", "coefficients": [15e3, 4e5]}}},
+        {
+            "strut.spring": {
+                "rate": None,
+                "preload": 60.0,
+                "curve": {"kind": "polynomial", "coefficients": [15e3, 4e5]},
+            }
+        },
         BUMP,
         ("strut.spring.curve.coefficients[0]", "strut.spring.curve.coefficients[1]"),
     ),
 }
 
 
-def compare(changes, road, free, *, speed: float = 1.95, duration: float = 0.5, allowed: float = 2e-5) -> None:
+def compare(
+    changes, road, free, *, speed: float = 1.95, duration: float = 0.5, allowed: float = 2e-5
+) -> None:
     rig = KART.with_changes(changes)
     model = build(rig)
     plain, sensitive = compile_model(model), compile_model(model, free)
@@ -108,7 +146,8 @@ def compare(changes, road, free, *, speed: float = 1.95, duration: float = 0.5, 
         i = model.parameters.index(path)
         step = 1e-5 * (abs(p[i]) or 1.0)
         ahead, behind = (
-            solve(plain, p + sign * step * np.eye(len(p))[i], segments, times, tolerance=1e-12) for sign in (1, -1)
+            solve(plain, p + sign * step * np.eye(len(p))[i], segments, times, tolerance=1e-12)
+            for sign in (1, -1)
         )
         expected = (ahead.states - behind.states) / (2.0 * step)
         found = run.state_slopes[:, column]
@@ -118,12 +157,16 @@ def compare(changes, road, free, *, speed: float = 1.95, duration: float = 0.5, 
         assert np.max(np.abs(found - expected)) < allowed * size, path
     forces = plain.output_names.index("strut.deflection")  # outputs follow the chain rule, too
     expected = (ahead.outputs - behind.outputs)[forces] / (2.0 * step)
-    assert np.max(np.abs(run.output_slopes[forces, -1] - expected)) < allowed * np.max(np.abs(expected))
+    assert np.max(np.abs(run.output_slopes[forces, -1] - expected)) < allowed * np.max(
+        np.abs(expected)
+    )
 
 
 @pytest.mark.parametrize("name", CASES)
 def test_every_kind_of_parameter(name):
-    compare(*CASES[name], allowed=1e-4 if name == "friction" else 2e-5)  # sharp bends cost the differences digits
+    compare(
+        *CASES[name], allowed=1e-4 if name == "friction" else 2e-5
+    )  # sharp bends cost the differences digits
 
 
 def test_states_are_those_of_a_run_without_sensitivities():
@@ -131,7 +174,10 @@ def test_states_are_those_of_a_run_without_sensitivities():
     plain, sensitive = compile_model(model), compile_model(model, BASIC)
     p, times = plain.parameter_values(KART.parameters()), output_times(0.5, 1e-3)
     segments = BUMP.segments(1.0).in_time(1.95)
-    a, b = (solve(compiled, p, segments, times, method="explicit").states for compiled in (plain, sensitive))
+    a, b = (
+        solve(compiled, p, segments, times, method="explicit").states
+        for compiled in (plain, sensitive)
+    )
     assert np.max(np.abs(a - b)) < 1e-12
 
 
@@ -156,4 +202,9 @@ def test_bouc_wen():
         "sigma": 0.8,
         "exponent": 2.0,
     }
-    compare({"strut.damper": damper}, BUMP, ("strut.damper.hysteretic_force", "strut.damper.rate"), allowed=1e-4)
+    compare(
+        {"strut.damper": damper},
+        BUMP,
+        ("strut.damper.hysteretic_force", "strut.damper.rate"),
+        allowed=1e-4,
+    )

@@ -63,7 +63,10 @@ def results(tmp_path_factory):
 
     def by(way):
         file = folder / way
-        environment = {**os.environ, "JOUNCE_CACHE_DIR": str(folder / "cache")}  # one: the models are the same
+        environment = {
+            **os.environ,
+            "JOUNCE_CACHE_DIR": str(folder / "cache"),
+        }  # one: the models are the same
         subprocess.run([sys.executable, "-c", SCRIPT, way, str(file)], env=environment, check=True)
         return pickle.loads(file.read_bytes())
 

@@ -29,7 +29,9 @@ def stiff(rig=RIGID, *, damping=0.0, friction=True, lift_off=None):
     With both there is one model to compile, for seconds.
     """
     law = {"stiffness": (1e7,) * 3, "rotational_stiffness": (1.0,) * 3, "damping": (damping,) * 3}
-    table = rig.model_dump(by_alias=True, exclude_none=True) | {"bushings": dict.fromkeys(ARMS, law)}
+    table = rig.model_dump(by_alias=True, exclude_none=True) | {
+        "bushings": dict.fromkeys(ARMS, law)
+    }
     if friction:
         table["strut"]["friction"] = FRICTION
     table["tyre"]["lift_off"] = friction if lift_off is None else lift_off
@@ -41,7 +43,9 @@ def bump(duration):
 
 
 def error(run, reference, channel):
-    return float(abs(run[channel] - reference[channel]).max()) / np.ptp(reference[channel].to_numpy())
+    return float(abs(run[channel] - reference[channel]).max()) / np.ptp(
+        reference[channel].to_numpy()
+    )
 
 
 CASES = {
@@ -52,7 +56,9 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("name", [pytest.param(n, marks=[pytest.mark.slow] if n == "friction" else []) for n in CASES])
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=[pytest.mark.slow] if n == "friction" else []) for n in CASES]
+)
 def test_methods_agree(name):
     """Displacements within the tolerance, at loose and tight ones; contact and friction switch as often."""
     rig, trial = stiff(**CASES[name]), bump("0.3 s")
@@ -70,7 +76,10 @@ def test_stiff_bushings_act_as_rigid_joints(friction):
     """What differs is the bushings' own deflection, 20 um of 7 mm at rest and some times that at a kilonewton."""
     trial = bump("3 s")
     rigid = jn.simulate(
-        RIGID.with_changes({"strut.friction": FRICTION, "tyre.lift_off": True}) if friction else RIGID, trial
+        RIGID.with_changes({"strut.friction": FRICTION, "tyre.lift_off": True})
+        if friction
+        else RIGID,
+        trial,
     )
     soft = jn.simulate(stiff(friction=friction), trial)
     assert soft.attrs["method"] == "implicit"
@@ -96,14 +105,18 @@ def test_steps_follow_the_slow_motion():
     p = compiled.parameter_values(rig.parameters())
     rest = find_equilibrium(compiled, p, compiled.inputs())
     decay = np.max(np.abs(np.linalg.eigvals(rest.reduced)))
-    assert run.attrs["steps"] < 0.01 * 3.0 * decay / 6.0  # the stability interval of the explicit method is about 6
+    assert (
+        run.attrs["steps"] < 0.01 * 3.0 * decay / 6.0
+    )  # the stability interval of the explicit method is about 6
     assert run.attrs["steps"] < 2000
 
 
 def test_an_explicit_run_without_steps_left_goes_on_implicitly():
     rig, times = stiff(damping=1e3), output_times(0.2, 1e-3)
     compiled = compile_rig(rig)
-    prepared = prepare(compiled, compiled.parameter_values(rig.parameters()), bump("0.2 s").segments(), times)
+    prepared = prepare(
+        compiled, compiled.parameter_values(rig.parameters()), bump("0.2 s").segments(), times
+    )
     assert prepared.control.max_steps == MAX_STEPS
     poor = prepared.__class__(
         **{
@@ -154,7 +167,11 @@ def test_a_method_that_does_not_exist_is_refused():
 def test_linear_systems_against_dense_ones(rig):
     """At a state off the constraints' rest: solution of ``(shift - df/dx) d = r`` by LAPACK with the dense slopes."""
     model = build(rig)
-    compiled, functions, random = compile_model(model), linear_functions(model), np.random.default_rng(5)
+    compiled, functions, random = (
+        compile_model(model),
+        linear_functions(model),
+        np.random.default_rng(5),
+    )
     p, u = compiled.parameter_values(rig.parameters()), compiled.inputs()
     rest = find_equilibrium(compiled, p, u)
     x, r = rest.x + 1e-4 * random.standard_normal(len(rest.x)), random.standard_normal(len(rest.x))

@@ -24,7 +24,14 @@ LOADS = {
         "deceleration": {"value": 3.0, "start": 0.2},
     },
 }
-CHANNELS = ("body.z", "body.pitch", "body.roll", "front.strut.force", "rear_left.tyre.force", "front_right.unsprung.z")
+CHANNELS = (
+    "body.z",
+    "body.pitch",
+    "body.roll",
+    "front.strut.force",
+    "rear_left.tyre.force",
+    "front_right.unsprung.z",
+)
 
 
 def trial_of(car, road=BUMP, duration=1.0):
@@ -35,7 +42,9 @@ def differences(car, trial, path: str, run) -> dict[str, np.ndarray]:
     value = car.parameters()[path]
     step = 1e-5 * (abs(value) or 1.0)
     ahead, behind = (run(car.with_changes({path: value + sign * step}), trial) for sign in (1, -1))
-    return {name: (np.asarray(ahead[name]) - np.asarray(behind[name])) / (2.0 * step) for name in ahead}
+    return {
+        name: (np.asarray(ahead[name]) - np.asarray(behind[name])) / (2.0 * step) for name in ahead
+    }
 
 
 def compare(slopes, car, trial, run, paths, *, allowed: float) -> None:
@@ -46,7 +55,10 @@ def compare(slopes, car, trial, run, paths, *, allowed: float) -> None:
             error = np.abs(found - expected[name])
             size = max(np.max(np.abs(expected[name])), 1e-13)
             assert np.median(error) < allowed * size, (path, name)
-            assert np.quantile(error, 0.995) < 30.0 * allowed * size, (path, name)  # a sample at a located event
+            assert np.quantile(error, 0.995) < 30.0 * allowed * size, (
+                path,
+                name,
+            )  # a sample at a located event
 
 
 def simulated(car, trial):
@@ -58,7 +70,14 @@ def simulated(car, trial):
 def test_every_parameter(car, road):
     trial = trial_of(car, road)
     paths = [path for path in car.parameters() if path not in DISTANCES]
-    compare(jn.sensitivities(car, trial, paths, tolerance=1e-9), car, trial, simulated, paths, allowed=2e-5)
+    compare(
+        jn.sensitivities(car, trial, paths, tolerance=1e-9),
+        car,
+        trial,
+        simulated,
+        paths,
+        allowed=2e-5,
+    )
 
 
 @pytest.mark.parametrize(
@@ -67,14 +86,33 @@ def test_every_parameter(car, road):
         (HALF.with_changes({"compat": "sign-corrected"}), trial_of(HALF)),
         (
             HALF4,
-            jn.Trial(road=jn.Flat(), speed="10 m/s", duration="1 s", deceleration={"value": 3.0, "start": "0.1 s"}),
+            jn.Trial(
+                road=jn.Flat(),
+                speed="10 m/s",
+                duration="1 s",
+                deceleration={"value": 3.0, "start": "0.1 s"},
+            ),
         ),
-        (HALF4, jn.Trial(excitation=jn.Excitation(time=np.linspace(0, 1, 101), height=0.01 * np.sin(np.arange(101))))),
+        (
+            HALF4,
+            jn.Trial(
+                excitation=jn.Excitation(
+                    time=np.linspace(0, 1, 101), height=0.01 * np.sin(np.arange(101))
+                )
+            ),
+        ),
     ],
     ids=["both axles at once", "flat road", "shaker"],
 )
 def test_distances_where_nothing_is_delayed(car, trial):
-    compare(jn.sensitivities(car, trial, DISTANCES, tolerance=1e-9), car, trial, simulated, DISTANCES, allowed=2e-5)
+    compare(
+        jn.sensitivities(car, trial, DISTANCES, tolerance=1e-9),
+        car,
+        trial,
+        simulated,
+        DISTANCES,
+        allowed=2e-5,
+    )
 
 
 @pytest.mark.parametrize("car", [HALF, HALF4, FULL], ids=lambda car: car.model)
@@ -106,7 +144,9 @@ def test_the_twin_says_the_same(vehicle_twin, car):
     paths = ["body.mass", "front.spring_rate", "rear.damping_coefficient"]
     if car is FULL:
         paths = ["body.height", "rear.track", "front.roll_centre_height", "rear.anti_roll_bar_rate"]
-    compare(jn.sensitivities(car, trial, paths, tolerance=1e-9), car, trial, run, paths, allowed=1e-4)
+    compare(
+        jn.sensitivities(car, trial, paths, tolerance=1e-9), car, trial, run, paths, allowed=1e-4
+    )
 
 
 @pytest.mark.parametrize("car", [HALF, HALF4, FULL], ids=lambda car: car.model)
@@ -120,5 +160,7 @@ def test_gradient(car):
         sums = []
         for sign in (1, -1):
             run = simulated(car.with_changes({name: value + sign * step}), trial)
-            sums.append(sum(weight * float((run[key] ** 2).mean()) for key, weight in objective.items()))
+            sums.append(
+                sum(weight * float((run[key] ** 2).mean()) for key, weight in objective.items())
+            )
         assert abs(found.gradient[name] / ((sums[0] - sums[1]) / (2 * step)) - 1.0) < 1e-4

@@ -15,7 +15,9 @@ ROLLS = ("body.roll", "body.roll_rate", "body.roll_acceleration", "body.lateral_
 
 
 def run(car, *, road=BUMP, speed=10.0, duration=1.5, tolerance=1e-9, **loads):
-    return jn.simulate(car, jn.Trial(road=road, speed=speed, duration=duration, **loads), tolerance=tolerance)
+    return jn.simulate(
+        car, jn.Trial(road=road, speed=speed, duration=duration, **loads), tolerance=tolerance
+    )
 
 
 def same(a, b, *, allowed: float) -> None:
@@ -26,18 +28,27 @@ def same(a, b, *, allowed: float) -> None:
 # --- full car = half car with unsprung masses ------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("loads", [{}, {"deceleration": {"value": 4.0, "start": 0.3}}, {"pitch_moment": 900.0}])
+@pytest.mark.parametrize(
+    "loads", [{}, {"deceleration": {"value": 4.0, "start": 0.3}}, {"pitch_moment": 900.0}]
+)
 def test_full_car_on_equal_roads_is_the_half_car(loads):
     full, half = run(FULL, **loads), run(HALF4, **loads)
     for name in half:
-        for twin in [name] if name.startswith("body") else [name.replace(".", f"_{s}.", 1) for s in ("left", "right")]:
+        for twin in (
+            [name]
+            if name.startswith("body")
+            else [name.replace(".", f"_{s}.", 1) for s in ("left", "right")]
+        ):
             same(full[twin], half[name], allowed=1e-9)
     for name in ROLLS:
         assert np.max(np.abs(full[name].values)) < 1e-11
 
 
 def test_full_car_on_equal_roads_with_every_law():
-    damper = {"velocity": [-1.0, -0.1, 0.0, 0.1, 1.0], "force": [-3000.0, -600.0, 0.0, 300.0, 1500.0]}
+    damper = {
+        "velocity": [-1.0, -0.1, 0.0, 0.1, 1.0],
+        "force": [-3000.0, -600.0, 0.0, 300.0, 1500.0],
+    }
     changes = {
         "front.damping_coefficient": None,
         "front.damper": damper,
@@ -53,7 +64,10 @@ def test_full_car_on_equal_roads_with_every_law():
 def test_modes_of_the_half_car_are_among_those_of_the_full_car():
     full = [(mode.frequency_hz, mode.damping_ratio) for mode in jn.modes(FULL)]
     for mode in jn.modes(HALF4):
-        assert min(np.hypot(f / mode.frequency_hz - 1, d - mode.damping_ratio) for f, d in full) < 1e-10
+        assert (
+            min(np.hypot(f / mode.frequency_hz - 1, d - mode.damping_ratio) for f, d in full)
+            < 1e-10
+        )
 
 
 # --- half car = quarter cars -----------------------------------------------------------------------------------------
@@ -61,7 +75,10 @@ def test_modes_of_the_half_car_are_among_those_of_the_full_car():
 
 def quarter_of(axle, mass: float, damper=None):
     """Quarter car that stands under one end: ``mass`` is what one wheel carries."""
-    strut = {"spring": {"rate": axle.spring_rate}, "damper": damper or {"coefficient": axle.damping_coefficient}}
+    strut = {
+        "spring": {"rate": axle.spring_rate},
+        "damper": damper or {"coefficient": axle.damping_coefficient},
+    }
     table = {
         "model": "quarter-car",
         "sprung": {"mass": mass},
@@ -75,7 +92,9 @@ def quarter_of(axle, mass: float, damper=None):
 def with_index_one(car):
     """Pitch inertia m a b: each end of the body stands on its own."""
     body = car.body
-    return car.with_changes({"body.pitch_inertia": body.mass * car.front.distance * car.rear.distance})
+    return car.with_changes(
+        {"body.pitch_inertia": body.mass * car.front.distance * car.rear.distance}
+    )
 
 
 BOUC_WEN = {
@@ -93,15 +112,28 @@ def test_with_dynamic_index_one_each_end_is_a_quarter_car(damper):
     changes = {} if damper is None else {"front.damping_coefficient": None, "front.damper": damper}
     for car in (with_index_one(car).with_changes(changes) for car in (HALF4, FULL)):
         found = run(car)
-        share = {"front": car.rear.distance / car.wheelbase, "rear": car.front.distance / car.wheelbase}
+        share = {
+            "front": car.rear.distance / car.wheelbase,
+            "rear": car.front.distance / car.wheelbase,
+        }
         for end, late in (("front", 0.0), ("rear", car.wheelbase)):
             road = BUMP.model_copy(update={"start": BUMP.start + late})
             axle = getattr(HALF4, end)
             expected = run(
-                quarter_of(axle, 0.5 * car.body.mass * share[end], damper if end == "front" else None), road=road
+                quarter_of(
+                    axle, 0.5 * car.body.mass * share[end], damper if end == "front" else None
+                ),
+                road=road,
             )
             corner = end if car.model == "half-car-4dof" else f"{end}_left"
-            for name in ("sprung.z", "sprung.az", "unsprung.z", "strut.force", "tyre.force", "road.z"):
+            for name in (
+                "sprung.z",
+                "sprung.az",
+                "unsprung.z",
+                "strut.force",
+                "tyre.force",
+                "road.z",
+            ):
                 same(found[f"{corner}.{name}"], expected[name], allowed=3e-7)
 
 
@@ -184,15 +216,27 @@ def test_roll_in_closed_form():
     for f in (0.2, 1.5, 4.0, 12.0):
         s = 2j * np.pi * f
         strut = k + c * s
-        matrix = np.array([[600.0 * s**2 + 4 * y**2 * strut, -4 * y * strut], [-y * strut, 42.0 * s**2 + strut + kt]])
+        matrix = np.array(
+            [
+                [600.0 * s**2 + 4 * y**2 * strut, -4 * y * strut],
+                [-y * strut, 42.0 * s**2 + strut + kt],
+            ]
+        )
         roll, wheel = np.linalg.solve(matrix, [0.0, kt])  # road +1 m on the left, -1 m on the right
         found = {
             name: sum(
-                (1 if track.endswith("left.road.z") else -1) * model.frequency_response(f, name, track)[0]
+                (1 if track.endswith("left.road.z") else -1)
+                * model.frequency_response(f, name, track)[0]
                 for track in model.inputs
                 if track.endswith(".road.z") and "rate" not in track
             )
-            for name in ("body.roll", "front_left.unsprung.z", "rear_right.unsprung.z", "body.z", "body.pitch")
+            for name in (
+                "body.roll",
+                "front_left.unsprung.z",
+                "rear_right.unsprung.z",
+                "body.z",
+                "body.pitch",
+            )
         }
         assert abs(found["body.roll"] - roll) < 1e-11 * abs(roll)
         assert abs(found["front_left.unsprung.z"] - wheel) < 1e-11 * abs(wheel)
@@ -222,7 +266,9 @@ def test_roll_centres_at_the_centre_of_gravity_leave_the_body_upright():
     struts = [float(rest[f"{corner}.strut.force"][0]) for corner in car.corners]
     assert np.ptp(struts) < 1e-8  # all of it goes through the links ...
     tyres = [float(rest[f"front_{side}.tyre.force"][0]) for side in ("left", "right")]
-    assert abs(tyres[1] - tyres[0] - 1636.0 * 5.0 * 0.55 / 1.54 / 1.0) < 1e-8  # ... half of it at each axle, twice
+    assert (
+        abs(tyres[1] - tyres[0] - 1636.0 * 5.0 * 0.55 / 1.54 / 1.0) < 1e-8
+    )  # ... half of it at each axle, twice
 
 
 # --- mirror ----------------------------------------------------------------------------------------------------------
@@ -282,8 +328,12 @@ def test_response_to_a_load_is_that_of_the_linear_model(track):
     value = 1000.0 if track == "pitch_moment" else 4.0
     found = run(car, road=jn.Flat(), duration=8.0, **{track: {"value": value, "start": 0.1}})
     name = "body.pitch" if track == "pitch_moment" else "body.roll"
-    static = (model.C @ np.linalg.solve(-model.A, model.B))[model.outputs.index(name), model.inputs.index(track)]
-    assert abs(float(found[name][-1] - found[name][0]) - value * static) < 1e-6 * abs(value * static)
+    static = (model.C @ np.linalg.solve(-model.A, model.B))[
+        model.outputs.index(name), model.inputs.index(track)
+    ]
+    assert abs(float(found[name][-1] - found[name][0]) - value * static) < 1e-6 * abs(
+        value * static
+    )
 
 
 # --- wheelbase filtering ---------------------------------------------------------------------------------------------
@@ -316,9 +366,13 @@ def test_wheelbase_filtering(j):
 def test_wheelbase_filtering_in_a_run():
     car = rigid_wheels()
     length, speed = car.wheelbase, 20.0
-    for wavelength, quiet, loud in ((2 * length, "body.z", "body.pitch"), (length, "body.pitch", "body.z")):
+    for wavelength, quiet, loud in (
+        (2 * length, "body.z", "body.pitch"),
+        (length, "body.pitch", "body.z"),
+    ):
         road = jn.Table(
-            x=np.linspace(0.0, 200.0, 8001), height=0.01 * np.sin(2 * np.pi * np.linspace(0, 200.0, 8001) / wavelength)
+            x=np.linspace(0.0, 200.0, 8001),
+            height=0.01 * np.sin(2 * np.pi * np.linspace(0, 200.0, 8001) / wavelength),
         )
         found = run(car, road=road, speed=speed, duration=9.9)
         late = found["time"].values > 7.0

@@ -20,23 +20,42 @@ HOLE = jn.Trapezoid(height="-30 mm", length="1 m", ramp="0.2 m", start="3 m")
 SPEED = 10.0
 
 
-def compare(twin, vehicle, road, *, duration=0.7, speed=SPEED, right=None, allowed=2e-8, tolerance=1e-10, **loads):
+def compare(
+    twin,
+    vehicle,
+    road,
+    *,
+    duration=0.7,
+    speed=SPEED,
+    right=None,
+    allowed=2e-8,
+    tolerance=1e-10,
+    **loads,
+):
     """Loads are (value, start, ramp); differences are counted against the range of the same kind of channel."""
-    given = {name: {"value": value, "start": start, "ramp": ramp} for name, (value, start, ramp) in loads.items()}
+    given = {
+        name: {"value": value, "start": start, "ramp": ramp}
+        for name, (value, start, ramp) in loads.items()
+    }
     trial = jn.Trial(road=road, speed=speed, duration=duration, right=right, **given)
     run = jn.simulate(vehicle, trial, tolerance=tolerance).isel(time=slice(None, None, 3))
     assert run.attrs["status"] == "completed"
     signals = {name: twin.ramp(*values) for name, values in loads.items()}
-    expected = twin.twin_of(vehicle, twin.driven(vehicle, road, speed, duration, right=right, **signals)).run(
-        run["time"].values
-    )
+    expected = twin.twin_of(
+        vehicle, twin.driven(vehicle, road, speed, duration, right=right, **signals)
+    ).run(run["time"].values)
     assert set(expected) == set(run) - {"body.lateral_acceleration"}
     sizes = {}
     for name, values in expected.items():
         kind = name.rpartition(".")[2]
         sizes[kind] = max(sizes.get(kind, 1e-9), float(np.ptp(values)))
     for name, values in expected.items():
-        if "roll" in name and vehicle.model == "full-car" and right is None and "lateral_acceleration" not in loads:
+        if (
+            "roll" in name
+            and vehicle.model == "full-car"
+            and right is None
+            and "lateral_acceleration" not in loads
+        ):
             assert np.max(np.abs(run[name])) < 1e-9, name  # symmetric: nothing rolls
             continue
         error = np.max(np.abs(run[name].values - values)) / sizes[name.rpartition(".")[2]]
@@ -44,7 +63,9 @@ def compare(twin, vehicle, road, *, duration=0.7, speed=SPEED, right=None, allow
     return run, expected
 
 
-@pytest.mark.parametrize("load", [{}, {"pitch_moment": (100.0, 0.3, 0.2)}, {"pitch_moment": (-2700.0, 0.25, 0.0)}])
+@pytest.mark.parametrize(
+    "load", [{}, {"pitch_moment": (100.0, 0.3, 0.2)}, {"pitch_moment": (-2700.0, 0.25, 0.0)}]
+)
 @pytest.mark.parametrize("compat", ["physical", "sign-corrected", "simulink"])
 @pytest.mark.parametrize("car", [HALF, DEMO], ids=["audi", "demo"])
 def test_half_car_in_all_forms(vehicle_twin, car, compat, load):
@@ -54,7 +75,13 @@ def test_half_car_in_all_forms(vehicle_twin, car, compat, load):
 @pytest.mark.parametrize("compat", ["physical", "sign-corrected", "simulink"])
 def test_half_car_on_a_step_and_under_a_load_from_the_start(vehicle_twin, compat):
     step = jn.Ramp(height="50 mm", length="0.5 m", shape="cosine", start="6 m")
-    compare(vehicle_twin, HALF.with_changes({"compat": compat}), step, duration=1.3, pitch_moment=(100.0, 0.0, 0.0))
+    compare(
+        vehicle_twin,
+        HALF.with_changes({"compat": compat}),
+        step,
+        duration=1.3,
+        pitch_moment=(100.0, 0.0, 0.0),
+    )
 
 
 @pytest.mark.parametrize(
@@ -95,7 +122,11 @@ def test_loads(vehicle_twin, model, loads):
     [
         {"lateral_acceleration": (4.0, 0.3, 0.2)},
         {"lateral_acceleration": (-4.0, 0.0, 0.0)},
-        {"lateral_acceleration": (5.0, 0.2, 0.1), "deceleration": (3.0, 0.4, 0.0), "pitch_moment": (100.0, 0.0, 0.3)},
+        {
+            "lateral_acceleration": (5.0, 0.2, 0.1),
+            "deceleration": (3.0, 0.4, 0.0),
+            "pitch_moment": (100.0, 0.0, 0.3),
+        },
     ],
 )
 def test_cornering(vehicle_twin, loads):
@@ -103,9 +134,13 @@ def test_cornering(vehicle_twin, loads):
 
 
 def test_left_and_right_on_different_roads(vehicle_twin):
-    run, _ = compare(vehicle_twin, FULL, HIGH_BUMP, right=HOLE, lateral_acceleration=(3.0, 0.2, 0.2))
+    run, _ = compare(
+        vehicle_twin, FULL, HIGH_BUMP, right=HOLE, lateral_acceleration=(3.0, 0.2, 0.2)
+    )
     assert np.ptp(run["body.roll"].values) > 0.01
-    assert min(float(run[f"{corner}.tyre.force"].min()) for corner in FULL.corners) == 0.0  # a wheel lifts off
+    assert (
+        min(float(run[f"{corner}.tyre.force"].min()) for corner in FULL.corners) == 0.0
+    )  # a wheel lifts off
 
 
 @pytest.mark.parametrize("rear_faster", [0.5, 2.0])
@@ -120,14 +155,22 @@ def test_an_unsymmetric_car(vehicle_twin, rear_faster):
             "gravity": 3.7,
         }
     )
-    compare(vehicle_twin, car, HIGH_BUMP, right=BUMP, allowed=1e-7, lateral_acceleration=(2.0, 0.1, 0.2))
+    compare(
+        vehicle_twin, car, HIGH_BUMP, right=BUMP, allowed=1e-7, lateral_acceleration=(2.0, 0.1, 0.2)
+    )
 
 
 TABLE = {
     "velocity": [-1.0, -0.2, -0.05, 0.0, 0.05, 0.3, 1.0],
     "force": [-3000.0, -900.0, -400.0, 0.0, 150.0, 500.0, 1200.0],
 }
-TANH = {"kind": "tanh", "coefficient": 1500.0, "force": 300.0, "slope": 10.0, "displacement_coupling": 2.0}
+TANH = {
+    "kind": "tanh",
+    "coefficient": 1500.0,
+    "force": 300.0,
+    "slope": 10.0,
+    "displacement_coupling": 2.0,
+}
 POLYNOMIAL = {"kind": "polynomial", "coefficients": [2e5, 2e6]}
 BLOW_OFF = {
     "kind": "blow-off",
@@ -146,7 +189,10 @@ LAWS = {
     },
     "blow-off damper": {"rear.damping_coefficient": None, "rear.damper": BLOW_OFF},
     "velocity table": {"rear.damping_coefficient": None, "rear.damper": TABLE},
-    "tanh damper": {"front.damping_coefficient": None, "front.damper": {**TANH, "stiffness": 500.0, "offset": 40.0}},
+    "tanh damper": {
+        "front.damping_coefficient": None,
+        "front.damper": {**TANH, "stiffness": 500.0, "offset": 40.0},
+    },
     "bump stop": {"front.bump_stop": {"gap": 0.175, "rate": 6e4, "progression": 3e8}},
     "rebound stop": {"rear.rebound_stop": {"gap": -0.15, "rate": 6e4, "progression": 3e7}},
     "both stops closed at rest": {
@@ -168,13 +214,25 @@ LAWS = {
 @pytest.mark.parametrize("model", WHEELS)
 def test_laws(vehicle_twin, model, law):
     right = BUMP if model == "full-car" else None
-    compare(vehicle_twin, WHEELS[model].with_changes(LAWS[law]), HIGH_BUMP, right=right, allowed=2e-7)
+    compare(
+        vehicle_twin, WHEELS[model].with_changes(LAWS[law]), HIGH_BUMP, right=right, allowed=2e-7
+    )
 
 
 def test_everything_at_once(vehicle_twin):
-    names = ("velocity table", "bump stop", "rebound stop", "spring curve", "tyre curve", "friction")
+    names = (
+        "velocity table",
+        "bump stop",
+        "rebound stop",
+        "spring curve",
+        "tyre curve",
+        "friction",
+    )
     changes = {
-        path: value for name in names for path, value in LAWS[name].items() if not path.startswith("rear.spring")
+        path: value
+        for name in names
+        for path, value in LAWS[name].items()
+        if not path.startswith("rear.spring")
     }
     loads = {"lateral_acceleration": (5.0, 0.2, 0.1), "deceleration": (3.0, 0.4, 0.0)}
     compare(vehicle_twin, FULL.with_changes(changes), HIGH_BUMP, right=HOLE, allowed=3e-7, **loads)
@@ -194,14 +252,24 @@ def test_the_comparison_can_fail(vehicle_twin, path, factor):
     changed = FULL.with_changes({path: FULL.parameters()[path] * factor})
     loads = {"lateral_acceleration": (4.0, 0.3, 0.2)}
     trial = jn.Trial(
-        road=BUMP, speed=SPEED, duration=0.8, lateral_acceleration={"value": 4.0, "start": 0.3, "ramp": 0.2}
+        road=BUMP,
+        speed=SPEED,
+        duration=0.8,
+        lateral_acceleration={"value": 4.0, "start": 0.3, "ramp": 0.2},
     )
     run = jn.simulate(changed, trial, tolerance=1e-9)
     signals = {name: vehicle_twin.ramp(*values) for name, values in loads.items()}
-    expected = vehicle_twin.twin_of(FULL, vehicle_twin.driven(FULL, BUMP, SPEED, 0.8, **signals)).run(
-        run["time"].values
+    expected = vehicle_twin.twin_of(
+        FULL, vehicle_twin.driven(FULL, BUMP, SPEED, 0.8, **signals)
+    ).run(run["time"].values)
+    assert (
+        max(
+            np.max(np.abs(run[name] - expected[name]))
+            for name in expected
+            if name.endswith("tyre.force")
+        )
+        > 5.0
     )
-    assert max(np.max(np.abs(run[name] - expected[name])) for name in expected if name.endswith("tyre.force")) > 5.0
 
 
 def perturbed(twin, car, signals, x):
@@ -218,7 +286,9 @@ def perturbed(twin, car, signals, x):
         HALF.with_changes({"compat": "simulink"}),
         HALF.with_changes({"compat": "sign-corrected"}),
         HALF4.with_changes({"front.tyre.lift_off": False, "rear.tyre.lift_off": False}),
-        FULL.with_changes({"front.tyre.lift_off": False, "rear.tyre.lift_off": False, "rear.track": 1.4}),
+        FULL.with_changes(
+            {"front.tyre.lift_off": False, "rear.tyre.lift_off": False, "rear.track": 1.4}
+        ),
     ],
     ids=lambda car: f"{car.model} {getattr(car, 'compat', '')}".strip(),
 )
@@ -233,7 +303,10 @@ def test_linear_models_of_any_car(vehicle_twin, seed):
     random = np.random.default_rng(seed)
     for car in (HALF, HALF4, FULL):
         sizes = random.uniform(0.5, 2.0, len(car.parameters()))
-        changes = {path: value * size for (path, value), size in zip(car.parameters().items(), sizes, strict=True)}
+        changes = {
+            path: value * size
+            for (path, value), size in zip(car.parameters().items(), sizes, strict=True)
+        }
         if car is not HALF:
             changes |= {"front.tyre.lift_off": False, "rear.tyre.lift_off": False}
         compare_linear(vehicle_twin, car.with_changes(changes))
@@ -243,10 +316,16 @@ def compare_linear(vehicle_twin, car):
     model = jn.linearise(car)
     full = car.model == "full-car"
     rest = vehicle_twin.twin_of(car, {}).rest()
-    kept = [i for i in range(len(rest)) if car.model != "half-car-4dof" or i not in (2, 2 + len(rest) // 2)]
+    kept = [
+        i
+        for i in range(len(rest))
+        if car.model != "half-car-4dof" or i not in (2, 2 + len(rest) // 2)
+    ]
     names = ["body.z", "body.pitch", *(["body.roll"] if full else [])]
     names += [] if car.model == "half-car" else [f"{corner}.unsprung.z" for corner in car.corners]
-    speeds = [f"{name}_rate" if name.endswith(("pitch", "roll")) else f"{name[:-1]}vz" for name in names]
+    speeds = [
+        f"{name}_rate" if name.endswith(("pitch", "roll")) else f"{name[:-1]}vz" for name in names
+    ]
     assert list(model.states) == [*names, *speeds]
     base, outputs = perturbed(vehicle_twin, car, {}, rest)
     rows = [name for name in model.outputs if name in outputs]
@@ -256,7 +335,9 @@ def compare_linear(vehicle_twin, car):
 
     def check(column, x, signals, rates, outs, what):
         moved, channels = perturbed(vehicle_twin, car, signals, x)
-        np.testing.assert_allclose(rates[:, column], (moved - base)[kept], rtol=1e-9, atol=1e-7, err_msg=what)
+        np.testing.assert_allclose(
+            rates[:, column], (moved - base)[kept], rtol=1e-9, atol=1e-7, err_msg=what
+        )
         found = [channels[name] - outputs[name] for name in rows]
         np.testing.assert_allclose(outs[at, column], found, rtol=1e-9, atol=1e-7, err_msg=what)
 
@@ -276,7 +357,10 @@ def test_both_methods_agree(model):
     if model == "full-car":
         loads |= {"right": HOLE, "lateral_acceleration": {"value": 4.0, "start": 0.2, "ramp": 0.1}}
     trial = jn.Trial(road=HIGH_BUMP, speed=SPEED, duration=1.5, **loads)
-    one, other = (jn.simulate(WHEELS[model], trial, tolerance=1e-8, method=name) for name in ("explicit", "implicit"))
+    one, other = (
+        jn.simulate(WHEELS[model], trial, tolerance=1e-8, method=name)
+        for name in ("explicit", "implicit")
+    )
     assert (one.attrs["method"], other.attrs["method"]) == ("explicit", "implicit")
     for name in one:
         size = max(float(np.ptp(one[name].values)), 1e-9)

@@ -49,22 +49,36 @@ def make_files(folder: Path) -> None:
         (folder / name).write_text(text, encoding="utf-8")
     way = np.concatenate([np.linspace(0.0, 15.0, 31), np.linspace(14.5, 0.0, 30)])
     for number, rate in enumerate((22.70, 22.76), 1):
-        write_csv(folder / f"spring_{number}.csv", {"displacement [mm]": way, "force [N]": rate * way})
+        write_csv(
+            folder / f"spring_{number}.csv", {"displacement [mm]": way, "force [N]": rate * way}
+        )
     time_, draw = np.arange(0.0, 4.0, 2e-3), np.random.default_rng(1)
-    swing = 20.0 * np.exp(-3.7 * time_) * np.cos(33.7 * time_) + 0.02 * draw.standard_normal(time_.size)
+    swing = 20.0 * np.exp(-3.7 * time_) * np.cos(33.7 * time_) + 0.02 * draw.standard_normal(
+        time_.size
+    )
     write_csv(folder / "decay.csv", {"time [s]": time_, "sprung.z [mm]": swing})
     stroke = 10.0 * np.sin(2.0 * np.pi * 1.5 * time_)
     velocity = 10.0 * 2.0 * np.pi * 1.5 * np.cos(2.0 * np.pi * 1.5 * time_)
     force = np.where(velocity > 0.0, 0.5, 1.1) * velocity + 0.2 * draw.standard_normal(time_.size)
-    write_csv(folder / "damper.csv", {"time [s]": time_, "displacement [mm]": stroke, "force [N]": force})
+    write_csv(
+        folder / "damper.csv", {"time [s]": time_, "displacement [mm]": stroke, "force [N]": force}
+    )
     time_ = np.arange(0.0, 20.0, 5e-3)
-    shake = np.convolve(draw.standard_normal(time_.size + 40), np.hanning(41), "valid")[: time_.size]
+    shake = np.convolve(draw.standard_normal(time_.size + 40), np.hanning(41), "valid")[
+        : time_.size
+    ]
     write_csv(folder / "lap.csv", {"time [s]": time_, "AccZ [m/s^2]": shake})
     way = np.arange(0.0, 200.0, 0.25)
-    write_csv(folder / "track.csv", {"distance [m]": way, "height [mm]": np.cumsum(draw.standard_normal(way.size))})
+    write_csv(
+        folder / "track.csv",
+        {"distance [m]": way, "height [mm]": np.cumsum(draw.standard_normal(way.size))},
+    )
     rig = jn.load("formula-student-front").with_changes({"hardpoints.tie_rod_inner[2]": 0.145})
     sweep = jn.sweep_travel(rig, np.linspace(-0.02, 0.02, 5))
-    columns = {"wheel_travel [mm]": 1e3 * np.linspace(-0.02, 0.02, 5), "toe [deg]": np.degrees(sweep["toe"].values)}
+    columns = {
+        "wheel_travel [mm]": 1e3 * np.linspace(-0.02, 0.02, 5),
+        "toe [deg]": np.degrees(sweep["toe"].values),
+    }
     write_csv(folder / "poses.csv", columns)
 
 
@@ -144,7 +158,12 @@ def condensed(value: Any) -> Any:
         if len(value) <= LONG:
             return [condensed(item) for item in value]
         if all(isinstance(item, int | float) for item in value):
-            return {"count": len(value), "first": value[0], "last": value[-1], "sum": float(np.sum(value))}
+            return {
+                "count": len(value),
+                "first": value[0],
+                "last": value[-1],
+                "sum": float(np.sum(value)),
+            }
         return {"count": len(value), "first": condensed(value[0]), "last": condensed(value[-1])}
     return value
 
@@ -182,7 +201,9 @@ def differences(old: Any, new: Any, place: str = "") -> Iterator[str]:
     elif isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
         for index, (before, after) in enumerate(zip(old, new, strict=True)):
             yield from differences(before, after, f"{place}[{index}]")
-    elif isinstance(old, float | int) and isinstance(new, float | int) and not isinstance(old, bool):
+    elif (
+        isinstance(old, float | int) and isinstance(new, float | int) and not isinstance(old, bool)
+    ):
         if abs(old - new) > TOLERANCE * max(abs(old), abs(new)) + 1e-9:
             yield f"{place}: {old!r} -> {new!r}"
     elif isinstance(old, str) and isinstance(new, str):
@@ -218,10 +239,16 @@ def compare(old: Mapping[str, Any], new: Mapping[str, Any]) -> int:
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("file", type=Path, help="the record")
-    parser.add_argument("--compare", action="store_true", help="compare with the record instead of writing it")
-    parser.add_argument("--only", default="", metavar="WORDS", help="compare only commands that begin so")
+    parser.add_argument(
+        "--compare", action="store_true", help="compare with the record instead of writing it"
+    )
+    parser.add_argument(
+        "--only", default="", metavar="WORDS", help="compare only commands that begin so"
+    )
     asked = parser.parse_args()
     os.environ.pop("COLUMNS", None)
     started, found = time.process_time(), {}
@@ -231,8 +258,18 @@ if __name__ == "__main__":
     record = {"options": options(), "answers": found}
     if asked.compare:
         old = json.loads(asked.file.read_text(encoding="utf-8"))
-        old["answers"] = {line: row for line, row in old["answers"].items() if line.startswith(asked.only)}
+        old["answers"] = {
+            line: row for line, row in old["answers"].items() if line.startswith(asked.only)
+        }
         sys.exit(compare(old, record))
-    rows = [f" {json.dumps(line)}: {json.dumps(row, ensure_ascii=False)}" for line, row in found.items()]
-    text = '{"options": ' + json.dumps(record["options"]) + ',\n"answers": {\n' + ",\n".join(rows) + "}}\n"
+    rows = [
+        f" {json.dumps(line)}: {json.dumps(row, ensure_ascii=False)}" for line, row in found.items()
+    ]
+    text = (
+        '{"options": '
+        + json.dumps(record["options"])
+        + ',\n"answers": {\n'
+        + ",\n".join(rows)
+        + "}}\n"
+    )
     asked.file.write_text(text, encoding="utf-8")

@@ -21,9 +21,14 @@ def test_every_written_test_is_collected(collected: set[str] | None) -> None:
 def test_uncollected_tests_are_noticed(tmp_path: Path) -> None:
     (tmp_path / "test_good.py").write_text("def test_one(): pass\n", encoding="utf-8")
     (tmp_path / "check_lost.py").write_text("def test_two(): pass\n", encoding="utf-8")
-    nested = "class Rig:\n    def test_three(self): pass\n\ndef outer():\n    def test_four(): pass\n"
+    nested = (
+        "class Rig:\n    def test_three(self): pass\n\ndef outer():\n    def test_four(): pass\n"
+    )
     (tmp_path / "test_nested.py").write_text(nested, encoding="utf-8")
-    assert [problem.partition(": ")[0] for problem in collection_problems(tmp_path, configuration=CONFIGURATION)] == [
+    assert [
+        problem.partition(": ")[0]
+        for problem in collection_problems(tmp_path, configuration=CONFIGURATION)
+    ] == [
         "check_lost.py::test_two",
         "test_nested.py::Rig::test_three",
         "test_nested.py::outer::test_four",
@@ -33,7 +38,9 @@ def test_uncollected_tests_are_noticed(tmp_path: Path) -> None:
 def run_pytest(file: Path) -> str:
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-c", CONFIGURATION]
     command += [f"--rootdir={file.parent}", file]
-    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=file.parent).stdout
+    return subprocess.run(
+        command, capture_output=True, text=True, check=False, cwd=file.parent
+    ).stdout
 
 
 def test_returned_values_and_warnings_fail(tmp_path: Path) -> None:

@@ -40,13 +40,20 @@ def test_addresses_are_noticed(tmp_path: Path, parts: tuple[str, str]) -> None:
 
 def test_harmless_text_is_left_alone(tmp_path: Path) -> None:
     file = tmp_path / "file.txt"
-    file.write_text("of work/time, N/m, ~/.cache/jounce, /usr/bin/env, https://doi.org/10.5281/zenodo.4445334\n")
+    file.write_text(
+        "of work/time, N/m, ~/.cache/jounce, /usr/bin/env, https://doi.org/10.5281/zenodo.4445334\n"
+    )
     assert address_problems(file) == []
 
 
-@pytest.mark.parametrize("file", sorted((ROOT / "requirements").glob("*.txt")), ids=lambda file: file.stem)
+@pytest.mark.parametrize(
+    "file", sorted((ROOT / "requirements").glob("*.txt")), ids=lambda file: file.stem
+)
 def test_pins_are_exact_and_hashed(file: Path) -> None:
-    blocks = re.split(r"\n(?=[A-Za-z])", re.sub(r"^\s*#.*\n", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE))
+    blocks = re.split(
+        r"\n(?=[A-Za-z])",
+        re.sub(r"^\s*#.*\n", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE),
+    )
     assert blocks
     for block in blocks:
         assert re.match(r"[A-Za-z0-9_.-]+==\S+ ", block), block[:60]
@@ -54,12 +61,17 @@ def test_pins_are_exact_and_hashed(file: Path) -> None:
 
 
 def test_direct_dependencies_are_pinned() -> None:
-    groups = {"runtime": CONFIGURATION["project"]["dependencies"], **CONFIGURATION["dependency-groups"]}
+    groups = {
+        "runtime": CONFIGURATION["project"]["dependencies"],
+        **CONFIGURATION["dependency-groups"],
+    }
     for group, wanted in groups.items():
         pinned = (ROOT / "requirements" / f"{group}.txt").read_text(encoding="utf-8").lower()
         for requirement in wanted:
             name = re.split(r"[<>=!~ ]", requirement)[0].lower().replace("_", "-")
-            assert re.search(rf"^{re.escape(name)}==", pinned, re.MULTILINE), f"{group}: {name} (run `make pins`)"
+            assert re.search(rf"^{re.escape(name)}==", pinned, re.MULTILINE), (
+                f"{group}: {name} (run `make pins`)"
+            )
 
 
 def test_bibliography_has_unique_complete_entries() -> None:

@@ -23,27 +23,40 @@ from rules import modules
 from rules.docstrings import Level, docstring_problems, field_problems
 
 OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-MODULES = [name for name in modules() if name != "jounce"]  # what that one exports is judged by its public names
+MODULES = [
+    name for name in modules() if name != "jounce"
+]  # what that one exports is judged by its public names
 
 
 def own_things(module: types.ModuleType) -> dict[str, Any]:
     """Public functions and classes that a module defines or, if it is a package, exports."""
     is_package = hasattr(module, "__path__")
     exported = getattr(module, "__all__", None)
-    things = {name: getattr(module, name) for name in exported} if is_package and exported else vars(module)
+    things = (
+        {name: getattr(module, name) for name in exported}
+        if is_package and exported
+        else vars(module)
+    )
     return {
         name: value
         for name, value in things.items()
         if inspect.isfunction(value) or inspect.isclass(value)
         if not name.startswith("_")
-        if value.__module__ == module.__name__ or (is_package and value.__module__.startswith(f"{module.__name__}."))
+        if value.__module__ == module.__name__
+        or (is_package and value.__module__.startswith(f"{module.__name__}."))
     }
 
 
 def methods(kind: type) -> dict[str, Any]:
     found = {}
-    for name, value in list(vars(kind).items()):  # descriptions get their validators when they are looked at
-        function = value.fget if isinstance(value, property) else inspect.unwrap(getattr(value, "__func__", value))
+    for name, value in list(
+        vars(kind).items()
+    ):  # descriptions get their validators when they are looked at
+        function = (
+            value.fget
+            if isinstance(value, property)
+            else inspect.unwrap(getattr(value, "__func__", value))
+        )
         if inspect.isfunction(function) and not name.startswith("_"):
             found[name] = function
     return found
@@ -84,7 +97,9 @@ def test_examples_are_true(name: str, tmp_path: Path, monkeypatch: pytest.Monkey
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))  # examples leave their folders there
     runner = doctest.DocTestRunner(optionflags=OPTIONS)
-    for test in doctest.DocTestFinder(recurse=module is not jounce).find(module):  # which only guards those of others
+    for test in doctest.DocTestFinder(recurse=module is not jounce).find(
+        module
+    ):  # which only guards those of others
         runner.run(test)
     assert runner.summarize(verbose=False).failed == 0
 
@@ -234,10 +249,22 @@ class Lump(Description):
         (no_docstring, Level.PACKAGE, ["no docstring"]),
         (Undocumented, Level.PACKAGE, ["no docstring"]),
         (missing_argument, Level.PACKAGE, ["'name' is not documented"]),
-        (other_argument, Level.PACKAGE, ["documents 'rates'", "'rate' is not documented", "given for 'rate'"]),
-        (no_unit, Level.PUBLIC, ["given for 'rate'", "given for 'mass'", "given for what it returns"]),
+        (
+            other_argument,
+            Level.PACKAGE,
+            ["documents 'rates'", "'rate' is not documented", "given for 'rate'"],
+        ),
+        (
+            no_unit,
+            Level.PUBLIC,
+            ["given for 'rate'", "given for 'mass'", "given for what it returns"],
+        ),
         (spring_rate, Level.PACKAGE, ["only repeats the name"]),
-        (vague_sentence, Level.PACKAGE, ["no unit is given for 'mass'", "no unit is given for what it returns"]),
+        (
+            vague_sentence,
+            Level.PACKAGE,
+            ["no unit is given for 'mass'", "no unit is given for what it returns"],
+        ),
         (sentence, Level.PUBLIC, ["'mass' is not documented", "no Returns section", "no example"]),
         (vague_sentence, Level.INSIDE, []),
         (other_argument, Level.INSIDE, ["documents 'rates', which", "'rate' is not documented"]),
@@ -254,4 +281,7 @@ def test_docstrings_are_judged(thing: Any, level: Level, expected: list[str]) ->
 
 
 def test_bare_numbers_of_descriptions_are_noticed() -> None:
-    assert [problem.partition(":")[0] for problem in field_problems("Lump", Lump)] == ["Lump.mass", "Lump.sizes"]
+    assert [problem.partition(":")[0] for problem in field_problems("Lump", Lump)] == [
+        "Lump.mass",
+        "Lump.sizes",
+    ]

@@ -26,9 +26,12 @@ ROOT = Path(__file__).parents[2]
 PAGES = {
     str(page.relative_to(ROOT)): page
     for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("**/*.md")))
-    if page.parent.name not in {"_generated", "api", "keys"}  # written when the documentation is built
+    if page.parent.name
+    not in {"_generated", "api", "keys"}  # written when the documentation is built
 }
-BLOCK = re.compile(r"^```(python|toml|console|\{code-cell\} ipython3)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(
+    r"^```(python|toml|console|\{code-cell\} ipython3)\n(.*?)^```$", re.MULTILINE | re.DOTALL
+)
 OPTIONS = re.compile(r"---\n.*?^---\n|(?::[^\n]*\n)+", re.MULTILINE | re.DOTALL)  # of a cell
 FILE = re.compile(r"# file: (\S+)\n")
 ELSEWHERE = ("jounce demo",)  # takes half a minute; tests/recovery runs the same
@@ -83,7 +86,9 @@ def run_page(page: Path, monkeypatch: pytest.MonkeyPatch) -> int:
         file = FILE.match(text)
         if kind not in {"console", "toml"}:
             options = OPTIONS.match(text) if kind != "python" else None
-            code = compile(text[options.end() if options else 0 :], str(page), "exec", dont_inherit=True)
+            code = compile(
+                text[options.end() if options else 0 :], str(page), "exec", dont_inherit=True
+            )
             with contextlib.redirect_stdout(io.StringIO()):
                 exec(code, names)  # noqa: S102 - our own pages
         elif kind == "console":
@@ -98,7 +103,9 @@ def run_page(page: Path, monkeypatch: pytest.MonkeyPatch) -> int:
 def _shipped_rows_after(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """What a page adds to registries is no other test's: they compare these with what is written."""
     added, add = [], Rows.add
-    monkeypatch.setattr(Rows, "add", lambda self, name, row: added.append((self, name)) or add(self, name, row))
+    monkeypatch.setattr(
+        Rows, "add", lambda self, name, row: added.append((self, name)) or add(self, name, row)
+    )
     yield
     for rows, name in added:
         if not rows._rows[name].__module__.startswith("jounce"):
@@ -136,7 +143,9 @@ def test_untrue_blocks_are_rejected(text: str, tmp_path: Path, monkeypatch: pyte
         run_page(page, monkeypatch)
 
 
-DRAWS = re.compile(r"^(figure|jn\.plots\.\w+\(.*\)|inspection_curves\(.*\)|sensitivity_bars\(.*\)|Image\(.*\))$")
+DRAWS = re.compile(
+    r"^(figure|jn\.plots\.\w+\(.*\)|inspection_curves\(.*\)|sensitivity_bars\(.*\)|Image\(.*\))$"
+)
 
 
 def cell_problems(text: str) -> list[str]:
@@ -149,10 +158,14 @@ def cell_problems(text: str) -> list[str]:
     except (yaml.YAMLError, AttributeError) as error:
         return [f"options: {error}"]
     draws = DRAWS.match(text.rstrip().splitlines()[-1])
-    return ["a picture without words for those who do not see it"] if draws and len(words) < 20 else []
+    return (
+        ["a picture without words for those who do not see it"] if draws and len(words) < 20 else []
+    )
 
 
-@pytest.mark.parametrize("name", [name for name, page in PAGES.items() if "{code-cell}" in page.read_text("utf-8")])
+@pytest.mark.parametrize(
+    "name", [name for name, page in PAGES.items() if "{code-cell}" in page.read_text("utf-8")]
+)
 def test_pictures_of_notebooks_have_words(name: str):
     cells = [text for kind, text in blocks(PAGES[name]) if kind.startswith("{")]
     assert len(cells) > 3
@@ -160,12 +173,19 @@ def test_pictures_of_notebooks_have_words(name: str):
 
 
 def test_pictures_without_words_are_found():
-    assert cell_problems("jn.plots.show(run)\n") == ["a picture without words for those who do not see it"]
-    assert cell_problems(":tags: [wrap]\n\nfigure\n") == ["a picture without words for those who do not see it"]
+    assert cell_problems("jn.plots.show(run)\n") == [
+        "a picture without words for those who do not see it"
+    ]
+    assert cell_problems(":tags: [wrap]\n\nfigure\n") == [
+        "a picture without words for those who do not see it"
+    ]
     (problem,) = cell_problems("---\nmystnb:\n  image:\n    alt: One: two\n---\nfigure\n")
     assert problem.startswith("options")
     assert (
-        cell_problems("---\nmystnb:\n  image:\n    alt: A curve that falls, and one that rises.\n---\nfigure\n") == []
+        cell_problems(
+            "---\nmystnb:\n  image:\n    alt: A curve that falls, and one that rises.\n---\nfigure\n"
+        )
+        == []
     )
     assert cell_problems(":tags: [wrap]\n\nprint(1)\n") == []
 
@@ -180,18 +200,31 @@ def test_readme_and_the_pages_about_use_hold_blocks():
 
 
 def test_every_page_is_in_the_table_of_contents():
-    pages = {name.removeprefix("docs/").removesuffix(".md") for name in PAGES if name.startswith("docs/")}
+    pages = {
+        name.removeprefix("docs/").removesuffix(".md") for name in PAGES if name.startswith("docs/")
+    }
     listed = {"index"}
     for index in (ROOT / "docs").glob("**/index.md"):
         folder = index.parent.relative_to(ROOT / "docs")
-        trees = re.findall(r"^```{toctree}\n(.*?)^```$", index.read_text(encoding="utf-8"), re.M | re.S)
-        listed |= {(folder / line).as_posix() for tree in trees for line in tree.split() if not line.startswith(":")}
+        trees = re.findall(
+            r"^```{toctree}\n(.*?)^```$", index.read_text(encoding="utf-8"), re.M | re.S
+        )
+        listed |= {
+            (folder / line).as_posix()
+            for tree in trees
+            for line in tree.split()
+            if not line.startswith(":")
+        }
     assert pages - listed == set()
 
 
 def test_every_picture_is_in_the_gallery():
     text = PAGES["docs/reference/gallery.md"].read_text(encoding="utf-8")
-    blank = {"new_figure", "figure_of", "show"}  # nothing on it, and those that choose one of the others
+    blank = {
+        "new_figure",
+        "figure_of",
+        "show",
+    }  # nothing on it, and those that choose one of the others
     draw = {
         name
         for name in jounce.plots.__all__
@@ -210,7 +243,9 @@ def test_pictures_say_what_they_show():
         text = page.read_text(encoding="utf-8")
         for alt in re.findall(r"^!\[([^\]]*)\]\(", text, re.MULTILINE):
             assert len(alt) > 10, (name, alt)
-        for block in re.findall(r"^```\{(?:drawn|image|figure)\} [^\n]*\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
+        for block in re.findall(
+            r"^```\{(?:drawn|image|figure)\} [^\n]*\n(.*?)^```$", text, re.MULTILINE | re.DOTALL
+        ):
             alt = re.search(r"^:alt: (.+)$", block, re.MULTILINE)
             assert alt is not None, (name, block)
             assert len(alt[1]) > 10, (name, block)
@@ -221,14 +256,18 @@ def test_files_that_pages_name_exist():
     for name, page in PAGES.items():
         if name == "docs/reference/changelog.md":
             continue
-        for file in re.findall(r"`((?:tests|docs)/[\w/-]+\.(?:py|md|json))", page.read_text(encoding="utf-8")):
+        for file in re.findall(
+            r"`((?:tests|docs)/[\w/-]+\.(?:py|md|json))", page.read_text(encoding="utf-8")
+        ):
             assert (ROOT / file).is_file(), (name, file)
 
 
 @pytest.mark.parametrize("name", jounce.__all__)
 def test_docstrings_have_no_bars_outside_code(name: str):
     """Sphinx takes ``|v|`` for the name of a substitution."""
-    text = re.sub(r"``.*?``|^ *>>>.*$", "", inspect.getdoc(getattr(jounce, name)) or "", flags=re.M | re.S)
+    text = re.sub(
+        r"``.*?``|^ *>>>.*$", "", inspect.getdoc(getattr(jounce, name)) or "", flags=re.M | re.S
+    )
     assert not re.findall(r"(?<![\w|])\|\w[^|\n]*\|", text)
 
 
@@ -262,11 +301,15 @@ def test_help_shows_every_command_with_an_example(faces: ModuleType):
 
 
 def test_written_faces_are_what_the_registries_say(faces: ModuleType):
-    pinned = re.search(r"^pydantic==(\S+)", (ROOT / "requirements" / "runtime.txt").read_text(), re.MULTILINE)
+    pinned = re.search(
+        r"^pydantic==(\S+)", (ROOT / "requirements" / "runtime.txt").read_text(), re.MULTILINE
+    )
     if pinned is None or metadata.version("pydantic") != pinned[1]:
         pytest.skip("other versions of pydantic write schemas in other words")
     for file, text in faces.committed().items():
-        assert file.read_text(encoding="utf-8") == text, f"{file.name} is out of date: run `make faces`"
+        assert file.read_text(encoding="utf-8") == text, (
+            f"{file.name} is out of date: run `make faces`"
+        )
 
 
 def test_tables_have_rows_and_a_page(faces: ModuleType):
@@ -285,7 +328,9 @@ FILES = {
     "tester": "jounce.tester/",
     "limits": "jounce.limits/",
 }
-SHIPPED = [file for folder in ("src", "tests", "docs") for file in sorted((ROOT / folder).rglob("*.toml"))]
+SHIPPED = [
+    file for folder in ("src", "tests", "docs") for file in sorted((ROOT / folder).rglob("*.toml"))
+]
 
 
 def schema_of(file: Path) -> str | None:
@@ -294,10 +339,15 @@ def schema_of(file: Path) -> str | None:
         table = tomllib.loads(file.read_text(encoding="utf-8"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError):
         return None
-    return next((name for name, start in FILES.items() if str(table.get("schema", "")).startswith(start)), None)
+    return next(
+        (name for name, start in FILES.items() if str(table.get("schema", "")).startswith(start)),
+        None,
+    )
 
 
-@pytest.mark.parametrize("file", [file for file in SHIPPED if schema_of(file)], ids=lambda file: file.stem)
+@pytest.mark.parametrize(
+    "file", [file for file in SHIPPED if schema_of(file)], ids=lambda file: file.stem
+)
 def test_shipped_files_follow_their_schemas(faces: ModuleType, file: Path):
     table = tomllib.loads(file.read_text(encoding="utf-8"))
     assert schema_problems(table, faces.SCHEMAS / f"{schema_of(file)}.schema.json") == []
@@ -306,11 +356,21 @@ def test_shipped_files_follow_their_schemas(faces: ModuleType, file: Path):
 @pytest.mark.parametrize(
     ("table", "problem"),
     [
-        ({"schema": "jounce.campaign/1", "rig": "x", "trial": [], "roads": {"A": {"kind": "half-sin"}}}, "roads.A"),
+        (
+            {
+                "schema": "jounce.campaign/1",
+                "rig": "x",
+                "trial": [],
+                "roads": {"A": {"kind": "half-sin"}},
+            },
+            "roads.A",
+        ),
         ({"schema": "jounce.campaign/1", "rig": "x", "trials": []}, "trial"),
         ({"schema": "jounce.campaign/2", "rig": "x", "trial": []}, "schema"),
     ],
 )
-def test_mistakes_are_seen_by_the_schemas(faces: ModuleType, table: dict[str, object], problem: str):
+def test_mistakes_are_seen_by_the_schemas(
+    faces: ModuleType, table: dict[str, object], problem: str
+):
     found = schema_problems(table, faces.SCHEMAS / "campaign.schema.json")
     assert any(line.startswith(problem) for line in found), found

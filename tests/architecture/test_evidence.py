@@ -23,7 +23,9 @@ ROW = {
 
 
 def test_every_test_with_a_source_is_on_the_page(
-    collected: set[str] | None, sources: dict[str, dict[str, str] | None], request: pytest.FixtureRequest
+    collected: set[str] | None,
+    sources: dict[str, dict[str, str] | None],
+    request: pytest.FixtureRequest,
 ) -> None:
     if collected is None:
         pytest.skip("only a run of all tests collects all of them")
@@ -32,7 +34,11 @@ def test_every_test_with_a_source_is_on_the_page(
 
 def test_what_is_kept_is_still_written() -> None:
     """Without a run: tests that the page names exist, their sources are in the bibliography."""
-    keys = set(re.findall(r"^@\w+\{([\w-]+),", (ROOT / "references.bib").read_text(encoding="utf-8"), re.MULTILINE))
+    keys = set(
+        re.findall(
+            r"^@\w+\{([\w-]+),", (ROOT / "references.bib").read_text(encoding="utf-8"), re.MULTILINE
+        )
+    )
     rows = kept()
     assert len(rows) > 80
     for name, row in rows.items():
@@ -46,7 +52,9 @@ def test_what_is_kept_is_still_written() -> None:
         assert row["values"] >= row["least"] > 0
 
 
-@pytest.mark.parametrize("file", [*(ROOT / "tests").glob("reference/*.py"), *(ROOT / "tests").glob("measured/*.py")])
+@pytest.mark.parametrize(
+    "file", [*(ROOT / "tests").glob("reference/*.py"), *(ROOT / "tests").glob("measured/*.py")]
+)
 def test_files_of_references_name_their_source(file: Path) -> None:
     assert "\npytestmark = pytest.mark.source(\n" in file.read_text(encoding="utf-8")
 
@@ -75,17 +83,23 @@ def seen(share: float, count: int = 2, room: float = 0.1) -> Seen:
 
 def test_what_agrees_worse_than_the_page_is_rejected() -> None:
     row = {**ROW, "share": 0.4, "least": 2, "room": 0.1}
-    assert held(row, ROW, seen(0.4)) == held(row, ROW, seen(0.49)) == held(row, ROW, seen(0.1)) == ""
+    assert (
+        held(row, ROW, seen(0.4)) == held(row, ROW, seen(0.49)) == held(row, ROW, seen(0.1)) == ""
+    )
     assert "is not on the page" in held(None, ROW, seen(0.4))
     assert held(row, ROW, seen(0.51)) == "takes 0.51 of what is allowed, the page says 0.4"
     assert held(row, {**ROW, "where": "Table 3"}, seen(0.4)) == "says another where than the page"
     assert held({**row, "share": 1e-9}, ROW, seen(1e-3)) == ""  # rounding is that of the machine
-    assert held({**row, "share": 1e-9, "room": 1e-14}, ROW, seen(0.3, room=1e-14)) == ""  # of a number of about 1
+    assert (
+        held({**row, "share": 1e-9, "room": 1e-14}, ROW, seen(0.3, room=1e-14)) == ""
+    )  # of a number of about 1
     assert "takes 0.5" in held({**row, "share": 1e-9, "room": 1e-14}, ROW, seen(0.5, room=1e-14))
 
 
 def test_what_compares_less_or_allows_more_than_the_page_is_rejected() -> None:
     row = {**ROW, "share": 0.4, "least": 2, "room": 0.1}
     assert held(row, ROW, seen(0.4, count=3)) == held(row, ROW, seen(0.4, room=0.05)) == ""
-    assert held(row, ROW, seen(0.4, count=1)) == "compares fewer numbers than the page says, 1 for 2"
+    assert (
+        held(row, ROW, seen(0.4, count=1)) == "compares fewer numbers than the page says, 1 for 2"
+    )
     assert held(row, ROW, seen(0.04, room=1.0)) == "allows 1, the page says 0.1"

@@ -16,9 +16,20 @@ def names(requirements: list[str]) -> set[str]:
 
 
 EXTRAS = {extra: names(wanted) for extra, wanted in PROJECT["optional-dependencies"].items()}
-CORE = names(PROJECT["dependencies"]) | {"markupsafe", "pandas", "pil", "pydantic_core"}  # what some of them need
-NOTEBOOK = {"ipython", "pyinstaller"}  # only looked for, where a notebook runs, or which runs our hook itself
-FILES = {str(file.relative_to(SOURCE)): file.read_text(encoding="utf-8") for file in sorted(SOURCE.rglob("*.py"))}
+CORE = names(PROJECT["dependencies"]) | {
+    "markupsafe",
+    "pandas",
+    "pil",
+    "pydantic_core",
+}  # what some of them need
+NOTEBOOK = {
+    "ipython",
+    "pyinstaller",
+}  # only looked for, where a notebook runs, or which runs our hook itself
+FILES = {
+    str(file.relative_to(SOURCE)): file.read_text(encoding="utf-8")
+    for file in sorted(SOURCE.rglob("*.py"))
+}
 _ASKED = re.compile(rf'\("([\w.]+)", "({"|".join(EXTRAS)})"\)')
 
 
@@ -42,13 +53,17 @@ def unasked(source: str) -> set[str]:
 
 
 def test_a_package_of_an_extra_is_asked_for_where_it_is_imported() -> None:
-    files = {name: source for name, source in FILES.items() if not name.startswith("kernel/loops/")}  # Numba's own
+    files = {
+        name: source for name, source in FILES.items() if not name.startswith("kernel/loops/")
+    }  # Numba's own
     assert {name: found for name, source in files.items() if (found := unasked(source))} == {}
 
 
 def test_an_import_without_asking_is_found() -> None:
     assert unasked("import numpy\nfrom sqlalchemy.engine import make_url") == {"sqlalchemy"}
-    assert unasked('require("sqlalchemy", "store")\nfrom sqlalchemy.engine import make_url') == set()
+    assert (
+        unasked('require("sqlalchemy", "store")\nfrom sqlalchemy.engine import make_url') == set()
+    )
 
 
 def test_the_page_on_sizes_says_what_each_dependency_is_for() -> None:
@@ -61,7 +76,9 @@ def test_the_page_on_sizes_says_what_each_dependency_is_for() -> None:
 def test_nobody_is_told_to_install_jounce_by_a_name_that_no_index_has() -> None:
     by_name = re.compile(r"""pip install ['"]?jounce\b(?!-)|['"]jounce\[""")
     pages = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *ROOT.glob("docs/**/*.md")]
-    texts = FILES | {str(file.relative_to(ROOT)): file.read_text(encoding="utf-8") for file in pages}
+    texts = FILES | {
+        str(file.relative_to(ROOT)): file.read_text(encoding="utf-8") for file in pages
+    }
     assert {name: found for name, text in texts.items() if (found := by_name.findall(text))} == {}
     assert by_name.findall("pip install 'jounce[pdf]' or pip install jounce==1, 'jounce[io]'") == [
         "pip install 'jounce", "pip install jounce", "'jounce[",
@@ -72,10 +89,21 @@ def test_nobody_is_told_to_install_jounce_by_a_name_that_no_index_has() -> None:
 def test_the_extra_that_is_named_brings_the_package() -> None:
     asked = {pair for source in FILES.values() for pair in _ASKED.findall(source)}
     assert len(asked) > 10
-    assert {pair for pair in asked if pair[0].partition(".")[0].lower() not in EXTRAS[pair[1]] | {"json"}} == set()
-    assert {extra for _, extra in asked} | {"fmu", "postgresql"} == set(EXTRAS)  # whose packages are only looked for
+    assert {
+        pair
+        for pair in asked
+        if pair[0].partition(".")[0].lower() not in EXTRAS[pair[1]] | {"json"}
+    } == set()
+    assert {extra for _, extra in asked} | {"fmu", "postgresql"} == set(
+        EXTRAS
+    )  # whose packages are only looked for
 
 
 def test_the_readme_lists_every_extra() -> None:
-    table = (ROOT / "README.md").read_text(encoding="utf-8").partition("## Extras")[2].partition("\n## ")[0]
+    table = (
+        (ROOT / "README.md")
+        .read_text(encoding="utf-8")
+        .partition("## Extras")[2]
+        .partition("\n## ")[0]
+    )
     assert set(re.findall(r"`(\w+)`", re.sub(r"(?m)^(?!\|).*$", "", table))) == set(EXTRAS)

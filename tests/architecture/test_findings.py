@@ -33,8 +33,15 @@ def test_every_code_of_the_sources_stands_in_the_catalogue_and_the_reverse() -> 
 
 
 def test_every_call_fills_in_what_its_sentence_has() -> None:
-    made = [made for file in SOURCES for made in made_in(file) if made.code is not None and made.names is not None]
-    assert [one for one in made if one.names and not fields_of(ROWS[one.code].en).keys() <= one.names] == []
+    made = [
+        made
+        for file in SOURCES
+        for made in made_in(file)
+        if made.code is not None and made.names is not None
+    ]
+    assert [
+        one for one in made if one.names and not fields_of(ROWS[one.code].en).keys() <= one.names
+    ] == []
 
 
 @pytest.mark.parametrize("code", sorted(ROWS))
@@ -53,7 +60,9 @@ def test_every_row_can_be_said_with_whatever_is_found(code: str, data: st.DataOb
         size = st.integers(-(10**6), 10**6) if spec.endswith("d") else st.floats(-1e9, 1e9)
         numbers[name] = data.draw(size if number else st.text() | size)
     found = finding(code, "somewhere", 1.0, **numbers)
-    again = finding_of({name: getattr(found, name) for name in ("place", "severity", "message", "code", "numbers")})
+    again = finding_of(
+        {name: getattr(found, name) for name in ("place", "severity", "message", "code", "numbers")}
+    )
     assert again.sentence("de") == found.sentence("de") == sentence(code, numbers, "de")
     without = sentence(code, dict.fromkeys(numbers), "de")
     assert all(f"{{{name}" not in without for name in numbers)
@@ -61,10 +70,17 @@ def test_every_row_can_be_said_with_whatever_is_found(code: str, data: st.DataOb
 
 def test_german_is_written_with_its_words_units_and_comma() -> None:
     steep = finding("parts.steep_angle", "wheel.toe", 0.35, angle=0.35)
-    assert (steep.sentence("en"), steep.value) == ("20.1 deg is a lot; were degrees given as rad?", 0.35)
+    assert (steep.sentence("en"), steep.value) == (
+        "20.1 deg is a lot; were degrees given as rad?",
+        0.35,
+    )
     assert steep.sentence("de", decimal=",") == "20,1 ° ist viel; wurden Grad als rad angegeben?"
-    away = finding("parts.springs_away", "strut", travel=0.05, direction="bump", needed=1e3, present=900.0)
-    assert away.sentence("de").startswith("Das statische Gleichgewicht liegt etwa 50 mm Radhub (Einfedern) von")
+    away = finding(
+        "parts.springs_away", "strut", travel=0.05, direction="bump", needed=1e3, present=900.0
+    )
+    assert away.sentence("de").startswith(
+        "Das statische Gleichgewicht liegt etwa 50 mm Radhub (Einfedern) von"
+    )
 
 
 def test_a_finding_without_a_code_that_is_known_is_its_text() -> None:
@@ -79,6 +95,9 @@ def test_codes_and_fields_are_read_from_the_sources(tmp_path: Path) -> None:
     file.write_text(
         'finding("parts.steep", place, x, severity="note", a=1)\nfinding("parts.x" if a else "parts.y", p, **b)\n'
     )
-    assert [(made.code, made.names) for made in made_in(file)] == [("parts.steep", {"a"}), (None, None)]
+    assert [(made.code, made.names) for made in made_in(file)] == [
+        ("parts.steep", {"a"}),
+        (None, None),
+    ]
     assert codes_in(file, {"parts"}) == {"parts.steep", "parts.x", "parts.y"}
     assert fields_of("{a:.3g mm} of {b!r}") == {"a": ".3g mm", "b": ""}

@@ -19,7 +19,12 @@ RUN = "from importlinter.cli import lint_imports_command as run; run(['--no-cach
 def lint_imports(folder: Path, **environment: str) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-c", RUN]
     return subprocess.run(
-        command, cwd=folder, capture_output=True, text=True, check=False, env={**os.environ, **environment}
+        command,
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, **environment},
     )
 
 
@@ -31,7 +36,9 @@ def test_contract_holds() -> None:
 
 def test_everything_below_the_kernel_but_core_is_forbidden_to_it() -> None:
     forbidden = CONFIGURATION["tool"]["importlinter"]["contracts"][1]["forbidden_modules"]
-    assert set(forbidden) == {f"jounce.{name}" for name in packages_below("kernel")} - {"jounce.core"}
+    assert set(forbidden) == {f"jounce.{name}" for name in packages_below("kernel")} - {
+        "jounce.core"
+    }
 
 
 def test_every_other_package_is_forbidden_to_the_papers() -> None:
@@ -48,8 +55,12 @@ def test_every_other_package_is_forbidden_to_the_papers() -> None:
         ("papers", "roads", "The papers use what is public BROKEN"),
     ],
 )
-def test_broken_contract_is_noticed(tmp_path: Path, importer: str, imported: str, contract: str) -> None:
-    (tmp_path / "pyproject.toml").write_text((ROOT / "pyproject.toml").read_text(encoding="utf-8"), encoding="utf-8")
+def test_broken_contract_is_noticed(
+    tmp_path: Path, importer: str, imported: str, contract: str
+) -> None:
+    (tmp_path / "pyproject.toml").write_text(
+        (ROOT / "pyproject.toml").read_text(encoding="utf-8"), encoding="utf-8"
+    )
     for package in PACKAGES:
         (tmp_path / "jounce" / package).mkdir(parents=True)
         (tmp_path / "jounce" / package / "__init__.py").write_text("", encoding="utf-8")
@@ -81,7 +92,9 @@ def test_circles_are_noticed(tmp_path: Path, back: str) -> None:
     folder.mkdir(parents=True)
     (tmp_path / "jounce" / "__init__.py").write_text("", encoding="utf-8")
     (folder / "__init__.py").write_text("", encoding="utf-8")
-    (folder / "__init__.pyi").write_text("from .first import anything as anything\n", encoding="utf-8")
+    (folder / "__init__.pyi").write_text(
+        "from .first import anything as anything\n", encoding="utf-8"
+    )
     (folder / "first.py").write_text("import jounce.roads.second\n", encoding="utf-8")
     (folder / "second.py").write_text("", encoding="utf-8")
     assert import_circle(tmp_path / "jounce") == []

@@ -13,8 +13,13 @@ import interpreters
 import run
 from rules import ROOT
 
-WORKFLOWS = {file.name: yaml.safe_load(file.read_text(encoding="utf-8")) for file in ROOT.glob(".github/workflows/*")}
-TARGETS = set(re.findall(r"^([a-z-]+):(?!=)", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
+WORKFLOWS = {
+    file.name: yaml.safe_load(file.read_text(encoding="utf-8"))
+    for file in ROOT.glob(".github/workflows/*")
+}
+TARGETS = set(
+    re.findall(r"^([a-z-]+):(?!=)", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
+)
 
 
 @pytest.mark.parametrize("job", ["tests", "installed"])
@@ -22,15 +27,25 @@ def test_workflows_run_every_promised_version_on_every_system(job: str) -> None:
     matrix = WORKFLOWS["tests.yml"]["jobs"][job]["strategy"]["matrix"]
     assert matrix["python"] == run.promised()
     assert {"ubuntu-latest", "windows-latest", "macos-latest"} <= set(matrix["system"])
-    assert "ubuntu-24.04-arm" in {*matrix["system"], *(one["system"] for one in matrix.get("include", ()))}
+    assert "ubuntu-24.04-arm" in {
+        *matrix["system"],
+        *(one["system"] for one in matrix.get("include", ())),
+    }
 
 
 def test_workflows_call_targets_that_there_are() -> None:
     jobs = [job for workflow in WORKFLOWS.values() for job in workflow["jobs"].values()]
-    steps = [step["run"] for job in jobs for step in job["steps"] if step.get("run", "").startswith("make ")]
+    steps = [
+        step["run"]
+        for job in jobs
+        for step in job["steps"]
+        if step.get("run", "").startswith("make ")
+    ]
     assert len(steps) > 5
     for step in steps:
-        assert {word for word in shlex.split(re.sub(r"\$\{\{.*?\}\}", "", step))[1:] if "=" not in word} <= TARGETS
+        assert {
+            word for word in shlex.split(re.sub(r"\$\{\{.*?\}\}", "", step))[1:] if "=" not in word
+        } <= TARGETS
     [machines] = [step for step in steps if "test-machines" in step]
     matrix = WORKFLOWS["tests.yml"]["jobs"]["versions"]["strategy"]["matrix"]
     assert 'MACHINES="--quick ${{ matrix.machine }}"' in machines
@@ -62,7 +77,9 @@ def kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-@pytest.mark.skipif(not Path("/bin/sh").exists(), reason="the version manager is a script of the shell")
+@pytest.mark.skipif(
+    not Path("/bin/sh").exists(), reason="the version manager is a script of the shell"
+)
 def test_an_interpreter_that_a_version_manager_keeps_is_found(kept: Path) -> None:
     place = interpreters.place_of("3.99", kept / "no-uv")
     assert place == interpreters.Place(str(kept / "versions" / "3.99.1" / "bin" / "python3.99"))
@@ -79,13 +96,18 @@ def test_a_promised_version_that_was_not_run_is_in_the_summary(
     for version in set(run.promised()) - {run.HERE}:
         assert f"Python {version}: promised, and not run" in summary
     assert f"{run.RED}lowest: not run" in capsys.readouterr().out
-    assert 'grep "not run" build/machines/summary.txt' in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    assert 'grep "not run" build/machines/summary.txt' in (ROOT / ".ci" / "run").read_text(
+        encoding="utf-8"
+    )
 
 
 @pytest.mark.parametrize(
-    ("says", "ends"), [("exit 0", "passed in "), ("echo no root; exit 77", "not run: no root"), ("exit 1", "FAILED")]
+    ("says", "ends"),
+    [("exit 0", "passed in "), ("echo no root; exit 77", "not run: no root"), ("exit 1", "FAILED")],
 )
-def test_what_is_played_in_the_checkout_leaves_it_there(tmp_path: Path, monkeypatch, says: str, ends: str) -> None:
+def test_what_is_played_in_the_checkout_leaves_it_there(
+    tmp_path: Path, monkeypatch, says: str, ends: str
+) -> None:
     script = tmp_path / "tests" / "machines" / "debian.sh"
     script.parent.mkdir(parents=True)
     script.write_text(f"#!/bin/sh\n{says}\n", encoding="utf-8")
@@ -100,8 +122,12 @@ def test_what_is_played_in_the_checkout_leaves_it_there(tmp_path: Path, monkeypa
 
 def test_other_processors_are_played_each_kind_in_every_change() -> None:
     rounded = [one for one in run.MACHINES if "--rounded" in one.arguments]
-    assert {f"--rounding-noise={seed}" for seed in range(1, 6)} <= {word for one in rounded for word in one.arguments}
+    assert {f"--rounding-noise={seed}" for seed in range(1, 6)} <= {
+        word for one in rounded for word in one.arguments
+    }
     kinds = {one.name.partition("-")[0] for one in rounded}
     assert kinds - {"debian"} == {one.name.partition("-")[0] for one in rounded if one.quick}
     assert {"noise", "threads", "debian"} <= kinds
-    assert not any("OPENBLAS_CORETYPE" in one.environment for one in rounded)  # some machines need the one they have
+    assert not any(
+        "OPENBLAS_CORETYPE" in one.environment for one in rounded
+    )  # some machines need the one they have

@@ -17,7 +17,10 @@ def test_empty_names_are_noticed(tmp_path: Path) -> None:
     (tmp_path / "helpers").mkdir()
     (tmp_path / "helpers" / "springs.py").touch()
     (tmp_path / "utils.py").touch()
-    assert [problem.rpartition("the name ")[2][:9] for problem in name_problems(tmp_path)] == ["'helpers'", "'utils' s"]
+    assert [problem.rpartition("the name ")[2][:9] for problem in name_problems(tmp_path)] == [
+        "'helpers'",
+        "'utils' s",
+    ]
 
 
 def test_folders_that_are_no_packages_are_noticed(tmp_path: Path) -> None:

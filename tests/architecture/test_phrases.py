@@ -34,7 +34,9 @@ def literals(source: str) -> set[str]:
 def fields_of(text: str) -> set[Any] | None:
     """Names and formats of the fields of a template; None where braces are something else."""
     try:
-        fields = {(name, spec) for _, name, spec, _ in string.Formatter().parse(text) if name is not None}
+        fields = {
+            (name, spec) for _, name, spec, _ in string.Formatter().parse(text) if name is not None
+        }
     except ValueError:
         return None
     return fields if all(name.isidentifier() for name, _ in fields) else None
@@ -42,7 +44,11 @@ def fields_of(text: str) -> set[Any] | None:
 
 def test_every_row_translates_a_text_of_the_sources() -> None:
     """A sentence that was changed in the code alone would be English again, and nobody would notice."""
-    known = {text for file in LIBRARY.rglob("*.py") for text in literals(file.read_text(encoding="utf-8"))}
+    known = {
+        text
+        for file in LIBRARY.rglob("*.py")
+        for text in literals(file.read_text(encoding="utf-8"))
+    }
     known |= literals(inspect.getsource(_parser))  # of Python's TOML
     assert sorted(english for _, english in ROWS if english not in known) == []
 
@@ -63,10 +69,16 @@ def test_an_error_is_german_part_by_part() -> None:
     error = unknown("bumb", ["bump"], what="road", where="trial.toml")
     assert str(error) == "trial.toml: unknown road 'bumb'; allowed: bump. Did you mean 'bump'?"
     assert (
-        german_of(error.message()) == "trial.toml: Straße 'bumb' ist nicht bekannt; zulässig: bump. Ist 'bump' gemeint?"
+        german_of(error.message())
+        == "trial.toml: Straße 'bumb' ist nicht bekannt; zulässig: bump. Ist 'bump' gemeint?"
     )
-    found = DescriptionError("out of range", where="road", found="road", allowed=Phrase("above {bound:g}", bound=0.5))
-    assert german_of(found.message()) == "road: außerhalb des Bereichs; gefunden 'road'; zulässig: über 0.5."
+    found = DescriptionError(
+        "out of range", where="road", found="road", allowed=Phrase("above {bound:g}", bound=0.5)
+    )
+    assert (
+        german_of(found.message())
+        == "road: außerhalb des Bereichs; gefunden 'road'; zulässig: über 0.5."
+    )
 
 
 def test_what_has_no_german_says_so() -> None:

@@ -16,13 +16,27 @@ from jounce.identify.discrepancy import NuisanceEstimate
 from jounce.recordings.sensors import Sensor
 from rules import ROOT, modules, packages_below
 
-HEAVY = ["casadi", "h5py", "jinja2", "llvmlite", "matplotlib", "numba", "numpy", "pandas", "pint", "pydantic", "rich"]
+HEAVY = [
+    "casadi",
+    "h5py",
+    "jinja2",
+    "llvmlite",
+    "matplotlib",
+    "numba",
+    "numpy",
+    "pandas",
+    "pint",
+    "pydantic",
+    "rich",
+]
 HEAVY += ["scipy", "typer", "xarray"]
 FACES = ["click", "jinja2", "matplotlib", "rich", "typer", "typst"]
 
 
 def run_python(code: str) -> str:
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=ROOT)
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=ROOT
+    )
     assert done.returncode == 0, done.stderr
     return done.stdout.strip()
 
@@ -42,7 +56,9 @@ def test_public_name_resolves(name: str) -> None:
 
 
 def test_unknown_name_names_the_nearest() -> None:
-    with pytest.raises(AttributeError, match=r"no attribute 'JounceErorr'\. Did you mean 'JounceError'\?"):
+    with pytest.raises(
+        AttributeError, match=r"no attribute 'JounceErorr'\. Did you mean 'JounceError'\?"
+    ):
         jounce.JounceErorr  # noqa: B018
 
 
@@ -54,7 +70,10 @@ def test_import_loads_nothing_heavy() -> None:
 def test_core_needs_no_faces() -> None:
     code = f"import sys, importlib\nsys.modules.update(dict.fromkeys({FACES}))\n"
     core = [name for name in modules() if name.startswith("jounce.core")]
-    assert run_python(code + f"for name in {core}: importlib.import_module(name)\nprint('done')") == "done"
+    assert (
+        run_python(code + f"for name in {core}: importlib.import_module(name)\nprint('done')")
+        == "done"
+    )
     with pytest.raises(AssertionError, match="ModuleNotFoundError"):
         run_python(code + "import rich.table")
 
@@ -64,7 +83,10 @@ def test_everything_below_the_plots_needs_no_faces() -> None:
     names = [name for name in modules() if name.count(".") and name.split(".")[1] in below]
     assert names
     code = f"import sys, importlib\nsys.modules.update(dict.fromkeys({FACES}))\n"
-    assert run_python(code + f"for name in {names}: importlib.import_module(name)\nprint('done')") == "done"
+    assert (
+        run_python(code + f"for name in {names}: importlib.import_module(name)\nprint('done')")
+        == "done"
+    )
 
 
 @pytest.mark.parametrize(

@@ -25,7 +25,9 @@ def check() -> ModuleType:
 @pytest.fixture
 def site(tmp_path: Path) -> Path:
     (tmp_path / "index.html").write_text(GOOD, encoding="utf-8")
-    (tmp_path / "other.html").write_text('<p id="x">d</p><script src="index.html"></script>', encoding="utf-8")
+    (tmp_path / "other.html").write_text(
+        '<p id="x">d</p><script src="index.html"></script>', encoding="utf-8"
+    )
     (tmp_path / "p.svg").write_text("<svg/>", encoding="utf-8")
     return tmp_path
 
@@ -44,12 +46,16 @@ def test_a_sound_site_has_no_problems(check: ModuleType, site: Path) -> None:
         ('src="p.svg"', 'src="https://example.org/p.svg"', "from a network"),
     ],
 )
-def test_what_is_wrong_is_told(check: ModuleType, site: Path, old: str, new: str, said: str) -> None:
+def test_what_is_wrong_is_told(
+    check: ModuleType, site: Path, old: str, new: str, said: str
+) -> None:
     (site / "index.html").write_text(GOOD.replace(old, new), encoding="utf-8")
     assert any(said in problem for problem in check.problems(site))
 
 
-def test_a_site_that_is_too_large_is_told(check: ModuleType, site: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_site_that_is_too_large_is_told(
+    check: ModuleType, site: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(check, "LARGEST", 10.0)
     assert any("MB, allowed are" in problem for problem in check.problems(site))
 
@@ -61,25 +67,36 @@ DOI = re.compile(r"10\.\d{4,9}/[-._;()/:A-Za-z0-9]*[A-Za-z0-9)]")
 def address_problems(text: str) -> list[str]:
     """Addresses and DOIs that cannot be right, whatever answers there."""
     found = [
-        f"DOI {doi!r}" for doi in re.findall(r"^ *doi *= *\{(.*?)\}", text, re.MULTILINE) if not DOI.fullmatch(doi)
+        f"DOI {doi!r}"
+        for doi in re.findall(r"^ *doi *= *\{(.*?)\}", text, re.MULTILINE)
+        if not DOI.fullmatch(doi)
     ]
     for address in ADDRESS.findall(text):
         host = address.partition("://")[2].partition("/")[0]
         is_own = host.partition(":")[0] in {"127.0.0.1", "localhost"}
-        if not is_own and (not address.startswith("https://") or not re.fullmatch(r"[\w-]+(\.[\w-]+)+", host)):
+        if not is_own and (
+            not address.startswith("https://") or not re.fullmatch(r"[\w-]+(\.[\w-]+)+", host)
+        ):
             found.append(address)
-        if re.search(r"example\.|todo|xxx|your[-_]|placeholder|web\.archive", address, re.IGNORECASE):
+        if re.search(
+            r"example\.|todo|xxx|your[-_]|placeholder|web\.archive", address, re.IGNORECASE
+        ):
             found.append(address)
     return found
 
 
 @pytest.mark.parametrize(
-    "name", ["references.bib", "README.md", "CONTRIBUTING.md", "SECURITY.md", "CITATION.cff", "docs"]
+    "name",
+    ["references.bib", "README.md", "CONTRIBUTING.md", "SECURITY.md", "CITATION.cff", "docs"],
 )
 def test_addresses_have_their_form(name: str) -> None:
     """Whether they answer is asked by `make links`, where there is a network."""
     files = [ROOT / name] if (ROOT / name).is_file() else sorted((ROOT / name).glob("*/*.md"))
-    assert [(file.name, one) for file in files for one in address_problems(file.read_text(encoding="utf-8"))] == []
+    assert [
+        (file.name, one)
+        for file in files
+        for one in address_problems(file.read_text(encoding="utf-8"))
+    ] == []
 
 
 @pytest.mark.parametrize(
@@ -136,7 +153,12 @@ def test_pages_are_in_british_spelling(page: Path) -> None:
 @pytest.mark.parametrize("name", jounce.__all__)
 def test_docstrings_are_in_british_spelling(name: str) -> None:
     """What the pages of Python names are made of."""
-    text = re.sub(r"^>>> .*?(?=\n\n|\Z)", " ", prose(inspect.getdoc(getattr(jounce, name)) or ""), flags=re.M | re.S)
+    text = re.sub(
+        r"^>>> .*?(?=\n\n|\Z)",
+        " ",
+        prose(inspect.getdoc(getattr(jounce, name)) or ""),
+        flags=re.M | re.S,
+    )
     assert [match[0] for pattern in (AMERICAN, MISSPELT) for match in pattern.finditer(text)] == []
 
 

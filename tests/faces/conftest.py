@@ -58,7 +58,10 @@ def cli(capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.
 @pytest.fixture
 def bump(tmp_path: Path) -> Path:
     file = tmp_path / "bump.toml"
-    file.write_text('kind = "half-sine"\nheight = "10 mm"\nlength = "60 mm"\nstart = "0.2 m"\n', encoding="utf-8")
+    file.write_text(
+        'kind = "half-sine"\nheight = "10 mm"\nlength = "60 mm"\nstart = "0.2 m"\n',
+        encoding="utf-8",
+    )
     return file
 
 
@@ -81,7 +84,9 @@ def decay_file(tmp_path: Path) -> Path:
     from jounce.identify.free_response import DecayParameters, decay_response
 
     time = np.arange(0.0, 2.0, 1e-3)
-    height = decay_response(time, DecayParameters(33.9, 0.11, 0.8e-3, 0.0, 0.2, 0.020), "displacement")
+    height = decay_response(
+        time, DecayParameters(33.9, 0.11, 0.8e-3, 0.0, 0.2, 0.020), "displacement"
+    )
     file = tmp_path / "decay.csv"
     rows = "\n".join(f"{t:.4f}, {1e3 * z:.12g}" for t, z in zip(time, height, strict=True))
     file.write_text(f"time [s], sprung.z [mm]\n{rows}\n", encoding="utf-8")
@@ -138,7 +143,9 @@ def campaign(bump: Path, spring_files: list[Path], rig_text: str, tmp_path: Path
 
 
 @pytest.fixture(scope="module")
-def workbench(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Path, int]]:
+def workbench(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[tuple[Path, int]]:
     """A project's folder and the port of the workbench served over it, whose token is the ``TOKEN`` of the module."""
     import uvicorn
 
@@ -150,7 +157,9 @@ def workbench(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathF
     port = listening.getsockname()[1]
     ready = threading.Event()
     app = create_app(folder, token=request.module.TOKEN, port=port, ready=ready.set)
-    config = uvicorn.Config(app, log_level="error", ws="websockets-sansio", timeout_graceful_shutdown=1)
+    config = uvicorn.Config(
+        app, log_level="error", ws="websockets-sansio", timeout_graceful_shutdown=1
+    )
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run, kwargs={"sockets": [listening]}, daemon=True)
     thread.start()
@@ -168,6 +177,8 @@ def browser() -> Iterator[Any]:
     if CHROMIUM is None:
         pytest.skip("Chromium is not installed")
     with sync_api.sync_playwright() as playwright:
-        made = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-quic"])
+        made = playwright.chromium.launch(
+            executable_path=CHROMIUM, args=["--no-sandbox", "--disable-quic"]
+        )
         yield made
         made.close()

@@ -76,13 +76,17 @@ class Chromium(Engine):
         browser = playwright.chromium.launch(executable_path=self._program(), args=words)
         stack.callback(browser.close)
         self._page = browser.new_page()
-        said = f"Object.defineProperty(Navigator.prototype, 'language', {{get: () => '{LANGUAGE}'}})"
+        said = (
+            f"Object.defineProperty(Navigator.prototype, 'language', {{get: () => '{LANGUAGE}'}})"
+        )
         self._page.add_init_script(said)
         self._page.on("console", self._hear)
         self._page.on("pageerror", lambda error: self.troubles.append(str(error)))
 
     def _hear(self, told: Any) -> None:
-        if told.type in ("error", "warning") and "readback" not in told.text:  # which is of these tests
+        if (
+            told.type in ("error", "warning") and "readback" not in told.text
+        ):  # which is of these tests
             self.troubles.append(told.text)
 
     @staticmethod
@@ -128,9 +132,14 @@ def _as_soon_as_it_runs(ask: Callable[[], Any]) -> Any:
 
 def _moves(start: Place, end: Place) -> list[dict[str, Any]]:
     """Give a drag as WebDriver takes it."""
-    there, on = ({"type": "pointerMove", "x": round(x), "y": round(y), "duration": 50} for x, y in (start, end))
+    there, on = (
+        {"type": "pointerMove", "x": round(x), "y": round(y), "duration": 50}
+        for x, y in (start, end)
+    )
     steps = [there, {"type": "pointerDown", "button": 0}, on, {"type": "pointerUp", "button": 0}]
-    return [{"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": steps}]
+    return [
+        {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": steps}
+    ]
 
 
 class Firefox(Engine):
@@ -145,10 +154,20 @@ class Firefox(Engine):
         settings = f'user_pref("intl.accept_languages", "{LANGUAGE}");\nuser_pref("webgl.disabled", true);\n'
         (folder / "user.js").write_text(settings, encoding="utf-8")
         port = _free_port()
-        words = ["--headless", f"--remote-debugging-port={port}", "--no-remote", "--profile", str(folder)]
-        self._start(self._program() or "", *words, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        words = [
+            "--headless",
+            f"--remote-debugging-port={port}",
+            "--no-remote",
+            "--profile",
+            str(folder),
+        ]
+        self._start(
+            self._program() or "", *words, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL
+        )
         plain = _as_soon_as_it_runs(lambda: socket.create_connection(("127.0.0.1", port)))
-        self._socket = stack.enter_context(connect(f"ws://127.0.0.1:{port}/session", sock=plain, max_size=None))
+        self._socket = stack.enter_context(
+            connect(f"ws://127.0.0.1:{port}/session", sock=plain, max_size=None)
+        )
         self._numbers = itertools.count(1)
         self._ask("session.new", capabilities={})
         self._ask("session.subscribe", events=["log.entryAdded"])
@@ -167,7 +186,10 @@ class Firefox(Engine):
         self._socket.send(json.dumps({"id": number, "method": method, "params": values}))
         while True:
             answer = json.loads(self._socket.recv(timeout=120))
-            if answer.get("method") == "log.entryAdded" and answer["params"]["level"] in ("error", "warn"):
+            if answer.get("method") == "log.entryAdded" and answer["params"]["level"] in (
+                "error",
+                "warn",
+            ):
                 self.troubles.append(answer["params"]["text"])
             if answer.get("id") == number:
                 assert answer["type"] == "success", answer
@@ -177,7 +199,9 @@ class Firefox(Engine):
         self._ask("browsingContext.navigate", **self._page, url=address, wait="complete")
 
     def evaluate(self, expression: str) -> Any:
-        answer = self._ask("script.evaluate", expression=_plain(expression), target=self._page, awaitPromise=True)
+        answer = self._ask(
+            "script.evaluate", expression=_plain(expression), target=self._page, awaitPromise=True
+        )
         assert answer["type"] == "success", answer
         return json.loads(answer["result"]["value"])
 
@@ -185,7 +209,9 @@ class Firefox(Engine):
         self._ask("input.performActions", **self._page, actions=_moves(start, end))
 
     def resize(self, width: int, height: int) -> None:
-        self._ask("browsingContext.setViewport", **self._page, viewport={"width": width, "height": height})
+        self._ask(
+            "browsingContext.setViewport", **self._page, viewport={"width": width, "height": height}
+        )
 
 
 HEAR = """(() => {
@@ -229,7 +255,9 @@ class WebKit(Engine):
 
     def _ask(self, method: str, path: str, body: Any = None) -> Any:
         data = None if body is None else json.dumps(body).encode()
-        asked = urllib.request.Request(self._base + path, data, {"Content-Type": "application/json"}, method=method)
+        asked = urllib.request.Request(
+            self._base + path, data, {"Content-Type": "application/json"}, method=method
+        )
         direct = urllib.request.build_opener(urllib.request.ProxyHandler({}))
         try:
             with direct.open(asked, timeout=120) as answer:
@@ -243,7 +271,9 @@ class WebKit(Engine):
 
     def evaluate(self, expression: str) -> Any:
         said = "(value) => arguments[0]([value, (window.heard ?? []).splice(0)])"
-        script = f"{_plain(expression)}.then({said}, (error) => arguments[0](['', [String(error)]]))"
+        script = (
+            f"{_plain(expression)}.then({said}, (error) => arguments[0](['', [String(error)]]))"
+        )
         value, troubles = self._ask("POST", "/execute/async", {"script": script, "args": []})
         self.troubles += troubles
         assert value, troubles

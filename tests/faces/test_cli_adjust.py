@@ -40,7 +40,16 @@ def test_table_for_people(cli) -> None:
 
 
 def test_settings_are_made_and_written(cli, tmp_path: Path) -> None:
-    outcome = cli("adjust", RIG, "--set", "upper_arm_length=10 mm", "--set", "strut_angle=16 deg", "--out", "new.toml")
+    outcome = cli(
+        "adjust",
+        RIG,
+        "--set",
+        "upper_arm_length=10 mm",
+        "--set",
+        "strut_angle=16 deg",
+        "--out",
+        "new.toml",
+    )
     assert outcome.exit_code == 0
     assert "upper_arm_length 10 mm, strut_angle 16 deg" in " ".join(outcome.out.split())
     wanted = apply_adjustments(jn.load(RIG), {"upper_arm_length": "10 mm", "strut_angle": "16 deg"})
@@ -52,12 +61,19 @@ def test_settings_are_made_and_written(cli, tmp_path: Path) -> None:
     assert refused.exit_code == 2
     assert "exists" in refused.err
     assert jn.load(tmp_path / "new.toml") == wanted
-    assert cli("adjust", RIG, "--set", "upper_arm_length=5 mm", "--out", "new.toml", "--force").exit_code == 0
+    assert (
+        cli(
+            "adjust", RIG, "--set", "upper_arm_length=5 mm", "--out", "new.toml", "--force"
+        ).exit_code
+        == 0
+    )
 
 
 def test_lengths_for_camber_and_toe(cli) -> None:
     found = cli("adjust", RIG, "--camber", "-2 deg", "--toe", "0.5 deg", "--json").json
-    assert np.degrees([found["after"]["camber"], found["after"]["toe"]]) == pytest.approx([-2.0, 0.5], abs=1e-6)
+    assert np.degrees([found["after"]["camber"], found["after"]["toe"]]) == pytest.approx(
+        [-2.0, 0.5], abs=1e-6
+    )
     assert found["lengths"]["upper_arm_length"] == 0.0
     assert found["settings"]["lower_arm_length"] == found["lengths"]["lower_arm_length"]
     assert found["effects"] == []
@@ -75,9 +91,15 @@ def test_lengths_for_camber_and_toe(cli) -> None:
         (("--camber", "9 deg"), "does not reach this"),
         (("--camber", "9"), "9 rad cannot be meant"),
         (("--camber", "9 mm"), "wrong unit"),
-        (("--camber", "1 deg", "--set", "lower_arm_length=3 mm"), "a length to be found is also given"),
+        (
+            ("--camber", "1 deg", "--set", "lower_arm_length=3 mm"),
+            "a length to be found is also given",
+        ),
         (("--out", "new.toml"), "nothing to adjust"),
-        (("--set", "upper_arm_length=5 mm", "--out", "new"), "new: rigs are not written in this format"),
+        (
+            ("--set", "upper_arm_length=5 mm", "--out", "new"),
+            "new: rigs are not written in this format",
+        ),
     ],
 )
 def test_mistakes_are_one_message(cli, tmp_path: Path, words, message) -> None:
@@ -97,7 +119,9 @@ def test_lumped_rigs_have_no_arms(cli) -> None:
 def test_other_suspensions_have_their_own_settings(cli) -> None:
     outcome = cli("adjust", "semi-trailing-arm", "--set", "toe_wedge=0.2 deg", "--json")
     assert outcome.exit_code == 0
-    assert np.degrees(outcome.json["after"]["toe"] - outcome.json["before"]["toe"]) == pytest.approx(0.2)
+    assert np.degrees(
+        outcome.json["after"]["toe"] - outcome.json["before"]["toe"]
+    ) == pytest.approx(0.2)
     assert outcome.json["after"]["caster"] is None
     shown = cli("adjust", "semi-trailing-arm", "--set", "toe_wedge=0.2 deg")
     assert "nan" not in shown.out.lower()
@@ -113,9 +137,20 @@ def test_steep_struts_are_warned_of(cli) -> None:
 
 
 def test_lumped_model_against_the_linkage(cli) -> None:
-    found = cli("study", "lumped-vs-spatial", RIG, "--lumped", "kart-quarter-car", "--duration", "0.5 s", "--json").json
+    found = cli(
+        "study",
+        "lumped-vs-spatial",
+        RIG,
+        "--lumped",
+        "kart-quarter-car",
+        "--duration",
+        "0.5 s",
+        "--json",
+    ).json
     rows = {row["quantity"]: row for row in found["rows"]}
-    assert rows["motion ratio at rest"]["spatial"] == pytest.approx(np.cos(np.radians(26.0)), rel=1e-4)
+    assert rows["motion ratio at rest"]["spatial"] == pytest.approx(
+        np.cos(np.radians(26.0)), rel=1e-4
+    )
     assert rows["unsprung mass"]["lumped"] == 5.0
     assert all(row["why"] for row in found["rows"])
     assert len(found["peaks"]) == 9
@@ -124,7 +159,17 @@ def test_lumped_model_against_the_linkage(cli) -> None:
 
 
 def test_lumped_model_of_its_own_over_a_road_of_ones_own(cli, bump: Path) -> None:
-    words = ("study", "lumped-vs-spatial", RIG, "--road", bump, "--speed", "2 m/s", "--duration", "0.5 s")
+    words = (
+        "study",
+        "lumped-vs-spatial",
+        RIG,
+        "--road",
+        bump,
+        "--speed",
+        "2 m/s",
+        "--duration",
+        "0.5 s",
+    )
     outcome = cli(*words)
     assert outcome.exit_code == 0
     assert "inertance" in outcome.out

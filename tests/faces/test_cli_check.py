@@ -12,8 +12,17 @@ from jounce.operations.request import Request
 from jounce.parts.testers import library as shipped_testers
 
 
-def test_everything_in_order(cli, campaign: Path, bump: Path, decay_file: Path, spring_files: list[Path]) -> None:
-    files = (campaign, bump, decay_file, spring_files[0], campaign.parent / "rig.toml", "trial_1.csv")
+def test_everything_in_order(
+    cli, campaign: Path, bump: Path, decay_file: Path, spring_files: list[Path]
+) -> None:
+    files = (
+        campaign,
+        bump,
+        decay_file,
+        spring_files[0],
+        campaign.parent / "rig.toml",
+        "trial_1.csv",
+    )
     outcome = cli("check", *files, "--json")
     assert outcome.exit_code == 0, outcome.err
     assert outcome.json["ok"] is True
@@ -41,7 +50,11 @@ def test_every_bad_file_is_reported(cli, bump: Path, tmp_path: Path) -> None:
         ('"rig.toml"', '"rigs.toml"', ["rigs.toml: no such file"]),
         ('"trial_2.csv"', '"trial_3.csv"', ["trial 2", "trial_3.csv: no such file"]),
         ('"spring_*.csv"', '"tyre_*.csv"', ["bench.spring: no file matches; found 'tyre_*.csv'"]),
-        ('road = "A"', 'road = "B"', ["trial 1: unknown road 'B'; allowed: A", "trial 2: unknown road 'B'"]),
+        (
+            'road = "A"',
+            'road = "B"',
+            ["trial 1: unknown road 'B'; allowed: A", "trial 2: unknown road 'B'"],
+        ),
         ('"1.95 m/s"', '"1.95"', ["campaign.toml, line 12: trial[0].speed: the unit is missing"]),
         ("number = 2", "number = 1", ["trial number 1 is given twice"]),
         (
@@ -49,7 +62,11 @@ def test_every_bad_file_is_reported(cli, bump: Path, tmp_path: Path) -> None:
             "recordin",
             ["campaign.toml, line 14: trial[0].recordin: unknown key", "Did you mean 'recording'?"],
         ),
-        ('"half-sine"', '"half-sin"', ["campaign.toml, line 6: roads.A.kind", "Did you mean 'half-sine'?"]),
+        (
+            '"half-sine"',
+            '"half-sin"',
+            ["campaign.toml, line 6: roads.A.kind", "Did you mean 'half-sine'?"],
+        ),
         ('"10 mm"', '"10 N"', ["campaign.toml, line 7: roads.A.height: wrong unit"]),
     ],
 )
@@ -63,7 +80,9 @@ def test_broken_campaigns(old: str, new: str, messages: list[str], cli, campaign
 
 def test_two_problems_of_one_campaign(cli, campaign: Path) -> None:
     (campaign.parent / "rig.toml").unlink()
-    (campaign.parent / "trial_2.csv").write_text("time [s], sprung.az [m/s^2]\n0, 1\n0, 2\n0, 3\n", encoding="utf-8")
+    (campaign.parent / "trial_2.csv").write_text(
+        "time [s], sprung.az [m/s^2]\n0, 1\n0, 2\n0, 3\n", encoding="utf-8"
+    )
     outcome = cli("check", campaign, "--json")
     assert outcome.exit_code == 2
     problems = outcome.json["files"][0]["problems"]
@@ -77,7 +96,10 @@ def test_two_problems_of_one_campaign(cli, campaign: Path) -> None:
     ("content", "message"),
     [
         ("", "pass.csv: the file is empty"),
-        ("displacement [mm], force\n0, 0\n1, 22\n2, 44\n", "pass.csv: column 'force': the column has no unit"),
+        (
+            "displacement [mm], force\n0, 0\n1, 22\n2, 44\n",
+            "pass.csv: column 'force': the column has no unit",
+        ),
         ("x [m], z [N]\n0, 0\n1, 22\n2, 44\n", "pass.csv: column 'z [N]': wrong unit"),
         ("time [s], sprung.az [m/s^2]\n0, 1\n0.1, nan\n0.2, 3\n0.3, 4\n", "pass.csv, line 3"),
         ("time [s], sprung.az [m/s^2]\n0, 1\n0.1, 2\n0.05, 3\n0.3, 4\n", "pass.csv"),
@@ -104,7 +126,9 @@ def test_controllers(cli, tmp_path: Path) -> None:
 @pytest.fixture
 def tester_file(tmp_path: Path) -> Path:
     file = tmp_path / "lane.toml"
-    file.write_text(shipped_testers()["egea-specsus2018"].read_text(encoding="utf-8"), encoding="utf-8")
+    file.write_text(
+        shipped_testers()["egea-specsus2018"].read_text(encoding="utf-8"), encoding="utf-8"
+    )
     return file
 
 
@@ -140,7 +164,11 @@ def test_testers_and_limits(cli, tester_file: Path, limits_file: Path) -> None:
     [
         ('stroke = "6 mm"', 'stroke = "6 N"', "stroke: wrong unit; found '6 N'"),
         ("\nplate_mass =", "\nplate_mas =", "Did you mean 'plate_mass'?"),
-        ('kind = "rigid-plate"', 'kind = "rigid"', "kind: input should be 'rigid-plate' or 'sprung-plate'"),
+        (
+            'kind = "rigid-plate"',
+            'kind = "rigid"',
+            "kind: input should be 'rigid-plate' or 'sprung-plate'",
+        ),
         ('sweep_rate = "2.5 Hz/s"', 'sweep_rate = "-1 Hz/s"', "programme.sweep_rate: out of range"),
     ],
 )
@@ -158,7 +186,11 @@ def test_broken_testers(old: str, new: str, message: str, cli, tester_file: Path
     [
         ('{ from = "20 %", to = "40 %"', '{ from = "22 %", to = "40 %"', "a gap from 20 % to 22 %"),
         ('{ from = "35 deg"', '{ from = "35 N"', "methods.egea.bands[1].from: wrong unit"),
-        ("{ from = 0.10, to = 0.13, label", "{ from = 0.10, to = 0.13, lable", "Did you mean 'label'?"),
+        (
+            "{ from = 0.10, to = 0.13, label",
+            "{ from = 0.10, to = 0.13, lable",
+            "Did you mean 'label'?",
+        ),
         ('quantity = "theta_road"', 'quantity = "theta_raod"', "Did you mean 'theta_road'?"),
     ],
 )
@@ -190,13 +222,20 @@ def test_testers_that_contradict_themselves(cli, tester_file: Path) -> None:
 
 def test_headers_of_records(cli, tmp_path: Path) -> None:
     rows = "\n".join(f"{i / 1000}, {i % 7 - 3}, {4000 + i % 5}" for i in range(20))
-    (tmp_path / "lane.csv").write_text(f"time [s], left.plate.z [mm], left.plate.force [N]\n{rows}\n", encoding="utf-8")
+    (tmp_path / "lane.csv").write_text(
+        f"time [s], left.plate.z [mm], left.plate.force [N]\n{rows}\n", encoding="utf-8"
+    )
     file = tmp_path / "lane.toml"
     file.write_text('axle = "front"\n[left]\nstatic_load = "4 kN"\n', encoding="utf-8")
     outcome = cli("check", "lane.csv", file, "--json")
     assert outcome.exit_code == 0, outcome.err
-    assert [item["kind"] for item in outcome.json["files"]] == ["record of a tester", "header of a record"]
-    file.write_text('axle = "frnt"\noperater = "x"\n[left]\nstatic_load = "4 kg"\n', encoding="utf-8")
+    assert [item["kind"] for item in outcome.json["files"]] == [
+        "record of a tester",
+        "header of a record",
+    ]
+    file.write_text(
+        'axle = "frnt"\noperater = "x"\n[left]\nstatic_load = "4 kg"\n', encoding="utf-8"
+    )
     outcome = cli("check", file)
     assert outcome.exit_code == 2
     lines = outcome.err.splitlines()
@@ -225,8 +264,12 @@ def test_an_fmu_lists_what_can_be_connected(cli, tmp_path: Path) -> None:
     assert outcome.exit_code == 0
     found = outcome.json["files"][0]
     assert (found["kind"], found["what"].partition(",")[0]) == ("FMU", "FMI 3.0")
-    assert "inputs: v_body [mm/s], v_strut [m/s], spare, deflection [mm], rate [m/s]" in found["notes"]
-    (tmp_path / "law.toml").write_text('schema = "jounce.control/1"\nlaw = "fmu"\nfile = "sources.fmu"\n')
+    assert (
+        "inputs: v_body [mm/s], v_strut [m/s], spare, deflection [mm], rate [m/s]" in found["notes"]
+    )
+    (tmp_path / "law.toml").write_text(
+        'schema = "jounce.control/1"\nlaw = "fmu"\nfile = "sources.fmu"\n'
+    )
     fmu_component.write(tmp_path / "sources.fmu", 3, b"")
     outcome = cli("check", "law.toml", "--json")
     assert outcome.exit_code == 2
@@ -256,17 +299,32 @@ def test_settings_of_a_laboratory(cli, laboratory: Path) -> None:
     assert outcome.exit_code == 0, outcome.err
     (item,) = outcome.json["files"]
     assert item["kind"] == "laboratory"
-    assert item["what"] == "settings of a laboratory: obstacle of 10 mm by 60 mm; channels sprung.az; 2 trials"
+    assert (
+        item["what"]
+        == "settings of a laboratory: obstacle of 10 mm by 60 mm; channels sprung.az; 2 trials"
+    )
 
 
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('"100 mV/g"', '"100 mV"', "laboratory.toml, line 7: channels.ch0.sensitivity: not a sensitivity"),
-        ('"sprung.az"', '"body.q"', "laboratory.toml, line 7: channels.ch0.measures: 'body.q' names no known"),
+        (
+            '"100 mV/g"',
+            '"100 mV"',
+            "laboratory.toml, line 7: channels.ch0.sensitivity: not a sensitivity",
+        ),
+        (
+            '"sprung.az"',
+            '"body.q"',
+            "laboratory.toml, line 7: channels.ch0.measures: 'body.q' names no known",
+        ),
         ('"10 mm"', '"10 N"', "laboratory.toml, line 4: obstacle.height: wrong unit"),
         ('sprung_mass = "16 kg"', "", "laboratory.toml: sprung_mass and unsprung_mass are missing"),
-        ('sprung_mass = "16 kg"', 'rig = "kart-quater-car"', "laboratory.toml: rig: no such file and no shipped rig"),
+        (
+            'sprung_mass = "16 kg"',
+            'rig = "kart-quater-car"',
+            "laboratory.toml: rig: no such file and no shipped rig",
+        ),
         ('"trials.csv"', '"table.csv"', "laboratory.toml: trials: no such file; found 'table.csv'"),
         ("trials", "trails", "laboratory.toml, line 5: trails: unknown key"),
     ],
@@ -286,4 +344,6 @@ def test_files_are_checked_by_python_as_by_the_command(cli, bump: Path, tmp_path
     outcome = cli(*request.words(), "--json")
     assert outcome.exit_code == 2
     assert outcome.json == names["result"].to_dict()
-    assert outcome.err.splitlines() == [f"jounce: {problem}" for problem in names["result"].problems]
+    assert outcome.err.splitlines() == [
+        f"jounce: {problem}" for problem in names["result"].problems
+    ]

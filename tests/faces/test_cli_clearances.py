@@ -20,11 +20,16 @@ STEERED = ("--set", 'steering={rack_ratio = "13 mm/rad"}')
 def test_clearances_are_those_of_python_in_table_file_json_and_picture(cli, tmp_path) -> None:
     between = ("--between", f"rod in rim: {ROD}, {RIM}", "--between", f"rod to arm: {ROD}, {ARM}")
     out, picture = tmp_path / "clearances.csv", tmp_path / "clearances.png"
-    outcome = cli("clearances", RIG, *between, *MOVES, "--out", str(out), "--figure", str(picture), "--json")
+    outcome = cli(
+        "clearances", RIG, *between, *MOVES, "--out", str(out), "--figure", str(picture), "--json"
+    )
     assert outcome.exit_code == 0, outcome.err
     rod = jn.Solid(points=["tie_rod_inner", "tie_rod_outer"], radius=0.008)
     arm = jn.Solid(points=["upper_arm_front", "upper_ball_joint"], radius=0.008)
-    pairs = {"rod in rim": (rod, jn.Rim(radius=0.115, inner=-0.09, outer=0.02)), "rod to arm": (rod, arm)}
+    pairs = {
+        "rod in rim": (rod, jn.Rim(radius=0.115, inner=-0.09, outer=0.02)),
+        "rod to arm": (rod, arm),
+    }
     wanted = jn.clearances(jn.load(RIG), pairs, "-20 mm:20 mm:20 mm", "-20 mm:20 mm:20 mm")
     for name in pairs:
         assert outcome.json["quantities"][name]["values"] == wanted[name].to_numpy().tolist()
@@ -37,8 +42,12 @@ def test_clearances_are_those_of_python_in_table_file_json_and_picture(cli, tmp_
     assert len(rows) == 9
     assert float(rows[-1]["rod in rim [m]"]) == float(wanted["rod in rim"][-1, -1])
     assert picture.stat().st_size > 10_000
-    steered = cli("clearances", RIG, *between, "--rack", "-20 mm:20 mm:20 mm", "--json").json["quantities"]
-    assert steered["rod to arm"]["values"] == pytest.approx(wanted["rod to arm"].sel(wheel_travel=0.0).to_numpy())
+    steered = cli("clearances", RIG, *between, "--rack", "-20 mm:20 mm:20 mm", "--json").json[
+        "quantities"
+    ]
+    assert steered["rod to arm"]["values"] == pytest.approx(
+        wanted["rod to arm"].sel(wheel_travel=0.0).to_numpy()
+    )
     assert steered["wheel_travel"]["values"] == [0.0, 0.0, 0.0]
 
 
@@ -79,22 +88,48 @@ def test_bad_pairs_are_refused(cli, arguments, message: str) -> None:
 
 
 def test_efforts_are_those_of_python(cli, tmp_path) -> None:
-    loads = ("--load", "vertical_force=700 N", "--left", "lateral_force=400 N", "--right", "lateral_force=900 N")
+    loads = (
+        "--load",
+        "vertical_force=700 N",
+        "--left",
+        "lateral_force=400 N",
+        "--right",
+        "lateral_force=900 N",
+    )
     out, picture = tmp_path / "effort.csv", tmp_path / "effort.svg"
-    swept = ("--rack", "-20 mm:20 mm:20 mm", *STEERED, "--out", str(out), "--figure", str(picture), "--json")
+    swept = (
+        "--rack",
+        "-20 mm:20 mm:20 mm",
+        *STEERED,
+        "--out",
+        str(out),
+        "--figure",
+        str(picture),
+        "--json",
+    )
     outcome = cli("steering-effort", RIG, *loads, *swept)
     assert outcome.exit_code == 0, outcome.err
     rig = jn.load(RIG).with_changes({"steering": {"rack_ratio": 0.013}})
     sides = [jn.ContactLoad(vertical_force=700.0, lateral_force=force) for force in (400.0, 900.0)]
     wanted = jn.steering_effort(rig, *sides, "-20 mm:20 mm:20 mm")
     for name in ("rack_force", "left.rack_force", "handwheel_torque", "handwheel_angle"):
-        assert outcome.json[name]["values"] == pytest.approx(wanted[name].to_numpy().tolist(), rel=1e-12), name
+        assert outcome.json[name]["values"] == pytest.approx(
+            wanted[name].to_numpy().tolist(), rel=1e-12
+        ), name
     assert out.read_text(encoding="utf-8").startswith("rack_travel [m],rack_force [N]")
     assert picture.stat().st_size > 10_000
 
 
 def test_a_rack_beyond_the_end_of_travel_is_told(cli) -> None:
-    outcome = cli("steering-effort", RIG, "--load", "lateral_force=400 N", "--rack", "0 mm:150 mm:10 mm", "--json")
+    outcome = cli(
+        "steering-effort",
+        RIG,
+        "--load",
+        "lateral_force=400 N",
+        "--rack",
+        "0 mm:150 mm:10 mm",
+        "--json",
+    )
     assert outcome.exit_code == 2
     assert "reaches the end of its travel" in outcome.err
     assert 0 < len(outcome.json["rack_force"]["values"]) < 16

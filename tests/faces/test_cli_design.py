@@ -26,24 +26,34 @@ def test_springs(cli):
     assert front["wanted"]["spring_rate"] == pytest.approx(28e3, rel=1e-4)
     assert rear["wanted"]["spring_rate"] == pytest.approx(21e3, rel=1e-4)
     assert rear["wanted"]["damping_ratio"] == pytest.approx(0.43)
-    assert done.json["changes"]["front.damping_coefficient"] == front["wanted"]["damping_coefficient"]
+    assert (
+        done.json["changes"]["front.damping_coefficient"] == front["wanted"]["damping_coefficient"]
+    )
     written = jn.load("springs.toml")
     assert written.parameters()["front.spring_rate"] == pytest.approx(28e3, rel=1e-4)
-    shown = cli("design", "springs", "kart-quarter-car", "--frequency", "4 Hz", "--damping-ratio", "0.2")
+    shown = cli(
+        "design", "springs", "kart-quarter-car", "--frequency", "4 Hz", "--damping-ratio", "0.2"
+    )
     assert "present" in shown.out
     assert "target" in shown.out
 
 
 def words_of(page: str) -> str:
     """What a page shows: its text without markup and scripts."""
-    text = re.sub(r"<(script|style)\b.*?</\1>", " ", Path(page).read_text(encoding="utf-8"), flags=re.DOTALL)
+    text = re.sub(
+        r"<(script|style)\b.*?</\1>", " ", Path(page).read_text(encoding="utf-8"), flags=re.DOTALL
+    )
     return " ".join(unescape(re.sub(r"<[^>]+>", " ", text)).split())
 
 
 def test_optimise(cli):
-    done = cli(*QUARTER, "--free", f"{DAMPER}=500..5000 N*s/m", "--objective", "sprung.az", *ON_C, "--json")
+    done = cli(
+        *QUARTER, "--free", f"{DAMPER}=500..5000 N*s/m", "--objective", "sprung.az", *ON_C, "--json"
+    )
     assert done.exit_code == 0
-    assert done.json["values"][DAMPER] == pytest.approx(1559.081, abs=1e-3)  # k sqrt((m_s + m_u) / k_t)
+    assert done.json["values"][DAMPER] == pytest.approx(
+        1559.081, abs=1e-3
+    )  # k sqrt((m_s + m_u) / k_t)
     assert done.json["converged"] is True
     assert done.json["derivatives"] == "exact"
     tight = cli(
@@ -61,7 +71,9 @@ def test_optimise(cli):
     assert "the start breaks a limit" in text  # 11.3 mm
     assert "nothing better" not in text
     assert "Numbers of the design" in text
-    assert "# audi-a6-quarter-car, best for sprung.az, tyre.force" in Path("best.toml").read_text(encoding="utf-8")
+    assert "# audi-a6-quarter-car, best for sprung.az, tyre.force" in Path("best.toml").read_text(
+        encoding="utf-8"
+    )
 
 
 def test_optimise_on_a_simulated_road(cli, bump):
@@ -90,10 +102,20 @@ def test_pareto(cli):
     text = words_of("front.html")
     assert all(f"{number(value)}" in text for value in plain["comfort"])
     assert "closed form" in text
-    again = cli("design", "pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=300..6000", "--figure", "front.png")
+    again = cli(
+        "design",
+        "pareto",
+        "audi-a6-quarter-car",
+        "--free",
+        f"{DAMPER}=300..6000",
+        "--figure",
+        "front.png",
+    )
     assert again.exit_code == 2
     assert "--force" in again.err
-    shown = cli("design", "pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=300..6000", "--points", "4")
+    shown = cli(
+        "design", "pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=300..6000", "--points", "4"
+    )
     assert "Pareto front, comfort to road holding" in shown.out
     assert "best damper for comfort" in shown.out
 
@@ -101,21 +123,69 @@ def test_pareto(cli):
 @pytest.mark.parametrize(
     ("words", "text"),
     [
-        (("springs", "kart-quarter-car", "--frequency", "1.2 m", "--damping-ratio", "0.3"), "wrong unit"),
-        (("springs", "kart-quarter-car", "--frequency", "1.2 Hz", "--damping-ratio", "-0.3"), "at least 0"),
-        (("springs", "kart-quarter-car", "--frequency", "", "--damping-ratio", "0.3"), "--frequency"),
+        (
+            ("springs", "kart-quarter-car", "--frequency", "1.2 m", "--damping-ratio", "0.3"),
+            "wrong unit",
+        ),
+        (
+            ("springs", "kart-quarter-car", "--frequency", "1.2 Hz", "--damping-ratio", "-0.3"),
+            "at least 0",
+        ),
+        (
+            ("springs", "kart-quarter-car", "--frequency", "", "--damping-ratio", "0.3"),
+            "--frequency",
+        ),
         (
             ("springs", "kart-quarter-car", "--frequency", "1e-300", "--damping-ratio", "0.3"),
             "an implausibly low frequency",
         ),
-        (("springs", "kart-double-wishbone", "--frequency", "1.2 Hz", "--damping-ratio", "0.3"), "lumped_from"),
-        (("springs", "kart-quarter-car", "--frequency", "4", "--damping-ratio", "0.3", "--out", "a.json"), ".toml"),
+        (
+            ("springs", "kart-double-wishbone", "--frequency", "1.2 Hz", "--damping-ratio", "0.3"),
+            "lumped_from",
+        ),
+        (
+            (
+                "springs",
+                "kart-quarter-car",
+                "--frequency",
+                "4",
+                "--damping-ratio",
+                "0.3",
+                "--out",
+                "a.json",
+            ),
+            ".toml",
+        ),
         ((*QUARTER[1:], "--free", DAMPER, "--objective", "sprung.az", *ON_C), "not NAME=VALUE"),
-        ((*QUARTER[1:], "--free", f"{DAMPER}=9..9", "--objective", "sprung.az", *ON_C), "lower bound must lie below"),
-        ((*QUARTER[1:], "--free", "strut.dmper=9..99", "--objective", "sprung.az", *ON_C), "no such parameter"),
-        ((*QUARTER[1:], "--free", f"{DAMPER}=±9 %", "--objective", "sprung.a", *ON_C), "unknown metric"),
-        ((*QUARTER[1:], "--free", f"{DAMPER}=±9 %", "--objective", "sprung.az=x", *ON_C), "not a number"),
-        ((*QUARTER[1:], "--free", f"{DAMPER}=±9 %", "--objective", "sprung.az", *ON_C, "--band", "3"), "not a band"),
+        (
+            (*QUARTER[1:], "--free", f"{DAMPER}=9..9", "--objective", "sprung.az", *ON_C),
+            "lower bound must lie below",
+        ),
+        (
+            (*QUARTER[1:], "--free", "strut.dmper=9..99", "--objective", "sprung.az", *ON_C),
+            "no such parameter",
+        ),
+        (
+            (*QUARTER[1:], "--free", f"{DAMPER}=±9 %", "--objective", "sprung.a", *ON_C),
+            "unknown metric",
+        ),
+        (
+            (*QUARTER[1:], "--free", f"{DAMPER}=±9 %", "--objective", "sprung.az=x", *ON_C),
+            "not a number",
+        ),
+        (
+            (
+                *QUARTER[1:],
+                "--free",
+                f"{DAMPER}=±9 %",
+                "--objective",
+                "sprung.az",
+                *ON_C,
+                "--band",
+                "3",
+            ),
+            "not a band",
+        ),
         (
             (
                 *QUARTER[1:],
@@ -130,11 +200,27 @@ def test_pareto(cli):
             "no design within the bounds keeps all limits",
         ),
         (
-            (*QUARTER[1:], "--free", f"{DAMPER}=±9 %", "--objective", "sprung.az", "--road", "iso:K", "--speed", "20"),
+            (
+                *QUARTER[1:],
+                "--free",
+                f"{DAMPER}=±9 %",
+                "--objective",
+                "sprung.az",
+                "--road",
+                "iso:K",
+                "--speed",
+                "20",
+            ),
             "class",
         ),
-        (("pareto", "audi-a6-half-car", "--free", "front.spring_rate=±9 %"), "unknown metric 'tyre.force'"),
-        (("pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=±9 %", "--points", "1"), "number of points"),
+        (
+            ("pareto", "audi-a6-half-car", "--free", "front.spring_rate=±9 %"),
+            "unknown metric 'tyre.force'",
+        ),
+        (
+            ("pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=±9 %", "--points", "1"),
+            "number of points",
+        ),
         (
             ("pareto", "audi-a6-quarter-car", "--free", f"{DAMPER}=±9 %", "--figure", "a.txt"),
             "not written in this format",
@@ -179,7 +265,11 @@ def test_a_study_of_three_metrics_is_a_front_of_them(cli, tmp_path):
     outputs = ("--figure", "front.png", "--report", "front.html")
     found = cli("design", "optimise", "study.toml", *outputs, "--json")
     assert found.exit_code == 0, found.err
-    assert set(found.json["goals"]) == {"rough: sprung.az", "rough: tyre.force", "rough: strut.deflection"}
+    assert set(found.json["goals"]) == {
+        "rough: sprung.az",
+        "rough: tyre.force",
+        "rough: strut.deflection",
+    }
     assert (tmp_path / "front.png").stat().st_size > 10_000
     page = (tmp_path / "front.html").read_text(encoding="utf-8")
     assert "as it is" in page

@@ -13,7 +13,9 @@ from jounce.parts import library
 
 HEAD = 'schema = "jounce.design/1"\nrig = "formula-student-front"\n'
 SEVERAL = 'schema = "jounce.design/1"\n[rigs]\nfront = "formula-student-front"\n'
-CAR = '[vehicle]\naxle = "front"\nwheelbase = 1.55\ncentre_of_mass_height = 0.3\nbrake_share = 0.6\n'
+CAR = (
+    '[vehicle]\naxle = "front"\nwheelbase = 1.55\ncentre_of_mass_height = 0.3\nbrake_share = 0.6\n'
+)
 FREE = '[[free]]\npoint = "hardpoints.tie_rod_inner"\nwithin = "15 mm"\n'
 CURVE = '[[target]]\nquantity = "toe"\nover = "-30 mm:30 mm:5 mm"\nvalue = "0 deg"\ntolerance = "0.03 deg"\n'
 GAIN = '[[target]]\nquantity = "camber_gain"\nvalue = "-25 deg/m"\ntolerance = "0.2 deg/m"\n'
@@ -54,25 +56,39 @@ def test_targets_that_can_be_met(cli, study, tmp_path: Path) -> None:
     assert len(changed) == 1
     assert changed[0].startswith("tie_rod_inner = [")
     assert "# on the rocker" in text
-    for name in ("targets.csv", "sensitivity.csv", "targets.png", "sensitivity.png", "geometry.png"):
+    for name in (
+        "targets.csv",
+        "sensitivity.csv",
+        "targets.png",
+        "sensitivity.png",
+        "geometry.png",
+    ):
         assert (tmp_path / "out" / name).stat().st_size > 200
 
 
 def test_targets_that_contradict_each_other(cli, study, tmp_path: Path) -> None:
     other = GAIN.replace("-25", "-30")
     free = FREE.replace("tie_rod_inner", "upper_arm_front")
-    outcome = cli("design", "kinematics", study(HEAD + free + GAIN + other), "--out", "out", "--json")
+    outcome = cli(
+        "design", "kinematics", study(HEAD + free + GAIN + other), "--out", "out", "--json"
+    )
     assert outcome.exit_code == 1
     assert outcome.json["met"] is False
     assert any(fight["missed"] == 0 and fight["other"] == 1 for fight in outcome.json["fights"])
     assert (tmp_path / "out" / "rig.toml").is_file()
-    assert json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))["met"] is False
+    assert (
+        json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))["met"] is False
+    )
 
 
 def test_the_rig_may_lie_beside_the_study(cli, study, tmp_path: Path) -> None:
     rig = jn.load("formula-student-front").with_changes({"hardpoints.tie_rod_inner[2]": "150 mm"})
     jn.save(rig, tmp_path / "mine.toml", like="formula-student-front")
-    outcome = cli("design", "kinematics", study((HEAD + FREE + CURVE).replace("formula-student-front", "mine.toml")))
+    outcome = cli(
+        "design",
+        "kinematics",
+        study((HEAD + FREE + CURVE).replace("formula-student-front", "mine.toml")),
+    )
     assert outcome.exit_code == 0
     assert "150" in outcome.out
 
@@ -85,16 +101,26 @@ def test_a_study_of_both_axles_writes_both_rigs(cli, study, tmp_path: Path) -> N
     free = FREE.replace('"hardpoints.tie_rod_inner"', '"front.hardpoints.tie_rod_inner[2]"')
     free += free.replace("front.", "rear.")
     curves = [CURVE + f'rig = "{name}"\nmust = true\n' for name in ("front", "rear")]
-    outcome = cli("design", "kinematics", study(head + free + "".join(curves)), "--out", "out", "--json")
+    outcome = cli(
+        "design", "kinematics", study(head + free + "".join(curves)), "--out", "out", "--json"
+    )
     assert outcome.exit_code == 0, outcome.err
-    assert set(outcome.json["moved"]) == {f"{name}.hardpoints.tie_rod_inner[2]" for name in ("front", "rear")}
+    assert set(outcome.json["moved"]) == {
+        f"{name}.hardpoints.tie_rod_inner[2]" for name in ("front", "rear")
+    }
     assert [target["rig"] for target in outcome.json["targets"]] == ["front", "rear"]
     for name in ("front", "rear"):
-        moved = jn.load(tmp_path / "out" / f"{name}.toml").parameters()["hardpoints.tie_rod_inner[2]"]
+        moved = jn.load(tmp_path / "out" / f"{name}.toml").parameters()[
+            "hardpoints.tie_rod_inner[2]"
+        ]
         assert moved == outcome.json["moved"][f"{name}.hardpoints.tie_rod_inner[2]"]["after"]
         assert (tmp_path / "out" / f"geometry-{name}.png").stat().st_size > 10_000
-    assert (tmp_path / "out" / "identified.csv").read_text(encoding="utf-8").count("tie_rod_inner[2],m,") == 2
-    assert (tmp_path / "out" / "tradeoffs.csv").read_text(encoding="utf-8").count("front.toe 0") == 2
+    assert (tmp_path / "out" / "identified.csv").read_text(encoding="utf-8").count(
+        "tie_rod_inner[2],m,"
+    ) == 2
+    assert (tmp_path / "out" / "tradeoffs.csv").read_text(encoding="utf-8").count(
+        "front.toe 0"
+    ) == 2
 
 
 def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
@@ -109,22 +135,43 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        (HEAD + FREE + CURVE.replace("toe", "tow"), ["target[0].quantity", "unknown quantity 'tow'", "'toe'"]),
-        (HEAD + FREE.replace("tie_rod_inner", "tie_rod_iner") + CURVE, ["free[0].point", "no such parameter"]),
-        (HEAD + FREE.replace("hardpoints.tie_rod_inner", "bodies.upright.mass") + CURVE, ["has no effect"]),
+        (
+            HEAD + FREE + CURVE.replace("toe", "tow"),
+            ["target[0].quantity", "unknown quantity 'tow'", "'toe'"],
+        ),
+        (
+            HEAD + FREE.replace("tie_rod_inner", "tie_rod_iner") + CURVE,
+            ["free[0].point", "no such parameter"],
+        ),
+        (
+            HEAD + FREE.replace("hardpoints.tie_rod_inner", "bodies.upright.mass") + CURVE,
+            ["has no effect"],
+        ),
         (HEAD + FREE.replace("tie_rod_inner", "strut_top") + CURVE, ["has no effect", "strut_top"]),
         (HEAD + FREE + FREE + CURVE, ["free twice", "hardpoints.tie_rod_inner[0]"]),
         (HEAD + FREE.replace("15 mm", "15 kg") + CURVE, ["free[0].within", "kg"]),
         (HEAD + FREE.replace('"15 mm"', "15") + CURVE, ["15 m", "metres"]),
         (HEAD + FREE.replace("15 mm", "0 mm") + CURVE, ["free[0].within"]),
-        (HEAD + FREE.replace('within = "15 mm"', 'box = [["0 mm", "0 mm"], ["1 mm", "1 mm"]]') + CURVE, ["box"]),
         (
-            HEAD + FREE.replace("inner", "inner[2]").replace('within = "15 mm"', 'box = ["150 mm", "140 mm"]') + CURVE,
+            HEAD
+            + FREE.replace('within = "15 mm"', 'box = [["0 mm", "0 mm"], ["1 mm", "1 mm"]]')
+            + CURVE,
+            ["box"],
+        ),
+        (
+            HEAD
+            + FREE.replace("inner", "inner[2]").replace(
+                'within = "15 mm"', 'box = ["150 mm", "140 mm"]'
+            )
+            + CURVE,
             ["the box is empty"],
         ),
         (HEAD + FREE.replace('within = "15 mm"', "") + CURVE, ["within"]),
         (HEAD + FREE + CURVE.replace("-30 mm:30 mm:5 mm", "-20:20:2"), ["20 m", "metres", "mm"]),
-        (HEAD + FREE + CURVE.replace("-30 mm:30 mm", "-300 mm:300 mm"), ["cannot reach", "end of its travel"]),
+        (
+            HEAD + FREE + CURVE.replace("-30 mm:30 mm", "-300 mm:300 mm"),
+            ["cannot reach", "end of its travel"],
+        ),
         (HEAD + FREE + CURVE.replace("0.03 deg", "0 deg"), ["target[0].tolerance"]),
         (HEAD + FREE + CURVE.replace("0.03 deg", "0.03 mm"), ["target[0].tolerance", "mm"]),
         (HEAD + FREE + CURVE.replace('value = "0 deg"', ""), ["value"]),
@@ -133,20 +180,30 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
         (HEAD + FREE + CURVE + 'rig = "rear"\n', ["target[0].rig", "the study has one rig"]),
         (HEAD.replace("rig =", "# rig =") + FREE + CURVE, ["rig", "[rigs]"]),
         (
-            HEAD + FREE.replace('within = "15 mm"', 'within = "15 mm"\nalong = "tie_rod_outr"') + CURVE,
+            HEAD
+            + FREE.replace('within = "15 mm"', 'within = "15 mm"\nalong = "tie_rod_outr"')
+            + CURVE,
             ["tie_rod_outer"],
         ),
         (
-            HEAD + FREE.replace('within = "15 mm"', "box = [[40, 200, 130], [90, 240, 170]]") + CURVE,
+            HEAD
+            + FREE.replace('within = "15 mm"', "box = [[40, 200, 130], [90, 240, 170]]")
+            + CURVE,
             ["240 m", "metres"],
         ),
-        (SEVERAL.replace("front =", '"../front" =') + FREE + CURVE, ["not a name of a rig", "../front"]),
+        (
+            SEVERAL.replace("front =", '"../front" =') + FREE + CURVE,
+            ["not a name of a rig", "../front"],
+        ),
         (SEVERAL.replace("front =", '"a.b" =') + FREE + CURVE, ["not a name of a rig"]),
         (
             SEVERAL + FREE.replace('"hard', '"rear.hard') + CURVE + 'rig = "front"\n',
             ["free[0].point", "'rear'", "front"],
         ),
-        (SEVERAL + FREE.replace('"hard', '"front.hard') + CURVE, ["target[0].rig", "rig of the target", "front"]),
+        (
+            SEVERAL + FREE.replace('"hard', '"front.hard') + CURVE,
+            ["target[0].rig", "rig of the target", "front"],
+        ),
         (
             SEVERAL
             + '[vehicle]\naxle = "front"\nwheelbase = 1.5\ncentre_of_mass_height = 0.3\nbrake_share = 0.6\n'
@@ -157,23 +214,33 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
         (HEAD + FREE + CURVE.replace('"0.03 deg"', '"nan deg"'), ["target[0].tolerance"]),
         (HEAD + FREE + CURVE.replace('value = "0 deg"', "value = inf"), ["target[0].value"]),
         (HEAD + FREE + CURVE + "weight = 0\n", ["weight"]),
-        (HEAD + FREE + CURVE.replace('"toe"', '"clearance(rod, rim)"').replace("deg", "mm"), ["shape", "rod"]),
+        (
+            HEAD + FREE + CURVE.replace('"toe"', '"clearance(rod, rim)"').replace("deg", "mm"),
+            ["shape", "rod"],
+        ),
         (HEAD + FREE + CURVE + "[spread]\ncars = 10\n", ["nothing deviates"]),
         (HEAD + FREE + CURVE + '[spread]\npoints = "1 mm"\ncars = 1\n', ["spread.cars"]),
         (
-            HEAD + FREE.replace('within = "15 mm"', 'within = "15 mm"\nalong = "tie_rod_inner"') + CURVE,
+            HEAD
+            + FREE.replace('within = "15 mm"', 'within = "15 mm"\nalong = "tie_rod_inner"')
+            + CURVE,
             ["not a direction"],
         ),
         (HEAD + FREE + 'tied = ["-hardpoints.tie_rod_inner"]\n' + CURVE, ["free twice"]),
         (HEAD + FREE, ["target"]),
         (HEAD + CURVE, ["free"]),
         (HEAD.replace("front", "frnt") + FREE + CURVE, ["formula-student-frnt"]),
-        (HEAD.replace("formula-student-front", "kart-quarter-car") + FREE + CURVE, ["no kinematics"]),
+        (
+            HEAD.replace("formula-student-front", "kart-quarter-car") + FREE + CURVE,
+            ["no kinematics"],
+        ),
         (HEAD.replace("design/1", "rig/1") + FREE + CURVE, ["schema"]),
         (HEAD + FREE + CURVE + "tolerence = 1\n", ["tolerence"]),
     ],
 )
-def test_what_cannot_be_asked_is_one_clear_message(cli, study, tmp_path: Path, text: str, words: list[str]) -> None:
+def test_what_cannot_be_asked_is_one_clear_message(
+    cli, study, tmp_path: Path, text: str, words: list[str]
+) -> None:
     outcome = cli("design", "kinematics", study(text), "--out", "out")
     assert outcome.exit_code == 2, outcome.out
     assert outcome.err.count("\n") <= 2
@@ -201,7 +268,8 @@ def test_boxes_without_a_mechanism_are_refused(cli, study) -> None:
     box = 'box = [["-5 mm", "535 mm", "320 mm"], ["5 mm", "540 mm", "322 mm"]]'
     far = 'box = [["100 mm", "530 mm", "325 mm"], ["101 mm", "531 mm", "326 mm"]]'
     free = "".join(
-        f'[[free]]\npoint = "hardpoints.upper_arm_{end}"\n{place}\n' for end, place in (("front", far), ("rear", box))
+        f'[[free]]\npoint = "hardpoints.upper_arm_{end}"\n{place}\n'
+        for end, place in (("front", far), ("rear", box))
     )
     outcome = cli("design", "kinematics", study(HEAD + free + CURVE))
     assert outcome.exit_code == 2
@@ -220,19 +288,23 @@ def test_a_spread_of_parts_is_told_with_the_design(cli, study) -> None:
 
 
 def test_a_front_has_a_rig_for_each_design(cli, study, tmp_path: Path) -> None:
-    free = FREE.replace("tie_rod_inner", "upper_arm_front[2]") + FREE.replace("tie_rod_inner", "lower_arm_front[2]")
+    free = FREE.replace("tie_rod_inner", "upper_arm_front[2]") + FREE.replace(
+        "tie_rod_inner", "lower_arm_front[2]"
+    )
     centre = '[[target]]\nquantity = "roll_centre_height"\nvalue = "5 mm"\ntolerance = "1 mm"\n'
     file = study(HEAD + free + GAIN.replace("-25", "-45") + centre)
-    outcome = cli("design", "kinematic-front", file, "--points", "3", "--starts", "1", "--out", "front")
+    outcome = cli(
+        "design", "kinematic-front", file, "--points", "3", "--starts", "1", "--out", "front"
+    )
     assert outcome.exit_code == 0, outcome.err
     rows = (tmp_path / "front" / "front.csv").read_text(encoding="utf-8").splitlines()
     rigs = sorted(path.name for path in (tmp_path / "front").glob("rig-*.toml"))
     assert len(rows) == 2 + len(rigs) > 4
     column = rows[0].split(",").index("hardpoints.lower_arm_front[2]")
     for row, rig in zip(rows[2:], rigs, strict=True):
-        assert jn.load(tmp_path / "front" / rig).parameters()["hardpoints.lower_arm_front[2]"] == float(
-            row.split(",")[column]
-        )
+        assert jn.load(tmp_path / "front" / rig).parameters()[
+            "hardpoints.lower_arm_front[2]"
+        ] == float(row.split(",")[column])
     again = cli("design", "kinematic-front", file, "--out", "front")
     assert again.exit_code == 2
     assert cli("design", "kinematic-front", study(HEAD + FREE + CURVE)).exit_code == 2
@@ -241,9 +313,13 @@ def test_a_front_has_a_rig_for_each_design(cli, study, tmp_path: Path) -> None:
 def test_hardpoints_are_fitted_to_a_table_of_poses(cli, tmp_path: Path) -> None:
     rig = jn.load("formula-student-front").with_changes({"hardpoints.tie_rod_inner[2]": "151 mm"})
     travel = np.linspace(-0.02, 0.02, 9)
-    toe = np.degrees(jn.sweep_travel(rig, travel)["toe"].to_numpy()) + np.resize([2e-3, -1e-3, -1e-3], 9)
+    toe = np.degrees(jn.sweep_travel(rig, travel)["toe"].to_numpy()) + np.resize(
+        [2e-3, -1e-3, -1e-3], 9
+    )
     rows = [f"{1e3 * at:.3f},{value:.6f}" for at, value in zip(travel, toe, strict=True)]
-    (tmp_path / "poses.csv").write_text("wheel_travel [mm],toe [deg]\n" + "\n".join(rows) + "\n", encoding="utf-8")
+    (tmp_path / "poses.csv").write_text(
+        "wheel_travel [mm],toe [deg]\n" + "\n".join(rows) + "\n", encoding="utf-8"
+    )
     free = "hardpoints.tie_rod_inner[2]=10 mm"
     command = ("fit", "hardpoints", "formula-student-front", "poses.csv", "--free", free)
     outcome = cli(*command, "--out", "mine.toml", "--figure", "fit.png", "--json")
@@ -252,7 +328,9 @@ def test_hardpoints_are_fitted_to_a_table_of_poses(cli, tmp_path: Path) -> None:
     assert low < 0.151 < high
     assert high - low < 1e-4
     written = jn.load(tmp_path / "mine.toml").parameters()["hardpoints.tie_rod_inner[2]"]
-    assert written == pytest.approx(outcome.json["numbers"]["hardpoints.tie_rod_inner[2]"]["value"], abs=1e-9)
+    assert written == pytest.approx(
+        outcome.json["numbers"]["hardpoints.tie_rod_inner[2]"]["value"], abs=1e-9
+    )
     assert (tmp_path / "fit.png").stat().st_size > 5_000
     (tmp_path / "bad.csv").write_text("wheel_travel [mm],tow [deg]\n0,0\n", encoding="utf-8")
     outcome = cli("fit", "hardpoints", "formula-student-front", "bad.csv", "--free", free)
@@ -274,7 +352,14 @@ def test_targets_that_fight_are_told_once_a_pair(cli, study) -> None:
 def test_tables_say_how_far_a_curve_is_and_at_which_pose(cli, study, tmp_path: Path) -> None:
     values = '[[target]]\nquantity = "toe"\nover = "-30 mm:30 mm:30 mm"\nvalues = ["0.1 deg", "0 deg", "0 deg"]\n'
     centre = '[[target]]\nquantity = "roll_centre_height"\nat = "-20 mm"\nat_least = "-1 m"\ntolerance = "1 mm"\n'
-    text = HEAD + FREE + values + 'tolerance = "2 deg"\n' + centre + '[spread]\npoints = "0.2 mm"\ncars = 4\n'
+    text = (
+        HEAD
+        + FREE
+        + values
+        + 'tolerance = "2 deg"\n'
+        + centre
+        + '[spread]\npoints = "0.2 mm"\ncars = 4\n'
+    )
     outcome = cli("design", "kinematics", study(text), "--starts", "1", "--json")
     results = json.loads(outcome.out)
     away = np.degrees(np.array(results["targets"][0]["after"])) - np.array([0.1, 0.0, 0.0])
@@ -285,7 +370,9 @@ def test_tables_say_how_far_a_curve_is_and_at_which_pose(cli, study, tmp_path: P
     first = np.degrees(np.array(results["targets"][0]["before"])) - np.array([0.1, 0.0, 0.0])
     assert f"{first[np.argmax(np.abs(first))]:.4f}"[:6] in row.replace("−", "-")
     assert "0 from it" in row
-    assert any("roll centre height" in line and "-20 mm" in line for line in outcome.out.splitlines())
+    assert any(
+        "roll centre height" in line and "-20 mm" in line for line in outcome.out.splitlines()
+    )
     (spread,) = (line for line in outcome.out.splitlines() if "all targets are met by" in line)
     assert spread.split()[-1] == "–"  # nothing is adjusted
     page = (tmp_path / "page.html").read_text(encoding="utf-8")

@@ -25,7 +25,9 @@ def test_draw_chooses_a_name_and_never_overwrites(cli, tmp_path: Path) -> None:
 
 
 def test_draw_changes_and_poses(cli, tmp_path: Path) -> None:
-    plain = cli("draw", RIG, *TRAVEL, "--set", "wheel.camber=-2 deg", "--figure", "a.svg", "--json").json
+    plain = cli(
+        "draw", RIG, *TRAVEL, "--set", "wheel.camber=-2 deg", "--figure", "a.svg", "--json"
+    ).json
     assert plain["poses"] == pytest.approx([-0.02, -0.01, 0.0, 0.01, 0.02])
     assert plain["changes"] == {"wheel.camber": "-2 deg"}
     text = (tmp_path / "a.svg").read_text(encoding="utf-8")
@@ -43,7 +45,13 @@ def test_draw_over_the_rack(cli, tmp_path: Path) -> None:
 
 def test_draw_keeps_what_is_within_reach(cli, tmp_path: Path) -> None:
     outcome = cli(
-        "draw", "reference-double-wishbone", "--travel", "-300 mm:300 mm:100 mm", "--figure", "a.svg", "--json"
+        "draw",
+        "reference-double-wishbone",
+        "--travel",
+        "-300 mm:300 mm:100 mm",
+        "--figure",
+        "a.svg",
+        "--json",
     )
     assert outcome.exit_code == 2
     assert "end of its travel" in outcome.err
@@ -63,13 +71,18 @@ def test_animate_a_drive(cli, bump: Path, tmp_path: Path) -> None:
     assert (plain["over"], plain["poses"]) == ("time", 301)
     assert plain["findings"] == []
     assert '"road":{"x":[' in (tmp_path / "a.html").read_text(encoding="utf-8")
-    assert cli(*words, "--between", "0.1 s:0.12 s", "--frames", 3, "--figure", "a.gif").exit_code == 0
+    assert (
+        cli(*words, "--between", "0.1 s:0.12 s", "--frames", 3, "--figure", "a.gif").exit_code == 0
+    )
     assert (tmp_path / "a.gif").read_bytes().startswith(b"GIF89a")
 
 
 def test_animate_says_when_nothing_happens(cli, bump: Path) -> None:
     short = ("--speed", "1.95 m/s", "--duration", "0.05 s")
-    assert "ends before the obstacle begins" in cli("animate", RIG, "--road", bump, *short, "--report", "a.html").out
+    assert (
+        "ends before the obstacle begins"
+        in cli("animate", RIG, "--road", bump, *short, "--report", "a.html").out
+    )
 
 
 @pytest.mark.parametrize(
@@ -82,12 +95,21 @@ def test_animate_says_when_nothing_happens(cli, bump: Path) -> None:
         (("draw", RIG, *TRAVEL, "--rack", "-1 mm:1 mm:1 mm"), "only one motion can be swept"),
         (("draw", RIG, "--travel", "5 kg"), "--travel"),
         (("animate", RIG, "--report", "a.html"), "no motion is given"),
-        (("animate", RIG, *TRAVEL, "--speed", "1 m/s", "--report", "a.html"), "both a sweep and a run"),
+        (
+            ("animate", RIG, *TRAVEL, "--speed", "1 m/s", "--report", "a.html"),
+            "both a sweep and a run",
+        ),
         (("animate", RIG, *TRAVEL, "--figure", "a.avi"), "not written in this format"),
         (("animate", RIG, *TRAVEL, "--slow", "0", "--report", "a.html"), "--slow"),
         (("animate", RIG, *TRAVEL, "--between", "5 mm", "--report", "a.html"), "not a range"),
-        (("animate", RIG, *TRAVEL, "--between", "0 mm:50 mm", "--report", "a.html"), "no pose at this wheel travel"),
-        (("animate", RIG, "--road", "bump.toml", "--speed", "1 m/s", "--report", "a.html"), "--duration is missing"),
+        (
+            ("animate", RIG, *TRAVEL, "--between", "0 mm:50 mm", "--report", "a.html"),
+            "no pose at this wheel travel",
+        ),
+        (
+            ("animate", RIG, "--road", "bump.toml", "--speed", "1 m/s", "--report", "a.html"),
+            "--duration is missing",
+        ),
         (("animate", "kart-quarter-car", *TRAVEL, "--report", "a.html"), "has no hardpoints"),
     ],
 )
@@ -104,7 +126,9 @@ def test_centres_are_drawn_at_design(cli, tmp_path: Path) -> None:
     text = (tmp_path / "centres.svg").read_text(encoding="utf-8")
     for words in ("instant centre", "roll centre height", "front view", "29.13"):
         assert words in text
-    outcome = cli("draw", "formula-student-front", "--centres", "--travel", "10 mm", "--figure", "other.svg")
+    outcome = cli(
+        "draw", "formula-student-front", "--centres", "--travel", "10 mm", "--figure", "other.svg"
+    )
     assert outcome.exit_code == 2
     assert "--centres" in outcome.err
     assert not (tmp_path / "other.svg").exists()

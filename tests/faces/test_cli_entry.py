@@ -18,7 +18,18 @@ from jounce.cli import entry, main
 from jounce.cli.reply import PIPE_CLOSED
 from jounce.parts import library
 
-HEAVY = {"casadi", "matplotlib", "numba", "numpy", "pandas", "pint", "pydantic", "scipy", "xarray", "tomlkit"}
+HEAVY = {
+    "casadi",
+    "matplotlib",
+    "numba",
+    "numpy",
+    "pandas",
+    "pint",
+    "pydantic",
+    "scipy",
+    "xarray",
+    "tomlkit",
+}
 COMMANDS = [
     ("demo",),
     ("campaign", "run"),
@@ -45,7 +56,9 @@ SCRIPT = Path(sys.executable).with_name("jounce")
 
 
 def jounce(*words: object, folder: Path | None = None) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([SCRIPT, *map(str, words)], capture_output=True, text=True, check=False, cwd=folder)
+    return subprocess.run(
+        [SCRIPT, *map(str, words)], capture_output=True, text=True, check=False, cwd=folder
+    )
 
 
 def plain(text: str) -> str:
@@ -105,12 +118,21 @@ def test_bad_input_as_a_process(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("simulate", "kart-quarter-car", "--sped", "2"), "no such option: --sped. Did you mean '--speed'?"),
-        (("plot", "run.nc", "--channels", "z"), "no such option: --channels. Give the value without --channels."),
+        (
+            ("simulate", "kart-quarter-car", "--sped", "2"),
+            "no such option: --sped. Did you mean '--speed'?",
+        ),
+        (
+            ("plot", "run.nc", "--channels", "z"),
+            "no such option: --channels. Give the value without --channels.",
+        ),
         (("simulatte",), "Did you mean 'simulate'"),
         (("fit", "stifness"), "Did you mean 'stiffness'?"),
         (("fit", "decay", "x.csv", "--chanel", "z"), "Did you mean '--channel'?"),
-        (("simulate",), "Missing argument 'RIG': a vehicle or rig file, or a name of `jounce library`."),
+        (
+            ("simulate",),
+            "Missing argument 'RIG': a vehicle or rig file, or a name of `jounce library`.",
+        ),
         (("campaign", "run", "campaign.toml"), "Missing option '--out': folder for report"),
         (("fit", "stiffness", "a.csv", "--degree", "two"), "--degree"),
     ],
@@ -146,7 +168,9 @@ def test_crash_asks_for_a_report(cli, monkeypatch: pytest.MonkeyPatch) -> None:
     assert outcome.json["error"]["kind"] == "unexpected"
 
 
-def test_debug_shows_the_traceback(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_debug_shows_the_traceback(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     def crash(*words: object) -> None:
         raise ZeroDivisionError("by hand")
 
@@ -155,18 +179,33 @@ def test_debug_shows_the_traceback(capsys: pytest.CaptureFixture[str], monkeypat
     assert "Traceback" in capsys.readouterr().err
 
 
-def test_interrupted_run_leaves_nothing(cli, bump: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_interrupted_run_leaves_nothing(
+    cli, bump: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def interrupt(*words: object, **options: object) -> None:
         raise KeyboardInterrupt
 
     monkeypatch.setattr("jounce.simulation.trial_run.solve", interrupt)
-    outcome = cli("simulate", "kart-quarter-car", "--road", bump, "--speed", 2, "--duration", 1, "--out", "run.nc")
+    outcome = cli(
+        "simulate",
+        "kart-quarter-car",
+        "--road",
+        bump,
+        "--speed",
+        2,
+        "--duration",
+        1,
+        "--out",
+        "run.nc",
+    )
     assert outcome.exit_code == 130
     assert "no file is left half-written" in outcome.err
     assert [file.name for file in tmp_path.iterdir()] == ["bump.toml"]
 
 
-@pytest.mark.parametrize("words", [("fit", "decay", "--channel", "sprung.z", "--mass", "16 kg"), ("modes", "ä.toml")])
+@pytest.mark.parametrize(
+    "words", [("fit", "decay", "--channel", "sprung.z", "--mass", "16 kg"), ("modes", "ä.toml")]
+)
 def test_terminal_without_unicode(words: tuple[str, ...], decay_file: Path) -> None:
     given = [*words, decay_file] if words[0] == "fit" else [*words, "--json"]
     environment = {**os.environ, "PYTHONIOENCODING": "ascii"}
@@ -181,37 +220,56 @@ def test_terminal_without_unicode(words: tuple[str, ...], decay_file: Path) -> N
     ("environment", "shown"),
     [
         ({"LC_ALL": "C"}, "Prüfling-車.toml"),
-        ({"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}, r"Pr\xfcfling-\u8eca.toml"),
+        (
+            {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+            r"Pr\xfcfling-\u8eca.toml",
+        ),
         ({"LC_ALL": "C.UTF-8", "PYTHONIOENCODING": "ascii"}, r"Pr\xfcfling-\u8eca.toml"),
         ({"LC_ALL": "C.UTF-8", "PYTHONIOENCODING": "latin-1"}, r"Prüfling-\u8eca.toml"),
     ],
     ids=["C", "C without UTF-8", "ASCII", "Latin 1"],
 )
-def test_names_of_files_are_shown_whole(tmp_path: Path, environment: dict[str, str], shown: str) -> None:
+def test_names_of_files_are_shown_whole(
+    tmp_path: Path, environment: dict[str, str], shown: str
+) -> None:
     """In messages and in tables, as wide as they are; where letters cannot be shown, two names are still two."""
-    (tmp_path / "Prüfling-車.toml").write_text(library()["kart-quarter-car"].read_text(encoding="utf-8"))
-    known = {name: value for name, value in os.environ.items() if not name.startswith(("LC_", "LANG", "PYTHONIO"))}
+    (tmp_path / "Prüfling-車.toml").write_text(
+        library()["kart-quarter-car"].read_text(encoding="utf-8")
+    )
+    known = {
+        name: value
+        for name, value in os.environ.items()
+        if not name.startswith(("LC_", "LANG", "PYTHONIO"))
+    }
     words = [SCRIPT, "check", "Prüfling-車.toml", "nö-車.toml"]
-    done = subprocess.run(words, capture_output=True, check=False, env=known | environment, cwd=tmp_path)
+    done = subprocess.run(
+        words, capture_output=True, check=False, env=known | environment, cwd=tmp_path
+    )
     read = environment.get("PYTHONIOENCODING", "utf-8")
     table = done.stdout.decode(read).splitlines()
     assert [line.count(shown) for line in table if "ling" in line] == [1]
     assert len({len(line.rstrip("\n").rstrip()) for line in table if line.startswith("|")}) <= 1
     words = [SCRIPT, "modes", "Prüfling-車.tomI"]
-    done = subprocess.run(words, capture_output=True, check=False, env=known | environment, cwd=tmp_path)
+    done = subprocess.run(
+        words, capture_output=True, check=False, env=known | environment, cwd=tmp_path
+    )
     assert shown.replace(".toml", ".tomI") in done.stderr.decode(read)
 
 
 def test_reader_that_goes_away_is_no_error() -> None:
     read, write = os.pipe()
     os.close(read)
-    done = subprocess.run([SCRIPT, "library"], stdout=write, stderr=subprocess.PIPE, text=True, check=False)
+    done = subprocess.run(
+        [SCRIPT, "library"], stdout=write, stderr=subprocess.PIPE, text=True, check=False
+    )
     os.close(write)
     assert done.stderr == ""
     assert done.returncode == PIPE_CLOSED
 
 
-def test_file_that_cannot_be_written_is_explained(cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_file_that_cannot_be_written_is_explained(
+    cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def full(*words: object, **options: object) -> None:
         raise OSError(28, "No space left on device", "run.nc")
 
@@ -239,7 +297,9 @@ def test_application_is_built_once_per_call() -> None:
 
 
 def test_module_ends_with_the_exit_code_of_the_command() -> None:
-    done = subprocess.run([sys.executable, "-m", "jounce", "modes", "no-such-rig"], capture_output=True, check=False)
+    done = subprocess.run(
+        [sys.executable, "-m", "jounce", "modes", "no-such-rig"], capture_output=True, check=False
+    )
     assert done.returncode == 2
 
 
@@ -247,5 +307,7 @@ def test_matrices_get_one_thread_unless_the_user_says_otherwise():
     code = "import os; from jounce.cli import main; main(['version']); print(os.environ['OPENBLAS_NUM_THREADS'])"
     bare = {name: value for name, value in os.environ.items() if "THREADS" not in name}
     for told, used in ((bare, "1"), (bare | {"OPENBLAS_NUM_THREADS": "3"}, "3")):
-        done = subprocess.run([sys.executable, "-c", code], env=told, capture_output=True, text=True, check=True)
+        done = subprocess.run(
+            [sys.executable, "-c", code], env=told, capture_output=True, text=True, check=True
+        )
         assert done.stdout.splitlines()[-1] == used

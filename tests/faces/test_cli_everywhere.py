@@ -24,7 +24,9 @@ from jounce.core.waiting import Stage, progress_through
 RIG = "kart-quarter-car"
 
 
-def commands(command: object = None, path: tuple[str, ...] = ()) -> list[tuple[tuple[str, ...], object]]:
+def commands(
+    command: object = None, path: tuple[str, ...] = ()
+) -> list[tuple[tuple[str, ...], object]]:
     command = command or _command()
     inner = getattr(command, "commands", None)
     if inner is None:
@@ -38,7 +40,11 @@ def test_help_names_values_in_words_and_never_in_types(cli) -> None:
         for one in command.params:
             if one.param_type_name == "option":
                 seen.add(one.metavar)
-                assert one.metavar == "" if one.is_flag else re.fullmatch(r"[^<>]*[A-Z|][^<>]*", one.metavar), (
+                assert (
+                    one.metavar == ""
+                    if one.is_flag
+                    else re.fullmatch(r"[^<>]*[A-Z|][^<>]*", one.metavar)
+                ), (
                     path,
                     one.opts,
                 )
@@ -51,7 +57,9 @@ def test_a_line_reads_only_the_command_that_it_begins_with(cli) -> None:
     every = _command().commands
     for word, one in every.items():
         assert [*_command(word).commands] == [word]
-        assert [*getattr(_command(word).commands[word], "commands", {})] == [*getattr(one, "commands", {})]
+        assert [*getattr(_command(word).commands[word], "commands", {})] == [
+            *getattr(one, "commands", {})
+        ]
     for word in ("mdoes", "--version", ""):
         assert [*_command(word).commands] == [*every]
     assert "modes" in cli("mdoes").err
@@ -91,10 +99,15 @@ def test_cache_that_cannot_be_named_is_none(cli, monkeypatch: pytest.MonkeyPatch
     monkeypatch.setenv("JOUNCE_CACHE_DIR", "not/absolute")
     assert cli("version", "--json").json["cache"] is None
     assert "cache none" in cli("version").out
-    assert "not kept, every process makes its own: JOUNCE_CACHE_DIR is no absolute path" in cli("version").out
+    assert (
+        "not kept, every process makes its own: JOUNCE_CACHE_DIR is no absolute path"
+        in cli("version").out
+    )
 
 
-def test_cache_that_cannot_be_written_is_said(cli, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_cache_that_cannot_be_written_is_said(
+    cli, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.setenv("JOUNCE_CACHE_DIR", str(tmp_path / "cache"))
     assert cli("version", "--json").json["cache_unusable"] is None
     (tmp_path / "cache").touch()  # no folder: as read-only as can be, for root, too
@@ -130,7 +143,9 @@ def test_another_shell_is_refused_with_those_there_are(cli) -> None:
     assert "'powershell'" in outcome.err
 
 
-def test_completion_is_installed_where_the_shell_looks(cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_completion_is_installed_where_the_shell_looks(
+    cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("HOME", str(tmp_path))
     assert cli("completion", "fish", "--install").out.startswith(f"installed: {tmp_path}")
     [file] = tmp_path.rglob("*.fish")
@@ -139,7 +154,9 @@ def test_completion_is_installed_where_the_shell_looks(cli, tmp_path: Path, monk
 
 def test_completion_without_a_home_is_printed_only(cli, monkeypatch: pytest.MonkeyPatch) -> None:
     def nowhere() -> Path:
-        raise RuntimeError("Could not determine home directory.")  # as pathlib says it of a user without an entry
+        raise RuntimeError(
+            "Could not determine home directory."
+        )  # as pathlib says it of a user without an entry
 
     monkeypatch.setattr(Path, "home", nowhere)
     outcome = cli("completion", "bash", "--install")
@@ -167,7 +184,9 @@ def test_parameters_of_a_rig_in_imperial_units(cli) -> None:
     shown = [line.split() for line in cli(*words, "--units", "imperial").out.splitlines()]
     assert ["strut.spring.rate", "129.792", "lbf/in"] in shown  # 22.73 N/mm
     assert ["sprung.mass", "35.274", "lb"] in shown
-    assert ["strut.spring.rate", "22730", "N/m"] in [line.split() for line in cli(*words).out.splitlines()]
+    assert ["strut.spring.rate", "22730", "N/m"] in [
+        line.split() for line in cli(*words).out.splitlines()
+    ]
 
 
 def printed(rows: list[tuple[str, float]], width: int = 100) -> list[str]:
@@ -236,14 +255,34 @@ def test_only_what_writes_pages_opens_them(cli) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("kinematics", "kart-double-wishbone", "--travel", "-20:20:2"), "20 m of travel; a bare number is in metres"),
-        (("kinematics", "kart-double-wishbone", "--roll", "-4:4:1"), "-4 rad cannot be meant"),
-        (("simulate", RIG, "--road", "bump.toml", "--speed", "195", "--duration", "1"), "'195 km/h', or '195 m/s'"),
         (
-            ("simulate", RIG, "--road", "bump.toml", "--speed", "2", "--duration", "1", "--output-step", "1"),
+            ("kinematics", "kart-double-wishbone", "--travel", "-20:20:2"),
+            "20 m of travel; a bare number is in metres",
+        ),
+        (("kinematics", "kart-double-wishbone", "--roll", "-4:4:1"), "-4 rad cannot be meant"),
+        (
+            ("simulate", RIG, "--road", "bump.toml", "--speed", "195", "--duration", "1"),
+            "'195 km/h', or '195 m/s'",
+        ),
+        (
+            (
+                "simulate",
+                RIG,
+                "--road",
+                "bump.toml",
+                "--speed",
+                "2",
+                "--duration",
+                "1",
+                "--output-step",
+                "1",
+            ),
             "1 s cannot",
         ),
-        (("modes", RIG, "--set", "strut.spring.rate=22.73"), "--set strut.spring.rate: 22.73 N/m cannot be meant"),
+        (
+            ("modes", RIG, "--set", "strut.spring.rate=22.73"),
+            "--set strut.spring.rate: 22.73 N/m cannot be meant",
+        ),
         (("modes", RIG, "--set", "sprung.mass=250000"), "250000 kg cannot be meant"),
         (("bench", "springs", "soft=22.73", "hard=33"), "22.73 N/m cannot be meant"),
         (("bench", "springs", "--strut-angle", "26"), "--strut-angle: 26 rad cannot be meant"),
@@ -253,7 +292,9 @@ def test_only_what_writes_pages_opens_them(cli) -> None:
     ids=lambda value: value if isinstance(value, str) else " ".join(value),
 )
 def test_bare_numbers_that_cannot_be_meant_are_questioned(words, message, cli, bump: Path) -> None:
-    rows = "".join(f"{x},{22.7 * x}\n" for x in range(30))  # whether its unit is of length or angle, the file says
+    rows = "".join(
+        f"{x},{22.7 * x}\n" for x in range(30)
+    )  # whether its unit is of length or angle, the file says
     bump.with_name("x.csv").write_text(f"displacement [mm],force [N]\n{rows}", encoding="utf-8")
     outcome = cli(*words)
     assert outcome.exit_code == 2
@@ -297,20 +338,28 @@ def test_time_passed_and_time_left() -> None:
     assert line.text() == "trial 2 of 4: b · 13 s, 25 %, about 30 s left"
     now[0] = 18.0
     assert line.text() == "trial 2 of 4: b · 18 s, 25 %, about 25 s left"
-    line.say(Stage("testing: {percent:.0f} %", share=0.5, percent=50.0))  # another phase: nothing is known of its speed
+    line.say(
+        Stage("testing: {percent:.0f} %", share=0.5, percent=50.0)
+    )  # another phase: nothing is known of its speed
     assert line.text() == "testing: 50 % · 18 s, 50 %"
     line.waits = "compiling"
     assert line.text().startswith("compiling · 18 s")
 
 
-def test_sizes_of_files_that_cannot_be_meant_are_questioned(cli, tmp_path: Path, rig_text: str) -> None:
-    (tmp_path / "high.toml").write_text('kind = "half-sine"\nheight = 35\nlength = "60 mm"\n', encoding="utf-8")
+def test_sizes_of_files_that_cannot_be_meant_are_questioned(
+    cli, tmp_path: Path, rig_text: str
+) -> None:
+    (tmp_path / "high.toml").write_text(
+        'kind = "half-sine"\nheight = 35\nlength = "60 mm"\n', encoding="utf-8"
+    )
     (tmp_path / "soft.toml").write_text(rig_text.replace('"22.73 N/mm"', "22.73"), encoding="utf-8")
     (tmp_path / "good.toml").write_text(rig_text, encoding="utf-8")
     outcome = cli("check", "high.toml", "soft.toml", "good.toml", "--json").json
     high, soft, good = (item["notes"] for item in outcome["files"])
     assert high == ['warning: high.toml: height: 35 m: a bare number is in m; is "35 mm" meant?']
-    assert soft == ['warning: soft.toml: strut.spring.rate: 22.73 N/m: a bare number is in N/m; is "22.73 N/mm" meant?']
+    assert soft == [
+        'warning: soft.toml: strut.spring.rate: 22.73 N/m: a bare number is in N/m; is "22.73 N/mm" meant?'
+    ]
     assert good == []
     asked = cli("modes", "soft.toml").err
     assert 'is "22.73 N/mm" meant?' in asked
@@ -324,7 +373,9 @@ def test_speeds_that_cannot_be_meant_are_questioned() -> None:
     assert (found.place, found.value) == ("trial: speed", 195.0)
     assert found.message == '195 m/s: a bare number is in m/s; is "195 km/h" meant?'
     assert trial_findings(jn.Trial(road=road, speed=19.5, duration=1.0)) == []
-    lifted = jn.Trial(road=jn.Sine(amplitude=20.0, wavelength=1.0, length=5.0), speed=1.0, duration=1.0)
+    lifted = jn.Trial(
+        road=jn.Sine(amplitude=20.0, wavelength=1.0, length=5.0), speed=1.0, duration=1.0
+    )
     assert [one.place for one in trial_findings(lifted)] == ["trial: road: amplitude"]
 
 

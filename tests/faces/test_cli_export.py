@@ -12,7 +12,8 @@ from jounce.parts.importers import import_hardpoints
 
 
 @pytest.mark.parametrize(
-    ("suffix", "begin"), [(".tex", "% quarter-car"), (".py", '"""quarter-car'), (".c", "/* quarter-car")]
+    ("suffix", "begin"),
+    [(".tex", "% quarter-car"), (".py", '"""quarter-car'), (".c", "/* quarter-car")],
 )
 def test_equations(cli, tmp_path: Path, suffix: str, begin: str) -> None:
     outcome = cli("export", "equations", "kart-quarter-car", "--out", f"kart{suffix}")
@@ -66,12 +67,16 @@ def test_a_lumped_rig_has_no_hardpoints(cli) -> None:
 
 @pytest.mark.parametrize("suffix", [".crg", ".csv"])
 def test_roads_come_back(cli, tmp_path: Path, suffix: str) -> None:
-    outcome = cli("export", "road", "iso:C", "--length", "20 m", "--step", "0.05 m", "--out", f"road{suffix}")
+    outcome = cli(
+        "export", "road", "iso:C", "--length", "20 m", "--step", "0.05 m", "--out", f"road{suffix}"
+    )
     assert outcome.exit_code == 0, outcome.err
     assert "401 points over 20 m" in outcome.out
     own, found = jn.load_road("iso:C", length=20.0), jn.load_road(tmp_path / f"road{suffix}")
     at = np.arange(401) * 0.05
-    np.testing.assert_allclose(found.height_at(at[:-1]), own.height_at(at[:-1]), rtol=0.0, atol=1e-9)
+    np.testing.assert_allclose(
+        found.height_at(at[:-1]), own.height_at(at[:-1]), rtol=0.0, atol=1e-9
+    )
 
 
 def test_what_is_lost_between_points_is_said(tmp_path: Path) -> None:
@@ -102,7 +107,10 @@ def test_roads_that_cannot_be_written(cli) -> None:
         (("kart-quarter-car", "--tester", "eusema"), "eusama"),
         (("kart-quarter-car", "--axle", "rear"), "--axle with --tester"),
         (("audi-a6-full-car", "--tester", "eusama", "--axle", "middle"), "front, rear"),
-        (("audi-a6-quarter-car", "--tester", "eusama", "--control", "skyhook"), "is not controlled"),
+        (
+            ("audi-a6-quarter-car", "--tester", "eusama", "--control", "skyhook"),
+            "is not controlled",
+        ),
     ],
 )
 def test_rigs_that_are_not_written_on_a_tester(cli, tmp_path: Path, words, message) -> None:

@@ -49,7 +49,9 @@ def test_stiffness_as_a_table(cli, spring_files: list[Path]) -> None:
 
 
 def test_patterns_that_no_shell_expanded(cli, spring_files: list[Path]) -> None:
-    assert len(cli("fit", "stiffness", "spring_*.csv", "--json").json["trials"]) == len(spring_files)
+    assert len(cli("fit", "stiffness", "spring_*.csv", "--json").json["trials"]) == len(
+        spring_files
+    )
     outcome = cli("fit", "stiffness", "tyre_*.csv")
     assert outcome.exit_code == 2
     assert "no file matches; found 'tyre_*.csv'" in outcome.err
@@ -91,8 +93,14 @@ def test_bad_choices(words: tuple[str, ...], message: str, cli, spring_files: li
         ("", "bench.csv: the file is empty"),
         ("displacement [mm], force [N]\n", "bench.csv, line 1: a header but no rows of numbers"),
         ("displacement [mm], load [N]\n0, 0\n1, 22\n", "bench.csv: no column 'force'"),
-        ("displacement [mm], force\n0, 0\n1, 22\n2, 44\n", "bench.csv: column 'force': the column has no unit"),
-        ("displacement [mm], force [mm]\n0, 0\n1, 22\n2, 44\n", "bench.csv: column 'force [mm]': wrong unit"),
+        (
+            "displacement [mm], force\n0, 0\n1, 22\n2, 44\n",
+            "bench.csv: column 'force': the column has no unit",
+        ),
+        (
+            "displacement [mm], force [mm]\n0, 0\n1, 22\n2, 44\n",
+            "bench.csv: column 'force [mm]': wrong unit",
+        ),
         ("displacement [mm], force [N]\n0, 0\n1, nan\n2, 44\n", "bench.csv, line 3"),
         ("displacement [mm], force [N]\n0, 0\n1, much\n2, 44\n", "bench.csv, line 3"),
         ("displacement [mm], force [N]\n0, 0, 5\n1, 22, 5\n2, 44, 5\n", "bench.csv, line 2"),
@@ -116,12 +124,22 @@ def test_decay(cli, decay_file: Path) -> None:
     outcome = cli("fit", "decay", decay_file, "--channel", "sprung.z", "--mass", "16 kg", "--json")
     assert outcome.exit_code == 0
     found = outcome.json
-    keys = ("damping_ratio", "damping_coefficient", "coulomb_force", "natural_frequency_hz", "equilibrium")
+    keys = (
+        "damping_ratio",
+        "damping_coefficient",
+        "coulomb_force",
+        "natural_frequency_hz",
+        "equilibrium",
+    )
     assert all(set(found[key]) == ESTIMATE for key in keys)
     assert found["damping_ratio"]["value"] == pytest.approx(0.11, rel=1e-6)
-    assert found["coulomb_force"]["value"] == pytest.approx(16 * 33.9**2 * 0.8e-3, rel=1e-6)  # m w^2 x_c
+    assert found["coulomb_force"]["value"] == pytest.approx(
+        16 * 33.9**2 * 0.8e-3, rel=1e-6
+    )  # m w^2 x_c
     assert found["damping_coefficient"]["value"] == pytest.approx(2 * 0.11 * 33.9 * 16, rel=1e-6)
-    assert found["logarithmic_decrement"] > 0.70  # friction makes it larger than 2 pi 0.11 / sqrt(1 - 0.11^2) = 0.695
+    assert (
+        found["logarithmic_decrement"] > 0.70
+    )  # friction makes it larger than 2 pi 0.11 / sqrt(1 - 0.11^2) = 0.695
     assert found["cycles"] >= 2
     assert isinstance(found["findings"], list)
 
@@ -156,7 +174,11 @@ def test_several_decays_are_combined(cli, decay_file: Path, tmp_path: Path) -> N
         ("time [s]", "time [m]", "column 'time [m]': wrong unit"),
         ("time [s]", "clock [s]", "no column 'time'"),
         ("sprung.z [mm]", "sprung.z", "column 'sprung.z': the column has no unit"),
-        ("sprung.z [mm]", "unsprung.z [mm]", "no channel 'sprung.z'; found 'unsprung.z'. Did you mean 'unsprung.z'?"),
+        (
+            "sprung.z [mm]",
+            "unsprung.z [mm]",
+            "no channel 'sprung.z'; found 'unsprung.z'. Did you mean 'unsprung.z'?",
+        ),
         ("0.0030, ", "0.0010, ", "decay.csv"),  # time runs back
         ("0.0030, ", "0.0034, ", "decay.csv"),  # 40 % of the step
         ("0.0030, ", "nan, ", "decay.csv, line 5"),
@@ -164,7 +186,9 @@ def test_several_decays_are_combined(cli, decay_file: Path, tmp_path: Path) -> N
     ],
 )
 def test_damaged_decays(old: str, new: str, message: str, cli, decay_file: Path) -> None:
-    decay_file.write_text(decay_file.read_text(encoding="utf-8").replace(old, new, 1), encoding="utf-8")
+    decay_file.write_text(
+        decay_file.read_text(encoding="utf-8").replace(old, new, 1), encoding="utf-8"
+    )
     outcome = cli("fit", "decay", decay_file, "--channel", "sprung.z", "--mass", "16 kg")
     assert outcome.exit_code == 2
     assert outcome.out == ""
@@ -232,15 +256,28 @@ def test_damper(cli, damper_file: Path) -> None:
 def test_fitted_damper_can_be_set(cli, damper_file: Path, bump: Path) -> None:
     text = cli("fit", "damper", damper_file, "--law", "bilinear").out
     table = next(line for line in text.splitlines() if "damper = {" in line).partition("= ")[2]
-    words = ("--road", bump, "--speed", "2 m/s", "--duration", "0.2 s", "--set", f"strut.damper={table}")
+    words = (
+        "--road",
+        bump,
+        "--speed",
+        "2 m/s",
+        "--duration",
+        "0.2 s",
+        "--set",
+        f"strut.damper={table}",
+    )
     assert cli("simulate", "kart-quarter-car", *words).exit_code == 0
 
 
 def test_damper_record_from_matlab(cli) -> None:
     """A record of Labcontrol: displacement, velocity and force are the columns of one matrix without units."""
     file = Path(__file__).parent.parent / "files" / "mr_damper_labcontrol" / "ensaio.A.1.mat"
-    where = "time=Tout [s], displacement=x_F(:,1) [mm], velocity=x_F(:,2) [mm/s], force=x_F(:,3) [N]"
-    found = cli("fit", "damper", file, "--columns", where, "--law", "tanh-hysteretic", "--json").json
+    where = (
+        "time=Tout [s], displacement=x_F(:,1) [mm], velocity=x_F(:,2) [mm/s], force=x_F(:,3) [N]"
+    )
+    found = cli(
+        "fit", "damper", file, "--columns", where, "--law", "tanh-hysteretic", "--json"
+    ).json
     assert 0.98 < found["r2"] < 1.0
     assert found["damper"]["kind"] == "tanh"
 
@@ -267,18 +304,32 @@ def test_damper_record_without_force(cli, decay_file: Path) -> None:
     assert "--columns displacement='COLUMN [unit]'" in outcome.err
 
 
-@pytest.mark.parametrize(("stroke", "force"), [("compression", "tension"), ("extension", "compression")])
+@pytest.mark.parametrize(
+    ("stroke", "force"), [("compression", "tension"), ("extension", "compression")]
+)
 def test_damper_record_of_other_signs(stroke: str, force: str, cli, damper_file: Path) -> None:
     """The file counts both in compression: a wrong statement about one is a problem; the table says how it was read."""
     found = cli(
-        "fit", "damper", damper_file, "--law", "bilinear", "--stroke-positive", stroke, "--force-positive", force
+        "fit",
+        "damper",
+        damper_file,
+        "--law",
+        "bilinear",
+        "--stroke-positive",
+        stroke,
+        "--force-positive",
+        force,
     )
     assert "though its sign was stated" in " ".join(found.out.split())
     assert "positive in compression (bump)" in found.out
 
 
-@pytest.mark.parametrize("words", [("--stroke-positive", "tension"), ("--force-positive", "extension")])
-def test_unknown_signs(words: tuple[str, str], cli, damper_file: Path, spring_files: list[Path]) -> None:
+@pytest.mark.parametrize(
+    "words", [("--stroke-positive", "tension"), ("--force-positive", "extension")]
+)
+def test_unknown_signs(
+    words: tuple[str, str], cli, damper_file: Path, spring_files: list[Path]
+) -> None:
     for command in (("damper", damper_file), ("stiffness", *spring_files)):
         outcome = cli("fit", *command, *words)
         assert outcome.exit_code == 2
@@ -287,13 +338,23 @@ def test_unknown_signs(words: tuple[str, str], cli, damper_file: Path, spring_fi
 
 def test_the_sign_of_a_height_cannot_be_stated(cli, decay_file: Path) -> None:
     outcome = cli(
-        "fit", "decay", decay_file, "--channel", "sprung.z", "--mass", "16 kg", "--stroke-positive", "extension"
+        "fit",
+        "decay",
+        decay_file,
+        "--channel",
+        "sprung.z",
+        "--mass",
+        "16 kg",
+        "--stroke-positive",
+        "extension",
     )
     assert outcome.exit_code == 2
     assert "no stroke" in outcome.err
 
 
-def test_european_files_and_irregular_time_on_the_command_line(cli, decay_file: Path, tmp_path: Path) -> None:
+def test_european_files_and_irregular_time_on_the_command_line(
+    cli, decay_file: Path, tmp_path: Path
+) -> None:
     rows = decay_file.read_text(encoding="utf-8").splitlines()
     names = [name.strip() for name in rows[0].split(",")]
     loose = [row for i, row in enumerate(rows[1:]) if i % 7]  # every seventh sample is missing
@@ -305,7 +366,9 @@ def test_european_files_and_irregular_time_on_the_command_line(cli, decay_file: 
     assert "resample fills the gap" in refused.err
     outcome = cli(*command, "--resample", "10 ms")
     assert outcome.exit_code == 0
-    truth = cli("fit", "decay", decay_file, "--channel", "sprung.z", "--mass", "16 kg", "--json").json
+    truth = cli(
+        "fit", "decay", decay_file, "--channel", "sprung.z", "--mass", "16 kg", "--json"
+    ).json
     for name in ("natural_frequency_hz", "damping_coefficient"):
         assert outcome.json[name]["value"] == pytest.approx(truth[name]["value"], rel=0.02)
     messages = " ".join(found["message"] for found in outcome.json["findings"])
@@ -315,7 +378,9 @@ def test_european_files_and_irregular_time_on_the_command_line(cli, decay_file: 
     assert (wrong.exit_code, "--resample" in wrong.err) == (2, True)
 
 
-def test_a_rate_is_written_into_a_rig_with_its_interval_and_source(cli, spring_files: list[Path]) -> None:
+def test_a_rate_is_written_into_a_rig_with_its_interval_and_source(
+    cli, spring_files: list[Path]
+) -> None:
     asked = ("fit", "stiffness", *spring_files, "--rig", "kart-quarter-car")
     outcome = cli(*asked, "--out", "rig.toml", "--json")
     assert outcome.exit_code == 0
@@ -342,7 +407,12 @@ def _turned(tmp_path: Path) -> list[Path]:
     rate = decay_response(t, DecayParameters(23.0, 0.03, 1.4e-3, 0.0, 0.1, 0.2), "angular_velocity")
     files = [tmp_path / "gyro.csv", *(tmp_path / f"twist_{k}.csv" for k in range(3))]
     np.savetxt(
-        files[0], np.column_stack([t, np.degrees(rate)]), "%.9g", ",", header="time [s],arm.rate [deg/s]", comments=""
+        files[0],
+        np.column_stack([t, np.degrees(rate)]),
+        "%.9g",
+        ",",
+        header="time [s],arm.rate [deg/s]",
+        comments="",
     )
     angle = np.linspace(0.0, 8.0, 40)
     for k, file in enumerate(files[1:]):
@@ -354,7 +424,15 @@ def _turned(tmp_path: Path) -> list[Path]:
 
 def test_a_rate_gyro_has_an_inertia(cli, tmp_path: Path) -> None:
     gyro = _turned(tmp_path)[0]
-    asked = ("fit", "decay", gyro, "--channel", "arm.angular_velocity", "--columns", "arm.angular_velocity=arm.rate")
+    asked = (
+        "fit",
+        "decay",
+        gyro,
+        "--channel",
+        "arm.angular_velocity",
+        "--columns",
+        "arm.angular_velocity=arm.rate",
+    )
     found = cli(*asked, "--inertia", "0.8 kg*m^2", "--stiffness", "423.2 N*m/rad", "--json").json
     assert found["motion"] == "rotation"
     assert found["coulomb_torque"]["value"] == pytest.approx(0.8 * 23.0**2 * 1.4e-3, rel=1e-3)
@@ -365,17 +443,27 @@ def test_a_rate_gyro_has_an_inertia(cli, tmp_path: Path) -> None:
     page = Path("gyro.html").read_text(encoding="utf-8")
     assert "dry friction torque" in page
     assert "stiffness from inertia" in page
-    for wrong in (("--mass", "1 kg"), (), ("--mass", "1 kg", "--inertia", "1 kg*m^2"), ("--inertia", "1 kg")):
+    for wrong in (
+        ("--mass", "1 kg"),
+        (),
+        ("--mass", "1 kg", "--inertia", "1 kg*m^2"),
+        ("--inertia", "1 kg"),
+    ):
         refused = cli(*asked, *wrong)
         assert refused.exit_code == 2
         assert "kg*m^2" in refused.err
 
 
-def test_torque_over_angle_on_the_command_line(cli, tmp_path: Path, spring_files: list[Path]) -> None:
+def test_torque_over_angle_on_the_command_line(
+    cli, tmp_path: Path, spring_files: list[Path]
+) -> None:
     twists = _turned(tmp_path)[1:]
     asked = ("fit", "stiffness", *twists, "--discard-below", "1 deg", "--load", "400 N*m")
     found = cli(*asked, "--json").json
-    assert (found["motion"], found["stiffness"]["value"]) == ("rotation", pytest.approx(5210.0, rel=1e-6))
+    assert (found["motion"], found["stiffness"]["value"]) == (
+        "rotation",
+        pytest.approx(5210.0, rel=1e-6),
+    )
     shown = cli(*asked, "--report", "twist.html", "--figure", "twist.svg")
     assert "stiffness [N·m/rad]" in shown.out
     assert "Torque against angle" in Path("twist.html").read_text(encoding="utf-8")
@@ -392,13 +480,28 @@ CALIBRATION = "displacement [mm],ch3 [V]\n0,0.401\n10,1.402\n20,2.399\n40,4.401\
 
 def test_calibration(cli, tmp_path: Path) -> None:
     (tmp_path / "laser.csv").write_text(CALIBRATION, encoding="utf-8")
-    found = cli("fit", "calibration", "laser.csv", "--figure", "laser.svg", "--report", "laser.html", "--json").json
+    found = cli(
+        "fit",
+        "calibration",
+        "laser.csv",
+        "--figure",
+        "laser.svg",
+        "--report",
+        "laser.html",
+        "--json",
+    ).json
     low, high = found["sensitivity"]["interval"]
     assert low < 100.0 < high
     assert found["sensitivity"]["value"] == pytest.approx(99.99, abs=0.01)
-    assert found["gain_doubt"] == pytest.approx(found["sensitivity"]["standard_error"] / found["sensitivity"]["value"])
+    assert found["gain_doubt"] == pytest.approx(
+        found["sensitivity"]["standard_error"] / found["sensitivity"]["value"]
+    )
     assert found["residual"] == pytest.approx(0.0017 / 4.0, rel=0.05)
-    assert (found["file"], found["figure"], found["report"]) == ("laser.csv", "laser.svg", "laser.html")
+    assert (found["file"], found["figure"], found["report"]) == (
+        "laser.csv",
+        "laser.svg",
+        "laser.html",
+    )
     shown = cli("fit", "calibration", "laser.csv").out
     assert re.search(r"sensitivity +99\.986 +0\.051 +99\.77 to 100\.21 +V/m", shown)
     assert 'sensitivity = "99.9857 V/(m)"' in shown
@@ -418,10 +521,22 @@ def test_calibration_by_tilting_from_a_workbook(cli, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("content", "words", "message"),
     [
-        ("load [N],out [V]\n5,1\n5,1.1\n", (), "cal.csv: points of one size tell nothing of a sensitivity; found '5'"),
+        (
+            "load [N],out [V]\n5,1\n5,1.1\n",
+            (),
+            "cal.csv: points of one size tell nothing of a sensitivity; found '5'",
+        ),
         ("load [N],out [V]\n0,1\n5,1\n", (), "a recorded value that does not change; found '1'"),
-        ("load [N],out [V]\n5,1\n", (), "cal.csv: too few points; found '1 and 1'; allowed: two or more pairs"),
-        ("load [N],out\n0,1\n5,2\n", (), "no column of what was recorded with its unit; found 'load [N], out'"),
+        (
+            "load [N],out [V]\n5,1\n",
+            (),
+            "cal.csv: too few points; found '1 and 1'; allowed: two or more pairs",
+        ),
+        (
+            "load [N],out\n0,1\n5,2\n",
+            (),
+            "no column of what was recorded with its unit; found 'load [N], out'",
+        ),
         ("load [N],out\n0,1\n5,2\n", (), "State the unit: --columns recorded='out [V]'."),
         ("load,out [V]\n0,1\n5,2\n", (), "State the unit: --columns reference='load [N]'."),
         (
@@ -429,9 +544,17 @@ def test_calibration_by_tilting_from_a_workbook(cli, tmp_path: Path) -> None:
             ("--columns", "reference=load"),
             "found 'load [kg]'",
         ),
-        ("load [N],out [V]\n0,1\n5,2\n", ("--columns", "size=load"), "unknown column of a calibration 'size'"),
+        (
+            "load [N],out [V]\n0,1\n5,2\n",
+            ("--columns", "size=load"),
+            "unknown column of a calibration 'size'",
+        ),
         ("load [N],out [V]\n0,1\n5,2\n", ("--columns", "reference=weight"), "no column 'weight'"),
-        ("load [N],out [V]\n0,1\n5,x\n", (), "cal.csv, line 3: column 'out [V]': text in a number column"),
+        (
+            "load [N],out [V]\n0,1\n5,x\n",
+            (),
+            "cal.csv, line 3: column 'out [V]': text in a number column",
+        ),
         ("", (), "cal.csv: the file is empty"),
     ],
 )
@@ -448,23 +571,39 @@ def test_calibrations_that_tell_nothing(
 @pytest.fixture
 def poses(tmp_path: Path) -> str:
     travel = np.linspace(-0.03, 0.03, 13)
-    rig = jn.load("formula-student-front").with_changes({"hardpoints.tie_rod_inner[2]": "151 mm"})  # synthetic: a truth
-    toe = np.degrees(jn.sweep_travel(rig, travel)["toe"].to_numpy()) + np.random.default_rng(1).normal(0.0, 0.01, 13)
+    rig = jn.load("formula-student-front").with_changes(
+        {"hardpoints.tie_rod_inner[2]": "151 mm"}
+    )  # synthetic: a truth
+    toe = np.degrees(jn.sweep_travel(rig, travel)["toe"].to_numpy()) + np.random.default_rng(
+        1
+    ).normal(0.0, 0.01, 13)
     rows = [f"{1e3 * at:.1f},{angle:.4f}" for at, angle in zip(travel, toe, strict=True)]
-    (tmp_path / "poses.csv").write_text("\n".join(["wheel_travel [mm],toe [deg]", *rows, ""]), encoding="utf-8")
+    (tmp_path / "poses.csv").write_text(
+        "\n".join(["wheel_travel [mm],toe [deg]", *rows, ""]), encoding="utf-8"
+    )
     return "poses.csv"
 
 
 def test_hardpoints_are_the_same_by_command_job_and_python(cli, poses: str) -> None:
     free = {"hardpoints.tie_rod_inner[2]": "10 mm"}
-    words = ("fit", "hardpoints", "formula-student-front", poses, "--free", "hardpoints.tie_rod_inner[2]=10 mm")
-    found = cli(*words, "--starts", 1, "--out", "updated.toml", "--figure", "toe.svg", "--json").json
+    words = (
+        "fit",
+        "hardpoints",
+        "formula-student-front",
+        poses,
+        "--free",
+        "hardpoints.tie_rod_inner[2]=10 mm",
+    )
+    found = cli(
+        *words, "--starts", 1, "--out", "updated.toml", "--figure", "toe.svg", "--json"
+    ).json
     low, high = found["numbers"]["hardpoints.tie_rod_inner[2]"]["interval"]
     assert low < 0.151 < high
     updated = jn.load("updated.toml").parameters()["hardpoints.tie_rod_inner[2]"]
     assert updated == pytest.approx(found["numbers"]["hardpoints.tie_rod_inner[2]"]["value"])
     request = Request(
-        operations()["fit hardpoints"], {"rig": "formula-student-front", "measured": poses, "free": free, "starts": 1}
+        operations()["fit hardpoints"],
+        {"rig": "formula-student-front", "measured": poses, "free": free, "starts": 1},
     )
     names: dict[str, object] = {}
     exec(request.python(), names)  # noqa: S102 - that is what it is for

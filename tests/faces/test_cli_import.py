@@ -31,12 +31,16 @@ def test_a_written_rig_passes_the_check_with_its_findings(cli, tmp_path: Path):
     assert "wheel.radius" not in outcome.out.split("\n")[1]
     checked = cli("check", "rig.toml", "--json").json
     assert checked["ok"]
-    assert any("strut_top: the strut leans 34.4 deg" in note for note in checked["files"][0]["notes"])
+    assert any(
+        "strut_top: the strut leans 34.4 deg" in note for note in checked["files"][0]["notes"]
+    )
     assert jn.load(tmp_path / "rig.toml").wheel.radius == pytest.approx(0.330229)
 
 
 def test_json_holds_rig_and_findings(cli):
-    plain = cli("import", "chrono", FILES / "Sedan_MultiLink.json", "--json", "--sprung-mass", "312.5 kg").json
+    plain = cli(
+        "import", "chrono", FILES / "Sedan_MultiLink.json", "--json", "--sprung-mass", "312.5 kg"
+    ).json
     assert plain["model"] == "five-link"
     assert plain["out"] is None
     assert "sprung.mass" not in plain["estimated"]
@@ -70,7 +74,10 @@ def test_nothing_is_overwritten(cli, tmp_path: Path):
         ([POLARIS, "--sprung-mass", "0 kg"], "--sprung-mass: out of range"),
         ([POLARIS, "--tyre-stifness", "1"], "Did you mean '--tyre-stiffness'"),
         ([POLARIS, "--out", "missing/rig.toml"], "folder of the output does not exist"),
-        ([POLARIS, "--out", "rig.txt"], "rig.txt: rigs are not written in this format; found '.txt'; allowed: .toml"),
+        (
+            [POLARIS, "--out", "rig.txt"],
+            "rig.txt: rigs are not written in this format; found '.txt'; allowed: .toml",
+        ),
     ],
     ids=str,
 )
@@ -88,7 +95,9 @@ def test_refused(cli, words: list[object], message: str | None):
 def test_a_file_with_odd_names_is_written_as_valid_toml(cli, tmp_path: Path):
     table = json.loads((FILES / "audi_DoubleWishbone.json").read_text(encoding="utf-8"))
     file = tmp_path / "odd.json"
-    file.write_text(json.dumps({**table, "Name": 'a "quoted" \\ name\nof two lines'}), encoding="utf-8")
+    file.write_text(
+        json.dumps({**table, "Name": 'a "quoted" \\ name\nof two lines'}), encoding="utf-8"
+    )
     assert cli("import", "chrono", file, "--out", "rig.toml").exit_code == 0
     assert jn.load(tmp_path / "rig.toml").source.startswith('a "quoted" \\ name\nof two lines')
 
@@ -110,14 +119,21 @@ def test_a_table_of_hardpoints_becomes_a_rig(cli, tmp_path: Path):
     refused = cli("import", "hardpoints", "points.csv")
     assert refused.exit_code == 2
     assert "also wheel_centre" in refused.err
-    outcome = cli("import", "hardpoints", "points.csv", "--name", "Hub=wheel_centre", "--out", "rig.toml")
+    outcome = cli(
+        "import", "hardpoints", "points.csv", "--name", "Hub=wheel_centre", "--out", "rig.toml"
+    )
     assert outcome.exit_code == 0
     assert "rig.toml: mcpherson, hardpoints of points.csv" in outcome.out
     assert "the wheel's radius is assumed to be 226 mm" in outcome.out
-    assert jn.load(tmp_path / "rig.toml").hardpoints.strut_bottom == pytest.approx((0.0, 0.54, 0.33))
+    assert jn.load(tmp_path / "rig.toml").hardpoints.strut_bottom == pytest.approx(
+        (0.0, 0.54, 0.33)
+    )
     checked = cli("check", "rig.toml")
     assert checked.exit_code == 0, "a rig for kinematics is whole as it is"
-    assert "it has no bodies, spring, damper, tyre: its kinematics can be swept, it cannot move" in checked.out
+    assert (
+        "it has no bodies, spring, damper, tyre: its kinematics can be swept, it cannot move"
+        in checked.out
+    )
     for words, message in (
         (("--side", "middle"), "unknown side 'middle'"),
         (("--axle", "third"), "unknown axle 'third'"),

@@ -12,11 +12,20 @@ from jounce.inspection import read_record
 from jounce.inspection.archive.entries import unpack
 from jounce.inspection.archive.store import Store
 from jounce.inspection.limits import shipped_limits
-from jounce.inspection.quarter_car import LinearQuarterCar, force_response, road_poles, steady_state, wheel_damping
+from jounce.inspection.quarter_car import (
+    LinearQuarterCar,
+    force_response,
+    road_poles,
+    steady_state,
+    wheel_damping,
+)
 from jounce.parts.testers import load_tester
 
 RATE, HOLD, SLOPE, PLATE_MASS = 1000.0, 2.0, 2.5, 20.0
-SOUND, WORN = LinearQuarterCar(330.0, 36.0, 22e3, 1300.0, 210e3), LinearQuarterCar(330.0, 36.0, 22e3, 380.0, 190e3)
+SOUND, WORN = (
+    LinearQuarterCar(330.0, 36.0, 22e3, 1300.0, 210e3),
+    LinearQuarterCar(330.0, 36.0, 22e3, 380.0, 190e3),
+)
 ROWS = "\n".join(f"{i / 1000}, {i % 7}, {i % 11}" for i in range(50))
 LIGHT = LinearQuarterCar(230.0, 32.0, 18e3, 1100.0, 240e3)
 
@@ -80,8 +89,12 @@ def test_one_axle_as_json(cli, front: Path) -> None:
     assert left["grade"] == {"eusama": "good", "egea": "sufficient", "theta": "green"}
     assert right["grade"]["egea"] == "too small"
     steady = steady_state(SOUND)
-    assert left["adhesion"] == pytest.approx(steady.adhesion, abs=0.01)  # a run-down of 2.5 Hz/s rates it higher
-    assert left["phase_angle_min_deg"] == pytest.approx(steady.phase_angle_min_deg, abs=3.0)  # and lower
+    assert left["adhesion"] == pytest.approx(
+        steady.adhesion, abs=0.01
+    )  # a run-down of 2.5 Hz/s rates it higher
+    assert left["phase_angle_min_deg"] == pytest.approx(
+        steady.phase_angle_min_deg, abs=3.0
+    )  # and lower
     assert left["theta_road"] == pytest.approx(wheel_damping(road_poles(SOUND))[0], rel=1e-3)
     assert right["theta_road"] == pytest.approx(wheel_damping(road_poles(WORN))[0], rel=1e-3)
     assert plain["vehicle"]["verdict"] == "fail"
@@ -92,7 +105,16 @@ def test_one_axle_as_json(cli, front: Path) -> None:
 
 
 def test_facts_of_the_command_line_count_before_those_of_the_header(cli, front: Path) -> None:
-    given = ("--date", "2026-11-22", "--place", "Kempten", "--plate", "KE-AB 1", "--inspector", "A. Meier")
+    given = (
+        "--date",
+        "2026-11-22",
+        "--place",
+        "Kempten",
+        "--plate",
+        "KE-AB 1",
+        "--inspector",
+        "A. Meier",
+    )
     words = ("--report", "car.html,pdf", "--store", "lane.sqlite", "--json")
     plain = cli("inspect", "evaluate", front, *TESTER, *given, *words).json
     assert plain["protocol"] == ["car.html", "car.json", "car.pdf"]
@@ -106,7 +128,9 @@ def test_facts_of_the_command_line_count_before_those_of_the_header(cli, front: 
         "the header gives plate_number 'M-ÄÖ 12'; 'KE-AB 1' was given instead and is used.",
     ]
     assert Path("car.pdf").read_bytes().startswith(b"%PDF")
-    (record,) = cli("inspect", "search", "--store", "lane.sqlite", "--plate", "KEAB1", "--json").json["records"]
+    (record,) = cli(
+        "inspect", "search", "--store", "lane.sqlite", "--plate", "KEAB1", "--json"
+    ).json["records"]
     assert (record["date"], record["plate"]) == ("2026-11-22", "KE-AB 1")
     refused = cli("inspect", "evaluate", front, *TESTER, "--date", "soon")
     assert (refused.exit_code, "not a date" in refused.err) == (2, True)
@@ -115,7 +139,14 @@ def test_facts_of_the_command_line_count_before_those_of_the_header(cli, front: 
 def test_people_get_values_grades_and_reasons(cli, front: Path) -> None:
     found = cli("inspect", "evaluate", front, *TESTER)
     assert found.exit_code == 0
-    for text in ("least phase angle (EGEA)", "±", "too small", "front: fail", "Limits: EGEA SPECSUS2018", "jounce 1 ("):
+    for text in (
+        "least phase angle (EGEA)",
+        "±",
+        "too small",
+        "front: fail",
+        "Limits: EGEA SPECSUS2018",
+        "jounce 1 (",
+    ):
         assert text in found.out
 
 
@@ -150,7 +181,12 @@ def test_methods_that_are_asked_for_decide(cli, rear: Path) -> None:
 
 
 def test_other_limits_give_other_verdicts(cli, rear: Path) -> None:
-    text = shipped_limits().read_text(encoding="utf-8").replace("35 deg", "80 deg").replace('"1"', '"strict-2"', 1)
+    text = (
+        shipped_limits()
+        .read_text(encoding="utf-8")
+        .replace("35 deg", "80 deg")
+        .replace('"1"', '"strict-2"', 1)
+    )
     Path("strict.toml").write_text(text, encoding="utf-8")
     found = cli("inspect", "evaluate", rear, *TESTER, "--limits", "strict.toml", "--json").json
     assert [one["verdict"] for one in found["wheels"]] == ["fail", "fail"]
@@ -164,7 +200,12 @@ def test_records_and_results_are_kept(cli, front: Path) -> None:
         assert found.json["store"] == {"location": "lane.sqlite", "records": [1]}
     store = Store("lane.sqlite", read_only=True)
     (kept,) = store.records()
-    assert (kept.plate, kept.vehicle, kept.axle, kept.date) == ("M-ÄÖ 12", "Audi A6", "front", "2026-11-21")
+    assert (kept.plate, kept.vehicle, kept.axle, kept.date) == (
+        "M-ÄÖ 12",
+        "Audi A6",
+        "front",
+        "2026-11-21",
+    )
     assert store.content(1)[0] == front.read_bytes()
     gradings = store.gradings(1)
     assert [one.verdict for one in gradings] == ["fail", "fail"]
@@ -179,7 +220,9 @@ def test_records_and_results_are_kept(cli, front: Path) -> None:
 
 def test_a_record_that_cannot_be_graded_is_kept_with_its_reasons(cli) -> None:
     height = 1e3 * 3e-3 * np.sin(2.0 * np.pi * 25.0 * np.arange(8000) / RATE)  # never runs down
-    rows = "\n".join(f"{i / RATE:.3f}, {z:.4f}, {4000.0 + 100.0 * z:.1f}" for i, z in enumerate(height))
+    rows = "\n".join(
+        f"{i / RATE:.3f}, {z:.4f}, {4000.0 + 100.0 * z:.1f}" for i, z in enumerate(height)
+    )
     header = '# axle = "front"\n# left.static_load = "4000 N"\n'
     Path("hold.csv").write_text(
         f"{header}time [s], left.plate.z [mm], left.plate.force [N]\n{rows}\n", encoding="utf-8"
@@ -240,7 +283,9 @@ def test_a_record_that_cannot_be_read_is_kept_too(cli, content: str, message: st
         (("missing.csv",), "missing.csv: no such file"),
     ],
 )
-def test_wrong_requests_end_with_one_message_and_nothing_written(cli, front: Path, words, message: str) -> None:
+def test_wrong_requests_end_with_one_message_and_nothing_written(
+    cli, front: Path, words, message: str
+) -> None:
     Path("there.pdf").write_text("mine", encoding="utf-8")
     before = sorted(Path().iterdir())
     found = cli("inspect", "evaluate", front, *TESTER, *words, "--json")
@@ -258,9 +303,15 @@ def test_unknown_testers_are_refused(cli, front: Path, tester: str) -> None:
 
 
 def test_a_limits_file_with_a_gap_is_refused_before_any_work(cli, front: Path) -> None:
-    text = shipped_limits().read_text(encoding="utf-8").replace("from = 0.10, to = 0.13", "from = 0.10, to = 0.12")
+    text = (
+        shipped_limits()
+        .read_text(encoding="utf-8")
+        .replace("from = 0.10, to = 0.13", "from = 0.10, to = 0.12")
+    )
     Path("gap.toml").write_text(text, encoding="utf-8")
-    found = cli("inspect", "evaluate", front, *TESTER, "--limits", "gap.toml", "--store", "lane.sqlite")
+    found = cli(
+        "inspect", "evaluate", front, *TESTER, "--limits", "gap.toml", "--store", "lane.sqlite"
+    )
     assert found.exit_code == 2
     assert "methods.theta.bands[2]: a gap from 0.12 to 0.13" in found.err
     assert not Path("lane.sqlite").exists()
@@ -279,13 +330,24 @@ def test_the_vehicle_names_the_car_where_the_record_does_not(cli) -> None:
     write("front.csv", SOUND, SOUND)
     text = Path("front.csv").read_text(encoding="utf-8").replace('# vehicle = "Audi A6"\n', "")
     Path("front.csv").write_text(text, encoding="utf-8")
-    found = cli("inspect", "evaluate", "front.csv", *TESTER, "--vehicle", "audi-a6-quarter-car", "--report", "a.html")
+    found = cli(
+        "inspect",
+        "evaluate",
+        "front.csv",
+        *TESTER,
+        "--vehicle",
+        "audi-a6-quarter-car",
+        "--report",
+        "a.html",
+    )
     assert found.exit_code == 0
     assert "audi-a6-quarter-car" in Path("a.html").read_text(encoding="utf-8")
     assert "is not that of the vehicle file" in found.out  # 366 kg on a wheel of 505 kg
 
 
-def test_an_evaluation_that_fails_loses_no_record(cli, front: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_evaluation_that_fails_loses_no_record(
+    cli, front: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     from jounce.inspection.archive import lane
 
     def fail(*_arguments: object) -> None:
@@ -302,7 +364,17 @@ def test_an_evaluation_that_fails_loses_no_record(cli, front: Path, monkeypatch:
 
 
 def test_a_wrong_request_keeps_nothing(cli, front: Path) -> None:
-    found = cli("inspect", "evaluate", front, *TESTER, "--method", "boge", "--store", "lane.sqlite", "--json")
+    found = cli(
+        "inspect",
+        "evaluate",
+        front,
+        *TESTER,
+        "--method",
+        "boge",
+        "--store",
+        "lane.sqlite",
+        "--json",
+    )
     assert found.exit_code == 2
     store = Store("lane.sqlite", read_only=True)
     assert store.records() == []

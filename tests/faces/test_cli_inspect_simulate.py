@@ -77,20 +77,33 @@ def test_wear_is_a_table(cli, car) -> None:
     assert phases == sorted(phases, reverse=True)
     assert [wheel["verdict"] for wheel in found["wheels"]] == ["pass", "pass", "fail"]
     assert "wear" in cli(*said).out
-    one = cli("inspect", "simulate", car, "--method", "egea", "--steady", "--wear", "0.5", "--json").json
+    one = cli(
+        "inspect", "simulate", car, "--method", "egea", "--steady", "--wear", "0.5", "--json"
+    ).json
     assert one["phase_angle_min_deg"] == pytest.approx(31.16, abs=0.05)
 
 
 def test_axles_corners_and_the_sprung_plate(cli) -> None:
     axle = cli(
-        "inspect", "simulate", "audi-a6-full-car", "--method", "eusama", "--axle", "rear", "--wheel", "right", "--json"
+        "inspect",
+        "simulate",
+        "audi-a6-full-car",
+        "--method",
+        "eusama",
+        "--axle",
+        "rear",
+        "--wheel",
+        "right",
+        "--json",
     )
     assert (axle.exit_code, axle.json["wheel"]) == (0, "right")
     assert 0.5 < axle.json["adhesion"] < 0.9
     sprung = cli("inspect", "simulate", "audi-a6-quarter-car", "--method", "theta", "--json").json
     assert sprung["adhesion"] is None
     assert sprung["theta_road"] == pytest.approx(sprung["truth"]["theta_road"], abs=0.01)
-    corner = cli("inspect", "simulate", "reference-double-wishbone", "--method", "eusama", "--json").json
+    corner = cli(
+        "inspect", "simulate", "reference-double-wishbone", "--method", "eusama", "--json"
+    ).json
     assert corner["adhesion"] == pytest.approx(0.72, abs=0.02)
 
 
@@ -139,7 +152,17 @@ def test_every_shipped_tester_runs(cli, car) -> None:
 
 
 def test_both_wheels_of_an_axle_make_a_record_of_an_axle(cli, tmp_path: Path) -> None:
-    said = ("inspect", "simulate", "audi-a6-full-car", "--method", "egea", "--axle", "rear", "--noise", "1 %")
+    said = (
+        "inspect",
+        "simulate",
+        "audi-a6-full-car",
+        "--method",
+        "egea",
+        "--axle",
+        "rear",
+        "--noise",
+        "1 %",
+    )
     found = cli(*said, "--wheel", "both", "--out", "lane.csv", "--json").json
     assert [wheel["wheel"] for wheel in found["wheels"]] == ["left", "right"]
     assert found["axle"]["axle"] == "rear"
@@ -151,7 +174,17 @@ def test_both_wheels_of_an_axle_make_a_record_of_an_axle(cli, tmp_path: Path) ->
 
 
 def test_a_record_of_one_wheel_of_an_axle_is_one_of_this_wheel(cli, tmp_path: Path) -> None:
-    said = ("inspect", "simulate", "audi-a6-full-car", "--method", "egea", "--wheel", "right", "--out", "lane.csv")
+    said = (
+        "inspect",
+        "simulate",
+        "audi-a6-full-car",
+        "--method",
+        "egea",
+        "--wheel",
+        "right",
+        "--out",
+        "lane.csv",
+    )
     assert cli(*said).exit_code == 0
     outcome = cli("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018", "--json")
     assert outcome.exit_code == 0
@@ -164,7 +197,10 @@ def test_a_record_of_one_wheel_of_an_axle_is_one_of_this_wheel(cli, tmp_path: Pa
     [
         (("audi-a6-quarter-car", "--wheel", "both"), "one wheel stands on one plate"),
         (("audi-a6-full-car", "--wheel", "both", "--steady"), "steady states need a single wheel"),
-        (("audi-a6-full-car", "--wheel", "both", "--wear", "0:1:0.5"), "a range of wear needs a single wheel"),
+        (
+            ("audi-a6-full-car", "--wheel", "both", "--wear", "0:1:0.5"),
+            "a range of wear needs a single wheel",
+        ),
     ],
 )
 def test_both_wheels_that_cannot_be(cli, words: tuple[str, ...], says: str) -> None:

@@ -18,7 +18,12 @@ def test_a_measured_profile(cli) -> None:
     assert found.exit_code == 0
     plain = found.json
     assert plain["iri_m_per_km"] == pytest.approx(3.33545, abs=1e-5)
-    assert (plain["start"], plain["end"], plain["spacing"], plain["base"]) == (478.0, 1022.0, 0.25, 0.25)
+    assert (plain["start"], plain["end"], plain["spacing"], plain["base"]) == (
+        478.0,
+        1022.0,
+        0.25,
+        0.25,
+    )
     assert [part["partial"] for part in plain["segments"]] == [False] * 5 + [True]
     assert plain["segments"][2] == {
         "start": 678.0,
@@ -51,7 +56,10 @@ def test_people_get_a_table(cli) -> None:
         ("x [m], z [m]\n" + rows(200), "these heights are implausible for a road"),
         ("x [m], z [mm]\n" + rows(20), "too short"),
         ("x [m], z [mm]\n" + rows(200, 0.75), "too far apart"),
-        ("x [m], z [mm]\n" + "\n".join(reversed(rows(200).splitlines())), "distance runs backwards"),
+        (
+            "x [m], z [mm]\n" + "\n".join(reversed(rows(200).splitlines())),
+            "distance runs backwards",
+        ),
         ("x [m], z [mm]\n" + rows(200) + "50.0, nan\n", "not a finite number"),
         ("x [m], z [mm]\n" + rows(200) + "50.1, 0\n", "not evenly spaced"),
         ("x [s], z [mm]\n" + rows(200), "wrong unit"),

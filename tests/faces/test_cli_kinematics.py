@@ -24,7 +24,15 @@ def test_json_is_one_object_of_quantities(cli) -> None:
     assert found["wheel_travel"]["values"] == pytest.approx(np.linspace(-0.08, 0.08, 41), abs=1e-15)
     assert found["wheel_travel"]["values"][20] == 0.0
     expected = jn.sweep_travel(jn.load(RIG), found["wheel_travel"]["values"])
-    for name in ("camber", "steer", "caster", "kingpin_inclination", "caster_trail", "scrub_radius", "motion_ratio"):
+    for name in (
+        "camber",
+        "steer",
+        "caster",
+        "kingpin_inclination",
+        "caster_trail",
+        "scrub_radius",
+        "motion_ratio",
+    ):
         assert found[name]["values"] == expected[name].to_numpy().tolist()
     assert all(len(item["values"]) == 41 for item in found.values())
 
@@ -43,11 +51,19 @@ def test_rack_as_one_value_as_range_and_alone(cli) -> None:
     assert one["rack_travel"]["values"] == [0.01] * 41
     pairs = cli("kinematics", RIG, *TRAVEL, "--rack", "-20 mm:20 mm:10 mm", "--json").json
     assert np.shape(pairs["camber"]["values"]) == (41, 5)
-    assert np.array(pairs["camber"]["values"])[:, 3] == pytest.approx(np.array(one["camber"]["values"]), abs=1e-12)
+    assert np.array(pairs["camber"]["values"])[:, 3] == pytest.approx(
+        np.array(one["camber"]["values"]), abs=1e-12
+    )
     alone = cli("kinematics", RIG, "--rack", "-20 mm:20 mm:10 mm", "--json").json
-    assert alone["steer"]["values"] == pytest.approx(np.array(pairs["steer"]["values"])[20], abs=1e-12)
-    lifted = cli("kinematics", RIG, "--rack", "-20 mm:20 mm:10 mm", "--travel", "0.08", "--json").json
-    assert lifted["steer"]["values"] == pytest.approx(np.array(pairs["steer"]["values"])[40], abs=1e-12)
+    assert alone["steer"]["values"] == pytest.approx(
+        np.array(pairs["steer"]["values"])[20], abs=1e-12
+    )
+    lifted = cli(
+        "kinematics", RIG, "--rack", "-20 mm:20 mm:10 mm", "--travel", "0.08", "--json"
+    ).json
+    assert lifted["steer"]["values"] == pytest.approx(
+        np.array(pairs["steer"]["values"])[40], abs=1e-12
+    )
 
 
 def test_roll_and_steering_of_an_axle(cli) -> None:
@@ -55,15 +71,21 @@ def test_roll_and_steering_of_an_axle(cli) -> None:
     assert np.degrees(rolled["roll_angle"]["values"]) == pytest.approx([-2, -1, 0, 1, 2], abs=1e-9)
     assert rolled["roll_stiffness"]["units"] == "N*m/rad"
     steered = cli("kinematics", RIG, "--rack", "-20 mm:20 mm:20 mm", "--axle", "--json").json
-    assert steered["left.steer"]["values"][0] == pytest.approx(-steered["right.steer"]["values"][2], abs=1e-12)
+    assert steered["left.steer"]["values"][0] == pytest.approx(
+        -steered["right.steer"]["values"][2], abs=1e-12
+    )
 
 
 def test_vehicle_adds_percentages(cli) -> None:
     words = ("axle=rear", "wheelbase=2.7 m", "centre_of_mass_height=550 mm", "brake_share=0.4")
     options = [word for text in words for word in ("--vehicle", text)]
     found = cli("kinematics", RIG, *TRAVEL, *options, "--json").json
-    rise = found["motion_ratio"]["values"][20] / found["motion_ratio_contact"]["values"][20]  # of the contact patch
-    assert found["anti_squat"]["values"][20] == pytest.approx(2.7 / 0.55 * 0.0592816 / rise, rel=1e-5)
+    rise = (
+        found["motion_ratio"]["values"][20] / found["motion_ratio_contact"]["values"][20]
+    )  # of the contact patch
+    assert found["anti_squat"]["values"][20] == pytest.approx(
+        2.7 / 0.55 * 0.0592816 / rise, rel=1e-5
+    )
 
 
 def test_points_of_all_poses(cli) -> None:
@@ -74,7 +96,9 @@ def test_points_of_all_poses(cli) -> None:
 
 def test_changes_are_swept(cli) -> None:
     plain = cli("kinematics", RIG, *TRAVEL, "--json").json
-    moved = cli("kinematics", RIG, *TRAVEL, "--json", "--set", "hardpoints.tie_rod_inner[2]=190 mm").json
+    moved = cli(
+        "kinematics", RIG, *TRAVEL, "--json", "--set", "hardpoints.tie_rod_inner[2]=190 mm"
+    ).json
     assert moved["bump_steer"]["values"][20] != plain["bump_steer"]["values"][20]
 
 
@@ -87,7 +111,12 @@ def test_files_and_pictures(cli, tmp_path: Path) -> None:
         assert refused.exit_code == 2
         assert "--force" in refused.err
     assert sweep.read_bytes() == sheet.read_bytes() == b"mine"
-    assert cli("kinematics", RIG, *TRAVEL, "--out", "sweep.nc", "--figure", "curves", "--force").exit_code == 0
+    assert (
+        cli(
+            "kinematics", RIG, *TRAVEL, "--out", "sweep.nc", "--figure", "curves", "--force"
+        ).exit_code
+        == 0
+    )
     with xr.open_dataset(tmp_path / "sweep.nc", engine="h5netcdf") as read:
         assert read["camber"].shape == (41,)
         assert read["camber"].attrs["units"] == "rad"
@@ -97,7 +126,9 @@ def test_files_and_pictures(cli, tmp_path: Path) -> None:
 
 
 def test_travel_beyond_reach_keeps_the_rest(cli, tmp_path: Path) -> None:
-    outcome = cli("kinematics", RIG, "--travel", "-300 mm:80 mm:4 mm", "--out", "sweep.csv", "--json")
+    outcome = cli(
+        "kinematics", RIG, "--travel", "-300 mm:80 mm:4 mm", "--out", "sweep.csv", "--json"
+    )
     assert outcome.exit_code == 2
     assert outcome.err.count("\n") == 1
     assert "end of its travel at wheel travel -245 mm" in outcome.err
@@ -121,7 +152,10 @@ def test_travel_beyond_reach_keeps_the_rest(cli, tmp_path: Path) -> None:
         (("--travel", "500 mm"), "no pose of the sweep can be reached"),
         ((), "nothing to sweep"),
         (("--axle",), "nothing to sweep"),
-        (("--roll", "-2 deg:2 deg:1 deg", "--travel", "0 mm"), "a roll sweep sets the wheel travel itself"),
+        (
+            ("--roll", "-2 deg:2 deg:1 deg", "--travel", "0 mm"),
+            "a roll sweep sets the wheel travel itself",
+        ),
         (("--roll", "-2 deg:2 deg:1 deg", "--rack", "-1 mm:1 mm:1 mm"), "only a single value"),
         (("--roll", "80 deg"), "too steep"),
         ((*TRAVEL, "--vehicle", "axle=front"), "wheelbase"),
@@ -152,16 +186,42 @@ def test_a_trailing_arm_has_no_steering_rows(cli) -> None:
 
 def test_an_axle_pose_by_pose_with_a_right_corner_of_its_own(cli, tmp_path) -> None:
     rig = jn.load("formula-student-front")
-    other = jn.save(rig.mirrored().with_changes({"hardpoints.upper_ball_joint[1]": "-541 mm"}), tmp_path / "right.toml")
-    given = ["--heave", "-10 mm:0 mm:5 mm", "--roll", "1 deg", "--pitch", "0.5 deg", "--rack", "3 mm"]
+    other = jn.save(
+        rig.mirrored().with_changes({"hardpoints.upper_ball_joint[1]": "-541 mm"}),
+        tmp_path / "right.toml",
+    )
+    given = [
+        "--heave",
+        "-10 mm:0 mm:5 mm",
+        "--roll",
+        "1 deg",
+        "--pitch",
+        "0.5 deg",
+        "--rack",
+        "3 mm",
+    ]
     outcome = cli("kinematics", "formula-student-front", *given, "--right", str(other), "--json")
     assert outcome.exit_code == 0, outcome.err
     wanted = jn.sweep_axle(
-        rig, right=jn.load(other), heave=[-0.01, -0.005, 0.0], roll=np.radians(1.0), pitch=np.radians(0.5), rack=0.003
+        rig,
+        right=jn.load(other),
+        heave=[-0.01, -0.005, 0.0],
+        roll=np.radians(1.0),
+        pitch=np.radians(0.5),
+        rack=0.003,
     )
     for name in ("right.camber_to_ground", "left.wheel_travel", "track"):
-        assert outcome.json[name]["values"] == pytest.approx(wanted[name].to_numpy().tolist(), abs=1e-12), name
-    table = cli("kinematics", "formula-student-front", "--left-travel", "10 mm", "--right-travel", "-5 mm:5 mm:5 mm")
+        assert outcome.json[name]["values"] == pytest.approx(
+            wanted[name].to_numpy().tolist(), abs=1e-12
+        ), name
+    table = cli(
+        "kinematics",
+        "formula-student-front",
+        "--left-travel",
+        "10 mm",
+        "--right-travel",
+        "-5 mm:5 mm:5 mm",
+    )
     assert table.exit_code == 0
     assert "roll_angle" in table.out
 
@@ -184,10 +244,15 @@ def test_bad_poses_of_an_axle_are_refused(cli, arguments, message: str) -> None:
 
 def test_poses_of_a_log_are_swept_one_by_one(cli, tmp_path) -> None:
     log = tmp_path / "log.csv"
-    log.write_text("# a lap\ntime [s], travel [mm], rack [mm]\n0, 0, 0\n0.1, 8, -3\n0.2, 5, -12\n", encoding="utf-8")
+    log.write_text(
+        "# a lap\ntime [s], travel [mm], rack [mm]\n0, 0, 0\n0.1, 8, -3\n0.2, 5, -12\n",
+        encoding="utf-8",
+    )
     outcome = cli("kinematics", "formula-student-front", "--poses", str(log), "--json")
     assert outcome.exit_code == 0, outcome.err
-    wanted = jn.sweep_path(jn.load("formula-student-front"), [0.0, 0.008, 0.005], [0.0, -0.003, -0.012])
+    wanted = jn.sweep_path(
+        jn.load("formula-student-front"), [0.0, 0.008, 0.005], [0.0, -0.003, -0.012]
+    )
     for name in ("camber", "rack_travel", "wheel_travel"):
         assert outcome.json[name]["values"] == wanted[name].to_numpy().tolist()
     table = cli("kinematics", "formula-student-front", "--poses", str(log))

@@ -22,18 +22,30 @@ GIVEN = [part for key, value in {**CAR, **SHARES}.items() for part in ("--car", 
 
 
 def test_forces_are_those_of_python_in_table_file_json_and_picture(cli, tmp_path) -> None:
-    case = ["--case", "braking 1.2 g: longitudinal=-1.2", "--case", "both: longitudinal=-0.7, lateral=0.9"]
+    case = [
+        "--case",
+        "braking 1.2 g: longitudinal=-1.2",
+        "--case",
+        "both: longitudinal=-0.7, lateral=0.9",
+    ]
     out, folder = tmp_path / "cases.csv", tmp_path / "cases"
-    outcome = cli("load-cases", RIG, *GIVEN, *case, "--out", str(out), "--report", "cases.html", "--json")
+    outcome = cli(
+        "load-cases", RIG, *GIVEN, *case, "--out", str(out), "--report", "cases.html", "--json"
+    )
     assert outcome.exit_code == 0, outcome.err
     found = outcome.json
     assert found["cases"] == ["braking 1.2 g", "both"]
-    cases = {"braking 1.2 g": {"longitudinal": -1.2}, "both": {"longitudinal": -0.7, "lateral": 0.9}}
+    cases = {
+        "braking 1.2 g": {"longitudinal": -1.2},
+        "both": {"longitudinal": -0.7, "lateral": 0.9},
+    }
     wanted = jn.load_cases(jn.load(RIG), jn.LoadedAxle(**CAR, **SHARES), cases)
     for name in ("tie_rod.axial_force", "upper_ball_joint.fy", "wheel_travel"):
         assert found["forces"][name]["values"] == wanted[name].to_numpy().tolist()
     page = Path("cases.html").read_text(encoding="utf-8")
-    force = float(np.linalg.norm([wanted[f"upper_ball_joint.f{axis}"].to_numpy()[1, 0] for axis in "xyz"]))
+    force = float(
+        np.linalg.norm([wanted[f"upper_ball_joint.f{axis}"].to_numpy()[1, 0] for axis in "xyz"])
+    )
     assert number(force) in page
     assert page.count("<svg") == 2
     rows = list(csv.DictReader(out.read_text(encoding="utf-8").splitlines()))
@@ -53,7 +65,12 @@ def test_forces_are_those_of_python_in_table_file_json_and_picture(cli, tmp_path
 def test_usual_cases_are_shown_and_what_the_spring_cannot_carry_is_told(cli) -> None:
     outcome = cli("load-cases", RIG, *GIVEN)
     assert outcome.exit_code == 0
-    for text in ("static", "cornering 1 g", "Sizes of forces at hardpoints", "cannot carry it within 100 mm"):
+    for text in (
+        "static",
+        "cornering 1 g",
+        "Sizes of forces at hardpoints",
+        "cannot carry it within 100 mm",
+    ):
         assert text in outcome.out
 
 
@@ -82,7 +99,9 @@ def test_a_lumped_rig_has_no_joints(cli) -> None:
 
 def test_numbers_of_forces_stand_beside_each_other_and_follow_the_units() -> None:
     rig = jn.load(RIG)
-    found = jn.load_cases(rig, jn.LoadedAxle(**CAR, **SHARES), {"both": {"longitudinal": -0.7, "lateral": 0.7}})
+    found = jn.load_cases(
+        rig, jn.LoadedAxle(**CAR, **SHARES), {"both": {"longitudinal": -0.7, "lateral": 0.7}}
+    )
     figure = load_case(rig, found, "both")
     FigureCanvasAgg(figure).draw()
     sizes = []
@@ -101,4 +120,7 @@ def test_numbers_of_forces_stand_beside_each_other_and_follow_the_units() -> Non
     assert [axes.get_ylabel() for axes in figure.axes] == ["z [in]", "x [in]"]
     assert f"{largest / 4.4482216:.0f}" in [text.get_text() for text in figure.axes[0].texts]
     inches = float(found["wheel_travel"].sel(case="both", wheel="left")) / 0.0254
-    assert any(f"numbers: lbf; wheel travel: left {inches:+.2f} in" in text.get_text() for text in figure.texts)
+    assert any(
+        f"numbers: lbf; wheel travel: left {inches:+.2f} in" in text.get_text()
+        for text in figure.texts
+    )

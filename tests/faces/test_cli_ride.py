@@ -17,7 +17,12 @@ def test_json_of_a_ride_holds_metrics_by_place(cli) -> None:
     outcome = cli("ride", CAR, *SHORT, "--json")
     assert outcome.exit_code == 0, outcome.err
     found = outcome.json
-    assert (found["vehicle"], found["road"], found["speed"], found["failed"]) == (CAR, "iso:C", 20.0, {})
+    assert (found["vehicle"], found["road"], found["speed"], found["failed"]) == (
+        CAR,
+        "iso:C",
+        20.0,
+        {},
+    )
     assert found["duration"] - found["settling"] == pytest.approx(5.0)
     run = found["runs"][0]
     assert (run["control"], run["status"]) == ("passive", "completed")
@@ -27,7 +32,9 @@ def test_json_of_a_ride_holds_metrics_by_place(cli) -> None:
 
 
 def test_stationary_response_stands_beside_the_simulated_one(cli) -> None:
-    found = cli("ride", CAR, "--road", "iso:B", "--speed", "20 m/s", "--duration", "60 s", "--json").json
+    found = cli(
+        "ride", CAR, "--road", "iso:B", "--speed", "20 m/s", "--duration", "60 s", "--json"
+    ).json
     linear, simulated = found["stationary"]["standard_deviation"], found["runs"][0]["metrics"]
     for channel in ("body.az", "front.unsprung.az"):
         assert simulated["rms_acceleration"][channel] == pytest.approx(linear[channel], rel=0.03)
@@ -45,7 +52,9 @@ def test_the_front_axle_rolls_on_for_a_wheelbase(is_level: bool, cli, tmp_path: 
     import jounce as jn
 
     last = 0.0 if is_level else 5.0  # mm
-    rows = "\n".join(f"{0.05 * i:.2f}, {10 * np.sin(0.05 * np.pi * i) + last * i / 400:.6f}" for i in range(401))
+    rows = "\n".join(
+        f"{0.05 * i:.2f}, {10 * np.sin(0.05 * np.pi * i) + last * i / 400:.6f}" for i in range(401)
+    )
     (tmp_path / "road.csv").write_text(f"x [m], z [mm]\n{rows}\n", encoding="utf-8")
     drive = ("ride", CAR, "--road", "road.csv", "--speed", "5 m/s")
     outcome = cli(*drive, "--out", "run.nc")
@@ -87,30 +96,72 @@ def test_the_recording_is_written(cli, tmp_path: Path) -> None:
 
 
 def test_skyhook_is_more_comfortable_and_the_table_says_so(cli) -> None:
-    outcome = cli("compare", CAR, "--control", "passive", "--control", "skyhook", "--duration", "10 s", "--json")
+    outcome = cli(
+        "compare",
+        CAR,
+        "--control",
+        "passive",
+        "--control",
+        "skyhook",
+        "--duration",
+        "10 s",
+        "--json",
+    )
     passive, skyhook = (run["merits"] for run in outcome.json["runs"])
     assert skyhook["comfort"] < 0.85 * passive["comfort"]
     assert set(passive) == {merit.name for merit in MERITS}
-    text = cli("compare", CAR, "--control", "passive", "--control", "skyhook", "--duration", "5 s").out
+    text = cli(
+        "compare", CAR, "--control", "passive", "--control", "skyhook", "--duration", "5 s"
+    ).out
     assert "smaller is better" in text
 
 
 def test_a_law_that_does_not_fit_is_listed_beside_those_that_do(cli) -> None:
-    outcome = cli("compare", "audi-a6-half-car", "--control", "passive,groundhook", "--duration", "3 s", "--json")
+    outcome = cli(
+        "compare",
+        "audi-a6-half-car",
+        "--control",
+        "passive,groundhook",
+        "--duration",
+        "3 s",
+        "--json",
+    )
     assert outcome.exit_code == 0
     assert "unsprung.vz" in outcome.json["failed"]["groundhook"]
-    assert cli("compare", "audi-a6-half-car", "--control", "groundhook", "--duration", "3 s").exit_code == 2
+    assert (
+        cli("compare", "audi-a6-half-car", "--control", "groundhook", "--duration", "3 s").exit_code
+        == 2
+    )
 
 
 def test_all_stands_for_every_controller() -> None:
     names = all_controls()
     assert names[0] == "passive"
-    assert {"skyhook", "groundhook", "hybrid", "add", "sh-add", "lqr", "lqg", "h-infinity", "mpc", "pid"} <= set(names)
+    assert {
+        "skyhook",
+        "groundhook",
+        "hybrid",
+        "add",
+        "sh-add",
+        "lqr",
+        "lqg",
+        "h-infinity",
+        "mpc",
+        "pid",
+    } <= set(names)
     assert len(set(names)) == len(names)
 
 
 def test_a_measured_road_is_driven_to_its_end_under_both_tracks(cli) -> None:
-    outcome = cli("ride", "audi-a6-full-car", "--road", "detrended_rms_course_1in", "--speed", "10 m/s", "--json")
+    outcome = cli(
+        "ride",
+        "audi-a6-full-car",
+        "--road",
+        "detrended_rms_course_1in",
+        "--speed",
+        "10 m/s",
+        "--json",
+    )
     found = outcome.json
     assert found["duration"] == pytest.approx((504.75 + 2.91) / 10.0, abs=1e-3)
     assert found["settling"] == pytest.approx(0.291)
@@ -126,14 +177,22 @@ def test_a_measured_road_is_driven_to_its_end_under_both_tracks(cli) -> None:
         (("ride", CAR, *SHORT, "--control", "skyhok"), ("skyhok", "Did you mean 'skyhook'?")),
         (("ride", CAR, "--road", "nowhere.crg", "--speed", "20 m/s"), ("nowhere.crg",)),
         (("ride", CAR, *SHORT, "--out", "run.xls"), (".xls", ".nc, .csv")),
-        (("ride", CAR, *SHORT, "--control", "passive,skyhook", "--out", "run.nc"), ("--out", "one")),
+        (
+            ("ride", CAR, *SHORT, "--control", "passive,skyhook", "--out", "run.nc"),
+            ("--out", "one"),
+        ),
         (("compare", CAR, "--figure", "picture.gif"), (".svg, .png, .pdf",)),
         (("compare", "no-car"), ("no-car",)),
         (("compare", CAR, "--control", ""), ("--control", "no controller")),
-        (("ride", CAR, "--road", "iso:C:7", "--seed", "3", "--speed", "20 m/s"), ("--seed", "two different seeds")),
+        (
+            ("ride", CAR, "--road", "iso:C:7", "--seed", "3", "--speed", "20 m/s"),
+            ("--seed", "two different seeds"),
+        ),
     ],
 )
-def test_what_is_wrong_is_said_once(cli, tmp_path: Path, arguments: tuple[str, ...], words: tuple[str, ...]) -> None:
+def test_what_is_wrong_is_said_once(
+    cli, tmp_path: Path, arguments: tuple[str, ...], words: tuple[str, ...]
+) -> None:
     outcome = cli(*arguments)
     assert outcome.exit_code == 2
     assert outcome.err.count("\n") == 1
@@ -174,7 +233,9 @@ def test_a_road_shorter_than_the_run_is_refused(cli, tmp_path: Path) -> None:
         assert outcome.exit_code == 2
         assert "shorter than the run" in outcome.err
         assert "600 m" in outcome.err or "597" in outcome.err
-    assert cli("ride", CAR, "--road", course, "--speed", "10 m/s", "--duration", "5 s").exit_code == 0
+    assert (
+        cli("ride", CAR, "--road", course, "--speed", "10 m/s", "--duration", "5 s").exit_code == 0
+    )
 
 
 def test_points_too_far_apart_for_the_speed_are_refused(cli, tmp_path: Path) -> None:
@@ -196,8 +257,12 @@ def test_a_measured_record_gives_metrics_and_what_is_doubtful_of_it(cli, tmp_pat
     time = np.arange(6000) / 200.0
     noise = np.random.default_rng(2).normal(size=time.size)
     body = np.convolve(noise, np.ones(3) / 3.0, mode="same")
-    rows = "\n".join(f"{t:.3f},{9.81 + b:.5f},{0.2 * w:.5f}" for t, b, w in zip(time, body, noise, strict=True))
-    (tmp_path / "lap.csv").write_text(f"time [s],AccZ [m/s^2],unsprung.az [m/s^2]\n{rows}\n", encoding="utf-8")
+    rows = "\n".join(
+        f"{t:.3f},{9.81 + b:.5f},{0.2 * w:.5f}" for t, b, w in zip(time, body, noise, strict=True)
+    )
+    (tmp_path / "lap.csv").write_text(
+        f"time [s],AccZ [m/s^2],unsprung.az [m/s^2]\n{rows}\n", encoding="utf-8"
+    )
     record = ("ride-metrics", "lap.csv", "--columns", "sprung.az=AccZ")
     found = cli(*record, "--settling", "2 s", "--json").json
     assert found["duration"] == pytest.approx(27.995)

@@ -25,14 +25,18 @@ COMMANDS = {
 @pytest.fixture
 def in_metres(tmp_path: Path) -> Path:
     """The reference rig with its millimetres given as metres."""
-    text = (files("jounce") / "parts" / "library" / "reference-double-wishbone.toml").read_text(encoding="utf-8")
+    text = (files("jounce") / "parts" / "library" / "reference-double-wishbone.toml").read_text(
+        encoding="utf-8"
+    )
     file = tmp_path / "metres.toml"
     file.write_text(re.sub(r'"(-?[\d.]+) mm"', r"\1", text), encoding="utf-8")
     return file
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_warnings_about_the_rig_are_on_stderr(cli, in_metres: Path, bump: Path, command: str) -> None:
+def test_warnings_about_the_rig_are_on_stderr(
+    cli, in_metres: Path, bump: Path, command: str
+) -> None:
     assert bump.exists()
     outcome = cli(command, in_metres, *COMMANDS[command], "--json")
     first = outcome.err.splitlines()[0]
@@ -52,7 +56,9 @@ def test_a_sound_rig_warns_of_nothing(cli, bump: Path, command: str) -> None:
 def test_changes_are_warned_of_too(cli) -> None:
     outcome = cli("modes", "kart-double-wishbone", "--set", "wheel.camber=30 deg", "--json")
     assert outcome.exit_code == 0
-    assert re.fullmatch(r"warning: kart-double-wishbone: wheel\.camber: 30 deg is a lot.*\n", outcome.err)
+    assert re.fullmatch(
+        r"warning: kart-double-wishbone: wheel\.camber: 30 deg is a lot.*\n", outcome.err
+    )
 
 
 def test_what_the_library_says_of_a_rig_is_what_the_rig_says(cli):
@@ -62,7 +68,11 @@ def test_what_the_library_says_of_a_rig_is_what_the_rig_says(cli):
     for item in (*listed["rigs"], *listed["vehicles"]):
         rig = load(item["name"])
         assert (item["kind"] == "vehicle") == isinstance(rig, Vehicle)
-        assert (item["what"], item["source"], item["estimated"]) == (rig.model, rig.source, list(rig.estimated))
+        assert (item["what"], item["source"], item["estimated"]) == (
+            rig.model,
+            rig.source,
+            list(rig.estimated),
+        )
 
 
 def test_what_the_library_says_of_testers_limits_and_truths_is_what_they_say(cli):

@@ -29,7 +29,9 @@ def test_summary_agrees_with_the_recording(cli, bump: Path, tmp_path: Path) -> N
     assert peak["time_of_maximum"] == pytest.approx(
         float(run["time"][int(run["sprung.az"].to_numpy().argmax())]), abs=1e-12
     )
-    assert found["channels"]["tyre.force"]["static"] == pytest.approx(21 * 9.81, rel=1e-9)  # (16 + 5) kg
+    assert found["channels"]["tyre.force"]["static"] == pytest.approx(
+        21 * 9.81, rel=1e-9
+    )  # (16 + 5) kg
     assert found["events"] >= 2  # the tyre lifts off and lands
 
 
@@ -61,7 +63,18 @@ def test_structures_can_be_set(cli, bump: Path) -> None:
 
 
 def test_output_step_and_csv(cli, bump: Path, tmp_path: Path) -> None:
-    outcome = cli("simulate", RIG, "--road", bump, *DRIVE, "--output-step", "5 ms", "--out", "run.csv", "--json")
+    outcome = cli(
+        "simulate",
+        RIG,
+        "--road",
+        bump,
+        *DRIVE,
+        "--output-step",
+        "5 ms",
+        "--out",
+        "run.csv",
+        "--json",
+    )
     assert outcome.json["samples"] == 201
     assert (tmp_path / "run.csv").read_text(encoding="utf-8").startswith("time [s],strut.")
 
@@ -78,19 +91,32 @@ def test_excitation_in_time(cli, tmp_path: Path) -> None:
 
 
 def test_shipped_course_by_name(cli) -> None:
-    words = ("--road", "detrended_rms_course_1in", "--speed", "20 m/s", "--duration", "0.5 s", "--json")
+    words = (
+        "--road",
+        "detrended_rms_course_1in",
+        "--speed",
+        "20 m/s",
+        "--duration",
+        "0.5 s",
+        "--json",
+    )
     assert cli("simulate", "audi-a6-quarter-car", *words).json["status"] == "completed"
 
 
 def test_run_that_never_meets_the_obstacle_is_said(cli, bump: Path) -> None:
-    outcome = cli("simulate", RIG, "--road", bump, "--speed", "1 m/s", "--duration", "0.1 s", "--json")
+    outcome = cli(
+        "simulate", RIG, "--road", bump, "--speed", "1 m/s", "--duration", "0.1 s", "--json"
+    )
     assert "before the obstacle begins" in outcome.json["findings"][0]["message"]
 
 
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("--speed", "1.95 N"), "--speed: wrong unit; found 'N'; allowed: a unit that converts to m/s"),
+        (
+            ("--speed", "1.95 N"),
+            "--speed: wrong unit; found 'N'; allowed: a unit that converts to m/s",
+        ),
         (("--speed", "fast"), "--speed: not a number with a unit; found 'fast'"),
         (("--speed", "-1 m/s"), "--speed: out of range; found '-1 m/s'; allowed: above 0 m/s"),
         (("--speed", "nan"), "--speed: not a finite number"),
@@ -99,7 +125,10 @@ def test_run_that_never_meets_the_obstacle_is_said(cli, bump: Path) -> None:
         (("--tolerance", "loose"), "--tolerance: not a number"),
         (("--set", "strut.spring.rat=25 N/mm"), "Did you mean 'rate'?"),
         (("--set", "strut.sprng.rate=25 N/mm"), "Did you mean 'spring'?"),
-        (("--set", "sprung.mass=-16 kg"), "sprung.mass: out of range; found '-16 kg'; allowed: above 0 kg"),
+        (
+            ("--set", "sprung.mass=-16 kg"),
+            "sprung.mass: out of range; found '-16 kg'; allowed: above 0 kg",
+        ),
         (("--set", "strut.spring.rate=25 N"), "strut.spring.rate: wrong unit"),
         (("--set", "sprung.mass"), "--set: not NAME=VALUE"),
         (("--set", "sprung.mass=1", "--set", "sprung.mass=2"), "given twice"),
@@ -124,14 +153,27 @@ def test_bad_options(words: tuple[str, ...], message: str, cli, bump: Path, tmp_
 @pytest.mark.parametrize("left_out", ["--road", "--speed", "--duration"])
 def test_missing_options(left_out: str, cli, bump: Path) -> None:
     given = {"--road": str(bump), "--speed": "1.95 m/s", "--duration": "1 s"}
-    words = [word for option, value in given.items() if option != left_out for word in (option, value)]
+    words = [
+        word for option, value in given.items() if option != left_out for word in (option, value)
+    ]
     outcome = cli("simulate", RIG, *words)
     assert outcome.exit_code == 2
     assert left_out in outcome.err
 
 
 def test_more_samples_than_memory(cli, bump: Path) -> None:
-    outcome = cli("simulate", RIG, "--road", bump, "--speed", "1 m/s", "--duration", "1 s", "--output-step", "1e-15 s")
+    outcome = cli(
+        "simulate",
+        RIG,
+        "--road",
+        bump,
+        "--speed",
+        "1 m/s",
+        "--duration",
+        "1 s",
+        "--output-step",
+        "1e-15 s",
+    )
     assert outcome.exit_code == 2
     assert "too many samples" in outcome.err
     assert "lengthen the output step" in outcome.err
@@ -152,7 +194,11 @@ def test_existing_output_is_kept(cli, bump: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('"16 kg"', '"-16 kg"', "rig.toml, line 4: sprung.mass: out of range; found '-16 kg'; allowed: above 0 kg"),
+        (
+            '"16 kg"',
+            '"-16 kg"',
+            "rig.toml, line 4: sprung.mass: out of range; found '-16 kg'; allowed: above 0 kg",
+        ),
         ('"16 kg"', '"16"', "rig.toml, line 4: sprung.mass: the unit is missing"),
         ('"16 kg"', '"16 m"', "rig.toml, line 4: sprung.mass: wrong unit"),
         ("stiffness", "stifness", "Did you mean 'stiffness'?"),
@@ -162,7 +208,9 @@ def test_existing_output_is_kept(cli, bump: Path, tmp_path: Path) -> None:
         (None, "", "rig.toml: the file is empty"),
     ],
 )
-def test_bad_rigs(old: str | None, new: str, message: str, cli, rig_text: str, tmp_path: Path) -> None:
+def test_bad_rigs(
+    old: str | None, new: str, message: str, cli, rig_text: str, tmp_path: Path
+) -> None:
     (tmp_path / "rig.toml").write_text(rig_text.replace(old, new) if old else new, encoding="utf-8")
     for command in ("modes", "check"):
         outcome = cli(command, "rig.toml")
@@ -200,19 +248,46 @@ def test_modes_say_that_dry_friction_is_left_out(cli, tmp_path: Path) -> None:
 
 def test_coordinates_of_joints_at_rest_have_their_units(cli) -> None:
     text = cli("modes", "kart-double-wishbone").out
-    for name, unit in (("sprung.distance rate", "m/s"), ("lower_arm.angle rate", "°/s"), ("ball_joint.wx", "°/s")):
+    for name, unit in (
+        ("sprung.distance rate", "m/s"),
+        ("lower_arm.angle rate", "°/s"),
+        ("ball_joint.wx", "°/s"),
+    ):
         (row,) = (line for line in text.splitlines() if name in line)
         assert row.split(name)[1].split()[0] == unit
 
 
 def test_runs_are_compared_and_reported(cli, bump: Path, tmp_path: Path) -> None:
     run = cli(
-        "simulate", RIG, "--road", bump, *DRIVE, "--out", "a.nc", "--figure", "a.svg", "--report", "a.html", "--json"
+        "simulate",
+        RIG,
+        "--road",
+        bump,
+        *DRIVE,
+        "--out",
+        "a.nc",
+        "--figure",
+        "a.svg",
+        "--report",
+        "a.html",
+        "--json",
     )
     assert (run.json["figure"], run.json["report"]) == ("a.svg", "a.html")
     assert "data-viewer=" in (tmp_path / "a.html").read_text(encoding="utf-8")
-    cli("simulate", RIG, "--road", bump, *DRIVE, "--set", "strut.damper.coefficient=300 N*s/m", "--out", "b.nc")
-    outcome = cli("plot", "a.nc", "b.nc", "tyre.force", "--figure", "ab.svg", "--report", "ab.pdf", "--json")
+    cli(
+        "simulate",
+        RIG,
+        "--road",
+        bump,
+        *DRIVE,
+        "--set",
+        "strut.damper.coefficient=300 N*s/m",
+        "--out",
+        "b.nc",
+    )
+    outcome = cli(
+        "plot", "a.nc", "b.nc", "tyre.force", "--figure", "ab.svg", "--report", "ab.pdf", "--json"
+    )
     assert outcome.exit_code == 0, outcome.err
     assert outcome.json["runs"] == ["a.nc", "b.nc"]
     assert outcome.json["channels"] == ["tyre.force"]
@@ -226,7 +301,9 @@ def test_runs_are_compared_and_reported(cli, bump: Path, tmp_path: Path) -> None
 @pytest.mark.parametrize("suffix", ["png", "svg", "pdf"])
 def test_plot(suffix: str, cli, bump: Path, tmp_path: Path) -> None:
     cli("simulate", RIG, "--road", bump, *DRIVE, "--out", "run.nc")
-    outcome = cli("plot", "run.nc", "sprung.az", "tyre.force", "--figure", f"figure.{suffix}", "--json")
+    outcome = cli(
+        "plot", "run.nc", "sprung.az", "tyre.force", "--figure", f"figure.{suffix}", "--json"
+    )
     assert outcome.json["channels"] == ["sprung.az", "tyre.force"]
     start = {"png": b"\x89PNG", "svg": b"<?xml", "pdf": b"%PDF"}[suffix]
     assert (tmp_path / f"figure.{suffix}").read_bytes().startswith(start)

@@ -25,7 +25,9 @@ def test_json_of_a_case(cli, tmp_path: Path, name: str, sign: float):
         for output in ("z", "theta"):
             windows = run["outputs"][output]["windows"]
             assert [(one["start"], one["end"]) for one in windows] == WINDOWS
-            assert all(set(one) == {"start", "end", "min", "t_min", "max", "t_max"} for one in windows)
+            assert all(
+                set(one) == {"start", "end", "min", "t_min", "max", "t_max"} for one in windows
+            )
     assert found.json["out"] is None
     assert not list(tmp_path.iterdir())
 
@@ -49,7 +51,13 @@ def test_a_case_into_a_folder(cli, tmp_path: Path):
     assert (folder / "report.html").read_text() == "mine"
     assert cli("study", "audi-a6-case-b", "--out", "b", "--force").exit_code == 0
     names = {str(file.relative_to(folder)) for file in folder.rglob("*") if file.is_file()}
-    figures = ("figure-14-bounce", "figure-15-pitch", "figure-16-signals-100Nm", "figure-16-signals-2699Nm", "start-up")
+    figures = (
+        "figure-14-bounce",
+        "figure-15-pitch",
+        "figure-16-signals-100Nm",
+        "figure-16-signals-2699Nm",
+        "start-up",
+    )
     assert {f"figures/{name}{suffix}" for name in figures for suffix in (".svg", ".png")} <= names
     assert len([name for name in names if name.startswith("curves/")]) == 12
     run, _ = read_recording(folder / "curves" / "physical-100Nm.nc")
@@ -80,7 +88,12 @@ def test_exciter(cli, tmp_path: Path):
 
 @pytest.mark.parametrize(
     "words",
-    [("--amplitude", "0 mm"), ("--amplitude", "3 m"), ("--amplitude", "3 kg"), ("--plate-mass", "-1 kg")],
+    [
+        ("--amplitude", "0 mm"),
+        ("--amplitude", "3 m"),
+        ("--amplitude", "3 kg"),
+        ("--plate-mass", "-1 kg"),
+    ],
 )
 def test_wrong_inputs_of_the_exciter(cli, words: tuple[str, ...]):
     found = cli("study", "audi-a6-excenter", *words)

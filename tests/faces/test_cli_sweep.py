@@ -48,7 +48,9 @@ def study(tmp_path: Path):
     return write
 
 
-def test_a_sweep_that_is_interrupted_goes_on_to_the_same_results(cli, study, tmp_path: Path, monkeypatch) -> None:
+def test_a_sweep_that_is_interrupted_goes_on_to_the_same_results(
+    cli, study, tmp_path: Path, monkeypatch
+) -> None:
     monkeypatch.setattr(shards, "_size", lambda *_: 8)
     run, worked = workers.shard_of, []
 
@@ -75,7 +77,9 @@ def test_a_sweep_that_is_interrupted_goes_on_to_the_same_results(cli, study, tmp
     assert worked == [0, 1, -1, 2, 3]
     found = outcome.json["summary"]
     assert (found["count"], found["ran"], found["failed"]) == (32, 32, {})
-    assert outcome.json == json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
+    assert outcome.json == json.loads(
+        (tmp_path / "out" / "summary.json").read_text(encoding="utf-8")
+    )
     whole = jn.simulate_many(
         jn.load("audi-a6-quarter-car"),
         jn.Trial(speed=10.0, duration=0.5, road=jn.HalfSine(height=0.01, length=1.0)),
@@ -93,7 +97,9 @@ def test_a_sweep_that_is_interrupted_goes_on_to_the_same_results(cli, study, tmp
     with (tmp_path / "out" / "variants.csv").open(encoding="utf-8") as stream:
         rows = list(csv.DictReader(stream))
     assert [int(row["variant"]) for row in rows] == list(range(32))
-    assert np.array([float(row["rms sprung.az [m/s^2]"]) for row in rows]) == pytest.approx(values, rel=1e-12)
+    assert np.array([float(row["rms sprung.az [m/s^2]"]) for row in rows]) == pytest.approx(
+        values, rel=1e-12
+    )
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert f"jounce sweep {file}" not in page  # what was typed is known from the shell only
     for words in (
@@ -115,19 +121,41 @@ def test_variants_without_a_run_are_told(cli, study) -> None:
     assert "2 of 3 variants ran" in outcome.out
     assert "Variants without a run" in outcome.out
     assert "sprung.mass" in outcome.out
-    outcome = cli("sweep", study(text.replace("[400, 450, -5]", "[-1, -2]")), "--out", "none", "--json")
+    outcome = cli(
+        "sweep", study(text.replace("[400, 450, -5]", "[-1, -2]")), "--out", "none", "--json"
+    )
     assert outcome.exit_code == 1
     assert outcome.json["summary"]["ran"] == 0
     assert outcome.json["summary"]["metrics"] == []
 
 
 WRONG = {
-    "a path": ('"sprung.mass" =', '"sprung.mas" =', "study.toml, line 17: vary.sprung.mas", "sprung.mass"),
-    "a spread": ('"40 %"', '"forty"', "study.toml, line 16: vary.strut.damper.coefficient", "not a share"),
-    "an empty range": ('["400 kg", "520 kg"]', '["520 kg", "520 kg"]', "line 17: vary.sprung.mass", "not a range"),
+    "a path": (
+        '"sprung.mass" =',
+        '"sprung.mas" =',
+        "study.toml, line 17: vary.sprung.mas",
+        "sprung.mass",
+    ),
+    "a spread": (
+        '"40 %"',
+        '"forty"',
+        "study.toml, line 16: vary.strut.damper.coefficient",
+        "not a share",
+    ),
+    "an empty range": (
+        '["400 kg", "520 kg"]',
+        '["520 kg", "520 kg"]',
+        "line 17: vary.sprung.mass",
+        "not a range",
+    ),
     "a unit": ('"400 kg"', '"400 m"', "line 17: vary.sprung.mass[0]", "wrong unit"),
     "a metric": ("max tyre.force", "maximum tyre.force", "study.toml, line 3: metrics", "'max'"),
-    "a quantity of kinematics": ("max tyre.force", "range toe", "study.toml, line 3: metrics", "jn.sweep_variants"),
+    "a quantity of kinematics": (
+        "max tyre.force",
+        "range toe",
+        "study.toml, line 3: metrics",
+        "jn.sweep_variants",
+    ),
     "nothing to keep": (
         'metrics = ["rms sprung.az", "max tyre.force"]\n',
         "",
@@ -139,7 +167,12 @@ WRONG = {
     "a seed": ("seed = 3", "seed = -3", "study.toml, line 13: design.seed", "0"),
     "a trial": ('speed = "10 m/s"', 'sped = "10 m/s"', "study.toml, line 6: trial.sped", "speed"),
     "a road": ('"half-sine"', '"half-sin"', "study.toml, line 8: trial.road.kind", "half-sine"),
-    "a rig": ('"audi-a6-quarter-car"', '"audi-a6-quarter"', "study.toml: rig", "audi-a6-quarter-car"),
+    "a rig": (
+        '"audi-a6-quarter-car"',
+        '"audi-a6-quarter"',
+        "study.toml: rig",
+        "audi-a6-quarter-car",
+    ),
     "a schema": ("jounce.sweep/1", "jounce.sweep/2", "study.toml", "jounce.sweep/1"),
     "an empty study": (STUDY, "", "study.toml", "empty"),
 }
@@ -165,7 +198,10 @@ def test_what_is_wrong_is_said_with_its_line(cli, study, tmp_path: Path, name: s
 def test_check_tells_what_a_study_is(cli, study) -> None:
     outcome = cli("check", study(), "--json")
     assert outcome.exit_code == 0
-    assert outcome.json["files"][0]["what"] == "sweep of audi-a6-quarter-car: 32 variants of 2 numbers, 2 metrics"
+    assert (
+        outcome.json["files"][0]["what"]
+        == "sweep of audi-a6-quarter-car: 32 variants of 2 numbers, 2 metrics"
+    )
     assert cli("sweep", study(), "--out", "out", "--resume", "--force").exit_code == 2
 
 
@@ -174,8 +210,12 @@ def test_roads_are_tables_files_or_classes(study, tmp_path: Path) -> None:
 
     inline = 'road = {kind = "half-sine", height = "10 mm", length = "1 m"}'
     as_table = read_sweep(study()).work.study.trial
-    (tmp_path / "bump.toml").write_text('kind = "half-sine"\nheight = "10 mm"\nlength = "1 m"\n', encoding="utf-8")
-    assert read_sweep(study(STUDY.replace(inline, 'road = "bump.toml"'))).work.study.trial == as_table
+    (tmp_path / "bump.toml").write_text(
+        'kind = "half-sine"\nheight = "10 mm"\nlength = "1 m"\n', encoding="utf-8"
+    )
+    assert (
+        read_sweep(study(STUDY.replace(inline, 'road = "bump.toml"'))).work.study.trial == as_table
+    )
     rough = read_sweep(study(STUDY.replace(inline, 'road = "iso:C:7"'))).work.study.trial.road
     assert (rough.class_, rough.seed, rough.length) == ("C", 7, 5.0)
     rows = "".join(f"{k / 100},{1e-3 * (k % 7)}\n" for k in range(60))
@@ -199,7 +239,11 @@ def script(file: Path, out: Path, count: int) -> list[str]:
 
 
 def shards_of(out: Path) -> set[str]:
-    return {file.name for file in (out / "shards").glob("*.nc")} if (out / "shards").is_dir() else set()
+    return (
+        {file.name for file in (out / "shards").glob("*.nc")}
+        if (out / "shards").is_dir()
+        else set()
+    )
 
 
 def until(condition, seconds: float = 60.0) -> None:
@@ -209,7 +253,9 @@ def until(condition, seconds: float = 60.0) -> None:
         time.sleep(0.01)
 
 
-ALONE = STUDY.replace('["rms sprung.az", "max tyre.force"]', '["Wk sprung.az"]').replace("count = 32", "count = 512")
+ALONE = STUDY.replace('["rms sprung.az", "max tyre.force"]', '["Wk sprung.az"]').replace(
+    "count = 32", "count = 512"
+)
 ALONE = ALONE.replace('"0.5 s"', '"2.5 s"')
 
 
@@ -219,33 +265,49 @@ ALONE = ALONE.replace('"0.5 s"', '"2.5 s"')
 @pytest.mark.parametrize("options", [[], ["--workers", "2"]], ids=["here", "processes"])
 def test_a_process_that_is_ended_leaves_whole_shards(study, tmp_path: Path, how, options) -> None:
     file, out = study(ALONE), tmp_path / "out"
-    process = subprocess.Popen([*script(file, out, 16), *options], stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        [*script(file, out, 16), *options], stderr=subprocess.PIPE, text=True
+    )
     until(lambda: len(shards_of(out)) >= 3 or process.poll() is not None)
-    process.send_signal(how)  # with a killed one its workers end, too: otherwise its stderr would stay open
+    process.send_signal(
+        how
+    )  # with a killed one its workers end, too: otherwise its stderr would stay open
     _, said = process.communicate(timeout=60)
     assert process.returncode == (130 if how == signal.SIGINT else -signal.SIGKILL), said
     assert how == signal.SIGKILL or "--resume goes on" in said
     kept = shards_of(out)
     assert 3 <= len(kept) < 32
-    done = subprocess.run([*script(file, out, 16), "--resume", *options], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [*script(file, out, 16), "--resume", *options], capture_output=True, text=True, check=False
+    )
     assert done.returncode == 0, done.stderr
     assert kept < shards_of(out)
     assert len(shards_of(out)) == 32
     found = jn.load_sweep(out)["Wk sprung.az"].to_numpy()
-    direct = subprocess.run([*script(file, tmp_path / "direct", 512)], capture_output=True, check=False)
+    direct = subprocess.run(
+        [*script(file, tmp_path / "direct", 512)], capture_output=True, check=False
+    )
     assert direct.returncode == 0
-    np.testing.assert_array_equal(found, jn.load_sweep(tmp_path / "direct")["Wk sprung.az"].to_numpy())
+    np.testing.assert_array_equal(
+        found, jn.load_sweep(tmp_path / "direct")["Wk sprung.az"].to_numpy()
+    )
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="finds its processes by /proc")
 def test_a_worker_that_is_killed_is_replaced(study, tmp_path: Path) -> None:
     file, out = study(ALONE.replace("512", "1024")), tmp_path / "out"
-    process = subprocess.Popen([*script(file, out, 16), "--workers", "2"], stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        [*script(file, out, 16), "--workers", "2"], stderr=subprocess.PIPE, text=True
+    )
     until(lambda: len(shards_of(out)) >= 3 or process.poll() is not None)
-    children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text(encoding="utf-8").split()
+    children = (
+        Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text(encoding="utf-8").split()
+    )
     spawned = [
-        int(child) for child in children if "spawn_main" in Path(f"/proc/{child}/cmdline").read_text(encoding="utf-8")
+        int(child)
+        for child in children
+        if "spawn_main" in Path(f"/proc/{child}/cmdline").read_text(encoding="utf-8")
     ]
     os.kill(spawned[0], signal.SIGKILL)
     _, said = process.communicate(timeout=120)
@@ -262,7 +324,9 @@ def test_workers_that_are_ended_again_and_again_are_told(monkeypatch) -> None:
         yield
 
     monkeypatch.setattr(workers, "_run_pool", broken)
-    with pytest.raises(jn.JounceError, match="again and again; found '3 times in a row, 1 shards left'"):
+    with pytest.raises(
+        jn.JounceError, match="again and again; found '3 times in a row, 1 shards left'"
+    ):
         list(workers.on_processes(2, None, [workers.Task(0, 0, {}, "")]))
 
 
@@ -276,7 +340,15 @@ SCHEDULER = [
     "0",
     "--no-dashboard",
 ]
-WORKER = [sys.executable, "-m", "distributed.cli.dask_worker", "--nthreads", "1", "--no-nanny", "--no-dashboard"]
+WORKER = [
+    sys.executable,
+    "-m",
+    "distributed.cli.dask_worker",
+    "--nthreads",
+    "1",
+    "--no-nanny",
+    "--no-dashboard",
+]
 
 
 @pytest.fixture
@@ -284,11 +356,17 @@ def cluster(tmp_path: Path):
     """A scheduler and two workers, each a process of its own, as on several machines: address and processes."""
     pytest.importorskip("distributed")
     about, said = tmp_path / "scheduler.json", (tmp_path / "cluster.txt").open("w")
-    started = [subprocess.Popen([*SCHEDULER, "--scheduler-file", str(about)], stdout=said, stderr=said)]
+    started = [
+        subprocess.Popen([*SCHEDULER, "--scheduler-file", str(about)], stdout=said, stderr=said)
+    ]
     until(lambda: about.is_file() and about.read_text(encoding="utf-8").endswith("}"))
     address = json.loads(about.read_text(encoding="utf-8"))["address"]
     started += [
-        subprocess.Popen([*WORKER, "--local-directory", str(tmp_path / f"w{k}"), address], stdout=said, stderr=said)
+        subprocess.Popen(
+            [*WORKER, "--local-directory", str(tmp_path / f"w{k}"), address],
+            stdout=said,
+            stderr=said,
+        )
         for k in range(2)
     ]
     yield address, started
@@ -300,19 +378,27 @@ def cluster(tmp_path: Path):
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
-def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_results(study, tmp_path: Path, cluster) -> None:
+def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_results(
+    study, tmp_path: Path, cluster
+) -> None:
     address, started = cluster
     file, out = study(ALONE), tmp_path / "out"
-    process = subprocess.Popen([*script(file, out, 16), "--cluster", address], stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        [*script(file, out, 16), "--cluster", address], stderr=subprocess.PIPE, text=True
+    )
     until(lambda: len(shards_of(out)) >= 3 or process.poll() is not None)
     started[1].kill()
     _, said = process.communicate(timeout=300)
     assert process.returncode == 0, said
     assert len(shards_of(out)) == 32
-    direct = subprocess.run(script(file, tmp_path / "direct", 512), capture_output=True, check=False)
+    direct = subprocess.run(
+        script(file, tmp_path / "direct", 512), capture_output=True, check=False
+    )
     assert direct.returncode == 0
     name = "Wk sprung.az"
-    np.testing.assert_array_equal(jn.load_sweep(out)[name].values, jn.load_sweep(tmp_path / "direct")[name].values)
+    np.testing.assert_array_equal(
+        jn.load_sweep(out)[name].values, jn.load_sweep(tmp_path / "direct")[name].values
+    )
 
 
 @pytest.mark.slow
@@ -320,7 +406,9 @@ def test_a_cluster_of_which_a_worker_is_killed_gives_the_same_results(study, tmp
 def test_a_scheduler_that_goes_away_leaves_what_is_finished(study, tmp_path: Path, cluster) -> None:
     address, started = cluster
     file, out = study(ALONE), tmp_path / "out"
-    process = subprocess.Popen([*script(file, out, 16), "--cluster", address], stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        [*script(file, out, 16), "--cluster", address], stderr=subprocess.PIPE, text=True
+    )
     until(lambda: len(shards_of(out)) >= 3 or process.poll() is not None)
     started[0].kill()
     _, said = process.communicate(timeout=300)
@@ -328,7 +416,9 @@ def test_a_scheduler_that_goes_away_leaves_what_is_finished(study, tmp_path: Pat
     assert "the scheduler went away" in said
     kept = shards_of(out)
     assert 3 <= len(kept) < 32
-    done = subprocess.run([*script(file, out, 16), "--resume"], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [*script(file, out, 16), "--resume"], capture_output=True, text=True, check=False
+    )
     assert done.returncode == 0, done.stderr
     assert kept < shards_of(out)
 
@@ -354,9 +444,15 @@ class FakeCluster:
     ("versions", "said"),
     [
         ({}, "no worker has joined the cluster.*dask worker tcp://10.0.0.5:8786"),
-        ({"jounce": "0.0.9"}, "10.0.0.7:1: a worker has other versions; found 'jounce 0.0.9 there, "),
+        (
+            {"jounce": "0.0.9"},
+            "10.0.0.7:1: a worker has other versions; found 'jounce 0.0.9 there, ",
+        ),
         ({"python": "3.8"}, "python 3.8 there"),
-        (ModuleNotFoundError("No module named 'jounce'", name="jounce"), "missing on a worker; found 'jounce'"),
+        (
+            ModuleNotFoundError("No module named 'jounce'", name="jounce"),
+            "missing on a worker; found 'jounce'",
+        ),
     ],
 )
 def test_what_is_wrong_with_a_cluster_is_told(versions, said) -> None:
@@ -383,11 +479,16 @@ def test_without_the_extra_it_is_said_what_to_install(cli, study, monkeypatch) -
     assert how_to_install("cluster") in outcome.err
 
 
-def test_a_range_beyond_what_is_allowed_is_refused_with_its_line(cli, study, tmp_path: Path) -> None:
+def test_a_range_beyond_what_is_allowed_is_refused_with_its_line(
+    cli, study, tmp_path: Path
+) -> None:
     text = STUDY.replace('["400 kg", "520 kg"]', '["-1 kg", "2 kg"]')
     outcome = cli("sweep", study(text), "--out", "out")
     assert outcome.exit_code == 2
     line = text.splitlines().index('"sprung.mass" = ["-1 kg", "2 kg"]') + 1
-    assert f"line {line}: vary.sprung.mass: the spread reaches beyond what is allowed, from -1 to 2 kg" in outcome.err
+    assert (
+        f"line {line}: vary.sprung.mass: the spread reaches beyond what is allowed, from -1 to 2 kg"
+        in outcome.err
+    )
     assert "above 0 kg" in outcome.err
     assert not (tmp_path / "out").exists()

@@ -23,7 +23,9 @@ def _in_place(bump: Path) -> None:
 def test_modes(cli, car: str) -> None:
     found = cli("modes", car, "--json").json
     expected = jn.modes(jn.load(car))
-    assert [mode["frequency_hz"] for mode in found["modes"]] == [mode.frequency_hz for mode in expected]
+    assert [mode["frequency_hz"] for mode in found["modes"]] == [
+        mode.frequency_hz for mode in expected
+    ]
     assert found["equilibrium"]["body.z"] == jn.equilibrium(jn.load(car))["body.z"]
     text = cli("modes", car).out
     assert "body.pitch" in text
@@ -38,11 +40,16 @@ def test_shapes_are_a_table_of_their_own(cli) -> None:
 
 def test_check(cli, tmp_path: Path) -> None:
     for name in (HALF, HALF4, FULL):
-        (tmp_path / f"{name}.toml").write_text(parts.library()[name].read_text(encoding="utf-8"), encoding="utf-8")
+        (tmp_path / f"{name}.toml").write_text(
+            parts.library()[name].read_text(encoding="utf-8"), encoding="utf-8"
+        )
     outcome = cli("check", *(f"{name}.toml" for name in (HALF, HALF4, FULL)), "--json")
     assert outcome.exit_code == 0
     assert [item["kind"] for item in outcome.json["files"]] == ["vehicle"] * 3
-    assert outcome.json["files"][2]["what"] == f"full-car with {len(jn.load(FULL).parameters())} parameters"
+    assert (
+        outcome.json["files"][2]["what"]
+        == f"full-car with {len(jn.load(FULL).parameters())} parameters"
+    )
 
 
 def test_check_refuses(cli, tmp_path: Path) -> None:
@@ -122,11 +129,18 @@ def table_file(folder: Path, apart: float, count: int) -> None:
         (FULL, ("--duration", "0.01 s"), "trial: road", "before the obstacle begins"),
         (FULL, ("--duration", "0.1 s"), "trial: duration", "before the rear axle, 2.91 m behind"),
         (FULL, ("--output-step", "5 ms"), "trial: road", "its peaks are not seen"),
-        (FULL, ("--pitch-moment", "100 N*m@9 s"), "trial: pitch_moment", "after the end of the run of 0.5 s"),
+        (
+            FULL,
+            ("--pitch-moment", "100 N*m@9 s"),
+            "trial: pitch_moment",
+            "after the end of the run of 0.5 s",
+        ),
         (HALF, ("--road", "cleat.toml"), "trial: road", "dampers of massless axles pass it on"),
     ],
 )
-def test_findings(cli, tmp_path: Path, car: str, words: tuple[str, ...], place: str, message: str) -> None:
+def test_findings(
+    cli, tmp_path: Path, car: str, words: tuple[str, ...], place: str, message: str
+) -> None:
     (tmp_path / "cleat.toml").write_text(
         'kind = "rectangle"\nheight = 0.01\nlength = 0.5\nstart = 0.2\n', encoding="utf-8"
     )
@@ -139,14 +153,27 @@ def test_findings(cli, tmp_path: Path, car: str, words: tuple[str, ...], place: 
 
 
 def test_roads_that_end_or_are_coarse_are_told(cli, tmp_path: Path) -> None:
-    words = ("simulate", FULL, "--road", "table.csv", "--speed", "10 m/s", "--duration", "2 s", "--json")
+    words = (
+        "simulate",
+        FULL,
+        "--road",
+        "table.csv",
+        "--speed",
+        "10 m/s",
+        "--duration",
+        "2 s",
+        "--json",
+    )
     table_file(tmp_path, 0.05, 99)  # ends as high as it begins
     (finding,) = cli(*words).json["findings"]
     assert "the road ends after 4.9 m and the run drives 20 m" in finding["message"]
     table_file(tmp_path, 0.05, 100)
     outcome = cli(*words)
     assert outcome.exit_code == 2
-    assert "the road is shorter than the run; found '20 m driven'; allowed: up to 4.95 m" in outcome.err
+    assert (
+        "the road is shorter than the run; found '20 m driven'; allowed: up to 4.95 m"
+        in outcome.err
+    )
     table_file(tmp_path, 1.0, 30)
     (finding,) = cli(*words).json["findings"]
     assert "1 m apart, show nothing above 5 Hz at 10 m/s" in finding["message"]
@@ -158,7 +185,10 @@ def test_roads_that_end_or_are_coarse_are_told(cli, tmp_path: Path) -> None:
     ("words", "message"),
     [
         ((HALF, "--deceleration", "3 m/s^2"), "Give body.height"),
-        ((HALF4, "--lateral-acceleration", "3 m/s^2"), "trial: lateral_acceleration: the model has no such input"),
+        (
+            (HALF4, "--lateral-acceleration", "3 m/s^2"),
+            "trial: lateral_acceleration: the model has no such input",
+        ),
         ((HALF, "--right-road", "bump.toml"), "right is for full cars"),
         (("kart-quarter-car", "--pitch-moment", "3 N*m"), "allowed: the road only"),
         (
@@ -194,7 +224,9 @@ def test_refused(cli, words: tuple[str, ...], message: str) -> None:
 
 
 def test_excitation_and_right_road_contradict_each_other(cli, tmp_path: Path) -> None:
-    (tmp_path / "base.csv").write_text("time [s], road.z [mm]\n0,0\n1,1\n2,0\n3,1\n", encoding="utf-8")
+    (tmp_path / "base.csv").write_text(
+        "time [s], road.z [mm]\n0,0\n1,1\n2,0\n3,1\n", encoding="utf-8"
+    )
     outcome = cli("simulate", FULL, "--excitation", "base.csv", "--right-road", "bump.toml")
     assert outcome.exit_code == 2
     assert "--right-road: an excitation is already a function of time" in outcome.err
@@ -206,7 +238,10 @@ def test_excitation_and_right_road_contradict_each_other(cli, tmp_path: Path) ->
         (("draw", FULL), "has no hardpoints"),
         (("animate", FULL, "--report", "a.html", *DRIVE), "has no hardpoints"),
         (("kinematics", HALF, "--travel", "0"), "a lumped rig has no kinematics"),
-        (("kinematics", "formula-student-car", "--travel", "0"), "only one corner can be swept at a time"),
+        (
+            ("kinematics", "formula-student-car", "--travel", "0"),
+            "only one corner can be swept at a time",
+        ),
         (("adjust", HALF, "--set", "spring_preload=1 N"), "only a rig with hardpoints is adjusted"),
     ],
 )
@@ -220,7 +255,15 @@ def test_commands_for_corners_refuse_vehicles(cli, words: tuple[str, ...], messa
 
 def test_design_over_a_simulated_road_refuses_the_wheelbase(cli) -> None:
     """The rear axle's delay moves with it, which sensitivities along with the run do not see."""
-    words = ("design", "optimise", HALF, "--free", "front.distance=1..1.6 m", "--objective", "body.az")
+    words = (
+        "design",
+        "optimise",
+        HALF,
+        "--free",
+        "front.distance=1..1.6 m",
+        "--objective",
+        "body.az",
+    )
     outcome = cli(*words, "--road", "bump.toml", "--speed", "10 m/s", "--duration", "1 s")
     assert outcome.exit_code == 2
     assert "rear axle meets the road" in outcome.err

@@ -41,8 +41,12 @@ COLOURED = """[...document.querySelectorAll("%s canvas")].reduce((sum, canvas) =
 """How many pixels have the colour of a curve or of a part; those of axes and letters are grey."""
 
 
-@pytest.fixture(scope="module", params=[Chromium, Firefox, WebKit], ids=lambda kind: kind.__name__.lower())
-def engine(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Engine]:
+@pytest.fixture(
+    scope="module", params=[Chromium, Firefox, WebKit], ids=lambda kind: kind.__name__.lower()
+)
+def engine(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Engine]:
     kind = request.param
     if not kind.is_installed():
         pytest.skip(f"{kind.__name__} is not installed (Debian: {kind.package})")
@@ -64,7 +68,9 @@ def project(workbench: tuple[Path, int]) -> str:
     """Address of a workbench over a rig and a recording."""
     folder, port = workbench
     shutil.copy(Path(jn.__file__).parent / "parts" / "library" / RIG, folder)
-    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="2 m/s", duration="0.5 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm"), speed="2 m/s", duration="0.5 s"
+    )
     jn.write_recording(jn.simulate(jn.load("kart-quarter-car"), trial), folder / "run.nc")
     return f"http://127.0.0.1:{port}/"
 
@@ -80,8 +86,12 @@ def press(engine: Engine, words: str) -> None:
     )
 
 
-@pytest.mark.parametrize(("language", "width"), [("en", 1280), ("de", 500)])  # WebKit's window is never narrower
-def test_every_page_shows_what_it_is_about(engine: Engine, project: str, language: str, width: int) -> None:
+@pytest.mark.parametrize(
+    ("language", "width"), [("en", 1280), ("de", 500)]
+)  # WebKit's window is never narrower
+def test_every_page_shows_what_it_is_about(
+    engine: Engine, project: str, language: str, width: int
+) -> None:
     engine.resize(width, 900)
     engine.go("about:blank")
     assert engine.evaluate("navigator.language") == "C"
@@ -99,25 +109,36 @@ def test_every_page_shows_what_it_is_about(engine: Engine, project: str, languag
         for place in drawn:
             engine.until(f"{COLOURED % place} > 300")
         assert engine.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0, page
-        assert engine.evaluate("[...document.querySelectorAll('.problem')].map((one) => one.innerText).join()") == "", (
-            page
-        )
+        assert (
+            engine.evaluate(
+                "[...document.querySelectorAll('.problem')].map((one) => one.innerText).join()"
+            )
+            == ""
+        ), page
     engine.evaluate("localStorage.clear()")
     assert engine.troubles == []
 
 
 @pytest.mark.parametrize(
     ("view", "right", "up"),
-    [("front", (0, 1, 0), (0, 0, 1)), ("side", (-1, 0, 0), (0, 0, 1)), ("top", (0, -1, 0), (1, 0, 0))],
+    [
+        ("front", (0, 1, 0), (0, 0, 1)),
+        ("side", (-1, 0, 0), (0, 0, 1)),
+        ("top", (0, -1, 0), (1, 0, 0)),
+    ],
 )
-def test_a_hardpoint_is_dragged_in_plain_views(engine: Engine, project: str, view: str, right: Any, up: Any) -> None:
+def test_a_hardpoint_is_dragged_in_plain_views(
+    engine: Engine, project: str, view: str, right: Any, up: Any
+) -> None:
     engine.resize(1280, 900)
     engine.go(f"{project}?token={TOKEN}#/rig?name={RIG}")
     engine.until(f"{COLOURED % '.mechanism'} > 300")
     place = "[...document.querySelectorAll('.points input')].map((one) => Number(one.value))"
     engine.evaluate("document.querySelector('.mechanism').scrollIntoView({ block: 'center' })")
     press(engine, view)
-    engine.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    engine.evaluate(
+        "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+    )
     x, y = engine.evaluate("""(() => {
       const name = [...document.querySelectorAll(".names span")].find((one) => one.textContent === "upper ball joint");
       const box = name.getBoundingClientRect(); return [box.left - 7, box.top + 8];
@@ -134,23 +155,29 @@ def test_a_hardpoint_is_dragged_in_plain_views(engine: Engine, project: str, vie
     written = ", ".join(f'"{value:.9g} mm"' for value in before + moved)
     engine.until(f"document.querySelector('textarea').value.includes({json.dumps(written)})")
     press(engine, "Undo")
-    engine.until("document.querySelector('textarea').value.includes('-9.8 mm\", \"303.25 mm\", \"270.83 mm')")
+    engine.until(
+        "document.querySelector('textarea').value.includes('-9.8 mm\", \"303.25 mm\", \"270.83 mm')"
+    )
     assert engine.troubles == []
 
 
 def test_a_report_is_played_and_stands_in_a_notebook(engine: Engine, tmp_path: Path) -> None:
     rig = jn.load("kart-double-wishbone")
     sweep = jn.sweep_travel(rig, np.linspace(-0.02, 0.02, 9), points=True)
-    report = REPORTS.write(recordings_page({"kart": sweep}, ["camber"], title="Kart", rig=rig), tmp_path / "sweep.html")
+    report = REPORTS.write(
+        recordings_page({"kart": sweep}, ["camber"], title="Kart", rig=rig), tmp_path / "sweep.html"
+    )
     cell = tmp_path / "cell.html"
     cell.write_text(
-        f"<!doctype html><meta charset='utf-8'>{jn.notebook.viewer(sweep, rig)._repr_html_()}", encoding="utf-8"
+        f"<!doctype html><meta charset='utf-8'>{jn.notebook.viewer(sweep, rig)._repr_html_()}",
+        encoding="utf-8",
     )
     engine.resize(1280, 900)
     engine.go(report.as_uri())
     engine.until(f"{COLOURED % '.mechanism'} > 300 && {COLOURED % '.uplot'} > 100")
     painted = (
-        "(document.querySelector('.player').scrollIntoView(), document.querySelector('.mechanism canvas').toDataURL())"
+        "(document.querySelector('.player').scrollIntoView(), "
+        "document.querySelector('.mechanism canvas').toDataURL())"
     )
     engine.evaluate(f"(window.before = {painted}, 0)")
     press(engine, "Play")

@@ -17,7 +17,11 @@ from jounce.core.display import local_units
 from jounce.core.optional import MissingPackageError, how_to_install
 from jounce.notebook.sliders import _slider, _unit, curves_of
 
-TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="1.95 m/s", duration="0.3 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"),
+    speed="1.95 m/s",
+    duration="0.3 s",
+)
 RATE = "strut.spring.rate"
 
 
@@ -50,7 +54,10 @@ def test_a_slider_has_the_range_and_the_unit_of_its_number(kart: Any) -> None:
 @pytest.mark.parametrize(
     ("numbers", "message"),
     [
-        (["strut.sprng.rate"], r"unknown number 'strut\.sprng\.rate'.*Did you mean 'strut\.spring\.rate'"),
+        (
+            ["strut.sprng.rate"],
+            r"unknown number 'strut\.sprng\.rate'.*Did you mean 'strut\.spring\.rate'",
+        ),
         (["strut.spring.preload"], "half of zero is not a range"),
         ({RATE: ("20 N/mm", 20000.0)}, "not a range; found '20000 to 20000'"),
         ({RATE: ("20 N", "30 N")}, "wrong unit"),
@@ -63,7 +70,9 @@ def test_numbers_that_cannot_be_moved(numbers: Any, message: str, kart: Any) -> 
         jn.notebook.live(kart, numbers, lambda rig: jn.simulate(rig, TRIAL))
 
 
-def test_without_its_package_live_says_what_to_install(kart: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_its_package_live_says_what_to_install(
+    kart: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setitem(__import__("sys").modules, "anywidget", None)
     with pytest.raises(MissingPackageError, match=re.escape(how_to_install("notebook"))):
         jn.notebook.live(kart, [RATE], lambda rig: jn.simulate(rig, TRIAL))
@@ -77,7 +86,9 @@ def test_curves_are_thinned_in_their_units_with_gaps(run: Any) -> None:
     height, acceleration = curves_of(data, names, units)
     assert (height["name"], height["unit"], height["across"]) == ("sprung.z", "mm", "time [s]")
     assert None in height["y"]
-    assert max(y for y in height["y"] if y is not None) == pytest.approx(1e3 * float(data["sprung.z"].max()), rel=1e-4)
+    assert max(y for y in height["y"] if y is not None) == pytest.approx(
+        1e3 * float(data["sprung.z"].max()), rel=1e-4
+    )
     assert len(acceleration["x"]) == len(acceleration["y"]) <= 1600
     assert json.loads(json.dumps(height, allow_nan=False)) == height
 
@@ -92,7 +103,9 @@ def test_a_live_rig_follows_its_sliders(kart: Any, run: Any) -> None:
             raise jn.SimulationError("too stiff by hand")
         return jn.simulate(rig, TRIAL)
 
-    widget = jn.notebook.live(kart, {RATE: ("15 N/mm", "40 N/mm")}, computed, channels=["sprung.az"])
+    widget = jn.notebook.live(
+        kart, {RATE: ("15 N/mm", "40 N/mm")}, computed, channels=["sprung.az"]
+    )
     before = widget.curves
     assert widget.before == before
     widget.values = {RATE: 25000.0}
@@ -129,7 +142,9 @@ def opened(browser: Any, tmp_path: Path) -> Iterator[Any]:
     """Open a page; in the end nothing was complained about, and nothing asked for but files."""
     context = browser.new_context(viewport={"width": 900, "height": 900})
     page, troubles, asked = context.new_page(), [], []
-    page.on("console", lambda message: troubles.append(message.text) if message.type != "log" else None)
+    page.on(
+        "console", lambda message: troubles.append(message.text) if message.type != "log" else None
+    )
     page.on("pageerror", lambda error: troubles.append(str(error)))
     page.on("request", lambda request: asked.append(request.url))
 
@@ -141,7 +156,9 @@ def opened(browser: Any, tmp_path: Path) -> Iterator[Any]:
 
     yield open_page
     context.close()
-    assert [one for one in troubles if one != "$ is not defined"] == []  # nbconvert's own script expects jQuery
+    assert [
+        one for one in troubles if one != "$ is not defined"
+    ] == []  # nbconvert's own script expects jQuery
     assert all(url.startswith(("file:", "about:", "data:", "blob:")) for url in asked)
 
 
@@ -195,8 +212,12 @@ def test_sliders_and_curves_in_the_browser(kart: Any, run: Any, opened: Any) -> 
     assert page.evaluate("window.saved") == {RATE: 30000}
     assert page.locator("output").inner_text() == "30 N/mm"
     first = page.locator("svg .before").first.get_attribute("d")
-    page.evaluate("model.set('curves', model.get('curves').map((c) => ({...c, y: c.y.map((y) => 2 * y)})))")
-    assert page.locator("svg .before").first.get_attribute("d") != first  # it is smaller beside the new one
+    page.evaluate(
+        "model.set('curves', model.get('curves').map((c) => ({...c, y: c.y.map((y) => 2 * y)})))"
+    )
+    assert (
+        page.locator("svg .before").first.get_attribute("d") != first
+    )  # it is smaller beside the new one
     page.evaluate("model.set('problem', '<b>too stiff</b>')")
     assert page.locator(".problem").inner_text() == "<b>too stiff</b>"
     page.get_by_role("button", name="reset").click()

@@ -58,14 +58,25 @@ class Opened:
     """A page in the browser, and everything that it complained about or asked for."""
 
     def __init__(
-        self, browser: Any, file: Path, width: int = 1400, scheme: str = "light", *, script: bool = True
+        self,
+        browser: Any,
+        file: Path,
+        width: int = 1400,
+        scheme: str = "light",
+        *,
+        script: bool = True,
     ) -> None:
         size = {"width": width, "height": 900}
-        self.context = browser.new_context(viewport=size, color_scheme=scheme, java_script_enabled=script)
+        self.context = browser.new_context(
+            viewport=size, color_scheme=scheme, java_script_enabled=script
+        )
         self.page = self.context.new_page()
         self.troubles: list[str] = []
         self.asked: list[str] = []
-        self.page.on("console", lambda message: self.troubles.append(message.text) if message.type != "log" else None)
+        self.page.on(
+            "console",
+            lambda message: self.troubles.append(message.text) if message.type != "log" else None,
+        )
         self.page.on("pageerror", lambda error: self.troubles.append(str(error)))
         self.page.on("request", lambda request: self.asked.append(request.url))
         self.page.goto(file.as_uri())
@@ -95,12 +106,16 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def until(page: Any, expression: str) -> None:
     """Wait until something is so. A page whose policy forbids `eval` cannot be asked to tell by itself."""
-    assert any(page.evaluate(expression) or page.wait_for_timeout(50) for _ in range(600)), expression
+    assert any(page.evaluate(expression) or page.wait_for_timeout(50) for _ in range(600)), (
+        expression
+    )
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("width", [390, 1400])
-def test_a_campaign_s_report_is_zoomed_and_played(browser: Any, report: Path, width: int, scheme: str) -> None:
+def test_a_campaign_s_report_is_zoomed_and_played(
+    browser: Any, report: Path, width: int, scheme: str
+) -> None:
     opened = Opened(browser, report, width, scheme)
     page = opened.page
     assert page.evaluate("document.documentElement.scrollWidth") <= width
@@ -118,7 +133,9 @@ def test_a_campaign_s_report_is_zoomed_and_played(browser: Any, report: Path, wi
     page.mouse.up()
     low, high = page.evaluate(f"{player}.plots.window")
     span = before[1] - before[0]
-    assert [low, high] == pytest.approx([before[0] + 0.2 * span, before[0] + 0.6 * span], abs=0.02 * span)
+    assert [low, high] == pytest.approx(
+        [before[0] + 0.2 * span, before[0] + 0.6 * span], abs=0.02 * span
+    )
     scales = page.evaluate(f"{player}.plots.plots.map(one => [one.scales.x.min, one.scales.x.max])")
     assert scales == [[low, high]] * 2  # both plots show the same
     page.evaluate(f"{player}.goTo({low})")
@@ -159,8 +176,30 @@ design = {kind = "sobol", count = 16}
 KART = "kart-double-wishbone"
 QUARTER = ("audi-a6-quarter-car", "--road", "iso:C", "--speed", "20 m/s", "--duration", "5 s")
 COMMANDS: dict[str, tuple[str, ...]] = {
-    "simulate": ("simulate", KART, "--road", "bump.toml", "--speed", "2 m/s", "--duration", "0.5 s", "--out", "a.nc"),
-    "faster": ("simulate", KART, "--road", "bump.toml", "--speed", "3 m/s", "--duration", "0.5 s", "--out", "b.nc"),
+    "simulate": (
+        "simulate",
+        KART,
+        "--road",
+        "bump.toml",
+        "--speed",
+        "2 m/s",
+        "--duration",
+        "0.5 s",
+        "--out",
+        "a.nc",
+    ),
+    "faster": (
+        "simulate",
+        KART,
+        "--road",
+        "bump.toml",
+        "--speed",
+        "3 m/s",
+        "--duration",
+        "0.5 s",
+        "--out",
+        "b.nc",
+    ),
     "comparison": ("plot", "a.nc", "b.nc"),
     "kinematics": ("kinematics", KART, "--travel", "-10 mm:10 mm:2 mm"),
     "ride": ("ride", *QUARTER),
@@ -170,9 +209,25 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "models": ("study", "lumped-vs-spatial", KART, "--speed", "2 m/s", "--duration", "0.3 s"),
     "design": ("design", "kinematics", "study.toml", "--starts", "1", "--out", "design"),
     "sweep": ("sweep", "sweep.toml", "--out", "swept"),
-    "record": ("inspect", "simulate", "audi-a6-quarter-car", "--method", "egea", "--out", "lane.csv"),
+    "record": (
+        "inspect",
+        "simulate",
+        "audi-a6-quarter-car",
+        "--method",
+        "egea",
+        "--out",
+        "lane.csv",
+    ),
     "protocol": ("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018"),
-    "german": ("inspect", "evaluate", "lane.csv", "--tester", "egea-specsus2018", "--language", "de"),
+    "german": (
+        "inspect",
+        "evaluate",
+        "lane.csv",
+        "--tester",
+        "egea-specsus2018",
+        "--language",
+        "de",
+    ),
     "equivalence": ("study", "inspection-equivalence", "audi-a6-quarter-car", "--points", "2"),
     "animation": ("animate", KART, "--travel", "-10 mm:10 mm:2 mm"),
 }
@@ -201,7 +256,9 @@ def pages(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
         patch.chdir(folder)
         for name, words in COMMANDS.items():
             wanted = (
-                () if {"--out", "--report"} & set(words) - ({"--out"} if name == "simulate" else set()) else (name,)
+                ()
+                if {"--out", "--report"} & set(words) - ({"--out"} if name == "simulate" else set())
+                else (name,)
             )
             report = [word for one in wanted for word in ("--report", f"{one}.html")]
             assert main([*words, *report]) == 0, name
@@ -225,7 +282,9 @@ def apart(one: Any, other: Any) -> float:
 
     if one.width != other.width or abs(one.height - other.height) > 0.06 * other.height:
         return 255.0
-    blurred = (picture.resize(other.size).filter(ImageFilter.GaussianBlur(2)) for picture in (one, other))
+    blurred = (
+        picture.resize(other.size).filter(ImageFilter.GaussianBlur(2)) for picture in (one, other)
+    )
     first, second = (np.asarray(picture, float) for picture in blurred)
     return float(np.abs(first - second).mean())
 
@@ -265,22 +324,37 @@ def test_every_kind_of_page_is_opened_zoomed_and_played(
         if name in MOVING:
             page.evaluate(f"jounce.players[0].goTo({low})")
             page.get_by_role("button", name="Play", exact=True).click()
-            assert any(page.wait_for_timeout(100) or page.evaluate("jounce.players[0].now") > low for _ in range(100))
+            assert any(
+                page.wait_for_timeout(100) or page.evaluate("jounce.players[0].now") > low
+                for _ in range(100)
+            )
     if width == 1400:
         page.emulate_media(media="print", color_scheme="dark")
-        assert page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+        assert (
+            page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+        )
         assert not has_player or not page.locator(".player").first.is_visible()
     opened.close()
 
 
-def test_a_german_page_has_german_buttons_and_decimal_commas(browser: Any, pages: dict[str, Path]) -> None:
+def test_a_german_page_has_german_buttons_and_decimal_commas(
+    browser: Any, pages: dict[str, Path]
+) -> None:
     opened = Opened(browser, pages["german"])
     page = opened.page
     page.locator(".player").scroll_into_view_if_needed()
     page.evaluate("jounce.players[0].goTo(1.25)")
     assert page.locator(".clock").inner_text() == "1,250 s"
     words = page.locator(".player").inner_text()
-    for word in ("Plattenkraft", "Abspielen", "Tempo", "Echtzeit", "Großansicht", "Alles", "Zeit [s]"):
+    for word in (
+        "Plattenkraft",
+        "Abspielen",
+        "Tempo",
+        "Echtzeit",
+        "Großansicht",
+        "Alles",
+        "Zeit [s]",
+    ):
         assert word in words or word == "Zeit [s]", word
     for word in ("Play", "speed", "channels", "Full window", "Drag", "plate"):
         assert word not in words, word
@@ -295,7 +369,9 @@ def test_an_animation_is_turned_named_and_swept_back(browser: Any, pages: dict[s
     until(page, "[...document.querySelectorAll('.names span')].every(one => one.style.transform)")
     names = page.locator(".names span")
     assert names.count() == 11
-    places = [tuple(names.nth(k).bounding_box()[key] for key in ("x", "y", "width")) for k in range(11)]
+    places = [
+        tuple(names.nth(k).bounding_box()[key] for key in ("x", "y", "width")) for k in range(11)
+    ]
     for k, (x, y, width) in enumerate(places):
         for other_x, other_y, other_width in places[k + 1 :]:
             is_beside = x + width <= other_x or other_x + other_width <= x
@@ -316,7 +392,9 @@ def test_pictures_of_other_pages_are_told_apart() -> None:
     from PIL import Image
 
     kept = [
-        Image.open(KEPT / f"{name}-{width}.png") for name in ("simulate", "ride", "protocol") for width in (390, 1400)
+        Image.open(KEPT / f"{name}-{width}.png")
+        for name in ("simulate", "ride", "protocol")
+        for width in (390, 1400)
     ]
     for i, one in enumerate(kept):
         assert [apart(one, other) < ALIKE for other in kept] == [k == i for k in range(len(kept))]
@@ -410,7 +488,12 @@ def test_on_a_phone_the_first_column_stays_and_axes_can_be_read(browser: Any, re
 
 def test_texts_are_never_markup(browser: Any, tmp_path: Path) -> None:
     x = np.linspace(0.0, 1.0, 50)
-    pane = Pane(HOSTILE, HOSTILE, HOSTILE, (Curve(HOSTILE, "measured", x), Curve("</script><b>", "before", np.sin(x))))
+    pane = Pane(
+        HOSTILE,
+        HOSTILE,
+        HOSTILE,
+        (Curve(HOSTILE, "measured", x), Curve("</script><b>", "before", np.sin(x))),
+    )
     scenes = tuple(ViewerScene(name, HOSTILE, x, (pane, pane), HOSTILE) for name in ("one", "two"))
     viewer = Viewer(HOSTILE, scenes, (("measured", HOSTILE, True), ("before", "漢字" * 150, True)))
     table = PageTable(HOSTILE, (HOSTILE,), ((HOSTILE,),))
@@ -435,7 +518,10 @@ def test_a_sweep_is_played_over_its_travel(browser: Any, tmp_path: Path) -> None
             """() => { const one = jounce.players[0].view;
             return one.points[one.shown.names.indexOf("upper_ball_joint")]; }"""
         )
-        true = [1e3 * float(sweep[f"upper_ball_joint.{axis}"].interp(wheel_travel=1e-3 * travel)) for axis in "xyz"]
+        true = [
+            1e3 * float(sweep[f"upper_ball_joint.{axis}"].interp(wheel_travel=1e-3 * travel))
+            for axis in "xyz"
+        ]
         assert place == pytest.approx(true, abs=0.02)  # mm
     assert opened.page.locator(".clock").inner_text() == "3.000 mm"
     opened.page.get_by_role("button", name="Play", exact=True).click()
@@ -448,7 +534,10 @@ def test_missing_and_infinite_values_are_gaps(browser: Any, tmp_path: Path) -> N
     values = np.where(x < 0.5, x, np.nan)
     values[3] = np.inf
     scene = ViewerScene("one", "one", x, (Pane("a", "a", "mm", (Curve("a", "measured", values),)),))
-    write_page(Page("t", (Section("s", (Viewer("t", (scene,), (("measured", "a", True),)),)),)), tmp_path / "out")
+    write_page(
+        Page("t", (Section("s", (Viewer("t", (scene,), (("measured", "a", True),)),)),)),
+        tmp_path / "out",
+    )
     opened = Opened(browser, tmp_path / "out" / "report.html")
     for time, text in ((0.25, "0.2500"), (0.75, "–"), (0.03, "–")):
         opened.page.evaluate(f"jounce.players[0].goTo({time})")
@@ -461,7 +550,9 @@ def test_a_page_without_curves_is_small_and_turns_dark(browser: Any, tmp_path: P
     assert file.stat().st_size < 30_000
     opened = Opened(browser, file)
     opened.page.get_by_role("button", name="Dark").click()
-    assert opened.page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(21, 25, 29)"
+    assert (
+        opened.page.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(21, 25, 29)"
+    )
     opened.close()
 
 
@@ -484,7 +575,9 @@ def test_a_mechanism_is_turned_moved_and_enlarged(browser: Any, report: Path) ->
     x, y = box["x"] + 20, box["y"] + box["height"] - 20
 
     def seen() -> tuple[float, float, float, float]:
-        words = "(({ azimuth, elevation, scale, target }) => [azimuth, elevation, scale, target[2]])"
+        words = (
+            "(({ azimuth, elevation, scale, target }) => [azimuth, elevation, scale, target[2]])"
+        )
         return tuple(page.evaluate(f"{words}(jounce.players[0].view.camera)"))
 
     def drag(dx: float, dy: float, button: Any = "left") -> None:

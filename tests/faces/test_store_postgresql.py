@@ -30,7 +30,9 @@ SHUT_DOWN_FAST, WAIT = 2, 60.0
 
 def programs() -> Path | None:
     """Folder of the newest PostgreSQL's programs."""
-    installed = sorted(Path("/usr/lib/postgresql").glob("*/bin/initdb"), key=lambda file: int(file.parts[-3]))
+    installed = sorted(
+        Path("/usr/lib/postgresql").glob("*/bin/initdb"), key=lambda file: int(file.parts[-3])
+    )
     on_path = shutil.which("initdb")
     return installed[-1].parent if installed else Path(on_path).parent if on_path else None
 
@@ -47,16 +49,39 @@ class Server:
             shutil.chown(folder, "nobody")
         secret = folder / "password"
         secret.write_text(PASSWORD, encoding="utf-8")
-        words = ["-D", folder / "data", "-U", "lane", "-A", "scram-sha-256", "--pwfile", secret, "-E", "UTF8", "-N"]
+        words = [
+            "-D",
+            folder / "data",
+            "-U",
+            "lane",
+            "-A",
+            "scram-sha-256",
+            "--pwfile",
+            secret,
+            "-E",
+            "UTF8",
+            "-N",
+        ]
         self._run("initdb", *words, "--locale=C")
         self.start()
 
     def _run(self, name: str, *words: object) -> None:
         command = [str(self._binaries / name), *map(str, words)]
-        subprocess.run(command, check=True, capture_output=True, cwd=self.folder, timeout=WAIT, **self._account)
+        subprocess.run(
+            command, check=True, capture_output=True, cwd=self.folder, timeout=WAIT, **self._account
+        )
 
     def start(self) -> None:
-        words = ["-D", self.folder / "data", "-k", self.folder, "-c", "listen_addresses=", "-c", "fsync=off"]
+        words = [
+            "-D",
+            self.folder / "data",
+            "-k",
+            self.folder,
+            "-c",
+            "listen_addresses=",
+            "-c",
+            "fsync=off",
+        ]
         with (self.folder / "log").open("ab") as log:
             self._process = subprocess.Popen(
                 [str(self._binaries / "postgres"), *map(str, words)],
@@ -80,7 +105,9 @@ class Server:
     def sql(self, statement: str, database: str = "postgres") -> None:
         import psycopg
 
-        with psycopg.connect(host=str(self.folder), user="lane", password=PASSWORD, dbname=database) as connection:
+        with psycopg.connect(
+            host=str(self.folder), user="lane", password=PASSWORD, dbname=database
+        ) as connection:
             connection.autocommit = True
             connection.execute(statement)
 
@@ -97,7 +124,9 @@ def server() -> Iterator[Server]:
         pytest.skip("PostgreSQL is not installed here (no initdb)")
     if importlib.util.find_spec("psycopg") is None:
         pytest.skip("its driver is not installed here (the extra postgresql)")
-    folder = Path(tempfile.mkdtemp(prefix="jounce-pg-", dir="/tmp"))  # a socket's path must be short
+    folder = Path(
+        tempfile.mkdtemp(prefix="jounce-pg-", dir="/tmp")
+    )  # a socket's path must be short
     try:
         started = Server(folder, binaries)
         yield started
@@ -127,20 +156,32 @@ def database(server: Server) -> str:
 
 def entry(i: int = 0, **known: object) -> RecordEntry:
     content = f"record {i}\n".encode() + bytes(range(256))
-    return RecordEntry(f"{i}.csv", content, **{"plate": f"B-AB {i}", "date": f"2026-01-{1 + i % 28:02}", **known})
+    return RecordEntry(
+        f"{i}.csv", content, **{"plate": f"B-AB {i}", "date": f"2026-01-{1 + i % 28:02}", **known}
+    )
 
 
 def test_records_come_back_as_they_came_in(opened, database) -> None:
     store = opened(database)
-    given = entry(7, sidecar=b'plate_number = "B-AB 7"\n', tester_table={"kind": "rigid-plate"}, signals=b"\0\1")
+    given = entry(
+        7,
+        sidecar=b'plate_number = "B-AB 7"\n',
+        tester_table={"kind": "rigid-plate"},
+        signals=b"\0\1",
+    )
     assert store.accept(given, PASS) == (1, True)
     assert store.accept(given, PASS) == (1, False)
-    store.add_gradings([(1, Grading("fail", "limits 2", "0.1", {"adhesion": 0.2, "text": "a\0b\ud800"}))])
+    store.add_gradings(
+        [(1, Grading("fail", "limits 2", "0.1", {"adhesion": 0.2, "text": "a\0b\ud800"}))]
+    )
     assert store.content(1) == (given.content, given.sidecar)
     assert store.signals(1) == b"\0\1"
     assert store.entry(1).tester_table == {"kind": "rigid-plate"}
     assert [found.verdict for found in store.gradings(1)] == ["pass", "fail"]
-    assert [found.plate for found in store.records(plate="b ab*", since="2026-01-08", until="2026-01-08")] == ["B-AB 7"]
+    assert [
+        found.plate
+        for found in store.records(plate="b ab*", since="2026-01-08", until="2026-01-08")
+    ] == ["B-AB 7"]
     assert store.problems() == []
 
 
@@ -157,7 +198,9 @@ def test_many_writers_at_once_lose_nothing_and_make_the_tables_once(opened, data
     def write(k: int) -> None:
         store = opened(database)
         for i in range(8):
-            store.accept(entry(i // 2 if k % 2 else 10 * k + i, tester_table={"of": i}), PASS)  # some of them the same
+            store.accept(
+                entry(i // 2 if k % 2 else 10 * k + i, tester_table={"of": i}), PASS
+            )  # some of them the same
             store.note_watched(f"/lane/{i}.csv", k, i)
 
     with ThreadPoolExecutor(4) as pool:
@@ -214,7 +257,10 @@ def test_altered_rows_are_reported(server: Server, opened, database) -> None:
     store = opened(database)
     store.accept(entry(1), PASS)
     store.accept(entry(2), PASS)
-    server.sql("UPDATE results SET verdict = 'fail' WHERE record = 2", database.partition("@/")[2].partition("?")[0])
+    server.sql(
+        "UPDATE results SET verdict = 'fail' WHERE record = 2",
+        database.partition("@/")[2].partition("?")[0],
+    )
     assert store.problems() == ["a grading of record 2 is damaged"]
     assert [found.name for found in store.readable_records()[0]] == ["1.csv", "2.csv"]
 
@@ -229,30 +275,48 @@ def records(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     folder, tester = tmp_path_factory.mktemp("records"), load_tester("eusama")
     files = []
     for i, (plate, year) in enumerate((("B-AB 123", 2025), ("B-AB 123", 2026), ("M-X 1", 2026))):
-        run = simulate_test(jn.load("audi-a6-quarter-car"), tester, wheel="left", noise=0.01, seed=i, truth=False)
+        run = simulate_test(
+            jn.load("audi-a6-quarter-car"), tester, wheel="left", noise=0.01, seed=i, truth=False
+        )
         head = f'# tester = "eusama"\n# plate_number = "{plate}"\n# date = {year}-06-01\n# axle = "front"\n'
         head += f'# left.static_load = "{run.attrs["left.static_load"]} N"\n'
-        rows = zip(*(run[name].to_numpy() for name in ("time", "left.plate.z", "left.plate.force")), strict=True)
+        rows = zip(
+            *(run[name].to_numpy() for name in ("time", "left.plate.z", "left.plate.force")),
+            strict=True,
+        )
         table = "\n".join(f"{t:.3f}, {1e3 * z:.4f}, {force:.1f}" for t, z, force in rows)
         files.append(folder / f"{i}.csv")
-        files[-1].write_text(f"{head}time [s], left.plate.z [mm], left.plate.force [N]\n{table}\n", encoding="utf-8")
+        files[-1].write_text(
+            f"{head}time [s], left.plate.z [mm], left.plate.force [N]\n{table}\n", encoding="utf-8"
+        )
     return files
 
 
 def test_the_whole_lane(cli, database, records, tmp_path: Path) -> None:
     (tmp_path / "lane").mkdir()
     shutil.copy(records[2], tmp_path / "lane")
-    evaluated = cli("inspect", "evaluate", records[0], "--tester", "eusama", "--store", database, "--json")
+    evaluated = cli(
+        "inspect", "evaluate", records[0], "--tester", "eusama", "--store", database, "--json"
+    )
     assert evaluated.json["store"]["records"] == [1]
     done = cli("inspect", "import", *records[:2], "--store", database)
     assert done.out.splitlines()[-1] == "1 new, 1 already known"
     watched = cli("inspect", "watch", "lane", "--once", "--settle", "0 s", "--store", database)
     assert watched.out.startswith("accepted 3 lane/2.csv")
-    again = cli("inspect", "reevaluate", "--store", database, "--from-files", "--workers", "2", "--json")
+    again = cli(
+        "inspect", "reevaluate", "--store", database, "--from-files", "--workers", "2", "--json"
+    )
     assert (again.json["records"], again.json["unchanged"], again.json["failed"]) == (3, 3, {})
     history = cli("inspect", "history", "--plate", "b ab 123", "--store", database, "--json")
     assert history.json["records"] == [1, 2]
-    assert len(cli("inspect", "search", "--store", database, "--since", "2026-01-01", "--json").json["records"]) == 2
+    assert (
+        len(
+            cli("inspect", "search", "--store", database, "--since", "2026-01-01", "--json").json[
+                "records"
+            ]
+        )
+        == 2
+    )
     exported = cli("inspect", "export", "--store", database, "--out", "lane.csv", "--json")
     assert exported.json["rows"] == 3
     verified = cli("inspect", "verify", "--store", database)
@@ -289,7 +353,9 @@ def test_what_is_wrong_with_the_server_is_one_line_without_the_password(
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="importers are forked")
 @pytest.mark.parametrize("kills", [2, pytest.param(60, marks=pytest.mark.slow)])
-def test_killed_importers_lose_nothing_and_leave_nothing_in_half(server: Server, tmp_path: Path, kills: int) -> None:
+def test_killed_importers_lose_nothing_and_leave_nothing_in_half(
+    server: Server, tmp_path: Path, kills: int
+) -> None:
     script = Path(__file__).parents[1] / "twins" / "lane_kills.py"
     words = [
         sys.executable,
@@ -299,7 +365,9 @@ def test_killed_importers_lose_nothing_and_leave_nothing_in_half(server: Server,
         str(int(time.time()) % 1000),
         server.url("postgres"),
     ]
-    done = subprocess.run(words, capture_output=True, text=True, check=False, env={**os.environ, "PYTHONWARNINGS": ""})
+    done = subprocess.run(
+        words, capture_output=True, text=True, check=False, env={**os.environ, "PYTHONWARNINGS": ""}
+    )
     assert done.returncode == 0, done.stderr[-2000:]
     seen = json.loads(done.stdout)
     assert seen["kills"] >= kills

@@ -36,7 +36,15 @@ WORK = ("jounce.campaign.run_campaign", "jounce.papers.demo.run_demo")
         ("demo", "--out", "out", "--figure", "png"),
         ("campaign", "run", "campaign.toml", "--out", "out", "--report", "pdf"),
         ("inspect", "evaluate", "record.csv", "--tester", "eusama", "--report", "out.pdf"),
-        ("ride", "kart-quarter-car", "--road", "detrended_rms_course_1in", *DRIVEN, "--report", "out.pdf"),
+        (
+            "ride",
+            "kart-quarter-car",
+            "--road",
+            "detrended_rms_course_1in",
+            *DRIVEN,
+            "--report",
+            "out.pdf",
+        ),
     ],
     ids=" ".join,
 )
@@ -83,5 +91,7 @@ def test_only_a_store_needs_a_database(tmp_path, words, needed):
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
     said = " ".join(done.stderr.split())
     assert done.stdout.endswith("2\n"), done.stdout  # no wheel can be graded by such a record
-    assert ("'sqlalchemy' is not installed" in said) == (how_to_install("store") in said) == needed, said
+    assert (
+        ("'sqlalchemy' is not installed" in said) == (how_to_install("store") in said) == needed
+    ), said
     assert not (tmp_path / "lane.db").exists()

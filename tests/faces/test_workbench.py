@@ -49,22 +49,35 @@ class Asked:
         """What the page gets: plain content, and its arrays."""
         given = {"Authorization": f"Bearer {TOKEN}", "Content-Type": "application/json"}
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
-        connection.request("POST", path, json.dumps(body), given | {"Accept": "application/octet-stream"})
+        connection.request(
+            "POST", path, json.dumps(body), given | {"Accept": "application/octet-stream"}
+        )
         answer = connection.getresponse()
         got = answer.read()
         connection.close()
-        assert (answer.status, answer.getheader("content-type")) == (200, "application/octet-stream"), got
+        assert (answer.status, answer.getheader("content-type")) == (
+            200,
+            "application/octet-stream",
+        ), got
         start = 4 + int.from_bytes(got[:4], "little")
         content = json.loads(got[4:start])
-        return content, [np.frombuffer(got, "<f8", one["n"], start + one["at"]) for one in content["arrays"]]
+        return content, [
+            np.frombuffer(got, "<f8", one["n"], start + one["at"]) for one in content["arrays"]
+        ]
 
-    def __call__(self, method: str, path: str, body: Any = None, **headers: str | None) -> tuple[int, Any]:
-        given = {"Authorization": f"Bearer {TOKEN}"} | {name.replace("_", "-"): text for name, text in headers.items()}
+    def __call__(
+        self, method: str, path: str, body: Any = None, **headers: str | None
+    ) -> tuple[int, Any]:
+        given = {"Authorization": f"Bearer {TOKEN}"} | {
+            name.replace("_", "-"): text for name, text in headers.items()
+        }
         if body is not None:
             given["Content-Type"] = "application/json"
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
         text = None if body is None else json.dumps(body)
-        connection.request(method, path, text, {name: value for name, value in given.items() if value is not None})
+        connection.request(
+            method, path, text, {name: value for name, value in given.items() if value is not None}
+        )
         answer = connection.getresponse()
         content = answer.read()
         self.headers = {name.lower(): text for name, text in answer.getheaders()}
@@ -82,7 +95,12 @@ def ask(workbench):
 def test_it_says_that_it_is_well_and_what_it_can(ask):
     status, answer = ask("GET", "/api/health")
     assert (status, answer["status"], answer["version"]) == (200, "ok", jn.__version__)
-    assert set(ask("GET", "/openapi.json")[1]["paths"]) >= {"/api/health", "/api/project", "/api/simulate", "/api/file"}
+    assert set(ask("GET", "/openapi.json")[1]["paths"]) >= {
+        "/api/health",
+        "/api/project",
+        "/api/simulate",
+        "/api/file",
+    }
 
 
 @pytest.mark.parametrize(
@@ -144,12 +162,20 @@ def test_other_hosts_and_origins_are_refused_with_the_token_too(ask, headers):
 
 def test_its_own_origin_is_none_of_them(ask):
     for name in ("127.0.0.1", "localhost"):
-        assert ask("GET", "/api/health", Host=f"{name}:{ask.port}", Origin=f"http://{name}:{ask.port}")[0] == 200
+        assert (
+            ask(
+                "GET", "/api/health", Host=f"{name}:{ask.port}", Origin=f"http://{name}:{ask.port}"
+            )[0]
+            == 200
+        )
 
 
 def test_the_page_may_run_its_own_scripts_only_and_fetches_nothing_else(ask):
     for path in ("/", "/app.js", "/app.css", "/icon.svg", "/api/health"):
-        assert ask("GET", path, Authorization=None if "api" not in path else f"Bearer {TOKEN}")[0] == 200
+        assert (
+            ask("GET", path, Authorization=None if "api" not in path else f"Bearer {TOKEN}")[0]
+            == 200
+        )
         assert {name.lower(): text for name, text in HEADERS.items()}.items() <= ask.headers.items()
     policy = HEADERS["Content-Security-Policy"]
     assert "unsafe" not in policy
@@ -164,7 +190,9 @@ OUTSIDE = ["../secret.toml", "/etc/hostname", "a/../../secret.toml", "link.toml"
            "a\x00.toml", "\\\\server\\share"]  # fmt: skip
 
 
-@pytest.mark.parametrize("path", OUTSIDE, ids=lambda text: text[:12].encode("unicode_escape").decode())
+@pytest.mark.parametrize(
+    "path", OUTSIDE, ids=lambda text: text[:12].encode("unicode_escape").decode()
+)
 def test_nothing_outside_of_the_folder_is_read_written_or_checked(ask, path):
     secret = ask.folder.parent / "secret.toml"
     secret.write_text('schema = "jounce.rig/1"\n# secret\n')
@@ -218,14 +246,23 @@ def test_what_is_shipped_says_whose_kinematics_can_be_swept(ask):
 
 
 def test_a_rig_is_started_changed_and_never_overwritten_unseen(ask):
-    status, made = ask("POST", "/api/library", {"name": "kart-quarter-car", "path": "karts/mine.toml"})
+    status, made = ask(
+        "POST", "/api/library", {"name": "kart-quarter-car", "path": "karts/mine.toml"}
+    )
     assert status == 200
-    assert ask("POST", "/api/library", {"name": "kart-quarter-car", "path": "karts/mine.toml"})[0] == 409
+    assert (
+        ask("POST", "/api/library", {"name": "kart-quarter-car", "path": "karts/mine.toml"})[0]
+        == 409
+    )
     text = made["text"].replace("16", "17", 1)
-    status, saved = ask("PUT", "/api/file", {"path": "karts/mine.toml", "text": text, "was": made["digest"]})
+    status, saved = ask(
+        "PUT", "/api/file", {"path": "karts/mine.toml", "text": text, "was": made["digest"]}
+    )
     assert status == 200
     assert (ask.folder / "karts" / "mine.toml").read_text() == text
-    status, answer = ask("PUT", "/api/file", {"path": "karts/mine.toml", "text": "lost", "was": made["digest"]})
+    status, answer = ask(
+        "PUT", "/api/file", {"path": "karts/mine.toml", "text": "lost", "was": made["digest"]}
+    )
     assert (status, answer["error"]["what"]) == (409, "the file was changed meanwhile")
     assert ask("GET", "/api/file?path=karts/mine.toml")[1] == saved
     assert ("karts/mine.toml", "rig") in {
@@ -255,10 +292,16 @@ def test_what_was_written_and_what_is_to_be_read_are_no_records(ask):
         (ask.folder / name).write_text(text, encoding="latin-1")
     entries = ask("GET", "/api/project")[1]["entries"]  # other tests have written there, too
     found = {one["path"]: one["kind"] for one in entries if one["path"] in {*texts, "swept"}}
-    assert [name for name, kind in found.items() if kind == "record"] == ["log.txt", "utf.txt", "wide.dat"]
+    assert [name for name, kind in found.items() if kind == "record"] == [
+        "log.txt",
+        "utf.txt",
+        "wide.dat",
+    ]
     assert [name for name, kind in found.items() if kind == "sweep"] == ["study.toml"]
     assert "README.txt" not in found
-    assert {name for name in found if name.startswith("swept")} == {"swept"}  # though its manifest says nothing
+    assert {name for name in found if name.startswith("swept")} == {
+        "swept"
+    }  # though its manifest says nothing
     assert (found["swept"], found["designed/targets.csv"]) == ("swept", "results")
 
 
@@ -280,7 +323,9 @@ def test_runs_are_kept_with_what_they_were_made_of_and_compared(ask):
     ]
     run = jn.read_recording(ask.folder / "runs" / "stiffer.nc")[0]
     assert json.loads(run.attrs["jounce_changes"]) == stiffer["changes"]
-    content, arrays = ask.straight("/api/compare", {"paths": [kept["path"], other["path"]], "channels": ["sprung.az"]})
+    content, arrays = ask.straight(
+        "/api/compare", {"paths": [kept["path"], other["path"]], "channels": ["sprung.az"]}
+    )
     curves = content["viewers"][0]["scenes"][0]["panes"][0]["curves"]
     assert [curve["label"] for curve in curves] == [kept["path"], other["path"]]
     assert arrays[curves[1]["y"]] == pytest.approx(run["sprung.az"].to_numpy(), abs=1e-6)
@@ -295,7 +340,14 @@ def test_a_run_is_kept_of_the_rig_that_was_looked_at(ask):
     asked = RUN | {"rig": "looked-at.toml", "title": "looked at", "digest": rig["digest"]}
     heavier = text.replace('mass = "16 kg"', 'mass = "20 kg"')
     assert heavier != text
-    assert ask("PUT", "/api/file", {"path": "looked-at.toml", "text": heavier, "was": written["digest"]})[0] == 200
+    assert (
+        ask(
+            "PUT",
+            "/api/file",
+            {"path": "looked-at.toml", "text": heavier, "was": written["digest"]},
+        )[0]
+        == 200
+    )
     status, answer = ask("POST", "/api/keep", asked)
     assert (status, answer["error"]["what"]) == (409, "the file was changed meanwhile")
     assert not (ask.folder / "runs" / "looked at.nc").exists()
@@ -307,7 +359,9 @@ def test_only_the_numbers_that_are_drawn_are_sent(ask):
     asked = RUN | {"changes": {"strut.spring.rate": 30e3}}
     whole, arrays = ask.straight("/api/simulate", asked)
     every = {pane["name"]: pane for pane in whole["viewers"][0]["scenes"][0]["panes"]}
-    content, held = ask.straight("/api/simulate", asked | {"numbers": ["sprung.vz", "Δ sprung.z", "no.such"]})
+    content, held = ask.straight(
+        "/api/simulate", asked | {"numbers": ["sprung.vz", "Δ sprung.z", "no.such"]}
+    )
     panes = content["viewers"][0]["scenes"][0]["panes"]
     assert [(one["name"], one["unit"], one["words"]) for one in panes] == [
         (one["name"], one["unit"], one["words"]) for one in every.values()
@@ -315,18 +369,25 @@ def test_only_the_numbers_that_are_drawn_are_sent(ask):
     shown = {name for name, pane in every.items() if pane["shown"]}
     assert {pane["name"] for pane in panes if pane["curves"]} == shown | {"sprung.vz", "Δ sprung.z"}
     for pane in panes:
-        for one, other in zip(pane["curves"], every[pane["name"]]["curves"] if pane["curves"] else [], strict=True):
+        for one, other in zip(
+            pane["curves"], every[pane["name"]]["curves"] if pane["curves"] else [], strict=True
+        ):
             assert one["label"] == other["label"]
             np.testing.assert_array_equal(held[one["y"]], arrays[other["y"]])
 
 
 @pytest.mark.pages
 def test_a_recording_stands_beside_a_run_on_its_time_and_as_spectra(ask):
-    rig, road = jn.load("kart-quarter-car"), jn.HalfSine(start="0.2 m", height="10 mm", length="60 mm")
+    rig, road = (
+        jn.load("kart-quarter-car"),
+        jn.HalfSine(start="0.2 m", height="10 mm", length="60 mm"),
+    )
     run = jn.simulate(rig, jn.Trial(road=road, speed="2 m/s", duration="0.4 s"))
     time = xr.Variable("time", run["time"].to_numpy() + 3.0, {"units": "s"})
     twice = xr.Variable("time", 2.0 * run["sprung.az"].to_numpy(), {"units": "m/s^2"})
-    jn.write_recording(xr.Dataset({"sprung.az": twice}, coords={"time": time}), ask.folder / "late.nc")
+    jn.write_recording(
+        xr.Dataset({"sprung.az": twice}, coords={"time": time}), ask.folder / "late.nc"
+    )
     asked = RUN | {"measured": "late.nc", "begins": "3 s", "channels": ["sprung.az"]}
     content, arrays = ask.straight("/api/simulate", asked)
     one, two = content["viewers"][0]["scenes"][0]["panes"][0]["curves"]
@@ -353,9 +414,19 @@ def test_of_a_long_record_every_peak_is_seen_at_every_zoom(ask):
     record = xr.Dataset({"sprung.az": ("time", noise, {"units": "m/s^2"})}, coords={"time": time})
     record.to_netcdf(ask.folder / "long.nc", engine="h5netcdf")
     status, about = ask("GET", "/api/record?path=long.nc")
-    assert (status, about["count"], about["channels"]) == (200, n, [{"name": "sprung.az", "unit": "m/s^2"}])
+    assert (status, about["count"], about["channels"]) == (
+        200,
+        n,
+        [{"name": "sprung.az", "unit": "m/s^2"}],
+    )
     for low, high in ((None, None), (100.0, 150.0), (123.0, 124.0), (123.4559, 123.4561)):
-        asked = {"path": "long.nc", "channels": ["sprung.az"], "low": low, "high": high, "columns": 400}
+        asked = {
+            "path": "long.nc",
+            "channels": ["sprung.az"],
+            "low": low,
+            "high": high,
+            "columns": 400,
+        }
         content, arrays = ask.straight("/api/record", asked)
         scene = content["viewers"][0]["scenes"][0]
         x, y = arrays[scene["x"]], arrays[scene["panes"][0]["curves"][0]["y"]]
@@ -365,7 +436,10 @@ def test_of_a_long_record_every_peak_is_seen_at_every_zoom(ask):
     few = noise[123_000:124_001]
     assert y.min() >= few.min()
     for wrong in ({"path": "../long.nc"}, {"channels": ["nothing"]}, {"columns": 1}):
-        assert ask("POST", "/api/record", {"path": "long.nc", "channels": ["sprung.az"]} | wrong)[0] == 422
+        assert (
+            ask("POST", "/api/record", {"path": "long.nc", "channels": ["sprung.az"]} | wrong)[0]
+            == 422
+        )
     (ask.folder / "broken.nc").write_bytes((ask.folder / "long.nc").read_bytes()[:5000])
     assert ask("GET", "/api/record?path=broken.nc")[0] == 422
     (ask.folder / "no-time.csv").write_text("a [mm], b [N]\n1, 2\n2, 3\n")
@@ -381,10 +455,17 @@ def test_what_a_file_was_before_it_was_saved_is_kept_and_compared(ask):
         was = saved["digest"]
     versions = ask("GET", "/api/versions?path=kept/k.toml")[1]
     found = [ask("GET", f"/api/rig?name={quote(one['name'])}")[1]["numbers"] for one in versions]
-    masses = [next(one["value"] for one in numbers if one["path"] == "sprung.mass") for numbers in found]
+    masses = [
+        next(one["value"] for one in numbers if one["path"] == "sprung.mass") for numbers in found
+    ]
     assert masses == [17.0, 16.0]  # the newest first
     assert not any(".jounce" in entry["path"] for entry in ask("GET", "/api/project")[1]["entries"])
-    for wrong in ("kept/k.toml@1", "kept/k.toml@../../secret", "../secret.toml@1792824586000-00000000", "@"):
+    for wrong in (
+        "kept/k.toml@1",
+        "kept/k.toml@../../secret",
+        "../secret.toml@1792824586000-00000000",
+        "@",
+    ):
         assert ask("GET", f"/api/rig?name={quote(wrong)}")[0] == 422
 
 
@@ -404,9 +485,13 @@ def test_the_same_run_in_python_and_on_the_command_line(ask, tmp_path, monkeypat
     assert main(shlex.split(answer["command"])[1:]) == 0
     by_command = float(abs(jn.read_recording("run.nc")[0]["sprung.az"]).max())
     assert by_command == pytest.approx(by_python, rel=1e-9)
-    pane = next(pane for pane in answer["viewers"][0]["scenes"][0]["panes"] if pane["name"] == "sprung.az")
+    pane = next(
+        pane for pane in answer["viewers"][0]["scenes"][0]["panes"] if pane["name"] == "sprung.az"
+    )
     changed, as_it_is = (answer["arrays"][curve["y"]] for curve in pane["curves"])
-    assert changed["low"] == pytest.approx(float(names["run"]["sprung.az"].min()), abs=changed["step"])
+    assert changed["low"] == pytest.approx(
+        float(names["run"]["sprung.az"].min()), abs=changed["step"]
+    )
     assert changed["low"] != pytest.approx(as_it_is["low"], rel=1e-3)
 
 
@@ -419,7 +504,10 @@ def test_the_page_gets_the_numbers_that_scripts_get(ask):
         key: plain[key] for key in ("python", "command", "files")
     }
     pane = content["viewers"][0]["scenes"][0]["panes"][0]
-    assert (pane["name"], [curve["label"] for curve in pane["curves"]]) == ("camber", ["changed", "as it is"])
+    assert (pane["name"], [curve["label"] for curve in pane["curves"]]) == (
+        "camber",
+        ["changed", "as it is"],
+    )
     rig = jn.load("kart-double-wishbone").with_changes({"hardpoints.upper_ball_joint[2]": 0.25})
     camber = np.degrees(jn.sweep_travel(rig, "-10 mm:10 mm:5 mm")["camber"].to_numpy())
     assert arrays[pane["curves"][0]["y"]] == pytest.approx(camber, abs=1e-12)
@@ -435,7 +523,9 @@ def test_the_mechanism_that_moves_is_the_changed_one(ask):
     as_it_is = ask("POST", "/api/kinematics", asked)[1]["mechanisms"][0]
     moved = {"hardpoints.upper_ball_joint[2]": "250 mm"}
     changed = ask("POST", "/api/kinematics", asked | {"changes": moved})[1]["mechanisms"][0]
-    heights = [one["points"][one["names"].index("upper_ball_joint")][1][2] for one in (as_it_is, changed)]
+    heights = [
+        one["points"][one["names"].index("upper_ball_joint")][1][2] for one in (as_it_is, changed)
+    ]
     assert heights == pytest.approx([270.83, 250.0], abs=0.01)
 
 
@@ -444,14 +534,24 @@ def test_a_form_writes_values_as_they_are_typed_and_keeps_comments(ask):
     asked |= {"changes": {"hardpoints.tie_rod_inner[2]": 0.111}}
     status, form = ask("POST", "/api/form", asked)
     assert (status, form["problems"], form["model"]) == (200, [], "double-wishbone")
-    changed = {line[1:] for line in form["changed"] if line.startswith("+")} - set(KART.splitlines())
+    changed = {line[1:] for line in form["changed"] if line.startswith("+")} - set(
+        KART.splitlines()
+    )
     comment = KART.split('mass = "16 kg"')[1].splitlines()[0]
-    assert changed == {f'mass = "17.5 kg"{comment}', 'tie_rod_inner = ["-106.1 mm", "101.6 mm", "111 mm"]'}
+    assert changed == {
+        f'mass = "17.5 kg"{comment}',
+        'tie_rod_inner = ["-106.1 mm", "101.6 mm", "111 mm"]',
+    }
     assert form["values"]["sprung"]["mass"] == "17.5 kg"
     by_path = {number["path"]: number["value"] for number in form["rig"]["numbers"]}
-    assert (by_path["sprung.mass"], by_path["hardpoints.tie_rod_inner[2]"]) == (17.5, pytest.approx(0.111))
+    assert (by_path["sprung.mass"], by_path["hardpoints.tie_rod_inner[2]"]) == (
+        17.5,
+        pytest.approx(0.111),
+    )
     assert not (ask.folder / "form.toml").exists()
-    without = ask("POST", "/api/form", asked | {"sets": [[["wheel", "width"], None]], "changes": {}})[1]
+    without = ask(
+        "POST", "/api/form", asked | {"sets": [[["wheel", "width"], None]], "changes": {}}
+    )[1]
     assert "width" not in without["values"]["wheel"]
 
 
@@ -462,17 +562,24 @@ def test_an_edit_is_told_in_python_and_as_a_command(ask, monkeypatch, capsys):
     head = "import jounce as jn\n\nrig = jn.load('edited.toml')"
     as_it_is = ask("POST", "/api/form", {"path": path, "text": KART})[1]
     assert as_it_is["python"] == f"{head}\nprint(rig)\n"
-    changed = ask("POST", "/api/form", {"path": path, "text": KART, "sets": [[["sprung", "mass"], "17.5 kg"]]})[1]
+    changed = ask(
+        "POST", "/api/form", {"path": path, "text": KART, "sets": [[["sprung", "mass"], "17.5 kg"]]}
+    )[1]
     assert changed["python"].startswith(f"{head}.with_changes({{'sprung.mass': 17.5}})\n")
     monkeypatch.chdir(ask.folder)
     exec(changed["python"], {})  # noqa: S102 - that is what it is for
     assert jn.load(path) == jn.load(ask.folder / path)
-    assert ask("POST", "/api/form", {"path": path, "text": changed["text"]})[1]["python"] == f"{head}\nprint(rig)\n"
+    assert (
+        ask("POST", "/api/form", {"path": path, "text": changed["text"]})[1]["python"]
+        == f"{head}\nprint(rig)\n"
+    )
     assert changed["command"] == ""  # which checks what is saved
     changed = ask("POST", "/api/form", {"path": path, "text": (ask.folder / path).read_text()})[1]
     assert main(shlex.split(changed["command"])[1:]) == 0
     assert path in capsys.readouterr().out
-    other = ask("POST", "/api/form", {"path": path, "text": KART, "sets": [[["source"], "measured"]]})[1]
+    other = ask(
+        "POST", "/api/form", {"path": path, "text": KART, "sets": [[["source"], "measured"]]}
+    )[1]
     unsaved = ask("POST", "/api/form", {"path": "nowhere-yet.toml", "text": KART})[1]
     assert all("once it is saved" in one["python"] for one in (other, unsaved))
 
@@ -483,7 +590,9 @@ def test_an_edit_in_python_is_that_of_the_page(tmp_path, monkeypatch, name):
     text = library()[name].read_text(encoding="utf-8")
     (tmp_path / "mine.toml").write_text(text, encoding="utf-8")
     path, value = next(
-        (path, value) for path, value in jn.load(name).parameters().items() if value and path.endswith("mass")
+        (path, value)
+        for path, value in jn.load(name).parameters().items()
+        if value and path.endswith("mass")
     )
     form = forms.form_of(Project(tmp_path), "mine.toml", text, (), {path: 1.01 * value})
     monkeypatch.chdir(tmp_path)
@@ -497,7 +606,12 @@ def test_an_edit_in_python_is_that_of_the_page(tmp_path, monkeypatch, name):
     ("sets", "text", "path", "told"),
     [
         ([[["sprung", "mass"], "17 mm"]], KART, "sprung.mass", "kg"),
-        ([[["hardpoints", "tie_rod_inner", 2], "1 kg"]], KART, "hardpoints.tie_rod_inner[2]", "unit"),
+        (
+            [[["hardpoints", "tie_rod_inner", 2], "1 kg"]],
+            KART,
+            "hardpoints.tie_rod_inner[2]",
+            "unit",
+        ),
         ([[["strut", "spring", "rat"], 1]], KART, "strut.spring.rat", "unknown key"),
         ([], KART.replace('side = "left"', 'side = "lefft"'), "side", "lefft"),
         ([], KART + "\nx ==", "", "TOML"),
@@ -528,19 +642,30 @@ def test_poses_that_nobody_waits_for_are_counted_before_they_are_computed(ask, m
         ("rack", "-4 mm:4 mm:1 um"),
         ("roll", "-4 deg:4 deg:1 mdeg"),
     ):
-        status, answer = ask("POST", "/api/kinematics", {"rig": "kart-double-wishbone", "over": over, over: text})
+        status, answer = ask(
+            "POST", "/api/kinematics", {"rig": "kart-double-wishbone", "over": over, over: text}
+        )
         assert (status, answer["error"]["where"]) == (422, over)
         assert "400" in answer["error"]["allowed"]
 
 
 def test_a_road_whose_file_was_changed_is_driven_anew(ask):
     road = {"kind": "table", "file": str(ask.folder / "course.csv")}
-    asked = RUN | {"road": {"kind": "train", "of": road, "count": 2, "pitch": "1 m"}, "channels": ["sprung.az"]}
+    asked = RUN | {
+        "road": {"kind": "train", "of": road, "count": 2, "pitch": "1 m"},
+        "channels": ["sprung.az"],
+    }
     tops = []
     for height in (10, 20):
-        (ask.folder / "course.csv").write_text(f"x [m],z [mm]\n0,0\n0.1,0\n0.2,{height}\n0.3,0\n0.4,0\n")
+        (ask.folder / "course.csv").write_text(
+            f"x [m],z [mm]\n0,0\n0.1,0\n0.2,{height}\n0.3,0\n0.4,0\n"
+        )
         content, arrays = ask.straight("/api/simulate", asked)
-        tops.append(float(np.nanmax(arrays[content["viewers"][0]["scenes"][0]["panes"][0]["curves"][0]["y"]])))
+        tops.append(
+            float(
+                np.nanmax(arrays[content["viewers"][0]["scenes"][0]["panes"][0]["curves"][0]["y"]])
+            )
+        )
     assert tops[1] > 1.5 * tops[0]
 
 
@@ -548,12 +673,25 @@ def test_what_is_not_saved_yet_is_swept_beside_what_is(ask):
     (ask.folder / "swept.toml").write_text(KART)
     moved = KART.replace('upper_ball_joint = ["-9.8 mm", "303.25 mm", "270.83 mm"]',
                          'upper_ball_joint = ["-9.8 mm", "303.25 mm", "260 mm"]')  # fmt: skip
-    asked = {"rig": "swept.toml", "text": moved, "travel": "-10 mm:10 mm:10 mm", "channels": ["camber"]}
+    asked = {
+        "rig": "swept.toml",
+        "text": moved,
+        "travel": "-10 mm:10 mm:10 mm",
+        "channels": ["camber"],
+    }
     content, arrays = ask.straight("/api/kinematics", asked | {"against": "formula-student-front"})
     pane = content["viewers"][0]["scenes"][0]["panes"][0]
-    assert [curve["label"] for curve in pane["curves"]] == ["changed", "as it is", "formula-student-front"]
-    for curve, rig in zip(pane["curves"], ("moved", "kart-double-wishbone", "formula-student-front"), strict=True):
-        given = jn.load("kart-double-wishbone").with_changes({"hardpoints.upper_ball_joint[2]": 0.26})
+    assert [curve["label"] for curve in pane["curves"]] == [
+        "changed",
+        "as it is",
+        "formula-student-front",
+    ]
+    for curve, rig in zip(
+        pane["curves"], ("moved", "kart-double-wishbone", "formula-student-front"), strict=True
+    ):
+        given = jn.load("kart-double-wishbone").with_changes(
+            {"hardpoints.upper_ball_joint[2]": 0.26}
+        )
         swept = jn.sweep_travel(given if rig == "moved" else jn.load(rig), "-10 mm:10 mm:10 mm")
         assert arrays[curve["y"]] == pytest.approx(
             np.degrees(swept["camber"].to_numpy()), abs=1e-4
@@ -579,19 +717,30 @@ def test_sweeps_over_travel_rack_and_roll_are_those_of_python_and_command(
     exec(content["python"], names)  # noqa: S102 - that is what it is for
     by_python = names["curves"][channel].to_numpy()
     factor = {"rad": 180.0 / np.pi, "m": 1e3}[names["curves"][channel].attrs["units"]]
-    assert arrays[scene["panes"][0]["curves"][0]["y"]] == pytest.approx(factor * by_python, rel=1e-9, abs=1e-4)
+    assert arrays[scene["panes"][0]["curves"][0]["y"]] == pytest.approx(
+        factor * by_python, rel=1e-9, abs=1e-4
+    )
     monkeypatch.chdir(tmp_path)
     assert main([*shlex.split(content["command"])[1:-1], "curves.nc"]) == 0
     with xr.open_dataset("curves.nc", engine="h5netcdf") as written:
         assert written[channel].to_numpy() == pytest.approx(by_python, rel=1e-9, abs=1e-12)
-    every = ask.straight("/api/kinematics", asked | {"channels": []})[0]["viewers"][0]["scenes"][0]["panes"]
+    every = ask.straight("/api/kinematics", asked | {"channels": []})[0]["viewers"][0]["scenes"][0][
+        "panes"
+    ]
     shown = [pane["name"] for pane in every]
-    assert sorted(shown) == sorted(map(str, names["curves"].data_vars))  # each once, and none besides
+    assert sorted(shown) == sorted(
+        map(str, names["curves"].data_vars)
+    )  # each once, and none besides
     assert shown[0] == ("track" if over == "roll" else "camber")
 
 
 def test_targets_stand_in_the_units_of_their_curves(ask):
-    target = {"quantity": "camber", "value": "-1 deg", "tolerance": "0.5 deg", "over": "-10 mm:10 mm:10 mm"}
+    target = {
+        "quantity": "camber",
+        "value": "-1 deg",
+        "tolerance": "0.5 deg",
+        "over": "-10 mm:10 mm:10 mm",
+    }
     other = target | {"value": "0 kg"}
     asked = {"rig": "kart-double-wishbone", "travel": "-10 mm:10 mm:10 mm", "targets": [target]}
     content, _ = ask.straight("/api/kinematics", asked)
@@ -602,7 +751,9 @@ def test_targets_stand_in_the_units_of_their_curves(ask):
     study += '[[free]]\npoint = "hardpoints.tie_rod_inner[2]"\nwithin = "10 mm"\n'
     study += '[[target]]\nquantity = "camber"\nat_least = "-2 deg"\ntolerance = "0.1 deg"\nat = "10 mm"\n'
     (ask.folder / "study.toml").write_text(study)
-    band = ask.straight("/api/kinematics", asked | {"targets": [], "study": "study.toml"})[0]["targets"][0]
+    band = ask.straight("/api/kinematics", asked | {"targets": [], "study": "study.toml"})[0][
+        "targets"
+    ][0]
     assert (band["low"], band["high"]) == (pytest.approx([-2.1]), [None])
     status, answer = ask("POST", "/api/kinematics", asked | {"targets": [other]})
     assert status == 422
@@ -610,12 +761,16 @@ def test_targets_stand_in_the_units_of_their_curves(ask):
 
 
 def test_centres_are_those_of_the_catalogue(ask):
-    content, _ = ask.straight("/api/kinematics", {"rig": "formula-student-front", "travel": "-10 mm:10 mm:10 mm"})
+    content, _ = ask.straight(
+        "/api/kinematics", {"rig": "formula-student-front", "travel": "-10 mm:10 mm:10 mm"}
+    )
     rows = jn.sweep_travel(jn.load("formula-student-front"), "-10 mm:10 mm:10 mm", points=True)
     front = 1e3 * np.stack([rows["instant_centre_y"], rows["instant_centre_z"]], axis=1)
     assert np.array(content["centres"]["front"]) == pytest.approx(front, abs=0.01)
     height = 1e3 * (rows["contact_point.z"] + rows["roll_centre_height"])
-    assert [place[1] for place in content["centres"]["roll"]] == pytest.approx(height.to_numpy(), abs=0.01)
+    assert [place[1] for place in content["centres"]["roll"]] == pytest.approx(
+        height.to_numpy(), abs=0.01
+    )
 
 
 @pytest.mark.parametrize(
@@ -643,10 +798,14 @@ def test_bad_questions_get_one_clear_message(ask, question, body, told):
 
 def test_long_requests_are_refused_before_they_are_read(ask):
     assert ask("PUT", "/api/file", None, Content_Length="4000001")[0] == 413
-    assert ask("PUT", "/api/file", {"path": "long.toml", "text": "#" * 2_100_000, "was": ""})[0] == 409
+    assert (
+        ask("PUT", "/api/file", {"path": "long.toml", "text": "#" * 2_100_000, "was": ""})[0] == 409
+    )
     assert not (ask.folder / "long.toml").exists()
     with socket.create_connection(("127.0.0.1", ask.port), timeout=10) as plain:
-        plain.sendall(f"GET /api/health HTTP/1.1\r\nHost: 127.0.0.1:{ask.port}\r\nContent-Length: x\r\n\r\n".encode())
+        plain.sendall(
+            f"GET /api/health HTTP/1.1\r\nHost: 127.0.0.1:{ask.port}\r\nContent-Length: x\r\n\r\n".encode()
+        )
         assert plain.recv(100).split()[1] == b"400"
 
 
@@ -680,7 +839,9 @@ def test_connections_send_at_once():
     seen = []
 
     def met(_, writer):
-        seen.append(writer.get_extra_info("socket").getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY))
+        seen.append(
+            writer.get_extra_info("socket").getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY)
+        )
         writer.close()
 
     async def asked():
@@ -709,14 +870,21 @@ def test_what_lies_in_a_project_is_known_by_its_content(tmp_path):
 @pytest.mark.parametrize("name", sorted(library()))
 def test_rigs_with_hardpoints_are_known_by_their_text(tmp_path, name):
     text = library()[name].read_text(encoding="utf-8")
-    (tmp_path / "rig.toml").write_text(f"# hardpoints = none\n{text}" + "\n" * 100_000, encoding="utf-8")
+    (tmp_path / "rig.toml").write_text(
+        f"# hardpoints = none\n{text}" + "\n" * 100_000, encoding="utf-8"
+    )
     (entry,) = Project(tmp_path).entries()
     assert entry.has_hardpoints == (entry.kind == "rig" and "hardpoints" in tomllib.loads(text))
 
 
 def test_whether_a_rig_has_hardpoints_is_asked_of_what_it_is_now(tmp_path):
     file, head = tmp_path / "rig.toml", 'schema = "jounce.rig/1"\n'
-    texts = {"": False, "'hardpoints' = {}\n": True, "hardpoints = [\n": False, 'x = "[hardpoints]"\n': False}
+    texts = {
+        "": False,
+        "'hardpoints' = {}\n": True,
+        "hardpoints = [\n": False,
+        'x = "[hardpoints]"\n': False,
+    }
     for text, has in texts.items():
         file.write_text(head + text)
         (entry,) = Project(tmp_path).entries()
@@ -727,7 +895,13 @@ def test_what_a_sweep_wrote_is_one_entry_with_how_far_it_is(tmp_path):
     for name, suffix, shards in (("swept", "nc", 3), ("swept.zarr", "json", 2)):
         folder = tmp_path / name
         (folder / "shards").mkdir(parents=True)
-        about = {"schema": SCHEMA, "count": 50, "shard": 20, "study": {}, "format": folder.suffix[1:] or "netcdf"}
+        about = {
+            "schema": SCHEMA,
+            "count": 50,
+            "shard": 20,
+            "study": {},
+            "format": folder.suffix[1:] or "netcdf",
+        }
         (folder / "sweep.json").write_text(json.dumps(about))
         (folder / "report.html").write_text("")
         (folder / "study.toml").write_text('schema = "jounce.sweep/1"')
@@ -743,8 +917,13 @@ def test_what_a_sweep_wrote_is_one_entry_with_how_far_it_is(tmp_path):
         "swept": "swept", "swept/report.html": "page", "swept/mine/run.csv": "record",
         "swept.zarr": "swept", "swept.zarr/report.html": "page",
     }  # fmt: skip
-    assert [(found[name].finished, found[name].count) for name in ("swept", "swept.zarr")] == [(3, 3), (2, 3)]
-    assert found["swept"].size == sum(one.stat().st_size for one in (tmp_path / "swept").rglob("*") if one.is_file())
+    assert [(found[name].finished, found[name].count) for name in ("swept", "swept.zarr")] == [
+        (3, 3),
+        (2, 3),
+    ]
+    assert found["swept"].size == sum(
+        one.stat().st_size for one in (tmp_path / "swept").rglob("*") if one.is_file()
+    )
 
 
 def test_the_command_prints_one_line_and_ends_when_it_is_told(tmp_path):
@@ -764,7 +943,9 @@ def test_a_rig_is_started_driven_and_swept_in_the_browser(ask, browser, width, s
     page = context.new_page()
     troubles: list[str] = []
     asked: list[str] = []
-    page.on("console", lambda message: troubles.append(message.text) if message.type != "log" else None)
+    page.on(
+        "console", lambda message: troubles.append(message.text) if message.type != "log" else None
+    )
     page.on("pageerror", lambda error: troubles.append(str(error)))
     page.on("request", lambda request: asked.append(request.url))
 
@@ -853,7 +1034,11 @@ def test_a_rig_is_started_driven_and_swept_in_the_browser(ask, browser, width, s
     assert dark == (scheme == "dark")
     context.close()
     assert [one for one in troubles if "422" not in one] == []  # the browser tells refusals, too
-    assert [url for url in asked if not url.startswith((f"http://127.0.0.1:{ask.port}/", "data:", "blob:"))] == []
+    assert [
+        url
+        for url in asked
+        if not url.startswith((f"http://127.0.0.1:{ask.port}/", "data:", "blob:"))
+    ] == []
 
 
 def test_long_runs_are_kept_only_while_there_is_room(ask, monkeypatch):
@@ -870,7 +1055,8 @@ def test_long_runs_are_kept_only_while_there_is_room(ask, monkeypatch):
 
 
 @pytest.mark.skipif(
-    sys.platform != "linux" or not hasattr(ctypes.CDLL(None), "mallopt"), reason="only glibc can be told so"
+    sys.platform != "linux" or not hasattr(ctypes.CDLL(None), "mallopt"),
+    reason="only glibc can be told so",
 )
 def test_what_a_request_has_freed_is_given_back():
     """Pieces of a megabyte, one in fifty of which stays: glibc keeps all of them where larger ones were freed once."""
@@ -889,7 +1075,11 @@ del pieces
 print(held() - before)
 """
     given, kept = (
-        float(subprocess.run([sys.executable, "-c", script, *words], capture_output=True, text=True, check=True).stdout)
+        float(
+            subprocess.run(
+                [sys.executable, "-c", script, *words], capture_output=True, text=True, check=True
+            ).stdout
+        )
         for words in (["give"], [])
     )
     assert given < 10.0
@@ -910,7 +1100,9 @@ def test_a_server_keeps_few_models_and_collects_in_pauses_until_it_ends(monkeypa
     assert Recent.most == before
 
 
-def test_a_server_loads_in_its_first_pauses_what_first_answers_would_wait_for(monkeypatch, tmp_path):
+def test_a_server_loads_in_its_first_pauses_what_first_answers_would_wait_for(
+    monkeypatch, tmp_path
+):
     (tmp_path / "needed_by_an_answer.py").write_text("")
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.setattr(serving, "_PAUSE", 0.01)
@@ -926,7 +1118,9 @@ def test_a_server_loads_in_its_first_pauses_what_first_answers_would_wait_for(mo
 
 def test_a_server_ends_after_what_it_loads_and_not_within(monkeypatch, tmp_path):
     """The end of the process would cut off the import, which prints a traceback."""
-    (tmp_path / "slow_to_load.py").write_text("import sys, time\nsys.begun.set()\ntime.sleep(0.3)\nis_whole = True\n")
+    (tmp_path / "slow_to_load.py").write_text(
+        "import sys, time\nsys.begun.set()\ntime.sleep(0.3)\nis_whole = True\n"
+    )
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.setattr(sys, "begun", threading.Event(), raising=False)
     monkeypatch.setattr(serving, "_PAUSE", 0.01)
@@ -955,8 +1149,12 @@ def test_a_server_at_work_is_not_stopped_to_look_for_garbage(monkeypatch):
         ("[Errno 98] address already in use", None, True),
     ],
 )
-def test_a_server_that_ends_says_nothing_of_requests_that_it_cuts_off(message, error, is_said) -> None:
+def test_a_server_that_ends_says_nothing_of_requests_that_it_cuts_off(
+    message, error, is_said
+) -> None:
     """Ctrl-C while a campaign was begun printed fifty lines of calls."""
     about = (type(error), error, None) if error else None
-    record = logging.LogRecord("uvicorn.error", logging.ERROR, "", 1, message, (1,) if "%" in message else (), about)
+    record = logging.LogRecord(
+        "uvicorn.error", logging.ERROR, "", 1, message, (1,) if "%" in message else (), about
+    )
     assert serving._is_trouble(record) is is_said

@@ -24,7 +24,13 @@ BUMP = {"kind": "half-sine", "height": "10 mm", "length": "60 mm", "start": "0.2
 KART = (Path(jn.__file__).parent / "parts" / "library" / "kart-quarter-car.toml").read_text()
 DRIVE = {"rig": "kart-quarter-car", "changes": {"sprung.mass": 17.0}, "road": BUMP, "speed": "2 m/s",
          "duration": "0.05 s"}  # fmt: skip
-TASK = {"kind": "decay", "files": ["no.csv"], "mass": "16 kg", "columns": {"time": "t"}, "channel": "sprung.z"}
+TASK = {
+    "kind": "decay",
+    "files": ["no.csv"],
+    "mass": "16 kg",
+    "columns": {"time": "t"},
+    "channel": "sprung.z",
+}
 BODIES: dict[tuple[str, str], list[dict[str, Any]]] = {
     ("POST", "/api/library"): [{"name": "kart-quarter-car", "path": "rig.toml"}],
     ("PUT", "/api/file"): [{"path": "rig.toml", "text": KART, "was": "0"}],
@@ -87,7 +93,13 @@ PLACE = "a place of these tests"
 def places(value: Any, way: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
     """Every place in a body, the whole of it first."""
     yield way
-    for key, inner in value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ():
+    for key, inner in (
+        value.items()
+        if isinstance(value, dict)
+        else enumerate(value)
+        if isinstance(value, list)
+        else ()
+    ):
         yield from places(inner, (*way, key))
 
 
@@ -116,12 +128,16 @@ def with_odd_key(body: Any, way: tuple[Any, ...]) -> bytes:
 @pytest.fixture(scope="module")
 def send(workbench):
     folder, port = workbench
-    (folder / "run.csv").write_text("time [s],sprung.z [mm]\n" + "".join(f"{i / 50},{i % 7}\n" for i in range(60)))
+    (folder / "run.csv").write_text(
+        "time [s],sprung.z [mm]\n" + "".join(f"{i / 50},{i % 7}\n" for i in range(60))
+    )
     jn.new_campaign(folder / "mine")
     head = {"Authorization": f"Bearer {TOKEN}", "Content-Type": "application/json"}
 
     def send(method: str, path: str, body: bytes | None = None) -> tuple[int, bytes]:
-        with contextlib.closing(http.client.HTTPConnection("127.0.0.1", port, timeout=300)) as connection:
+        with contextlib.closing(
+            http.client.HTTPConnection("127.0.0.1", port, timeout=300)
+        ) as connection:
             connection.request(method, path, body, head)
             answer = connection.getresponse()
             return answer.status, answer.read()
@@ -131,8 +147,15 @@ def send(workbench):
 
 def test_every_route_that_takes_a_body_is_sent_odd_ones(send):
     paths = json.loads(send("GET", "/openapi.json")[1])["paths"]
-    taking = {(method.upper(), path) for path, one in paths.items() for method in one if method in ("post", "put")}
-    assert {(method, path.partition("?")[0].replace("none", "{name}")) for method, path in BODIES} == taking
+    taking = {
+        (method.upper(), path)
+        for path, one in paths.items()
+        for method in one
+        if method in ("post", "put")
+    }
+    assert {
+        (method, path.partition("?")[0].replace("none", "{name}")) for method, path in BODIES
+    } == taking
 
 
 def test_of_whole_bodies_none_is_refused_as_such(send):

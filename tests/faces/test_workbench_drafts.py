@@ -29,7 +29,9 @@ def project(workbench: tuple[Path, int]) -> tuple[Path, str]:
     folder, port = workbench
     for name in (RIG, CORNER):
         shutil.copy(LIBRARY / name, folder / name)
-    (folder / "one.csv").write_text("time [s], sprung.z [mm]\n" + "".join(f"{0.01 * i}, {i % 7}\n" for i in range(50)))
+    (folder / "one.csv").write_text(
+        "time [s], sprung.z [mm]\n" + "".join(f"{0.01 * i}, {i % 7}\n" for i in range(50))
+    )
     return folder, f"http://127.0.0.1:{port}/"
 
 
@@ -67,7 +69,9 @@ def to_project(page: Any) -> None:
 
 
 @pages
-def test_a_text_that_was_left_is_offered_restored_undone_and_discarded(page: Any, project: tuple[Path, str]) -> None:
+def test_a_text_that_was_left_is_offered_restored_undone_and_discarded(
+    page: Any, project: tuple[Path, str]
+) -> None:
     folder, base = project
     saved = (folder / RIG).read_text()
     show(page, base, f"rig?name={RIG}")
@@ -82,7 +86,9 @@ def test_a_text_that_was_left_is_offered_restored_undone_and_discarded(page: Any
     offers(page).get_by_role("button", name="Restore").click()
     page.get_by_text("Restored.").wait_for()
     assert text.input_value() == f"# mine\n{saved}"
-    assert page.evaluate("document.activeElement.className") == "drafts"  # the keyboard goes on from there
+    assert (
+        page.evaluate("document.activeElement.className") == "drafts"
+    )  # the keyboard goes on from there
     page.get_by_role("button", name="Undo").click()
     page.get_by_role("button", name="Save").and_(page.locator(":disabled")).wait_for()
     assert text.input_value() == saved
@@ -101,7 +107,9 @@ def test_a_text_that_was_left_is_offered_restored_undone_and_discarded(page: Any
 
 
 @pages
-def test_a_tab_that_was_closed_says_that_its_file_was_changed_since(page: Any, project: tuple[Path, str]) -> None:
+def test_a_tab_that_was_closed_says_that_its_file_was_changed_since(
+    page: Any, project: tuple[Path, str]
+) -> None:
     folder, base = project
     show(page, base, f"rig?name={CORNER}")
     page.get_by_label(f"text of {CORNER}").press("Control+Home")
@@ -121,12 +129,16 @@ def test_a_tab_that_was_closed_says_that_its_file_was_changed_since(page: Any, p
     assert (folder / CORNER).read_text() == changed
     (folder / CORNER).unlink()
     page.reload()
-    assert page.locator("pre").inner_text().startswith("# mine")  # to be copied, where its file is gone
+    assert (
+        page.locator("pre").inner_text().startswith("# mine")
+    )  # to be copied, where its file is gone
     shutil.copy(LIBRARY / CORNER, folder / CORNER)
 
 
 @pages
-def test_only_what_a_browser_cannot_keep_is_asked_about(page: Any, project: tuple[Path, str]) -> None:
+def test_only_what_a_browser_cannot_keep_is_asked_about(
+    page: Any, project: tuple[Path, str]
+) -> None:
     _, base = project
     page.add_init_script(FULL)
     page.reload()
@@ -215,7 +227,9 @@ def test_forms_that_were_left_are_filled_in_again(page: Any, project: tuple[Path
 
 
 @pages
-def test_what_was_entered_of_a_campaign_goes_with_any_text_of_its_file(page: Any, project: tuple[Path, str]) -> None:
+def test_what_was_entered_of_a_campaign_goes_with_any_text_of_its_file(
+    page: Any, project: tuple[Path, str]
+) -> None:
     """A file that was entered, or saved, changes the text: what else was typed is no draft of the text before it."""
     folder, base = project
     jn.new_campaign(folder / "entered")
@@ -234,7 +248,10 @@ def test_what_was_entered_of_a_campaign_goes_with_any_text_of_its_file(page: Any
         text.fill(text.input_value().replace(was, now, 1))
 
     show(page, base, address)
-    text, out = page.get_by_label("text of entered/campaign.toml"), page.get_by_label("Results folder")
+    text, out = (
+        page.get_by_label("text of entered/campaign.toml"),
+        page.get_by_label("Results folder"),
+    )
     mass = page.get_by_label("Oscillating mass")
     assert mass.input_value() == "16 kg"
     typed('title = "My', 'title = "Your')
@@ -338,7 +355,10 @@ def test_the_head_goes_on_with_the_rig_that_is_open(page: Any, project: tuple[Pa
 def test_what_is_edited_is_undone(page: Any, project: tuple[Path, str]) -> None:
     folder, base = project
     show(page, base, f"trial?rig={RIG}")
-    spring, obstacle = page.get_by_label("strut.spring.rate [N/mm], typed"), page.get_by_label("Obstacle")
+    spring, obstacle = (
+        page.get_by_label("strut.spring.rate [N/mm], typed"),
+        page.get_by_label("Obstacle"),
+    )
     undo, redo = page.get_by_role("button", name="Undo"), page.get_by_role("button", name="Redo")
     assert undo.is_disabled()
     before = spring.input_value()
@@ -383,7 +403,9 @@ def test_what_is_edited_is_undone(page: Any, project: tuple[Path, str]) -> None:
 
 
 @pages
-def test_how_an_edit_is_done_in_python_follows_the_text(page: Any, project: tuple[Path, str]) -> None:
+def test_how_an_edit_is_done_in_python_follows_the_text(
+    page: Any, project: tuple[Path, str]
+) -> None:
     folder, base = project
     shutil.copy(LIBRARY / RIG, folder / "told.toml")
     show(page, base, "rig?name=told.toml")

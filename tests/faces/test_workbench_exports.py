@@ -44,19 +44,30 @@ TABLE: dict[str, Any] = {
 }
 
 
-def export(form: str, *blocks: dict[str, Any], title: str = "Kart: over Größe", **others: Any) -> bytes:
+def export(
+    form: str, *blocks: dict[str, Any], title: str = "Kart: over Größe", **others: Any
+) -> bytes:
     from jounce.web.exports import Exported, exported
 
-    return exported(Exported.model_validate({"title": title, "form": form, "blocks": list(blocks), **others}))
+    return exported(
+        Exported.model_validate({"title": title, "form": form, "blocks": list(blocks), **others})
+    )
 
 
 def test_curves_are_numbers_again_from_csv() -> None:
     text = export("csv", CHART).decode("utf-8-sig")
     header, *rows = csv.reader(io.StringIO(text))
-    assert header == ["time [s]", "acceleration, changed [m/s²]", "acceleration, saved [m/s²]", "force [N]"]
+    assert header == [
+        "time [s]",
+        "acceleration, changed [m/s²]",
+        "acceleration, saved [m/s²]",
+        "force [N]",
+    ]
     assert rows[0] == ["0", "0", "", "0"]
     values = np.array([[float(cell) for cell in row] for row in rows[1:]])
-    np.testing.assert_allclose(values, np.column_stack([TIME, WAVE, WAVE, 100.0 * WAVE])[1:], rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(
+        values, np.column_stack([TIME, WAVE, WAVE, 100.0 * WAVE])[1:], rtol=1e-9, atol=1e-12
+    )
 
 
 def test_only_the_part_that_is_seen_is_saved() -> None:
@@ -84,7 +95,12 @@ def test_a_drawing_needs_no_style_sheet_of_a_page() -> None:
 def test_a_page_is_a_document_and_a_workbook() -> None:
     pytest.importorskip("typst")
     openpyxl = pytest.importorskip("openpyxl")
-    blocks = [{"kind": "heading", "text": "Run"}, {"kind": "text", "text": "It rides <well>."}, CHART, TABLE]
+    blocks = [
+        {"kind": "heading", "text": "Run"},
+        {"kind": "text", "text": "It rides <well>."},
+        CHART,
+        TABLE,
+    ]
     assert export("pdf", *blocks).startswith(b"%PDF")
     page = export("html", *blocks).decode()
     assert "It rides &lt;well&gt;." in page
@@ -111,7 +127,8 @@ def test_what_is_asked_for_without_sense_is_refused() -> None:
         CHART | {"x": [0.0]},
         TABLE | {"rows": [["one"]]},
         CHART | {"panels": []},
-        CHART | {"panels": [{"title": "x", "curves": [{"y": TIME.tolist(), "role": '"><script>'}]}]},
+        CHART
+        | {"panels": [{"title": "x", "curves": [{"y": TIME.tolist(), "role": '"><script>'}]}]},
     ):
         with pytest.raises(pydantic.ValidationError):
             export("html", block)

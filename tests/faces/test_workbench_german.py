@@ -16,7 +16,9 @@ TOKEN = "a-token-of-german"
 LIBRARY = Path(jn.__file__).parent / "parts" / "library"
 
 
-def test_findings_of_a_rig_and_of_a_recording_are_german(browser: Any, workbench: tuple[Path, int]) -> None:
+def test_findings_of_a_rig_and_of_a_recording_are_german(
+    browser: Any, workbench: tuple[Path, int]
+) -> None:
     folder, port = workbench
     rig = (LIBRARY / "kart-double-wishbone.toml").read_text()
     (folder / "steep.toml").write_text(rig.replace('camber = "0 deg"', 'camber = "20 deg"', 1))
@@ -36,14 +38,27 @@ def test_findings_of_a_rig_and_of_a_recording_are_german(browser: Any, workbench
     page.wait_for_selector("html[data-ready=inspection]")
     page.get_by_role("button", name="Messung ansehen").click()
     reading = page.locator(".reading")
-    reading.get_by_text("Der Kanal ist konstant (0.001); war der Aufnehmer angeschlossen?").wait_for()
-    reading.get_by_text("Spalten, die kein bekannter Kanal sind, wurden weggelassen: temperature").wait_for()
+    reading.get_by_text(
+        "Der Kanal ist konstant (0.001); war der Aufnehmer angeschlossen?"
+    ).wait_for()
+    reading.get_by_text(
+        "Spalten, die kein bekannter Kanal sind, wurden weggelassen: temperature"
+    ).wait_for()
     assert reading.locator("[lang=en]").count() == 0
-    (folder / "few.toml").write_text('schema = "jounce.rig/1"\nmodel = "quarter-car"\n[sprung]\nmass = "16 kq"\n')
+    (folder / "few.toml").write_text(
+        'schema = "jounce.rig/1"\nmodel = "quarter-car"\n[sprung]\nmass = "16 kq"\n'
+    )
     page.goto(f"http://127.0.0.1:{port}/#/trial?rig=few.toml")
-    page.get_by_role("alert").get_by_text("few.toml, Zeile 4: sprung.mass: falsche Einheit").wait_for()
-    assert "tyre: der Schlüssel fehlt und hat keinen Vorgabewert." in page.get_by_role("alert").inner_text()
-    refused = {"error": {"text": "the wheels of this rig are of cheese"}}  # no words that a page could know
+    page.get_by_role("alert").get_by_text(
+        "few.toml, Zeile 4: sprung.mass: falsche Einheit"
+    ).wait_for()
+    assert (
+        "tyre: der Schlüssel fehlt und hat keinen Vorgabewert."
+        in page.get_by_role("alert").inner_text()
+    )
+    refused = {
+        "error": {"text": "the wheels of this rig are of cheese"}
+    }  # no words that a page could know
     page.route("**/api/rig?*", lambda route: route.fulfill(status=422, json=refused))
     page.goto(f"http://127.0.0.1:{port}/#/trial?rig=steep.toml")
     assert page.get_by_role("alert").locator("[lang=en]").inner_text() == refused["error"]["text"]
@@ -66,11 +81,17 @@ def test_what_is_done_on_german_pages_is_german(browser: Any, workbench: tuple[P
     page.locator("select:has(option[value='simulated.csv'])").first.wait_for()
     assert page.get_by_label("Sprache des Protokolls").input_value() == "de"
     page.get_by_role("button", name="Auswerten und bewerten").click()
-    page.get_by_role("region", name="Räder").get_by_text("grün, über dem Bestbereich").first.wait_for()
+    page.get_by_role("region", name="Räder").get_by_text(
+        "grün, über dem Bestbereich"
+    ).first.wait_for()
     why = page.locator("details", has_text="Gründe")
     why.locator("summary").click()
-    told = why.get_by_text(re.compile(r"^links: Kleinster Phasenwinkel \(EGEA\) [\d,]+° ± [\d,]+°: ausreichend"))
-    told.get_by_text("(ab 35°), bestanden. Grenzwerte: EGEA SPECSUS2018, absolutes Kriterium").wait_for()
+    told = why.get_by_text(
+        re.compile(r"^links: Kleinster Phasenwinkel \(EGEA\) [\d,]+° ± [\d,]+°: ausreichend")
+    )
+    told.get_by_text(
+        "(ab 35°), bestanden. Grenzwerte: EGEA SPECSUS2018, absolutes Kriterium"
+    ).wait_for()
     why.get_by_text("Unterschied links zu rechts, relative Kraftamplitude").wait_for()
     assert why.locator("[lang=en]").all_inner_texts() == []
 

@@ -25,7 +25,9 @@ from jounce.parts import library
 pytest.importorskip("uvicorn")
 AXE = Path(__file__).parents[2] / "viewer" / "node_modules" / "axe-core" / "axe.min.js"
 RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]
-DRAWN = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
+DRAWN = (
+    "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
+)
 RIG = "kart-double-wishbone.toml"
 PAGES = [
     "project", f"rig?name={RIG}", f"trial?rig={RIG}", f"kinematics?rig={RIG}", "record?path=run.nc", "campaign", "ride",
@@ -38,7 +40,9 @@ def server(tmp_path_factory):
     """A workbench over a rig and a recording, in a process of its own."""
     folder = tmp_path_factory.mktemp("project")
     shutil.copy(Path(jn.__file__).parent / "parts" / "library" / RIG, folder / RIG)
-    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="2 m/s", duration="0.5 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm"), speed="2 m/s", duration="0.5 s"
+    )
     jn.write_recording(jn.simulate(jn.load("kart-quarter-car"), trial), folder / "run.nc")
     command = [sys.executable, "-m", "jounce", "serve", str(folder), "--no-open", "--json"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as started:
@@ -54,7 +58,9 @@ def workbench(server):
 
 def until(page: Any, expression: str) -> None:
     """Wait until something is so. A page whose policy forbids `eval` cannot be asked to tell by itself."""
-    assert any(page.evaluate(expression) or page.wait_for_timeout(50) for _ in range(600)), expression
+    assert any(page.evaluate(expression) or page.wait_for_timeout(50) for _ in range(600)), (
+        expression
+    )
 
 
 class Opened:
@@ -62,21 +68,32 @@ class Opened:
 
     def __init__(self, browser: Any, address: str, **context: Any) -> None:
         self.context = browser.new_context(**context)
-        self.page, self.base, self.troubles = self.context.new_page(), address.split("?", maxsplit=1)[0], []
+        self.page, self.base, self.troubles = (
+            self.context.new_page(),
+            address.split("?", maxsplit=1)[0],
+            [],
+        )
         self.page.on("console", self._hear)
         self.page.on("pageerror", lambda error: self.troubles.append(str(error)))
         self.page.on("dialog", lambda dialog: dialog.dismiss())
         self.page.on("request", self._see)
-        self.page.on("response", lambda answer: self.troubles.append(answer.url) if answer.status >= 500 else None)
+        self.page.on(
+            "response",
+            lambda answer: self.troubles.append(answer.url) if answer.status >= 500 else None,
+        )
         self.page.goto(address)
         self.ready()
 
     def _hear(self, message: Any) -> None:
-        if message.type in ("error", "warning") and "status of 4" not in message.text:  # a refusal is an answer
+        if (
+            message.type in ("error", "warning") and "status of 4" not in message.text
+        ):  # a refusal is an answer
             self.troubles.append(message.text)
 
     def _see(self, request: Any) -> None:
-        if not request.url.startswith((self.base, "data:", "blob:", self.base.replace("http", "ws"))):
+        if not request.url.startswith(
+            (self.base, "data:", "blob:", self.base.replace("http", "ws"))
+        ):
             self.troubles.append(f"asked elsewhere: {request.url}")
 
     def ready(self) -> None:
@@ -94,7 +111,9 @@ class Opened:
     def _go(self, page: str) -> None:
         self.ready()
         if not self.page.url.endswith(f"#/{page}"):
-            words = "page => { delete document.documentElement.dataset.ready; location.hash = page; }"
+            words = (
+                "page => { delete document.documentElement.dataset.ready; location.hash = page; }"
+            )
             self.page.evaluate(words, f"/{page}")
         self.ready()
         self.page.wait_for_selector(".jobs > p.muted", state="detached")  # until its jobs were told
@@ -139,14 +158,23 @@ def test_the_keyboard_goes_everywhere_and_is_seen(workbench, browser):
 
 @pytest.mark.pages
 @pytest.mark.parametrize(
-    ("width", "scheme", "language"), [(1280, "light", "en-GB"), (390, "dark", "de-DE"), (1280, "dark", "en-GB")]
+    ("width", "scheme", "language"),
+    [(1280, "light", "en-GB"), (390, "dark", "de-DE"), (1280, "dark", "en-GB")],
 )
-def test_every_page_is_usable_without_a_mouse_and_without_sight(workbench, browser, width, scheme, language):
+def test_every_page_is_usable_without_a_mouse_and_without_sight(
+    workbench, browser, width, scheme, language
+):
     """By the rules of WCAG 2.2 AA that axe knows; nothing wider than the window, nothing on the console."""
     if not AXE.is_file():
         pytest.skip("axe is not installed: npm ci in viewer/")
     rules = AXE.read_text(encoding="utf-8")
-    opened = Opened(browser, workbench, viewport={"width": width, "height": 720}, color_scheme=scheme, locale=language)
+    opened = Opened(
+        browser,
+        workbench,
+        viewport={"width": width, "height": 720},
+        color_scheme=scheme,
+        locale=language,
+    )
     found = []
     for page in PAGES:
         opened.go(page)
@@ -154,7 +182,9 @@ def test_every_page_is_usable_without_a_mouse_and_without_sight(workbench, brows
         opened.page.evaluate(f"typeof axe === 'undefined' && (() => {{ {rules} }})()")
         told = opened.page.evaluate("rules => axe.run(document, {runOnly: rules})", RULES)
         serious = [one for one in told["violations"] if one["impact"] in ("serious", "critical")]
-        found += [(page, one["id"], [node["html"][:120] for node in one["nodes"][:3]]) for one in serious]
+        found += [
+            (page, one["id"], [node["html"][:120] for node in one["nodes"][:3]]) for one in serious
+        ]
         assert told["passes"], "nothing was looked at"
     shown = opened.page.locator("#pages").inner_text()
     opened.context.close()
@@ -168,11 +198,15 @@ def test_axe_finds_what_is_wrong(browser):
     if not AXE.is_file():
         pytest.skip("axe is not installed: npm ci in viewer/")
     page = browser.new_page()
-    page.set_content("<html><body><img src='x.png'><button></button><p style='color:#ccc'>pale</p></body></html>")
+    page.set_content(
+        "<html><body><img src='x.png'><button></button><p style='color:#ccc'>pale</p></body></html>"
+    )
     page.evaluate(AXE.read_text(encoding="utf-8"))
     told = page.evaluate("rules => axe.run(document, {runOnly: rules})", RULES)
     page.close()
-    assert {"image-alt", "button-name", "color-contrast"} <= {one["id"] for one in told["violations"]}
+    assert {"image-alt", "button-name", "color-contrast"} <= {
+        one["id"] for one in told["violations"]
+    }
 
 
 @pytest.mark.pages
@@ -184,7 +218,9 @@ def test_the_language_that_was_chosen_stays(workbench, browser):
     opened.page.get_by_role("button", name="Speichern").wait_for()
     assert opened.page.evaluate("document.documentElement.lang") == "de"
     opened.go("studies")
-    opened.page.get_by_role("columnheader", name="Verteilung").wait_for()  # a head is a word, a number's path is none
+    opened.page.get_by_role(
+        "columnheader", name="Verteilung"
+    ).wait_for()  # a head is a word, a number's path is none
     opened.context.close()
     assert opened.troubles == []
 
@@ -213,7 +249,9 @@ def test_every_quantity_has_its_german_words(workbench, browser):
     from jounce.web import forms
 
     corner = jn.load("kart-double-wishbone")
-    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="2 m/s", duration="0.1 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm"), speed="2 m/s", duration="0.1 s"
+    )
     runs = [
         jn.simulate(jn.load("kart-quarter-car"), trial),
         jn.simulate(corner, trial, detail=True),
@@ -266,12 +304,17 @@ def test_what_the_server_refuses_is_said_in_the_language_of_the_page(workbench, 
     mass.press("Tab")
     wrong = opened.page.get_by_role("alert").filter(has_text="über 0 kg").first
     wrong.wait_for(timeout=10_000)
-    assert "außerhalb des Bereichs; gefunden -3 kg; zulässig: über 0 kg" in wrong.inner_text().replace("'", "")
+    assert (
+        "außerhalb des Bereichs; gefunden -3 kg; zulässig: über 0 kg"
+        in wrong.inner_text().replace("'", "")
+    )
     opened.context.close()
     assert opened.troubles == []
 
 
-BEGINS = "begin,run the campaign,search,fit,simulate,compare,evaluate,find,resume,again,start,test,check"
+BEGINS = (
+    "begin,run the campaign,search,fit,simulate,compare,evaluate,find,resume,again,start,test,check"
+)
 """Words of buttons that begin long work, which two processors do not do beside a browser."""
 TYPED = [
     "10 mm",
@@ -291,14 +334,23 @@ TYPED = [
 
 
 CONTROLS = "button:enabled, a[href^='#'], select:enabled, input:enabled, summary, textarea, canvas"
-GONE = ("Timeout", "not attached", "not visible", "not connected", "Element is not an", "context was destroyed")
+GONE = (
+    "Timeout",
+    "not attached",
+    "not visible",
+    "not connected",
+    "Element is not an",
+    "context was destroyed",
+)
 """What is said of an element, or a page, that has been replaced or hidden since it was chosen."""
 
 
 _SETTLED = 5000.0  # ms, in which late answers come, and the server has a pause to tidy up
 
 
-def _clicked_at_random(opened: Opened, seed: int, seconds: float, held: Callable[[], float]) -> list[list[float]]:
+def _clicked_at_random(
+    opened: Opened, seed: int, seconds: float, held: Callable[[], float]
+) -> list[list[float]]:
     """Use what is on the page at random; give seconds passed, and bytes of the page's heap and of the server."""
     drawn, page, begin = random.Random(seed), opened.page, time.monotonic()
     devtools = opened.context.new_cdp_session(page)
@@ -312,7 +364,9 @@ def _clicked_at_random(opened: Opened, seed: int, seconds: float, held: Callable
                 page.wait_for_timeout(200)
             kept.append([passed, devtools.send("Runtime.getHeapUsage")["usedSize"], held()])
             at, heap, server = kept[-1]
-            sys.stdout.write(f"{at:6.0f} s: page {1e-6 * heap:.2f} MB, server {1e-6 * server:.2f} MB\n")
+            sys.stdout.write(
+                f"{at:6.0f} s: page {1e-6 * heap:.2f} MB, server {1e-6 * server:.2f} MB\n"
+            )
             sys.stdout.flush()
             assert opened.troubles == []  # what an hour more would not mend
         if drawn.random() < 0.08:
@@ -348,7 +402,9 @@ def _use(control: Any, drawn: random.Random) -> None:
         control.fill("7" if kind.endswith("number") else text, timeout=500)
         control.press("Tab", timeout=500)
     elif kind.endswith("range"):
-        control.press(drawn.choice(("ArrowLeft", "ArrowRight", "Home", "End", "PageUp")), timeout=500)
+        control.press(
+            drawn.choice(("ArrowLeft", "ArrowRight", "Home", "End", "PageUp")), timeout=500
+        )
     elif not kind.endswith("file") and not any(word in name for word in BEGINS.split(",")):
         control.click(timeout=500, position={"x": 3, "y": 3} if kind.startswith("CANVAS") else None)
 
@@ -370,12 +426,17 @@ def _meet_all(address: str) -> None:
         run = {"road": road, "speed": "2 m/s", "duration": "0.5 s"}
         for path, asked in (
             ("simulate", run),
-            ("keep", run | {"title": f"first of {name}"}),  # drawn runs are of whole mechanisms, kept ones reduced
+            (
+                "keep",
+                run | {"title": f"first of {name}"},
+            ),  # drawn runs are of whole mechanisms, kept ones reduced
             ("kinematics", {"travel": "-5 mm:5 mm:5 mm"}),
         ):
             content = json.dumps({"rig": name, **asked}).encode()
             with contextlib.suppress(urllib.error.HTTPError):
-                urllib.request.urlopen(urllib.request.Request(f"{base}api/{path}", content, head)).read()
+                urllib.request.urlopen(
+                    urllib.request.Request(f"{base}api/{path}", content, head)
+                ).read()
 
 
 @pytest.mark.slow
@@ -390,7 +451,9 @@ def test_minutes_of_clicks_break_nothing_and_hold_no_memory(server, workbench, b
     minutes = float(os.environ.get("JOUNCE_MINUTES", "10"))
     opened = Opened(browser, workbench, viewport={"width": 1280, "height": 720})
     seed = int(os.environ.get("JOUNCE_SEED", "1801"))
-    kept = np.array(_clicked_at_random(opened, seed, 60.0 * minutes, lambda: memory().rss - memory().shared))
+    kept = np.array(
+        _clicked_at_random(opened, seed, 60.0 * minutes, lambda: memory().rss - memory().shared)
+    )
     opened.context.close()
     assert opened.troubles == []
     later = kept[len(kept) // 4 :]
@@ -420,10 +483,17 @@ def test_a_finer_travel_draws_its_ways_whole(workbench, browser):
 @pytest.mark.pages
 def test_what_is_drawn_is_as_fine_as_the_screen(workbench, browser):
     """Drawn coarser, curves and their numbers were blurred on screens of two pixels a point, and on enlarged pages."""
-    opened = Opened(browser, workbench, viewport={"width": 1280, "height": 900}, device_scale_factor=2)
-    for page, drawn in ((f"kinematics?rig={RIG}", ".multiples canvas"), (f"trial?rig={RIG}", ".phase canvas")):
+    opened = Opened(
+        browser, workbench, viewport={"width": 1280, "height": 900}, device_scale_factor=2
+    )
+    for page, drawn in (
+        (f"kinematics?rig={RIG}", ".multiples canvas"),
+        (f"trial?rig={RIG}", ".phase canvas"),
+    ):
         opened.go(page)
-        fine = f"Array.from(document.querySelectorAll('{drawn}'), one => one.width / one.clientWidth)"
+        fine = (
+            f"Array.from(document.querySelectorAll('{drawn}'), one => one.width / one.clientWidth)"
+        )
         until(opened.page, f"{fine}.length && {fine}.every(share => Math.abs(share - 2) < 0.01)")
     opened.context.close()
     assert opened.troubles == []
@@ -455,7 +525,9 @@ def test_the_mechanism_rolls_with_the_body(workbench, browser):
 def test_a_folder_and_a_file_beside_its_place_are_no_uploads_and_a_day_is_that_of_the_page(
     workbench, browser, tmp_path
 ):
-    opened = Opened(browser, workbench, viewport={"width": 1280, "height": 900}, timezone_id="Pacific/Auckland")
+    opened = Opened(
+        browser, workbench, viewport={"width": 1280, "height": 900}, timezone_id="Pacific/Auckland"
+    )
     page, devtools = opened.page, opened.context.new_cdp_session(opened.page)
     page.clock.set_fixed_time("2026-01-31T20:00:00Z")
     opened.go("inspection")
@@ -464,10 +536,15 @@ def test_a_folder_and_a_file_beside_its_place_are_no_uploads_and_a_day_is_that_o
     folder.mkdir()
     zone = page.locator(".drop").bounding_box()
     drag = {"items": [], "files": [str(folder)], "dragOperationsMask": 1}
-    page.evaluate("addEventListener('drop', (event) => { window.isKept = event.defaultPrevented; })")
+    page.evaluate(
+        "addEventListener('drop', (event) => { window.isKept = event.defaultPrevented; })"
+    )
     for y in (zone["y"] - 40, zone["y"] + 20):  # above it, then in it
         for kind in ("dragEnter", "dragOver", "drop"):
-            devtools.send("Input.dispatchDragEvent", {"type": kind, "x": zone["x"] + 600, "y": y, "data": drag})
+            devtools.send(
+                "Input.dispatchDragEvent",
+                {"type": kind, "x": zone["x"] + 600, "y": y, "data": drag},
+            )
         until(page, "window.isKept === true")
     page.get_by_role("alert").filter(has_text="lane records: a folder").wait_for()
     opened.context.close()
@@ -486,7 +563,9 @@ window.WebSocket = class extends EventTarget {
 
 
 @pytest.mark.pages
-def test_pages_work_where_a_browser_keeps_nothing_and_a_proxy_lets_no_socket_through(workbench, browser):
+def test_pages_work_where_a_browser_keeps_nothing_and_a_proxy_lets_no_socket_through(
+    workbench, browser
+):
     context = browser.new_context(viewport={"width": 1280, "height": 720})
     context.add_init_script(LACKING)
     page, troubles = context.new_page(), []
@@ -495,9 +574,14 @@ def test_pages_work_where_a_browser_keeps_nothing_and_a_proxy_lets_no_socket_thr
     page.goto(workbench)
     page.wait_for_selector("html[data-ready=project]")
     for name in (*PAGES, f"rig?name={RIG}"):
-        page.evaluate("page => { delete document.documentElement.dataset.ready; location.hash = page; }", f"/{name}")
+        page.evaluate(
+            "page => { delete document.documentElement.dataset.ready; location.hash = page; }",
+            f"/{name}",
+        )
         page.wait_for_selector("html[data-ready]")
-        page.wait_for_selector(".jobs > p.muted", state="detached")  # they are told without a socket
+        page.wait_for_selector(
+            ".jobs > p.muted", state="detached"
+        )  # they are told without a socket
     code = page.locator("section.code", has_text="The same in Python")
     code.get_by_role("button").click()
     code.get_by_role("button", name="Selected: copy it").wait_for()

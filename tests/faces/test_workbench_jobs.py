@@ -58,12 +58,36 @@ HOSTILE = ["--help", "--out=/etc", "$(id)", "; rm -rf .", "\n--force", "../../x"
 def test_what_a_field_holds_is_never_another_option(tmp_path, text):
     (tmp_path / "a.csv").write_text("")
     project = Project(tmp_path)
-    fields = {"vehicle": "kart-quarter-car", "road": text, "speed": text, "duration": text, "control": [text]}
+    fields = {
+        "vehicle": "kart-quarter-car",
+        "road": text,
+        "speed": text,
+        "duration": text,
+        "control": [text],
+    }
     for task in (
         {"kind": "compare", **fields, "changes": {text: text}},
-        {"kind": "pareto", "vehicle": "kart-quarter-car", "free": {text: text}, "road": text, "speed": text},
-        {"kind": "evaluate", "records": ["a.csv"], "tester": "eusama", "plate": text, "methods": [text]},
-        {"kind": "decay", "files": ["a.csv"], "mass": text, "channel": text, "columns": {text: text}},
+        {
+            "kind": "pareto",
+            "vehicle": "kart-quarter-car",
+            "free": {text: text},
+            "road": text,
+            "speed": text,
+        },
+        {
+            "kind": "evaluate",
+            "records": ["a.csv"],
+            "tester": "eusama",
+            "plate": text,
+            "methods": [text],
+        },
+        {
+            "kind": "decay",
+            "files": ["a.csv"],
+            "mass": text,
+            "channel": text,
+            "columns": {text: text},
+        },
     ):
         doing = doing_of(task_of(task), project)
         options = [word for word in doing.words if text in word]
@@ -114,23 +138,44 @@ def test_python_of_a_fit_gives_what_its_command_gives(tmp_path, cli, spring_file
                  "stroke_positive": "extension", "force_positive": "tension", "discard_below": "2 mm"}  # fmt: skip
     names, told = _by_python_and_command(tmp_path, stiffness, cli)
     assert told["stiffness"]["value"] == pytest.approx(22730.0, rel=1e-3)
-    assert told["stiffness"]["value"] == pytest.approx(names["result"].fit.stiffness.value, rel=1e-12)
-    decay = {"kind": "decay", "files": [decay_file.name], "mass": "16 kg", "begin": "0.21 s", "end": "1.5 s"}
+    assert told["stiffness"]["value"] == pytest.approx(
+        names["result"].fit.stiffness.value, rel=1e-12
+    )
+    decay = {
+        "kind": "decay",
+        "files": [decay_file.name],
+        "mass": "16 kg",
+        "begin": "0.21 s",
+        "end": "1.5 s",
+    }
     names, told = _by_python_and_command(tmp_path, decay, cli)
-    assert told["damping_ratio"]["value"] == pytest.approx(names["result"].fit.damping_ratio.value, rel=1e-12)
-    assert told["coulomb_force"]["value"] == pytest.approx(names["result"].fit.coulomb_force.value, rel=1e-12)
+    assert told["damping_ratio"]["value"] == pytest.approx(
+        names["result"].fit.damping_ratio.value, rel=1e-12
+    )
+    assert told["coulomb_force"]["value"] == pytest.approx(
+        names["result"].fit.coulomb_force.value, rel=1e-12
+    )
 
 
 @pytest.mark.pages
 def test_python_of_a_test_and_its_evaluation_gives_what_the_command_gives(tmp_path, cli):
     """With the plate of the tester, which a force is compensated for, the vehicle and the limits."""
-    tested = {"kind": "test", "vehicle": "audi-a6-half-car-4dof", "tester": "egea-specsus2018", "out": "axle.csv"}
+    tested = {
+        "kind": "test",
+        "vehicle": "audi-a6-half-car-4dof",
+        "tester": "egea-specsus2018",
+        "out": "axle.csv",
+    }
     names, told = _by_python_and_command(tmp_path, tested | {"wear": "0.3"}, cli)
     assert told["wheels"][0]["phase_angle_min_deg"] == pytest.approx(
         names["result"].axle.to_dict()["wheels"][0]["phase_angle_min_deg"]
     )
-    names, told = _by_python_and_command(tmp_path, tested | {"wheel": "left", "out": "left.csv"}, cli)
-    assert told["phase_angle_min_deg"] == pytest.approx(names["result"].tests[0].wheel.to_dict()["phase_angle_min_deg"])
+    names, told = _by_python_and_command(
+        tmp_path, tested | {"wheel": "left", "out": "left.csv"}, cli
+    )
+    assert told["phase_angle_min_deg"] == pytest.approx(
+        names["result"].tests[0].wheel.to_dict()["phase_angle_min_deg"]
+    )
     asked = {"kind": "evaluate", "records": ["axle.csv"], "tester": "egea-specsus2018", "methods": ["eusama"],
              "vehicle": "audi-a6-half-car-4dof"}  # fmt: skip
     names, told = _by_python_and_command(tmp_path, asked, cli)
@@ -144,33 +189,67 @@ def test_python_of_a_store_gives_what_its_commands_give(tmp_path, cli):
     """Each keeps the same records, with what was typed about them; either finds what the other kept."""
     car = {"vehicle": "audi-a6-half-car-4dof", "tester": "egea-specsus2018"}
     for wear, name in (("0", "new.csv"), ("0.5", "worn.csv")):
-        cli(*doing_of(task_of({"kind": "test", **car, "wear": wear, "out": name}), Project(tmp_path)).words, "--json")
+        cli(
+            *doing_of(
+                task_of({"kind": "test", **car, "wear": wear, "out": name}), Project(tmp_path)
+            ).words,
+            "--json",
+        )
     for name, date in (("new.csv", "2025-05-06"), ("worn.csv", "2026-05-06")):
-        asked = {"kind": "evaluate", "records": [name], "plate": "B-Ö 1", "date": date, "inspector": "Ada", **car}
+        asked = {
+            "kind": "evaluate",
+            "records": [name],
+            "plate": "B-Ö 1",
+            "date": date,
+            "inspector": "Ada",
+            **car,
+        }
         names, told = _by_python_and_command(
             tmp_path, asked | {"store": "python.sqlite"}, cli, store="command.sqlite", language="de"
         )
         assert told["wheels"] == _plain(names["result"].graded.axles[0].to_dict()["wheels"])
     for store in ("python.sqlite", "command.sqlite"):
-        names, told = _by_python_and_command(tmp_path, {"kind": "history", "store": store, "plate": "bö1"}, cli)
+        names, told = _by_python_and_command(
+            tmp_path, {"kind": "history", "store": store, "plate": "bö1"}, cli
+        )
         flat = [{**one, **one.pop("values")} for one in _plain(names["result"].visits)]
         assert told["wheels"] == [{key: one[key] for key in told["wheels"][0]} for one in flat]
         assert told["trends"] == _plain(names["result"].trends)
         assert [one["date"] for one in told["wheels"]] == 2 * ["2025-05-06"] + 2 * ["2026-05-06"]
-        searched = {"kind": "search", "store": store, "tester": car["tester"], "since": "2026-01-01"}
+        searched = {
+            "kind": "search",
+            "store": store,
+            "tester": car["tester"],
+            "since": "2026-01-01",
+        }
         names, told = _by_python_and_command(tmp_path, searched, cli)
         (one,) = names["result"].records
-        assert [(record["plate"], record["vehicle"], record["verdict"]) for record in told["records"]] == [
-            ("B-Ö 1", "audi-a6-half-car-4dof", one.grading.verdict)
-        ]
+        assert [
+            (record["plate"], record["vehicle"], record["verdict"]) for record in told["records"]
+        ] == [("B-Ö 1", "audi-a6-half-car-4dof", one.grading.verdict)]
 
 
 @pytest.mark.pages
 @pytest.mark.parametrize(
     ("asked", "seconds"),
     [
-        ({"road": "iso:C:3", "duration": "3 s", "control": ["passive", "skyhook, passive"], "seed": 3}, 3.0),
-        ({"road": "iso:b", "speed": "40 m/s", "changes": {"strut.damper.coefficient": "200 N*s/m"}}, 20.0),
+        (
+            {
+                "road": "iso:C:3",
+                "duration": "3 s",
+                "control": ["passive", "skyhook, passive"],
+                "seed": 3,
+            },
+            3.0,
+        ),
+        (
+            {
+                "road": "iso:b",
+                "speed": "40 m/s",
+                "changes": {"strut.damper.coefficient": "200 N*s/m"},
+            },
+            20.0,
+        ),
         ({"road": "road.csv", "speed": "5 m/s"}, 4.0),
     ],
 )
@@ -178,10 +257,16 @@ def test_python_of_rides_gives_what_its_command_gives(tmp_path, cli, asked, seco
     """Where nothing is said of how long, both drive as long; controllers may stand behind one another."""
     rows = "\n".join(f"{0.05 * i:.2f},{abs(10.0 - i % 20):.1f}" for i in range(401))
     (tmp_path / "road.csv").write_text(f"x [m],z [mm]\n{rows}\n")
-    names, told = _by_python_and_command(tmp_path, {"kind": "compare", "vehicle": "kart-quarter-car", **asked}, cli)
+    names, told = _by_python_and_command(
+        tmp_path, {"kind": "compare", "vehicle": "kart-quarter-car", **asked}, cli
+    )
     assert told["duration"] - told["settling"] == pytest.approx(seconds)
-    assert [one["merits"] for one in told["runs"]] == [_plain(one.merits) for one in names["result"].rides]
-    assert [one["control"] for one in told["runs"]] == [one.control for one in names["result"].rides]
+    assert [one["merits"] for one in told["runs"]] == [
+        _plain(one.merits) for one in names["result"].rides
+    ]
+    assert [one["control"] for one in told["runs"]] == [
+        one.control for one in names["result"].rides
+    ]
 
 
 @pytest.mark.pages
@@ -191,18 +276,23 @@ def test_rides_over_each_other_are_those_of_python_and_command(tmp_path, cli):
     from jounce.web.rides import alike, overlaid
 
     drive = {"road": "iso:C", "duration": "3 s", "seed": 2}
-    kart, car = {"vehicle": "kart-quarter-car", **drive}, {"vehicle": "audi-a6-half-car-4dof", **drive}
+    kart, car = (
+        {"vehicle": "kart-quarter-car", **drive},
+        {"vehicle": "audi-a6-half-car-4dof", **drive},
+    )
     soft = kart | {"changes": {"strut.spring.rate": "15 N/mm"}, "control": "skyhook"}
     task = task_of({"kind": "overlay", "rides": [kart, soft, car]})
     doing, names = doing_of(task, Project(tmp_path)), {}  # type: tuple[Any, dict[str, Any]]
     exec(doing.python, names)  # noqa: S102
     assert doing.question is not None
     found = overlaid(
-        doing.question | {"rides": [*doing.question["rides"], doing.question["rides"][0] | {"control": "none"}]}
+        doing.question
+        | {"rides": [*doing.question["rides"], doing.question["rides"][0] | {"control": "none"}]}
     )
     assert list(found["failed"]) == ["kart-quarter-car, none"]
     time, spectra = (
-        {pane["name"]: pane for pane in viewer["scenes"][0]["panes"]} for viewer in found["content"]["viewers"]
+        {pane["name"]: pane for pane in viewer["scenes"][0]["panes"]}
+        for viewer in found["content"]["viewers"]
     )
     assert [curve["label"] for curve in time["body.az"]["curves"]] == list(names["rides"])
     assert len(time["front.tyre.force"]["curves"]) == 3
@@ -216,7 +306,9 @@ def test_rides_over_each_other_are_those_of_python_and_command(tmp_path, cli):
     assert len(found["notes"]) == 2
     runs, _ = alike(names["runs"])
     one, two, three = runs.values()
-    assert (one["body.az"] == names["rides"]["kart-quarter-car, passive"].evaluated_run["sprung.az"]).all()
+    assert (
+        one["body.az"] == names["rides"]["kart-quarter-car, passive"].evaluated_run["sprung.az"]
+    ).all()
     assert float(abs(two["body.az"] - one["body.az"]).max()) > 0.1
     assert "front.sprung.az" in three
     for words in map(shlex.split, doing.command.splitlines()):
@@ -226,7 +318,8 @@ def test_rides_over_each_other_are_those_of_python_and_command(tmp_path, cli):
         assert (
             float(
                 abs(
-                    written["road.z" if k < 3 else "front.road.z"] - ride.run["road.z" if k < 3 else "front.road.z"]
+                    written["road.z" if k < 3 else "front.road.z"]
+                    - ride.run["road.z" if k < 3 else "front.road.z"]
                 ).max()
             )
             == 0.0
@@ -264,10 +357,14 @@ def test_python_of_studies_gives_what_their_commands_give(tmp_path, cli):
     design = {"kind": "design", "study": "design.toml", "out": "designed"}
     names, told = _by_python_and_command(tmp_path, design, cli, out="by command")
     assert told["moved"] == _plain(names["result"].to_dict())["moved"]
-    assert jn.load(tmp_path / "designed" / "rig.toml") == jn.load(tmp_path / "by command" / "rig.toml")
+    assert jn.load(tmp_path / "designed" / "rig.toml") == jn.load(
+        tmp_path / "by command" / "rig.toml"
+    )
     campaign = {"kind": "new-campaign", "out": "mine"}
     names, told = _by_python_and_command(tmp_path, campaign, cli, out="theirs")
-    assert (tmp_path / "mine" / "campaign.toml").read_text() == (tmp_path / "theirs" / "campaign.toml").read_text()
+    assert (tmp_path / "mine" / "campaign.toml").read_text() == (
+        tmp_path / "theirs" / "campaign.toml"
+    ).read_text()
 
 
 @pytest.mark.pages
@@ -331,7 +428,9 @@ def test_bad_requests_of_jobs_are_told(tmp_path):
             _jobs(tmp_path).state(name)
 
 
-def test_a_process_that_works_for_others_reads_below_a_folder_in_every_thread(tmp_path, monkeypatch):
+def test_a_process_that_works_for_others_reads_below_a_folder_in_every_thread(
+    tmp_path, monkeypatch
+):
     monkeypatch.setattr("jounce.core.files._ALWAYS", {})
     inside = tmp_path / "project" / "a.toml"
     inside.parent.mkdir()
@@ -364,16 +463,23 @@ def test_whoever_runs_a_command_for_others_is_told_how_far_it_is():
 def test_a_job_fails_with_its_reason_and_another_ends_well(tmp_path):
     """A server that was begun since knows both from the disk."""
     jobs = _jobs(tmp_path)
-    (tmp_path / "study.toml").write_text(STUDY.replace("COUNT", "3").replace("kart-quarter-car", "kart-quarter"))
+    (tmp_path / "study.toml").write_text(
+        STUDY.replace("COUNT", "3").replace("kart-quarter-car", "kart-quarter")
+    )
     failed = jobs.begin(task_of(SWEEP))
-    assert (failed["state"], failed["command"]) == ("running", "jounce sweep study.toml --out=swept")
+    assert (failed["state"], failed["command"]) == (
+        "running",
+        "jounce sweep study.toml --out=swept",
+    )
     with pytest.raises(OutputError, match="writes there already"):
         jobs.begin(task_of(SWEEP))
     jobs.prepare()  # as where a page is open: the next one is split from a process that has loaded everything
     while sys.platform == "linux" and not jobs._has_loaded():
         time.sleep(0.05)
     well = jobs.begin(task_of({"kind": "new-campaign", "out": "mine"}))
-    assert list(jobs.processes) == ([failed["id"]] if sys.platform == "linux" else [failed["id"], well["id"]])
+    assert list(jobs.processes) == (
+        [failed["id"]] if sys.platform == "linux" else [failed["id"], well["id"]]
+    )
     state = _ended(jobs, failed["id"])
     assert state["state"] == "failed"
     assert "kart-quarter-car" in state["error"]
@@ -394,9 +500,18 @@ def test_a_job_fails_with_its_reason_and_another_ends_well(tmp_path):
 def test_a_job_whose_process_is_gone_is_stopped_not_running(tmp_path):
     folder = tmp_path / ".jounce" / "jobs" / "20260101-000000-abcdef"
     folder.mkdir(parents=True)
-    about = {"kind": "sweep", "asked": SWEEP, "title": "Sweep", "begun": 1.0, "out": "swept", "page": ""}
+    about = {
+        "kind": "sweep",
+        "asked": SWEEP,
+        "title": "Sweep",
+        "begun": 1.0,
+        "out": "swept",
+        "page": "",
+    }
     (folder / "job.json").write_text(json.dumps(about))
-    (folder / "progress.json").write_text(json.dumps({"at": 5.0, "said": "simulating", "share": 0.25}))
+    (folder / "progress.json").write_text(
+        json.dumps({"at": 5.0, "said": "simulating", "share": 0.25})
+    )
     (folder / "alive").touch()
     (state,) = _jobs(tmp_path).all()
     assert (state["state"], state["share"], state["ended"]) == ("stopped", 0.25, 5.0)
@@ -413,7 +528,14 @@ def test_a_job_that_went_with_its_server_is_stopped_at_once(tmp_path, is_begun):
     folder = tmp_path / ".jounce" / "jobs" / "20260101-000000-abcdef"
     folder.mkdir(parents=True)
     (tmp_path / "study.toml").write_text("")
-    about = {"kind": "sweep", "asked": SWEEP, "title": "Sweep", "begun": time.time(), "out": "swept", "page": ""}
+    about = {
+        "kind": "sweep",
+        "asked": SWEEP,
+        "title": "Sweep",
+        "begun": time.time(),
+        "out": "swept",
+        "page": "",
+    }
     (folder / "job.json").write_text(json.dumps(about))
     if is_begun:
         (folder / "alive").touch()
@@ -425,7 +547,9 @@ def test_a_job_that_went_with_its_server_is_stopped_at_once(tmp_path, is_begun):
     _ended(jobs, again["id"])
 
 
-def test_a_job_is_the_newest_and_lasts_as_long_as_it_does_whatever_clocks_say(tmp_path, monkeypatch):
+def test_a_job_is_the_newest_and_lasts_as_long_as_it_does_whatever_clocks_say(
+    tmp_path, monkeypatch
+):
     from jounce.web import jobs as module
 
     folder = tmp_path / ".jounce" / "jobs"
@@ -451,7 +575,11 @@ def test_a_version_and_a_run_are_the_newest_whatever_clocks_say(tmp_path, monkey
     from jounce.web import project as module
 
     project = Project(tmp_path)
-    run = {"road": {"kind": "half-sine", "height": "1 mm", "length": "60 mm"}, "speed": "2 m/s", "duration": "0.05 s"}
+    run = {
+        "road": {"kind": "half-sine", "height": "1 mm", "length": "60 mm"},
+        "speed": "2 m/s",
+        "duration": "0.05 s",
+    }
     was, now = "", time.time()
     for k in range(4):
         monkeypatch.setattr(module.time, "time_ns", lambda k=k: int(1e9 * (now - 3600.0 * k)))
@@ -460,7 +588,9 @@ def test_a_version_and_a_run_are_the_newest_whatever_clocks_say(tmp_path, monkey
         kept.keep(project, "kart-quarter-car", {}, run, f"run {k}")
     texts = [project.version(one.name)[1] for one in project.versions("a.toml")]
     assert texts == ["k = 2\n", "k = 1\n", "k = 0\n"]
-    assert [one["path"] for one in kept.history(project)] == [f"runs/run {k}.nc" for k in (3, 2, 1, 0)]
+    assert [one["path"] for one in kept.history(project)] == [
+        f"runs/run {k}.nc" for k in (3, 2, 1, 0)
+    ]
 
 
 def test_a_save_that_failed_leaves_one_version(tmp_path, monkeypatch):
@@ -497,7 +627,9 @@ def test_two_who_look_at_once_do_not_take_each_other_for_the_one_who_works(tmp_p
 
 
 @pytest.mark.parametrize("operation", ["write_atomically", "write_recording"])
-def test_a_run_whose_keeping_was_cut_off_is_kept_by_keeping_it_again(tmp_path, monkeypatch, operation):
+def test_a_run_whose_keeping_was_cut_off_is_kept_by_keeping_it_again(
+    tmp_path, monkeypatch, operation
+):
     """A process was killed before, between, or after the two files: of those it left, none is lost or in the way."""
     from jounce import recordings
     from jounce.web import kept
@@ -505,7 +637,11 @@ def test_a_run_whose_keeping_was_cut_off_is_kept_by_keeping_it_again(tmp_path, m
     class KilledError(BaseException):
         pass
 
-    run = {"road": {"kind": "half-sine", "height": "1 mm", "length": "60 mm"}, "speed": "2 m/s", "duration": "0.05 s"}
+    run = {
+        "road": {"kind": "half-sine", "height": "1 mm", "length": "60 mm"},
+        "speed": "2 m/s",
+        "duration": "0.05 s",
+    }
     place = recordings if operation == "write_recording" else kept
     whole = getattr(place, operation)
 
@@ -529,7 +665,9 @@ def test_a_run_whose_keeping_was_cut_off_is_kept_by_keeping_it_again(tmp_path, m
         (tmp_path / path).unlink()
 
 
-def _asked(port: int, method: str, path: str, body: Any = None, token: str | None = TOKEN) -> tuple[int, Any]:
+def _asked(
+    port: int, method: str, path: str, body: Any = None, token: str | None = TOKEN
+) -> tuple[int, Any]:
     import http.client
 
     connection = http.client.HTTPConnection("127.0.0.1", port, timeout=120)
@@ -546,18 +684,24 @@ def _asked(port: int, method: str, path: str, body: Any = None, token: str | Non
 
 def test_uploads_are_kept_as_they_are_and_replace_nothing(workbench):
     folder, port = workbench
-    content = b"time [s],sprung.z [mm]\n" + b"".join(b"%.3f,%d\n" % (0.001 * i, i % 7) for i in range(50))
+    content = b"time [s],sprung.z [mm]\n" + b"".join(
+        b"%.3f,%d\n" % (0.001 * i, i % 7) for i in range(50)
+    )
     before = {one for one in folder.rglob("*") if one.is_file()}
     assert _asked(port, "PUT", "/api/upload?path=new/run.csv", content)[0] == 200
     assert (folder / "new" / "run.csv").read_bytes() == content
     for other in (b"other", bytes(len(content))):
         assert _asked(port, "PUT", "/api/upload?path=new/run.csv", other)[0] == 409
-    assert _asked(port, "PUT", "/api/upload?path=new/run.csv", content)[0] == 200  # the same file, dropped again
+    assert (
+        _asked(port, "PUT", "/api/upload?path=new/run.csv", content)[0] == 200
+    )  # the same file, dropped again
     for path in ("../out.csv", "%2Fetc%2Fx.csv", "x.sh", "x.html", "x.toml", ".csv", "a%00b.csv"):
         status, answer = _asked(port, "PUT", f"/api/upload?path={path}", b"x")
         assert status in (409, 422), answer
     assert (folder / "new" / "run.csv").read_bytes() == content
-    assert {one for one in folder.rglob("*") if one.is_file()} - before == {folder / "new" / "run.csv"}
+    assert {one for one in folder.rglob("*") if one.is_file()} - before == {
+        folder / "new" / "run.csv"
+    }
     assert not (folder.parent / "out.csv").exists()
     with socket.create_connection(("127.0.0.1", port), timeout=10) as plain:
         head = f"PUT /api/upload?path=big.csv HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nAuthorization: Bearer {TOKEN}\r\n"
@@ -570,7 +714,9 @@ def test_uploads_are_kept_as_they_are_and_replace_nothing(workbench):
 
 def test_what_would_be_read_is_shown_before_it_is_read(workbench):
     folder, port = workbench
-    (folder / "spring.csv").write_text("way [mm];F [kN]\n" + "\n".join(f"{-i};{-0.02 * i}" for i in range(20)))
+    (folder / "spring.csv").write_text(
+        "way [mm];F [kN]\n" + "\n".join(f"{-i};{-0.02 * i}" for i in range(20))
+    )
     asked = {"kind": "preview", "form": "force-deflection", "files": ["spring.csv"]}
     status, answer = _asked(port, "POST", "/api/ask", asked)
     assert status == 200
@@ -584,7 +730,10 @@ def test_what_would_be_read_is_shown_before_it_is_read(workbench):
     turned = {"stroke_positive": "extension", "force_positive": "tension"}
     found = _asked(port, "POST", "/api/ask", asked | {"columns": columns} | turned)[1]["result"]
     assert found["problem"] is None
-    assert (found["points"]["x"][10], found["points"]["y"][10]) == (pytest.approx(10.0), pytest.approx(200.0))
+    assert (found["points"]["x"][10], found["points"]["y"][10]) == (
+        pytest.approx(10.0),
+        pytest.approx(200.0),
+    )
     (folder / "bad.mat").write_bytes(b"\x00\xff" * 300)
     status, answer = _asked(port, "POST", "/api/ask", {"kind": "preview", "files": ["bad.mat"]})
     assert status == 422
@@ -599,7 +748,9 @@ def test_results_of_sweeps_are_read_apart(workbench, monkeypatch):
 
     folder, port = workbench
     (folder / "study.toml").write_text(STUDY.replace("COUNT", "3"))
-    run_sweep(folder / "study.toml", folder / "apart", command="jounce sweep study.toml --out=apart")
+    run_sweep(
+        folder / "study.toml", folder / "apart", command="jounce sweep study.toml --out=apart"
+    )
 
     def read_here(_: bytes) -> None:
         raise AssertionError("read in the server's process")
@@ -612,7 +763,9 @@ def test_results_of_sweeps_are_read_apart(workbench, monkeypatch):
     assert (status, "holds no sweep" in str(found)) == (409, True)
     shard = next((folder / "apart").rglob("*.nc"))
     content = b"\x89HDF\r\n\x1a\n" + b"damaged" * 100
-    shard.rename(shard.with_name(f"{shard.name.split('.')[0]}.{shards.checksum(content)}.nc")).write_bytes(content)
+    shard.rename(
+        shard.with_name(f"{shard.name.split('.')[0]}.{shards.checksum(content)}.nc")
+    ).write_bytes(content)
     status, found = _asked(port, "GET", "/api/sweep?folder=apart")
     assert status == 422
     assert "apart" in str(found)
@@ -638,18 +791,35 @@ def test_jobs_are_followed_by_who_has_the_token_and_the_origin(workbench):
     _, port = workbench
     address = f"ws://127.0.0.1:{port}/api/live"
     known = {"Authorization": f"Bearer {TOKEN}"}
-    for headers, origin in (({}, None), (known, "http://evil.example"), ({"Authorization": "Bearer x"}, None)):
-        with pytest.raises(Exception, match="403"), client.connect(address, additional_headers=headers, origin=origin):
+    for headers, origin in (
+        ({}, None),
+        (known, "http://evil.example"),
+        ({"Authorization": "Bearer x"}, None),
+    ):
+        with (
+            pytest.raises(Exception, match="403"),
+            client.connect(address, additional_headers=headers, origin=origin),
+        ):
             pass
-    for offered in ([TOKEN], ["jounce"], ["jounce", "x"], [TOKEN, "jounce"], ["jounce", TOKEN, "x"]):
+    for offered in (
+        [TOKEN],
+        ["jounce"],
+        ["jounce", "x"],
+        [TOKEN, "jounce"],
+        ["jounce", TOKEN, "x"],
+    ):
         with pytest.raises(Exception, match="403"), client.connect(address, subprotocols=offered):
             pass
     with pytest.raises(Exception, match="403"):
         client.connect(address, additional_headers={"Cookie": f"jounce-{port}={TOKEN}"})
-    with client.connect(address, subprotocols=["jounce", TOKEN], origin=f"http://127.0.0.1:{port}") as socket_:
+    with client.connect(
+        address, subprotocols=["jounce", TOKEN], origin=f"http://127.0.0.1:{port}"
+    ) as socket_:
         assert socket_.response.headers["Sec-WebSocket-Protocol"] == "jounce"
         assert json.loads(socket_.recv(timeout=10)) == []
-    with client.connect(address, additional_headers=known, origin=f"http://127.0.0.1:{port}") as socket_:
+    with client.connect(
+        address, additional_headers=known, origin=f"http://127.0.0.1:{port}"
+    ) as socket_:
         assert json.loads(socket_.recv(timeout=10)) == []
 
 
@@ -685,7 +855,10 @@ def test_a_sweep_outlives_its_server_and_goes_on_where_it_was_cancelled(tmp_path
         assert before["state"] == "running"
         assert before["left"] > 0.0
         _asked(port, "POST", f"/api/jobs/{name}/cancel", {}, token=token)
-        assert until(lambda state: state["state"] not in ("running", "cancelling"))["state"] == "cancelled"
+        assert (
+            until(lambda state: state["state"] not in ("running", "cancelling"))["state"]
+            == "cancelled"
+        )
         kept = len(list((tmp_path / "swept" / "shards").glob("*.nc")))
         assert kept
         state = _asked(port, "POST", f"/api/jobs/{name}/again", {}, token=token)[1]
@@ -726,8 +899,13 @@ def test_a_study_is_written_when_it_is_whole_and_its_variants_are_shown_as_runs(
     write_study(project, "study.toml", study, made["digest"])
     (tmp_path / "rig.toml").write_bytes(library()["kart-quarter-car"].read_bytes())
     apart = write_study(project, "studies/other.toml", study | {"rig": "rig.toml"})
-    assert (apart["count"], 'rig = "../rig.toml"' in apart["text"]) == (2, True)  # found from where the study lies
-    run_sweep(tmp_path / "study.toml", tmp_path / "swept", command="jounce sweep study.toml --out=swept")
+    assert (apart["count"], 'rig = "../rig.toml"' in apart["text"]) == (
+        2,
+        True,
+    )  # found from where the study lies
+    run_sweep(
+        tmp_path / "study.toml", tmp_path / "swept", command="jounce sweep study.toml --out=swept"
+    )
     found = swept(project, "swept")
     rate, deflection = found["columns"]
     assert (rate["name"], rate["unit"], rate["values"], rate["is_number"]) == (
@@ -738,8 +916,15 @@ def test_a_study_is_written_when_it_is_whole_and_its_variants_are_shown_as_runs(
     )
     assert (deflection["unit"], deflection["is_number"]) == ("mm", False)
     assert 1.0 < deflection["values"][1] < deflection["values"][0] < 100.0
-    assert found["summary"]["metrics"][0]["mean"] * 1e3 == pytest.approx(sum(deflection["values"]) / 2)
-    assert found["run"] == {"rig": "kart-quarter-car", "road": road, "speed": "2 m/s", "duration": "0.4 s"}
+    assert found["summary"]["metrics"][0]["mean"] * 1e3 == pytest.approx(
+        sum(deflection["values"]) / 2
+    )
+    assert found["run"] == {
+        "rig": "kart-quarter-car",
+        "road": road,
+        "speed": "2 m/s",
+        "duration": "0.4 s",
+    }
     with pytest.raises(OutputError, match="holds no sweep"):
         swept(project, "nowhere")
     with pytest.raises(DescriptionError, match="not a place"):
@@ -761,13 +946,25 @@ def test_measured_files_are_entered_into_a_campaign_that_stays_whole(tmp_path):
 
     new = tmp_path / "mine" / "bench" / "soft.csv"
     new.write_text("s [mm],F [N]\n0,0\n10,200\n")
-    fields = {"files": ["mine/bench/soft.csv"], "columns": {"displacement": "s", "force": "F"}, "discard_below": "1 mm"}
+    fields = {
+        "files": ["mine/bench/soft.csv"],
+        "columns": {"displacement": "s", "force": "F"},
+        "discard_below": "1 mm",
+    }
     enter_file(project, path, "tyre", {**fields, "pressure": "0.2 MPa", "stroke_positive": ""})
     enter_file(project, path, "spring", {"files": ["mine/bench/soft.csv"]})
     enter_file(
-        project, path, "decay", {"files": ["mine/bench/decay_1.csv"], "replace": True, "columns": {"time": "time"}}
+        project,
+        path,
+        "decay",
+        {"files": ["mine/bench/decay_1.csv"], "replace": True, "columns": {"time": "time"}},
     )
-    enter_file(project, path, "trial", {"recording": "mine/trials/02.csv", "road": "A", "speed": "2 m/s", "use": "fit"})
+    enter_file(
+        project,
+        path,
+        "trial",
+        {"recording": "mine/trials/02.csv", "road": "A", "speed": "2 m/s", "use": "fit"},
+    )
     campaign, text = jn.campaign.load_campaign(tmp_path / path)
     assert campaign.bench.tyre["0.2 MPa"].columns == {"displacement": "s", "force": "F"}
     assert campaign.bench.tyre["0.2 MPa"].discard_below == pytest.approx(1e-3)
@@ -778,7 +975,10 @@ def test_measured_files_are_entered_into_a_campaign_that_stays_whole(tmp_path):
 
     for use, wrong in (
         ("spring", {"law": "cubic"}),
-        ("spring", {"files": ["mine/bench/soft.csv"], "columns": {"force": "F"}}),  # those that are there have others
+        (
+            "spring",
+            {"files": ["mine/bench/soft.csv"], "columns": {"force": "F"}},
+        ),  # those that are there have others
         ("spring", {"files": ["mine/bench/soft.csv"], "discard_below": "1 kg"}),
         ("tyre", {"files": ["mine/bench/soft.csv"]}),
         ("trial", {"recording": "mine/trials/02.csv", "road": "A", "speed": "2 m/s", "number": 1}),

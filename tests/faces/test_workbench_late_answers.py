@@ -31,7 +31,9 @@ class Held:
 
     def __init__(self, page: Any, glob: str) -> None:
         self.page, self.routes, self.holds = page, [], True  # type: Any, list[Any], bool
-        page.route(glob, lambda route: self.routes.append(route) if self.holds else route.continue_())
+        page.route(
+            glob, lambda route: self.routes.append(route) if self.holds else route.continue_()
+        )
 
     def come(self) -> list[Any]:
         """Wait until one has been asked."""
@@ -66,7 +68,9 @@ def base(workbench: tuple[Path, int]) -> str:
     for name in ("mine/campaign.toml", "c.toml"):  # what they hold is answered by the tests
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_text("")
-    (folder / "one.csv").write_text("time [s], sprung.z [mm]\n" + "".join(f"{0.01 * i}, {i % 7}\n" for i in range(50)))
+    (folder / "one.csv").write_text(
+        "time [s], sprung.z [mm]\n" + "".join(f"{0.01 * i}, {i % 7}\n" for i in range(50))
+    )
     return f"http://127.0.0.1:{port}/"
 
 
@@ -103,7 +107,9 @@ def typed(field: Any, value: str) -> None:
 
 
 def drawn(page: Any) -> None:
-    page.evaluate("() => new Promise((done) => setTimeout(() => requestAnimationFrame(() => done())))")
+    page.evaluate(
+        "() => new Promise((done) => setTimeout(() => requestAnimationFrame(() => done())))"
+    )
 
 
 def mass_of(page: Any, part: str) -> Any:
@@ -131,7 +137,9 @@ def test_what_is_typed_into_a_form_is_not_taken_away_by_the_answer_to_the_field_
     assert '"6 kg"' in text.input_value()
 
 
-def test_what_is_typed_into_a_text_stays_while_its_first_answer_and_that_of_a_save_are_under_way(page, base, workbench):
+def test_what_is_typed_into_a_text_stays_while_its_first_answer_and_that_of_a_save_are_under_way(
+    page, base, workbench
+):
     forms, saves = Held(page, "**/api/form"), Held(page, "**/api/file*")
     page.goto(f"{base}#/rig?name={RIG}")
     text = page.get_by_label(f"text of {RIG}")
@@ -163,17 +171,22 @@ def test_what_is_set_and_typed_at_once_stands_in_the_text_after_every_answer(pag
     wanted = {"sprung.mass": "17 kg", "tyre.stiffness": "139 N/mm", "wheel.radius": "128 mm"}
     for path, value in wanted.items():
         page.locator(f"[data-path='{path}'] input").first.evaluate(
-            "(one, value) => { one.value = value; one.dispatchEvent(new Event('change', {bubbles: true})); }", value
+            "(one, value) => { one.value = value; one.dispatchEvent(new Event('change', {bubbles: true})); }",
+            value,
         )
     text.press("Control+Home")
     page.keyboard.type("# mine\n")
-    for _ in range(len(wanted) + 2):  # the first was asked of the text without the line, and is asked again
+    for _ in range(
+        len(wanted) + 2
+    ):  # the first was asked of the text without the line, and is asked again
         forms.go()
         assert text.input_value().startswith("# mine\n")
     forms.end()
     page.get_by_text("no problems found").wait_for()
     assert all(one in text.input_value() for one in ("# mine\n", *wanted.values()))
-    assert [page.locator(f"[data-path='{path}'] input").first.input_value() for path in wanted] == [*wanted.values()]
+    assert [page.locator(f"[data-path='{path}'] input").first.input_value() for path in wanted] == [
+        *wanted.values()
+    ]
 
 
 def test_what_a_save_would_change_stays_on_the_page_when_its_text_is_found_to_be_right(page, base):
@@ -264,7 +277,9 @@ def test_what_is_begun_is_what_was_asked_for_whatever_is_typed_meanwhile(page, b
     page.get_by_text("enough").wait_for()
     page.get_by_role("button", name="Save the study").click()
     (second,) = studies.come()
-    assert json.loads(second.request.post_data)["was"] == ""  # another file than the one that was written
+    assert (
+        json.loads(second.request.post_data)["was"] == ""
+    )  # another file than the one that was written
     studies.refuse("it lies there")
     assert name.input_value() == "other.toml"
     page.get_by_role("button", name="Save the study").wait_for()
@@ -275,7 +290,10 @@ def test_what_is_begun_is_what_was_asked_for_whatever_is_typed_meanwhile(page, b
 
 
 def test_an_answer_takes_nobody_from_the_page_where_they_are_by_now(page, base):
-    answers = [("ride", "**/api/jobs", "Drive"), ("campaign", "**/api/ask", "Copy into this project")]
+    answers = [
+        ("ride", "**/api/jobs", "Drive"),
+        ("campaign", "**/api/ask", "Copy into this project"),
+    ]
     for address, glob, button in answers:
         show(page, base, address)
         held = Held(page, glob)
@@ -304,7 +322,9 @@ def test_a_file_that_arrives_late_leaves_the_form_of_an_inspection_as_it_is(page
     content = {"mimeType": "text/csv", "buffer": b"time [s], front_left.tyre.force [N]\n0, 1\n"}
     drop.set_input_files([{"name": "axle.csv", **content}, {"name": "second.csv", **content}])
     files.come()
-    drop.set_input_files([{"name": "axle.csv", **content}])  # once more, while the first is under way
+    drop.set_input_files(
+        [{"name": "axle.csv", **content}]
+    )  # once more, while the first is under way
     plate.fill("B-AB 1")
     for one in ("axle.csv", "second.csv"):
         files.go({"path": f"records/{one}", "size": 9})
@@ -327,12 +347,33 @@ def test_a_file_that_arrives_late_leaves_the_form_of_an_inspection_as_it_is(page
 def test_a_file_is_read_as_one_of_the_same_columns_was_unless_it_is_said_otherwise(page, base):
     """Sixteen trials of a bench have the columns of the first."""
     read = {"columns": {"time": "t [ms]", "sprung.az": "up"}, "stroke_positive": "extension"}
-    trials = [{"number": 1, "file": "one.csv", **read}, {"number": 2, "file": "two.csv", "columns": {"time": "other"}}]
-    nothing = {"title": "Bench", "synthetic": "", "rig": RIG, "roads": ["A"], "mass": "", "bench": [], "updates": []}
+    trials = [
+        {"number": 1, "file": "one.csv", **read},
+        {"number": 2, "file": "two.csv", "columns": {"time": "other"}},
+    ]
+    nothing = {
+        "title": "Bench",
+        "synthetic": "",
+        "rig": RIG,
+        "roads": ["A"],
+        "mass": "",
+        "bench": [],
+        "updates": [],
+    }
     page.route("**/api/campaign?*", lambda route: route.fulfill(json={**nothing, "trials": trials}))
     asks = Held(page, "**/api/ask")
-    columns = [{"name": name, "unit": "", "count": 9, "least": 0.0, "greatest": 1.0} for name in ("t", "up")]
-    found = {"columns": columns, "more": 0, "problem": None, "findings": [], "content": None, "points": None}
+    columns = [
+        {"name": name, "unit": "", "count": 9, "least": 0.0, "greatest": 1.0}
+        for name in ("t", "up")
+    ]
+    found = {
+        "columns": columns,
+        "more": 0,
+        "problem": None,
+        "findings": [],
+        "content": None,
+        "points": None,
+    }
     answer = {"result": found, "python": "", "command": "", "files": {}, "report": ""}
     page.goto(f"{base}#/campaign?file=mine/campaign.toml&read=three.csv")
     asks.go(answer)
@@ -374,17 +415,35 @@ def test_the_pose_stays_in_the_sweep_that_is_drawn_until_another_one_is(page, ba
     holder = page.locator(".multiples .holder").first
     box = holder.bounding_box()
     page.mouse.move(box["x"] + 0.9 * box["width"], box["y"] + 20)
-    assert rack.input_value() == "0"  # the curves are those over travel, and so is what the pointer is at
+    assert (
+        rack.input_value() == "0"
+    )  # the curves are those over travel, and so is what the pointer is at
     sweeps.go()
     page.mouse.move(box["x"] + 0.8 * box["width"], box["y"] + 20)
     until(page, lambda: float(rack.input_value()) > 3.0)
 
 
 def test_a_file_that_arrives_late_does_not_take_the_place_of_the_one_that_is_entered(page, base):
-    campaigns, asks, files = (Held(page, f"**/api/{one}") for one in ("campaign?*", "ask", "upload?*"))
+    campaigns, asks, files = (
+        Held(page, f"**/api/{one}") for one in ("campaign?*", "ask", "upload?*")
+    )
     page.goto(f"{base}#/campaign?file=c.toml")
-    trial = {"number": 1, "file": "one.csv", "recording": "one.csv", "use": "fit", "road": "A", "speed": "2 m/s"}
-    whole = {"title": "Mine", "synthetic": "", "rig": "r.toml", "roads": ["A"], "mass": "16 kg", "bench": []}
+    trial = {
+        "number": 1,
+        "file": "one.csv",
+        "recording": "one.csv",
+        "use": "fit",
+        "road": "A",
+        "speed": "2 m/s",
+    }
+    whole = {
+        "title": "Mine",
+        "synthetic": "",
+        "rig": "r.toml",
+        "roads": ["A"],
+        "mass": "16 kg",
+        "bench": [],
+    }
     campaigns.go(whole | {"trials": [trial], "updates": []})
     content = {"mimeType": "text/csv", "buffer": b"time [s], sprung.z [mm]\n0, 1\n"}
     page.locator(".drop input[type=file]").set_input_files([{"name": "late.csv", **content}])
@@ -398,7 +457,14 @@ def test_a_file_that_arrives_late_does_not_take_the_place_of_the_one_that_is_ent
     page.get_by_role("button", name="view measured/late.csv").click()
     page.get_by_role("heading", name="measured/late.csv").wait_for()
     columns = [{"name": "z", "unit": "mm", "count": 2, "least": 0.0, "greatest": 1.0}]
-    preview = {"columns": columns, "more": 0, "problem": None, "findings": [], "content": None, "points": None}
+    preview = {
+        "columns": columns,
+        "more": 0,
+        "problem": None,
+        "findings": [],
+        "content": None,
+        "points": None,
+    }
     answer = {"result": preview, "python": "", "command": "", "files": {}, "report": ""}
     asks.go(answer)  # of the file that was opened before
     assert page.get_by_label("unit of z").count() == 0
@@ -406,7 +472,9 @@ def test_a_file_that_arrives_late_does_not_take_the_place_of_the_one_that_is_ent
     page.get_by_label("unit of z").wait_for()
     typed(page.get_by_label("Variable or group"), "other")
     asks.come()
-    assert page.get_by_label("unit of z").count() == 0  # what is typed there would be of columns that are left
+    assert (
+        page.get_by_label("unit of z").count() == 0
+    )  # what is typed there would be of columns that are left
     asks.go(answer)
     page.get_by_label("unit of z").wait_for()
 
@@ -451,7 +519,13 @@ def test_a_card_of_a_job_takes_no_older_news_and_opens_its_results_as_often_as_a
     ("name", "page_of", "number", "unit", "used"),
     [
         (RIG, "trial", "sprung.mass", "kg", "strut.spring.rate [N/mm], typed"),
-        (CORNER, "kinematics", "hardpoints.tie_rod_outer[2]", "mm", "Rack travel, to the left positive [mm], typed"),
+        (
+            CORNER,
+            "kinematics",
+            "hardpoints.tie_rod_outer[2]",
+            "mm",
+            "Rack travel, to the left positive [mm], typed",
+        ),
     ],
 )
 def test_numbers_whose_file_was_changed_under_their_page_are_told_and_loaded_again(

@@ -15,7 +15,9 @@ import pytest
 pytestmark = pytest.mark.pages
 uvicorn = pytest.importorskip("uvicorn")
 TOKEN = "a-token-of-these-tests"
-DRAWN = "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
+DRAWN = (
+    "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done())))"
+)
 EVIL = "<img src=x onerror=document.title='gone'>"
 STUDY = """schema = "jounce.sweep/1"
 rig = "kart-quarter-car"
@@ -40,7 +42,10 @@ class Opened:
         self.troubles: list[str] = []
         self.asked: list[str] = []
         page.set_default_timeout(120_000)
-        page.on("console", lambda message: self.troubles.append(message.text) if message.type != "log" else None)
+        page.on(
+            "console",
+            lambda message: self.troubles.append(message.text) if message.type != "log" else None,
+        )
         page.on("pageerror", lambda error: self.troubles.append(str(error)))
         page.on("request", lambda request: self.asked.append(request.url))
 
@@ -84,7 +89,9 @@ def test_a_campaign_is_begun_measured_and_run(server, browser, tmp_path):
         page.get_by_role("heading", name="My bench campaign").wait_for()
         page.get_by_role("button", name="Separate damping and friction").click()
         page.locator("iframe[title^=Free]").wait_for()
-        assert "13.19" in page.get_by_role("region", name="estimates").inner_text()  # N, of the synthetic example
+        assert (
+            "13.19" in page.get_by_role("region", name="estimates").inner_text()
+        )  # N, of the synthetic example
         report = page.frame_locator("iframe[title^=Free]")
         report.get_by_role("heading", name="Answer").wait_for()
 
@@ -99,7 +106,9 @@ def test_a_campaign_is_begun_measured_and_run(server, browser, tmp_path):
         page.locator("input[type=file]").set_input_files(str(spring))
         page.get_by_label("quantity of way").wait_for()
         page.get_by_label("Type of measurement").select_option("spring")
-        page.get_by_label("quantity of way").and_(page.locator("select")).select_option("displacement")
+        page.get_by_label("quantity of way").and_(page.locator("select")).select_option(
+            "displacement"
+        )
         page.get_by_label("quantity of F").and_(page.locator("select")).select_option("force")
         page.get_by_text("no unit").first.wait_for()
         page.get_by_label("unit of way").fill("kg")
@@ -116,16 +125,22 @@ def test_a_campaign_is_begun_measured_and_run(server, browser, tmp_path):
         one.fits()
         page.get_by_label("Replace the example files").check()
         page.get_by_role("button", name="Add to the campaign").click()
-        parts = page.locator("section.job", has=page.get_by_role("heading", name="spring", exact=True))
+        parts = page.locator(
+            "section.job", has=page.get_by_role("heading", name="spring", exact=True)
+        )
         parts.get_by_role("button", name="view campaign/measured/soft spring.csv").wait_for()
-        assert 'stroke_positive = "extension"' in (folder / "campaign" / "campaign.toml").read_text()
+        assert (
+            'stroke_positive = "extension"' in (folder / "campaign" / "campaign.toml").read_text()
+        )
 
         text = page.get_by_label("text of campaign/campaign.toml")
         for written, told in (("[[[", "not valid TOML"), ("high_path", "high_path")):
             page.get_by_text("Campaign file", exact=True).click()
             text.fill(text.input_value().replace("high_pass", written, 1))
             page.get_by_role("button", name="Save", exact=True).click()
-            page.get_by_role("alert").filter(has_text=told).wait_for()  # and its text is there to be mended
+            page.get_by_role("alert").filter(
+                has_text=told
+            ).wait_for()  # and its text is there to be mended
             assert written in text.input_value()
             page.get_by_role("button", name="Undo").click()
             page.get_by_role("heading", name="Trials").wait_for()
@@ -140,7 +155,9 @@ def test_a_campaign_is_begun_measured_and_run(server, browser, tmp_path):
         page.get_by_role("heading", name="Every update on every trial").wait_for()
         page.get_by_role("heading", name="Last search").wait_for()
         page.get_by_role("link", name="drive: campaign/results/rig-").wait_for()
-        page.frame_locator("iframe[title=Report]").get_by_role("heading", name="Validation").wait_for()
+        page.frame_locator("iframe[title=Report]").get_by_role(
+            "heading", name="Validation"
+        ).wait_for()
         page.reload()
         page.get_by_role("heading", name="Verdicts").wait_for()
         one.fits()
@@ -185,7 +202,10 @@ def test_a_study_is_written_swept_brushed_and_its_variant_driven(server, browser
         page.get_by_role("link", name="as a trial").first.click()
         page.wait_for_selector("html[data-ready=trial]")
         page.wait_for_selector(".player .u-over")
-        assert "--set=strut.spring.rate=" in page.get_by_label("The same on the command line").inner_text()
+        assert (
+            "--set=strut.spring.rate="
+            in page.get_by_label("The same on the command line").inner_text()
+        )
         one.go("jobs")
         page.get_by_role("heading", name="Sweep study").wait_for()
 
@@ -199,13 +219,18 @@ def test_a_record_is_graded_kept_and_found_again(server, browser):
         page.get_by_text("No record available?").click()
         page.get_by_role("button", name="Simulate the test").click()
         page.get_by_role("link", name="Evaluate").click()
-        page.locator("select:has(option[value='simulated.csv'])").first.wait_for()  # the page that was left knows none
+        page.locator(
+            "select:has(option[value='simulated.csv'])"
+        ).first.wait_for()  # the page that was left knows none
         assert page.get_by_label("Record of one axle").input_value() == "simulated.csv"
         page.get_by_label("Number plate").first.fill(f"B-AB 1 {EVIL}")
         page.get_by_label("Save in the store").fill("lane.sqlite")
         page.get_by_role("button", name="Evaluate and grade").click()
         page.locator("iframe[title='Test report']").wait_for()
-        assert "pass" in page.get_by_role("region", name="wheels").get_by_role("row").nth(1).inner_text()
+        assert (
+            "pass"
+            in page.get_by_role("region", name="wheels").get_by_role("row").nth(1).inner_text()
+        )
         protocol = page.frame_locator("iframe[title='Test report']")
         protocol.get_by_text("simulated").first.wait_for()
         assert protocol.locator("img[src=x]").count() == 0
@@ -251,10 +276,18 @@ def test_controllers_are_compared_and_best_designs_open_as_rides(server, browser
             page.get_by_label(f"{rig} on iso:C at 20 m/s, {control}").check()
         page.get_by_role("button", name="Draw").click()
         page.locator(".player .u-over").first.wait_for()
-        assert page.locator(".player .toggle, .player button", has_text="kart-quarter-car, passive, 3 s").count() == 1
+        assert (
+            page.locator(
+                ".player .toggle, .player button", has_text="kart-quarter-car, passive, 3 s"
+            ).count()
+            == 1
+        )
         page.get_by_label("Curves over").select_option("frequency (spectra)")
         page.get_by_text("m/s²/√Hz").first.wait_for()
-        assert "rides['audi-a6-quarter-car, skyhook, 4 s']" in page.get_by_label("The same in Python").last.inner_text()
+        assert (
+            "rides['audi-a6-quarter-car, skyhook, 4 s']"
+            in page.get_by_label("The same in Python").last.inner_text()
+        )
         one.fits()
         page.get_by_label("bounds").fill("600..6000 N*s/m")
         page.get_by_label("Designs").fill("4")

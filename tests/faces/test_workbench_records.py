@@ -37,8 +37,12 @@ def _written(file: Path) -> None:
             ("b", np.where(np.arange(COUNT) == 3, -1, 8).astype("i2"),
              {"units": "N", "scale_factor": 0.25, "add_offset": 1.0, "_FillValue": np.int16(-1)}),
         ):  # fmt: skip
-            one = netcdf.create_variable(name, ("time",), values.dtype, values, fillvalue=attributes.get("_FillValue"))
-            one.attrs.update({key: value for key, value in attributes.items() if key != "_FillValue"})
+            one = netcdf.create_variable(
+                name, ("time",), values.dtype, values, fillvalue=attributes.get("_FillValue")
+            )
+            one.attrs.update(
+                {key: value for key, value in attributes.items() if key != "_FillValue"}
+            )
 
 
 @pytest.fixture
@@ -56,17 +60,23 @@ def opened(tmp_path: Path) -> Any:
     jobs.end()
 
 
-def test_a_long_record_is_opened_without_waiting_for_what_it_does_not_need(opened: Any, tmp_path: Path) -> None:
+def test_a_long_record_is_opened_without_waiting_for_what_it_does_not_need(
+    opened: Any, tmp_path: Path
+) -> None:
     records, jobs = opened
     found = records.open("long.nc")
-    assert jobs.ready is None  # the process that loads all that commands need was not started for it
+    assert (
+        jobs.ready is None
+    )  # the process that loads all that commands need was not started for it
     assert found.about["channels"] == [{"name": "a", "unit": "m/s^2"}, {"name": "b", "unit": "N"}]
     assert (found.about["count"], found.about["first"], found.about["even"]) == (COUNT, 5.0, True)
     (scene,) = found.viewer(["a", "b"], 5.0, 5.0 + COUNT / 1000.0, 50).scenes
     first, second = (pane.curves[0].values for pane in scene.panes)
     assert len(first) == 100  # two values a column
     assert np.max(first) == 9.0
-    assert scene.x[int(np.argmax(first))] == pytest.approx(5.0 + PEAK / 1000.0, abs=COUNT / 1000.0 / 50)
+    assert scene.x[int(np.argmax(first))] == pytest.approx(
+        5.0 + PEAK / 1000.0, abs=COUNT / 1000.0 / 50
+    )
     assert set(np.unique(second)) == {3.0}  # 8 x 0.25 + 1, and no gap among the extremes
     (near,) = found.viewer(["b"], 5.0, 5.010, 50).scenes
     assert np.isnan(near.panes[0].curves[0].values[3])
@@ -112,7 +122,9 @@ def test_of_columns_that_must_be_mapped_nothing_is_told_that_fails(
     assert ways["command"] == ""
 
 
-def test_what_is_left_out_of_a_record_is_told_and_equal_names_are_told_apart(tmp_path: Path) -> None:
+def test_what_is_left_out_of_a_record_is_told_and_equal_names_are_told_apart(
+    tmp_path: Path,
+) -> None:
     from jounce.recordings.readers import READERS
     from jounce.web.levels import write_levels
     from jounce.web.project import RECORDS
@@ -162,7 +174,9 @@ def test_what_was_read_stays_until_the_file_changes(here: Any, tmp_path: Path) -
     assert asked == 2 * ["Reading long.nc"]
 
 
-def test_another_record_of_the_same_size_and_time_is_another_record(here: Any, tmp_path: Path) -> None:
+def test_another_record_of_the_same_size_and_time_is_another_record(
+    here: Any, tmp_path: Path
+) -> None:
     """As ``cp -p`` leaves it, or an archive that is unpacked."""
     records, asked = here
     names = []
@@ -211,7 +225,9 @@ def test_what_a_folder_brings_along_is_not_taken_for_what_was_read(tmp_path: Pat
     assert list(scene.panes[0].curves[0].values) == [1.0, 2.0]
 
 
-def test_the_last_few_records_stay_until_the_server_ends(here: Any, tmp_path: Path, monkeypatch) -> None:
+def test_the_last_few_records_stay_until_the_server_ends(
+    here: Any, tmp_path: Path, monkeypatch
+) -> None:
     records, asked = here
     monkeypatch.setattr("jounce.web.records._MOST_KEPT", 2)
     for name in ("a.csv", "b.csv", "c.csv", "a.csv"):
@@ -253,7 +269,9 @@ def test_a_record_that_is_not_packed_is_read_with_few_libraries(tmp_path: Path) 
     with h5netcdf.File(tmp_path / "plain.nc", "w") as netcdf:
         netcdf.dimensions = {"time": 1000}
         netcdf.create_variable("time", ("time",), float, time).attrs["units"] = "s"
-        netcdf.create_variable("a", ("time",), "f4", np.sin(time).astype("f4"), fillvalue=np.float32(np.nan))
+        netcdf.create_variable(
+            "a", ("time",), "f4", np.sin(time).astype("f4"), fillvalue=np.float32(np.nan)
+        )
     script = """import sys, pathlib
 from jounce.web import worker, questions
 from jounce.web.levels import write_levels

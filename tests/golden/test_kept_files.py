@@ -28,7 +28,11 @@ def test_descriptions_are_in_order(file: Path) -> None:
 
 def test_descriptions_mean_what_they_meant() -> None:
     quarter = jn.load(KEPT / "kart-quarter-car.toml")
-    assert (quarter.sprung.mass, quarter.strut.spring.rate, quarter.tyre.stiffness) == (16.0, 22730.0, 138468.0)
+    assert (quarter.sprung.mass, quarter.strut.spring.rate, quarter.tyre.stiffness) == (
+        16.0,
+        22730.0,
+        138468.0,
+    )
     corner = jn.load(KEPT / "kart-double-wishbone.toml")
     assert (corner.model, len(corner.hardpoints.given())) == ("double-wishbone", 11)
     vehicle = jn.load(KEPT / "audi-a6-half-car-4dof.toml")
@@ -38,10 +42,21 @@ def test_descriptions_mean_what_they_meant() -> None:
     law = jn.controller(KEPT / "control.toml")
     assert (law.damping_coefficient, law.rate, law.actuator.maximum) == (4000.0, 500.0, 4000.0)
     part = jn.controller(KEPT / "control-fmu.toml")
-    assert (part.inputs, part.output, part.actuator.replaces_damper) == ({"v": "strut.velocity"}, "force", True)
+    assert (part.inputs, part.output, part.actuator.replaces_damper) == (
+        {"v": "strut.velocity"},
+        "force",
+        True,
+    )
     tyre = jn.controller(KEPT / "control-fmu-tyre.toml")
-    assert (tyre.inputs["rate"], tyre.parameters["stiffness"]["rear"]) == ("actuator.velocity", "230 N/mm")
-    assert (tyre.actuator.in_place_of, tyre.actuator.lag, tyre.actuator.replaces_damper) == ("tyre", 0.0, False)
+    assert (tyre.inputs["rate"], tyre.parameters["stiffness"]["rear"]) == (
+        "actuator.velocity",
+        "230 N/mm",
+    )
+    assert (tyre.actuator.in_place_of, tyre.actuator.lag, tyre.actuator.replaces_damper) == (
+        "tyre",
+        0.0,
+        False,
+    )
     assert load_tester(KEPT / "tester.toml").method
 
 
@@ -53,7 +68,9 @@ def test_recordings_are_what_was_simulated(suffix: str) -> None:
     assert units == {"sprung.z": "m", "tyre.force": "N", "strut.velocity": "m/s"}
     assert found.sizes["time"] == 101
     assert float(found["time"][-1]) == pytest.approx(0.1)
-    static = 9.81 * (21.0 / 138468.0 + 16.0 / (22730.0 * np.cos(np.radians(26.0)) ** 2))  # tyre and spring
+    static = 9.81 * (
+        21.0 / 138468.0 + 16.0 / (22730.0 * np.cos(np.radians(26.0)) ** 2)
+    )  # tyre and spring
     assert float(found["sprung.z"][0]) == pytest.approx(-static, abs=1e-6)
     rig, road = jn.load(KEPT / "kart-quarter-car.toml"), jn.load_road(KEPT / "road.toml")
     run = jn.simulate(rig, jn.Trial(road=road, speed="1 m/s", duration="0.1 s"))
@@ -71,11 +88,19 @@ def test_an_fmu_of_today_has_the_variables_of_the_kept_one(tmp_path: Path) -> No
         with zipfile.ZipFile(file) as archive:
             root = ET.fromstring(archive.read("modelDescription.xml"))
         rows = root.iterfind("ModelVariables/*")
-        return {row.get("name", ""): (row.tag, row.get("causality", ""), row.get("unit")) for row in rows}
+        return {
+            row.get("name", ""): (row.tag, row.get("causality", ""), row.get("unit"))
+            for row in rows
+        }
 
     old, new = variables(KEPT / "kart.fmu"), variables(now)
     assert {name: new.get(name) for name in old} == old
-    assert {"road.z", "road.vz", "sprung.z", "tyre.force", "rig.strut.spring.rate", "settings.start_at_rest"} <= set(
-        old
-    )
+    assert {
+        "road.z",
+        "road.vz",
+        "sprung.z",
+        "tyre.force",
+        "rig.strut.spring.rate",
+        "settings.start_at_rest",
+    } <= set(old)
     assert jn.read_fmu(KEPT / "kart.fmu").version == 3

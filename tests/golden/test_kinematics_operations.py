@@ -31,4 +31,6 @@ PINNED = {
 def test_kinematics_do_not_grow(name: str) -> None:
     functions = kinematic_model(jn.load(name)).functions
     for part, pinned in PINNED[name].items():
-        assert 0.7 * pinned < functions[part].n_instructions() <= pinned, part  # far fewer: pin them anew
+        assert 0.7 * pinned < functions[part].n_instructions() <= pinned, (
+            part
+        )  # far fewer: pin them anew

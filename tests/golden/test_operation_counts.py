@@ -27,14 +27,49 @@ PINNED = {
     "hmmwv-front-corner": {"rate": 45, "output": 53, "switch": 18},
 }
 CORNERS = {
-    "kart-double-wishbone": {"rate": 1325, "output": 1508, "switch": 80, "project_many": 982, "slopes": 3084},
-    "generic-mcpherson": {"rate": 2131, "output": 2308, "switch": 80, "project_many": 1534, "slopes": 5143},
-    "sedan-multi-link": {"rate": 4244, "output": 4113, "switch": 17, "project_many": 3704, "slopes": 7927},
+    "kart-double-wishbone": {
+        "rate": 1325,
+        "output": 1508,
+        "switch": 80,
+        "project_many": 982,
+        "slopes": 3084,
+    },
+    "generic-mcpherson": {
+        "rate": 2131,
+        "output": 2308,
+        "switch": 80,
+        "project_many": 1534,
+        "slopes": 5143,
+    },
+    "sedan-multi-link": {
+        "rate": 4244,
+        "output": 4113,
+        "switch": 17,
+        "project_many": 3704,
+        "slopes": 7927,
+    },
     "semi-trailing-arm": {"rate": 225, "output": 281, "switch": 97, "slopes": 531},
-    "formula-student-front": {"rate": 1638, "output": 1812, "switch": 149, "project_many": 1229, "slopes": 3667},
-    "hmmwv-front": {"rate": 2744, "output": 2901, "switch": 213, "project_many": 1800, "slopes": 5667},
+    "formula-student-front": {
+        "rate": 1638,
+        "output": 1812,
+        "switch": 149,
+        "project_many": 1229,
+        "slopes": 3667,
+    },
+    "hmmwv-front": {
+        "rate": 2744,
+        "output": 2901,
+        "switch": 213,
+        "project_many": 1800,
+        "slopes": 5667,
+    },
 }
-FULL_CAR_3D = {"rate": (3198, 198), "output": (3563, 236), "switch": (252, 12), "project": (929, 23)}
+FULL_CAR_3D = {
+    "rate": (3198, 198),
+    "output": (3563, 236),
+    "switch": (252, 12),
+    "project": (929, 23),
+}
 """Operations on four corners at once, and on single numbers."""
 ARMS = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
 ON_BUSHINGS = {
@@ -76,7 +111,11 @@ def test_the_full_car_computes_its_corners_side_by_side():
     for name, (vectors, numbers) in FULL_CAR_3D.items():
         graph = program.functions[name].graph
         groups = [graph.group_of(i) for i, node in enumerate(graph.nodes) if node.operands]
-        shapes = {graph.shapes[i] for i, node in enumerate(graph.nodes) if node.operands and graph.group_of(i)}
+        shapes = {
+            graph.shapes[i]
+            for i, node in enumerate(graph.nodes)
+            if node.operands and graph.group_of(i)
+        }
         assert (len(shapes), groups.count(None)) == (vectors, numbers), name
 
 
@@ -96,5 +135,11 @@ def test_equations_on_bushings_do_not_grow():
 
 
 def test_sensitivities_of_the_double_wishbone_do_not_grow():
-    expected = {"rate_s": 3005, "output_s": 3535, "project_s": 1626, "switch_slope": 265, "derived_lanes": 482}
+    expected = {
+        "rate_s": 3005,
+        "output_s": 3535,
+        "project_s": 1626,
+        "switch_slope": 265,
+        "derived_lanes": 482,
+    }
     assert counts(compile_rig(jn.load("kart-double-wishbone"), TEN).functions, expected) == expected

@@ -26,7 +26,14 @@ COMMANDS = {  # words, share of the signals
     "campaign run": (("campaign", "run", "mine/campaign.toml", "--out", "out"), 0.1),
     "demo": (("demo", "--quick", "--out", "demo"), 0.1),
 }
-SIGNALS = (signal.SIGINT, signal.SIGINT, signal.SIGINT, signal.SIGTERM, signal.SIGINT, signal.SIGHUP)
+SIGNALS = (
+    signal.SIGINT,
+    signal.SIGINT,
+    signal.SIGINT,
+    signal.SIGTERM,
+    signal.SIGINT,
+    signal.SIGHUP,
+)
 
 
 def prepare(folder: Path, name: str) -> None:
@@ -80,12 +87,17 @@ def main() -> int:
             _, whole = judge(Path(place), name, 0.0, None)
         ends, asked = Counter[str](), max(1, round(share * count))
         for k in range(asked):
-            number, part = SIGNALS[k % len(SIGNALS)], whole * (k + 0.5) / asked if k else min(0.15, 0.1 * whole)
+            number, part = (
+                SIGNALS[k % len(SIGNALS)],
+                whole * (k + 0.5) / asked if k else min(0.15, 0.1 * whole),
+            )
             with tempfile.TemporaryDirectory() as place:
                 end, _ = judge(Path(place), name, part, number)
             ends[f"{number.name} {end if end in ('right', 'ended before') else 'wrong'}"] += 1
             if end not in ("right", "ended before"):
-                print(f"  {name}: {number.name} after {part:.2f} of {whole:.1f} s: {end}", flush=True)
+                print(
+                    f"  {name}: {number.name} after {part:.2f} of {whole:.1f} s: {end}", flush=True
+                )
                 bad += 1
         print(f"{name} ({whole:.1f} s): {dict(ends)}", flush=True)
     return int(bad > 0)

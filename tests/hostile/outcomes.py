@@ -22,7 +22,9 @@ def _shown(result: Any) -> Any:
         result = {field.name: getattr(result, field.name) for field in dataclasses.fields(result)}
     if isinstance(result, Mapping):
         return [(key, _shown(value)) for key, value in result.items()]
-    return [_shown(value) for value in result] if isinstance(result, (list, tuple)) else repr(result)
+    return (
+        [_shown(value) for value in result] if isinstance(result, (list, tuple)) else repr(result)
+    )
 
 
 def outcome(call: Callable[..., Any], arguments: Mapping[str, Any]) -> Any:

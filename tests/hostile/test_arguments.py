@@ -25,8 +25,23 @@ import jounce as jn
 
 FUNCTIONS = [name for name in jn.__all__ if inspect.isfunction(getattr(jn, name))]
 LONG = {
-    *("adjust_report", "animate", "bands", "campaign_next_trials", "campaign_posterior", "clearances", "compliance"),
-    *("compare_rides", "compare_tests", "design_kinematics", "kinematic_spread", "load_case_table", "next_trials"),
+    *(
+        "adjust_report",
+        "animate",
+        "bands",
+        "campaign_next_trials",
+        "campaign_posterior",
+        "clearances",
+        "compliance",
+    ),
+    *(
+        "compare_rides",
+        "compare_tests",
+        "design_kinematics",
+        "kinematic_spread",
+        "load_case_table",
+        "next_trials",
+    ),
     *("run_audi_a6", "run_campaign", "virtual_bench"),
 }
 """Whose examples take more than a second."""
@@ -74,7 +89,9 @@ def example_of(name: str, monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
         patch.setattr(jn, name, spy)
         names = {**vars(sys.modules[own.__module__]), name: spy}
         for test in doctest.DocTestFinder(recurse=False).find(own, globs=names):
-            doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test, out=lambda _: None, clear_globs=False)
+            doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(
+                test, out=lambda _: None, clear_globs=False
+            )
     found = dict(calls[0].arguments)
     return found | found.pop("changes", {}) if name == "controller" else found
 
@@ -97,7 +114,11 @@ def faults(name: str, good: dict[str, Any]) -> tuple[int, list[str]]:
             except Exception as error:  # noqa: BLE001 - any of them is a fault
                 if isinstance(error, SystemError) and isinstance(error.__cause__, Enough):
                     continue  # the end of the time inside of a library in C
-                found.append(f"{name}({parameter.name}={str(wrong)[:40]!r}): {type(error).__name__}: {error}"[:200])
+                found.append(
+                    f"{name}({parameter.name}={str(wrong)[:40]!r}): {type(error).__name__}: {error}"[
+                        :200
+                    ]
+                )
     return count, found
 
 

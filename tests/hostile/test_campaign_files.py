@@ -23,7 +23,9 @@ def with_times(factor: float) -> Damage:
     def damage(content: bytes) -> bytes:
         comment, head, *rows = lines_of(content)
         cells = (row.split(",", 1) for row in rows)
-        return "\n".join([comment, head, *(f"{factor * float(time):.10g},{rest}" for time, rest in cells)]).encode()
+        return "\n".join(
+            [comment, head, *(f"{factor * float(time):.10g},{rest}" for time, rest in cells)]
+        ).encode()
 
     return damage
 
@@ -35,7 +37,9 @@ def with_header(old: str, new: str) -> Damage:
 def with_values(number: str) -> Damage:
     def damage(content: bytes) -> bytes:
         comment, head, *rows = lines_of(content)
-        return "\n".join([comment, head, *(f"{row.split(',')[0]},{number},{number}" for row in rows)]).encode()
+        return "\n".join(
+            [comment, head, *(f"{row.split(',')[0]},{number},{number}" for row in rows)]
+        ).encode()
 
     return damage
 
@@ -43,7 +47,9 @@ def with_values(number: str) -> Damage:
 DAMAGES: dict[str, Damage] = {
     "empty": lambda _: b"",
     "rubbish": lambda _: np.random.default_rng(1).bytes(2000),
-    "cut within a row": lambda content: content[: content.rindex(b",", 0, content.index(b"\n", 500))],
+    "cut within a row": lambda content: content[
+        : content.rindex(b",", 0, content.index(b"\n", 500))
+    ],
     "two rows": lambda content: "\n".join(lines_of(content)[:4]).encode(),
     "seconds that are milliseconds": with_times(1e3),
     "hours": with_times(3.6e6),
@@ -99,7 +105,9 @@ def test_one_bad_trial(campaign: Path, damaged, damage: str) -> None:
     assert not any("not foreseen" in finding.message for finding in problems)
 
 
-@pytest.mark.parametrize("damage", ["empty", "rubbish", "cut within a row", "a bomb of a unit", "huge values"])
+@pytest.mark.parametrize(
+    "damage", ["empty", "rubbish", "cut within a row", "a bomb of a unit", "huge values"]
+)
 @pytest.mark.parametrize("table", ["spring_1", "tyre_031_2", "decay_1"])
 def test_one_bad_bench_file(campaign: Path, damaged, table: str, damage: str) -> None:
     change = DAMAGES[damage] if damage != "a bomb of a unit" else with_header("mm", "m^9**9**9**9")
@@ -117,14 +125,21 @@ def test_a_binary_recording_cut_off(campaign: Path, damaged, sample: str) -> Non
     other = campaign.parent / "trials" / made.name
     other.write_bytes(made.content[: len(made.content) // 3])
     text = campaign.read_bytes()
-    damaged(campaign.name, lambda content: content.replace(b"trials/02.csv", f"trials/{made.name}".encode()))
+    damaged(
+        campaign.name,
+        lambda content: content.replace(b"trials/02.csv", f"trials/{made.name}".encode()),
+    )
     assert text != campaign.read_bytes()
     result = run_campaign(campaign)
-    assert any(finding.place == "trial 2" and finding.severity == "problem" for finding in result.findings)
+    assert any(
+        finding.place == "trial 2" and finding.severity == "problem" for finding in result.findings
+    )
     assert _used(result) == {1, 4}
 
 
-def test_what_nobody_foresaw_is_a_finding_too(campaign: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_nobody_foresaw_is_a_finding_too(
+    campaign: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     from jounce.recordings import files
 
     read = files.read_recording

@@ -40,7 +40,10 @@ def test_a_watch_sees_another_record_of_the_same_size_and_date(tmp_path: Path) -
     file = tmp_path / "lane.csv"
     with closing(Store(tmp_path / "lane.sqlite")) as store:
         watch = FolderWatch(tmp_path, store, settle=0.0)
-        for content in ("time [s], left.plate.z [mm]\n0, 1\n", "time [s], left.plate.z [mm]\n0, 2\n"):
+        for content in (
+            "time [s], left.plate.z [mm]\n0, 1\n",
+            "time [s], left.plate.z [mm]\n0, 2\n",
+        ):
             file.write_text(content)
             os.utime(file, (100, 100))
             assert [one.file.name for one in watch.look()] == ["lane.csv"]
@@ -57,4 +60,6 @@ def test_roads_and_excitations_of_the_same_size_and_date_are_read_again(tmp_path
         found = load_road(road).segments(0.3).evaluate(np.array([0.2]))[0]
         mapped = Excitation(file=shaken, columns={"road.z": "road.z [m]"})
         assert found == pytest.approx([height])
-        assert [one.profile().before for one in (Excitation(file=shaken), mapped)] == pytest.approx([height] * 2)
+        assert [one.profile().before for one in (Excitation(file=shaken), mapped)] == pytest.approx(
+            [height] * 2
+        )

@@ -18,7 +18,9 @@ from jounce.kernel import cache, call, machine
 from jounce.kernel.loops import LOOPS, this_platform
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="owners and modes are a thing of POSIX")
-ROOT_ONLY = pytest.mark.skipif(os.name != "posix" or os.geteuid() != 0, reason="only root can give a file away")
+ROOT_ONLY = pytest.mark.skipif(
+    os.name != "posix" or os.geteuid() != 0, reason="only root can give a file away"
+)
 SOMEBODY = 54321
 
 
@@ -57,7 +59,9 @@ def test_folders_on_the_way(code: Path) -> None:
         read_own(code)
 
 
-def test_folders_that_hold_jounce_are_as_good_as_jounce(code: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_folders_that_hold_jounce_are_as_good_as_jounce(
+    code: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(ownership, "__file__", str(code.parents[1] / "jounce.py"))
     (code.parents[1] / "jounce.py").touch(0o644)
     code.parents[2].chmod(0o777)
@@ -77,7 +81,9 @@ def test_what_belongs_to_somebody_else(code: Path) -> None:
         read_own(code)
 
 
-def test_own_links_are_followed_and_every_folder_on_their_way_is_looked_at(code: Path, tmp_path: Path) -> None:
+def test_own_links_are_followed_and_every_folder_on_their_way_is_looked_at(
+    code: Path, tmp_path: Path
+) -> None:
     (tmp_path / "cache").symlink_to(code.parent)
     assert read_own(tmp_path / "cache" / "key.o") == b"code"
     (code.parent / "other.o").symlink_to("../cache/key.o")
@@ -88,7 +94,9 @@ def test_own_links_are_followed_and_every_folder_on_their_way_is_looked_at(code:
 
 
 @ROOT_ONLY
-def test_links_of_somebody_else_to_files_of_ours_are_not_followed(code: Path, tmp_path: Path) -> None:
+def test_links_of_somebody_else_to_files_of_ours_are_not_followed(
+    code: Path, tmp_path: Path
+) -> None:
     """What we have downloaded is ours, too, and may be code of somebody else."""
     (tmp_path / "cache").symlink_to(code.parent)
     os.chown(tmp_path / "cache", SOMEBODY, -1, follow_symlinks=False)
@@ -113,9 +121,11 @@ def test_a_file_exchanged_after_its_folder_was_looked_at(
 
     def exchanged(path, *arguments, **options):
         Path(path).unlink()
-        {"link": lambda: Path(path).symlink_to(elsewhere), "pipe": lambda: os.mkfifo(path), "folder": Path(path).mkdir}[
-            kind
-        ]()
+        {
+            "link": lambda: Path(path).symlink_to(elsewhere),
+            "pipe": lambda: os.mkfifo(path),
+            "folder": Path(path).mkdir,
+        }[kind]()
         return opened(path, *arguments, **options)
 
     monkeypatch.setattr(os, "open", exchanged)
@@ -129,7 +139,9 @@ def test_made_folders_are_private_whatever_the_mask_is(tmp_path: Path) -> None:
         folder = own_folder(tmp_path / "home" / ".cache" / "jounce")
     finally:
         os.umask(before)
-    assert {one.stat().st_mode & 0o777 for one in (folder, folder.parent, folder.parents[1])} == {0o755}
+    assert {one.stat().st_mode & 0o777 for one in (folder, folder.parent, folder.parents[1])} == {
+        0o755
+    }
 
 
 def test_a_relative_folder_is_not_used(
@@ -160,7 +172,9 @@ def test_a_folder_with_many_open_files_is_told_once(
     assert caplog.records[0].levelno == logging.WARNING
 
 
-def test_the_group_that_systems_make_for_each_user_holds_nobody_else(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_group_that_systems_make_for_each_user_holds_nobody_else(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     import grp
     import pwd
 
@@ -173,7 +187,9 @@ def test_the_group_that_systems_make_for_each_user_holds_nobody_else(monkeypatch
         (["eve"], user.pw_name, False),
     ):
         ownership._is_private.cache_clear()
-        monkeypatch.setattr(grp, "getgrgid", lambda _, n=name, m=members: grp.struct_group((n, "x", user.pw_gid, m)))
+        monkeypatch.setattr(
+            grp, "getgrgid", lambda _, n=name, m=members: grp.struct_group((n, "x", user.pw_gid, m))
+        )
         assert ownership._is_private(user.pw_gid, user.pw_uid) == private
     ownership._is_private.cache_clear()
 
@@ -242,20 +258,34 @@ def test_numba_reads_no_pickled_code() -> None:
     files = {Path(f"loops/{module}.py") for module, _ in LOOPS.values()}
     assert all((package / "kernel" / file).is_file() for file in files)
     assert {
-        file: numba_caches(file.read_text()) for file in package.rglob("*.py") if numba_caches(file.read_text())
+        file: numba_caches(file.read_text())
+        for file in package.rglob("*.py")
+        if numba_caches(file.read_text())
     } == {}
 
 
 def searching_here(source: str) -> list[int]:
     """Lines that start Python so that it takes modules from the folder one stands in, which may be anybody's."""
-    lists = (node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.List) and len(node.elts) > 1)
+    lists = (
+        node
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.List) and len(node.elts) > 1
+    )
     starts = (one for one in lists if ast.unparse(one.elts[0]) == "sys.executable")
-    return [one.lineno for one in starts if ast.unparse(one.elts[1]) not in ("'-P'", "'-I'")]  # -I: -P and more
+    return [
+        one.lineno for one in starts if ast.unparse(one.elts[1]) not in ("'-P'", "'-I'")
+    ]  # -I: -P and more
 
 
 def test_no_process_takes_modules_from_the_folder_one_stands_in() -> None:
-    assert searching_here("run([sys.executable, '-m', 'zig'])\nrun([sys.executable, '-P', '-m', 'zig'])") == [1]
+    assert searching_here(
+        "run([sys.executable, '-m', 'zig'])\nrun([sys.executable, '-P', '-m', 'zig'])"
+    ) == [1]
     package = Path(jounce.__file__).parent
-    found = {file: searching_here(file.read_text(encoding="utf-8")) for file in package.rglob("*.py")}
-    assert any("[sys.executable, " in file.read_text(encoding="utf-8") for file in package.rglob("*.py"))
+    found = {
+        file: searching_here(file.read_text(encoding="utf-8")) for file in package.rglob("*.py")
+    }
+    assert any(
+        "[sys.executable, " in file.read_text(encoding="utf-8") for file in package.rglob("*.py")
+    )
     assert {file: lines for file, lines in found.items() if lines} == {}

@@ -51,7 +51,9 @@ def test_workbooks_of_recordings(tmp_path, sign: str) -> None:
 
     def recording(name: str) -> xr.Dataset:
         clock = {"time": ("time", np.arange(9) * 0.01, {"units": "s"})}
-        return xr.Dataset({name: ("time", np.arange(9.0), {"units": "m/s^2"})}, clock, {"title": f"a{sign}b"})
+        return xr.Dataset(
+            {name: ("time", np.arange(9.0), {"units": "m/s^2"})}, clock, {"title": f"a{sign}b"}
+        )
 
     again, _ = jn.read_recording(jn.write_recording(recording("sprung.az"), tmp_path / "a.xlsx"))
     assert again.attrs["title"] == f"a{sign}b"
@@ -63,11 +65,14 @@ def test_workbooks_of_recordings(tmp_path, sign: str) -> None:
 @pytest.mark.parametrize("text", ["a\0b", "\ud800", ".", "", "\x1b[31m", "a\nb", "x" * 300])
 def test_odd_texts_of_a_recording_are_written_or_refused(tmp_path, suffix, text):
     """NUL and halves of characters were errors of a library, and dots a folder of HDF5."""
-    for package in {".mf4": ["asammdf"], ".parquet": ["pyarrow"], ".xlsx": ["openpyxl"]}.get(suffix, []):
+    for package in {".mf4": ["asammdf"], ".parquet": ["pyarrow"], ".xlsx": ["openpyxl"]}.get(
+        suffix, []
+    ):
         pytest.importorskip(package)
     time = np.arange(20) * 0.01
     base = xr.Dataset(
-        {"sprung.az": ("time", np.sin(9.0 * time), {"units": "m/s^2"})}, {"time": ("time", time, {"units": "s"})}
+        {"sprung.az": ("time", np.sin(9.0 * time), {"units": "m/s^2"})},
+        {"time": ("time", time, {"units": "s"})},
     )
     channel, units, long_name, name, value, texts = (base.copy(deep=True) for _ in range(6))
     units["sprung.az"].attrs["units"] = long_name["sprung.az"].attrs["long_name"] = text

@@ -18,7 +18,9 @@ from corpus.mutations import KINDS
 from jounce.operations.checks import _SCHEMAS
 from jounce.recordings import READERS
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="limits of memory and time are a thing of POSIX")
+pytestmark = pytest.mark.skipif(
+    sys.platform == "win32", reason="limits of memory and time are a thing of POSIX"
+)
 
 FAST = {"files": 2, "descriptions": 80, "commands": 24, "outputs": 23}
 """Every so many-th case is tried by the fast tests; of files, so many of each."""
@@ -58,18 +60,30 @@ def test_right_uses_are_right(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
             words = shlex.split(outputs.USES.get(name, base))
             with outputs.folder_for(name):
                 code, _, said = commands.said_by(words)
-            assert code == 0 or name.startswith("campaign "), (name, said)  # whose template's numbers are its user's
+            assert code == 0 or name.startswith("campaign "), (
+                name,
+                said,
+            )  # whose template's numbers are its user's
 
 
 def test_a_part_of_the_files() -> None:
     names = recordings.names()
-    cases = [(name, 7 * k + i, files.SEED) for i, name in enumerate(names) for k in range(FAST["files"])]
+    cases = [
+        (name, 7 * k + i, files.SEED) for i, name in enumerate(names) for k in range(FAST["files"])
+    ]
     judged("files", [*cases, *FOUND["files"]])
 
 
 def test_a_part_of_the_models() -> None:
     names = models.SAMPLES
-    judged("models", [(name, 5 * k + i, models.SEED) for i, name in enumerate(names) for k in range(FAST["files"])])
+    judged(
+        "models",
+        [
+            (name, 5 * k + i, models.SEED)
+            for i, name in enumerate(names)
+            for k in range(FAST["files"])
+        ],
+    )
 
 
 def test_a_part_of_the_descriptions() -> None:
@@ -77,35 +91,54 @@ def test_a_part_of_the_descriptions() -> None:
 
 
 def test_a_part_of_the_commands() -> None:
-    quick = [case for case in commands.cases() if case[0] in ("check", "modes", "iri", "bench speed", "fit stiffness")]
+    quick = [
+        case
+        for case in commands.cases()
+        if case[0] in ("check", "modes", "iri", "bench speed", "fit stiffness")
+    ]
     judged("commands", quick[:: FAST["commands"] // 4])
 
 
 def test_a_part_of_the_outputs() -> None:
     quick = ("simulate", "import chrono", "campaign new", "inspect import", "inspect export")
-    chosen = [case for case in outputs.cases() if case[0] in quick and case[1] not in ("--report", "--figure")]
+    chosen = [
+        case
+        for case in outputs.cases()
+        if case[0] in quick and case[1] not in ("--report", "--figure")
+    ]
     judged("outputs", chosen[:: FAST["outputs"]])
 
 
-def test_every_format_of_every_output_is_in_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_every_format_of_every_output_is_in_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """What a command says to a suffix that nobody knows are the suffixes that are tried."""
     monkeypatch.chdir(tmp_path)
     for name, option in {target[:2] for target in outputs.targets()}:
         known = outputs.suffixes(name, option)
         if known not in ((".sqlite",), ("",)):
             with outputs.folder_for(name):
-                code, _, said = commands.said_by(outputs.words((name, option, ".unknown", ""), "x.unknown"))
+                code, _, said = commands.said_by(
+                    outputs.words((name, option, ".unknown", ""), "x.unknown")
+                )
             assert code == 2, (name, option)
             found = said.partition("allowed: ")[2].rstrip(".\n").split(", ")
             assert {*found} - {".mp4"} == {*known}, (name, option, said)
 
 
 def test_every_reader_kind_and_command_is_in_it() -> None:
-    assert {recordings.reader_of(name) for name in recordings.names()} == {reader.name for reader in READERS}
-    assert all(recordings.sample(name).reader == recordings.reader_of(name) for name in recordings.names())
+    assert {recordings.reader_of(name) for name in recordings.names()} == {
+        reader.name for reader in READERS
+    }
+    assert all(
+        recordings.sample(name).reader == recordings.reader_of(name) for name in recordings.names()
+    )
     assert set(commands.BASES) == set(commands.commands())
     schemas = {name.removeprefix("jounce.").removesuffix("/1") for name in _SCHEMAS}
-    assert schemas == {name.partition(" ")[0].strip(":") for name in descriptions.KINDS} - {"full", "header"}
+    assert schemas == {name.partition(" ")[0].strip(":") for name in descriptions.KINDS} - {
+        "full",
+        "header",
+    }
     assert len(KINDS) == 8
 
 
@@ -114,15 +147,23 @@ def test_it_has_the_size_that_is_told() -> None:
     assert cases >= 1400
     for module in (files, models):
         of = recordings.reader_of if module is files else models.reader_of
-        counts = Counter(of(name) for name, _, _ in module.cases(*PARTS[module.__name__.partition(".")[2]]))
+        counts = Counter(
+            of(name) for name, _, _ in module.cases(*PARTS[module.__name__.partition(".")[2]])
+        )
         assert min(counts.values()) >= 2000, counts
 
 
 @pytest.mark.parametrize("part", PARTS)
 def test_the_page_tells_what_is_tried_and_that_nothing_is_bad(part: str) -> None:
-    page = (Path(__file__).parents[2] / "docs" / "explanation" / "robustness.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[2] / "docs" / "explanation" / "robustness.md").read_text(
+        encoding="utf-8"
+    )
     _, _, told = page.partition(f"### {TITLES[part]}")
-    rows = [line.strip("| ").split(" | ") for line in told.split("###")[0].splitlines() if line.startswith("|")]
+    rows = [
+        line.strip("| ").split(" | ")
+        for line in told.split("###")[0].splitlines()
+        if line.startswith("|")
+    ]
     heads, whole = rows[0], next(row for row in rows if row[0] == "**all**")
     numbers = {head: int(count) for head, count in zip(heads[1:], whole[1:], strict=True)}
     assert all(numbers[verdict] == 0 for verdict in BAD)
@@ -159,6 +200,8 @@ def test_the_judge_finds_what_ends_stands_still_and_takes_too_much(tmp_path, mon
     assert found == ["refused", "crashed", "right", "hung", "hung", "crashed", "flagged"]
 
 
-@pytest.mark.parametrize("text", ["internal error: x in a.csv", "a.csv: " + "x" * 5000, "somewhere: wrong"])
+@pytest.mark.parametrize(
+    "text", ["internal error: x in a.csv", "a.csv: " + "x" * 5000, "somewhere: wrong"]
+)
 def test_what_is_no_clear_message(text: str) -> None:
     assert not judging.is_clear(text, "a.csv")

@@ -100,7 +100,9 @@ def test_a_disk_that_refuses(folder: Path, monkeypatch, refused: int, lasting: b
         patch.setattr(Path, "rename", failing)
         with pytest.raises(writing.OutputError, match="No space left"):
             write_files(folder, NEW, force=True)
-    monkeypatch.setattr(writing, "_THIS_RUN", "000000")  # as if the next process had this one's number
+    monkeypatch.setattr(
+        writing, "_THIS_RUN", "000000"
+    )  # as if the next process had this one's number
     write_files(folder, {"other.txt": ""}, force=True)
     there = contents(folder)
     del there[KEPT], there["other.txt"]

@@ -30,7 +30,9 @@ HOSTILE = {
 
 @pytest.mark.parametrize("value", HOSTILE)
 @pytest.mark.parametrize("key", ["mass", "model", "estimated"])
-def test_a_value_of_a_rig(key: str, value: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_value_of_a_rig(
+    key: str, value: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     lines = rig_path("kart-quarter-car").read_text(encoding="utf-8").splitlines()
     at = next(i for i, line in enumerate(lines) if line.startswith(f"{key} "))
     lines[at] = f"{key} = {HOSTILE[value]}"
@@ -44,7 +46,9 @@ def test_a_value_of_a_rig(key: str, value: str, tmp_path: Path, capsys: pytest.C
     assert len(said) < 1500
 
 
-def test_a_file_that_is_no_description_by_its_size(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_file_that_is_no_description_by_its_size(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     file = tmp_path / "rig.toml"
     with file.open("wb") as stream:
         stream.truncate(50_000_000)
@@ -66,9 +70,13 @@ def test_the_length_that_is_told_is_that_of_the_value() -> None:
 
 
 @pytest.mark.parametrize("mass", ["1e29 kg", "1e20 kg"])
-def test_a_wheel_without_an_equilibrium(tmp_path: Path, capsys: pytest.CaptureFixture[str], mass: str) -> None:
+def test_a_wheel_without_an_equilibrium(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], mass: str
+) -> None:
     """It was an internal error of linear algebra: the search had left the numbers that there are."""
     text = rig_path("polaris-front").read_text(encoding="utf-8")
-    (tmp_path / "rig.toml").write_text(text.replace('mass = "30.1917839 kg"', f'mass = "{mass}"'), encoding="utf-8")
+    (tmp_path / "rig.toml").write_text(
+        text.replace('mass = "30.1917839 kg"', f'mass = "{mass}"'), encoding="utf-8"
+    )
     assert main(["modes", str(tmp_path / "rig.toml")]) == 2
     assert "no static equilibrium was found" in capsys.readouterr().err

@@ -30,7 +30,16 @@ def can_mount(folder: Path) -> bool:
 
 def in_disk(folder: Path, script: str, *words: str) -> subprocess.CompletedProcess[str]:
     """Run a script of the shell in a small disk that only it sees; ``$0`` is its folder."""
-    asked = ["unshare", "--map-root-user", "--mount", "sh", "-c", DISK + script, str(folder), *words]
+    asked = [
+        "unshare",
+        "--map-root-user",
+        "--mount",
+        "sh",
+        "-c",
+        DISK + script,
+        str(folder),
+        *words,
+    ]
     return subprocess.run(asked, capture_output=True, text=True, timeout=300, check=False)
 
 
@@ -45,7 +54,9 @@ def disk(tmp_path: Path) -> Path:
     return folder
 
 
-def answers(disk: Path, before: str, commands: list[list[str]], after: str) -> tuple[list[int], list[str], str]:
+def answers(
+    disk: Path, before: str, commands: list[list[str]], after: str
+) -> tuple[list[int], list[str], str]:
     """Exit codes, messages, and what the script ``after`` prints."""
     script = f'cp ../base.csv . && {before} && "$1" -c "$2" "$3" && {after}'
     ran = in_disk(disk, script, sys.executable, COMMANDS, json.dumps(commands))
@@ -101,7 +112,9 @@ def test_a_disk_that_goes_away_while_it_is_written(disk: Path) -> None:
     ran = in_disk(disk, 'cd / && "$1" -c "$2" "$0"', sys.executable, VANISHING)
     assert ran.returncode == 0, ran.stderr
     first, second = ran.stdout.splitlines()
-    assert first.startswith(f"{disk}/run.csv: the file cannot be written; found 'No such file or directory'")
+    assert first.startswith(
+        f"{disk}/run.csv: the file cannot be written; found 'No such file or directory'"
+    )
     assert second == "whole ['out']"
 
 

@@ -43,15 +43,26 @@ def said(capsys: pytest.CaptureFixture[str]) -> Any:
     return lambda: json.loads(capsys.readouterr().out)
 
 
-def test_names_are_never_markup_and_never_lose_results(campaign: Path, tmp_path: Path, said: Any) -> None:
+def test_names_are_never_markup_and_never_lose_results(
+    campaign: Path, tmp_path: Path, said: Any
+) -> None:
     folder = tmp_path / "named"
     shutil.copytree(campaign.parent, folder)
     file = folder / campaign.name
-    text = file.read_text(encoding="utf-8").replace('"My bench campaign"', json.dumps(" ".join(NAMES.values())))
-    text = text.replace('road = "A"', 'road = "$x^{$ \\\\frac"').replace("[roads.A]", '[roads."$x^{$ \\\\frac"]')
+    text = file.read_text(encoding="utf-8").replace(
+        '"My bench campaign"', json.dumps(" ".join(NAMES.values()))
+    )
+    text = text.replace('road = "A"', 'road = "$x^{$ \\\\frac"').replace(
+        "[roads.A]", '[roads."$x^{$ \\\\frac"]'
+    )
     text = text.replace('of = "A"', 'of = "$x^{$ \\\\frac"')
-    update = 'free = {"strut.damper.coefficient" = "50 %"}\nmethod = "least-squares"\ntrials = [1]\n'
-    text += "".join(f"[[update]]\nname = {json.dumps(name)}\n{update}" for name in (NAMES["length"], NAMES["page"]))
+    update = (
+        'free = {"strut.damper.coefficient" = "50 %"}\nmethod = "least-squares"\ntrials = [1]\n'
+    )
+    text += "".join(
+        f"[[update]]\nname = {json.dumps(name)}\n{update}"
+        for name in (NAMES["length"], NAMES["page"])
+    )
     file.write_text(text, encoding="utf-8")
     out = tmp_path / "out"
     assert main(["campaign", "run", str(file), "--out", str(out), "--json"]) == 0
@@ -87,7 +98,10 @@ def test_a_figure_and_a_section_that_fail(
 
     monkeypatch.setattr(render, "chart_html", fails)
     monkeypatch.setattr(campaign_report, "validation", no_validation)
-    assert main(["campaign", "run", str(campaign), "--out", str(out), "--figure", "svg", "--json"]) == 1
+    assert (
+        main(["campaign", "run", str(campaign), "--out", str(out), "--figure", "svg", "--json"])
+        == 1
+    )
     plain = said()
     problems = [one for one in plain["findings"] if one["severity"] == "problem"]
     assert [one["place"] for one in problems] == ["Validation", "figure roads"]
@@ -107,7 +121,10 @@ def test_a_page_that_fails_leaves_results_and_says_so_in_its_place(tmp_path: Pat
 
     with pytest.raises(DrawingError, match="could not be drawn: MemoryError"):
         write_page(page, tmp_path / "out", files={"results.json": "{}"})
-    assert sorted(file.name for file in (tmp_path / "out").iterdir()) == ["report.html", "results.json"]
+    assert sorted(file.name for file in (tmp_path / "out").iterdir()) == [
+        "report.html",
+        "results.json",
+    ]
     assert "Not drawn yet" in (tmp_path / "out" / "report.html").read_text()
     write_page(lambda: Page("done", ()), tmp_path / "out", files={"results.json": "[]"}, force=True)
     assert "Not drawn yet" not in (tmp_path / "out" / "report.html").read_text()
@@ -131,14 +148,38 @@ def test_a_process_that_ends_while_it_draws(tmp_path: Path) -> None:
 
 
 def test_two_figures_of_one_name_are_still_refused(tmp_path: Path) -> None:
-    pictures = tuple(Picture(figures.new_figure(1.0), "same", "A figure.", "A figure.") for _ in range(2))
+    pictures = tuple(
+        Picture(figures.new_figure(1.0), "same", "A figure.", "A figure.") for _ in range(2)
+    )
     with pytest.raises(OutputError, match="two figures have the same name"):
-        write_page(Page("twice", (Section("Both", (Paragraph("two"), *pictures)),)), tmp_path / "out")
+        write_page(
+            Page("twice", (Section("Both", (Paragraph("two"), *pictures)),)), tmp_path / "out"
+        )
 
 
 COMMANDS = [
-    ["ride", "kart-quarter-car", "--road", "iso:A", "--speed", "10 m/s", "--duration", "3 s", "--out", "run.csv"],
-    ["compare", "kart-quarter-car", "--control", "passive", "--speed", "10 m/s", "--duration", "3 s"],
+    [
+        "ride",
+        "kart-quarter-car",
+        "--road",
+        "iso:A",
+        "--speed",
+        "10 m/s",
+        "--duration",
+        "3 s",
+        "--out",
+        "run.csv",
+    ],
+    [
+        "compare",
+        "kart-quarter-car",
+        "--control",
+        "passive",
+        "--speed",
+        "10 m/s",
+        "--duration",
+        "3 s",
+    ],
 ]
 
 
@@ -161,7 +202,9 @@ def test_commands_tell_what_they_computed_where_the_figure_fails(
     assert [file.name for file in tmp_path.iterdir()] == (["run.csv"] if "--out" in command else [])
 
 
-def test_a_protocol_that_fails_leaves_its_values(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_protocol_that_fails_leaves_its_values(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     from jounce.inspection import Inspection, WheelResult
     from jounce.inspection.grading import grade
     from jounce.report import protocol, write_protocol
@@ -170,17 +213,23 @@ def test_a_protocol_that_fails_leaves_its_values(tmp_path: Path, monkeypatch: py
         raise RuntimeError("no fonts")
 
     monkeypatch.setattr(protocol, "filled", fails)
-    wheels = [WheelResult(side, static_load=4e3, phase_angle_min_deg=51.0) for side in ("left", "right")]
+    wheels = [
+        WheelResult(side, static_load=4e3, phase_angle_min_deg=51.0) for side in ("left", "right")
+    ]
     graded = grade(Inspection(tuple(wheels), methods=("egea",)))
     with pytest.raises(DrawingError, match="no fonts"):
         write_protocol(graded, tmp_path / "car.html", about={"vehicle": "A6"})
     assert [file.name for file in tmp_path.iterdir()] == ["car.json"]
-    assert json.loads((tmp_path / "car.json").read_text(encoding="utf-8"))["about"] == {"vehicle": "A6"}
+    assert json.loads((tmp_path / "car.json").read_text(encoding="utf-8"))["about"] == {
+        "vehicle": "A6"
+    }
 
 
 def test_long_names_leave_room_and_an_underscore_hides_nothing() -> None:
     velocity = [-1.0, 0.0, 1.0]
-    figure = damper_loops([], velocity, velocity, {NAMES["underscore"]: velocity}, title=NAMES["length"] * 3)
+    figure = damper_loops(
+        [], velocity, velocity, {NAMES["underscore"]: velocity}, title=NAMES["length"] * 3
+    )
     svg = figures.render_figure(figure, [".svg"])[".svg"].decode()
     assert NAMES["underscore"] in svg
     assert NAMES["length"][:100] in svg

@@ -12,10 +12,16 @@ from pathlib import Path
 import pytest
 
 RUN = Path(__file__).parent / "faults" / "run.py"
-WRITERS = ("export equations --out .c", "simulate --out .xlsx", "inspect import --store", "report in a folder")
+WRITERS = (
+    "export equations --out .c",
+    "simulate --out .xlsx",
+    "inspect import --store",
+    "report in a folder",
+)
 pytestmark = [
     pytest.mark.skipif(
-        (sys.platform, platform.machine()) != ("linux", "x86_64"), reason="traces system calls of Linux on x86-64"
+        (sys.platform, platform.machine()) != ("linux", "x86_64"),
+        reason="traces system calls of Linux on x86-64",
     ),
     pytest.mark.skipif(shutil.which("cc") is None, reason="needs a C compiler"),
 ]
@@ -38,7 +44,15 @@ def test_no_traceback_of_half_made_objects() -> None:
     """Python prints them itself, where the temporary files of an MDF file cannot be written or removed."""
     for extra in ("asammdf", "sqlalchemy"):
         pytest.importorskip(extra)
-    asked = [sys.executable, str(RUN), "--modes", "full", "refused", "--writers", "simulate --out .mf4"]
+    asked = [
+        sys.executable,
+        str(RUN),
+        "--modes",
+        "full",
+        "refused",
+        "--writers",
+        "simulate --out .mf4",
+    ]
     ran = subprocess.run(asked, capture_output=True, text=True, timeout=600, check=False)
     if "cannot be traced" in ran.stderr:
         pytest.skip("no process may be traced here")

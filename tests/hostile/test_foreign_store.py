@@ -11,7 +11,17 @@ from jounce.inspection.archive import lane
 from jounce.inspection.archive.entries import RecordEntry
 from jounce.parts.testers import load_tester
 
-NAMES = ["", ".", "..", "../../evil.csv", "/etc/evil.csv", "a\0b.csv", "x" * 300 + ".csv", "..\\evil.csv", "-rf.csv"]
+NAMES = [
+    "",
+    ".",
+    "..",
+    "../../evil.csv",
+    "/etc/evil.csv",
+    "a\0b.csv",
+    "x" * 300 + ".csv",
+    "..\\evil.csv",
+    "-rf.csv",
+]
 
 
 @pytest.mark.parametrize("name", NAMES)

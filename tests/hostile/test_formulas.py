@@ -36,7 +36,9 @@ def test_a_channel_that_looks_like_a_formula(tmp_path) -> None:
 
 @pytest.mark.parametrize("text", FORMULAS)
 def test_rows_of_a_store_and_of_numbers(tmp_path, text: str) -> None:
-    kept = export([{"number": 1, "name": text, "plate": text, "adhesion": -0.5}], tmp_path / "lane.csv")
+    kept = export(
+        [{"number": 1, "name": text, "plate": text, "adhesion": -0.5}], tmp_path / "lane.csv"
+    )
     write_numbers({}, [{"name": text, "value": -0.5}], tmp_path / "numbers.csv", force=False)
     for file in (kept, tmp_path / "numbers.csv"):
         with file.open(newline="") as stream:
@@ -48,7 +50,12 @@ def test_rows_of_a_store_and_of_numbers(tmp_path, text: str) -> None:
 
 def test_a_case_that_looks_like_a_formula(tmp_path) -> None:
     car = jn.LoadedAxle(
-        axle="front", mass=280.0, wheelbase=1.55, centre_of_mass_height=0.3, weight_share=0.48, brake_share=0.65
+        axle="front",
+        mass=280.0,
+        wheelbase=1.55,
+        centre_of_mass_height=0.3,
+        weight_share=0.48,
+        brake_share=0.65,
     )
     case = jn.LoadCase(longitudinal=-1.0)
     found = jn.load_cases(jn.load("formula-student-front"), car, {"=1+1": case})

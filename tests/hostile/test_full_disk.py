@@ -10,7 +10,9 @@ from pathlib import Path
 import pytest
 from corpus.descriptions import _SWEEP
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a quota of file size is a thing of POSIX")
+pytestmark = pytest.mark.skipif(
+    sys.platform == "win32", reason="a quota of file size is a thing of POSIX"
+)
 
 # The limit on the size of a file is set after everything is imported: then the disk is full for what is written. What
 # is imported later leaves no bytecode: Python would cut that at the limit, and stumble over it from then on.
@@ -40,7 +42,11 @@ COMMANDS = [
 
 
 def listing(folder: Path) -> dict[str, bytes]:
-    return {str(file.relative_to(folder)): file.read_bytes() for file in sorted(folder.rglob("*")) if file.is_file()}
+    return {
+        str(file.relative_to(folder)): file.read_bytes()
+        for file in sorted(folder.rglob("*"))
+        if file.is_file()
+    }
 
 
 def test_every_command_says_so_and_changes_nothing(tmp_path: Path) -> None:
@@ -52,7 +58,9 @@ def test_every_command_says_so_and_changes_nothing(tmp_path: Path) -> None:
     (tmp_path / "started" / "campaign.toml").write_text("mine", encoding="utf-8")
     before = listing(tmp_path)
     asked = [sys.executable, "-c", FULL, json.dumps(COMMANDS)]
-    ran = subprocess.run(asked, cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False)
+    ran = subprocess.run(
+        asked, cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False
+    )
     lines = ran.stderr.splitlines()
     assert ran.returncode == 0, ran.stderr
     codes = [line for line in lines if line.isdigit()]

@@ -33,9 +33,20 @@ def _begin(folder, words=KINEMATICS):
     for name in ("temporary", "cache"):
         (folder / name).mkdir(exist_ok=True)
     (folder / "study.toml").write_text(small_study.STUDY, encoding="utf-8")
-    environment = {**os.environ, "JOUNCE_CACHE_DIR": str(folder / "cache"), "TMPDIR": str(folder / "temporary")}
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "start_new_session": True}
-    started = subprocess.Popen([sys.executable, "-c", BEGUN, *words], cwd=folder, env=environment, **pipes)
+    environment = {
+        **os.environ,
+        "JOUNCE_CACHE_DIR": str(folder / "cache"),
+        "TMPDIR": str(folder / "temporary"),
+    }
+    pipes = {
+        "stdout": subprocess.PIPE,
+        "stderr": subprocess.PIPE,
+        "text": True,
+        "start_new_session": True,
+    }
+    started = subprocess.Popen(
+        [sys.executable, "-c", BEGUN, *words], cwd=folder, env=environment, **pipes
+    )
     assert started.stdout.readline() == "begun\n"
     return started
 
@@ -58,7 +69,9 @@ def whole_time(tmp_path_factory):
     ],
 )
 def test_ended_with_an_empty_cache(tmp_path, whole_time, part, number):
-    for attempt in range(5):  # a machine may be faster this time: what has ended already is begun again
+    for attempt in range(
+        5
+    ):  # a machine may be faster this time: what has ended already is begun again
         folder = tmp_path / str(attempt)
         folder.mkdir()
         with _begin(folder) as started:
@@ -129,7 +142,9 @@ except KeyboardInterrupt:
 
 def test_workers_are_started_whole_whoever_hears_the_signal():
     """The kernel may give it to another thread, which blocks nothing: the first message to a worker was cut off."""
-    ended = subprocess.run([sys.executable, "-c", HEARD_BY_ANOTHER], capture_output=True, text=True, check=True)
+    ended = subprocess.run(
+        [sys.executable, "-c", HEARD_BY_ANOTHER], capture_output=True, text=True, check=True
+    )
     assert (ended.stdout, ended.stderr) == ("interrupted 1\n", "")
 
 
@@ -149,6 +164,8 @@ print(os.waitpid(counts, os.WNOHANG))
 
 def test_the_process_that_counts_semaphores_hears_nothing():
     """It ended with a closed terminal, and its successor printed a traceback below the one line."""
-    ended = subprocess.run([sys.executable, "-c", COUNTED], capture_output=True, text=True, check=True)
+    ended = subprocess.run(
+        [sys.executable, "-c", COUNTED], capture_output=True, text=True, check=True
+    )
     assert ended.stdout == "(0, 0)\n"
     assert ended.stderr == ""

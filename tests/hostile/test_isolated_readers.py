@@ -71,7 +71,9 @@ def evil(monkeypatch, tmp_path):
     monkeypatch.setattr(isolated, "MEMORY", 3e8)
     monkeypatch.setattr(isolated, "_IDLE", [])
 
-    def read(what: str, seconds: float = 20.0) -> SignalTable:  # long enough where much else is to be done, too
+    def read(
+        what: str, seconds: float = 20.0
+    ) -> SignalTable:  # long enough where much else is to be done, too
         monkeypatch.setattr(isolated, "TIME", seconds)
         file = tmp_path / "a.evil"
         file.write_text(what)
@@ -85,9 +87,15 @@ def evil(monkeypatch, tmp_path):
 @pytest.mark.parametrize(
     ("what", "says"),
     [
-        ("crash", r"a\.evil: reading the file ended the process that reads it \(SIGSEGV\): it is damaged"),
+        (
+            "crash",
+            r"a\.evil: reading the file ended the process that reads it \(SIGSEGV\): it is damaged",
+        ),
         ("exit", r"a\.evil: the process that reads the file ended \(exit code 7\)"),
-        ("loop", r"a\.evil: reading the file does not end: it is damaged; found 'more than 1 s'; allowed: "),
+        (
+            "loop",
+            r"a\.evil: reading the file does not end: it is damaged; found 'more than 1 s'; allowed: ",
+        ),
         ("sleep", r"a\.evil: reading the file does not end"),
         ("unknown", r"a\.evil: this cannot be used.*\(KeyError: 'x'\)"),
         ("refused", r"^here: wrong; found 3; allowed: less\. Try\.$"),
@@ -102,33 +110,42 @@ def test_what_a_file_does_is_one_message(evil, what: str, says: str) -> None:
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="elsewhere memory is not limited")
 def test_memory_is_limited_by_the_size_of_the_file(evil) -> None:
     with pytest.raises(
-        RecordingError, match=r"a\.evil: the file takes more memory than a file of its size may; found '"
+        RecordingError,
+        match=r"a\.evil: the file takes more memory than a file of its size may; found '",
     ):
         evil("memory")
     assert evil("whole").left_out == ("z",)
 
 
 @pytest.mark.skipif(not Path("/bin/ps").exists(), reason="memory is looked at by ps")
-def test_memory_is_looked_at_where_the_system_does_not_limit_it(evil, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_memory_is_looked_at_where_the_system_does_not_limit_it(
+    evil, monkeypatch: pytest.MonkeyPatch
+) -> None:
     begin = "from jounce.recordings.isolated import serve"
     unlimited = f"from jounce.recordings import isolated; isolated.limit = lambda *_: None; {begin}"
     monkeypatch.setattr(isolated, "_CHILD", isolated._CHILD.replace(begin, unlimited))
     monkeypatch.setattr(child_processes, "LIMITS_MEMORY", False)
     monkeypatch.setattr(child_processes, "_BETWEEN_LOOKS", 0.05)
-    with pytest.raises(RecordingError, match=r"a\.evil: the file takes more memory than a file of its size may"):
+    with pytest.raises(
+        RecordingError, match=r"a\.evil: the file takes more memory than a file of its size may"
+    ):
         evil("grow")
     assert evil("whole").left_out == ("z",)
 
 
 @pytest.mark.parametrize(("answers", "taken"), [(1, 3e9), (0, 0.0)])
-def test_windows_tells_what_a_process_takes(monkeypatch: pytest.MonkeyPatch, answers: int, taken: float) -> None:
+def test_windows_tells_what_a_process_takes(
+    monkeypatch: pytest.MonkeyPatch, answers: int, taken: float
+) -> None:
     """Under a fake of its library: size of the structure, place of the number (PagefileUsage), and no answer."""
 
     class Ask:
         def __call__(self, handle: int, at: int, size: int) -> int:
             assert (handle, size) == (7, 8 + 8 * ctypes.sizeof(ctypes.c_size_t))
             assert ctypes.c_uint32.from_address(at).value == size
-            ctypes.c_size_t.from_address(at + 8 + 6 * ctypes.sizeof(ctypes.c_size_t)).value = 3_000_000_000
+            ctypes.c_size_t.from_address(
+                at + 8 + 6 * ctypes.sizeof(ctypes.c_size_t)
+            ).value = 3_000_000_000
             return answers
 
     class Library:
@@ -169,7 +186,9 @@ def test_everything_comes_back_as_it_was_read(evil) -> None:
 
 def test_a_child_that_was_killed_while_it_waits_is_replaced(tmp_path: Path) -> None:
     file = tmp_path / "a.nc"
-    write_recording(recording(np.arange(50) * 0.01, {"tyre.force": (np.arange(50.0), "N", "")}), file)
+    write_recording(
+        recording(np.arange(50) * 0.01, {"tyre.force": (np.arange(50.0), "N", "")}), file
+    )
     read_recording(file)
     waiting = isolated._IDLE[-1].process
     waiting.kill()
@@ -177,7 +196,9 @@ def test_a_child_that_was_killed_while_it_waits_is_replaced(tmp_path: Path) -> N
     assert read_recording(file)[0].sizes["time"] == 50
 
 
-def test_one_child_reads_many_files_of_a_library_that_reserves_much(tmp_path: Path, monkeypatch) -> None:
+def test_one_child_reads_many_files_of_a_library_that_reserves_much(
+    tmp_path: Path, monkeypatch
+) -> None:
     pa, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
     monkeypatch.setattr(isolated, "_IDLE", [])
     table = pa.table({"time [s]": np.arange(50) * 0.01, "tyre.force [N]": np.arange(50.0)})
@@ -190,9 +211,13 @@ def test_one_child_reads_many_files_of_a_library_that_reserves_much(tmp_path: Pa
     isolated._end_all()
 
 
-def test_the_same_in_a_process_that_can_start_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_same_in_a_process_that_can_start_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     file = tmp_path / "a.nc"
-    write_recording(recording(np.arange(50) * 0.01, {"tyre.force": (np.arange(50.0), "N", "")}), file)
+    write_recording(
+        recording(np.arange(50) * 0.01, {"tyre.force": (np.arange(50.0), "N", "")}), file
+    )
     in_child = read_recording(file)[0]
     monkeypatch.setattr(readers, "is_possible", lambda: False)
     monkeypatch.setattr(isolated, "read_isolated", None)

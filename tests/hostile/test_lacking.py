@@ -39,7 +39,9 @@ LACKING = [
     OSError(errno.EIO, os.strerror(errno.EIO)),
     ResourceError("a process that reads files was ended"),
 ]
-errors = pytest.mark.parametrize("error", LACKING, ids=lambda error: f"{type(error).__name__} {error}"[:30])
+errors = pytest.mark.parametrize(
+    "error", LACKING, ids=lambda error: f"{type(error).__name__} {error}"[:30]
+)
 
 
 def raising(error):
@@ -52,7 +54,9 @@ def raising(error):
 @pytest.fixture
 def record(tmp_path):
     file = tmp_path / "lane.csv"
-    file.write_text("time [s],left.plate.z [mm]\n" + "".join(f"{0.01 * k:.2f},{k % 7}\n" for k in range(99)))
+    file.write_text(
+        "time [s],left.plate.z [mm]\n" + "".join(f"{0.01 * k:.2f},{k % 7}\n" for k in range(99))
+    )
     return file
 
 
@@ -65,7 +69,9 @@ def test_what_lacks_is_named_with_what_helps(error):
         reason(error)
 
 
-@pytest.mark.parametrize("error", [ValueError("x"), OSError(errno.ENOENT, "gone"), RecordingError("damaged")])
+@pytest.mark.parametrize(
+    "error", [ValueError("x"), OSError(errno.ENOENT, "gone"), RecordingError("damaged")]
+)
 def test_what_a_file_is_remains_its_own(error):
     assert not is_of_system(error)
     assert reason(error) == str(unforeseen(error))
@@ -142,8 +148,12 @@ def test_a_child_that_is_ended_from_outside_says_nothing_of_the_file(fresh, tmp_
     file.write_bytes(b"CDF\x01")
     killed = "isolated._read = lambda *_: os.kill(os.getpid(), signal.SIGKILL)"
     begin = f"import os, signal\nfrom jounce.recordings import isolated\n{killed}\n"
-    monkeypatch.setattr(isolated, "_CHILD", isolated._CHILD.replace("serve(READERS)", f"{begin}serve(READERS)"))
-    with pytest.raises(ResourceError, match=f"was ended from outside; found '{signal.SIGKILL.name}'"):
+    monkeypatch.setattr(
+        isolated, "_CHILD", isolated._CHILD.replace("serve(READERS)", f"{begin}serve(READERS)")
+    )
+    with pytest.raises(
+        ResourceError, match=f"was ended from outside; found '{signal.SIGKILL.name}'"
+    ):
         jn.read_recording(file)
 
 
@@ -152,16 +162,36 @@ def test_a_child_that_is_ended_from_outside_says_nothing_of_the_file(fresh, tmp_
     "words",
     [
         ["modes", "kart-quarter-car"],
-        ["simulate", "kart-quarter-car", "--road", "detrended_rms_course_1in", "--speed", "2 m/s", "--duration", "1 s"],
+        [
+            "simulate",
+            "kart-quarter-car",
+            "--road",
+            "detrended_rms_course_1in",
+            "--speed",
+            "2 m/s",
+            "--duration",
+            "1 s",
+        ],
         ["export", "fmu", "kart-quarter-car", "--out", "rig.fmu"],
     ],
     ids=lambda words: words[0],
 )
 @pytest.mark.parametrize("megabytes", [250, 500])
 def test_little_memory_is_named_and_not_the_duration(tmp_path, words, megabytes):
-    command = ["sh", "-c", f'ulimit -v {megabytes * 1000}; exec "$@"', "sh", sys.executable, "-m", "jounce", *words]
+    command = [
+        "sh",
+        "-c",
+        f'ulimit -v {megabytes * 1000}; exec "$@"',
+        "sh",
+        sys.executable,
+        "-m",
+        "jounce",
+        *words,
+    ]
     environment = {**os.environ, "JOUNCE_CACHE_DIR": str(tmp_path), "OPENBLAS_NUM_THREADS": "1"}
-    ended = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    ended = subprocess.run(
+        command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
     assert ended.returncode == 2
     assert re.search(r"memory.*\(ulimit -v\)", ended.stderr)
     assert "shorter duration" not in ended.stderr
@@ -171,9 +201,20 @@ def test_little_memory_is_named_and_not_the_duration(tmp_path, words, megabytes)
 @pytest.mark.parametrize(("limit", "what"), [("-n 5", "open files"), ("-f 1", "size of files")])
 def test_other_limits_are_named(tmp_path, limit, what):
     words = ["export", "fmu", "kart-quarter-car", "--out", "rig.fmu"]
-    command = ["sh", "-c", f'ulimit {limit}; exec "$@"', "sh", sys.executable, "-m", "jounce", *words]
+    command = [
+        "sh",
+        "-c",
+        f'ulimit {limit}; exec "$@"',
+        "sh",
+        sys.executable,
+        "-m",
+        "jounce",
+        *words,
+    ]
     environment = {**os.environ, "JOUNCE_CACHE_DIR": str(tmp_path)}
-    ended = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    ended = subprocess.run(
+        command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
     assert ended.returncode == 2, ended.stdout
     assert re.search(rf"aise the limit of (the )?{what} \(ulimit", ended.stderr)
     assert not list(tmp_path.glob("rig*"))

@@ -48,7 +48,9 @@ def test_what_a_killed_process_left_is_swept_by_the_next_one(tmp_path: Path) -> 
 
 
 def test_leftovers_of_other_machines_go_after_a_day(tmp_path: Path) -> None:
-    old, young, foreign = (tmp_path / f".jounce-{name}" for name in ("00000000-1-a", "00000000-1-b", "mine.txt"))
+    old, young, foreign = (
+        tmp_path / f".jounce-{name}" for name in ("00000000-1-a", "00000000-1-b", "mine.txt")
+    )
     for file in (old, young, foreign):
         file.write_text("left")
     day_before = time.time() - 2 * 86400.0
@@ -67,14 +69,17 @@ def test_all_files_or_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
         return write(self, content)
 
     monkeypatch.setattr(Path, "write_bytes", full)
-    with pytest.raises(OutputError, match="the folder cannot be written; found 'No space left on device'"):
+    with pytest.raises(
+        OutputError, match="the folder cannot be written; found 'No space left on device'"
+    ):
         write_files(tmp_path / "out", {"a.txt": "new", "b.txt": "new"}, force=True)
     assert (tmp_path / "out" / "a.txt").read_text() == "old"
     assert [file.name for file in tmp_path.iterdir()] == ["out"]
 
 
 @pytest.mark.parametrize(
-    "name", ["n" * 251 + ".csv", "päth with 'quotes' \"and\" \U0001f600 \u202e.csv", "-rf", "a" * 200]
+    "name",
+    ["n" * 251 + ".csv", "päth with 'quotes' \"and\" \U0001f600 \u202e.csv", "-rf", "a" * 200],
 )
 def test_any_name_that_the_system_takes(tmp_path: Path, name: str) -> None:
     write_atomically(tmp_path / name, "whole")
@@ -89,7 +94,12 @@ def test_an_interrupted_write_leaves_nothing(tmp_path: Path) -> None:
 
 
 def test_names_that_others_gave_stop_nothing(tmp_path: Path) -> None:
-    names = [f".jounce-{writing._machine()}-{'9' * 30}-x", ".jounce-a-b-c", ".jounce----", ".jounce-00000000-0-\u00b2"]
+    names = [
+        f".jounce-{writing._machine()}-{'9' * 30}-x",
+        ".jounce-a-b-c",
+        ".jounce----",
+        ".jounce-00000000-0-\u00b2",
+    ]
     for name in names:
         (tmp_path / name).write_text("not ours")
     write_atomically(tmp_path / "run.csv", "whole")
@@ -112,7 +122,9 @@ def test_a_clock_that_jumps_takes_nothing_from_a_process_that_runs(
 
 
 def test_what_an_earlier_process_of_the_same_number_left_goes(tmp_path: Path) -> None:
-    left = tmp_path / f".jounce-{writing._machine()}-{os.getpid()}-000000-x.a-b"  # a suffix with a hyphen
+    left = (
+        tmp_path / f".jounce-{writing._machine()}-{os.getpid()}-000000-x.a-b"
+    )  # a suffix with a hyphen
     left.mkdir()
     write_atomically(tmp_path / "run.csv", "whole")
     assert left.exists() == (os.name != "posix")
@@ -134,11 +146,15 @@ def test_what_is_moved_out_comes_back_where_the_new_cannot_go_in(
     monkeypatch.setattr(Path, "rename", refused)
     with pytest.raises(OutputError, match="Input/output error"):
         write_files(out, {"a.txt": "new", "b/c.txt": "new", "d.txt": "new"}, force=True)
-    found = {str(file.relative_to(out)): file.read_text() for file in out.rglob("*") if file.is_file()}
+    found = {
+        str(file.relative_to(out)): file.read_text() for file in out.rglob("*") if file.is_file()
+    }
     assert found == {"a.txt": "old", "b/c.txt": "old", "mine.txt": "mine"}
 
 
-def test_the_folder_that_one_stands_in_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_folder_that_one_stands_in_stays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     before = tmp_path.stat().st_ino
     write_files(".", {"a.txt": "new"})
@@ -146,7 +162,9 @@ def test_the_folder_that_one_stands_in_stays(tmp_path: Path, monkeypatch: pytest
     assert Path("a.txt").read_text() == "new"
 
 
-def test_working_folders_of_killed_processes_go(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_working_folders_of_killed_processes_go(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     left = tmp_path / f".jounce-{writing._machine()}-{os.getpid()}-000000-x"
     left.mkdir()
@@ -156,7 +174,9 @@ def test_working_folders_of_killed_processes_go(tmp_path: Path, monkeypatch: pyt
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.skipif(os.name != "posix", reason="elsewhere what still runs is not known, and left for a day")
+@pytest.mark.skipif(
+    os.name != "posix", reason="elsewhere what still runs is not known, and left for a day"
+)
 def test_what_a_process_left_beside_the_folder_that_it_had_just_made_goes(tmp_path: Path) -> None:
     left = tmp_path / f".jounce-{writing._machine()}-{os.getpid()}-000000-x"
     left.mkdir()
@@ -165,10 +185,15 @@ def test_what_a_process_left_beside_the_folder_that_it_had_just_made_goes(tmp_pa
     assert [file.name for file in tmp_path.iterdir()] == ["out"]
 
 
-def test_a_full_disk_in_a_working_folder_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_full_disk_in_a_working_folder_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     with (
-        pytest.raises(OutputError, match=r"\.jounce-.*: a temporary file cannot be written; found 'No space left"),
+        pytest.raises(
+            OutputError,
+            match=r"\.jounce-.*: a temporary file cannot be written; found 'No space left",
+        ),
         writing.working_folder(),
     ):
         raise OSError(28, "No space left on device")
@@ -177,7 +202,9 @@ def test_a_full_disk_in_a_working_folder_is_told(tmp_path: Path, monkeypatch: py
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_folder_in_the_place_of_a_file_and_a_file_in_the_way_are_refused_before_the_work(tmp_path: Path) -> None:
+def test_a_folder_in_the_place_of_a_file_and_a_file_in_the_way_are_refused_before_the_work(
+    tmp_path: Path,
+) -> None:
     (tmp_path / "run.nc").mkdir()
     for force in (False, True):
         with pytest.raises(OutputError, match="a folder stands where the file should be"):
@@ -185,7 +212,9 @@ def test_a_folder_in_the_place_of_a_file_and_a_file_in_the_way_are_refused_befor
     (tmp_path / "mine.txt").write_text("mine")
     with pytest.raises(OutputError, match=r"below a file; found '.*mine\.txt'"):
         writing.check_folder(tmp_path / "mine.txt" / "a" / "out")
-    with pytest.raises(OutputError, match="the folder cannot be written; found 'File name too long'"):
+    with pytest.raises(
+        OutputError, match="the folder cannot be written; found 'File name too long'"
+    ):
         writing.check_folder(tmp_path / ("x" * 300))
 
 
@@ -253,7 +282,9 @@ def test_leftovers_that_lie_deep_stay(tmp_path: Path) -> None:
     subprocess.run(["rm", "-rf", str(tmp_path / LEFT)], check=True)
 
 
-def test_a_file_is_written_though_its_temporary_name_stays(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_file_is_written_though_its_temporary_name_stays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """It was there, whole, and "cannot be written"."""
     with monkeypatch.context() as failing:
 

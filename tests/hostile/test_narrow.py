@@ -22,7 +22,9 @@ def run(words, folder):
     """Run a command beside a study; give what it ended with."""
     (folder / "study.toml").write_text(small_study.STUDY, encoding="utf-8")
     environment = {**os.environ, "JOUNCE_CACHE_DIR": str(folder / "cache")}
-    return subprocess.run(words, cwd=folder, env=environment, capture_output=True, text=True, check=False)
+    return subprocess.run(
+        words, cwd=folder, env=environment, capture_output=True, text=True, check=False
+    )
 
 
 def is_possible(*words):
@@ -34,7 +36,9 @@ def is_possible(*words):
 
 
 @pytest.mark.parametrize(
-    ("options", "reason"), [("ro", os.strerror(30)), ("size=4k", os.strerror(28))], ids=["read-only", "full"]
+    ("options", "reason"),
+    [("ro", os.strerror(30)), ("size=4k", os.strerror(28))],
+    ids=["read-only", "full"],
 )
 def test_without_shared_memory_one_process_does_the_sweep(tmp_path, options, reason):
     apart = ["unshare", "--mount"]
@@ -44,10 +48,14 @@ def test_without_shared_memory_one_process_does_the_sweep(tmp_path, options, rea
     mount = f"mount -t tmpfs -o {options} none /dev/shm\n{fill}"
     ended = run([*apart, "sh", "-c", f'{mount}\nexec "$@"', "sh", *SWEEP], tmp_path)
     assert ended.returncode == 0, ended.stderr
-    assert f"/dev/shm: no worker processes can be started; found {reason!r}. {GOES_ON}" in ended.stderr
+    assert (
+        f"/dev/shm: no worker processes can be started; found {reason!r}. {GOES_ON}" in ended.stderr
+    )
 
 
-@pytest.mark.parametrize("words", [SWEEP, [*COMMAND, "modes", "kart-quarter-car"]], ids=["sweep", "modes"])
+@pytest.mark.parametrize(
+    "words", [SWEEP, [*COMMAND, "modes", "kart-quarter-car"]], ids=["sweep", "modes"]
+)
 def test_where_nothing_more_can_be_started(tmp_path, words):
     other = [
         "prlimit", "--nproc=1",
@@ -70,6 +78,9 @@ def test_what_workers_lack_is_named():
 
     assert refuse(OSError(24, "Too many open files")) == "the limit of open files (ulimit -n)"
     assert refuse(RuntimeError(NO_THREAD)) == "the limit of processes (ulimit -u)"
-    assert refuse(BlockingIOError(11, "Resource temporarily unavailable")) == "the limit of processes (ulimit -u)"
+    assert (
+        refuse(BlockingIOError(11, "Resource temporarily unavailable"))
+        == "the limit of processes (ulimit -u)"
+    )
     with pytest.raises(RuntimeError, match="another"), starting_workers():
         raise RuntimeError("another")

@@ -37,10 +37,22 @@ COMMANDS = [
     ["check", "pipe.csv"],
     ["modes", "pipe.toml"],
     ["campaign", "run", "pipe.toml", "--out", "results"],
-    ["simulate", "kart-quarter-car", "--road", "pipe.toml", "--speed", "1 m/s", "--duration", "1 s"],
+    [
+        "simulate",
+        "kart-quarter-car",
+        "--road",
+        "pipe.toml",
+        "--speed",
+        "1 m/s",
+        "--duration",
+        "1 s",
+    ],
     ["simulate", "kart-quarter-car", "--road", "pipe.crg", "--speed", "1 m/s", "--duration", "1 s"],
     ["simulate", "kart-quarter-car", "--excitation", "pipe.csv"],
-    *(["plot", f"pipe.{suffix}", "--figure", "out.png"] for suffix in ("csv", "mat", "nc", "tdms", "uff", "mf4")),
+    *(
+        ["plot", f"pipe.{suffix}", "--figure", "out.png"]
+        for suffix in ("csv", "mat", "nc", "tdms", "uff", "mf4")
+    ),
     ["iri", "pipe.csv"],
     ["import", "tir", "pipe.tir"],
     ["import", "chrono", "pipe.json"],
@@ -54,7 +66,12 @@ COMMANDS = [
 
 
 def test_no_command_waits_for_a_pipe(tmp_path: Path) -> None:
-    for suffix in {file.partition(".")[2] for command in COMMANDS for file in command if file.startswith("pipe.")}:
+    for suffix in {
+        file.partition(".")[2]
+        for command in COMMANDS
+        for file in command
+        if file.startswith("pipe.")
+    }:
         os.mkfifo(tmp_path / f"pipe.{suffix}")
     with socket.socket(socket.AF_UNIX) as listening:
         here = os.open(".", os.O_RDONLY)
@@ -65,7 +82,9 @@ def test_no_command_waits_for_a_pipe(tmp_path: Path) -> None:
             os.fchdir(here)
             os.close(here)
         asked = [sys.executable, "-c", ALL, json.dumps(COMMANDS)]
-        ran = subprocess.run(asked, cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False)
+        ran = subprocess.run(
+            asked, cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False
+        )
     codes = {line[2:]: line[0] for line in ran.stderr.splitlines() if line[:1].isdigit()}
     assert codes == {" ".join(command): "2" for command in COMMANDS}, ran.stderr
     assert "internal" not in ran.stderr
@@ -87,14 +106,29 @@ def test_a_watch_tells_a_pipe_once_and_goes_on(tmp_path: Path) -> None:
 def test_sizes_are_bounded(tmp_path: Path) -> None:
     with (tmp_path / "large.csv").open("wb") as stream:
         stream.truncate(5_000_000_000)
-    with pytest.raises(RecordingError, match=r"too large to be read as a whole; found '5 GB'; allowed: up to 1 GB"):
+    with pytest.raises(
+        RecordingError, match=r"too large to be read as a whole; found '5 GB'; allowed: up to 1 GB"
+    ):
         content_of(tmp_path / "large.csv", RecordingError)
-    assert main(["inspect", "import", str(tmp_path / "large.csv"), "--store", str(tmp_path / "lane.sqlite")]) == 2
+    assert (
+        main(
+            [
+                "inspect",
+                "import",
+                str(tmp_path / "large.csv"),
+                "--store",
+                str(tmp_path / "lane.sqlite"),
+            ]
+        )
+        == 2
+    )
 
 
 def test_what_is_opened_is_what_is_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     os.mkfifo(tmp_path / "pipe.csv")
-    monkeypatch.setattr("jounce.core.files.existing_file", lambda path, _: Path(path))  # it was one just before
+    monkeypatch.setattr(
+        "jounce.core.files.existing_file", lambda path, _: Path(path)
+    )  # it was one just before
     with pytest.raises(DescriptionError, match="a pipe or a device"):
         content_of(tmp_path / "pipe.csv")
 
@@ -116,7 +150,11 @@ def test_paths_that_lead_nowhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     assert main(["campaign", "new", "loop"]) == 2
     assert main(["check", "loop"]) == 2
     assert "internal" not in capsys.readouterr().err
-    for words in (["modes", "a\0b"], ["inspect", "search", "--store", "a\0"], ["campaign", "new", "\0"]):
+    for words in (
+        ["modes", "a\0b"],
+        ["inspect", "search", "--store", "a\0"],
+        ["campaign", "new", "\0"],
+    ):
         assert main(words) == 2
         assert "an argument with a NUL character" in capsys.readouterr().err
     assert [one.name for one in tmp_path.iterdir()] == ["loop"]
@@ -159,15 +197,22 @@ def test_half_a_letter_is_no_text(tmp_path: Path) -> None:
         read_toml(tmp_path / "a.toml")
 
 
-@pytest.mark.parametrize(("told", "row"), [("A1:XFD1048576", 1048576), ("A1:D2", 10**10), ("A1", 30_000)])
+@pytest.mark.parametrize(
+    ("told", "row"), [("A1:XFD1048576", 1048576), ("A1:D2", 10**10), ("A1", 30_000)]
+)
 def test_sheets_that_tell_billions_of_cells(tmp_path: Path, told: str, row: int) -> None:
     sheet = f"""<worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><dimension ref="{told}"/>
     <sheetData><row r="1"><c r="A1"><v>1</v></c></row><row r="{row}"><c r="A{row}"><v>1</v></c></row></sheetData>
     </worksheet>"""
     book, small, large = openpyxl.Workbook(), io.BytesIO(), tmp_path / "points.xlsx"
     book.save(small)
-    with zipfile.ZipFile(small) as archive, zipfile.ZipFile(large, "w", zipfile.ZIP_DEFLATED) as made:
+    with (
+        zipfile.ZipFile(small) as archive,
+        zipfile.ZipFile(large, "w", zipfile.ZIP_DEFLATED) as made,
+    ):
         for info in archive.infolist():
-            made.writestr(info.filename, sheet if info.filename.endswith("sheet1.xml") else archive.read(info))
+            made.writestr(
+                info.filename, sheet if info.filename.endswith("sheet1.xml") else archive.read(info)
+            )
     with pytest.raises(DescriptionError, match="too many rows"):
         import_hardpoints(large)

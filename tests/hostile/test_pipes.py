@@ -15,10 +15,13 @@ from corpus.outputs import folder_for, targets, words
 
 from jounce.cli import main, pipes
 
-pytestmark = pytest.mark.skipif(not os.path.exists("/dev/fd"), reason="there are no names of open files")  # noqa: PTH110
+HAS_NAMES = os.path.exists("/dev/fd")  # noqa: PTH110 - it is no path of ours
+pytestmark = pytest.mark.skipif(not HAS_NAMES, reason="there are no names of open files")
 COMMAND = [sys.executable, "-m", "jounce"]
 RIG = (resources.files("jounce.parts") / "library" / "kart-quarter-car.toml").read_bytes()
-CSV = b"# of a bench\ntime [s],x [mm]\n" + b"".join(b"%.2f,%.3f\n" % (0.01 * i, i % 7) for i in range(60))
+CSV = b"# of a bench\ntime [s],x [mm]\n" + b"".join(
+    b"%.2f,%.3f\n" % (0.01 * i, i % 7) for i in range(60)
+)
 ROAD = b'schema = "jounce.road/1"\nkind = "step"\nheight = "10 mm"\nstart = "1 m"\n'
 
 
@@ -26,7 +29,12 @@ def run(words, folder, content=b""):
     """Run a command that reads some content from its standard input."""
     environment = {**os.environ, "TMPDIR": str(folder)}
     ended = subprocess.run(
-        [*COMMAND, *words], cwd=folder, env=environment, input=content, capture_output=True, check=False
+        [*COMMAND, *words],
+        cwd=folder,
+        env=environment,
+        input=content,
+        capture_output=True,
+        check=False,
     )
     assert not list(folder.glob(".jounce-*"))
     return ended
@@ -36,7 +44,14 @@ def run(words, folder, content=b""):
 def written(tmp_path, request):
     """A short run in a format, as bytes."""
     file = tmp_path / f"run{request.param}"
-    words = ["simulate", "kart-quarter-car", "--road", "detrended_rms_course_1in", "--speed", "2 m/s"]
+    words = [
+        "simulate",
+        "kart-quarter-car",
+        "--road",
+        "detrended_rms_course_1in",
+        "--speed",
+        "2 m/s",
+    ]
     assert run([*words, "--duration", "0.2 s", "--out", file.name], tmp_path).returncode == 0
     content = file.read_bytes()
     file.unlink()
@@ -54,7 +69,9 @@ def test_a_rig_from_a_file_and_a_socket(tmp_path):
     file = tmp_path / "rig"
     file.write_bytes(RIG)
     with file.open("rb") as opened:
-        ended = subprocess.run([*COMMAND, "modes", "/dev/stdin"], stdin=opened, capture_output=True, check=False)
+        ended = subprocess.run(
+            [*COMMAND, "modes", "/dev/stdin"], stdin=opened, capture_output=True, check=False
+        )
     assert ended.returncode == 0, ended.stderr
 
 
@@ -67,7 +84,9 @@ def test_the_shell_s_own_pipes(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("content", "kind"), [(CSV, b"recording"), (ROAD, b"road"), (RIG, b"rig")], ids=["text", "road", "rig"]
+    ("content", "kind"),
+    [(CSV, b"recording"), (ROAD, b"road"), (RIG, b"rig")],
+    ids=["text", "road", "rig"],
 )
 def test_what_a_pipe_holds_is_seen_from_its_content(tmp_path, content, kind):
     ended = run(["check", "/dev/stdin", "--json"], tmp_path, content)
@@ -83,7 +102,16 @@ def test_recordings(tmp_path, written):
 
 
 def test_an_option_and_a_result(tmp_path):
-    words = ["simulate", "kart-quarter-car", "--road=/dev/stdin", "--speed", "2 m/s", "--duration", "1 s", "--json"]
+    words = [
+        "simulate",
+        "kart-quarter-car",
+        "--road=/dev/stdin",
+        "--speed",
+        "2 m/s",
+        "--duration",
+        "1 s",
+        "--json",
+    ]
     ended = run(words, tmp_path, ROAD)
     assert ended.returncode == 0, ended.stderr
 
@@ -109,7 +137,16 @@ def test_two_pipes_of_one_name_and_an_option(tmp_path):
     for pipe in both:
         pipe.parent.mkdir()
     threads = [filled(pipe, content) for pipe, content in zip(both, (RIG, ROAD), strict=True)]
-    asked = ["simulate", "rigs/a", "--road=roads/a", "--speed", "2 m/s", "--duration", "1 s", "--json"]
+    asked = [
+        "simulate",
+        "rigs/a",
+        "--road=roads/a",
+        "--speed",
+        "2 m/s",
+        "--duration",
+        "1 s",
+        "--json",
+    ]
     ended = run(asked, tmp_path)
     for thread in threads:
         thread.join()
@@ -144,7 +181,9 @@ def test_who_has_opened_a_pipe_may_take_any_time_to_write(tmp_path, monkeypatch,
 @pytest.mark.parametrize("target", [t for t in targets() if t[1] != "FOLDER"], ids=" ".join)
 def test_no_output_takes_the_place_of_a_pipe(target, tmp_path_factory, monkeypatch, capsys):
     """A pipe that others hold was replaced under --force."""
-    monkeypatch.chdir(tmp_path_factory.getbasetemp())  # where the files of all targets are made once
+    monkeypatch.chdir(
+        tmp_path_factory.getbasetemp()
+    )  # where the files of all targets are made once
     command, option, suffix = target
     with folder_for(command):
         pipe = Path(f"x{suffix}")
@@ -155,21 +194,34 @@ def test_no_output_takes_the_place_of_a_pipe(target, tmp_path_factory, monkeypat
         assert pipe.is_fifo()
         said = capsys.readouterr().err
         assert said.count("jounce: ") == 1
-        assert "a pipe or a device" in said or "is a file, not a folder" in said or "not a file" in said
+        assert (
+            "a pipe or a device" in said
+            or "is a file, not a folder" in said
+            or "not a file" in said
+        )
 
 
 @pytest.mark.parametrize("name", ["/dev/stdout", "/dev/fd/1", "/dev/null"])
 def test_devices_are_no_outputs(name, tmp_path):
     if Path(name).is_file() and not Path(name).is_symlink():
         pytest.skip(f"somebody has put a file in the place of {name}")
-    asked = ["simulate", "kart-quarter-car", "--road", "detrended_rms_course_1in", "--speed", "2 m/s"]
+    asked = [
+        "simulate",
+        "kart-quarter-car",
+        "--road",
+        "detrended_rms_course_1in",
+        "--speed",
+        "2 m/s",
+    ]
     ended = run([*asked, "--duration", "0.2 s", "--out", name, "--force"], tmp_path)
     assert ended.returncode == 2
     assert b"a pipe or a device, which no file can replace" in ended.stderr
     assert b"--json" in ended.stderr
 
 
-@pytest.mark.parametrize(("name", "what"), [("folder", b"a folder, not a file"), ("/dev/null", b"a pipe or a device")])
+@pytest.mark.parametrize(
+    ("name", "what"), [("folder", b"a folder, not a file"), ("/dev/null", b"a pipe or a device")]
+)
 def test_what_is_no_file_is_named(tmp_path, name, what):
     (tmp_path / "folder").mkdir()
     ended = run(["modes", name], tmp_path)

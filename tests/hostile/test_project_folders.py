@@ -27,7 +27,11 @@ from jounce.web.tasks import task_of
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pipes in folders")
 RIG = 'schema = "jounce.rig/1"\nmodel = "quarter-car"\n'
-RUN = {"road": {"kind": "half-sine", "height": "10 mm", "length": "60 mm"}, "speed": "2 m/s", "duration": "0.2 s"}
+RUN = {
+    "road": {"kind": "half-sine", "height": "10 mm", "length": "60 mm"},
+    "speed": "2 m/s",
+    "duration": "0.2 s",
+}
 DEEP = 100_000
 ABOUT = {"kind": "sweep", "asked": {}, "title": "Sweep", "begun": 1.0, "out": "swept", "page": ""}
 
@@ -106,10 +110,14 @@ ODD: dict[str, Callable[[Path], object]] = {
     "large": _large,
     "not UTF-8": lambda place: place.write_bytes(b'{"title": "\xff"}'),
     "half a character": lambda place: place.write_text('{"title": "\\ud800", "begun": 1.0}'),
-    "no number": lambda place: place.write_text('{"begun": NaN, "ended": Infinity, "at": 1e999, "when": 1e999}'),
+    "no number": lambda place: place.write_text(
+        '{"begun": NaN, "ended": Infinity, "at": 1e999, "when": 1e999}'
+    ),
     "deep": lambda place: place.write_text("[" * DEEP + "]" * DEEP),
     "a list": lambda place: place.write_text("[1, 2]"),
-    "of another kind": lambda place: place.write_text('{"begun": [], "title": 1, "code": {}, "at": "x", "when": {}}'),
+    "of another kind": lambda place: place.write_text(
+        '{"begun": [], "title": 1, "code": {}, "at": "x", "when": {}}'
+    ),
     "half": lambda place: place.write_text('{"beg'),
 }
 
@@ -120,13 +128,25 @@ def _plain(jobs: Jobs) -> list[dict[str, Any]]:
     def refuse(constant: str) -> None:
         raise AssertionError(constant)
 
-    return list(json.loads(json.dumps(jobs._all(), ensure_ascii=False).encode(), parse_constant=refuse))
+    return list(
+        json.loads(json.dumps(jobs._all(), ensure_ascii=False).encode(), parse_constant=refuse)
+    )
 
 
 @posix
 @pytest.mark.parametrize("kind", ODD)
 @pytest.mark.parametrize(
-    "name", ["job.json", "end.json", "progress.json", "result.json", "problems.txt", "alive", "cancel", "report.html"]
+    "name",
+    [
+        "job.json",
+        "end.json",
+        "progress.json",
+        "result.json",
+        "problems.txt",
+        "alive",
+        "cancel",
+        "report.html",
+    ],
 )
 def test_an_odd_file_of_a_job_hides_that_job_at_most(folder: Path, name: str, kind: str) -> None:
     place = folder / ".jounce" / "jobs"
@@ -154,11 +174,21 @@ def test_an_odd_file_of_a_job_hides_that_job_at_most(folder: Path, name: str, ki
 
 
 @posix
-def test_folders_that_are_no_jobs_are_left_out(folder: Path, nested: Callable[[Path], None]) -> None:
+def test_folders_that_are_no_jobs_are_left_out(
+    folder: Path, nested: Callable[[Path], None]
+) -> None:
     place = folder / ".jounce" / "jobs"
     (place / "000001-abcdef").mkdir(parents=True)
     (place / "000001-abcdef" / "job.json").write_text(json.dumps(ABOUT))
-    for name in (b"\xff", b"000009-\xff", b"x", b"000009-abc\n", b"999999999999-ab", b"000009-..", b"000009-AB"):
+    for name in (
+        b"\xff",
+        b"000009-\xff",
+        b"x",
+        b"000009-abc\n",
+        b"999999999999-ab",
+        b"000009-..",
+        b"000009-AB",
+    ):
         (place / os.fsdecode(name)).mkdir()
         (place / os.fsdecode(name) / "job.json").write_text(json.dumps(ABOUT))
     (place / "000003-abc").symlink_to(folder.parent / "outside")
@@ -168,7 +198,15 @@ def test_folders_that_are_no_jobs_are_left_out(folder: Path, nested: Callable[[P
     (place / "000006-abc" / "job.json").write_text(json.dumps(ABOUT))
     jobs = Jobs(Project(folder))
     assert [one["id"] for one in _plain(jobs)] == ["000006-abc", "000001-abcdef"]
-    for name in ("000003-abc", "000004-abc", "000005-abc", "\udcff", "..", "", "000001-abcdef/../000001-abcdef"):
+    for name in (
+        "000003-abc",
+        "000004-abc",
+        "000005-abc",
+        "\udcff",
+        "..",
+        "",
+        "000001-abcdef/../000001-abcdef",
+    ):
         with pytest.raises((DescriptionError, OutputError)):
             jobs.cancel(name)
     try:
@@ -179,9 +217,15 @@ def test_folders_that_are_no_jobs_are_left_out(folder: Path, nested: Callable[[P
 
 
 @posix
-@pytest.mark.parametrize("kind", ["pipe", "link outside", "link to a folder outside", "link to itself", "not UTF-8"])
-@pytest.mark.parametrize("where", [".jounce", ".jounce/jobs", ".jounce/history", ".jounce/versions"])
-def test_where_the_workbench_keeps_its_own_it_follows_no_link(folder: Path, where: str, kind: str) -> None:
+@pytest.mark.parametrize(
+    "kind", ["pipe", "link outside", "link to a folder outside", "link to itself", "not UTF-8"]
+)
+@pytest.mark.parametrize(
+    "where", [".jounce", ".jounce/jobs", ".jounce/history", ".jounce/versions"]
+)
+def test_where_the_workbench_keeps_its_own_it_follows_no_link(
+    folder: Path, where: str, kind: str
+) -> None:
     """The project is shown all the same; what cannot be done is refused, and says what stands there."""
     place = folder / where
     place.parent.mkdir(exist_ok=True)
@@ -245,7 +289,9 @@ def test_an_odd_run_of_the_history_is_left_out(folder: Path, kind: str) -> None:
 
 @posix
 @pytest.mark.parametrize("kind", ODD)
-@pytest.mark.parametrize("name", ["rig.toml", "run.csv", "page.html", "x/sweep.json", "results.json", "notes.txt"])
+@pytest.mark.parametrize(
+    "name", ["rig.toml", "run.csv", "page.html", "x/sweep.json", "results.json", "notes.txt"]
+)
 def test_an_odd_file_of_a_project_hides_itself_at_most(folder: Path, name: str, kind: str) -> None:
     (folder / "good.toml").write_text(RIG)
     (folder / name).parent.mkdir(exist_ok=True)
@@ -261,7 +307,13 @@ def test_an_odd_file_of_a_project_hides_itself_at_most(folder: Path, name: str, 
 
 @posix
 def test_names_that_are_no_text_hide_themselves(folder: Path) -> None:
-    for name in (b"good.toml", b"\xff.toml", b"\xed\xa0\x80.csv", b"in\xff/rig.toml", b"line\nbreak.toml"):
+    for name in (
+        b"good.toml",
+        b"\xff.toml",
+        b"\xed\xa0\x80.csv",
+        b"in\xff/rig.toml",
+        b"line\nbreak.toml",
+    ):
         place = folder / os.fsdecode(name)
         place.parent.mkdir(exist_ok=True)
         place.write_text(RIG)
@@ -270,7 +322,9 @@ def test_names_that_are_no_text_hide_themselves(folder: Path) -> None:
 
 
 @posix
-def test_folders_that_nobody_can_walk_hide_themselves(folder: Path, nested: Callable[[Path], None]) -> None:
+def test_folders_that_nobody_can_walk_hide_themselves(
+    folder: Path, nested: Callable[[Path], None]
+) -> None:
     """Two thousand in one another, below a sweep, a campaign's pattern and plainly."""
     (folder / "good.toml").write_text(RIG)
     for name in ("plain", "swept", ".jounce/versions"):
@@ -284,8 +338,12 @@ def test_folders_that_nobody_can_walk_hide_themselves(folder: Path, nested: Call
 
 
 @posix
-@pytest.mark.skipif(hasattr(os, "geteuid") and os.geteuid() != 0, reason="only root can become somebody else")
-def test_files_and_folders_that_nobody_may_look_at_hide_themselves(folder: Path, tmp_path: Path) -> None:
+@pytest.mark.skipif(
+    hasattr(os, "geteuid") and os.geteuid() != 0, reason="only root can become somebody else"
+)
+def test_files_and_folders_that_nobody_may_look_at_hide_themselves(
+    folder: Path, tmp_path: Path
+) -> None:
     """As somebody else than root, whom every folder is open to."""
     (folder / "good.toml").write_text(RIG)
     for name, mode in (("listed", 0o744), ("entered", 0o711), ("closed", 0o700)):
@@ -309,7 +367,9 @@ def test_files_and_folders_that_nobody_may_look_at_hide_themselves(folder: Path,
     for one in (tmp_path, *tmp_path.parents):
         if one != Path("/") and not one.stat().st_mode & 0o005:
             one.chmod(one.stat().st_mode | 0o755)
-    done = subprocess.run([sys.executable, "-c", script, str(folder)], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [sys.executable, "-c", script, str(folder)], capture_output=True, text=True, check=False
+    )
     assert (done.stdout, done.returncode) == ("['good.toml'] []\n", 0), done.stderr[-2000:]
 
 
@@ -425,7 +485,9 @@ def test_of_two_who_keep_a_run_under_one_title_one_is_refused(folder: Path) -> N
     assert kept.history(project) == [made]
     shutil.rmtree(folder / ".jounce")
     assert kept.history(project) == []
-    again = keep(made["changes"]["sprung.mass"])  # it was written, and nothing of it into the history
+    again = keep(
+        made["changes"]["sprung.mass"]
+    )  # it was written, and nothing of it into the history
     assert again is not None
     assert kept.history(project) == [again]
     assert keep(made["changes"]["sprung.mass"]) is None

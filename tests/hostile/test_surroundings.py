@@ -29,11 +29,21 @@ def closing(*numbers: int) -> Callable[[], None]:
 @posix
 @pytest.mark.parametrize(
     ("closed", "words", "code"),
-    [((1,), ["version"], 0), ((2,), ["modes", "nothing"], 2), ((0, 1, 2), ["campaign", "new", "mine"], 0)],
+    [
+        ((1,), ["version"], 0),
+        ((2,), ["modes", "nothing"], 2),
+        ((0, 1, 2), ["campaign", "new", "mine"], 0),
+    ],
 )
-def test_closed_streams_change_nothing(closed: tuple[int, ...], words: list[str], code: int, tmp_path: Path) -> None:
+def test_closed_streams_change_nothing(
+    closed: tuple[int, ...], words: list[str], code: int, tmp_path: Path
+) -> None:
     ran = subprocess.run(
-        [*COMMAND, *words], cwd=tmp_path, capture_output=True, preexec_fn=closing(*closed), check=False
+        [*COMMAND, *words],
+        cwd=tmp_path,
+        capture_output=True,
+        preexec_fn=closing(*closed),
+        check=False,
     )
     assert ran.returncode == code, ran.stderr
     assert ran.stderr == b""
@@ -53,7 +63,9 @@ def test_streams_that_a_program_does_not_have() -> None:
 @pytest.mark.parametrize("words", [["version", "--json"], ["modes", "--help"]])
 def test_an_answer_that_does_not_fit_is_told(words: list[str]) -> None:
     with Path("/dev/full").open("wb") as full:
-        ran = subprocess.run([*COMMAND, *words], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        ran = subprocess.run(
+            [*COMMAND, *words], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
     assert ran.returncode == 2
     hint = "Check the path, the permissions and the space on the disk."
     assert ran.stderr == f"jounce: standard output: {os.strerror(errno.ENOSPC)}. {hint}\n"
@@ -63,21 +75,29 @@ def test_an_answer_that_does_not_fit_is_told(words: list[str]) -> None:
 def test_nobody_reads_what_is_said() -> None:
     reads, writes = os.pipe()
     os.close(reads)
-    helped = subprocess.run([*COMMAND, "--help"], stdout=writes, stderr=subprocess.PIPE, check=False)
-    refused = subprocess.run([*COMMAND, "modes", "nothing"], stdout=subprocess.PIPE, stderr=writes, check=False)
+    helped = subprocess.run(
+        [*COMMAND, "--help"], stdout=writes, stderr=subprocess.PIPE, check=False
+    )
+    refused = subprocess.run(
+        [*COMMAND, "modes", "nothing"], stdout=subprocess.PIPE, stderr=writes, check=False
+    )
     os.close(writes)
     assert (helped.returncode, helped.stderr) == (141, b"")
     assert (refused.returncode, refused.stdout) == (2, b"")
 
 
 @posix
-def test_a_folder_that_is_gone_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys) -> None:
+def test_a_folder_that_is_gone_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
+) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "gone").mkdir()
     os.chdir("gone")
     (tmp_path / "gone").rmdir()
     assert main(["campaign", "new", "mine"]) == 2
-    assert capsys.readouterr().err.startswith("jounce: the current folder: No such file or directory. ")
+    assert capsys.readouterr().err.startswith(
+        "jounce: the current folder: No such file or directory. "
+    )
 
 
 @pytest.mark.parametrize("columns", ["1", "9" * 30, "\u00b2"])
@@ -107,5 +127,7 @@ def test_a_library_that_cannot_be_loaded_is_told(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(entry, "_answer", missing)
     assert main(["version"]) == 2
     said = capsys.readouterr().err
-    assert said.startswith("jounce: a library cannot be loaded; found 'libsqlite3.so.0: failed to map")
+    assert said.startswith(
+        "jounce: a library cannot be loaded; found 'libsqlite3.so.0: failed to map"
+    )
     assert "memory" in said

@@ -15,9 +15,14 @@ STEERS = set("\x1b\x07\x9b\u202e\u2028\r\x00")
 
 
 @pytest.mark.parametrize("json_too", [[], ["--json"]])
-def test_names_in_a_recording(tmp_path: Path, capsys: pytest.CaptureFixture[str], json_too: list[str]) -> None:
+def test_names_in_a_recording(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], json_too: list[str]
+) -> None:
     file = tmp_path / "evil.csv"
-    file.write_text(f"time [s], {EVIL.replace(chr(13), '').replace(chr(0), '')} [m]\n0,1\n1,2\n", encoding="utf-8")
+    file.write_text(
+        f"time [s], {EVIL.replace(chr(13), '').replace(chr(0), '')} [m]\n0,1\n1,2\n",
+        encoding="utf-8",
+    )
     assert main(["check", str(file), *json_too]) == 2
     said = capsys.readouterr()
     assert not STEERS & set(said.out + said.err)
@@ -26,7 +31,9 @@ def test_names_in_a_recording(tmp_path: Path, capsys: pytest.CaptureFixture[str]
         assert "owned" in json.loads(said.out)["files"][0]["problems"][0]
 
 
-def test_names_on_the_command_line_and_in_tables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_names_on_the_command_line_and_in_tables(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert main(["modes", f"no{EVIL}rig"]) == 2
     rig = tmp_path / "rig.toml"
     main(["library", "kart-quarter-car"])

@@ -19,7 +19,15 @@ import threads_many
 from rules import ROOT
 
 PROGRAM = Path(__file__).parent / "threads_run.py"
-QUICK = ("simulate", "simulate_many", "compliance", "modes", "equilibrium", "sweep_travel", "stationary")
+QUICK = (
+    "simulate",
+    "simulate_many",
+    "compliance",
+    "modes",
+    "equilibrium",
+    "sweep_travel",
+    "stationary",
+)
 PROCESSES = int(os.environ.get("JOUNCE_PROCESSES", "20"))
 
 
@@ -27,7 +35,9 @@ def run(folder, *arguments, cache="cache"):
     """Run the program in a process of its own; a crash is its exit code."""
     words = [sys.executable, str(PROGRAM), *map(str, arguments)]
     environment = {**os.environ, "JOUNCE_CACHE_DIR": str(folder / cache), "TMPDIR": str(folder)}
-    ended = subprocess.run(words, cwd=folder, env=environment, capture_output=True, text=True, check=False)
+    ended = subprocess.run(
+        words, cwd=folder, env=environment, capture_output=True, text=True, check=False
+    )
     assert ended.returncode == 0, ended.stderr[-2000:]
     answer = json.loads(ended.stdout.splitlines()[-1])
     assert answer["wrong"] == {}
@@ -64,7 +74,16 @@ def test_first_visitors_of_a_web_page(tmp_path):
     with socket.socket() as found:
         found.bind(("127.0.0.1", 0))
         port = found.getsockname()[1]
-    words = [sys.executable, "-m", "uvicorn", "page:app", "--port", str(port), "--log-level", "error"]
+    words = [
+        sys.executable,
+        "-m",
+        "uvicorn",
+        "page:app",
+        "--port",
+        str(port),
+        "--log-level",
+        "error",
+    ]
     environment = {**os.environ, "JOUNCE_CACHE_DIR": str(tmp_path / "cache")}
     server = subprocess.Popen(words, cwd=tmp_path, env=environment)
     try:

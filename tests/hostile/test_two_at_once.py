@@ -36,7 +36,9 @@ def test_folders_and_files_are_those_of_one_of_them(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("force", [False, True])
-def test_a_folder_that_appears_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, force: bool) -> None:
+def test_a_folder_that_appears_meanwhile(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, force: bool
+) -> None:
     renamed = writing._move_into_place
 
     def late(built: Path, root: Path) -> bool:
@@ -55,7 +57,9 @@ def test_a_folder_that_appears_meanwhile(tmp_path: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.parametrize("has_links", [True, False])
-def test_a_file_that_appears_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, has_links: bool) -> None:
+def test_a_file_that_appears_meanwhile(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, has_links: bool
+) -> None:
     if not has_links:
 
         def refused(*_: object) -> None:

@@ -29,13 +29,17 @@ def call(way: str) -> list[float]:
     import jounce as jn
     from jounce.core.remembered import Recent
 
-    trial = jn.Trial(road=jn.Iso8608(**{"class": "C"}, length="5 m", seed=1), speed="5 m/s", duration="0.5 s")
+    trial = jn.Trial(
+        road=jn.Iso8608(**{"class": "C"}, length="5 m", seed=1), speed="5 m/s", duration="0.5 s"
+    )
 
     def peak(rig: str = RIGS[0]) -> float:
         return float(abs(jn.simulate(jn.load(rig), trial)["sprung.az"]).max())
 
     def peaks(_: int) -> list[float]:
-        many = jn.simulate_many(jn.load(RIGS[0]), trial, {"sprung.mass": MASSES}, metrics=["max sprung.az"])
+        many = jn.simulate_many(
+            jn.load(RIGS[0]), trial, {"sprung.mass": MASSES}, metrics=["max sprung.az"]
+        )
         return [float(value) for value in many["max sprung.az"]]
 
     async def together() -> list[float]:
@@ -70,10 +74,17 @@ def run(number: int, shared: Path, *, cold: bool) -> tuple[str, str]:
         environment = {**os.environ, "JOUNCE_CACHE_DIR": own if cold else str(shared)}
         words = [sys.executable, __file__, "--one", way]
         try:
-            ended = subprocess.run(words, env=environment, capture_output=True, text=True, check=False, timeout=600)
+            ended = subprocess.run(
+                words, env=environment, capture_output=True, text=True, check=False, timeout=600
+            )
         except subprocess.TimeoutExpired:
             return way, "hung"
-    return way, ended.stdout if ended.returncode == 0 else f"exit {ended.returncode}: {ended.stderr[-2000:]}"
+    return (
+        way,
+        ended.stdout
+        if ended.returncode == 0
+        else f"exit {ended.returncode}: {ended.stderr[-2000:]}",
+    )
 
 
 def count(processes: int, *, cold: bool = False) -> dict[str, object]:

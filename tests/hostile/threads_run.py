@@ -36,7 +36,9 @@ def examples() -> dict[str, doctest.DocTest]:
         thing = getattr(jn, name)
         if name in PROCESS_WIDE or not getattr(thing, "__module__", "").startswith("jounce"):
             continue
-        for test in finder.find(thing, name, module=False, globs=vars(sys.modules[thing.__module__])):
+        for test in finder.find(
+            thing, name, module=False, globs=vars(sys.modules[thing.__module__])
+        ):
             if test.examples:
                 found[test.name] = test
     return found
@@ -67,7 +69,9 @@ def run(test: doctest.DocTest) -> str:
                     write(repr(value))
         except Exception as error:  # noqa: BLE001
             if line.exc_msg is None or not doctest.OutputChecker().check_output(
-                line.exc_msg, "".join(traceback.format_exception_only(error)), FLAGS | doctest.IGNORE_EXCEPTION_DETAIL
+                line.exc_msg,
+                "".join(traceback.format_exception_only(error)),
+                FLAGS | doctest.IGNORE_EXCEPTION_DETAIL,
             ):
                 return f"{line.source.strip()}: {type(error).__name__}: {error}"
             continue

@@ -24,13 +24,29 @@ PARTICIPLE = re.compile(
     r"|hidden|kept|known|laid|led|left|lent|lost|made|meant|met|moved|paid|ridden|risen|said|seen|sent|shown|spent|spoken"
     r"|stood|struck|sunk|taken|taught|thought|thrown|told|torn|understood|woken|worn|written)(?:_|$))"
 )
-BRANCHES = (ast.If, ast.IfExp, ast.For, ast.AsyncFor, ast.While, ast.match_case, ast.Assert, ast.comprehension)
+BRANCHES = (
+    ast.If,
+    ast.IfExp,
+    ast.For,
+    ast.AsyncFor,
+    ast.While,
+    ast.match_case,
+    ast.Assert,
+    ast.comprehension,
+)
 SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Module)
 
 
 def code_lines(text: str, tree: ast.Module) -> set[int]:
     """Return the numbers of the lines that hold code: no blank lines, comments or docstrings."""
-    silent = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER}
+    silent = {
+        tokenize.COMMENT,
+        tokenize.NL,
+        tokenize.NEWLINE,
+        tokenize.INDENT,
+        tokenize.DEDENT,
+        tokenize.ENDMARKER,
+    }
     lines: set[int] = set()
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         if token.type not in silent:
@@ -38,13 +54,18 @@ def code_lines(text: str, tree: ast.Module) -> set[int]:
     for node in ast.walk(tree):
         if isinstance(node, SCOPES) and ast.get_docstring(node, clean=False) is not None:
             docstring = node.body[0]
-            lines.difference_update(range(docstring.lineno, (docstring.end_lineno or docstring.lineno) + 1))
+            lines.difference_update(
+                range(docstring.lineno, (docstring.end_lineno or docstring.lineno) + 1)
+            )
     return lines
 
 
 def count_comments(text: str) -> int:
     """Return the number of comments, full-line and trailing."""
-    return sum(token.type == tokenize.COMMENT for token in tokenize.generate_tokens(io.StringIO(text).readline))
+    return sum(
+        token.type == tokenize.COMMENT
+        for token in tokenize.generate_tokens(io.StringIO(text).readline)
+    )
 
 
 def count_decisions(tree: ast.Module) -> int:
@@ -111,7 +132,9 @@ def main(packages: list[str]) -> None:
     figures = measure([path for folder in folders for path in sorted(folder.rglob("*.py"))])
     if not packages:
         scripts = [path for path in sorted(VIEWER.rglob("*.ts")) if not path.name.endswith(".d.ts")]
-        figures["lines of TypeScript"] = f"{sum(len(path.read_text('utf-8').splitlines()) for path in scripts)}"
+        figures["lines of TypeScript"] = (
+            f"{sum(len(path.read_text('utf-8').splitlines()) for path in scripts)}"
+        )
     for label, value in figures.items():
         print(f"{value:>8}  {label}")
 

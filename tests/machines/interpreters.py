@@ -38,7 +38,16 @@ class Place(NamedTuple):
         if self.root == Path("/"):
             return list(words)
         inside = [word.removeprefix(str(self.root)) for word in words]
-        return ["unshare", "--mount", "sh", "-c", _ENTER, str(self.root), f"/{folder.relative_to(self.root)}", *inside]
+        return [
+            "unshare",
+            "--mount",
+            "sh",
+            "-c",
+            _ENTER,
+            str(self.root),
+            f"/{folder.relative_to(self.root)}",
+            *inside,
+        ]
 
     def taken(self, file: Path) -> str:
         """Take a file into the system; give its path there."""
@@ -56,7 +65,9 @@ def place_of(version: str, uv: Path) -> Place | None:
             return Place(candidate)
     if _installed_by_apt(version):
         return Place(f"/usr/bin/python{version}")
-    found = subprocess.run([uv, "python", "install", "--quiet", version], capture_output=True, check=False)
+    found = subprocess.run(
+        [uv, "python", "install", "--quiet", version], capture_output=True, check=False
+    )
     if found.returncode == 0:
         return next((Place(one) for one in _candidates(version) if _answers(one, version)), None)
     return _debian(version)
@@ -67,12 +78,17 @@ def _candidates(version: str) -> Iterator[str]:
     if on_path := shutil.which(f"python{version}"):
         yield on_path
     for root in KEPT:
-        yield from (str(file) for file in sorted(root.glob(f"*{version}*/bin/python{version}"), reverse=True))
+        yield from (
+            str(file)
+            for file in sorted(root.glob(f"*{version}*/bin/python{version}"), reverse=True)
+        )
 
 
 def _answers(python: str, version: str) -> bool:
     try:
-        done = subprocess.run([python, "-c", _ASK], capture_output=True, text=True, check=False, timeout=60)
+        done = subprocess.run(
+            [python, "-c", _ASK], capture_output=True, text=True, check=False, timeout=60
+        )
     except OSError:
         return False
     return done.returncode == 0 and done.stdout.split()[0] == version
@@ -84,21 +100,36 @@ def _is_debian_of_ours() -> bool:
 
 def _apt(*words: str) -> bool:
     environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
-    return subprocess.run(["apt-get", "-qq", *words], env=environment, capture_output=True, check=False).returncode == 0
+    return (
+        subprocess.run(
+            ["apt-get", "-qq", *words], env=environment, capture_output=True, check=False
+        ).returncode
+        == 0
+    )
 
 
 def _installed_by_apt(version: str) -> bool:
     names = [f"python{version}", f"python{version}-venv"]
-    return _is_debian_of_ours() and _apt("update") and _apt("install", "-y", "--no-install-recommends", *names)
+    return (
+        _is_debian_of_ours()
+        and _apt("update")
+        and _apt("install", "-y", "--no-install-recommends", *names)
+    )
 
 
 def _debian(version: str) -> Place | None:
     """Make a small Debian that has a version, in a folder that is used again."""
     if version not in SUITES or not _is_debian_of_ours():
         return None
-    root = Path(os.environ.get("JOUNCE_ROOTS") or Path.home() / ".cache" / "jounce-machines") / SUITES[version]
+    root = (
+        Path(os.environ.get("JOUNCE_ROOTS") or Path.home() / ".cache" / "jounce-machines")
+        / SUITES[version]
+    )
     if not (root / "usr" / "bin" / f"python{version}").exists():
-        if not (shutil.which("mmdebstrap") or _apt("install", "-y", "--no-install-recommends", "mmdebstrap")):
+        if not (
+            shutil.which("mmdebstrap")
+            or _apt("install", "-y", "--no-install-recommends", "mmdebstrap")
+        ):
             return None
         shutil.rmtree(root, ignore_errors=True)
         root.parent.mkdir(parents=True, exist_ok=True)
@@ -107,7 +138,11 @@ def _debian(version: str) -> Place | None:
         made = ["mmdebstrap", "--variant=minbase", fresh, wanted, SUITES[version], str(root)]
         if subprocess.run(made, capture_output=True, check=False).returncode:
             return None
-    certificates = [value for name, value in os.environ.items() if name.endswith(("_CERT", "_CERT_FILE", "_BUNDLE"))]
+    certificates = [
+        value
+        for name, value in os.environ.items()
+        if name.endswith(("_CERT", "_CERT_FILE", "_BUNDLE"))
+    ]
     for file in map(Path, ["/etc/resolv.conf", "/etc/hosts", *certificates]):
         if file.is_file():
             (root / file.relative_to("/")).parent.mkdir(parents=True, exist_ok=True)

@@ -35,7 +35,11 @@ def used_by(file: Path) -> set[str]:
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("jounce."):
             found |= {node.module, *(f"{node.module}.{name.name}" for name in node.names)}
-        elif isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "jn":
+        elif (
+            isinstance(node, ast.Attribute)
+            and isinstance(node.value, ast.Name)
+            and node.value.id == "jn"
+        ):
             found.add(public().get(node.attr, ""))
     return found
 
@@ -43,11 +47,17 @@ def used_by(file: Path) -> set[str]:
 def files_of(module: str) -> list[Path]:
     """Source of a module; of a package, all of its modules."""
     place = SOURCES.joinpath(*module.split(".")[1:])
-    return [place.with_suffix(".py")] if place.with_suffix(".py").is_file() else sorted(place.glob("*.py"))
+    return (
+        [place.with_suffix(".py")]
+        if place.with_suffix(".py").is_file()
+        else sorted(place.glob("*.py"))
+    )
 
 
 def is_rounded(test: Path, *, itself: bool = False) -> bool:
     """Whether a test's numbers hang on another library's rounding; of modules that it calls only without ``itself``."""
     if "golden" in test.parts or rounds(test):
         return True
-    return not itself and any(rounds(file) for module in used_by(test) if module for file in files_of(module))
+    return not itself and any(
+        rounds(file) for module in used_by(test) if module for file in files_of(module)
+    )

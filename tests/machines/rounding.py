@@ -16,13 +16,23 @@ from typing import Any
 import numpy as np
 
 MOST = 3  # units in the last place
-_NO_SUMS = {"block_diag", "cross", "diagonal", "matrix_transpose", "outer"}  # every library gives the same
+_NO_SUMS = {
+    "block_diag",
+    "cross",
+    "diagonal",
+    "matrix_transpose",
+    "outer",
+}  # every library gives the same
 
 
 def install(seed: int) -> None:
     """Put noise on linear algebra and optimisers, also where a module has imported a function by name."""
     moving: dict[int, tuple[Callable[..., Any], Callable[..., Any]]] = {}
-    for name, wrap in (("numpy.linalg", noisy), ("scipy.linalg", noisy), ("scipy.optimize", _handed_on)):
+    for name, wrap in (
+        ("numpy.linalg", noisy),
+        ("scipy.linalg", noisy),
+        ("scipy.optimize", _handed_on),
+    ):
         for function in _functions(importlib.import_module(name)):
             moving[id(function)] = function, wrap(function, seed)
     for module in list(sys.modules.values()):
@@ -36,7 +46,10 @@ def moved(value: Any, seed: int) -> Any:
     if isinstance(value, tuple | list):
         parts = [moved(part, seed) for part in value]
         return type(value)(*parts) if hasattr(value, "_fields") else type(value)(parts)
-    if not isinstance(value, float | complex | np.ndarray) or np.asarray(value).dtype not in (float, complex):
+    if not isinstance(value, float | complex | np.ndarray) or np.asarray(value).dtype not in (
+        float,
+        complex,
+    ):
         return value
     order = "F" if np.asarray(value).flags.fnc else "C"
     numbers = np.array(value, order=order)

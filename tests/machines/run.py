@@ -21,7 +21,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Literal
 
-from numpy._core import _multiarray_umath as built_numpy  # there is no public list of what it can do without
+from numpy._core import (
+    _multiarray_umath as built_numpy,
+)  # there is no public list of what it can do without
 
 from interpreters import Place, place_of
 from jounce.kernel.machine import levels
@@ -29,8 +31,24 @@ from jounce.kernel.machine import levels
 ROOT = Path(__file__).parents[2]
 BUILD = ROOT / "build" / "machines"
 UV = Path(sys.executable).with_name("uv")
-OTHERS = {"MAKEFLAGS", "MAKELEVEL", "PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV"}  # would lead a machine back to this one
-_LEFT_OUT = (".git", ".venv*", ".*_cache", ".hypothesis", "__pycache__", "node_modules", "_build", "build", "built")
+OTHERS = {
+    "MAKEFLAGS",
+    "MAKELEVEL",
+    "PYTHONPATH",
+    "PYTHONHOME",
+    "VIRTUAL_ENV",
+}  # would lead a machine back to this one
+_LEFT_OUT = (
+    ".git",
+    ".venv*",
+    ".*_cache",
+    ".hypothesis",
+    "__pycache__",
+    "node_modules",
+    "_build",
+    "build",
+    "built",
+)
 RED, PLAIN = "\033[31m", "\033[0m"
 
 
@@ -124,7 +142,9 @@ class Run:
             log.flush()
             environment = {**kept, **self.machine.environment}
             command = self.place.command(self.folder, *map(str, words))
-            done = subprocess.run(command, cwd=self.folder, env=environment, stdout=log, stderr=log, check=False)
+            done = subprocess.run(
+                command, cwd=self.folder, env=environment, stdout=log, stderr=log, check=False
+            )
         if done.returncode == NOT_HERE and self.is_here:
             raise NotRun(self.log.read_text(encoding="utf-8").strip().rpartition("\n")[2])
         if done.returncode:
@@ -132,7 +152,14 @@ class Run:
 
     def all(self) -> None:
         """Set up, run a demonstration and the tests."""
-        tests = ["-n", "auto", "--dist", "loadfile", *(["--quick"] if self.quick else []), *self.machine.arguments]
+        tests = [
+            "-n",
+            "auto",
+            "--dist",
+            "loadfile",
+            *(["--quick"] if self.quick else []),
+            *self.machine.arguments,
+        ]
         if self.machine.packages == "here":
             self.call(sys.executable, "-m", "pytest", *tests)
             return
@@ -140,10 +167,25 @@ class Run:
             self.call("tests/machines/debian.sh", self.machine.name.removeprefix("debian-"), *tests)
             return
         if self.machine.packages == "pinned":
-            self.call("make", "demo", ".venv/.test", f"PYTHON={self.place.python}", "DEMO_ARGUMENTS=--quick --out demo")
+            self.call(
+                "make",
+                "demo",
+                ".venv/.test",
+                f"PYTHON={self.place.python}",
+                "DEMO_ARGUMENTS=--quick --out demo",
+            )
         elif self.machine.packages == "wheel":
             self._environment("-r", "requirements/runtime.txt", "--no-deps", "--require-hashes")
-            self.call(self._uv(), "pip", "install", "--quiet", "--python", self.python, "--no-deps", self._wheel())
+            self.call(
+                self._uv(),
+                "pip",
+                "install",
+                "--quiet",
+                "--python",
+                self.python,
+                "--no-deps",
+                self._wheel(),
+            )
             shutil.rmtree(self.folder / "src")  # only what is installed can be used
             self.call(self.python, "-m", "jounce", "--version")
             self.call(self.python, "-m", "jounce", "demo", "--quick", "--out", "demo")
@@ -165,7 +207,17 @@ class Run:
 
     def _environment(self, *wanted: str) -> None:
         self.call(self._uv(), "venv", "--quiet", "--python", self.place.python, ".venv")
-        self.call(self._uv(), "pip", "install", "--quiet", "--only-binary", ":all:", "--python", self.python, *wanted)
+        self.call(
+            self._uv(),
+            "pip",
+            "install",
+            "--quiet",
+            "--only-binary",
+            ":all:",
+            "--python",
+            self.python,
+            *wanted,
+        )
 
     def _uv(self) -> str:
         return self.place.taken(UV)
@@ -180,7 +232,18 @@ def wheel() -> Path:
     made, loops = copied(BUILD / "wheel"), Path("src", "jounce", "kernel", "loops", "built")
     if (ROOT / loops).exists():  # what this interpreter has made already takes minutes
         shutil.copytree(ROOT / loops, made / loops)
-    command = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation", "-w", "dist", "."]
+    command = [
+        sys.executable,
+        "-m",
+        "pip",
+        "wheel",
+        "--quiet",
+        "--no-deps",
+        "--no-build-isolation",
+        "-w",
+        "dist",
+        ".",
+    ]
     subprocess.run(command, cwd=made, check=True, capture_output=True)
     return next((made / "dist").glob("*.whl"))
 
@@ -198,7 +261,10 @@ def results(machines: list[Machine], *, quick: bool) -> Iterator[tuple[Machine, 
         started = time.monotonic()
         place = place_of(machine.python, UV)
         if place is None:
-            yield machine, f"not run: no Python {machine.python} was found, and none could be installed"
+            yield (
+                machine,
+                f"not run: no Python {machine.python} was found, and none could be installed",
+            )
             continue
         run = Run(machine, place, quick)
         try:
@@ -208,7 +274,11 @@ def results(machines: list[Machine], *, quick: bool) -> Iterator[tuple[Machine, 
         except (Failed, subprocess.CalledProcessError) as error:
             yield machine, f"FAILED: {error}"
         else:
-            said = run.log.read_text(encoding="utf-8").strip().rpartition("\n")[2] if run.log.exists() else ""
+            said = (
+                run.log.read_text(encoding="utf-8").strip().rpartition("\n")[2]
+                if run.log.exists()
+                else ""
+            )
             yield machine, f"passed in {time.monotonic() - started:.0f} s: {said.strip('= ')}"
             if not run.is_here:
                 shutil.rmtree(run.folder, ignore_errors=True)
@@ -216,12 +286,20 @@ def results(machines: list[Machine], *, quick: bool) -> Iterator[tuple[Machine, 
 
 def main() -> int:
     """Run what is asked for, and write the summary."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("names", nargs="*", metavar="MACHINE", help=f"of {', '.join(one.name for one in MACHINES)}")
-    parser.add_argument("--quick", action="store_true", help="a demonstration and the quick tests, as in .ci/run")
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "names", nargs="*", metavar="MACHINE", help=f"of {', '.join(one.name for one in MACHINES)}"
+    )
+    parser.add_argument(
+        "--quick", action="store_true", help="a demonstration and the quick tests, as in .ci/run"
+    )
     asked = parser.parse_args()
     chosen = [
-        one for one in MACHINES if one.name in asked.names or (not asked.names and (one.quick or not asked.quick))
+        one
+        for one in MACHINES
+        if one.name in asked.names or (not asked.names and (one.quick or not asked.quick))
     ]
     if unknown := set(asked.names) - {one.name for one in MACHINES}:
         parser.error(f"no such machine: {', '.join(sorted(unknown))}")
@@ -234,7 +312,11 @@ def main() -> int:
         lines.append(f"{machine.name}: {result}")
         print(lines[-1] if result.startswith("passed") else f"{RED}{lines[-1]}{PLAIN}", flush=True)
     if not asked.names:
-        lines += [f"Python {version}: promised, and not run" for version in promised() if version not in ran]
+        lines += [
+            f"Python {version}: promised, and not run"
+            for version in promised()
+            if version not in ran
+        ]
     (BUILD / "summary.txt").write_text("\n".join([*lines, ""]), encoding="utf-8")
     return int(bad)
 

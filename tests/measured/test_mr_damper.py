@@ -31,7 +31,9 @@ PUBLISHED = {
 
 
 def load(name):
-    text = files("jounce").joinpath("library", "measurements", "mr_damper", f"{name}.csv").read_text()
+    text = (
+        files("jounce").joinpath("library", "measurements", "mr_damper", f"{name}.csv").read_text()
+    )
     lines = text.splitlines()
     assert lines[0] == "time [s],displacement [mm],velocity [mm/s],force [N]"
     time, displacement, velocity, force = np.array([line.split(",") for line in lines[1:]], float).T
@@ -95,11 +97,17 @@ def test_bouc_wen_is_at_least_as_good_as_the_published_fit():
     displacement, velocity, force, time = load("shaking_table_0v")
     result = fit_damper(displacement, velocity, force, time, law="bouc-wen")
     motion, _ = read_motion(displacement, velocity, force, time)
-    z = bouc_wen_path(motion.displacement, PUBLISHED["rate"], PUBLISHED["sigma"], PUBLISHED["exponent"], -1.0)
+    z = bouc_wen_path(
+        motion.displacement, PUBLISHED["rate"], PUBLISHED["sigma"], PUBLISHED["exponent"], -1.0
+    )
     settled = slice(100, None)
     published = PUBLISHED["coefficient"] * motion.velocity + PUBLISHED["hysteretic_force"] * z
-    misfit = float(np.sqrt(np.mean((published - motion.force)[settled] ** 2))) / float(np.ptp(motion.force))
-    assert misfit == between(0.045, 0.06)  # the published parameters do describe this record: units and signs are right
+    misfit = float(np.sqrt(np.mean((published - motion.force)[settled] ** 2))) / float(
+        np.ptp(motion.force)
+    )
+    assert misfit == between(
+        0.045, 0.06
+    )  # the published parameters do describe this record: units and signs are right
     assert result.nrmse < 0.65 * misfit
 
 
@@ -126,8 +134,12 @@ def test_no_shape_of_the_published_fit_is_missed_by_the_search():
 def test_force_parameters_resemble_the_published_ones():
     # another form (it has no stiffness and no offset) and another criterion: same size is what can be asked
     result = fit_damper(*load("shaking_table_0v"), law="bouc-wen")
-    assert result.parameters["coefficient"].value == pytest.approx(PUBLISHED["coefficient"], rel=0.1)
-    assert result.parameters["hysteretic_force"].value == pytest.approx(PUBLISHED["hysteretic_force"], rel=0.1)
+    assert result.parameters["coefficient"].value == pytest.approx(
+        PUBLISHED["coefficient"], rel=0.1
+    )
+    assert result.parameters["hysteretic_force"].value == pytest.approx(
+        PUBLISHED["hysteretic_force"], rel=0.1
+    )
     assert result.parameters["rate"].value == pytest.approx(PUBLISHED["rate"], rel=0.4)
 
 
@@ -137,13 +149,17 @@ def test_first_half_predicts_the_second(law):
     half = len(record[3]) // 2
     result = fit_damper(*(column[:half] for column in record), law=law)
     curve = damper_curve(result, *(column[half:] for column in record))
-    left = float(np.sqrt(np.mean((curve.fitted - curve.measured)[100:] ** 2))) / float(np.ptp(curve.measured))
+    left = float(np.sqrt(np.mean((curve.fitted - curve.measured)[100:] ** 2))) / float(
+        np.ptp(curve.measured)
+    )
     assert left == between(0.02, 0.035)
 
 
 @pytest.mark.no_source
 def test_more_voltage_means_more_hysteretic_force():
-    forces = [fit_damper(*load(name), law="tanh-hysteretic").parameters["force"] for name in RECORDS[:2]]
+    forces = [
+        fit_damper(*load(name), law="tanh-hysteretic").parameters["force"] for name in RECORDS[:2]
+    ]
     assert forces[1].interval[0] > 3.0 * forces[0].interval[1]
 
 
@@ -158,7 +174,9 @@ def test_velocity_over_displacement_shows_the_half_sample_that_it_is_late():
     displacement, velocity, force, time = load("shaking_table_0v")
     signals = {"strut.deflection": (displacement, "m", ""), "strut.velocity": (velocity, "m/s", "")}
     run = jn.recording(time, {**signals, "strut.force": (force, "N", "")})
-    found = jn.estimate_transfer(run, "strut.velocity", "strut.deflection", segment="7.5 s", band=(0.5, 1.2))
+    found = jn.estimate_transfer(
+        run, "strut.velocity", "strut.deflection", segment="7.5 s", band=(0.5, 1.2)
+    )
     at = int(np.argmin(abs(found.frequency - DRIVE)))
     assert found.coherence[at] > 0.999
     assert found.gain[at] == pytest.approx(2.0 * np.pi * DRIVE, rel=0.01)
@@ -168,7 +186,9 @@ def test_velocity_over_displacement_shows_the_half_sample_that_it_is_late():
 @pytest.mark.no_source
 def test_friction_makes_odd_multiples_of_the_drive_in_the_force():
     displacement, _, force, time = load("shaking_table_0v")
-    run = jn.recording(time, {"strut.deflection": (displacement, "m", ""), "strut.force": (force, "N", "")})
+    run = jn.recording(
+        time, {"strut.deflection": (displacement, "m", ""), "strut.force": (force, "N", "")}
+    )
     found = jn.estimate_spectra(run, "strut.force", band=(0.3, 10.0))
     multiples = np.array([peak.frequency for peak in found.channels[0].peaks]) / DRIVE
     assert multiples[0] == pytest.approx(1.0, abs=0.03)

@@ -66,7 +66,9 @@ def figure(study: ProvingGround, name: str, damper: str) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("name", "low", "high"), [("0 V", 0.015, 0.035), ("0.88 V", 0.015, 0.035)])
-def test_hysteretic_law_fits_the_records_and_a_line_does_not(study: ProvingGround, name: str, low: float, high: float):
+def test_hysteretic_law_fits_the_records_and_a_line_does_not(
+    study: ProvingGround, name: str, low: float, high: float
+):
     laws = next(one for one in study.dampers if one.name == name).laws
     assert laws["tanh-hysteretic"].nrmse == between(low, high)
     assert laws["linear"].nrmse == between(0.10, 0.18)
@@ -76,7 +78,9 @@ def test_hysteretic_law_fits_the_records_and_a_line_does_not(study: ProvingGroun
 
 def test_voltage_raises_the_yield_force_of_the_damper(study: ProvingGround):
     force = [one.laws["tanh-hysteretic"].parameters["force"].value for one in study.dampers]
-    assert force[0] == between(55.0, 75.0)  # N; the records themselves: about 60 N and 220 N where the velocity turns
+    assert force[0] == between(
+        55.0, 75.0
+    )  # N; the records themselves: about 60 N and 220 N where the velocity turns
     assert force[1] == between(200.0, 245.0)
 
 
@@ -139,7 +143,9 @@ def wheel_in_space(corner: jn.ChronoCorner, angle: float) -> np.ndarray:
             ("tie_rod_outer", "tie_rod_inner"),
         ):
             place = joint + rotation.apply(p[moving] - p["lower_ball_joint"])
-            found.append(float(np.linalg.norm(place - p[fixed]) - np.linalg.norm(p[moving] - p[fixed])))
+            found.append(
+                float(np.linalg.norm(place - p[fixed]) - np.linalg.norm(p[moving] - p[fixed]))
+            )
         return found
 
     rotation = Rotation.from_rotvec(fsolve(gaps, np.zeros(3), xtol=1e-12))
@@ -153,7 +159,9 @@ def test_front_view_agrees_with_the_linkage_in_space(corner: jn.ChronoCorner):
     for element, ratio in (("spring", 0.45033), ("damper", 0.45247)):
         in_space = (view.length(element, -step) - view.length(element, step)) / rise
         assert view.motion_ratio(element) == pytest.approx(in_space, rel=0.005)
-        assert view.motion_ratio(element) == pytest.approx(ratio, abs=1e-5)  # our own number, pinned
+        assert view.motion_ratio(element) == pytest.approx(
+            ratio, abs=1e-5
+        )  # our own number, pinned
     for angle in (-0.15, 0.15):
         height = wheel_in_space(corner, angle)[2] - wheel_in_space(corner, 0.0)[2]
         assert view.wheel_height(angle) - view.wheel_height(0.0) == pytest.approx(height, rel=0.005)
@@ -165,22 +173,31 @@ def test_spring_carries_the_corner_and_its_work_is_that_of_the_wheel_rate(corner
     rig, angle = lumped.rig, 1e-3
     rest = jn.equilibrium(rig)
     assert rest["strut.deflection"] == pytest.approx(0.0, abs=1e-9)
-    assert rest["tyre.force"] == pytest.approx((rig.sprung.mass + rig.unsprung.mass) * 9.81, rel=1e-9)
+    assert rest["tyre.force"] == pytest.approx(
+        (rig.sprung.mass + rig.unsprung.mass) * 9.81, rel=1e-9
+    )
 
     def wheel_force(a: float) -> float:  # spring force through the motion ratio, N
         return (
-            corner.spring_rate * (corner.spring_free_length - view.length("spring", a)) * view.motion_ratio("spring", a)
+            corner.spring_rate
+            * (corner.spring_free_length - view.length("spring", a))
+            * view.motion_ratio("spring", a)
         )
 
     rise = view.wheel_height(angle) - view.wheel_height(-angle)
-    assert rig.strut.spring.rate == pytest.approx((wheel_force(angle) - wheel_force(-angle)) / rise, rel=1e-5)
+    assert rig.strut.spring.rate == pytest.approx(
+        (wheel_force(angle) - wheel_force(-angle)) / rise, rel=1e-5
+    )
     assert 0.9 < jn.modes(rig)[0].frequency_hz < 1.2
     assert 8.0 < jn.modes(rig)[1].frequency_hz < 11.0
 
 
 @pytest.mark.no_source
 def test_shipped_rig_is_the_derived_one(corner: jn.ChronoCorner):
-    shipped, derived = jn.load("hmmwv-front-corner").parameters(), lumped_corner(corner).rig.parameters()
+    shipped, derived = (
+        jn.load("hmmwv-front-corner").parameters(),
+        lumped_corner(corner).rig.parameters(),
+    )
     assert shipped.keys() == derived.keys()
     for path, value in derived.items():
         assert shipped[path] == pytest.approx(value, rel=1e-4), path
@@ -200,7 +217,9 @@ def test_envelope_keeps_the_course_and_takes_the_edges():
     measured = jn.load_road(COURSE)
     course = envelope(measured, 0.18)
     x = np.arange(BEGIN, END, 0.01)
-    assert np.std(measured.height_at(x)) == pytest.approx(0.0243, rel=0.01)  # the course's own r.m.s., SOURCE.md
+    assert np.std(measured.height_at(x)) == pytest.approx(
+        0.0243, rel=0.01
+    )  # the course's own r.m.s., SOURCE.md
     assert np.std(course.height_at(x)) == pytest.approx(np.std(measured.height_at(x)), rel=0.03)
     assert np.abs(course.slope_at(x)).max() < 0.7 * np.abs(measured.slope_at(x)).max()
     direct = np.mean(measured.height_at(300.0 + np.linspace(-0.09, 0.09, 20001)))
@@ -210,7 +229,9 @@ def test_envelope_keeps_the_course_and_takes_the_edges():
 @pytest.mark.no_source
 def test_power_from_the_road_is_what_damper_and_tyre_take_up(study: ProvingGround):
     assert np.abs(study.figures["power_gap"].to_numpy()).max() < 0.01
-    without = study.corner.rig.with_changes({"tyre.damping_coefficient": 0.0})  # nothing is lost at lift-off then
+    without = study.corner.rig.with_changes(
+        {"tyre.damping_coefficient": 0.0}
+    )  # nothing is lost at lift-off then
     course = envelope(jn.load_road(COURSE), contact_length(without))
     speed = 30.0 / 3.6
     balance = ride_figures(drive(without, course, speed), without, study.corner)
@@ -223,17 +244,23 @@ def test_power_from_the_road_is_what_damper_and_tyre_take_up(study: ProvingGroun
 @pytest.mark.no_source
 def test_linear_response_is_that_of_the_frequency_response(study: ProvingGround):
     """R.m.s. acceleration from transfer function times spectrum of the course, against the simulation in time."""
-    rig = study.corner.rig.with_changes({"strut.damper": {"coefficient": 3500.0}, "tyre.lift_off": False})
+    rig = study.corner.rig.with_changes(
+        {"strut.damper": {"coefficient": 3500.0}, "tyre.lift_off": False}
+    )
     speed, step, count = 20.0 / 3.6, 0.001, 2**17
     length = contact_length(rig)
     course = envelope(jn.load_road(COURSE), length)
     run = drive(rig, course, speed)
     time = run["time"].to_numpy()
     driven = np.zeros(count)
-    way = run["road.z"].to_numpy() - run["road.z"].to_numpy()[0]  # the run begins in equilibrium at that height
+    way = (
+        run["road.z"].to_numpy() - run["road.z"].to_numpy()[0]
+    )  # the run begins in equilibrium at that height
     driven[: len(time)] = way * np.minimum(1.0, (time[-1] - time) / 1.0)  # back to it in 1 s
     frequency = np.fft.rfftfreq(count, step)
-    gain = np.concatenate([[0.0], jn.linearise(rig).frequency_response(frequency[1:20000], "sprung.az")])
+    gain = np.concatenate(
+        [[0.0], jn.linearise(rig).frequency_response(frequency[1:20000], "sprung.az")]
+    )
     spectrum = np.fft.rfft(driven)
     spectrum[: len(gain)] *= gain
     spectrum[len(gain) :] = 0.0
@@ -246,9 +273,20 @@ def test_linear_response_is_that_of_the_frequency_response(study: ProvingGround)
 @pytest.mark.no_source
 def test_figures_follow_the_physics(study: ProvingGround):
     for damper in ("0 V", "0.88 V", OWN):
-        for name in ("damper_power", "road_power", "tyre_power", "wheel_load_variation", "lift_off"):
+        for name in (
+            "damper_power",
+            "road_power",
+            "tyre_power",
+            "wheel_load_variation",
+            "lift_off",
+        ):
             assert np.all(np.diff(figure(study, name, damper)) > 0.0), (name, damper)
-    for name in ("bump_travel_utilisation", "rebound_travel_utilisation", "wheel_load_variation", "lift_off"):
+    for name in (
+        "bump_travel_utilisation",
+        "rebound_travel_utilisation",
+        "wheel_load_variation",
+        "lift_off",
+    ):
         assert np.all(figure(study, name, "0.88 V") < figure(study, name, "0 V")), name
     assert np.all(figure(study, "damper_power", "0.88 V") > figure(study, "damper_power", "0 V"))
 
@@ -267,7 +305,10 @@ def test_own_damper_keeps_the_vehicle_within_its_travel(study: ProvingGround):
 @pytest.mark.no_source
 def test_extrapolation_and_lost_travel_are_said(study: ProvingGround):
     messages = [(item.place, item.severity, item.message) for item in study.findings]
-    assert any(place == "0 V" and kind == "warning" and "extrapolated" in text for place, kind, text in messages)
+    assert any(
+        place == "0 V" and kind == "warning" and "extrapolated" in text
+        for place, kind, text in messages
+    )
     assert any("stop" in text and place == "0 V" for place, _, text in messages)
     assert not any(place == OWN for place, _, _ in messages)
 
@@ -275,7 +316,10 @@ def test_extrapolation_and_lost_travel_are_said(study: ProvingGround):
 @pytest.mark.no_source
 def test_results_are_plain_and_the_runs_are_recordings(study: ProvingGround):
     plain = study.to_dict()
-    assert plain["figures"]["body_acceleration"][OWN] == figure(study, "body_acceleration", OWN).tolist()
+    assert (
+        plain["figures"]["body_acceleration"][OWN]
+        == figure(study, "body_acceleration", OWN).tolist()
+    )
     assert sum(item["is_estimated"] for item in plain["model"]) == 6
     assert all(isinstance(run, xr.Dataset) for run in study.runs.values())
 
@@ -285,7 +329,10 @@ def test_results_are_plain_and_the_runs_are_recordings(study: ProvingGround):
 
 @pytest.mark.no_source
 def test_page_holds_every_figure_and_says_what_is_estimated(study: ProvingGround, tmp_path: Path):
-    files = {file.name for file in write_page(proving_ground_page(study), tmp_path / "out", figures=("svg", "png"))}
+    files = {
+        file.name
+        for file in write_page(proving_ground_page(study), tmp_path / "out", figures=("svg", "png"))
+    }
     assert {
         "report.html",
         "results.json",
@@ -295,7 +342,12 @@ def test_page_holds_every_figure_and_says_what_is_estimated(study: ProvingGround
         "signals-own-damper.png",
     } <= files
     text = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
-    for words in ("estimated", "ISO 2631 is not applied", "force scale of the measured damper", "HMMWV"):
+    for words in (
+        "estimated",
+        "ISO 2631 is not applied",
+        "force scale of the measured damper",
+        "HMMWV",
+    ):
         assert words in text
     plain = json.loads((tmp_path / "out" / "results.json").read_text(encoding="utf-8"))
     assert plain["similitude"]["stroke_scale"] == pytest.approx(study.similitude.stroke_scale)

@@ -18,7 +18,11 @@ class Planted(importlib.machinery.SourceFileLoader, importlib.abc.MetaPathFinder
         self.copy = copy
 
     def find_spec(self, name: str, *_: object) -> importlib.machinery.ModuleSpec | None:
-        return importlib.util.spec_from_file_location(name, self.path, loader=self) if name == self.name else None
+        return (
+            importlib.util.spec_from_file_location(name, self.path, loader=self)
+            if name == self.name
+            else None
+        )
 
     def get_code(self, _: str) -> object:
         return compile(Path(self.copy).read_bytes(), self.copy, "exec")

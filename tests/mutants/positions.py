@@ -21,14 +21,37 @@ TURNED = (
         for pair in ("Add_Sub", "Sub_Add", "Mul_Div", "Div_Mul", "FloorDiv_Mul", "Mod_Mul")
     ),
     *(f"ReplaceBinaryOperator_{pair}" for pair in ("Pow_Mul", "BitAnd_BitOr", "BitOr_BitAnd")),
-    *(f"ReplaceComparisonOperator_{pair}" for pair in ("Lt_Gt", "Gt_Lt", "LtE_GtE", "GtE_LtE", "Eq_NotEq", "NotEq_Eq")),
+    *(
+        f"ReplaceComparisonOperator_{pair}"
+        for pair in ("Lt_Gt", "Gt_Lt", "LtE_GtE", "GtE_LtE", "Eq_NotEq", "NotEq_Eq")
+    ),
     *(f"ReplaceComparisonOperator_{pair}" for pair in ("Is_IsNot", "IsNot_Is")),
-    *("ReplaceUnaryOperator_Delete_USub", "ReplaceUnaryOperator_Delete_Not", "ReplaceUnaryOperator_Delete_Invert"),
-    *("ReplaceTrueWithFalse", "ReplaceFalseWithTrue", "ReplaceAndWithOr", "ReplaceOrWithAnd", "AddNot"),
+    *(
+        "ReplaceUnaryOperator_Delete_USub",
+        "ReplaceUnaryOperator_Delete_Not",
+        "ReplaceUnaryOperator_Delete_Invert",
+    ),
+    *(
+        "ReplaceTrueWithFalse",
+        "ReplaceFalseWithTrue",
+        "ReplaceAndWithOr",
+        "ReplaceOrWithAnd",
+        "AddNot",
+    ),
 )
 """Operators of Cosmic Ray. ``<`` is not made ``<=``: of floats that changes nothing, of counts a constant does it."""
 
-HARMLESS_ARGUMENTS = {"strict", "stacklevel", "frozen", "slots", "kw_only", "repr", "compare", "copy", "maxsize"}
+HARMLESS_ARGUMENTS = {
+    "strict",
+    "stacklevel",
+    "frozen",
+    "slots",
+    "kw_only",
+    "repr",
+    "compare",
+    "copy",
+    "maxsize",
+}
 NO_OPERATORS = {"parameters", "dictorsetmaker"}
 """Where a star stands before keyword arguments, and two before a table: not what Cosmic Ray takes them for."""
 TINY = 1e-7
@@ -40,7 +63,9 @@ class Constant(NumberReplacer):
 
     def mutation_positions(self, node: object) -> Iterator[tuple[object, object]]:
         """The one position of a number, unless it is tiny."""
-        if isinstance(node, parso.python.tree.Number) and (isinstance(_value(node), int) or abs(_value(node)) > TINY):
+        if isinstance(node, parso.python.tree.Number) and (
+            isinstance(_value(node), int) or abs(_value(node)) > TINY
+        ):
             yield node.start_pos, node.end_pos
 
     def mutate(self, node: parso.python.tree.Number, _: int) -> parso.python.tree.Number:
@@ -81,7 +106,9 @@ class Mutant:
         """What stood on the changed lines, and what stands there now."""
         before, after = _text(self.file).splitlines(), self.source.splitlines()
         changes = [
-            code for code in difflib.SequenceMatcher(None, before, after, False).get_opcodes() if code[0] != "equal"
+            code
+            for code in difflib.SequenceMatcher(None, before, after, False).get_opcodes()
+            if code[0] != "equal"
         ]
         first, last = changes[0], changes[-1]
         return _joined(before[first[1] : last[2]]), _joined(after[first[3] : last[4]])
@@ -105,7 +132,9 @@ def _mutants_of(file: Path) -> Iterator[Mutant]:
     nodes = list(ast_nodes(get_ast(_text(file))))
     left_out = _left_out(ast.parse(_text(file)), _text(file).splitlines())
     for name, operator in OPERATORS.items():
-        places = ((node, place) for node in nodes for place, _ in operator().mutation_positions(node))
+        places = (
+            (node, place) for node in nodes for place, _ in operator().mutation_positions(node)
+        )
         for occurrence, (node, (line, column)) in enumerate(places):
             is_none = node.parent is not None and node.parent.type in NO_OPERATORS
             if not is_none and not any(start <= (line, column) < end for start, end in left_out):
@@ -137,12 +166,16 @@ def _left_out(tree: ast.Module, lines: list[str]) -> list[tuple[tuple[int, int],
                 found.append(node)
             case ast.Assign() if node in tree.body:  # names for types
                 found += [
-                    part for part in ast.walk(node) if isinstance(part, ast.BinOp) and isinstance(part.op, ast.BitOr)
+                    part
+                    for part in ast.walk(node)
+                    if isinstance(part, ast.BinOp) and isinstance(part.op, ast.BitOr)
                 ]
 
     def place(line: int, offset: int) -> tuple[int, int]:
         return line, len(lines[line - 1].encode()[:offset].decode())
 
     return [
-        (place(node.lineno, node.col_offset), place(node.end_lineno, node.end_col_offset)) for node in found if node
+        (place(node.lineno, node.col_offset), place(node.end_lineno, node.end_col_offset))
+        for node in found
+        if node
     ]

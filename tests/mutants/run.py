@@ -32,7 +32,10 @@ import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
-os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # set before NumPy comes: a fork keeps no threads
+os.environ |= {
+    "OMP_NUM_THREADS": "1",
+    "OPENBLAS_NUM_THREADS": "1",
+}  # set before NumPy comes: a fork keeps no threads
 
 import pytest
 from coverage import CoverageData
@@ -99,8 +102,15 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("package", help="a package of src/jounce")
     parser.add_argument("--sample", type=int, default=200, help="how many mutants")
     parser.add_argument("--seed", type=int, default=1, help="of the random sample")
-    parser.add_argument("--minutes", type=float, default=float("inf"), help="how long mutants are tried; random order")
-    parser.add_argument("--place", default="", metavar="FILE[:LINE]", help="only mutants of this file, on this line")
+    parser.add_argument(
+        "--minutes",
+        type=float,
+        default=float("inf"),
+        help="how long mutants are tried; random order",
+    )
+    parser.add_argument(
+        "--place", default="", metavar="FILE[:LINE]", help="only mutants of this file, on this line"
+    )
     return parser.parse_args()
 
 
@@ -133,21 +143,34 @@ class Tests:
             kept.mkdir(parents=True)
             known = {"sources": sources, "files": {}}
         files = {name: digest(ROOT / name.partition("::")[0]) for name in own_tests(package)}
-        known["files"] = {name: row for name, row in known["files"].items() if row["digest"] == files.get(name)}
+        known["files"] = {
+            name: row for name, row in known["files"].items() if row["digest"] == files.get(name)
+        }
         new = [name for name in files if name not in known["files"]]
         print("\n".join(["its tests:", *files, f"of them to be timed: {len(new)}"]), flush=True)
         if new:
             os.environ["COVERAGE_FILE"] = str(coverage)
-            measured = [f"--cov=jounce.{package}", "--cov-context=test", "--cov-report=", "--cov-append"]
+            measured = [
+                f"--cov=jounce.{package}",
+                "--cov-context=test",
+                "--cov-report=",
+                "--cov-append",
+            ]
             times = folder / "times.json"
-            if apart(lambda: run_tests([*new, *measured], Clock(kept / "models"), times), 3600) not in (0, 1):
+            if apart(
+                lambda: run_tests([*new, *measured], Clock(kept / "models"), times), 3600
+            ) not in (0, 1):
                 sys.exit("the tests cannot be run: see above")
             readers = [name for name in new if package == "recordings" and package in name]
             if readers:  # what a child does to a file, no coverage sees
                 apart(lambda: run_tests([*readers, *measured], Childless(kept / "models")), 3600)
             seconds = json.loads(times.read_text(encoding="utf-8"))
             for name in new:
-                own = {test: taken for test, taken in seconds.items() if name in (test, test.partition("::")[0])}
+                own = {
+                    test: taken
+                    for test, taken in seconds.items()
+                    if name in (test, test.partition("::")[0])
+                }
                 known["files"][name] = {"digest": files[name], "seconds": own}
             report.write_text(json.dumps(known), encoding="utf-8")
         self.seconds: dict[str, float] = {}
@@ -156,7 +179,14 @@ class Tests:
         self._runs = CoverageData(str(coverage))
         self._runs.read()
         shutil.copytree(kept / "models", self.cache, dirs_exist_ok=True)
-        if apart(lambda: run_tests(["--collect-only", *self.seconds], Clock(self.cache)), 600, quiet=True) != 0:
+        if (
+            apart(
+                lambda: run_tests(["--collect-only", *self.seconds], Clock(self.cache)),
+                600,
+                quiet=True,
+            )
+            != 0
+        ):
             sys.exit("the tests cannot be asked for by their names")
         print(f"{len(self.seconds)} tests, {sum(self.seconds.values()):.0f} s", flush=True)
 
@@ -164,7 +194,9 @@ class Tests:
         """Stop where the package's unit tests fail with a copy of a module that is no mutant: they would notice all."""
         file = sources_of(self.package)[-1]
         unit = [test for test in self.seconds if test.startswith(f"tests/unit/{self.package}/")]
-        if self.notice(file, file.read_text(encoding="utf-8"), self._quick_first(unit, self.enough)):
+        if self.notice(
+            file, file.read_text(encoding="utf-8"), self._quick_first(unit, self.enough)
+        ):
             sys.exit("its tests fail with the package as it is, in the way that mutants are tried")
 
     def of(self, mutant: Mutant) -> Iterator[list[str]]:
@@ -174,20 +206,39 @@ class Tests:
         anything else that runs when a module is loaded is the business of all tests in the files that use it.
         """
         runs = self._runs.contexts_by_lineno(str(mutant.file))
-        near = {context.rpartition("|")[0] for line in statements(mutant) for context in runs.get(line, ())} - {""}
-        used = near or {context.rpartition("|")[0] for contexts in runs.values() for context in contexts} - {""}
+        near = {
+            context.rpartition("|")[0]
+            for line in statements(mutant)
+            for context in runs.get(line, ())
+        } - {""}
+        used = near or {
+            context.rpartition("|")[0] for contexts in runs.values() for context in contexts
+        } - {""}
         files = {test.partition("::")[0] for test in used}
-        rest = {test for test in self.seconds if test.partition("::")[0] in files or not files} - near
+        rest = {
+            test for test in self.seconds if test.partition("::")[0] in files or not files
+        } - near
         yield self._quick_first(near, self.enough)
-        yield self._quick_first({test for test in rest if not near or test.startswith(CHEAP)}, self.enough)
+        yield self._quick_first(
+            {test for test in rest if not near or test.startswith(CHEAP)}, self.enough
+        )
 
     def _quick_first(self, tests: Iterable[str], enough: float = float("inf")) -> list[str]:
         """The package's unit tests, then physics and references, then what uses it; by time, until it is enough."""
         own = (f"tests/unit/{self.package}/", "tests/architecture")
-        rank = {test: 0 if test.startswith(own) else 2 if test.startswith(CHEAP) else 1 for test in tests}
-        known = sorted((rank[test], self.seconds[test], test) for test in tests if test in self.seconds)
+        rank = {
+            test: 0 if test.startswith(own) else 2 if test.startswith(CHEAP) else 1
+            for test in tests
+        }
+        known = sorted(
+            (rank[test], self.seconds[test], test) for test in tests if test in self.seconds
+        )
         ends = itertools.accumulate(seconds for _, seconds, _ in known)
-        return [test for (_, seconds, test), end in zip(known, ends, strict=True) if end - seconds < enough]
+        return [
+            test
+            for (_, seconds, test), end in zip(known, ends, strict=True)
+            if end - seconds < enough
+        ]
 
     def notice(self, file: Path, source: str, tests: Sequence[str]) -> bool:
         """Whether one of some tests fails, or does not end, with another text in the place of a file."""
@@ -205,7 +256,9 @@ class Tests:
             return apart(changed, COMPILING, quiet=True)  # and each test has its own time
 
         found = code(tests)
-        if found == pytest.ExitCode.USAGE_ERROR:  # a test goes by another name now, or its file cannot be loaded
+        if (
+            found == pytest.ExitCode.USAGE_ERROR
+        ):  # a test goes by another name now, or its file cannot be loaded
             found = code(dict.fromkeys(test.partition("::")[0] for test in tests))
         return found != 0
 
@@ -219,7 +272,11 @@ def load_what_stands_below(package: str) -> None:
     """Load the packages that import nothing of this one: a mutant's process has them, and none of what it changes."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     contracts = project["tool"]["importlinter"]["contracts"]
-    layers = next([layer.strip("()") for layer in one["layers"]] for one in contracts if one["type"] == "layers")
+    layers = next(
+        [layer.strip("()") for layer in one["layers"]]
+        for one in contracts
+        if one["type"] == "layers"
+    )
     for below in reversed(layers[layers.index(package) + 1 :]):
         loaded = importlib.import_module(f"jounce.{below}")
         for module in pkgutil.walk_packages(loaded.__path__, f"jounce.{below}."):
@@ -234,19 +291,28 @@ def own_tests(package: str) -> list[str]:
     """
     stub = (SOURCES / "__init__.pyi").read_text(encoding="utf-8")
     names = re.findall(rf"^from \.{package}\b[\w.]* import ((?!load_)[a-z]\w*)", stub, re.MULTILINE)
-    uses = re.compile("|".join([rf"\b(jounce|jn)\.{package}\b", *(rf"\bjn\.{name}\b" for name in names)]))
+    uses = re.compile(
+        "|".join([rf"\b(jounce|jn)\.{package}\b", *(rf"\bjn\.{name}\b" for name in names)])
+    )
     imports = re.compile(rf"^from jounce\.{package}\b", re.MULTILINE)
     unit = ROOT / "tests" / "unit"
-    files = [(file, uses) for kind in KINDS for file in sorted((ROOT / "tests" / kind).glob("test_*.py"))]
+    files = [
+        (file, uses) for kind in KINDS for file in sorted((ROOT / "tests" / kind).glob("test_*.py"))
+    ]
     others = [file for file in sorted(unit.glob("*/test_*.py")) if file.parent.name != package]
     for kind in ("hostile", *PROOF.get(package, ())):
         others += sorted((ROOT / "tests" / kind).glob("test_*.py"))
     files += [(file, imports) for file in others]
     named = [file for file, words in files if words.search(file.read_text(encoding="utf-8"))]
-    modules = (file.relative_to(SOURCES.parent).with_suffix("").parts for file in sources_of(package))
+    modules = (
+        file.relative_to(SOURCES.parent).with_suffix("").parts for file in sources_of(package)
+    )
     examples = "tests/architecture/test_docstrings.py::test_examples_are_true"
     return [
-        *(str(file.relative_to(ROOT)) for file in [*sorted((unit / package).rglob("test_*.py")), *named]),
+        *(
+            str(file.relative_to(ROOT))
+            for file in [*sorted((unit / package).rglob("test_*.py")), *named]
+        ),
         *(f"{examples}[{'.'.join(parts)}]" for parts in modules),
     ]
 
@@ -262,15 +328,28 @@ def statements(mutant: Mutant) -> set[int]:
         if isinstance(node, ast.stmt | ast.excepthandler):
             body = getattr(node, "body", None)
             first = min(part.lineno for part in (node, *getattr(node, "decorator_list", ())))
-            span = range(first, max(node.lineno + 1, body[0].lineno) if body else node.end_lineno + 1)
+            span = range(
+                first, max(node.lineno + 1, body[0].lineno) if body else node.end_lineno + 1
+            )
             if mutant.line in span:
                 spans.append((len(span), node.lineno, span, node))
     if not spans:  # a case
         return {mutant.line}
     _, _, own, node = min(spans, key=lambda found: found[:2])
-    given = {part.id for part in ast.walk(node) if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Store)}
+    given = {
+        part.id
+        for part in ast.walk(node)
+        if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Store)
+    }
     names = given if node in tree.body and isinstance(node, ast.Assign | ast.AnnAssign) else set()
-    return {*own, *(part.lineno for part in ast.walk(tree) if isinstance(part, ast.Name) and part.id in names)}
+    return {
+        *own,
+        *(
+            part.lineno
+            for part in ast.walk(tree)
+            if isinstance(part, ast.Name) and part.id in names
+        ),
+    }
 
 
 class Clock:
@@ -313,7 +392,9 @@ def run_tests(options: Sequence[str], clock: Clock, times: Path | None = None) -
         plugins=[clock],
     )
     if times:
-        passed = {test: seconds for test, seconds in clock.seconds.items() if test not in clock.failed}
+        passed = {
+            test: seconds for test, seconds in clock.seconds.items() if test not in clock.failed
+        }
         times.write_text(json.dumps(passed), encoding="utf-8")
     return int(code)
 
@@ -353,7 +434,11 @@ def sweep() -> None:
     """Remove folders that killed runs left."""
     for left in Path(tempfile.gettempdir()).glob("jounce-mutants-*-*"):
         number = left.name.split("-")[2]
-        if number.isdecimal() and not Path("/proc", number).exists() and Path("/proc/self").exists():
+        if (
+            number.isdecimal()
+            and not Path("/proc", number).exists()
+            and Path("/proc/self").exists()
+        ):
             shutil.rmtree(left, ignore_errors=True)
 
 
@@ -391,9 +476,13 @@ def verdict(mutant: Mutant, tests: Tests) -> str:
 
 def reason(mutant: Mutant) -> str | None:
     """Why a mutant changes nothing that a user sees, as the list beside this file says."""
-    rows = tomllib.loads(HARMLESS.read_text(encoding="utf-8")).get(mutant.file.parent.relative_to(SOURCES).parts[0], [])
+    rows = tomllib.loads(HARMLESS.read_text(encoding="utf-8")).get(
+        mutant.file.parent.relative_to(SOURCES).parts[0], []
+    )
     key = (mutant.file.stem, *mutant.change)
-    return next((row["why"] for row in rows if (row["module"], row["before"], row["after"]) == key), None)
+    return next(
+        (row["why"] for row in rows if (row["module"], row["before"], row["after"]) == key), None
+    )
 
 
 def show(mutant: Mutant, outcome: str) -> str:
@@ -409,11 +498,16 @@ def show(mutant: Mutant, outcome: str) -> str:
 
 def told(package: str, seen: dict[Mutant, str]) -> int:
     """The last line: how many were noticed of those that matter."""
-    count = {outcome: list(seen.values()).count(outcome) for outcome in ("noticed", "unnoticed", "harmless")}
+    count = {
+        outcome: list(seen.values()).count(outcome)
+        for outcome in ("noticed", "unnoticed", "harmless")
+    }
     matter = count["noticed"] + count["unnoticed"]
     share = count["noticed"] / matter if matter else 1.0
     harmless = f"{count['harmless']} more listed as harmless"
-    print(f"{package}, {len(seen)} tried: {count['noticed']} of {matter} noticed ({share:.0%}), {harmless}")
+    print(
+        f"{package}, {len(seen)} tried: {count['noticed']} of {matter} noticed ({share:.0%}), {harmless}"
+    )
     return int(share < GOAL)
 
 

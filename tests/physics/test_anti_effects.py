@@ -24,12 +24,18 @@ PULL = 1000.0  # N on the wheel
         ("rear", "contact_point", {"drive": "hub", "drive_share": 0.7}, "anti_squat", 1.0),
     ],
 )
-def test_the_geometry_takes_what_the_springs_are_spared(axle: str, where: str, layout, name: str, way: float) -> None:
+def test_the_geometry_takes_what_the_springs_are_spared(
+    axle: str, where: str, layout, name: str, way: float
+) -> None:
     """The wheel pulls the car and its load changes by the transfer: the spring's force changes by the rest."""
     rig = jn.load("reference-double-wishbone")
-    car = jn.AxleLayout(axle=axle, wheelbase=LONG, centre_of_mass_height=HIGH, brake_share=0.6, **layout)
+    car = jn.AxleLayout(
+        axle=axle, wheelbase=LONG, centre_of_mass_height=HIGH, brake_share=0.6, **layout
+    )
     swept = jn.sweep_travel(rig, 0.01, vehicle=car)
-    share = {"anti_dive": 0.6, "anti_squat": car.driven}.get(name, 0.6 if axle == "rear" else car.driven)
+    share = {"anti_dive": 0.6, "anti_squat": car.driven}.get(
+        name, 0.6 if axle == "rear" else car.driven
+    )
     transfer = PULL / share * HIGH / LONG  # N of load that all of the force moves
     front = 1.0 if axle == "front" else -1.0
     pulled = jn.ContactLoad(
@@ -39,7 +45,9 @@ def test_the_geometry_takes_what_the_springs_are_spared(axle: str, where: str, l
         float(jn.pickup_loads(rig, load, 0.01)["spring.force"][0])
         for load in (jn.ContactLoad(vertical_force=3000.0), pulled)
     ]
-    spared = 1.0 - (forces[1] - forces[0]) * float(swept["motion_ratio_contact"][0]) / (-front * way * transfer)
+    spared = 1.0 - (forces[1] - forces[0]) * float(swept["motion_ratio_contact"][0]) / (
+        -front * way * transfer
+    )
     assert float(swept[name][0]) == pytest.approx(spared, rel=1e-9)
     assert set(car.effects) & {"anti_dive", "anti_lift", "anti_squat"} == {
         n for n in swept.data_vars if n.startswith("anti_")
@@ -53,7 +61,10 @@ def test_a_front_axle_that_is_not_driven_only_dives() -> None:
     assert jn.AxleLayout(**{**car, "axle": "rear", "drive_share": 0.0}).effects == ("anti_lift",)
     with pytest.raises(jn.DescriptionError):
         jn.AxleLayout(**car, drive="chain")
-    for wrong, text in (({"wheelbase": 2600.0}, "at most 30 m"), ({"brake_share": 60.0}, r"at least 0, at most 1\.$")):
+    for wrong, text in (
+        ({"wheelbase": 2600.0}, "at most 30 m"),
+        ({"brake_share": 60.0}, r"at least 0, at most 1\.$"),
+    ):
         with pytest.raises(jn.DescriptionError, match=text):
             jn.AxleLayout(**{**car, **wrong})
 
@@ -77,7 +88,9 @@ def test_moves_of_the_body_are_those_of_springs_and_tyres_under_the_transfer(axl
     assert float(found[names[0]][0]) == pytest.approx(wanted, rel=1e-6)
     driven = {"front": "lift_per_g", "rear": "squat_per_g"}[axle]
     share = 0.0 if axle == "front" else float(found["anti_squat"][0])
-    assert float(found[driven][0]) == pytest.approx(transfer * (1.0 - share) / rate + transfer / tyre, rel=1e-6)
+    assert float(found[driven][0]) == pytest.approx(
+        transfer * (1.0 - share) / rate + transfer / tyre, rel=1e-6
+    )
     third = {
         "third_spring": {"spring": {"rate": 40e3, "preload": 3e3}, "on": "lower_arm"},
         "hardpoints.third_spring_end": [0.0, 0.4, 0.3],

@@ -60,8 +60,14 @@ def sprung(plain):
 @pytest.mark.parametrize("side", ["left", "right"])
 def test_forces_and_rates_are_slopes(sprung, side: str) -> None:
     found = jn.sweep_travel(sprung[side], 0.012 + STEP * np.arange(-2, 3), points=True)
-    turned, ratio = found["torsion_bar_angle"].to_numpy(), float(found["torsion_bar_motion_ratio"][2])
-    arm = np.stack([found[f"lower_ball_joint.{axis}"] - found[f"lower_arm_front.{axis}"] for axis in "xyz"], axis=1)
+    turned, ratio = (
+        found["torsion_bar_angle"].to_numpy(),
+        float(found["torsion_bar_motion_ratio"][2]),
+    )
+    arm = np.stack(
+        [found[f"lower_ball_joint.{axis}"] - found[f"lower_arm_front.{axis}"] for axis in "xyz"],
+        axis=1,
+    )
     points = sprung[side].hardpoints
     axis = np.array(points.lower_arm_front) - np.array(points.lower_arm_rear)
     axis = axis / np.linalg.norm(axis)
@@ -83,11 +89,15 @@ def test_forces_and_rates_are_slopes(sprung, side: str) -> None:
         ("third_wheel_rate", "third_wheel_force"),
         ("heave_rate", "heave_force"),
     ):
-        assert differences(found[value].to_numpy()) == pytest.approx(float(found[slope][2]), rel=1e-8)
+        assert differences(found[value].to_numpy()) == pytest.approx(
+            float(found[slope][2]), rel=1e-8
+        )
     heave = float(found["wheel_rate"][2] + found["third_wheel_rate"][2])
     assert float(found["heave_rate"][2]) == pytest.approx(heave, rel=1e-12)
     damped = 0.5 * 800.0 * found["third_spring_motion_ratio"] ** 2
-    assert found["third_damping_coefficient"].to_numpy() == pytest.approx(damped.to_numpy(), rel=1e-12)
+    assert found["third_damping_coefficient"].to_numpy() == pytest.approx(
+        damped.to_numpy(), rel=1e-12
+    )
     assert "spring_force" not in found
 
 
@@ -98,7 +108,9 @@ def test_a_car_stands_on_torsion_bar_and_third_spring_as_on_a_coil(plain, sprung
     travel = float(rest["unsprung.z"] - rest["sprung.z"])
     found = jn.sweep_travel(sprung["left"], travel)
     ratio = jn.sweep_travel(plain, travel)
-    needed = float((found["wheel_force"] + found["third_wheel_force"])[0]) / float(ratio["motion_ratio"][0])
+    needed = float((found["wheel_force"] + found["third_wheel_force"])[0]) / float(
+        ratio["motion_ratio"][0]
+    )
     short = plain.hardpoints.length("spring") - float(ratio["spring_length"][0])
     same = plain.with_changes({"strut.spring.preload": needed - 35e3 * short})
     again = equilibrium(same)
@@ -114,7 +126,9 @@ def test_files_keep_torsion_bars_and_third_springs(sprung, tmp_path) -> None:
     assert again.parameters() == pytest.approx(sprung["left"].parameters())
     assert "strut.spring.rate" not in again.parameters()
     assert again.mirrored() == sprung["right"]
-    assert not any("strut.spring" in item.place for item in rig_findings(again))  # nothing stands in for it there
+    assert not any(
+        "strut.spring" in item.place for item in rig_findings(again)
+    )  # nothing stands in for it there
 
 
 # bars -----------------------------------------------------------------------------------------------------------------
@@ -129,28 +143,40 @@ def test_a_t_bar_stays_closed_and_its_forces_are_slopes_of_the_energy(stem) -> N
     axle, middle = TwoWheelAxle(stem), (0.011, -0.004)
 
     def at(left: np.ndarray, right: np.ndarray):
-        wheels = [axle.wheel(side, travel, np.zeros_like(travel)) for side, travel in ((1.0, left), (-1.0, right))]
+        wheels = [
+            axle.wheel(side, travel, np.zeros_like(travel))
+            for side, travel in ((1.0, left), (-1.0, right))
+        ]
         return axle.connection(*wheels), wheels
 
     for side in (0, 1):
         pair = [np.full(5, travel) for travel in middle]
         pair[side] = pair[side] + STEP * np.arange(-2, 3)
         found, wheels = at(*pair)
-        twist, deflection = found.rows["anti_roll_bar_twist"][0], found.rows["third_spring_deflection"][0]
+        twist, deflection = (
+            found.rows["anti_roll_bar_twist"][0],
+            found.rows["third_spring_deflection"][0],
+        )
         energy = 0.5 * 400.0 * twist**2 + 0.5 * 30e3 * deflection**2 + 150.0 * deflection
         assert differences(energy) == pytest.approx(found.forces[side][2], rel=1e-8)
-        length = np.linalg.norm(np.subtract(T_BAR["hardpoints.arb_link_end"], T_BAR["hardpoints.arb_arm_end"]))
+        length = np.linalg.norm(
+            np.subtract(T_BAR["hardpoints.arb_link_end"], T_BAR["hardpoints.arb_arm_end"])
+        )
         for wheel, tip in zip(wheels, found.arm_ends, strict=True):
             link = wheel.ends.bar[0] - tip
             assert np.linalg.norm(link, axis=1) == pytest.approx(length, abs=1e-12)
         one, other = found.arm_ends
         assert np.linalg.norm(one - other, axis=1) == pytest.approx(0.32, abs=1e-13)  # a rigid bar
     assert abs(twist[2]) > 0.01
-    alike = jn.sweep_travel(stem, 0.011, points=True)  # in heave the axle is two of the corner's bars
+    alike = jn.sweep_travel(
+        stem, 0.011, points=True
+    )  # in heave the axle is two of the corner's bars
     both = np.full(1, 0.011)
     found, _ = at(both, both)
     for name, place in (("arb_arm_end", found.arm_ends[0]), ("arb_axis", found.stem_end)):
-        assert place[0] == pytest.approx([float(alike[f"{name}.{axis}"][0]) for axis in "xyz"], abs=1e-12), name
+        assert place[0] == pytest.approx(
+            [float(alike[f"{name}.{axis}"][0]) for axis in "xyz"], abs=1e-12
+        ), name
 
 
 def test_a_t_bar_is_found_where_it_was_put() -> None:
@@ -158,7 +184,8 @@ def test_a_t_bar_is_found_where_it_was_put() -> None:
     random = np.random.default_rng(5)
     stem, mirror = np.array([0.02, 0.0, 0.15]), np.array([1.0, -1.0, 1.0])
     arms, far = (
-        np.stack([np.array(point), mirror * point], axis=1) for point in ([0.02, 0.16, 0.15], [0.1, 0.2, 0.14])
+        np.stack([np.array(point), mirror * point], axis=1)
+        for point in ([0.02, 0.16, 0.15], [0.1, 0.2, 0.14])
     )
     design, along = far - arms, stem / np.linalg.norm(stem)
     for hinge, twist in random.uniform(-0.5, 0.5, (200, 2)):
@@ -170,7 +197,10 @@ def test_a_t_bar_is_found_where_it_was_put() -> None:
 
 
 def test_a_t_bar_whose_links_hold_nothing_has_no_numbers(plain) -> None:
-    along = {"hardpoints.arb_arm_end": [-0.08, 0.16, 0.45], "hardpoints.arb_link_end": [-0.08, 0.20, 0.45]}
+    along = {
+        "hardpoints.arb_arm_end": [-0.08, 0.16, 0.45],
+        "hardpoints.arb_link_end": [-0.08, 0.20, 0.45],
+    }
     loose = plain.with_changes({**T_BAR, **along})
     assert any("hardly hold the T-bar" in item.message for item in rig_findings(loose))
     assert not any("T-bar" in item.message for item in rig_findings(plain.with_changes(T_BAR)))
@@ -187,7 +217,8 @@ def test_a_t_bar_twists_in_roll_only(stem) -> None:
     for way, name in ((-1.0, "anti_roll_bar_rate"), (1.0, "third_wheel_rate")):
         both = 0.008 + small * np.array([-1.0, 0.0, 1.0])
         left, right = (
-            axle.wheel(side, at, np.zeros(3)) for side, at in ((1.0, both), (-1.0, 0.008 + way * (both - 0.008)))
+            axle.wheel(side, at, np.zeros(3))
+            for side, at in ((1.0, both), (-1.0, 0.008 + way * (both - 0.008)))
         )
         found = axle.connection(left, right)
         bar = found.rows["anti_roll_bar_twist"][0]
@@ -202,10 +233,14 @@ def test_a_t_bar_twists_in_roll_only(stem) -> None:
 def test_roll_stiffness_is_the_slope_of_the_moment(stem) -> None:
     rolled = jn.sweep_roll(stem, 0.01 + STEP * np.arange(-2, 3))
     for total, moment in (("roll_stiffness", "roll_moment"),):
-        assert differences(rolled[moment].to_numpy()) == pytest.approx(float(rolled[total][2]), rel=1e-6)
+        assert differences(rolled[moment].to_numpy()) == pytest.approx(
+            float(rolled[total][2]), rel=1e-6
+        )
     tyres = 0.5 * 105e3 * float(rolled["track"][2]) ** 2
     stiffness = float(rolled["roll_stiffness"][2])
-    assert float(rolled["roll_stiffness_total"][2]) == pytest.approx(1.0 / (1.0 / stiffness + 1.0 / tyres), rel=1e-12)
+    assert float(rolled["roll_stiffness_total"][2]) == pytest.approx(
+        1.0 / (1.0 / stiffness + 1.0 / tyres), rel=1e-12
+    )
 
 
 def test_a_z_bar_works_in_heave_and_not_in_roll(plain) -> None:
@@ -217,11 +252,15 @@ def test_a_z_bar_works_in_heave_and_not_in_roll(plain) -> None:
     force = found["heave_force"].to_numpy() - found["wheel_force"].to_numpy()
     assert differences(energy) == pytest.approx(force[2], rel=1e-8)
     assert differences(force) == pytest.approx(rate, rel=1e-8)
-    second = (energy[0] * -1.0 + 16.0 * energy[1] - 30.0 * energy[2] + 16.0 * energy[3] - energy[4]) / (12.0 * STEP**2)
+    second = (
+        energy[0] * -1.0 + 16.0 * energy[1] - 30.0 * energy[2] + 16.0 * energy[3] - energy[4]
+    ) / (12.0 * STEP**2)
     assert rate == pytest.approx(second, rel=1e-5)
     assert float(found["anti_roll_bar_rate"][2]) == 0.0
     rolled, without = (jn.sweep_roll(one, [-0.01, 0.0, 0.01]) for one in (rig, plain))
-    assert rolled["roll_stiffness"].to_numpy() == pytest.approx(without["roll_stiffness"].to_numpy(), rel=2e-2)
+    assert rolled["roll_stiffness"].to_numpy() == pytest.approx(
+        without["roll_stiffness"].to_numpy(), rel=2e-2
+    )
     share = float(rolled["roll_stiffness_bar"][1] / rolled["roll_stiffness"][1])
     assert abs(share) < 1e-6  # a difference inside, and both ends turn alike to first order only
 
@@ -233,7 +272,9 @@ def test_a_z_bar_carries_a_corner_at_rest(plain) -> None:
     travel = float(rest["unsprung.z"] - rest["sprung.z"])
     turned = float(jn.sweep_travel(rig, travel)["anti_roll_bar_angle"][0])
     assert rest["anti_roll_bar.twist"] == pytest.approx(2.0 * turned, rel=1e-6)
-    assert rest["anti_roll_bar.torque"] == pytest.approx(900.0 * rest["anti_roll_bar.twist"], rel=1e-12)
+    assert rest["anti_roll_bar.torque"] == pytest.approx(
+        900.0 * rest["anti_roll_bar.twist"], rel=1e-12
+    )
     assert abs(turned) > 1e-3
 
 
@@ -272,7 +313,10 @@ def test_bad_parts_are_refused(plain, change, message: str) -> None:
 @pytest.mark.slow
 def test_a_third_spring_of_a_whole_car_stiffens_heave_and_not_roll() -> None:
     car = jn.load("formula-student-car")
-    third = {"third_spring": {"spring": {"rate": 60e3}}, "hardpoints.third_spring_end": [0.02, 0.21, 0.42]}
+    third = {
+        "third_spring": {"spring": {"rate": 60e3}},
+        "hardpoints.third_spring_end": [0.02, 0.21, 0.42],
+    }
     stiff = car.with_changes({f"front.corner.{path}": value for path, value in third.items()})
     shares = []
     for one in (car, stiff):
@@ -282,7 +326,9 @@ def test_a_third_spring_of_a_whole_car_stiffens_heave_and_not_roll() -> None:
     assert shares[1][0] == pytest.approx(shares[0][0], rel=1e-4)
     assert shares[1][1] > 1.2 * shares[0][1]  # both motions of heave and pitch together
     rest = equilibrium(stiff)
-    deflection, force = (float(rest[f"front.third_spring.{name}"]) for name in ("deflection", "force"))
+    deflection, force = (
+        float(rest[f"front.third_spring.{name}"]) for name in ("deflection", "force")
+    )
     assert force == pytest.approx(60e3 * deflection, rel=1e-9)
 
 
@@ -304,7 +350,9 @@ def test_a_described_bar_of_a_whole_car_is_its_rate_at_the_wheel() -> None:
         cars[f"rate of {kind}"] = bare.with_changes({"front.anti_roll_bar_rate": 0.5 * rate})
     modes = {name: jn.modes(car) for name, car in cars.items()}
     roll = {
-        name: next(mode.frequency_hz for mode in found if abs(complex(*mode.shape["body.roll"])) > 0.99)
+        name: next(
+            mode.frequency_hz for mode in found if abs(complex(*mode.shape["body.roll"])) > 0.99
+        )
         for name, found in modes.items()
     }
     for kind in "ut":
@@ -313,7 +361,9 @@ def test_a_described_bar_of_a_whole_car_is_its_rate_at_the_wheel() -> None:
     assert roll["z"] == pytest.approx(roll["bare"], rel=1e-4)
     assert modes["z"][1].frequency_hz > 1.2 * modes["bare"][1].frequency_hz
     rest = equilibrium(described["z"])
-    assert rest["front.anti_roll_bar.torque"] == pytest.approx(900.0 * rest["front.anti_roll_bar.twist"], rel=1e-12)
+    assert rest["front.anti_roll_bar.torque"] == pytest.approx(
+        900.0 * rest["front.anti_roll_bar.twist"], rel=1e-12
+    )
 
 
 def test_a_car_has_its_bar_once() -> None:
@@ -331,7 +381,10 @@ def test_the_t_bar_of_a_car_is_that_of_the_axle(stem) -> None:
         with mechanism.within(name, "corner"):
             pair.append(build_linkage(stem, mechanism, mechanism.ground, ahead=0.1, turned=turned))
     held = t_bar_of(*pair)
-    rate = sum(ca.dot(slope, link_end(one).rate) for slope, one in zip(held.twist_slopes, pair, strict=True))
+    rate = sum(
+        ca.dot(slope, link_end(one).rate)
+        for slope, one in zip(held.twist_slopes, pair, strict=True)
+    )
     exact, travels = mechanism.rate_of(held.twist), [one.wheel_centre.value[2] for one in pair]
     collection = mechanism.collection
     numbers = stem.parameters()

@@ -8,7 +8,9 @@ import pytest
 import jounce as jn
 
 RIG = jn.load("reference-double-wishbone")
-CLIFF = jn.Trial(road=jn.Ramp(height="0.8 m", length="0.05 m", start="0.5 m"), speed="5 m/s", duration="0.6 s")
+CLIFF = jn.Trial(
+    road=jn.Ramp(height="0.8 m", length="0.05 m", start="0.5 m"), speed="5 m/s", duration="0.6 s"
+)
 
 
 def test_a_wheel_that_flips_over_ends_the_run():

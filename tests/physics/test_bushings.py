@@ -43,10 +43,16 @@ def two_bodies(damping=(0.0, 0.0, 0.0), rotational_damping=(0.0, 0.0, 0.0)):
         mechanism.output(f"mount.t{axis}", soft.torque[i], "N*m", f"torque about {axis}")
         for name, body in (("first", first), ("second", second)):
             point = body.point(body.mass_properties.centre)
-            spin = body.frame.orientation.rotate(body.mass_properties.inertia @ body.frame.orientation.spin)
+            spin = body.frame.orientation.rotate(
+                body.mass_properties.inertia @ body.frame.orientation.spin
+            )
             moment = body.mass_properties.mass * casadi.cross(point.value, point.rate) + spin
-            mechanism.output(f"{name}.p{axis}", body.mass_properties.mass * point.rate[i], "N*s", "momentum")
-            mechanism.output(f"{name}.l{axis}", moment[i], "N*m*s", "moment of momentum about the origin")
+            mechanism.output(
+                f"{name}.p{axis}", body.mass_properties.mass * point.rate[i], "N*s", "momentum"
+            )
+            mechanism.output(
+                f"{name}.l{axis}", moment[i], "N*m*s", "moment of momentum about the origin"
+            )
     mechanism.output("mount.energy", soft.energy, "J", "energy")
     mechanism.output("mount.power", soft.power, "W", "power")
     mechanism.output("kinetic", mechanism.kinetic_energy(), "J", "kinetic energy")
@@ -69,16 +75,29 @@ def forces(mechanism, start):
 def test_a_rigid_motion_of_both_gives_no_force():
     """Both turn by 70 degrees about a far point and move on with the velocities of one rigid body."""
     e, matrix = turned_about((0.3, -1.0, 0.4), np.deg2rad(70.0))
-    pivot, spin, drift = np.array([0.5, 0.2, -0.3]), np.array([3.0, -2.0, 1.0]), np.array([0.4, 0.1, -0.7])
+    pivot, spin, drift = (
+        np.array([0.5, 0.2, -0.3]),
+        np.array([3.0, -2.0, 1.0]),
+        np.array([0.4, 0.1, -0.7]),
+    )
     start = {}
-    for name, centre in (("first", np.array([0.1, 0.0, 0.0])), ("second", np.array([-0.2, 0.1, 0.05]))):
+    for name, centre in (
+        ("first", np.array([0.1, 0.0, 0.0])),
+        ("second", np.array([-0.2, 0.1, 0.05])),
+    ):
         place = pivot + matrix @ (centre - pivot)
         velocity = drift + np.cross(spin, place - pivot)
-        start |= {f"{name}.{axis}": value for axis, value in zip("xyz", place - centre, strict=True)}
+        start |= {
+            f"{name}.{axis}": value for axis, value in zip("xyz", place - centre, strict=True)
+        }
         start |= {f"{name}.{axis} rate": value for axis, value in zip("xyz", velocity, strict=True)}
         start |= {f"{name}.e{i}": value for i, value in enumerate(e)}
-        start |= {f"{name}.w{axis}": value for axis, value in zip("xyz", matrix.T @ spin, strict=True)}
-    found = forces(two_bodies(damping=(50.0, 60.0, 70.0), rotational_damping=(0.5, 0.6, 0.7)), start)
+        start |= {
+            f"{name}.w{axis}": value for axis, value in zip("xyz", matrix.T @ spin, strict=True)
+        }
+    found = forces(
+        two_bodies(damping=(50.0, 60.0, 70.0), rotational_damping=(0.5, 0.6, 0.7)), start
+    )
     np.testing.assert_allclose(found, 0.0, atol=1e-8)
 
 
@@ -119,8 +138,16 @@ def test_a_torque_does_the_work_of_its_energy_far_from_the_design_pose():
 
 
 def shaken(**damping):
-    start = {"second.x": 2e-3, "second.z": -1e-3, "first.wx": 4.0, "second.wy": -6.0, "second.y rate": 0.5}
-    return jn.simulate_mechanism(two_bodies(**damping), 0.5, start=start, output_step=1e-3, tolerance=1e-9)
+    start = {
+        "second.x": 2e-3,
+        "second.z": -1e-3,
+        "first.wx": 4.0,
+        "second.wy": -6.0,
+        "second.y rate": 0.5,
+    }
+    return jn.simulate_mechanism(
+        two_bodies(**damping), 0.5, start=start, output_step=1e-3, tolerance=1e-9
+    )
 
 
 def test_inner_forces_keep_momentum_and_energy():
@@ -149,7 +176,9 @@ def test_methods_agree_on_a_mechanism_of_ones_own():
     more = {"damping": (3e4, 3e4, 3e4), "rotational_damping": (300.0, 300.0, 300.0)}
     start = {"second.x": 1e-3, "first.wx": 4.0, "second.y rate": 0.5}
     runs = {
-        method: jn.simulate_mechanism(two_bodies(**more), 1.0, start=start, output_step=1e-2, method=method)
+        method: jn.simulate_mechanism(
+            two_bodies(**more), 1.0, start=start, output_step=1e-2, method=method
+        )
         for method in ("auto", "explicit", "implicit")
     }
     assert [run.attrs["method"] for run in runs.values()] == ["implicit", "explicit", "implicit"]
@@ -166,7 +195,13 @@ def test_an_elastic_rod_is_its_bushing_along_itself():
     bob = mechanism.body("bob", 1.0, tuple(length * along), SHAFT)
     mechanism.prismatic("slide", mechanism.ground, bob, axis=tuple(along))
     tension, _ = add_elastic_rod(
-        mechanism, "rod", mechanism.ground, bob, (0.0, 0.0, 0.0), tuple(length * along), (2e5, 0.0, 4e5)
+        mechanism,
+        "rod",
+        mechanism.ground,
+        bob,
+        (0.0, 0.0, 0.0),
+        tuple(length * along),
+        (2e5, 0.0, 4e5),
     )
     mechanism.output("rod.tension", tension, "N", "tension")
     run = jn.simulate_mechanism(mechanism, 1e-3, start={"slide.distance": 1e-3}, output_step=1e-3)
@@ -176,7 +211,9 @@ def test_an_elastic_rod_is_its_bushing_along_itself():
 
 def on_bushings(rig, points, stiffness, **more):
     law = {"stiffness": (stiffness,) * 3, "damping": (1e-3 * stiffness,) * 3, **more}
-    table = rig.model_dump(by_alias=True, exclude_none=True) | {"bushings": dict.fromkeys(points, law)}
+    table = rig.model_dump(by_alias=True, exclude_none=True) | {
+        "bushings": dict.fromkeys(points, law)
+    }
     return type(rig).model_validate(table)
 
 
@@ -184,7 +221,10 @@ RIGS = {
     "double wishbone": (PROTOTYPE, ARMS),
     "one side of an arm": (PROTOTYPE, ("lower_arm_front", "upper_arm_rear")),
     "tie rod": (PROTOTYPE, ("tie_rod_inner",)),
-    "mcpherson": (parts.load("generic-mcpherson"), ("lower_arm_front", "lower_arm_rear", "strut_top")),
+    "mcpherson": (
+        parts.load("generic-mcpherson"),
+        ("lower_arm_front", "lower_arm_rear", "strut_top"),
+    ),
     "five links": (parts.load("sedan-multi-link"), tuple(f"link_{i}_inner" for i in range(1, 6))),
     "trailing arm": (parts.load("semi-trailing-arm"), ("arm_inner", "arm_outer")),
 }
@@ -194,7 +234,9 @@ RIGS = {
 ALIKE = ("one side of an arm", "tie rod", "five links")
 
 
-@pytest.mark.parametrize("name", [pytest.param(n, marks=[pytest.mark.slow] if n in ALIKE else []) for n in RIGS])
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=[pytest.mark.slow] if n in ALIKE else []) for n in RIGS]
+)
 def test_stiff_bushings_become_the_ideal_joints(name):
     """The difference from the ideal joints falls in proportion to the compliance."""
     rig, points = RIGS[name]
@@ -202,9 +244,9 @@ def test_stiff_bushings_become_the_ideal_joints(name):
     differences = []
     for stiffness in (1e8, 1e9):
         soft = jn.simulate(on_bushings(rig, points, stiffness), BUMP, tolerance=1e-7)
-        sizes = {c: np.ptp(ideal[c].to_numpy()) for c in ("sprung.z", "unsprung.z", "tyre.force")} | {
-            "wheel.camber": 0.01
-        }
+        sizes = {
+            c: np.ptp(ideal[c].to_numpy()) for c in ("sprung.z", "unsprung.z", "tyre.force")
+        } | {"wheel.camber": 0.01}
         shares = [float(abs(soft[c] - ideal[c]).max()) / size for c, size in sizes.items()]
         differences.append(max(shares))
     assert differences[0] < 0.02
@@ -216,7 +258,9 @@ def test_energy_of_a_suspension_on_bushings():
     """What the road puts in is found in weights, springs, damper, bushings and motion."""
     rig = on_bushings(PROTOTYPE, ARMS, 2e6, rotational_stiffness=(20.0, 20.0, 20.0))
     run = jn.simulate(rig, BUMP, tolerance=1e-8, detail=True)
-    taken = [name for name in run.data_vars if str(name).startswith("energy.") and name != "energy.road"]
+    taken = [
+        name for name in run.data_vars if str(name).startswith("energy.") and name != "energy.road"
+    ]
     total = sum(run[name] - run[name][0] for name in taken) - run["energy.road"]
     assert "energy.bushings" in taken
     assert float(abs(total).max()) < 1e-6 * float(abs(run["energy.road"]).max())
@@ -225,9 +269,15 @@ def test_energy_of_a_suspension_on_bushings():
 
 def test_static_forces_of_bushings_carry_the_arm():
     """Front and rear bushings of the lower arm together give what the joint of the rigid rig gives, at rest."""
-    still = Trial(road=HalfSine(height="10 mm", length="60 mm", start="10 m"), speed="1.95 m/s", duration="2 ms")
+    still = Trial(
+        road=HalfSine(height="10 mm", length="60 mm", start="10 m"),
+        speed="1.95 m/s",
+        duration="2 ms",
+    )
     rigid = jn.simulate(PROTOTYPE, still, detail=True)
-    soft = jn.simulate(on_bushings(PROTOTYPE, ARMS, 1e8, rotational_stiffness=(0.0,) * 3), still, detail=True)
+    soft = jn.simulate(
+        on_bushings(PROTOTYPE, ARMS, 1e8, rotational_stiffness=(0.0,) * 3), still, detail=True
+    )
     for axis in "xyz":
         joint = float(rigid[f"lower_arm.f{axis}"][0])
         pair = sum(float(soft[f"lower_arm_{end}.f{axis}"][0]) for end in ("front", "rear"))

@@ -27,15 +27,23 @@ def torque(run, name: str) -> np.ndarray:
 
 def reactions(run, prefix: str = "") -> dict[str, float]:
     ends = tuple(f".{kind}{axis}" for kind in "ft" for axis in "xyz")
-    return {n.removeprefix(prefix): float(run[n]) for n in run if n.startswith(prefix) and n.endswith(ends)}
+    return {
+        n.removeprefix(prefix): float(run[n])
+        for n in run
+        if n.startswith(prefix) and n.endswith(ends)
+    }
 
 
 def test_a_run_shows_them():
     """All that a corner shows of itself, each car's corner shows under its name, from the first sample on."""
     trial = jn.Trial(road=jn.Flat(), speed=10.0, duration=0.01, lateral_acceleration=3.0)
     run = jn.simulate(FS, trial, detail=True)
-    alone = jn.simulate(FS.front.corner, jn.Trial(road=jn.Flat(), speed=10.0, duration=0.01), detail=True)
-    own = {name for name in alone if not name.startswith(("sprung", "energy", "constraint", "guide"))}
+    alone = jn.simulate(
+        FS.front.corner, jn.Trial(road=jn.Flat(), speed=10.0, duration=0.01), detail=True
+    )
+    own = {
+        name for name in alone if not name.startswith(("sprung", "energy", "constraint", "guide"))
+    }
     assert len(own) > 80
     for which in FS.corners:
         assert {f"{which}.{name}" for name in own} <= set(run)
@@ -54,9 +62,14 @@ def test_a_level_car_has_the_reactions_of_its_corner():
     _, run = kept_level(car)
     corner = car.front.corner
     weight = sum(body.mass for body in corner.body_masses().values())
-    changes = {"sprung.mass": run["front_left.tyre.force"] / car.gravity - weight, "tyre.law": "radial"}
+    changes = {
+        "sprung.mass": run["front_left.tyre.force"] / car.gravity - weight,
+        "tyre.law": "radial",
+    }
     alone = jn.simulate(
-        corner.with_changes(changes), jn.Trial(road=jn.Flat(), speed=1.0, duration=0.001), detail=True
+        corner.with_changes(changes),
+        jn.Trial(road=jn.Flat(), speed=1.0, duration=0.001),
+        detail=True,
     ).isel(time=0)
     assert float(alone["tyre.force"]) == pytest.approx(run["front_left.tyre.force"], rel=1e-12)
     own = reactions(run, "front_left.")
@@ -94,16 +107,26 @@ ACROSS = {"nothing": {}, "U-bar": U_BAR, "T-bar": T_BAR, "Z-bar": Z_BAR, "third 
 
 
 @pytest.mark.parametrize(  # each is a model of its own, which takes seconds to make
-    "name", [pytest.param(name, marks=[pytest.mark.slow] if name in ("U-bar", "Z-bar") else []) for name in ACROSS]
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.slow] if name in ("U-bar", "Z-bar") else [])
+        for name in ACROSS
+    ],
 )
 def test_reactions_are_those_of_load_cases(name):
     """In a bend on a road that is higher on the left, with the body level, as load cases have it; tie rods, too.
 
     Bars and third springs reach over to the other wheel; load cases put their forces on the parts by themselves.
     """
-    changes = {f"{end}.corner.{path}": value for end in ("front", "rear") for path, value in ACROSS[name].items()}
+    changes = {
+        f"{end}.corner.{path}": value
+        for end in ("front", "rear")
+        for path, value in ACROSS[name].items()
+    }
     roads = {
-        f"{end}_{side}.road.z": 0.015 * (side == "left") for end in ("front", "rear") for side in ("left", "right")
+        f"{end}_{side}.road.z": 0.015 * (side == "left")
+        for end in ("front", "rear")
+        for side in ("left", "right")
     }
     car = without_weights(FS).with_changes(changes)
     turned, run = kept_level(car, **roads)
@@ -122,7 +145,11 @@ def test_reactions_are_those_of_load_cases(name):
             assert force(run, f"{which}.{joint}") == pytest.approx(expected, abs=1e-6 * size), joint
         pushed = [case[f"pushrod_inner.f{axis}"][0] for axis in "xyz"]  # of both on the rocker
         assert force(run, f"{which}.pushrod") == pytest.approx(pushed, abs=1e-6 * size)
-    reached = [abs(run[name]) for name in run if name.endswith(("anti_roll_bar.torque", "third_spring.force"))]
+    reached = [
+        abs(run[name])
+        for name in run
+        if name.endswith(("anti_roll_bar.torque", "third_spring.force"))
+    ]
     assert bool(reached) == bool(ACROSS[name])
     assert min(reached, default=10.0) > 1.0
 
@@ -132,7 +159,9 @@ def test_uprights_and_body_are_in_balance(load):
     """By hand: weights, inertia, road, struts and all joints on an upright with its wheel, and on the leaning body."""
     car = FS.with_changes({f"{end}.anti_roll_bar_rate": 0.0 for end in ("front", "rear")})
     run = at_rest(car, **load)
-    field = np.array([load.get("deceleration", 0.0), -load.get("lateral_acceleration", 0.0), -car.gravity])
+    field = np.array(
+        [load.get("deceleration", 0.0), -load.get("lateral_acceleration", 0.0), -car.gravity]
+    )
     loads = {which: run[f"{which}.tyre.force"] for which in car.corners}
     masses = {name: body.mass for name, body in car.front.corner.body_masses().items()}
     total = car.body.mass + 4.0 * sum(masses.values())
@@ -140,7 +169,10 @@ def test_uprights_and_body_are_in_balance(load):
     for which in car.corners:
         grip = -total * field * [1.0, 1.0, 0.0] * loads[which] / sum(loads.values())
         road = grip + loads[which] * np.array([0.0, 0.0, 1.0])
-        held = sum(force(run, f"{which}.{name}") for name in ("lower_ball_joint", "upper_ball_joint", "tie_rod"))
+        held = sum(
+            force(run, f"{which}.{name}")
+            for name in ("lower_ball_joint", "upper_ball_joint", "tie_rod")
+        )
         assert np.abs(road + masses["upright"] * field + held).max() < 1e-6
         for name, point in (
             ("lower_arm", "lower_arm_front"),
@@ -148,7 +180,11 @@ def test_uprights_and_body_are_in_balance(load):
             ("rocker", "rocker_pivot"),
         ):
             on_body.append(
-                (-force(run, f"{which}.{name}"), place(run, f"{which}.{point}"), -torque(run, f"{which}.{name}"))
+                (
+                    -force(run, f"{which}.{name}"),
+                    place(run, f"{which}.{point}"),
+                    -torque(run, f"{which}.{name}"),
+                )
             )
         on_body.append((-force(run, f"{which}.tie_rod"), place(run, f"{which}.tie_rod_inner")))
         strut = place(run, f"{which}.strut_top") - place(run, f"{which}.strut_bottom")
@@ -163,9 +199,13 @@ def test_uprights_and_body_are_in_balance(load):
 def test_reactions_of_a_single_corner_are_those_of_load_cases(name):
     """With the other wheel moving alike: both push at the ends of their links, not at the joints of the parts."""
     corner = without_weights(FS).front.corner.with_changes({**ACROSS[name], "tyre.law": "radial"})
-    run = jn.simulate(corner, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.001), detail=True).isel(time=0)
+    run = jn.simulate(
+        corner, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.001), detail=True
+    ).isel(time=0)
     radius = float(np.linalg.norm(place(run, "contact_point") - place(run, "wheel_centre")))
-    loaded_corner = corner.with_changes({"wheel.radius": radius, "tyre.undeformed_radius": corner.undeformed_radius})
+    loaded_corner = corner.with_changes(
+        {"wheel.radius": radius, "tyre.undeformed_radius": corner.undeformed_radius}
+    )
     travel = float(run["unsprung.z"] - run["sprung.z"])
     load = jn.ContactLoad(vertical_force=float(run["tyre.force"]))
     case = of_wheel(loaded_corner, load, travel, from_across(loaded_corner, (travel, travel))[0])

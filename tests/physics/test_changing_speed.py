@@ -37,16 +37,23 @@ def test_heights_are_those_of_the_distance_driven(road: jn.Road) -> None:
     away = np.abs(numeric - rate[inside])
     assert np.quantile(away, 0.9) < 0.02 * np.max(np.abs(rate)) or sharp  # the rest lies at edges
     assert trial.speed == pytest.approx(way[-1] / 2.0, rel=1e-6)
-    assert trial.end() == pytest.approx(float(np.interp(road.end(), way, fine)), abs=1e-3) or road.end() > way[-1]
+    assert (
+        trial.end() == pytest.approx(float(np.interp(road.end(), way, fine)), abs=1e-3)
+        or road.end() > way[-1]
+    )
 
 
 def test_a_constant_speed_is_the_same_run() -> None:
     rig = jn.load("kart-quarter-car")
-    plain = jn.simulate(rig, jn.Trial(road=ROADS[0], speed="1.95 m/s", duration="1 s"), tolerance=1e-8)
+    plain = jn.simulate(
+        rig, jn.Trial(road=ROADS[0], speed="1.95 m/s", duration="1 s"), tolerance=1e-8
+    )
     same = {"time": [0.0, 0.4, 1.0], "speed": [1.95, 1.95, 1.95]}
     held = jn.simulate(rig, jn.Trial(road=ROADS[0], speeds=same, duration="1 s"), tolerance=1e-8)
     for name in plain.data_vars:
-        np.testing.assert_allclose(held[name], plain[name], atol=1e-5 * float(np.ptp(plain[name].to_numpy())) + 1e-12)
+        np.testing.assert_allclose(
+            held[name], plain[name], atol=1e-5 * float(np.ptp(plain[name].to_numpy())) + 1e-12
+        )
 
 
 def test_a_faster_trial_scales_all_speeds() -> None:
@@ -63,7 +70,9 @@ def test_slopes_by_parameters_are_exact() -> None:
     step = 20.0
     base = rig.parameters()["tyre.stiffness"]
     above, below = (
-        jn.simulate(rig.with_changes({"tyre.stiffness": base + sign * step}), trial, tolerance=1e-11)["sprung.z"]
+        jn.simulate(
+            rig.with_changes({"tyre.stiffness": base + sign * step}), trial, tolerance=1e-11
+        )["sprung.z"]
         for sign in (1.0, -1.0)
     )
     difference = (above - below) / (2.0 * step)

@@ -27,7 +27,10 @@ def samples(found, names, index) -> np.ndarray:
     ("one", "other"),
     [
         (("pushrod_outer", "pushrod_inner"), ("upper_arm_front", "upper_ball_joint")),  # they cross
-        (("pushrod_outer", "pushrod_inner"), ("lower_arm_front", "lower_arm_rear")),  # nearest at an end
+        (
+            ("pushrod_outer", "pushrod_inner"),
+            ("lower_arm_front", "lower_arm_rear"),
+        ),  # nearest at an end
         (("tie_rod_inner", "tie_rod_outer"), ("lower_arm_front", "lower_ball_joint")),
         (("wheel_centre", "wheel_centre"), ("tie_rod_inner", "tie_rod_outer")),  # a sphere
     ],
@@ -53,21 +56,31 @@ def test_a_bar_along_several_points_and_parallel_bars(rig) -> None:
     assert float(found["arm"][0, 0]) == min(float(found[leg][0, 0]) for leg in ("front", "rear"))
     rear = np.add(rig.hardpoints.lower_arm_rear, [0.0, 0.0, 0.05]).tolist()
     front = np.add(rig.hardpoints.lower_arm_front, [0.0, 0.0, 0.05]).tolist()
-    moved = rig.with_changes({"hardpoints.rocker_pivot": rear, "hardpoints.rocker_axis": front})  # both on the body
+    moved = rig.with_changes(
+        {"hardpoints.rocker_pivot": rear, "hardpoints.rocker_axis": front}
+    )  # both on the body
     axes = [
-        jn.Solid(points=points) for points in (("rocker_pivot", "rocker_axis"), ("lower_arm_rear", "lower_arm_front"))
+        jn.Solid(points=points)
+        for points in (("rocker_pivot", "rocker_axis"), ("lower_arm_rear", "lower_arm_front"))
     ]
     span = np.subtract(front, rear)
     height = 0.05 * np.sqrt(1.0 - (span[2] / np.linalg.norm(span)) ** 2)
-    assert float(jn.clearances(moved, {"a": tuple(axes)})["a"][0, 0]) == pytest.approx(height, abs=1e-12)
+    assert float(jn.clearances(moved, {"a": tuple(axes)})["a"][0, 0]) == pytest.approx(
+        height, abs=1e-12
+    )
 
 
 @pytest.mark.parametrize("side", ["left", "right"])
 def test_a_rod_in_the_rim_as_its_samples(rig, side: str) -> None:
     corner = rig if side == "left" else rig.mirrored()
-    rim, rod = jn.Rim(radius="120 mm", inner="-80 mm", outer="30 mm"), ("tie_rod_inner", "tie_rod_outer")
+    rim, rod = (
+        jn.Rim(radius="120 mm", inner="-80 mm", outer="30 mm"),
+        ("tie_rod_inner", "tie_rod_outer"),
+    )
     ball = jn.Solid(points=("upper_ball_joint",), radius="10 mm")
-    found = jn.clearances(corner, {"rod": (jn.Solid(points=rod), rim), "ball": (rim, ball)}, [0.0, 0.02], [-0.02, 0.0])
+    found = jn.clearances(
+        corner, {"rod": (jn.Solid(points=rod), rim), "ball": (rim, ball)}, [0.0, 0.02], [-0.02, 0.0]
+    )
     assert found["rod"].sizes == {"wheel_travel": 2, "rack_travel": 2}
     for i, travel in enumerate((0.0, 0.02)):
         for j, rack in enumerate((-0.02, 0.0)):
@@ -85,7 +98,11 @@ def test_a_rod_in_the_rim_as_its_samples(rig, side: str) -> None:
                 out = np.linalg.norm(points - centre - np.outer(along, axis), axis=1)
                 past = np.clip(along, -0.08, 0.03) - along
                 apart = np.hypot(out - 0.12, past).min() - (0.01 if name == "ball" else 0.0)
-                assert float(found[name][i, j]) == pytest.approx(apart, abs=3e-6), (name, travel, rack)
+                assert float(found[name][i, j]) == pytest.approx(apart, abs=3e-6), (
+                    name,
+                    travel,
+                    rack,
+                )
 
 
 @pytest.mark.parametrize("side", ["left", "right"])
@@ -97,16 +114,24 @@ def test_slopes_of_clearances_are_those_of_whole_sweeps(rig, side: str) -> None:
         "crossing": (("pushrod_outer", "pushrod_inner"), ("upper_arm_front", "upper_ball_joint")),
         "end": (("pushrod_outer", "pushrod_inner"), ("lower_arm_front", "lower_arm_rear")),
         "sphere": (("wheel_centre",), ("tie_rod_inner", "tie_rod_outer")),
-        "arm": (("upper_arm_front", "upper_ball_joint", "upper_arm_rear"), ("pushrod_outer", "pushrod_inner")),
+        "arm": (
+            ("upper_arm_front", "upper_ball_joint", "upper_arm_rear"),
+            ("pushrod_outer", "pushrod_inner"),
+        ),
     }
-    pairs = {name: tuple(jn.Solid(points=one, radius=0.006) for one in pair) for name, pair in rods.items()}
+    pairs = {
+        name: tuple(jn.Solid(points=one, radius=0.006) for one in pair)
+        for name, pair in rods.items()
+    }
     rod = jn.Solid(points=("tie_rod_inner", "tie_rod_outer"))
     pairs["tube"] = rod, jn.Solid(places=[(0.065, y * 0.245, 0.1), (0.065, y * 0.245, 0.2)])
     pairs["rim"] = rod, rim
     pairs["ball in the rim"] = rim, jn.Solid(points=("lower_ball_joint",))
     model = kinematic_model(corner)
     numbers = model.parameter_values(corner)
-    paths = [i for i, path in enumerate(model.parameters) if path.startswith(("hardpoints.", "wheel."))]
+    paths = [
+        i for i, path in enumerate(model.parameters) if path.startswith(("hardpoints.", "wheel."))
+    ]
     directions = np.zeros((2 + len(numbers), len(paths)))
     directions[2 + np.array(paths), np.arange(len(paths))] = 1.0
     poses = np.array([-0.02, 0.0, 0.02]), y * np.array([0.0, 0.0, 0.012])
@@ -121,7 +146,10 @@ def test_slopes_of_clearances_are_those_of_whole_sweeps(rig, side: str) -> None:
             ends.append(PosedCorner.along(corner, names, poses, moved))
         for name, pair in pairs.items():
             one, other = (end.distance(*pair)[0] for end in ends)
-            assert found[name][j] == pytest.approx((one - other) / 2e-6, abs=2e-6), (name, model.parameters[i])
+            assert found[name][j] == pytest.approx((one - other) / 2e-6, abs=2e-6), (
+                name,
+                model.parameters[i],
+            )
     assert all(np.abs(slope).max() > 0.2 for slope in found.values())
 
 
@@ -130,7 +158,10 @@ def test_lengths_of_links_are_kept_by_a_sweep(rig) -> None:
     swept = jn.sweep_travel(rig, [0.02], points=True)
     assert {"upper_arm_rear - upper_ball_joint", "pushrod_inner - pushrod_outer"} <= set(lengths)
     for name, length in lengths.items():
-        a, b = (np.array([float(swept[f"{end}.{axis}"][0]) for axis in "xyz"]) for end in name.split(" - "))
+        a, b = (
+            np.array([float(swept[f"{end}.{axis}"][0]) for axis in "xyz"])
+            for end in name.split(" - ")
+        )
         if name == "strut_bottom - strut_top":
             assert abs(np.linalg.norm(a - b) - length) > 1e-3
         else:
@@ -142,7 +173,10 @@ def test_lengths_of_links_are_kept_by_a_sweep(rig) -> None:
     [
         ({}, "nothing to measure"),
         ({"a": (jn.Rim(radius=0.1, inner=0.0, outer=0.1),) * 2}, "not a pair"),
-        ({"a": (jn.Solid(points=("tie_rod_iner",)), jn.Solid(points=("wheel_centre",)))}, "tie_rod_inner"),
+        (
+            {"a": (jn.Solid(points=("tie_rod_iner",)), jn.Solid(points=("wheel_centre",)))},
+            "tie_rod_inner",
+        ),
     ],
 )
 def test_bad_pairs_are_refused(rig, pairs, message: str) -> None:

@@ -20,7 +20,13 @@ from jounce.simulation.settings import output_times
 KART = parts.load("kart-quarter-car")
 LINEAR = KART.with_changes({"tyre.lift_off": False})
 TANH = {
-    "strut.damper": {"kind": "tanh", "coefficient": 60.0, "force": 10.0, "slope": 20.0, "displacement_coupling": 2.0}
+    "strut.damper": {
+        "kind": "tanh",
+        "coefficient": 60.0,
+        "force": 10.0,
+        "slope": 20.0,
+        "displacement_coupling": 2.0,
+    }
 }
 
 
@@ -50,7 +56,12 @@ def transfer(rig, frequency):
     """Closed forms zs/zr, zu/zr, (zs - zu)/zr."""
     ms, mu, kt = rig.sprung.mass, rig.unsprung.mass, rig.tyre.stiffness
     cos2 = np.cos(rig.strut.angle) ** 2
-    k, c, total, s = cos2 * rig.strut.spring.rate, cos2 * rig.strut.damper.coefficient, ms + mu, 2j * np.pi * frequency
+    k, c, total, s = (
+        cos2 * rig.strut.spring.rate,
+        cos2 * rig.strut.damper.coefficient,
+        ms + mu,
+        2j * np.pi * frequency,
+    )
     d = ms * mu * s**4 + total * c * s**3 + (total * k + ms * kt) * s**2 + c * kt * s + k * kt
     return kt * (c * s + k) / d, kt * (ms * s**2 + c * s + k) / d, -ms * kt * s**2 / d
 
@@ -64,7 +75,9 @@ def test_transfer_functions(frequency, lift_off):
     assert out["tyre.force"].min() > 0.0
     body, wheel, strut = transfer(rig, frequency)
     assert harmonic(times, out["sprung.z"], frequency) / amplitude == pytest.approx(body, rel=2e-6)
-    assert harmonic(times, out["unsprung.z"], frequency) / amplitude == pytest.approx(wheel, rel=2e-6)
+    assert harmonic(times, out["unsprung.z"], frequency) / amplitude == pytest.approx(
+        wheel, rel=2e-6
+    )
     relative = harmonic(times, out["strut.deflection"], frequency) / -np.cos(rig.strut.angle)
     assert relative / amplitude == pytest.approx(strut, rel=2e-6)
     acceleration = harmonic(times, out["sprung.az"], frequency) / -((2 * np.pi * frequency) ** 2)
@@ -73,28 +86,39 @@ def test_transfer_functions(frequency, lift_off):
 
 @pytest.mark.parametrize("frequency", [0.5, 5.1, 28.0])
 def test_frequency_response_of_the_linear_model(frequency):
-    found = [linearise(KART).frequency_response([frequency], name)[0] for name in ("sprung.z", "unsprung.z")]
+    found = [
+        linearise(KART).frequency_response([frequency], name)[0]
+        for name in ("sprung.z", "unsprung.z")
+    ]
     assert found == pytest.approx(transfer(KART, frequency)[:2], rel=1e-9)
 
 
-@pytest.mark.parametrize("damper", [{}, {"strut.damper.coefficient": 30.0}, TANH], ids=["as built", "soft", "tanh"])
+@pytest.mark.parametrize(
+    "damper", [{}, {"strut.damper.coefficient": 30.0}, TANH], ids=["as built", "soft", "tanh"]
+)
 def test_invariant_of_the_body_acceleration(damper):
     """At sqrt(kt/mu) it is +kt/ms times the road, whatever acts between the masses (Hedrick and Butsuen 1990)."""
     rig = LINEAR.with_changes({"unsprung.mass": 138468.0 / (2 * np.pi * 25.0) ** 2, **damper})
     amplitude = 1e-3
-    times, out = run(rig, shaken(25.0, amplitude, 20.0), 20.0, step=2e-4)  # a nonlinear damper's overtones alias
+    times, out = run(
+        rig, shaken(25.0, amplitude, 20.0), 20.0, step=2e-4
+    )  # a nonlinear damper's overtones alias
     found = harmonic(times, out["sprung.az"], 25.0) / amplitude
     assert found == pytest.approx(138468.0 / 16.0, rel=1e-5)
 
 
-@pytest.mark.parametrize("damper", [{}, {"strut.damper.coefficient": 30.0}, TANH], ids=["as built", "soft", "tanh"])
+@pytest.mark.parametrize(
+    "damper", [{}, {"strut.damper.coefficient": 30.0}, TANH], ids=["as built", "soft", "tanh"]
+)
 def test_invariant_of_the_suspension_deflection(damper):
     """At sqrt(kt/M) its amplitude is M/ms that of the road."""
     total = 138468.0 / (2 * np.pi * 12.5) ** 2
     rig = LINEAR.with_changes({"sprung.mass": total - 5.0, **damper})
     amplitude = 1e-3
     times, out = run(rig, shaken(12.5, amplitude, 30.0), 30.0)
-    found = abs(harmonic(times, out["strut.deflection"], 12.5)) / np.cos(rig.strut.angle) / amplitude
+    found = (
+        abs(harmonic(times, out["strut.deflection"], 12.5)) / np.cos(rig.strut.angle) / amplitude
+    )
     assert found == pytest.approx(total / (total - 5.0), rel=1e-5)
 
 
@@ -161,8 +185,12 @@ def test_superposition():
 
 def test_lift_off_breaks_superposition():
     x = np.array([0.0, 0.1, 0.13, 0.16, 1.0])
-    single = run(KART, piecewise_linear(x, np.array([0.0, 0.0, 0.01, 0.0, 0.0])), 1.0)[1]["sprung.z"]
-    double = run(KART, piecewise_linear(x, np.array([0.0, 0.0, 0.02, 0.0, 0.0])), 1.0)[1]["sprung.z"]
+    single = run(KART, piecewise_linear(x, np.array([0.0, 0.0, 0.01, 0.0, 0.0])), 1.0)[1][
+        "sprung.z"
+    ]
+    double = run(KART, piecewise_linear(x, np.array([0.0, 0.0, 0.02, 0.0, 0.0])), 1.0)[1][
+        "sprung.z"
+    ]
     difference = np.abs(double - double[0] - 2.0 * (single - single[0]))
     assert difference.max() > 0.01 * np.ptp(double)
 
@@ -184,7 +212,9 @@ def test_static_equilibrium(angle, preload):
 
 def test_static_equilibrium_on_a_closed_stop():
     """rate d + stop (d - gap) + progression (d - gap)^3 carries ms g: the cubic's real root."""
-    rig = KART.with_changes({"strut.angle": 0.0, "strut.bump_stop": {"gap": 0.003, "rate": 6e4, "progression": 3e9}})
+    rig = KART.with_changes(
+        {"strut.angle": 0.0, "strut.bump_stop": {"gap": 0.003, "rate": 6e4, "progression": 3e9}}
+    )
     roots = np.roots([3e9, 0.0, 22730.0 + 6e4, 22730.0 * 0.003 - 16.0 * 9.81])
     depth = roots[np.abs(roots.imag) < 1e-9].real.item()
     assert depth > 0.0
@@ -220,5 +250,7 @@ def test_modes_of_a_damper_with_two_sides_decay_as_it_does(kind):
         changes["strut.friction"] = {"force": 30.0}
     body = modes(KART.with_changes(changes))[0]
     decrement = sum(np.pi * zeta / np.sqrt(1 - zeta**2) for zeta in zetas)
-    assert 2 * np.pi * body.damping_ratio / np.sqrt(1 - body.damping_ratio**2) == pytest.approx(decrement, rel=5e-3)
+    assert 2 * np.pi * body.damping_ratio / np.sqrt(1 - body.damping_ratio**2) == pytest.approx(
+        decrement, rel=5e-3
+    )
     assert body.frequency_hz == pytest.approx(np.sqrt(stiffness / 16.0) / (2 * np.pi), rel=1e-4)

@@ -14,7 +14,9 @@ SOFT = {"stiffness": [6e6, 8e6, 3e6], "rotational_stiffness": [50.0, 60.0, 70.0]
 def on_bushings(stiffness: float = 1.0):
     """Harder in all directions by a factor; what resists the arms' turning stays soft."""
     bushing = {**SOFT, "stiffness": [stiffness * value for value in SOFT["stiffness"]]}
-    return jn.load("reference-double-wishbone").with_changes({"bushings": dict.fromkeys(ARMS, bushing)})
+    return jn.load("reference-double-wishbone").with_changes(
+        {"bushings": dict.fromkeys(ARMS, bushing)}
+    )
 
 
 RIGS = {
@@ -57,7 +59,9 @@ def rig(request: pytest.FixtureRequest):
         ("aligning", "aligning_torque", 2.0, "contact_point"),
     ],
 )
-def test_compliances_are_slopes_of_the_state(rig, load: str, field: str, step: float, through: str) -> None:
+def test_compliances_are_slopes_of_the_state(
+    rig, load: str, field: str, step: float, through: str
+) -> None:
     found = jn.compliance(rig, 0.01)
     states = [
         jn.compliance(rig, 0.01, load=jn.ContactLoad(**{field: sign * step, "through": through}))
@@ -78,8 +82,14 @@ def test_displacements_are_reciprocal(rig) -> None:
         ("driving.patch_x", "braking.wheel_centre_x", -1.0),
         ("driving.patch_y", "lateral.wheel_centre_x", 1.0),
     ):
-        assert found[one].to_numpy() == pytest.approx(sign * found[other].to_numpy(), rel=1e-8, abs=1e-15)
-    for name, sign in (("braking.patch_x", -1.0), ("lateral.patch_y", 1.0), ("driving.wheel_centre_x", 1.0)):
+        assert found[one].to_numpy() == pytest.approx(
+            sign * found[other].to_numpy(), rel=1e-8, abs=1e-15
+        )
+    for name, sign in (
+        ("braking.patch_x", -1.0),
+        ("lateral.patch_y", 1.0),
+        ("driving.wheel_centre_x", 1.0),
+    ):
         assert np.all(sign * found[name] > 0.0)  # loads do work: braking pushes to the rear
 
 
@@ -97,7 +107,10 @@ def test_an_arm_on_two_bushings_by_hand() -> None:
     rig = RIGS["trailing-arm"]()
     places = rig.hardpoints
     length = places.length("spring")
-    spring = {"rate": 30e3, "free_length": length}  # unloaded at design, so nothing moves before the load
+    spring = {
+        "rate": 30e3,
+        "free_length": length,
+    }  # unloaded at design, so nothing moves before the load
     rig = rig.with_changes({"strut.spring": spring})
     found = jn.compliance(rig, 0.0)
 
@@ -108,7 +121,9 @@ def test_an_arm_on_two_bushings_by_hand() -> None:
 
     stiffness = np.zeros((6, 6))
     for name in ("arm_inner", "arm_outer"):
-        stiffness += rows(getattr(places, name)).T @ np.diag(SOFT["stiffness"]) @ rows(getattr(places, name))
+        stiffness += (
+            rows(getattr(places, name)).T @ np.diag(SOFT["stiffness"]) @ rows(getattr(places, name))
+        )
         stiffness[3:, 3:] += np.diag(SOFT["rotational_stiffness"])
     bottom, top = np.array(places.at("spring_bottom")), np.array(places.at("spring_top"))
     along = (top - bottom) / np.linalg.norm(top - bottom) @ rows(bottom)
@@ -117,7 +132,11 @@ def test_an_arm_on_two_bushings_by_hand() -> None:
     patch = np.array([float(swept[f"contact_point_{axis}"][0]) for axis in "xyz"])
     held = rows(patch)[2:]
     matrix = np.block([[stiffness, held.T], [held, np.zeros((1, 1))]])
-    for load, force in (("braking", -rows(patch)[0]), ("lateral", rows(patch)[1]), ("aligning", np.eye(6)[5])):
+    for load, force in (
+        ("braking", -rows(patch)[0]),
+        ("lateral", rows(patch)[1]),
+        ("aligning", np.eye(6)[5]),
+    ):
         moved = np.linalg.solve(matrix, [*force, 0.0])[:6]
         shift = rows(patch) @ moved
         assert float(found[f"{load}.patch_x"][0]) == pytest.approx(shift[0], rel=1e-7)
@@ -129,10 +148,16 @@ def test_an_arm_on_two_bushings_by_hand() -> None:
 def test_mirror_image_yields_alike() -> None:
     rig = on_bushings()
     one, other = jn.compliance(rig, [0.0, 0.02]), jn.compliance(rig.mirrored(), [0.0, 0.02])
-    assert other["lateral.camber"].to_numpy() == pytest.approx(-one["lateral.camber"].to_numpy(), rel=1e-7)
-    assert other["lateral.patch_y"].to_numpy() == pytest.approx(one["lateral.patch_y"].to_numpy(), rel=1e-7)
+    assert other["lateral.camber"].to_numpy() == pytest.approx(
+        -one["lateral.camber"].to_numpy(), rel=1e-7
+    )
+    assert other["lateral.patch_y"].to_numpy() == pytest.approx(
+        one["lateral.patch_y"].to_numpy(), rel=1e-7
+    )
     assert other["braking.toe"].to_numpy() == pytest.approx(one["braking.toe"].to_numpy(), rel=1e-7)
-    assert other["aligning.toe"].to_numpy() == pytest.approx(-one["aligning.toe"].to_numpy(), rel=1e-7)
+    assert other["aligning.toe"].to_numpy() == pytest.approx(
+        -one["aligning.toe"].to_numpy(), rel=1e-7
+    )
 
 
 def test_what_cannot_be_answered_is_refused() -> None:
@@ -155,7 +180,9 @@ def test_springs_beside_the_strut_hold_the_wheel_too() -> None:
     loose = beside.with_changes(
         {"torsion_bar.stiffness": 1e-6, "torsion_bar.preload": 0.0, "anti_roll_bar.stiffness": 1e-6}
     )
-    loose = loose.with_changes({"third_spring.spring.rate": 1e-6, "third_spring.spring.preload": 0.0})
+    loose = loose.with_changes(
+        {"third_spring.spring.rate": 1e-6, "third_spring.spring.preload": 0.0}
+    )
     plain, found, without = (jn.compliance(rig, 0.02) for rig in (on_bushings(), beside, loose))
     for name in ("lateral.patch_y", "braking.patch_x", "lateral.toe"):
         assert without[name].to_numpy() == pytest.approx(plain[name].to_numpy(), rel=1e-6), name

@@ -18,7 +18,9 @@ UP = np.array([0.0, 0.0, 1.0])
 
 
 def with_law(car: FullCar3D, law: str, **changes) -> FullCar3D:
-    return car.with_changes({**{f"{end}.corner.tyre.law": law for end in ("front", "rear")}, **changes})
+    return car.with_changes(
+        {**{f"{end}.corner.tyre.law": law for end in ("front", "rear")}, **changes}
+    )
 
 
 # balance of moments about the road ------------------------------------------------------------------------------------
@@ -31,7 +33,9 @@ def mapped(before: np.ndarray, after: np.ndarray, point: np.ndarray) -> np.ndarr
     if len(before) == 2:
         one, other = ((p[1] - p[0]) / np.linalg.norm(p[1] - p[0]) for p in (before, after))
         axis, cosine = np.cross(one, other), one @ other
-        cross = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
+        cross = np.array(
+            [[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]]
+        )
         turn = np.eye(3) + cross + cross @ cross / (1.0 + cosine)
     else:
         turn = v.T @ np.diag([1.0, 1.0, np.linalg.det(v.T @ u.T)]) @ u.T
@@ -46,7 +50,10 @@ def points_of(corner) -> dict[str, tuple[str, ...]]:
         found |= {f"link_{i}": (f"link_{i}_inner", f"link_{i}_outer") for i in range(1, 6)}
     else:
         found["upright"] = ("wheel_centre", "lower_ball_joint", "upper_ball_joint", "tie_rod_outer")
-        found |= {f"{a}_arm": (f"{a}_arm_front", f"{a}_arm_rear", f"{a}_ball_joint") for a in ("lower", "upper")}
+        found |= {
+            f"{a}_arm": (f"{a}_arm_front", f"{a}_arm_rear", f"{a}_ball_joint")
+            for a in ("lower", "upper")
+        }
     found[corner.strut.on] = (*found[corner.strut.on], "strut_bottom")
     return found | {"wheel": found["upright"]}
 
@@ -70,11 +77,16 @@ def every_car() -> list:
     """Cars and laws; a radial one is another model, though the same, and takes seconds to make."""
     slow = [pytest.mark.slow]
     named = [(name, law) for name in CARS for law in LAWS]
-    return [pytest.param(*one, marks=slow if one[1] == "radial" and one[0] != CARS[0] else []) for one in named]
+    return [
+        pytest.param(*one, marks=slow if one[1] == "radial" and one[0] != CARS[0] else [])
+        for one in named
+    ]
 
 
 @pytest.mark.parametrize(
-    "load", [{}, *({"lateral_acceleration": a} for a in (1.0, 3.0, 6.0)), {"deceleration": 4.0}], ids=str
+    "load",
+    [{}, *({"lateral_acceleration": a} for a in (1.0, 3.0, 6.0)), {"deceleration": 4.0}],
+    ids=str,
 )
 @pytest.mark.parametrize(("name", "law"), every_car())
 def test_every_car_balances_about_the_road(name, law, load):
@@ -86,13 +98,20 @@ def test_every_car_balances_about_the_road(name, law, load):
     if (
         name == "sedan-full-car-3d"
     ):  # two points tell no turn of a link about itself, off which its centre lies by 0.5 mm
-        ends = [np.array(car.rear.corner.hardpoints.at(f"link_3_{end}")) for end in ("inner", "outer")]
+        ends = [
+            np.array(car.rear.corner.hardpoints.at(f"link_3_{end}")) for end in ("inner", "outer")
+        ]
         car = car.with_changes({"rear.corner.bodies.link_3.centre_of_mass": list(0.5 * sum(ends))})
     run = at_rest(car, **load)
     bodies = masses(car, run)
     total = sum(mass for mass, _ in bodies)
-    inertia = np.array([load.get("deceleration", 0.0), -load.get("lateral_acceleration", 0.0), -car.gravity])
-    wheels = {which: (float(run[f"{which}.tyre.force"]), place(run, f"{which}.contact_point")) for which in car.corners}
+    inertia = np.array(
+        [load.get("deceleration", 0.0), -load.get("lateral_acceleration", 0.0), -car.gravity]
+    )
+    wheels = {
+        which: (float(run[f"{which}.tyre.force"]), place(run, f"{which}.contact_point"))
+        for which in car.corners
+    }
     share = -total * inertia * [1.0, 1.0, 0.0] / sum(pushed for pushed, _ in wheels.values())
     acting = [(mass * inertia, where) for mass, where in bodies]
     acting += [(pushed * (UP + share), where) for pushed, where in wheels.values()]
@@ -108,10 +127,20 @@ def test_every_car_balances_about_the_road(name, law, load):
 
 # an oracle in plain numbers -------------------------------------------------------------------------------------------
 
-ARM, INNER, CENTRE, STRUT_TOP = 0.30, 0.40, np.array([0.76, 0.30]), np.array([0.60, 0.55])  # m; y and z
+ARM, INNER, CENTRE, STRUT_TOP = (
+    0.30,
+    0.40,
+    np.array([0.76, 0.30]),
+    np.array([0.60, 0.55]),
+)  # m; y and z
 LOW, HIGH = 0.15, 0.40  # m: heights of both arms
 BODY, HALF_BASE, UPRIGHT, ARMS = (1600.0, 0.55), 1.3, 30.0, 4.0  # kg and m, m, kg, kg of each arm
-LEVER, TYRE, RADIUS, G = 1.5, 2.2e5, 0.32, 9.81  # of the wheel over the spring, which holds the body at design
+LEVER, TYRE, RADIUS, G = (
+    1.5,
+    2.2e5,
+    0.32,
+    9.81,
+)  # of the wheel over the spring, which holds the body at design
 SPRING = {"rate": 9e4, "preload": LEVER * 0.25 * BODY[0] * G}
 
 
@@ -122,7 +151,11 @@ def parallel_arms() -> FullCar3D:
     outer = INNER + ARM
     points = {"lower_ball_joint": [0.0, outer, LOW], "upper_ball_joint": [0.0, outer, HIGH]}
     points |= {"tie_rod_inner": [-0.12, INNER, 0.2], "tie_rod_outer": [-0.12, outer, 0.2]}
-    points |= {"wheel_centre": [0.0, *CENTRE], "strut_bottom": [0.0, 0.6, LOW], "strut_top": [0.0, *STRUT_TOP]}
+    points |= {
+        "wheel_centre": [0.0, *CENTRE],
+        "strut_bottom": [0.0, 0.6, LOW],
+        "strut_top": [0.0, *STRUT_TOP],
+    }
     inertia = {"xx": 0.1, "yy": 0.1, "zz": 0.1}
     bodies = {f"{which}_arm": {"mass": ARMS, "centre_of_mass": [0.0, INNER + 0.5 * ARM, z], "inertia": inertia}
               for which, z in (("lower", LOW), ("upper", HIGH))}  # fmt: skip
@@ -168,7 +201,12 @@ class Leaning:
             for z in (LOW, HIGH):
                 middle = np.array([INNER + 0.5 * ARM, z])
                 held.append(
-                    (ARMS, lambda p, side=side, at=middle: self.placed(p, at + 0.5 * self.swung(p, side), side))
+                    (
+                        ARMS,
+                        lambda p, side=side, at=middle: self.placed(
+                            p, at + 0.5 * self.swung(p, side), side
+                        ),
+                    )
                 )
         total = sum(mass for mass, _ in held)
         work = [(mass * np.array([-acceleration, -G]), where) for mass, where in held]
@@ -231,14 +269,21 @@ def test_load_transfer_in_closed_form():
     """
     small, light = 1e-3, {"mass": 1e-4, "inertia": dict.fromkeys(("xx", "yy", "zz"), 1e-6)}
     places = {
-        f"{end}.corner.bodies.{name}" for end in ("front", "rear") for name in ("lower_arm", "upper_arm", "upright")
+        f"{end}.corner.bodies.{name}"
+        for end in ("front", "rear")
+        for name in ("lower_arm", "upper_arm", "upright")
     }
     car = parallel_arms()
-    bodies = {path: {**light, "centre_of_mass": at(car, f"{path}.centre_of_mass")} for path in places}
+    bodies = {
+        path: {**light, "centre_of_mass": at(car, f"{path}.centre_of_mass")} for path in places
+    }
     car = car.with_changes(bodies)
     run = at_rest(car, lateral_acceleration=small)
     track = place(run, "front_left.contact_point")[1] - place(run, "front_right.contact_point")[1]
-    gap = [float(run[f"{end}_right.tyre.force"] - run[f"{end}_left.tyre.force"]) for end in ("front", "rear")]
+    gap = [
+        float(run[f"{end}_right.tyre.force"] - run[f"{end}_left.tyre.force"])
+        for end in ("front", "rear")
+    ]
     roll, height = float(run["body.roll"]), body_centre(car, run)[2]
     expected = car.body.mass * height * (small + car.gravity * roll)
     assert 0.5 * sum(gap) * track == pytest.approx(expected, rel=1e-5)
@@ -265,12 +310,21 @@ def test_runs_and_kinematics_have_one_contact_point(name, load):
     for which in car.corners:
         side = 1.0 if which.endswith("left") else -1.0
         corner, travel, _, _ = loaded(car, run, which)
-        wheel = TwoWheelAxle(corner if side > 0.0 else corner.mirrored()).wheel(side, np.array([travel]), np.zeros(1))
+        wheel = TwoWheelAxle(corner if side > 0.0 else corner.mirrored()).wheel(
+            side, np.array([travel]), np.zeros(1)
+        )
         ground = Ground(wheel, np.array([float(run["body.roll"])]), side, float(run["body.pitch"]))
-        ahead = np.array([(1.0 if which.startswith("front") else -1.0) * getattr(car, which.split("_")[0]).distance])
+        ahead = np.array(
+            [
+                (1.0 if which.startswith("front") else -1.0)
+                * getattr(car, which.split("_")[0]).distance
+            ]
+        )
         expected = ground.contact[0] * [1.0, side, 1.0]
         expected[0] += ahead[0] - corner.hardpoints.wheel_centre[0]
-        assert seen_from_body(car, run, place(run, f"{which}.contact_point")) == pytest.approx(expected, abs=1e-9)
+        assert seen_from_body(car, run, place(run, f"{which}.contact_point")) == pytest.approx(
+            expected, abs=1e-9
+        )
 
 
 def test_wheels_of_runs_and_of_compliance_steer_alike_when_braked():
@@ -284,7 +338,12 @@ def test_wheels_of_runs_and_of_compliance_steer_alike_when_braked():
     run = braked(brentq(lambda moment: braked(moment)["body.pitch"], -1500.0, 0.0, xtol=1e-10))
     corner, _, _, held = loaded(car, run, "front_left")
     height = seen_from_body(car, run, place(run, "front_left.contact_point"))[2]
-    ideal = brentq(lambda z: float(jn.sweep_travel(corner, z)["contact_point_z"][0]) - height, -0.03, 0.03, xtol=1e-13)
+    ideal = brentq(
+        lambda z: float(jn.sweep_travel(corner, z)["contact_point_z"][0]) - height,
+        -0.03,
+        0.03,
+        xtol=1e-13,
+    )
     found = jn.compliance(corner, ideal, load=jn.ContactLoad(longitudinal_force=-5.0 * held))
     free = jn.compliance(corner, ideal)
     assert abs(float(found["steer"][0] - free["steer"][0])) > 2e-4

@@ -70,10 +70,16 @@ def constant(command: float) -> Callable[[dict[str, float], float], float]:
 
 @pytest.fixture(scope="module")
 def bump() -> jn.Trial:
-    return jn.Trial(road=jn.HalfSine(height="40 mm", length="0.5 m", start="1 m"), speed="10 m/s", duration="2 s")
+    return jn.Trial(
+        road=jn.HalfSine(height="40 mm", length="0.5 m", start="1 m"),
+        speed="10 m/s",
+        duration="2 s",
+    )
 
 
-@pytest.mark.parametrize("name", [*FORMULAS, "h-infinity", "clipped-h-infinity", "mpc", "active-mpc"])
+@pytest.mark.parametrize(
+    "name", [*FORMULAS, "h-infinity", "clipped-h-infinity", "mpc", "active-mpc"]
+)
 def test_masses_and_tyre_are_in_balance_under_any_law(name: str, bump: jn.Trial) -> None:
     if "h-infinity" in name:
         pytest.importorskip("slycot")
@@ -85,7 +91,9 @@ def test_masses_and_tyre_are_in_balance_under_any_law(name: str, bump: jn.Trial)
     assert float(abs(run["command"]).max()) > 0.0
 
 
-@pytest.mark.parametrize("gains", [(0.0, 4000.0, 0.0, 0.0), (300.0, 3000.0, -3000.0, 390.0), (-9e3, 10.0, 8e3, -20.0)])
+@pytest.mark.parametrize(
+    "gains", [(0.0, 4000.0, 0.0, 0.0), (300.0, 3000.0, -3000.0, 390.0), (-9e3, 10.0, 8e3, -20.0)]
+)
 def test_invariant_points_do_not_move_under_any_law(gains: tuple[float, ...]) -> None:
     # domain H: z_s'' / z_r = k_t / m_s at sqrt(k_t / m_u); (z_s - z_u) / z_r = M / m_s at sqrt(k_t / M)
     A, B, G = corner_equations(CORNER)
@@ -109,7 +117,9 @@ def test_channels_of_the_corner_model_are_those_of_the_rig() -> None:
         s = 2j * np.pi * frequency
         found = C @ np.linalg.solve(s * np.eye(4) - A, G[:, 0]) * s
         for name, value in zip(names, found, strict=True):
-            assert value == pytest.approx(model.frequency_response([frequency], name)[0], rel=1e-9), name
+            assert value == pytest.approx(
+                model.frequency_response([frequency], name)[0], rel=1e-9
+            ), name
     _, D = corner_outputs(CORNER, ("sprung.az", "unsprung.az", "tyre.force"))
     assert D.ravel() == pytest.approx([1.0 / 400.0, -1.0 / 40.0, 0.0])  # a force lifts the body
 
@@ -132,7 +142,9 @@ def test_the_observer_is_where_predicting_and_correcting_settle() -> None:
     np.testing.assert_allclose(found.L, L, rtol=1e-3, atol=1e-3 * abs(L).max(axis=0).min())
 
 
-@pytest.mark.parametrize("name", [n for n in FORMULAS if not isinstance(controller(n).actuator, ActiveActuator)])
+@pytest.mark.parametrize(
+    "name", [n for n in FORMULAS if not isinstance(controller(n).actuator, ActiveActuator)]
+)
 def test_a_damper_only_takes_energy_within_its_bounds(name: str, bump: jn.Trial) -> None:
     damper = SemiActiveDamper(minimum=300.0, maximum=4000.0, lag=0.005)
     run = jn.simulate(car(), bump, control=controller(name, actuator=damper))
@@ -162,14 +174,21 @@ def test_second_order_actuator_answers_a_step_by_its_closed_form() -> None:
     # F'' + 2 zeta w F' + w^2 F = w^2 F0: critically damped F = F0 (1 - (1 + w t) exp(-w t))
     trial = jn.Trial(road=jn.Flat(), speed="10 m/s", duration="0.2 s")
     actuator = ActiveActuator(bandwidth=20.0, force_limit=1000.0)
-    run = jn.simulate(car(), trial, control=PythonControl(function=constant(500.0), actuator=actuator))
+    run = jn.simulate(
+        car(), trial, control=PythonControl(function=constant(500.0), actuator=actuator)
+    )
     wt = 2.0 * np.pi * 20.0 * run["time"].to_numpy()
-    np.testing.assert_allclose(run["actuator.force"], 500.0 * (1.0 - (1.0 + wt) * np.exp(-wt)), atol=1e-4)
+    np.testing.assert_allclose(
+        run["actuator.force"], 500.0 * (1.0 - (1.0 + wt) * np.exp(-wt)), atol=1e-4
+    )
 
 
 def test_rate_limit_holds_commands_back(bump: jn.Trial) -> None:
     damper = SemiActiveDamper(minimum=300.0, maximum=4000.0, rate_limit=2e5)
-    for control in ("skyhook-two-state", PythonControl(function=lambda m, _: 1e9 * m["strut.velocity"])):
+    for control in (
+        "skyhook-two-state",
+        PythonControl(function=lambda m, _: 1e9 * m["strut.velocity"]),
+    ):
         law = controller(control, actuator=damper) if isinstance(control, str) else control
         law = law.model_copy(update={"actuator": damper})
         run = jn.simulate(car(), bump, control=law)
@@ -181,7 +200,9 @@ def test_a_python_function_is_the_compiled_law(bump: jn.Trial) -> None:
     def skyhook(measurement: dict[str, float], t: float) -> float:
         force = -3000.0 * measurement["sprung.vz"]
         velocity = measurement["strut.velocity"]
-        return force / velocity if force * velocity > 1e-12 else 300.0  # at rest rounding has no say
+        return (
+            force / velocity if force * velocity > 1e-12 else 300.0
+        )  # at rest rounding has no say
 
     damper = SemiActiveDamper(minimum=300.0, maximum=4000.0, lag=0.008)
     runs = [
@@ -266,7 +287,9 @@ def test_regulator_and_filter_keep_their_own_poles(rate: float) -> None:
     # separation: with the true plant the poles are those of the regulator and those of the filter
     law = LQG(actuator=ActiveActuator(lag=0.0), rate=rate)
     A, B, _ = corner_equations(CORNER)
-    filter_ = observer(CORNER, LQG_CHANNELS, np.array([0.05, 0.05, 5e-4]), 1.0106e-3, 1e-3, 1.0 / rate)
+    filter_ = observer(
+        CORNER, LQG_CHANNELS, np.array([0.05, 0.05, 5e-4]), 1.0106e-3, 1e-3, 1.0 / rate
+    )
     step = expm(np.block([[A, B], [np.zeros((1, 5))]]) / rate)
     regulated = np.linalg.eigvals(step[:4, :4] - step[:4, 4:] @ law.gains(CORNER)[None, :])
     filtered = np.linalg.eigvals((np.eye(4) - filter_.L @ filter_.C) @ step[:4, :4])
@@ -299,13 +322,21 @@ def rough() -> jn.Trial:
 def test_h_infinity_lowers_acceleration_and_tyre_load_for_no_stroke(rough: jn.Trial) -> None:
     pytest.importorskip("slycot")
     runs = [jn.simulate(car(), rough, control=control) for control in (None, "h-infinity")]
-    for channel, share in (("sprung.az", 0.98), ("tyre.deflection", 0.995), ("strut.deflection", 1.03)):
+    for channel, share in (
+        ("sprung.az", 0.98),
+        ("tyre.deflection", 0.995),
+        ("strut.deflection", 1.03),
+    ):
         passive, active = (float(run[channel].std()) for run in runs)
         assert active < share * passive
 
 
 def test_preview_begins_before_the_bump() -> None:
-    trial = jn.Trial(road=jn.HalfSine(height="40 mm", length="0.5 m", start="10 m"), speed="10 m/s", duration="1.2 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="40 mm", length="0.5 m", start="10 m"),
+        speed="10 m/s",
+        duration="1.2 s",
+    )
     run = jn.simulate(car(), trial, control=controller("active-mpc", preview="0.1 s"))
     command = run["command"]
     assert float(abs(command.sel(time=slice(0.0, 0.88))).max()) < 1.0
@@ -313,11 +344,16 @@ def test_preview_begins_before_the_bump() -> None:
 
 
 def test_stroke_is_kept_by_the_planner() -> None:
-    trial = jn.Trial(road=jn.HalfSine(height="60 mm", length="2 m", start="10 m"), speed="10 m/s", duration="3 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="60 mm", length="2 m", start="10 m"), speed="10 m/s", duration="3 s"
+    )
     strokes = []
     for stroke in (None, "20 mm"):
         law = controller(
-            "active-mpc", preview="0.2 s", stroke=stroke, actuator=ActiveActuator(force_limit=8000.0, lag=0.0)
+            "active-mpc",
+            preview="0.2 s",
+            stroke=stroke,
+            actuator=ActiveActuator(force_limit=8000.0, lag=0.0),
         )
         run = jn.simulate(car(), trial, control=law)
         strokes.append(float(abs(run["strut.deflection"] - run["strut.deflection"][0]).max()))
@@ -338,7 +374,9 @@ def test_magnetorheological_damper_follows_its_law(bump: jn.Trial) -> None:
 
 def test_magnetorheological_damper_gives_the_force_that_is_wished(bump: jn.Trial) -> None:
     damper = MagnetorheologicalDamper(off=MR_OFF, on=MR_ON, maximum=5.0, lag=0.0)
-    run = jn.simulate(car(), bump, control=Skyhook(damping_coefficient=2500.0, actuator=damper, rate=1000.0))
+    run = jn.simulate(
+        car(), bump, control=Skyhook(damping_coefficient=2500.0, actuator=damper, rate=1000.0)
+    )
     run = run.isel(time=slice(0, -1))  # at the end of the run no new command is made
     inside = (run["command"] > 1e-6) & (run["command"] < 5.0 - 1e-6)
     wished = -2500.0 * run["sprung.vz"]
@@ -380,7 +418,9 @@ def test_corners_of_vehicles_carry_the_whole_car() -> None:
             axle = corner.partition("_")[0]
             assert model.unsprung_mass == pytest.approx(values[f"{axle}.unsprung_mass"], rel=1e-9)
             assert model.spring_rate == pytest.approx(values[f"{axle}.spring_rate"], rel=1e-9)
-            assert model.damping_coefficient == pytest.approx(values[f"{axle}.damping_coefficient"], rel=1e-9)
+            assert model.damping_coefficient == pytest.approx(
+                values[f"{axle}.damping_coefficient"], rel=1e-9
+            )
             assert model.motion_ratio == pytest.approx(1.0, rel=1e-12)
 
 
@@ -405,14 +445,22 @@ def test_skyhook_acts_at_the_wheel_through_an_inclined_strut(bump: jn.Trial) -> 
     run = jn.simulate(rig, bump, control=Skyhook(damping_coefficient=2000.0, actuator=actuator))
     run = run.isel(time=slice(0, -1))  # at the end of the run no new command is made
     on_body = np.cos(np.pi / 6.0) * run["actuator.force"]
-    np.testing.assert_allclose(on_body, -2000.0 * run["sprung.vz"], atol=1e-6 * float(abs(on_body).max()))
+    np.testing.assert_allclose(
+        on_body, -2000.0 * run["sprung.vz"], atol=1e-6 * float(abs(on_body).max())
+    )
 
 
 def test_a_symmetric_full_car_is_controlled_symmetrically() -> None:
-    trial = jn.Trial(road=jn.HalfSine(height="40 mm", length="0.5 m", start="1 m"), speed="10 m/s", duration="2 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="40 mm", length="0.5 m", start="1 m"),
+        speed="10 m/s",
+        duration="2 s",
+    )
     run = jn.simulate(jn.load("audi-a6-full-car"), trial, control="skyhook")
     for axle in ("front", "rear"):
-        left, right = (run[f"{axle}_{side}.actuator.force"].to_numpy() for side in ("left", "right"))
+        left, right = (
+            run[f"{axle}_{side}.actuator.force"].to_numpy() for side in ("left", "right")
+        )
         np.testing.assert_allclose(left, right, atol=1e-6 * np.ptp(left))
     assert float(abs(run["body.roll"]).max()) < 1e-9
     passive = jn.simulate(jn.load("audi-a6-full-car"), trial)
@@ -421,8 +469,13 @@ def test_a_symmetric_full_car_is_controlled_symmetrically() -> None:
 
 def test_noise_is_reproducible_and_only_that(bump: jn.Trial) -> None:
     flat = jn.Trial(road=jn.Flat(), speed="10 m/s", duration="2 s")
-    noisy = Skyhook(noise={"sprung.vz": "0.05 m/s"}, actuator=ActiveActuator(lag=0.0, force_limit=1e5), seed=3)
-    runs = [jn.simulate(car(), flat, control=law) for law in (noisy, noisy, noisy.model_copy(update={"seed": 4}))]
+    noisy = Skyhook(
+        noise={"sprung.vz": "0.05 m/s"}, actuator=ActiveActuator(lag=0.0, force_limit=1e5), seed=3
+    )
+    runs = [
+        jn.simulate(car(), flat, control=law)
+        for law in (noisy, noisy, noisy.model_copy(update={"seed": 4}))
+    ]
     np.testing.assert_array_equal(runs[0]["command"], runs[1]["command"])
     assert float(abs(runs[0]["command"] - runs[2]["command"]).max()) > 1.0
     gain = 8.0 / 3.0 * 1500.0
@@ -438,7 +491,9 @@ def test_h_infinity_reaches_its_norm() -> None:
     A, B, G = corner_equations(CORNER)
     C, D = corner_outputs(CORNER, ("strut.deflection", "sprung.az"))
     worst = 0.0
-    for w in np.logspace(0.0, 2.0, 300):  # road to weighted acceleration, around the sampled controller
+    for w in np.logspace(
+        0.0, 2.0, 300
+    ):  # road to weighted acceleration, around the sampled controller
         s, z = 1j * w, np.exp(1j * w * 1e-3)
         K = made.C @ np.linalg.solve(z * np.eye(6) - made.A, made.B) + made.D
         plant = np.linalg.solve(s * np.eye(4) - A, np.hstack([B, G * s * targets.road]))

@@ -17,7 +17,10 @@ RIGS = {
     "lift-off": {},
     "tyre damping": {"tyre.damping_coefficient": 60.0},
     "bilinear": {"strut.damper": {"bump_coefficient": 80.0, "rebound_coefficient": 240.0}},
-    "cubic tyre": {"tyre.stiffness": None, "tyre.curve": {"kind": "polynomial", "coefficients": [6e4, 0.0, 5e9]}},
+    "cubic tyre": {
+        "tyre.stiffness": None,
+        "tyre.curve": {"kind": "polynomial", "coefficients": [6e4, 0.0, 5e9]},
+    },
 }
 
 
@@ -42,7 +45,10 @@ def test_error_falls_with_the_tolerance(name):
     segments = HalfSine(height=0.01, length=0.06, start=0.1).segments(3.0).in_time(2.86)
     reference = states(rig, segments, 0.6, 1e-12, "explicit").states[:2]
     tolerances = 1e-4 * 0.5 ** np.arange(14)
-    found = [np.max(np.abs(states(rig, segments, 0.6, t, "explicit").states[:2] - reference)) for t in tolerances]
+    found = [
+        np.max(np.abs(states(rig, segments, 0.6, t, "explicit").states[:2] - reference))
+        for t in tolerances
+    ]
     order = np.polyfit(np.log(tolerances), np.log(found), 1)[0]
     assert 0.6 < order < 1.5, (order, found)
 
@@ -70,7 +76,9 @@ def test_an_obstacle_met_later_gives_the_same_answer_later(shape, shift):
     early, late = (shape.model_copy(update={"start": start}) for start in (0.1, 0.1 + shift))
     a = states(KART, early.segments(speed * duration).in_time(speed), duration, 1e-9).states
     later = shift / speed
-    b = states(KART, late.segments(speed * (duration + later)).in_time(speed), duration + later, 1e-9).states
+    b = states(
+        KART, late.segments(speed * (duration + later)).in_time(speed), duration + later, 1e-9
+    ).states
     shifted = b[:, round(later / 1e-3) :]
     assert np.max(np.abs(shifted[:2] - a[:2])) < 1e-9 * np.ptp(a[1]) * 10
     assert np.max(np.abs(shifted - a)) < 1e-8 * np.ptp(a[3])
@@ -85,7 +93,9 @@ def test_nothing_happens_on_a_level_road():
 def test_height_of_the_road_does_not_matter():
     """A wheel that starts on a plateau 50 mm up does what it does at level 0, 50 mm higher."""
     hole = Rectangle(height=-0.01, length=0.06, start=0.1).segments(3.0).in_time(1.95)
-    raised = type(hole)(hole.edges, hole.kind, hole.coefficients + np.array([0.05, 0.0, 0.0, 0.0]), hole.rate)
+    raised = type(hole)(
+        hole.edges, hole.kind, hole.coefficients + np.array([0.05, 0.0, 0.0, 0.0]), hole.rate
+    )
     a, b = (states(KART, segments, 0.6, 1e-9).states for segments in (hole, raised))
     assert np.max(np.abs(b[:2] - a[:2] - 0.05)) < 1e-10
 
@@ -96,5 +106,8 @@ def test_samples_do_not_steer_the_steps(method, rounding):
     compiled = compile_model(build(KART))
     p = compiled.parameter_values(KART.parameters())
     segments = HalfSine(height=0.01, length=0.06, start=0.1).segments(3.0).in_time(2.86)
-    fine, coarse = (solve(compiled, p, segments, output_times(0.6, step), method=method) for step in (1e-3, 1e-1))
+    fine, coarse = (
+        solve(compiled, p, segments, output_times(0.6, step), method=method)
+        for step in (1e-3, 1e-1)
+    )
     assert fine.states[:, ::100] == pytest.approx(coarse.states, abs=rounding)

@@ -36,7 +36,9 @@ def leaning():
 def test_energy_balance(which, request):
     """What road and start put in is kinetic energy, weight, and what the elements have taken up."""
     _, run = request.getfixturevalue(which)
-    stored = sum(run[f"energy.{name}"] for name in ("kinetic", "weight", "spring", "damper", "tyre"))
+    stored = sum(
+        run[f"energy.{name}"] for name in ("kinetic", "weight", "spring", "damper", "tyre")
+    )
     change = stored - stored[0] - run["energy.road"]
     assert float(run["energy.kinetic"].max()) > 0.1
     assert float(run["energy.road"].max()) > 1.0
@@ -56,7 +58,10 @@ def test_the_contact_point_is_on_the_road_or_the_lowest_of_a_wheel_in_the_air(wh
         np.stack([run[f"{name}.{axis}"].to_numpy() for axis in "xyz"], axis=1)
         for name in ("contact_point", "wheel_centre")
     )
-    over, flies = contact[:, 2] - run["road.z"].to_numpy(), (run["tyre.deflection"] < 0.0).to_numpy()
+    over, flies = (
+        contact[:, 2] - run["road.z"].to_numpy(),
+        (run["tyre.deflection"] < 0.0).to_numpy(),
+    )
     assert 0.01 < flies.mean() < 0.5
     assert np.abs(over[~flies]).max() < 1e-12
     assert over[flies].min() > 0.0
@@ -76,15 +81,23 @@ def test_reactions_at_rest_carry_the_weight(detailed):
         9.81 * (rig.sprung.mass + sum(body.mass for body in masses.values())), rel=1e-9
     )
     assert float(start["sprung.fz"]) == pytest.approx(0.0, abs=1e-7)  # the guide slides
-    strut = np.array([float(start[f"strut_bottom.{axis}"] - start[f"strut_top.{axis}"]) for axis in "xyz"])
+    strut = np.array(
+        [float(start[f"strut_bottom.{axis}"] - start[f"strut_top.{axis}"]) for axis in "xyz"]
+    )
     pushed = float(start["strut.force"]) * strut[2] / np.linalg.norm(strut)
-    carried = sum(float(start[f"{name}.fz"]) for name in ("lower_arm", "upper_arm", "tie_rod")) + pushed
+    carried = (
+        sum(float(start[f"{name}.fz"]) for name in ("lower_arm", "upper_arm", "tie_rod")) + pushed
+    )
     suspension = 9.81 * sum(body.mass for body in masses.values())
     assert carried + float(start["tyre.force"]) == pytest.approx(suspension, rel=1e-6)
 
 
 @pytest.mark.parametrize(  # the right side is another model: two seconds for that of five links
-    "name", [pytest.param(name, marks=[pytest.mark.slow] if name == "sedan-multi-link" else []) for name in VEHICLES]
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.slow] if name == "sedan-multi-link" else [])
+        for name in VEHICLES
+    ],
 )
 def test_right_is_the_mirror_of_left(name):
     left = jn.load(name)
@@ -124,7 +137,9 @@ def test_a_radial_tyre_pushes_at_the_contact_point():
     rig = jn.load("kart-double-wishbone")
     changes = {"bodies.upright.centre_of_mass": list(rig.hardpoints.wheel_centre)}
     rig = rig.with_changes({"tyre.law": "radial", "wheel.camber": "-8 deg", **changes})
-    rest = jn.simulate(rig, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.001), detail=True).isel(time=0)
+    rest = jn.simulate(rig, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.001), detail=True).isel(
+        time=0
+    )
 
     def vector(name: str, kind: str = "") -> np.ndarray:
         return np.array([float(rest[f"{name}.{kind}{axis}"]) for axis in "xyz"])
@@ -186,4 +201,6 @@ def test_rack_steers_the_wheel():
     right = jn.equilibrium(rig.with_changes({"steering": {"rack_travel": "-5 mm"}}))["wheel.steer"]
     assert abs(straight) < 1e-3
     assert np.sign(left - straight) == -np.sign(right - straight)
-    assert abs(left - straight) == pytest.approx(0.005 / 0.125, rel=0.2)  # the steering arm is about 125 mm long
+    assert abs(left - straight) == pytest.approx(
+        0.005 / 0.125, rel=0.2
+    )  # the steering arm is about 125 mm long

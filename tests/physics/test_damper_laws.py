@@ -34,14 +34,23 @@ LAWS_OF_VELOCITY = {
     "linear": LinearDamper(coefficient=1500.0),
     "bilinear": BilinearDamper(bump_coefficient=800.0, rebound_coefficient=2200.0),
     "blow-off": BLOW_OFF,
-    "table": VelocityTable(velocity=(-1.0, -0.2, 0.0, 0.1, 1.0), force=(-900.0, -500.0, 0.0, 200.0, 500.0)),
+    "table": VelocityTable(
+        velocity=(-1.0, -0.2, 0.0, 0.1, 1.0), force=(-900.0, -500.0, 0.0, 200.0, 500.0)
+    ),
     "tanh": TanhDamper(coefficient=300.0, force=250.0, slope=12.0),
 }
 EVERY = {
     **LAWS_OF_VELOCITY,
-    "bouc-wen": BoucWenDamper(coefficient=250.0, hysteretic_force=180.0, rate=400.0, sigma=2.0, exponent=1.5),
+    "bouc-wen": BoucWenDamper(
+        coefficient=250.0, hysteretic_force=180.0, rate=400.0, sigma=2.0, exponent=1.5
+    ),
     "tanh with hysteresis": TanhDamper(
-        coefficient=300.0, force=250.0, slope=12.0, displacement_coupling=-4.0, stiffness=900.0, offset=40.0
+        coefficient=300.0,
+        force=250.0,
+        slope=12.0,
+        displacement_coupling=-4.0,
+        stiffness=900.0,
+        offset=40.0,
     ),
 }
 SPEEDS = np.array([-1.3, -0.33, -0.15, -0.03, 0.02, 0.07, 0.45, 1.7])
@@ -50,7 +59,9 @@ SPEEDS = np.array([-1.3, -0.33, -0.15, -0.03, 0.02, 0.07, 0.45, 1.7])
 def test_blow_off_is_straight_up_to_its_force_and_flatter_beyond():
     forces = BLOW_OFF.forces(np.array([-1.2, -0.2, -0.1, 0.0, 0.05, 0.1, 1.1]))
     assert forces == pytest.approx([-1500.0, -800.0, -400.0, 0.0, 150.0, 300.0, 800.0], abs=1e-12)
-    assert BLOW_OFF.slopes(np.array([-1.0, -0.1, 0.05, 0.5])) == pytest.approx([700.0, 4000.0, 3000.0, 500.0])
+    assert BLOW_OFF.slopes(np.array([-1.0, -0.1, 0.05, 0.5])) == pytest.approx(
+        [700.0, 4000.0, 3000.0, 500.0]
+    )
     assert BLOW_OFF.slope_at_rest() == pytest.approx(3500.0)
     velocity, force = BLOW_OFF.points()
     assert velocity == pytest.approx([-1.2, -0.2, 0.0, 0.1, 1.1])
@@ -71,14 +82,19 @@ def test_slopes_are_those_of_differences(name):
     force, stiffness = law.at_rest(0.02)
     beside = [law.forces(0.0, 0.02 + side * step) for side in (-1.0, 1.0)]
     assert force == pytest.approx(float(law.forces(0.0, 0.02)), abs=1e-12)
-    assert stiffness == pytest.approx(float(beside[1] - beside[0]) / (2.0 * step), rel=1e-6, abs=1e-6)
+    assert stiffness == pytest.approx(
+        float(beside[1] - beside[0]) / (2.0 * step), rel=1e-6, abs=1e-6
+    )
 
 
 @pytest.mark.parametrize("name", [name for name, law in EVERY.items() if law.weights])
 def test_a_force_is_the_sum_of_its_weighted_basis(name):
     law = EVERY[name]
     at = SampledPoint(lambda number: getattr(law, number), SPEEDS, 0.01)
-    summed = sum(getattr(law, weight) * column for weight, column in zip(law.weights, law.basis(at), strict=True))
+    summed = sum(
+        getattr(law, weight) * column
+        for weight, column in zip(law.weights, law.basis(at), strict=True)
+    )
     assert law.forces(SPEEDS, 0.01) == pytest.approx(summed, rel=1e-12)
 
 
@@ -155,7 +171,9 @@ def test_a_stationary_response_says_what_a_blow_off_damps():
     (bent,) = (one for one in found.findings if "the curve bends" in one.message)
     assert bent.place == "strut.damper"
     assert bent.value == pytest.approx(BLOW_OFF.statistical_coefficient(speed), rel=1e-12)
-    linear = jn.stationary(rig.with_changes({"strut.damper": {"coefficient": BLOW_OFF.slope_at_rest()}}), "C", "10 m/s")
+    linear = jn.stationary(
+        rig.with_changes({"strut.damper": {"coefficient": BLOW_OFF.slope_at_rest()}}), "C", "10 m/s"
+    )
     assert found["sprung.az"] == pytest.approx(linear["sprung.az"], rel=1e-9)
 
 
@@ -166,7 +184,9 @@ def test_a_fit_finds_a_blow_off():
     force = BLOW_OFF.forces(v) + 120.0 + np.random.default_rng(2).normal(0.0, 8.0, t.size)
     found = jn.fit_damper(x, v, force, t, law="blow-off")
     for name in (*BlowOffDamper.weights, *BlowOffDamper.shapes):
-        assert found.parameters[name].value == pytest.approx(getattr(BLOW_OFF, name), rel=0.02), name
+        assert found.parameters[name].value == pytest.approx(getattr(BLOW_OFF, name), rel=0.02), (
+            name
+        )
     assert found.parameters["offset"].value == pytest.approx(120.0, abs=2.0)
     assert found.nrmse < 1.1 * 8.0 / np.ptp(force)
     assert as_damper(found.damper).kind == "blow-off"
@@ -181,7 +201,9 @@ def test_a_blow_off_is_the_same_law_in_a_linkage_and_in_the_model_of_it():
     assert jn.lumped_from(rig).strut.damper == BLOW_OFF
     for one, other in zip(jn.modes(rig), jn.modes(linear), strict=True):
         assert one.damping_ratio == pytest.approx(other.damping_ratio, rel=1e-9)
-    bends, straight = (jn.sweep_travel(each, "20 mm")["wheel_damping_coefficient"] for each in (rig, linear))
+    bends, straight = (
+        jn.sweep_travel(each, "20 mm")["wheel_damping_coefficient"] for each in (rig, linear)
+    )
     assert bends.to_numpy() == pytest.approx(straight.to_numpy(), rel=1e-9)
     slow = BLOW_OFF.mean_coefficient(0.05)
     assert slow == pytest.approx(BLOW_OFF.slope_at_rest(), rel=1e-12)
@@ -189,8 +211,16 @@ def test_a_blow_off_is_the_same_law_in_a_linkage_and_in_the_model_of_it():
 
 def test_runs_of_a_linkage_reduced_and_whole_agree_with_blow_off():
     rig = jn.load("reference-double-wishbone").with_changes({"strut.damper": BLOW_OFF.model_dump()})
-    trial = jn.Trial(road=jn.HalfSine(height="30 mm", length="0.3 m"), speed="3 m/s", duration="0.6 s")
-    reduced, whole = jn.simulate(rig, trial), jn.simulate(rig, trial, method="explicit", tolerance=1e-7)
+    trial = jn.Trial(
+        road=jn.HalfSine(height="30 mm", length="0.3 m"), speed="3 m/s", duration="0.6 s"
+    )
+    reduced, whole = (
+        jn.simulate(rig, trial),
+        jn.simulate(rig, trial, method="explicit", tolerance=1e-7),
+    )
     assert reduced["strut.velocity"].max() > 0.1
     assert reduced["strut.velocity"].min() < -0.2
-    assert np.abs(reduced["sprung.az"] - whole["sprung.az"]).max() < 1e-5 * np.abs(whole["sprung.az"]).max()
+    assert (
+        np.abs(reduced["sprung.az"] - whole["sprung.az"]).max()
+        < 1e-5 * np.abs(whole["sprung.az"]).max()
+    )

@@ -57,7 +57,10 @@ def test_undamped_energy_is_conserved(lift_off, drop):
     [
         {},
         {"strut.damper": {"bump_coefficient": 80.0, "rebound_coefficient": 240.0}},
-        {"strut.friction": {"force": 12.0}, "guide.friction": {"force": 6.0, "regularisation_velocity": 0.005}},
+        {
+            "strut.friction": {"force": 12.0},
+            "guide.friction": {"force": 6.0, "regularisation_velocity": 0.005},
+        },
         {"tyre.lift_off": False},
         {"strut.damper.coefficient": 0.0},
     ],
@@ -67,13 +70,23 @@ def test_undamped_energy_is_conserved(lift_off, drop):
 def test_balance(changes, shape):
     """Work of the road = change of the stored energy + damper, strut friction and guide friction, at all times."""
     rig = KART.with_changes({"strut.spring.preload": 30.0, **changes})
-    segments = shape(height=0.01, length=0.06, start=0.1).segments(3.0).in_time(2.0)  # edges on samples
+    segments = (
+        shape(height=0.01, length=0.06, start=0.1).segments(3.0).in_time(2.0)
+    )  # edges on samples
     times, out = run(rig, segments, 0.6)
-    strut = out["strut.force"] - rig.strut.spring.rate * out["strut.deflection"] - rig.strut.spring.preload
+    strut = (
+        out["strut.force"]
+        - rig.strut.spring.rate * out["strut.deflection"]
+        - rig.strut.spring.preload
+    )
     guide = np.zeros_like(times)
     if rig.guide.friction is not None:
         speed = out["sprung.vz"]
-        guide = rig.guide.friction.force * np.tanh(speed / rig.guide.friction.regularisation_velocity) * speed
+        guide = (
+            rig.guide.friction.force
+            * np.tanh(speed / rig.guide.friction.regularisation_velocity)
+            * speed
+        )
     lost = strut * out["strut.velocity"] + guide
     assert lost.min() > -1e-9
     energy = stored(rig, out)
@@ -82,7 +95,9 @@ def test_balance(changes, shape):
     balance = energy - energy[0] + dissipated - road
     scale = np.ptp(energy)
     assert np.max(np.abs(balance)) < 3e-5 * scale  # trapezoids of 0.02 ms over kinks
-    assert np.max(np.abs(balance - 0.01 * dissipated)) > 3e-4 * scale or dissipated[-1] == pytest.approx(0.0, abs=1e-9)
+    assert np.max(np.abs(balance - 0.01 * dissipated)) > 3e-4 * scale or dissipated[
+        -1
+    ] == pytest.approx(0.0, abs=1e-9)
 
 
 def work_of_the_road(segments, times, force):

@@ -47,15 +47,23 @@ def test_the_mean_weakens_waves_by_the_sinc(wavelength) -> None:
 
 
 def test_the_mean_of_lines_is_exact() -> None:
-    felt = Enveloped(of=Rectangle(height=0.02, length=0.05, start=1), method="moving-average", contact_length=CONTACT)
+    felt = Enveloped(
+        of=Rectangle(height=0.02, length=0.05, start=1),
+        method="moving-average",
+        contact_length=CONTACT,
+    )
     # a cleat shorter than the contact becomes a trapezoid of height h l / L
     assert felt.segments(2.0).edges == pytest.approx([0.0, 0.94, 0.99, 1.06, 1.11, 2.0], abs=1e-12)
     assert felt.height_at([0.94, 0.99, 1.02, 1.06, 1.11]) == pytest.approx(
         [0, 0.02 * 0.05 / 0.12] + [0.02 * 0.05 / 0.12] * 2 + [0], abs=1e-14
     )
-    ramp = Enveloped(of=Ramp(height=1.0, length=10, start=1), method="moving-average", contact_length=CONTACT)
+    ramp = Enveloped(
+        of=Ramp(height=1.0, length=10, start=1), method="moving-average", contact_length=CONTACT
+    )
     s = np.linspace(-0.06, 0.06, 50)  # the foot becomes a parabola
-    np.testing.assert_allclose(ramp.height_at(1 + s), 0.1 * (s + 0.06) ** 2 / 0.24, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(
+        ramp.height_at(1 + s), 0.1 * (s + 0.06) ** 2 / 0.24, rtol=0, atol=1e-14
+    )
 
 
 @pytest.mark.parametrize("h", [0.01, 0.05, 0.1, 0.2])
@@ -84,7 +92,9 @@ def test_a_circle_on_a_bar_runs_on_the_sum_of_the_radii() -> None:
     edges = felt.segments(3.0).edges
     assert np.abs(edges - (1.1 - half)).min() < 1e-9
     x = np.linspace(1.1 - half, 1.1 + half, 999)
-    np.testing.assert_allclose(felt.height_at(x), np.sqrt((R + r) ** 2 - (x - 1.1) ** 2) - R, rtol=0, atol=1e-7)
+    np.testing.assert_allclose(
+        felt.height_at(x), np.sqrt((R + r) ** 2 - (x - 1.1) ** 2) - R, rtol=0, atol=1e-7
+    )
 
 
 def test_a_circle_bridges_a_short_hole() -> None:
@@ -99,7 +109,9 @@ def test_a_circle_on_a_slope_is_lifted_by_a_constant() -> None:
     m = 0.5
     felt = circle(Ramp(height=2.0, length=4.0, start=1))
     x = np.linspace(2.0, 4.0, 50)
-    np.testing.assert_allclose(felt.height_at(x), m * (x - 1) + R * (np.sqrt(1 + m * m) - 1), rtol=0, atol=1e-10)
+    np.testing.assert_allclose(
+        felt.height_at(x), m * (x - 1) + R * (np.sqrt(1 + m * m) - 1), rtol=0, atol=1e-10
+    )
 
 
 CAMS = [{"method": "rigid-circle"}, {"method": "tandem-cam", "contact_length": CONTACT}]
@@ -119,7 +131,10 @@ def test_pieces_are_within_micrometres_of_the_truth(fields, of) -> None:
     x = np.linspace(1.0, 2.2, 3001)
     fine = Enveloped(of=of, radius=R, step=R / 640, **fields).height_at(x)
     for n in (3, 8, 80):  # an eighth of the radius is the default
-        assert np.abs(Enveloped(of=of, radius=R, step=R / n, **fields).height_at(x) - fine).max() < 3e-6
+        assert (
+            np.abs(Enveloped(of=of, radius=R, step=R / n, **fields).height_at(x) - fine).max()
+            < 3e-6
+        )
 
 
 @pytest.mark.parametrize("fields", CAMS)
@@ -136,7 +151,12 @@ def brute(of, cam, x):
     """Highest of a million points of the road under the cam."""
     at = np.linspace(x.min() - cam.a, x.max() + cam.a, 300_001)
     height = of.height_at(at)
-    return np.array([np.max(height[near := np.abs(at - place) < cam.a] + cam.drop(at[near] - place)) for place in x])
+    return np.array(
+        [
+            np.max(height[near := np.abs(at - place) < cam.a] + cam.drop(at[near] - place))
+            for place in x
+        ]
+    )
 
 
 @pytest.mark.parametrize(
@@ -167,21 +187,34 @@ def test_envelopes_are_those_of_a_million_points(of) -> None:
 
 def test_cams_on_an_edge() -> None:
     # domain D3: |u/a|^c + |w/b|^c = 1 with a = 1.471 R0, b = .9622 R0, c = 1.5174, distance .8335 L
-    felt = Enveloped(of=Step(height=0.02, start=2), method="tandem-cam", radius=R, contact_length=CONTACT, step=R / 200)
+    felt = Enveloped(
+        of=Step(height=0.02, start=2),
+        method="tandem-cam",
+        radius=R,
+        contact_length=CONTACT,
+        step=R / 200,
+    )
     a, b, c, half = 1.471 * R, 0.9622 * R, 1.5174, 0.5 * 0.8335 * CONTACT
     first = 2.0 - half - a * (1.0 - (1.0 - 0.02 / b) ** c) ** (1.0 / c)
     assert felt.segments(4.0).edges[1] == pytest.approx(first, abs=1e-8)
     u = 0.03
     one = 0.02 + b * (1.0 - (u / a) ** c) ** (1.0 / c) - b
-    assert felt.height_at(2.0 - half - u) == pytest.approx(0.5 * one, abs=1e-6)  # the rear cam is still on the level
+    assert felt.height_at(2.0 - half - u) == pytest.approx(
+        0.5 * one, abs=1e-6
+    )  # the rear cam is still on the level
     assert felt.effective_slope_at(2.0 - half - u) == pytest.approx(one / (2 * half), abs=1e-5)
 
 
 def test_a_short_bump_is_felt_longer_and_a_large_one_as_it_is() -> None:
     x = np.linspace(0.0, 20.0, 20001)
     bump = Versine(height=0.05, length=10, start=5)
-    for fields in ({"method": "rigid-circle", "radius": R}, {"method": "moving-average", "contact_length": CONTACT}):
-        np.testing.assert_allclose(Enveloped(of=bump, **fields).height_at(x), bump.height_at(x), rtol=0, atol=1e-4)
+    for fields in (
+        {"method": "rigid-circle", "radius": R},
+        {"method": "moving-average", "contact_length": CONTACT},
+    ):
+        np.testing.assert_allclose(
+            Enveloped(of=bump, **fields).height_at(x), bump.height_at(x), rtol=0, atol=1e-4
+        )
 
 
 def test_a_smaller_tolerance_is_kept() -> None:
@@ -191,4 +224,6 @@ def test_a_smaller_tolerance_is_kept() -> None:
     for tolerance in (1e-4, 1e-5, 1e-7):
         felt = circle(of, step=R, tolerance=tolerance)
         assert np.abs(felt.height_at(x) - fine).max() < 3.0 * tolerance
-    assert len(circle(of, tolerance=1e-7).segments(3.0).kind) > len(circle(of, tolerance=1e-5).segments(3.0).kind)
+    assert len(circle(of, tolerance=1e-7).segments(3.0).kind) > len(
+        circle(of, tolerance=1e-5).segments(3.0).kind
+    )

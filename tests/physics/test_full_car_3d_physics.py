@@ -14,7 +14,11 @@ CAR = jn.load("formula-student-car")
 SEDAN = jn.load("sedan-full-car-3d")
 CORNERS = CAR.corners
 BOTH = pytest.mark.parametrize(  # another linkage in the same car: eight seconds to compile
-    "vehicle", [pytest.param(CAR, id="formula-student"), pytest.param(SEDAN, id="sedan", marks=pytest.mark.slow)]
+    "vehicle",
+    [
+        pytest.param(CAR, id="formula-student"),
+        pytest.param(SEDAN, id="sedan", marks=pytest.mark.slow),
+    ],
 )
 BUMP = jn.HalfSine(height="15 mm", length="0.5 m", start="1 m")
 LEVEL = jn.Flat()
@@ -24,7 +28,9 @@ SPEED = "10 m/s"
 def mass_of(vehicle):
     """All masses of a vehicle, kg."""
     corners = [getattr(vehicle, end).corner for end in ("front", "rear")]
-    return vehicle.body.mass + 2.0 * sum(body.mass for corner in corners for body in corner.body_masses().values())
+    return vehicle.body.mass + 2.0 * sum(
+        body.mass for corner in corners for body in corner.body_masses().values()
+    )
 
 
 def centre_of(vehicle):
@@ -41,7 +47,10 @@ def test_a_car_whose_front_wheels_hang_in_the_air_at_design_does_not_stand_on_it
     ends = [f"{end}.corner.hardpoints.wheel_centre[2]" for end in ("front", "rear")]
     rest = jn.equilibrium(CAR.with_changes(dict(zip(ends, (0.236, 0.219), strict=True))))
     assert abs(rest["body.pitch"]) < 0.03
-    front, rear = (rest[f"{end}_left.tyre.force"] + rest[f"{end}_right.tyre.force"] for end in ("front", "rear"))
+    front, rear = (
+        rest[f"{end}_left.tyre.force"] + rest[f"{end}_right.tyre.force"]
+        for end in ("front", "rear")
+    )
     assert front + rear == pytest.approx(mass_of(CAR) * CAR.gravity, rel=1e-9)
     level = jn.equilibrium(CAR)
     assert front == pytest.approx(2.0 * level["front_left.tyre.force"], rel=0.02)
@@ -78,8 +87,12 @@ def test_a_road_that_is_alike_on_both_sides_does_not_roll_the_car(vehicle):
 
 @BOTH
 def test_mirrored_roads_mirror_the_roll(vehicle):
-    left = jn.simulate(vehicle, jn.Trial(road=BUMP, right=LEVEL, speed=SPEED, duration="0.8 s"), tolerance=1e-7)
-    right = jn.simulate(vehicle, jn.Trial(road=LEVEL, right=BUMP, speed=SPEED, duration="0.8 s"), tolerance=1e-7)
+    left = jn.simulate(
+        vehicle, jn.Trial(road=BUMP, right=LEVEL, speed=SPEED, duration="0.8 s"), tolerance=1e-7
+    )
+    right = jn.simulate(
+        vehicle, jn.Trial(road=LEVEL, right=BUMP, speed=SPEED, duration="0.8 s"), tolerance=1e-7
+    )
     assert np.max(np.abs(left["body.roll"])) > 3e-3
     assert np.max(np.abs(left["body.roll"] + right["body.roll"])) < 1e-7
     assert np.max(np.abs(left["body.pitch"] - right["body.pitch"])) < 1e-7
@@ -110,7 +123,9 @@ def test_lateral_acceleration_moves_load_to_the_outside():
     moved = sum(loaded[corner] - still[corner] for corner in CORNERS if corner.endswith("right"))
     track = 2.0 * CAR.front.corner.hardpoints.wheel_centre[1]
     height = centre_of(CAR) + float(run["body.z"][-1])
-    shifted = CAR.body.mass * CAR.gravity * height * roll / track  # the body's weight moves outwards, too
+    shifted = (
+        CAR.body.mass * CAR.gravity * height * roll / track
+    )  # the body's weight moves outwards, too
     assert roll > 0.0
     assert moved == pytest.approx(mass_of(CAR) * rate * height / track + shifted, rel=0.03)
     assert moved > mass_of(CAR) * rate * centre_of(CAR) / track * 0.98
@@ -119,7 +134,9 @@ def test_lateral_acceleration_moves_load_to_the_outside():
 def test_pitch_moment_and_deceleration_share_their_sign():
     moment = {"value": 300.0}
     run, still = held(CAR, pitch_moment=moment), held(CAR)
-    moved = sum(forces(run)[corner] - forces(still)[corner] for corner in ("front_left", "front_right"))
+    moved = sum(
+        forces(run)[corner] - forces(still)[corner] for corner in ("front_left", "front_right")
+    )
     assert moved == pytest.approx(300.0 / CAR.wheelbase, rel=0.01)
 
 
@@ -145,7 +162,9 @@ def test_a_bar_of_both_axles_does_nothing_on_an_even_road():
 @pytest.mark.parametrize("corner", ["front_left", "rear_right"])
 def test_a_corner_under_a_body_that_is_held_is_the_single_corner(corner):
     """A body without motion and too heavy to move: the corner's accelerations are those of the rig on a fixed body."""
-    heavy = CAR.with_changes({"body.mass": 1e15, "body.pitch_inertia": 1e15, "body.roll_inertia": 1e15})
+    heavy = CAR.with_changes(
+        {"body.mass": 1e15, "body.pitch_inertia": 1e15, "body.roll_inertia": 1e15}
+    )
     own = dict.fromkeys(("front.anti_roll_bar_rate", "rear.anti_roll_bar_rate", "gravity"), 0.0)
     heavy = heavy.with_changes(own)
     alone = {"guide": "fixed", "gravity": 0.0, "tyre.law": "radial"}  # as the tyres of cars are
@@ -181,7 +200,11 @@ def lumped(vehicle):
         half, unsprung = axle.corner.hardpoints.wheel_centre[1], found.static_masses[1]
         for name, part in axle.corner.body_masses().items():
             carried, y = 2.0 * found.shares[name].sprung_mass, part.centre_of_mass[1]
-            mass, pitch, roll = mass + carried, pitch + carried * axle.distance**2, roll + carried * y**2
+            mass, pitch, roll = (
+                mass + carried,
+                pitch + carried * axle.distance**2,
+                roll + carried * y**2,
+            )
         table[end] = {
             "distance": axle.distance,
             "unsprung_mass": unsprung + found.inertance,
@@ -213,8 +236,13 @@ def test_results_converge_with_the_tolerance():
     errors = []
     for tolerance in (1e-3, 1e-5, 1e-7):
         run = jn.simulate(CAR, trial, tolerance=tolerance)
-        channels = [name for name in run if name.endswith((".z", ".pitch", ".roll")) and "road" not in name]
-        each = [np.abs(run[name] - exact[name]).max() / np.ptp(exact[name].to_numpy()) for name in channels]
+        channels = [
+            name for name in run if name.endswith((".z", ".pitch", ".roll")) and "road" not in name
+        ]
+        each = [
+            np.abs(run[name] - exact[name]).max() / np.ptp(exact[name].to_numpy())
+            for name in channels
+        ]
         errors.append(max(map(float, each)))
     assert errors[0] < 1e-3
     assert errors[1] < 1e-5

@@ -23,7 +23,9 @@ LOOSE = 1e30  # a tolerance that every step meets: the step is then the longest 
 
 
 def wave(amplitude, frequency, duration):
-    return Segments(np.array([0.0, duration]), np.array([SINE]), np.array([[0.0, amplitude, frequency, 0.3]]))
+    return Segments(
+        np.array([0.0, duration]), np.array([SINE]), np.array([[0.0, amplitude, frequency, 0.3]])
+    )
 
 
 def run(model, values, x0, times, *, track=None, tolerance=LOOSE, longest=np.inf, scale=1.0):
@@ -32,10 +34,14 @@ def run(model, values, x0, times, *, track=None, tolerance=LOOSE, longest=np.inf
     tracks = flatten([track or flat(times[-1])])
     piece = tracks.first[:-1].copy() if model.tracks else tracks.first[:0].copy()
     p, start = compiled.extend(np.array(values, dtype=float)), np.array(x0, dtype=float)
-    problem = Problem(compiled.engine, tracks, piece, p, np.zeros(0), start, len(model.tracks) * model.track_order)
+    problem = Problem(
+        compiled.engine, tracks, piece, p, np.zeros(0), start, len(model.tracks) * model.track_order
+    )
     control = Control(tolerance, np.full(len(x0), scale), np.zeros(0), 1_000_000, longest)
     out, counts = room(compiled, times), np.zeros(3, dtype=np.int64)
-    assert Status.of(integrate(problem, slopes_of(compiled), control, out, counts)) is Status.COMPLETED
+    assert (
+        Status.of(integrate(problem, slopes_of(compiled), control, out, counts)) is Status.COMPLETED
+    )
     return out.states, counts
 
 
@@ -55,7 +61,10 @@ def test_order_is_five_and_samples_lose_one():
     times, ends = np.linspace(0.0, 4.0, 401), slice(0, None, 40)
     reference, _ = run(model, [], [0.5, 0.0], times, track=track, longest=1e-3)
     steps = 0.1 * 0.5 ** np.arange(4)
-    errors = [np.abs(run(model, [], [0.5, 0.0], times, track=track, longest=h)[0] - reference)[0] for h in steps]
+    errors = [
+        np.abs(run(model, [], [0.5, 0.0], times, track=track, longest=h)[0] - reference)[0]
+        for h in steps
+    ]
     at_end = [error[-1] for error in errors]
     inside = [error.max() for error in errors]
     assert np.polyfit(np.log(steps), np.log(at_end), 1)[0] == pytest.approx(5.0, abs=0.4)
@@ -137,10 +146,17 @@ def test_energy_is_kept_where_nothing_takes_it():
     p, start = compiled.parameter_values(rig.parameters()), np.array([0.001, 0.001, 0.0, 0.0])
     losses = []
     for tolerance in (1e-6, 1e-8):
-        found = solve(compiled, p, flat(10.0), times, tolerance=tolerance, method="implicit", offset=start)
+        found = solve(
+            compiled, p, flat(10.0), times, tolerance=tolerance, method="implicit", offset=start
+        )
         out = dict(zip(compiled.output_names, found.outputs, strict=True))
-        kinetic = 0.5 * rig.sprung.mass * out["sprung.vz"] ** 2 + 0.5 * rig.unsprung.mass * out["unsprung.vz"] ** 2
-        weight = rig.gravity * (rig.sprung.mass * out["sprung.z"] + rig.unsprung.mass * out["unsprung.z"])
+        kinetic = (
+            0.5 * rig.sprung.mass * out["sprung.vz"] ** 2
+            + 0.5 * rig.unsprung.mass * out["unsprung.vz"] ** 2
+        )
+        weight = rig.gravity * (
+            rig.sprung.mass * out["sprung.z"] + rig.unsprung.mass * out["unsprung.z"]
+        )
         springs = 0.5 * rig.strut.spring.rate * out["strut.deflection"] ** 2
         springs += 0.5 * rig.tyre.stiffness * out["tyre.deflection"] ** 2
         energy = kinetic + weight + springs

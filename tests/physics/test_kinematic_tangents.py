@@ -24,13 +24,19 @@ STEP = 2e-6
 
 
 @pytest.mark.parametrize(  # five links differ from the others in their number only, and take five seconds to compile
-    "name", [pytest.param(name, marks=[pytest.mark.slow] if name == "sedan-multi-link" else []) for name in RIGS]
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.slow] if name == "sedan-multi-link" else [])
+        for name in RIGS
+    ],
 )
 def test_slopes_of_every_row_along_every_hardpoint(name: str) -> None:
     rig = jn.load(name)
     model = kinematic_model(rig)
     sweep = prepare_sweep(rig, [-0.02, 0.0, 0.015], 0.004 if len(model.tracks) > 1 else None)
-    points = [i for i, path in enumerate(model.parameters) if path.startswith(("hardpoints.", "wheel."))]
+    points = [
+        i for i, path in enumerate(model.parameters) if path.startswith(("hardpoints.", "wheel."))
+    ]
     directions = np.zeros((len(model.tracks) + len(model.parameters), len(points)))
     for j, i in enumerate(points):
         directions[len(model.tracks) + i, j] = 1.0
@@ -61,7 +67,9 @@ def test_slopes_along_travel_and_rack() -> None:
     rows = [row.name for row in model.rows]
     values = dict(zip(rows, sweep.found.outputs[:, 0], strict=True))
     assert found[rows.index("camber"), 0] == pytest.approx(values["camber_gain"], rel=1e-10)
-    assert found[rows.index("spring_length"), 0] == pytest.approx(-values["motion_ratio"], rel=1e-10)
+    assert found[rows.index("spring_length"), 0] == pytest.approx(
+        -values["motion_ratio"], rel=1e-10
+    )
     assert found[rows.index("steer"), 1] == pytest.approx(values["steer_gain"], rel=1e-10)
     assert found[rows.index("wheel_centre_z")] == pytest.approx([1.0, 0.0], abs=1e-10)
 
@@ -69,14 +77,33 @@ def test_slopes_along_travel_and_rack() -> None:
 @pytest.mark.parametrize(
     "target",
     [
-        {"quantity": "roll_centre_height", "over": "-2 deg:2 deg:1 deg", "at_least": 0.0, "tolerance": "1 mm"},
-        {"quantity": "right.camber_to_ground", "over": "-2 deg:2 deg:1 deg", "at_least": 0.0, "tolerance": "1 deg"},
+        {
+            "quantity": "roll_centre_height",
+            "over": "-2 deg:2 deg:1 deg",
+            "at_least": 0.0,
+            "tolerance": "1 mm",
+        },
+        {
+            "quantity": "right.camber_to_ground",
+            "over": "-2 deg:2 deg:1 deg",
+            "at_least": 0.0,
+            "tolerance": "1 deg",
+        },
         {"quantity": "left.roll_steer", "at": "1.5 deg", "at_least": 0.0, "tolerance": 0.1},
         {"quantity": "track", "over": "-2 deg:2 deg:1 deg", "at_least": 0.0, "tolerance": "1 mm"},
         {"quantity": "ackermann", "at": {"rack": "15 mm"}, "at_least": 0.0, "tolerance": 0.1},
-        {"quantity": "turn_diameter_kerbs", "at": {"rack": "15 mm"}, "at_least": 0.0, "tolerance": 0.1},
+        {
+            "quantity": "turn_diameter_kerbs",
+            "at": {"rack": "15 mm"},
+            "at_least": 0.0,
+            "tolerance": 0.1,
+        },
         {"quantity": "anti_dive", "over": "-20 mm:20 mm:20 mm", "at_least": 0.0, "tolerance": 0.1},
-        {"quantity": "distance(tie_rod_inner, tie_rod_outer)", "at_least": 0.0, "tolerance": "1 mm"},
+        {
+            "quantity": "distance(tie_rod_inner, tie_rod_outer)",
+            "at_least": 0.0,
+            "tolerance": "1 mm",
+        },
         {
             "quantity": "roll_centre_height",
             "over": "-20 mm:20 mm:10 mm",
@@ -84,7 +111,13 @@ def test_slopes_along_travel_and_rack() -> None:
             "tolerance": 0.1,
             "slope": True,
         },
-        {"quantity": "steer", "over": "-10 mm:10 mm:5 mm", "along": "rack", "value": 0.0, "tolerance": 0.1},
+        {
+            "quantity": "steer",
+            "over": "-10 mm:10 mm:5 mm",
+            "along": "rack",
+            "value": 0.0,
+            "tolerance": 0.1,
+        },
     ],
     ids=lambda target: target["quantity"],
 )
@@ -93,7 +126,11 @@ def test_slopes_of_targets_are_those_of_their_values(target: dict) -> None:
     car = jn.AxleLayout(axle="front", wheelbase=1.55, centre_of_mass_height=0.3, brake_share=0.6)
     wanted = read_targets({"": rig}, [KinematicTarget(**target)], {"": car})
     model = kinematic_model(rig)
-    paths = ["hardpoints.tie_rod_inner[2]", "hardpoints.upper_ball_joint[1]", "hardpoints.wheel_centre[0]"]
+    paths = [
+        "hardpoints.tie_rod_inner[2]",
+        "hardpoints.upper_ball_joint[1]",
+        "hardpoints.wheel_centre[0]",
+    ]
     paths += ["hardpoints.lower_arm_front[2]", "wheel.radius"]
     directions = np.zeros((len(model.parameters), len(paths)))
     for j, path in enumerate(paths):
@@ -105,7 +142,10 @@ def test_slopes_of_targets_are_those_of_their_values(target: dict) -> None:
     assert np.max(np.abs(slopes[0])) > 0.0
     step = 2e-5
     for j in range(len(paths)):
-        ends = [evaluator.at(numbers + sign * step * directions[:, j], slopes=False)[0][0] for sign in (1.0, -1.0)]
+        ends = [
+            evaluator.at(numbers + sign * step * directions[:, j], slopes=False)[0][0]
+            for sign in (1.0, -1.0)
+        ]
         difference = (ends[0] - ends[1]) / (2.0 * step)
         scale = np.max(np.abs(slopes[0])) + 1e-9
         assert slopes[0][:, j] / scale == pytest.approx(difference / scale, abs=2e-6), paths[j]
@@ -124,35 +164,78 @@ def test_slopes_of_targets_are_those_of_their_values(target: dict) -> None:
 def test_an_axle_of_two_corners(quantity: str, pose: dict) -> None:
     """Values are those of the sweep of both; slopes along numbers of either side are those of the values."""
     left = jn.load("formula-student-front")
-    moved = {"hardpoints.upper_arm_front[2]": 0.265, "hardpoints.wheel_centre[1]": -0.61, "wheel.radius": 0.230}
-    rigs = {"left": left, "right": left.mirrored().with_changes({**moved, "strut.spring.rate": 30e3})}
+    moved = {
+        "hardpoints.upper_arm_front[2]": 0.265,
+        "hardpoints.wheel_centre[1]": -0.61,
+        "wheel.radius": 0.230,
+    }
+    rigs = {
+        "left": left,
+        "right": left.mirrored().with_changes({**moved, "strut.spring.rate": 30e3}),
+    }
     car = jn.AxleLayout(axle="front", wheelbase=1.55, centre_of_mass_height=0.3, brake_share=0.6)
-    target = {"quantity": quantity, **pose, "at_least": -1e9, "tolerance": 0.1, "rig": "left", "right": "right"}
-    extra = [{**target, "quantity": f"{side}.wheel_travel"} for side in rigs] if quantity != "ackermann" else []
+    target = {
+        "quantity": quantity,
+        **pose,
+        "at_least": -1e9,
+        "tolerance": 0.1,
+        "rig": "left",
+        "right": "right",
+    }
+    extra = (
+        [{**target, "quantity": f"{side}.wheel_travel"} for side in rigs]
+        if quantity != "ackermann"
+        else []
+    )
     wanted = read_targets(rigs, [KinematicTarget(**one) for one in [target, *extra]], {"left": car})
     numbering = Numbering.of(rigs)
-    paths = ["left.hardpoints.tie_rod_inner[2]", "right.hardpoints.upper_ball_joint[1]", "right.wheel.radius"]
+    paths = [
+        "left.hardpoints.tie_rod_inner[2]",
+        "right.hardpoints.upper_ball_joint[1]",
+        "right.wheel.radius",
+    ]
     directions = np.array([[float(path == one) for one in paths] for path in numbering.paths])
     evaluator = Evaluators(numbering, wanted, directions, np.full(3, 0.01), {"left": car})
     numbers = numbering.values()
     values, slopes = evaluator.at(numbers)
     if quantity == "ackermann":
-        swept = jn.sweep_axle(left, right=rigs["right"], left_travel=0.0, right_travel=0.0, rack=0.015, vehicle=car)
+        swept = jn.sweep_axle(
+            left, right=rigs["right"], left_travel=0.0, right_travel=0.0, rack=0.015, vehicle=car
+        )
     else:
-        swept = jn.sweep_axle(left, right=rigs["right"], left_travel=values[1], right_travel=values[2])
-        assert np.degrees(swept["roll_angle"].to_numpy()) == pytest.approx(np.degrees(wanted[0].at), abs=1e-7)
+        swept = jn.sweep_axle(
+            left, right=rigs["right"], left_travel=values[1], right_travel=values[2]
+        )
+        assert np.degrees(swept["roll_angle"].to_numpy()) == pytest.approx(
+            np.degrees(wanted[0].at), abs=1e-7
+        )
     if quantity in swept:
         assert values[0] == pytest.approx(swept[quantity].to_numpy(), rel=1e-7)
-    alone = read_targets({"": left}, [KinematicTarget(**{**target, "rig": None, "right": None})], {"": car})
-    mirrored = Evaluators(Numbering.of({"": left}), alone, np.zeros((len(numbers) // 2, 0)), np.zeros(0), {"": car})
+    alone = read_targets(
+        {"": left}, [KinematicTarget(**{**target, "rig": None, "right": None})], {"": car}
+    )
+    mirrored = Evaluators(
+        Numbering.of({"": left}), alone, np.zeros((len(numbers) // 2, 0)), np.zeros(0), {"": car}
+    )
     assert (
-        np.max(np.abs(values[0] - mirrored.at(kinematic_model(left).parameter_values(left), slopes=False)[0][0])) > 1e-4
+        np.max(
+            np.abs(
+                values[0]
+                - mirrored.at(kinematic_model(left).parameter_values(left), slopes=False)[0][0]
+            )
+        )
+        > 1e-4
     )
     step = 2e-5
     for j, path in enumerate(paths):
-        ends = [evaluator.at(numbers + sign * step * directions[:, j], slopes=False)[0][0] for sign in (1.0, -1.0)]
+        ends = [
+            evaluator.at(numbers + sign * step * directions[:, j], slopes=False)[0][0]
+            for sign in (1.0, -1.0)
+        ]
         scale = np.max(np.abs(slopes[0])) + 1e-9
-        assert slopes[0][:, j] / scale == pytest.approx((ends[0] - ends[1]) / (2.0 * step) / scale, abs=3e-6), path
+        assert slopes[0][:, j] / scale == pytest.approx(
+            (ends[0] - ends[1]) / (2.0 * step) / scale, abs=3e-6
+        ), path
     assert np.abs(slopes[0][:, 1:]).max() > 0.0
 
 
@@ -176,15 +259,26 @@ def test_corners_that_are_no_axle_are_refused(changes: dict, words: str) -> None
         "right": "right",
     }
     with pytest.raises(jn.DescriptionError, match=words):
-        read_targets({"left": left, "right": left.mirrored()}, [KinematicTarget(**{**target, **changes})], {})
+        read_targets(
+            {"left": left, "right": left.mirrored()}, [KinematicTarget(**{**target, **changes})], {}
+        )
 
 
 def test_targets_without_a_tolerance_have_the_usual_one_of_their_unit() -> None:
     rig = jn.load("formula-student-front")
-    wishes = [KinematicTarget(quantity=name, value=0.0, weight=2.0) for name in ("toe", "camber_gain", "scrub_radius")]
+    wishes = [
+        KinematicTarget(quantity=name, value=0.0, weight=2.0)
+        for name in ("toe", "camber_gain", "scrub_radius")
+    ]
     toe, gain, scrub = read_targets({"": rig}, wishes, {})
-    assert (np.degrees(toe.tolerance), np.degrees(gain.tolerance), scrub.tolerance) == pytest.approx((0.05, 0.5, 1e-3))
-    with pytest.raises(jn.DescriptionError, match=r"target\[0\].tolerance: the key is missing.*above 0 N"):
+    assert (
+        np.degrees(toe.tolerance),
+        np.degrees(gain.tolerance),
+        scrub.tolerance,
+    ) == pytest.approx((0.05, 0.5, 1e-3))
+    with pytest.raises(
+        jn.DescriptionError, match=r"target\[0\].tolerance: the key is missing.*above 0 N"
+    ):
         read_targets({"": rig}, [KinematicTarget(quantity="wheel_force", value=0.0)], {})
 
 
@@ -200,13 +294,20 @@ def test_roll_stiffness_is_a_target_with_bars_and_third_springs_too() -> None:
         }
     )
     names = ("roll_stiffness_total", "roll_stiffness_bar", "roll_moment", "track")
-    wishes = [KinematicTarget(quantity=name, at="1 deg", value=1.0, tolerance=1.0) for name in names]
+    wishes = [
+        KinematicTarget(quantity=name, at="1 deg", value=1.0, tolerance=1.0) for name in names
+    ]
     numbering = Numbering.of({"": rig})
     path = "hardpoints.arb_arm_end[2]"
     directions = np.array([[float(one == path)] for one in numbering.paths])
-    evaluator = Evaluators(numbering, read_targets({"": rig}, wishes, {}), directions, np.array([0.01]), {})
+    evaluator = Evaluators(
+        numbering, read_targets({"": rig}, wishes, {}), directions, np.array([0.01]), {}
+    )
     values, slopes = evaluator.at(numbering.values())
-    swept = [jn.sweep_roll(rig.with_changes({path: 0.45 + step}), [np.radians(1.0)]) for step in (0.0, 1e-4, -1e-4)]
+    swept = [
+        jn.sweep_roll(rig.with_changes({path: 0.45 + step}), [np.radians(1.0)])
+        for step in (0.0, 1e-4, -1e-4)
+    ]
     for name, value, slope in zip(names, values, slopes, strict=True):
         found = [float(one[name][0]) for one in swept]
         assert value[0] == pytest.approx(found[0], rel=1e-9)

@@ -17,7 +17,12 @@ RIGS = (
     "semi-trailing-arm",
 )
 STEP = 1e-4  # m
-LOAD = {"longitudinal_force": -800.0, "lateral_force": 1500.0, "vertical_force": 3500.0, "aligning_torque": -40.0}
+LOAD = {
+    "longitudinal_force": -800.0,
+    "lateral_force": 1500.0,
+    "vertical_force": 3500.0,
+    "aligning_torque": -40.0,
+}
 
 
 def differences(values: np.ndarray, step: float = STEP) -> float:
@@ -53,7 +58,9 @@ def test_slopes_are_derivatives_along_travel(near, slope: str, value: str, sign:
         assert slope not in found  # no steering axis, so no row
         return
     scale = max(abs(float(found[slope][2])), 1e-3)
-    assert sign * differences(found[value].to_numpy()) == pytest.approx(float(found[slope][2]), abs=1e-7 * scale)
+    assert sign * differences(found[value].to_numpy()) == pytest.approx(
+        float(found[slope][2]), abs=1e-7 * scale
+    )
 
 
 def test_rates_count_a_stop_that_is_closed() -> None:
@@ -68,8 +75,12 @@ def test_rates_count_a_stop_that_is_closed() -> None:
     energy = 0.5 * spring.rate * short**2 + spring.preload * short
     energy += 0.5 * stop["rate"] * depth**2 + 0.25 * stop["progression"] * depth**4
     assert differences(energy) == pytest.approx(float(found["wheel_force"][2]), rel=1e-7)
-    assert differences(found["wheel_force"].to_numpy()) == pytest.approx(float(found["wheel_rate"][2]), rel=1e-7)
-    lift = (found["motion_ratio"] / found["motion_ratio_contact"]).to_numpy()  # of the patch for one of the centre
+    assert differences(found["wheel_force"].to_numpy()) == pytest.approx(
+        float(found["wheel_rate"][2]), rel=1e-7
+    )
+    lift = (
+        found["motion_ratio"] / found["motion_ratio_contact"]
+    ).to_numpy()  # of the patch for one of the centre
     contact = differences(found["wheel_force"].to_numpy() / lift) / lift[2]
     assert contact == pytest.approx(float(found["wheel_rate_contact"][2]), rel=1e-7)
 
@@ -83,10 +94,14 @@ def test_contact_patch_moves_with_the_upright(near) -> None:
         "five-link": ("link_1_outer", "link_3_outer", "link_5_outer"),
         "trailing-arm": ("wheel_centre", "strut_bottom", "arm_inner"),
     }[rig.model]
-    frames = np.stack([[found[f"{name}.{axis}"].to_numpy() for axis in "xyz"] for name in names])  # point, axis, pose
+    frames = np.stack(
+        [[found[f"{name}.{axis}"].to_numpy() for axis in "xyz"] for name in names]
+    )  # point, axis, pose
     patch = np.array([float(found[f"contact_point_{axis}"][2]) for axis in "xyz"])
     base = frames[:, :, 2]
-    frame = np.column_stack([base[1] - base[0], base[2] - base[0], np.cross(base[1] - base[0], base[2] - base[0])])
+    frame = np.column_stack(
+        [base[1] - base[0], base[2] - base[0], np.cross(base[1] - base[0], base[2] - base[0])]
+    )
     share = np.linalg.solve(frame, patch - base[0])
     path = []
     for k in range(5):
@@ -104,7 +119,9 @@ def test_contact_patch_moves_with_the_upright(near) -> None:
 @pytest.mark.parametrize("name", [name for name in RIGS if name != "semi-trailing-arm"])
 def test_steering_ratio_is_the_derivative_along_the_rack(name: str) -> None:
     found = jn.sweep_rack(jn.load(name), 0.004 + STEP * np.arange(-2, 3), travel=-0.01)
-    assert differences(found["steer"].to_numpy()) == pytest.approx(float(found["steer_gain"][2]), rel=1e-7)
+    assert differences(found["steer"].to_numpy()) == pytest.approx(
+        float(found["steer_gain"][2]), rel=1e-7
+    )
 
 
 @pytest.mark.parametrize("name", RIGS)
@@ -113,19 +130,29 @@ def test_joint_loads_balance_and_agree_with_virtual_work(name: str) -> None:
     found = jn.pickup_loads(rig, jn.ContactLoad(**LOAD), travel)
     swept = jn.sweep_travel(rig, travel, points=True)
     chassis = {
-        "double-wishbone": ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear", "tie_rod_inner"),
+        "double-wishbone": (
+            "lower_arm_front",
+            "lower_arm_rear",
+            "upper_arm_front",
+            "upper_arm_rear",
+            "tie_rod_inner",
+        ),
         "mcpherson": ("lower_arm_front", "lower_arm_rear", "tie_rod_inner", "strut_top"),
         "five-link": tuple(f"link_{i}_inner" for i in range(1, 6)),
         "trailing-arm": ("arm_inner", "arm_outer"),
     }[rig.model]
     spring = "spring_top" if "spring_top.fx" in found else "strut_top"
-    held = list(dict.fromkeys((*chassis, spring, *(["rocker_pivot"] if "rocker_pivot.fx" in found else []))))
+    held = list(
+        dict.fromkeys((*chassis, spring, *(["rocker_pivot"] if "rocker_pivot.fx" in found else [])))
+    )
     total = [sum(found[f"{point}.f{axis}"].to_numpy() for point in held) for axis in "xyz"]
     wanted = [LOAD["longitudinal_force"], LOAD["lateral_force"], LOAD["vertical_force"]]
     for force, given in zip(total, wanted, strict=True):
         assert force == pytest.approx(given, abs=1e-6)
     side = 1.0 if rig.side == "left" else -1.0
-    down = 1.0 / (swept["motion_ratio"] / swept["motion_ratio_contact"])  # wheel centre's rise for the patch's
+    down = 1.0 / (
+        swept["motion_ratio"] / swept["motion_ratio_contact"]
+    )  # wheel centre's rise for the patch's
     pushed = (
         LOAD["vertical_force"]
         + LOAD["lateral_force"] * side * swept["jacking"]
@@ -140,7 +167,10 @@ def test_joint_loads_balance_and_agree_with_virtual_work(name: str) -> None:
 def test_moments_of_the_joint_loads_balance() -> None:
     """About the origin: what the body feels is what the road does."""
     rig = jn.load("reference-double-wishbone")
-    found, swept = jn.pickup_loads(rig, jn.ContactLoad(**LOAD), 0.02), jn.sweep_travel(rig, 0.02, points=True)
+    found, swept = (
+        jn.pickup_loads(rig, jn.ContactLoad(**LOAD), 0.02),
+        jn.sweep_travel(rig, 0.02, points=True),
+    )
     force = np.array([LOAD["longitudinal_force"], LOAD["lateral_force"], LOAD["vertical_force"]])
     place = np.array([float(swept[f"contact_point.{axis}"][0]) for axis in "xyz"])
     moment = np.cross(place, force) + np.array([0.0, 0.0, LOAD["aligning_torque"]])
@@ -163,10 +193,19 @@ def test_right_hand_corner_is_the_mirror_image(name: str) -> None:
     rig, travel = jn.load(name), [-0.02, 0.0, 0.02]
     rack = 0.0 if name == "semi-trailing-arm" else 0.005
     one, other = jn.sweep_travel(rig, travel, rack), jn.sweep_travel(rig.mirrored(), travel, -rack)
-    odd = {"inclination", "steer", "bump_steer", "wheel_centre_y", "contact_point_y", "instant_centre_y"}
+    odd = {
+        "inclination",
+        "steer",
+        "bump_steer",
+        "wheel_centre_y",
+        "contact_point_y",
+        "instant_centre_y",
+    }
     for key in one.data_vars:
         sign = -1.0 if key in odd else 1.0
-        assert sign * other[key].to_numpy() == pytest.approx(one[key].to_numpy(), rel=1e-9, abs=1e-11), key
+        assert sign * other[key].to_numpy() == pytest.approx(
+            one[key].to_numpy(), rel=1e-9, abs=1e-11
+        ), key
 
 
 def test_trailing_arm_turns_about_its_axis() -> None:
@@ -174,7 +213,11 @@ def test_trailing_arm_turns_about_its_axis() -> None:
     rig = jn.load("semi-trailing-arm")
     inner, outer = rig.hardpoints.arm_inner, rig.hardpoints.arm_outer
     rig = rig.with_changes(
-        {"hardpoints.arm_inner": [outer[0], inner[1], outer[2]], "wheel.camber": 0.0, "wheel.toe": 0.0}
+        {
+            "hardpoints.arm_inner": [outer[0], inner[1], outer[2]],
+            "wheel.camber": 0.0,
+            "wheel.toe": 0.0,
+        }
     )
     travel = np.array([-0.05, 0.0, 0.05])
     found = jn.sweep_travel(rig, travel)
@@ -193,10 +236,14 @@ def test_anti_effects_are_the_slopes_times_the_vehicle() -> None:
     front = jn.AxleLayout(axle="front", wheelbase=2.7, centre_of_mass_height=0.55, brake_share=0.6)
     rear = jn.AxleLayout(axle="rear", wheelbase=2.7, centre_of_mass_height=0.55, brake_share=0.4)
     found, lever = jn.sweep_travel(rig, 0.0, vehicle=front), 2.7 / 0.55
-    assert float(found["anti_dive"][0]) == pytest.approx(0.6 * lever * -0.005843, abs=2e-6)  # slopes: E5's table
+    assert float(found["anti_dive"][0]) == pytest.approx(
+        0.6 * lever * -0.005843, abs=2e-6
+    )  # slopes: E5's table
     found = jn.sweep_travel(rig, 0.0, vehicle=rear)
     assert float(found["anti_lift"][0]) == pytest.approx(0.4 * lever * 0.005843, abs=2e-6)
-    rise = float((found["motion_ratio"] / found["motion_ratio_contact"])[0])  # of the patch per rise of the centre
+    rise = float(
+        (found["motion_ratio"] / found["motion_ratio_contact"])[0]
+    )  # of the patch per rise of the centre
     assert float(found["anti_squat"][0]) == pytest.approx(lever * 0.05928 / rise, abs=3e-5)
     assert "anti_dive" not in found
 
@@ -211,7 +258,9 @@ def rolled():
 def test_rolled_wheels_stand_on_one_plane(rolled) -> None:
     """Both contact circles touch the road that the roll makes, and the travels are opposite."""
     rig, found = rolled
-    assert (found["left.wheel_travel"] + found["right.wheel_travel"]).to_numpy() == pytest.approx(0.0, abs=1e-14)
+    assert (found["left.wheel_travel"] + found["right.wheel_travel"]).to_numpy() == pytest.approx(
+        0.0, abs=1e-14
+    )
     for k, roll in enumerate(found["roll_angle"].to_numpy()):
         normal, height = np.array([0.0, np.sin(roll), np.cos(roll)]), {}
         for side, sign in (("left", 1.0), ("right", -1.0)):
@@ -224,7 +273,9 @@ def test_rolled_wheels_stand_on_one_plane(rolled) -> None:
             rim = np.outer(np.cos(circle), one) + np.outer(np.sin(circle), np.cross(axis, one))
             centre = [float(found[f"{side}.wheel_centre_{name}"][k]) for name in "xyz"]
             height[side] = float(np.min((np.array(centre) + rig.wheel.radius * rim) @ normal))
-            assert float(found[f"{side}.camber_to_ground"][k]) == pytest.approx(-np.arcsin(axis @ normal), abs=1e-12)
+            assert float(found[f"{side}.camber_to_ground"][k]) == pytest.approx(
+                -np.arcsin(axis @ normal), abs=1e-12
+            )
         assert height["left"] == pytest.approx(height["right"], abs=5e-8)  # the rim is sampled
 
 
@@ -233,11 +284,17 @@ def test_roll_is_antisymmetric_and_matches_the_corner_at_rest(rolled) -> None:
     for name in ("camber", "toe", "wheel_force", "caster_trail"):
         left, right = (found[f"{side}.{name}"].to_numpy() for side in ("left", "right"))
         assert left == pytest.approx(right[::-1], abs=1e-9)
-    assert found["roll_moment"].to_numpy() == pytest.approx(-found["roll_moment"].to_numpy()[::-1], abs=1e-7)
+    assert found["roll_moment"].to_numpy() == pytest.approx(
+        -found["roll_moment"].to_numpy()[::-1], abs=1e-7
+    )
     corner = jn.sweep_travel(rig, 0.0)
-    assert float(found["roll_centre_height"][2]) == pytest.approx(float(corner["roll_centre_height"][0]), abs=1e-12)
+    assert float(found["roll_centre_height"][2]) == pytest.approx(
+        float(corner["roll_centre_height"][0]), abs=1e-12
+    )
     assert float(found["roll_centre_y"][2]) == pytest.approx(0.0, abs=1e-12)
-    assert float(found["track"][2]) == pytest.approx(2.0 * float(corner["contact_point_y"][0]), abs=1e-12)
+    assert float(found["track"][2]) == pytest.approx(
+        2.0 * float(corner["contact_point_y"][0]), abs=1e-12
+    )
 
 
 @pytest.mark.parametrize("name", ["reference-double-wishbone", "hmmwv-front"])
@@ -260,7 +317,11 @@ def test_roll_moment_is_the_slope_of_the_spring_energy() -> None:
     """Virtual work: the springs' energy over roll, integrated from their law, has the moment as its slope."""
     rig, step = jn.load("reference-double-wishbone"), 1e-4
     found = jn.sweep_roll(rig, 0.03 + step * np.arange(-2, 3))
-    design, rate, preload = rig.hardpoints.length("spring"), rig.strut.spring.rate, rig.strut.spring.preload
+    design, rate, preload = (
+        rig.hardpoints.length("spring"),
+        rig.strut.spring.rate,
+        rig.strut.spring.preload,
+    )
     energy = np.zeros(5)
     for side in ("left", "right"):
         short = design - found[f"{side}.spring_length"].to_numpy()
@@ -272,18 +333,25 @@ def test_both_wheels_steer_alike() -> None:
     rig = jn.load("reference-double-wishbone")
     car = jn.AxleLayout(axle="front", wheelbase=2.7, centre_of_mass_height=0.55, brake_share=0.6)
     found = jn.sweep_steering(rig, [-0.02, -0.01, 0.0, 0.01, 0.02], vehicle=car)
-    assert found["left.steer"].to_numpy() == pytest.approx(-found["right.steer"].to_numpy()[::-1], abs=1e-12)
-    assert found["ackermann"].to_numpy()[[0, 1]] == pytest.approx(found["ackermann"].to_numpy()[[4, 3]], rel=1e-9)
+    assert found["left.steer"].to_numpy() == pytest.approx(
+        -found["right.steer"].to_numpy()[::-1], abs=1e-12
+    )
+    assert found["ackermann"].to_numpy()[[0, 1]] == pytest.approx(
+        found["ackermann"].to_numpy()[[4, 3]], rel=1e-9
+    )
     assert np.isnan(found["ackermann"].to_numpy()[2])
     # the wheels' normals meet the line of the rear axle, 2.7 m behind the static wheel centre
     rear = rig.hardpoints.wheel_centre[0] - 2.7
     for i in (0, 1, 3, 4):
         centres = {
             side: float(found[f"{side}.contact_point_y"][i])
-            + (float(found[f"{side}.contact_point_x"][i]) - rear) / np.tan(float(found[f"{side}.steer"][i]))
+            + (float(found[f"{side}.contact_point_x"][i]) - rear)
+            / np.tan(float(found[f"{side}.steer"][i]))
             for side in ("left", "right")
         }
-        inner, outer = ("left", "right") if float(found["mean_steer"][i]) > 0.0 else ("right", "left")
+        inner, outer = (
+            ("left", "right") if float(found["mean_steer"][i]) > 0.0 else ("right", "left")
+        )
         x, y = (float(found[f"{outer}.contact_point_{axis}"][i]) for axis in "xy")
         ideal = abs(np.arctan((x - rear) / (centres[inner] - y)))
         left, right = (float(found[f"{side}.steer"][i]) for side in ("left", "right"))
@@ -310,7 +378,10 @@ def test_a_linkage_of_perfect_ackermann_has_one() -> None:
         for name in ("contact_point_x", "contact_point_y", "steer")
     )
     # x_l - s_l sin = x_r - s_r sin, y_l + s_l cos = y_r + s_r cos
-    matrix = [[-np.sin(steer["left"]), np.sin(steer["right"])], [np.cos(steer["left"]), -np.cos(steer["right"])]]
+    matrix = [
+        [-np.sin(steer["left"]), np.sin(steer["right"])],
+        [np.cos(steer["left"]), -np.cos(steer["right"])],
+    ]
     along = np.linalg.solve(matrix, [x["right"] - x["left"], y["right"] - y["left"]])
     meets = x["left"] - along[0] * np.sin(steer["left"])
     wheelbase = rig.hardpoints.wheel_centre[0] - meets
@@ -355,14 +426,18 @@ def with_bar():
 
 def test_link_of_the_anti_roll_bar_keeps_its_length(with_bar) -> None:
     found = jn.sweep_travel(with_bar, np.linspace(-0.06, 0.06, 7), points=True)
-    link = np.stack([found[f"arb_link_end.{axis}"] - found[f"arb_arm_end.{axis}"] for axis in "xyz"])
+    link = np.stack(
+        [found[f"arb_link_end.{axis}"] - found[f"arb_arm_end.{axis}"] for axis in "xyz"]
+    )
     design = np.array(BAR["hardpoints.arb_link_end"]) - np.array(BAR["hardpoints.arb_arm_end"])
     assert np.linalg.norm(link, axis=0) == pytest.approx(np.linalg.norm(design), abs=1e-13)
     assert float(found["anti_roll_bar_angle"][3]) == pytest.approx(0.0, abs=1e-14)
     assert np.ptp(found["arb_arm_end.y"].to_numpy()) == 0.0
     ratio = found["anti_roll_bar_motion_ratio"]
     assert np.all(ratio > 1.0)  # the arm end lies behind the pivot: bump lifts it, a turn about +y
-    assert found["anti_roll_bar_rate"].to_numpy() == pytest.approx(2.0 * 900.0 * ratio.to_numpy() ** 2, rel=1e-12)
+    assert found["anti_roll_bar_rate"].to_numpy() == pytest.approx(
+        2.0 * 900.0 * ratio.to_numpy() ** 2, rel=1e-12
+    )
 
 
 ON_ROCKER = {
@@ -379,12 +454,16 @@ def test_a_bar_on_the_rocker_turns_about_its_own_axis(side: str) -> None:
     rig = jn.load("formula-student-front").with_changes(ON_ROCKER)
     rig = rig if side == "left" else rig.mirrored()
     found = jn.sweep_travel(rig, np.linspace(-0.02, 0.02, 5), points=True)
-    link = np.stack([found[f"arb_link_end.{axis}"] - found[f"arb_arm_end.{axis}"] for axis in "xyz"])
+    link = np.stack(
+        [found[f"arb_link_end.{axis}"] - found[f"arb_arm_end.{axis}"] for axis in "xyz"]
+    )
     assert np.ptp(np.linalg.norm(link, axis=0)) < 1e-13
     points = rig.hardpoints
     along = np.array(points.arb_axis) - np.array(points.arb_pivot)
     along = along / np.linalg.norm(along) * np.sign(along[1])
-    arm = np.stack([found[f"arb_arm_end.{axis}"] for axis in "xyz"], axis=1) - np.array(points.arb_pivot)
+    arm = np.stack([found[f"arb_arm_end.{axis}"] for axis in "xyz"], axis=1) - np.array(
+        points.arb_pivot
+    )
     assert np.ptp(arm @ along) < 1e-13
     assert np.ptp(np.linalg.norm(arm, axis=1)) < 1e-13
     level = arm - np.outer(arm @ along, along)
@@ -419,7 +498,9 @@ def test_slopes_of_the_anti_roll_bar(with_bar) -> None:
         ("anti_roll_bar_motion_ratio", "anti_roll_bar_angle"),
         ("anti_roll_bar_motion_ratio_gradient", "anti_roll_bar_motion_ratio"),
     ):
-        assert differences(found[value].to_numpy()) == pytest.approx(float(found[slope][2]), rel=1e-7)
+        assert differences(found[value].to_numpy()) == pytest.approx(
+            float(found[slope][2]), rel=1e-7
+        )
 
 
 def test_roll_stiffness_with_a_bar(with_bar) -> None:

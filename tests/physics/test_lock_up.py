@@ -19,7 +19,9 @@ def driven_four_bar():
     angle = mechanism.revolute("crank", mechanism.ground, crank, (0.0, 0.0, 0.0), LEVEL)
     mechanism.revolute("joint", crank, coupler, (1.0, 0.0, 0.0), LEVEL)
     mechanism.revolute("rocker", mechanism.ground, rocker, (2.0, 0.0, 0.0), LEVEL)
-    mechanism.point_on_line("pin", coupler, rocker, at=(1.5, 0.0, 0.7), axis=LEVEL, point=(1.5, 0.0, 0.7))
+    mechanism.point_on_line(
+        "pin", coupler, rocker, at=(1.5, 0.0, 0.7), axis=LEVEL, point=(1.5, 0.0, 0.7)
+    )
     mechanism.motion("motor", angle, mechanism.track("drive"))
     mechanism.watch_energy()
     return mechanism
@@ -34,14 +36,20 @@ def limit_angle():
 @pytest.mark.parametrize("speed", [1.0, -1.0])
 def test_lock_up_is_reported_with_time_and_pose(speed):
     with pytest.raises(jn.SimulationError, match="singular configuration") as caught:
-        jn.simulate_mechanism(driven_four_bar(), 5.0, motions={"drive": jn.mechanics.constant_rate(speed)})
+        jn.simulate_mechanism(
+            driven_four_bar(), 5.0, motions={"drive": jn.mechanics.constant_rate(speed)}
+        )
     found = str(caught.value)
     assert "crank.angle" in found
-    assert float(found.split("stopped after ")[1].split(" s:", maxsplit=1)[0]) == pytest.approx(limit_angle(), abs=0.01)
+    assert float(found.split("stopped after ")[1].split(" s:", maxsplit=1)[0]) == pytest.approx(
+        limit_angle(), abs=0.01
+    )
 
 
 def test_what_was_computed_before_is_kept():
-    run = jn.simulate_mechanism(driven_four_bar(), 5.0, motions={"drive": jn.mechanics.constant_rate(1.0)}, check=False)
+    run = jn.simulate_mechanism(
+        driven_four_bar(), 5.0, motions={"drive": jn.mechanics.constant_rate(1.0)}, check=False
+    )
     assert run.attrs["status"] == "locked_up"
     assert float(run["time"][-1]) == pytest.approx(limit_angle(), abs=0.01)
     assert float(run["constraint.residual"].max()) < 1e-9

@@ -26,7 +26,15 @@ PHI, DELTA, OMEGA = (
     -0.222668390165885884674473185609,
 )
 EPSILON = 1.23054744454982119249735015568
-START = {"beta": BETA, "theta": THETA, "gamma": GAMMA, "phi": PHI, "delta": DELTA, "omega": OMEGA, "epsilon": EPSILON}
+START = {
+    "beta": BETA,
+    "theta": THETA,
+    "gamma": GAMMA,
+    "phi": PHI,
+    "delta": DELTA,
+    "omega": OMEGA,
+    "epsilon": EPSILON,
+}
 END = {  # angle (rad), speed (rad/s) and acceleration (rad/s^2) at 0.03 s
     "beta": (15.81077119629904, 1139.920302151208, -24631.76316945196),
     "theta": (-15.75637105984298, -1424.379294994111, 51850.37701610329),
@@ -42,13 +50,21 @@ Z = (0.0, 0.0, 1.0)
 def toward(angle, along, across=0.0):
     """``along`` the direction of an angle and ``across`` it, a quarter turn on, m."""
     return np.array(
-        [along * np.cos(angle) - across * np.sin(angle), along * np.sin(angle) + across * np.cos(angle), 0.0]
+        [
+            along * np.cos(angle) - across * np.sin(angle),
+            along * np.sin(angle) + across * np.cos(angle),
+            0.0,
+        ]
     )
 
 
 def squeezer() -> jn.mechanics.Mechanism:
     mechanism = jn.mechanics.Mechanism(gravity=0.0)
-    a, b, c = np.array([-0.06934, -0.00227, 0.0]), np.array([-0.03635, 0.03273, 0.0]), np.array([0.014, 0.072, 0.0])
+    a, b, c = (
+        np.array([-0.06934, -0.00227, 0.0]),
+        np.array([-0.03635, 0.03273, 0.0]),
+        np.array([0.014, 0.072, 0.0]),
+    )
     pin = toward(BETA, 0.007)
     e, f = a + toward(DELTA, 0.04), a + toward(EPSILON, 0.0, -0.04)
     knot = pin - toward(BETA + THETA, 0.028)
@@ -73,7 +89,13 @@ def squeezer() -> jn.mechanics.Mechanism:
     for name, other in (("knot 3", k3), ("knot 4", k4), ("knot 6", k6)):
         mechanism.coincident(name, k2, other, at=knot)
     mechanism.spring_damper(
-        "spring", mechanism.ground, k3, c, b + toward(GAMMA, 0.02, -0.018), stiffness=4530.0, free_length=0.07785
+        "spring",
+        mechanism.ground,
+        k3,
+        c,
+        b + toward(GAMMA, 0.02, -0.018),
+        stiffness=4530.0,
+        free_length=0.07785,
     )
     mechanism.apply_torque(k1, (0.0, 0.0, 0.033))
     mechanism.watch_coordinates()
@@ -82,11 +104,17 @@ def squeezer() -> jn.mechanics.Mechanism:
 
 
 def test_squeezer_ends_where_the_test_set_says():
-    run = jn.simulate_mechanism(squeezer(), 0.03, redundant="remove", output_step=1e-3, tolerance=1e-11)
+    run = jn.simulate_mechanism(
+        squeezer(), 0.03, redundant="remove", output_step=1e-3, tolerance=1e-11
+    )
     for name, (angle, speed, acceleration) in END.items():
-        np.testing.assert_allclose(run[f"{name}.angle"][-1] + START[name], angle, rtol=0.0, atol=2e-8)
+        np.testing.assert_allclose(
+            run[f"{name}.angle"][-1] + START[name], angle, rtol=0.0, atol=2e-8
+        )
         np.testing.assert_allclose(run[f"{name}.angle rate"][-1], speed, rtol=2e-7, atol=0.0)
-        np.testing.assert_allclose(run[f"{name}.angle acceleration"][-1], acceleration, rtol=2e-6, atol=0.0)
+        np.testing.assert_allclose(
+            run[f"{name}.angle acceleration"][-1], acceleration, rtol=2e-6, atol=0.0
+        )
     put_in = 0.033 * run["beta.angle"]
     balance = run["energy.kinetic"] + run["energy.elastic"] - put_in
     np.testing.assert_allclose(balance, balance[0], rtol=0.0, atol=1e-9 * float(put_in[-1]))

@@ -18,7 +18,9 @@ def bar(mechanism, name, mass, start, end):
     """A thin straight bar that is a little thick, so that no moment is zero."""
     one, other = np.array(start), np.array(end)
     along = (other - one) / np.linalg.norm(other - one)
-    tensor = mass * (other - one) @ (other - one) / 12.0 * (np.eye(3) - np.outer(along, along)) + 1e-4 * np.eye(3)
+    tensor = mass * (other - one) @ (other - one) / 12.0 * (
+        np.eye(3) - np.outer(along, along)
+    ) + 1e-4 * np.eye(3)
     return mechanism.body(name, mass, 0.5 * (one + other), tensor)
 
 
@@ -47,7 +49,12 @@ def four_bar() -> jn.mechanics.Mechanism:
 @cache
 def four_bar_run(tolerance: float = 1e-9):
     return jn.simulate_mechanism(
-        four_bar(), 2.0, start={"A.angle rate": 12.0}, redundant="remove", output_step=0.01, tolerance=tolerance
+        four_bar(),
+        2.0,
+        start={"A.angle rate": 12.0},
+        redundant="remove",
+        output_step=0.01,
+        tolerance=tolerance,
     )
 
 
@@ -92,7 +99,12 @@ def test_four_bar_takes_as_long_for_a_turn_as_its_energy_says():
     height, inertia = energy(0.0)
     total = height + 0.5 * inertia * 12.0**2
     end = float(run["A.angle"][100])
-    expected, _ = quad(lambda turn: np.sqrt(0.5 * energy(turn)[1] / (total - energy(turn)[0])), 0.0, end, epsabs=1e-12)
+    expected, _ = quad(
+        lambda turn: np.sqrt(0.5 * energy(turn)[1] / (total - energy(turn)[0])),
+        0.0,
+        end,
+        epsabs=1e-12,
+    )
     assert end > 6.0
     assert expected == pytest.approx(1.0, abs=2e-8)
 
@@ -131,7 +143,10 @@ def test_free_body_of_the_coupler_is_in_balance():
     accelerated = 2.0 * np.array([run["coupler.ax"], run["coupler.az"] + 9.81])
     np.testing.assert_allclose(force_b + force_c, accelerated, rtol=0.0, atol=1e-7)
     centre = 0.5 * (b + c)
-    torque = sum(arm[1] * force[0] - arm[0] * force[1] for arm, force in ((b - centre, force_b), (c - centre, force_c)))
+    torque = sum(
+        arm[1] * force[0] - arm[0] * force[1]
+        for arm, force in ((b - centre, force_b), (c - centre, force_c))
+    )
     spin = 2.0 * COUPLER**2 / 12.0 + 1e-4
     np.testing.assert_allclose(torque, spin * run["coupler.alpha_y"], rtol=0.0, atol=1e-7)
 
@@ -140,9 +155,15 @@ def test_transmission_angle_is_that_between_the_bars():
     run = four_bar_run()
     b, c = chain(run["A.angle"].values)
     coupler, rocker = b - c, (np.array([BASE, 0.0]) - c.T).T
-    angle = np.arctan2(coupler[1] * rocker[0] - coupler[0] * rocker[1], np.sum(coupler * rocker, axis=0))
-    np.testing.assert_allclose(run["transmission"] - run["transmission"][0], angle - angle[0], rtol=0.0, atol=1e-10)
-    rate, acceleration = (run[f"rocker.{name}"] - run[f"coupler.{name}"] for name in ("wy", "alpha_y"))
+    angle = np.arctan2(
+        coupler[1] * rocker[0] - coupler[0] * rocker[1], np.sum(coupler * rocker, axis=0)
+    )
+    np.testing.assert_allclose(
+        run["transmission"] - run["transmission"][0], angle - angle[0], rtol=0.0, atol=1e-10
+    )
+    rate, acceleration = (
+        run[f"rocker.{name}"] - run[f"coupler.{name}"] for name in ("wy", "alpha_y")
+    )
     np.testing.assert_allclose(run["transmission rate"], rate, rtol=0.0, atol=1e-9)
     np.testing.assert_allclose(run["transmission acceleration"], acceleration, rtol=0.0, atol=1e-7)
 
@@ -153,7 +174,9 @@ def slider_crank() -> jn.mechanics.Mechanism:
     crank = mechanism.body("crank", 1.0, (0.04, 0.0, 0.0), (1e-3, 2e-3, 2e-3))
     rod = mechanism.body("rod", 0.5, (0.18, 0.0, 0.0), (1e-4, 2e-3, 2e-3))
     piston = mechanism.body("piston", 0.4, (0.3, 0.0, 0.0), (1e-4, 1e-4, 1e-4))
-    turn = mechanism.revolute("main", mechanism.ground, crank, at=(0.0, 0.0, 0.0), axis=(0.0, -1.0, 0.0))
+    turn = mechanism.revolute(
+        "main", mechanism.ground, crank, at=(0.0, 0.0, 0.0), axis=(0.0, -1.0, 0.0)
+    )
     mechanism.revolute("pin", crank, rod, at=(0.1, 0.0, 0.0), axis=(0.0, -1.0, 0.0))
     mechanism.prismatic("guide", mechanism.ground, piston, axis=(1.0, 0.0, 0.0), at=(0.3, 0.0, 0.0))
     mechanism.coincident("gudgeon", rod, piston, at=(0.3, 0.0, 0.0))
@@ -191,11 +214,15 @@ def test_driven_slider_crank_takes_the_torque_of_the_closed_form():
     )
     time = run["time"].values
     tilt = np.arcsin(-0.5 * np.sin(speed * time))
-    np.testing.assert_allclose(run["piston.x"], 0.1 * np.cos(speed * time) + 0.2 * np.cos(tilt), rtol=0.0, atol=1e-11)
+    np.testing.assert_allclose(
+        run["piston.x"], 0.1 * np.cos(speed * time) + 0.2 * np.cos(tilt), rtol=0.0, atol=1e-11
+    )
     # the rate of the energy, by complex time instead of differences
     power = np.imag(slider_crank_energy(time + 1j * step, speed)) / step
     np.testing.assert_allclose(run["drive.torque"] * speed, power, rtol=0.0, atol=1e-7)
-    np.testing.assert_allclose(run["main.ty"], -run["drive.torque"], rtol=0.0, atol=1e-9)  # about -y
+    np.testing.assert_allclose(
+        run["main.ty"], -run["drive.torque"], rtol=0.0, atol=1e-9
+    )  # about -y
     balance = run["energy.kinetic"] + run["energy.weight"] - run["energy.supplied"]
     assert float(abs(balance - balance[0]).max()) < 1e-7 * float(run["energy.kinetic"].max())
 
@@ -206,18 +233,26 @@ def windows(count: int) -> jn.mechanics.Mechanism:
     mechanism = jn.mechanics.Mechanism()
     uprights = []
     for i in range(count + 1):
-        uprights.append(bar(mechanism, f"upright {i}", 1.0, (float(i), 0.0, 0.0), (float(i), 0.0, 1.0)))
-        mechanism.revolute(f"foot {i}", mechanism.ground, uprights[i], at=(float(i), 0.0, 0.0), axis=Y)
+        uprights.append(
+            bar(mechanism, f"upright {i}", 1.0, (float(i), 0.0, 0.0), (float(i), 0.0, 1.0))
+        )
+        mechanism.revolute(
+            f"foot {i}", mechanism.ground, uprights[i], at=(float(i), 0.0, 0.0), axis=Y
+        )
     for i in range(count):
         level = bar(mechanism, f"level {i}", 1.0, (float(i), 0.0, 1.0), (float(i + 1), 0.0, 1.0))
         mechanism.revolute(f"left {i}", uprights[i], level, at=(float(i), 0.0, 1.0), axis=Y)
-        mechanism.revolute(f"right {i}", level, uprights[i + 1], at=(float(i + 1), 0.0, 1.0), axis=Y)
+        mechanism.revolute(
+            f"right {i}", level, uprights[i + 1], at=(float(i + 1), 0.0, 1.0), axis=Y
+        )
     mechanism.watch_energy()
     mechanism.watch_coordinates()
     return mechanism
 
 
-@pytest.mark.parametrize(("push", "tolerance"), [(1.1, 1e-5), (0.7, 1e-6), (1.37, 1e-7), (1.0, 1e-8), (0.83, 1e-9)])
+@pytest.mark.parametrize(
+    ("push", "tolerance"), [(1.1, 1e-5), (0.7, 1e-6), (1.37, 1e-7), (1.0, 1e-8), (0.83, 1e-9)]
+)
 def test_windows_pass_their_singular_poses(push: float, tolerance: float):
     """The N four-bar benchmark (IFToMM library of benchmark problems): all bars lie on one line at 90 and 270 degrees.
 
@@ -240,9 +275,13 @@ def test_windows_pass_their_singular_poses(push: float, tolerance: float):
         return state[1], 9.81 * lever / inertia * np.sin(state[0])
 
     time = run["time"].values
-    exact = solve_ivp(swing, (0.0, 4.0), (0.0, push), rtol=1e-12, atol=1e-12, t_eval=time, method="DOP853")
+    exact = solve_ivp(
+        swing, (0.0, 4.0), (0.0, push), rtol=1e-12, atol=1e-12, t_eval=time, method="DOP853"
+    )
     for i in range(count + 1):
-        np.testing.assert_allclose(run[f"foot {i}.angle"], exact.y[0], rtol=0.0, atol=max(1e-4, 100.0 * tolerance))
+        np.testing.assert_allclose(
+            run[f"foot {i}.angle"], exact.y[0], rtol=0.0, atol=max(1e-4, 100.0 * tolerance)
+        )
     assert float(run["foot 0.angle"].max()) > np.radians(630.0)
     assert float(run["constraint.residual"].max()) < 1e-9
 
@@ -253,7 +292,9 @@ def scissors(stages: int) -> jn.mechanics.Mechanism:
     mechanism = jn.mechanics.Mechanism()
     width, height = np.cos(SPREAD), np.sin(SPREAD)
     slider = mechanism.body("slider", 0.5, (width, 0.0, 0.0), (0.01, 0.01, 0.01))
-    place = mechanism.prismatic("slide", mechanism.ground, slider, axis=(1.0, 0.0, 0.0), at=(width, 0.0, 0.0))
+    place = mechanism.prismatic(
+        "slide", mechanism.ground, slider, axis=(1.0, 0.0, 0.0), at=(width, 0.0, 0.0)
+    )
     left, right = mechanism.ground, slider
     for i in range(stages):
         low, high = i * height, (i + 1) * height
@@ -261,10 +302,15 @@ def scissors(stages: int) -> jn.mechanics.Mechanism:
         down = bar(mechanism, f"down {i}", 1.0, (width, 0.0, low), (0.0, 0.0, high))
         mechanism.revolute(f"left {i}", left, up, at=(0.0, 0.0, low), axis=Y)
         mechanism.revolute(f"right {i}", right, down, at=(width, 0.0, low), axis=Y)
-        mechanism.revolute(f"cross {i}", up, down, at=(0.5 * width, 0.0, low + 0.5 * height), axis=Y)
+        mechanism.revolute(
+            f"cross {i}", up, down, at=(0.5 * width, 0.0, low + 0.5 * height), axis=Y
+        )
         left, right = down, up
     mechanism.output(
-        "hold.force", mechanism.motion("hold", place, mechanism.track("spread")), "N", "force on the slider"
+        "hold.force",
+        mechanism.motion("hold", place, mechanism.track("spread")),
+        "N",
+        "force on the slider",
     )
     mechanism.watch_point("top", right, (width, 0.0, stages * height))
     mechanism.watch_coordinates()
@@ -289,7 +335,9 @@ def test_scissors_take_the_force_of_virtual_work_and_lift_as_they_close():
     width = np.cos(SPREAD) + run["slide.distance"]
     np.testing.assert_allclose(run["top.z"], stages * np.sqrt(1.0 - width**2), rtol=0.0, atol=1e-12)
     rise = -width / np.sqrt(1.0 - width**2)  # of one stage for 1 m of the slider
-    still = 2.0 * 9.81 * 0.5 * stages**2 * rise  # 2 kg a stage, its middle at (i + 1/2) of a stage's height
+    still = (
+        2.0 * 9.81 * 0.5 * stages**2 * rise
+    )  # 2 kg a stage, its middle at (i + 1/2) of a stage's height
     np.testing.assert_allclose(run["hold.force"][:10], still[:10], rtol=1e-10)
     np.testing.assert_allclose(run["hold.force"][41:], still[41:], rtol=1e-10)
     balance = run["energy.kinetic"] + run["energy.weight"] - run["energy.supplied"]

@@ -22,8 +22,13 @@ def signals(mechanism, start, *, inputs=None, values=None):
         first = model.tracks.index(name) * model.track_order
         u[first : first + len(value)] = value
     x = assemble(model, p, u, start).x
-    modes = ca.Function("switch", [model.x, model.u, model.p], [model.switch])(x, u, p).full()[:, 0] > 0.0
-    found = ca.Function("output", [model.x, model.u, model.p, model.m], [model.output])(x, u, p, modes).full()[:, 0]
+    modes = (
+        ca.Function("switch", [model.x, model.u, model.p], [model.switch])(x, u, p).full()[:, 0]
+        > 0.0
+    )
+    found = ca.Function("output", [model.x, model.u, model.p, model.m], [model.output])(
+        x, u, p, modes
+    ).full()[:, 0]
     return {output.name: float(value) for output, value in zip(model.outputs, found, strict=True)}
 
 
@@ -38,7 +43,9 @@ def trailing_arm(kind: str):
     mechanism.revolute("hinge", mechanism.ground, arm, at=ORIGIN, axis=(0.2, 1.0, 0.0))
     top, bottom = (-0.28, 0.03, 0.3), (-0.3, 0.02, 0.0)
     if kind == "spring_damper":
-        mechanism.spring_damper("spring", mechanism.ground, arm, top, bottom, stiffness=20e3, damping=1500.0)
+        mechanism.spring_damper(
+            "spring", mechanism.ground, arm, top, bottom, stiffness=20e3, damping=1500.0
+        )
     else:
         one, other = mechanism.ground.point(top), arm.point(bottom)
         length = ca.norm_2(other.value - one.value)
@@ -54,7 +61,9 @@ def trailing_arm(kind: str):
 
 def test_a_force_along_a_length_loads_the_hinge_as_the_spring_does():
     start = {"hinge.angle": 0.2, "hinge.angle rate": 1.0}
-    given, own, law = (signals(trailing_arm(kind), start) for kind in ("spring_damper", "force", "law"))
+    given, own, law = (
+        signals(trailing_arm(kind), start) for kind in ("spring_damper", "force", "law")
+    )
     axis = np.array([0.2, 1.0, 0.0]) / np.linalg.norm([0.2, 1.0, 0.0])
     assert abs(vector(own, "hinge", "t") @ axis) < 1e-10
     for name, value in given.items():
@@ -79,11 +88,25 @@ JOINTS = {  # first, second, at, axis
     "tie": ("nut", "ball", (-0.25, 0.35, 0.3), (0.0, 1.0, 0.2)),
 }
 PITCH = 0.05
-NODES = {"a": ("arm", (0.4, 0.0, 0.1)), "s": ("slider", (0.95, 0.1, 0.5)), "n": ("nut", (-0.3, 0.2, 0.4))}
+NODES = {
+    "a": ("arm", (0.4, 0.0, 0.1)),
+    "s": ("slider", (0.95, 0.1, 0.5)),
+    "n": ("nut", (-0.3, 0.2, 0.4)),
+}
 NODES["b"] = ("ball", (-0.45, 0.35, 0.55))
-START = {"shoulder.angle": 0.3, "cross.angle": -0.2, "cross.second_angle": 0.4, "slide.distance": 0.03}
+START = {
+    "shoulder.angle": 0.3,
+    "cross.angle": -0.2,
+    "cross.second_angle": 0.4,
+    "slide.distance": 0.03,
+}
 START |= {"thread.angle": 0.5, "tie.angle": 0.3, "tie.e1": 0.2, "tie.e3": -0.1}
-START |= {"shoulder.angle rate": 1.0, "cross.angle rate": 2.0, "slide.distance rate": -0.3, "tie.wx": 1.0}
+START |= {
+    "shoulder.angle rate": 1.0,
+    "cross.angle rate": 2.0,
+    "slide.distance rate": -0.3,
+    "tie.wx": 1.0,
+}
 
 
 def stretch(a, s, n, norm, dot):
@@ -93,7 +116,9 @@ def stretch(a, s, n, norm, dot):
 
 def everything(*, extra: bool):
     mechanism = jn.mechanics.Mechanism(gravity=GRAVITY)
-    bodies = {"ground": mechanism.ground} | {name: mechanism.body(name, *given) for name, given in BODIES.items()}
+    bodies = {"ground": mechanism.ground} | {
+        name: mechanism.body(name, *given) for name, given in BODIES.items()
+    }
     made = {}
     for name, (first, second, at, axis) in JOINTS.items():
         pair = bodies[first], bodies[second]
@@ -109,14 +134,18 @@ def everything(*, extra: bool):
             made[name] = mechanism.revolute(name, *pair, at, axis)
     node = {name: bodies[body].point(place).value for name, (body, place) in NODES.items()}
     mechanism.force(stretch(node["a"], node["s"], node["n"], ca.norm_2, ca.dot), ca.SX(130.0))
-    mechanism.stop("stop", ca.norm_2(node["s"] - node["b"]), upper=0.1, stiffness=300.0)  # a taut string
+    mechanism.stop(
+        "stop", ca.norm_2(node["s"] - node["b"]), upper=0.1, stiffness=300.0
+    )  # a taut string
     turned = bodies["wrist"].direction(X).value
     mechanism.force(ca.dot(turned, bodies["nut"].direction(Z).value), ca.SX(7.0))
     mechanism.friction("friction", made["slide"], 11.0, regularisation_rate=1e-3)
     mechanism.force(made["cross"][1], ca.SX(5.0))
     mechanism.rod("rod", bodies["arm"], bodies["ball"], (0.2, 0.1, 0.2), (-0.5, 0.5, 0.5))
     if extra:
-        mechanism.condition("rule", ca.norm_2(node["a"] - node["n"]) - ca.norm_2(node["s"] - node["b"]) * 0.6 - 0.02)
+        mechanism.condition(
+            "rule", ca.norm_2(node["a"] - node["n"]) - ca.norm_2(node["s"] - node["b"]) * 0.6 - 0.02
+        )
         mechanism.motion("drive", made["shoulder"], mechanism.track("turn"))
     for body in bodies.values():
         if body.name != "ground":
@@ -196,7 +225,9 @@ def test_every_body_is_in_balance_under_all_that_is_shown(extra: bool):
     for name, (first, second, _, _) in JOINTS.items():
         on = second if second != "ground" else first
         other = second if on == first else first
-        one = wrench(vector(found, name, "f"), vector(found, f"at {name}", ""), vector(found, name, "t"))
+        one = wrench(
+            vector(found, name, "f"), vector(found, f"at {name}", ""), vector(found, name, "t")
+        )
         act(on, one)
         act(other, -one)
     rod = wrench(vector(found, "rod", "f"), vector(found, "rod end", ""), vector(found, "rod", "t"))
@@ -216,13 +247,20 @@ def test_every_body_is_in_balance_under_all_that_is_shown(extra: bool):
     one, other = vector(found, "wrist x", ""), vector(found, "nut z", "")
     act("wrist", np.concatenate([np.zeros(3), 7.0 * np.cross(one, other)]))
     act("nut", np.concatenate([np.zeros(3), 7.0 * np.cross(other, one)]))
-    drag = wrench(11.0 * vector(found, "axis slide", ""), vector(found, "at slide", ""))  # it slides back
+    drag = wrench(
+        11.0 * vector(found, "axis slide", ""), vector(found, "at slide", "")
+    )  # it slides back
     act("slider", drag)
     act("wrist", -drag)
     act("wrist", np.concatenate([np.zeros(3), 5.0 * vector(found, "axis second", "")]))
     act("arm", np.concatenate([np.zeros(3), -5.0 * vector(found, "axis second", "")]))
     for on, signal in shown.items():
-        act(on, wrench(vector(signal, "rule", "f"), vector(signal, on, ""), vector(signal, "rule", "t")))
+        act(
+            on,
+            wrench(
+                vector(signal, "rule", "f"), vector(signal, on, ""), vector(signal, "rule", "t")
+            ),
+        )
     for name, left in total.items():
         np.testing.assert_allclose(left, 0.0, rtol=0.0, atol=1e-6, err_msg=name)
 
@@ -237,7 +275,9 @@ def test_reactions_do_no_work_on_the_motions_that_the_joints_leave_free():
     assert abs(torque["cross"] @ axis["cross"]) < 1e-10 * size
     assert abs(torque["cross"] @ vector(found, "axis second", "")) < 1e-10 * size
     assert abs(force["slide"] @ axis["slide"]) < 1e-10 * size
-    screw = torque["thread"] @ axis["thread"] + PITCH / (2.0 * np.pi) * force["thread"] @ axis["thread"]
+    screw = (
+        torque["thread"] @ axis["thread"] + PITCH / (2.0 * np.pi) * force["thread"] @ axis["thread"]
+    )
     assert abs(screw) < 1e-10 * size
     assert abs(torque["thread"] @ axis["thread"]) > 1e-3  # as on any thread, a thrust turns it
 
@@ -248,8 +288,12 @@ def test_a_motion_is_shown_by_itself_and_in_the_joint_it_drives():
     found = signals(mechanism, START, inputs={"turn": (0.3, 1.0)})
     axis = vector(found, "axis shoulder", "")
     np.testing.assert_allclose(vector(found, "drive", "f"), 0.0, rtol=0.0, atol=1e-12)
-    np.testing.assert_allclose(np.cross(vector(found, "drive", "t"), axis), 0.0, rtol=0.0, atol=1e-9)
-    assert vector(found, "shoulder", "t") @ axis == pytest.approx(vector(found, "drive", "t") @ axis, rel=1e-9)
+    np.testing.assert_allclose(
+        np.cross(vector(found, "drive", "t"), axis), 0.0, rtol=0.0, atol=1e-9
+    )
+    assert vector(found, "shoulder", "t") @ axis == pytest.approx(
+        vector(found, "drive", "t") @ axis, rel=1e-9
+    )
 
 
 def test_names_that_end_like_equations_are_names():
@@ -271,14 +315,24 @@ def test_orientation_of_a_body_in_quaternion_and_angles():
     """Yaw about z, then pitch about the new y, then roll about the new x (ISO 8855)."""
     mechanism = jn.mechanics.Mechanism()
     body = mechanism.body("car", 1.0, ORIGIN, (0.1, 0.1, 0.1))
-    stand, gimbal = mechanism.body("stand", 1.0, ORIGIN, (1.0, 1.0, 1.0)), mechanism.body("gimbal", 1.0, ORIGIN)
+    stand, gimbal = (
+        mechanism.body("stand", 1.0, ORIGIN, (1.0, 1.0, 1.0)),
+        mechanism.body("gimbal", 1.0, ORIGIN),
+    )
     mechanism.revolute("yaw", mechanism.ground, stand, at=ORIGIN, axis=Z)
     mechanism.revolute("pitch", stand, gimbal, at=ORIGIN, axis=Y)
     mechanism.revolute("roll", gimbal, body, at=ORIGIN, axis=X)
     mechanism.watch_body(body)
-    for yaw, pitch, roll in ((0.3, -0.4, 0.7), (2.9, 1.2, -2.8), (-3.0, 0.1, 3.1), (0.0, -1.5, 0.0)):
+    for yaw, pitch, roll in (
+        (0.3, -0.4, 0.7),
+        (2.9, 1.2, -2.8),
+        (-3.0, 0.1, 3.1),
+        (0.0, -1.5, 0.0),
+    ):
         found = signals(mechanism, {"yaw.angle": yaw, "pitch.angle": pitch, "roll.angle": roll})
-        assert [found[f"car.{name}"] for name in ("yaw", "pitch", "roll")] == pytest.approx([yaw, pitch, roll])
+        assert [found[f"car.{name}"] for name in ("yaw", "pitch", "roll")] == pytest.approx(
+            [yaw, pitch, roll]
+        )
         q = np.array([found[f"car.q{i}"] for i in range(4)])
         halves = [np.array([np.cos(0.5 * a), np.sin(0.5 * a)]) for a in (yaw, pitch, roll)]
         (cz, sz), (cy, sy), (cx, sx) = halves
@@ -318,7 +372,9 @@ def test_what_holds_a_quaternion_is_not_transmitted_by_a_ball_joint_between_bodi
         if kind == "ball":
             e = mechanism.spherical("tie", arm, other, at=(0.6, 0.0, 0.0))
         else:
-            e = mechanism.link("tie", arm, other, (0.5, 0.0, 0.0), (0.2, 1.0, 0.0), (0.6, 0.0, 0.1))[1:]
+            e = mechanism.link(
+                "tie", arm, other, (0.5, 0.0, 0.0), (0.2, 1.0, 0.0), (0.6, 0.0, 0.1)
+            )[1:]
         mechanism.condition("hold", e[2])
         end = (0.6, 0.0, 0.0) if kind == "ball" else (0.6, 0.0, 0.1)
         mechanism.watch_reaction("tie", at=end)

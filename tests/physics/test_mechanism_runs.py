@@ -24,9 +24,13 @@ def governor():
 def test_given_speeds_are_kept_and_all_else_is_in_equilibrium():
     """A ball at rest on a turning arm hangs at cos(a) = g / (w^2 l)."""
     start = {"spin.angle rate": 9.0, "swing.angle": 0.8}
-    run = jn.simulate_mechanism(governor(), 1.0, start=start, at_rest=True, output_step=0.1, tolerance=1e-9)
+    run = jn.simulate_mechanism(
+        governor(), 1.0, start=start, at_rest=True, output_step=0.1, tolerance=1e-9
+    )
     np.testing.assert_allclose(run["spin.angle rate"], 9.0, rtol=1e-9)
-    np.testing.assert_allclose(run["swing.angle"], np.arccos(9.81 / (81.0 * 0.4)), rtol=0.0, atol=1e-7)
+    np.testing.assert_allclose(
+        run["swing.angle"], np.arccos(9.81 / (81.0 * 0.4)), rtol=0.0, atol=1e-7
+    )
     assert not run.attrs["findings"]
 
 
@@ -39,7 +43,9 @@ def car():
         for y in (-0.6, 0.6):
             foot = body.point((x, y, 0.0)).value[2]
             mechanism.force(
-                foot, mechanism.switch(f"contact {x} {y}", -foot) * -20e3 * foot - 300.0 * mechanism.rate_of(foot)
+                foot,
+                mechanism.switch(f"contact {x} {y}", -foot) * -20e3 * foot
+                - 300.0 * mechanism.rate_of(foot),
             )
     mechanism.watch_body(body)
     mechanism.watch_coordinates()
@@ -55,7 +61,9 @@ def test_equilibrium_leaves_alone_what_nothing_decides_and_says_so():
     assert float(run["car.yaw"][0]) == pytest.approx(np.radians(30.0), abs=1e-9)
     assert float(run["flight.y"][0]) == pytest.approx(-2.0, abs=1e-12)
     np.testing.assert_allclose(run["flight.x"], 3.0 + 5.0 * run["time"], rtol=0.0, atol=1e-6)
-    weight = 400.0 * 9.81  # 0.1 m ahead of the middle, and 0.5 m above the feet, so it leans forward itself
+    weight = (
+        400.0 * 9.81
+    )  # 0.1 m ahead of the middle, and 0.5 m above the feet, so it leans forward itself
     pitch = 0.1 * weight / (4.0 * 20e3 - 0.5 * weight)
     np.testing.assert_allclose(run["car.pitch"], pitch, rtol=0.0, atol=1e-6)
     np.testing.assert_allclose(run["car.vz"], 0.0, rtol=0.0, atol=1e-6)
@@ -65,7 +73,10 @@ def test_equilibrium_leaves_alone_what_nothing_decides_and_says_so():
 def test_an_equilibrium_is_found_however_far_it_is(sag: float):
     """A weight on a soft upright spring sags by m g / k; a soft torsion spring winds up by torque over rate."""
     mechanism = jn.mechanics.Mechanism()
-    block, drum = mechanism.body("block", 1.0, ORIGIN), mechanism.body("drum", 1.0, ORIGIN, (0.1, 0.1, 0.1))
+    block, drum = (
+        mechanism.body("block", 1.0, ORIGIN),
+        mechanism.body("drum", 1.0, ORIGIN, (0.1, 0.1, 0.1)),
+    )
     fall = mechanism.prismatic("fall", mechanism.ground, block, axis=Z)
     mechanism.force(fall, -9.81 / sag * fall)
     mechanism.revolute("wind", mechanism.ground, drum, at=ORIGIN, axis=Y)
@@ -85,10 +96,14 @@ def test_a_chain_of_arms_is_found_hanging_far_below_its_design():
         arm = mechanism.body(f"arm {i}", 1.0, (0.0, 0.0, 30.0 * (i + 1)), (1.0, 1.0, 1.0))
         mechanism.revolute(f"hinge {i}", below, arm, at=(0.0, 0.0, 30.0 * i), axis=Y)
         below = arm
-    mechanism.spring_damper("spring", mechanism.ground, below, (0.0, 0.0, -200.0), (0.0, 0.0, 90.0), stiffness=1.0)
+    mechanism.spring_damper(
+        "spring", mechanism.ground, below, (0.0, 0.0, -200.0), (0.0, 0.0, 90.0), stiffness=1.0
+    )
     mechanism.watch_body(below)
     mechanism.watch_coordinates()
-    run = jn.simulate_mechanism(mechanism, 0.1, start={"hinge 0.angle": 2.0}, at_rest=True, output_step=0.1)
+    run = jn.simulate_mechanism(
+        mechanism, 0.1, start={"hinge 0.angle": 2.0}, at_rest=True, output_step=0.1
+    )
     for name in ("arm 2.vx", "arm 2.vz"):
         np.testing.assert_allclose(run[name], 0.0, rtol=0.0, atol=1e-6)
 
@@ -96,7 +111,9 @@ def test_a_chain_of_arms_is_found_hanging_far_below_its_design():
 def test_a_speed_of_zero_that_is_given_is_no_running_motion():
     """The block sinks into its spring whether its speed of 0 is given or not."""
     mechanism = jn.mechanics.Mechanism()
-    fall = mechanism.prismatic("fall", mechanism.ground, mechanism.body("block", 1.0, ORIGIN), axis=Z)
+    fall = mechanism.prismatic(
+        "fall", mechanism.ground, mechanism.body("block", 1.0, ORIGIN), axis=Z
+    )
     mechanism.force(fall, -100.0 * fall)
     mechanism.watch_coordinates()
     for start in ({}, {"fall.distance rate": 0.0}, {"fall.distance rate": "0 mm/s"}):
@@ -110,9 +127,13 @@ def test_a_pendulum_that_rests_upside_down_is_told(angle, rests, falls):
     bob = mechanism.body("bob", 2.0, (0.0, 0.0, -0.5), (0.1, 0.1, 0.1))
     mechanism.revolute("pivot", mechanism.ground, bob, at=ORIGIN, axis=Y)
     slide = mechanism.body("slide", 1.0, ORIGIN)
-    mechanism.prismatic("drift", mechanism.ground, slide, axis=Y)  # nothing moves it: it does not fall
+    mechanism.prismatic(
+        "drift", mechanism.ground, slide, axis=Y
+    )  # nothing moves it: it does not fall
     mechanism.watch_coordinates()
-    run = jn.simulate_mechanism(mechanism, 0.1, start={"pivot.angle": angle}, at_rest=True, output_step=0.1)
+    run = jn.simulate_mechanism(
+        mechanism, 0.1, start={"pivot.angle": angle}, at_rest=True, output_step=0.1
+    )
     assert float(run["pivot.angle"][0]) == pytest.approx(rests, abs=1e-9)
     told = [text for text in run.attrs["findings"] if "balanced at an unstable point" in text]
     assert [text.split(": ")[1] for text in told] == ["pivot.angle"] * falls
@@ -121,7 +142,11 @@ def test_a_pendulum_that_rests_upside_down_is_told(angle, rests, falls):
 def _told_of_a_top(mechanism, **options) -> list[str]:
     mechanism.watch_coordinates()
     run = jn.simulate_mechanism(mechanism, 0.1, at_rest=True, output_step=0.1, **options)
-    return [text.split(": ")[1] for text in run.attrs["findings"] if "balanced at an unstable point" in text]
+    return [
+        text.split(": ")[1]
+        for text in run.attrs["findings"]
+        if "balanced at an unstable point" in text
+    ]
 
 
 def test_every_top_is_told():
@@ -130,14 +155,20 @@ def test_every_top_is_told():
     for name, length in (("long", 0.8), ("short", 0.5), ("hanging", 0.3)):
         bob = mechanism.body(name, 1.0, (0.0, 0.0, -length), (0.01, 0.01, 0.01))
         mechanism.revolute(name, mechanism.ground, bob, at=ORIGIN, axis=Y)
-    block = mechanism.prismatic("held", mechanism.ground, mechanism.body("block", 1.0, ORIGIN), axis=X)
+    block = mechanism.prismatic(
+        "held", mechanism.ground, mechanism.body("block", 1.0, ORIGIN), axis=X
+    )
     mechanism.force(block, -1e11 * block)
-    assert _told_of_a_top(mechanism, start={"long.angle": 2.5, "short.angle": 2.5}) == ["long.angle, short.angle"]
+    assert _told_of_a_top(mechanism, start={"long.angle": 2.5, "short.angle": 2.5}) == [
+        "long.angle, short.angle"
+    ]
 
 
 def test_a_ball_joint_upside_down_falls_to_all_sides():
     mechanism = jn.mechanics.Mechanism()
-    mechanism.spherical("ball", mechanism.ground, mechanism.body("bob", 1.0, Z, (0.01, 0.01, 0.01)), at=ORIGIN)
+    mechanism.spherical(
+        "ball", mechanism.ground, mechanism.body("bob", 1.0, Z, (0.01, 0.01, 0.01)), at=ORIGIN
+    )
     assert _told_of_a_top(mechanism) == ["ball.wx, ball.wy"]
 
 
@@ -149,7 +180,9 @@ def test_what_rounding_of_stiff_springs_moves_does_not_fall(stiffness):
     other = mechanism.body("other", 0.4, (0.6, 0.3, 0.2), (0.01, 0.02, 0.03))
     for body in (one, other):
         mechanism.free(body.name, body)
-    mechanism.spring_damper("spring", one, other, (0.0, 0.0, 0.1), (0.6, 0.3, 0.25), stiffness=stiffness)
+    mechanism.spring_damper(
+        "spring", one, other, (0.0, 0.0, 0.1), (0.6, 0.3, 0.25), stiffness=stiffness
+    )
     assert _told_of_a_top(mechanism) == []
 
 
@@ -163,14 +196,18 @@ def test_what_a_track_turns_is_on_no_top(rate, told):
     mechanism.force(out, -50.0 * out)
     mechanism.motion("drive", spin, mechanism.track("turn"))
     if told:
-        mechanism.revolute("swing", table, mechanism.body("arm", 0.5, (0.0, 0.0, 0.4)), at=ORIGIN, axis=Y)
+        mechanism.revolute(
+            "swing", table, mechanism.body("arm", 0.5, (0.0, 0.0, 0.4)), at=ORIGIN, axis=Y
+        )
     assert _told_of_a_top(mechanism, motions={"turn": jn.mechanics.constant_rate(rate)}) == told
 
 
 def test_what_nothing_holds_is_named():
     mechanism = jn.mechanics.Mechanism()
     mechanism.prismatic("fall", mechanism.ground, mechanism.body("block", 1.0, ORIGIN), axis=Z)
-    with pytest.raises(jn.SimulationError, match=r"fall\.distance: no static equilibrium was found"):
+    with pytest.raises(
+        jn.SimulationError, match=r"fall\.distance: no static equilibrium was found"
+    ):
         jn.simulate_mechanism(mechanism, 0.1, at_rest=True)
 
 
@@ -182,7 +219,9 @@ def between_springs(length: float):
     for i, axis in enumerate(np.eye(3)):
         for side in (-1.0, 1.0):
             end = side * length * axis
-            mechanism.spring_damper(f"spring {i} {side:g}", mechanism.ground, body, end, ORIGIN, stiffness=1e3)
+            mechanism.spring_damper(
+                f"spring {i} {side:g}", mechanism.ground, body, end, ORIGIN, stiffness=1e3
+            )
     mechanism.watch_coordinates()
     return mechanism
 
@@ -192,12 +231,20 @@ def between_springs(length: float):
     ("length", "fine", "coarse", "advised"),
     [(1e4, 1e-10, 1e-8, 1e-8), (1e5, 3e-10, 1e-7, 1e-7), (10.0, None, 1e-11, None)],
 )
-def test_a_tolerance_that_rounding_forbids_is_said_whatever_the_duration(length, fine, coarse, advised, duration):
+def test_a_tolerance_that_rounding_forbids_is_said_whatever_the_duration(
+    length, fine, coarse, advised, duration
+):
     """What is advised is had, against the closed form, with a part of the steps."""
     mechanism = between_springs(length)
-    given = {"start": {"flight.x": 0.1, "flight.z rate": 1.0}, "output_step": duration / 10.0, "method": "explicit"}
+    given = {
+        "start": {"flight.x": 0.1, "flight.z rate": 1.0},
+        "output_step": duration / 10.0,
+        "method": "explicit",
+    }
     free = jn.simulate_mechanism(mechanism, duration, **given, tolerance=coarse)
-    far = ["warning: points" for _ in range(length > 10.0)]  # they look like millimetres given as metres
+    far = [
+        "warning: points" for _ in range(length > 10.0)
+    ]  # they look like millimetres given as metres
     assert [text.rpartition(": ")[0][:15] for text in free.attrs["findings"]] == far
     if fine is None:
         return
@@ -232,7 +279,9 @@ def test_a_loop_that_could_become_a_door_goes_on_as_its_momentum_says():
     """However long the run is: no impulse turns the motion towards the door, which is at rest when the pose is met."""
     mechanism = isosceles()
     for duration in (0.5, 0.8, 1.3, 2.0, 3.0):
-        run = jn.simulate_mechanism(mechanism, duration, start={"main.angle rate": -3.0}, output_step=0.01)
+        run = jn.simulate_mechanism(
+            mechanism, duration, start={"main.angle rate": -3.0}, output_step=0.01
+        )
         assert run.attrs["status"] == "completed"
         assert "a singular configuration" in run.attrs["findings"][0]
         place = 2.0 * np.sqrt(0.5) * np.cos(np.radians(45.0) - run["main.angle"])
@@ -271,7 +320,9 @@ def test_a_pendulum_comes_to_rest_where_it_hangs_and_no_turns_away(angle):
     bob = mechanism.body("bob", 1.0, (0.3, 0.0, 0.0), (0.1, 0.1, 0.1))
     mechanism.revolute("pivot", mechanism.ground, bob, at=ORIGIN, axis=Y)
     mechanism.watch_coordinates()
-    run = jn.simulate_mechanism(mechanism, 0.1, start={"pivot.angle": angle}, at_rest=True, output_step=0.05)
+    run = jn.simulate_mechanism(
+        mechanism, 0.1, start={"pivot.angle": angle}, at_rest=True, output_step=0.05
+    )
     np.testing.assert_allclose(run["pivot.angle"], 0.5 * np.pi, rtol=0.0, atol=1e-9)
 
 
@@ -298,11 +349,18 @@ def test_what_nothing_decides_stays_where_it_starts_beside_loops():
     run = jn.simulate_mechanism(four_bar_on_a_slide(), 0.1, start=start, **given)
     np.testing.assert_allclose(run["slide.distance"], 0.2, rtol=0.0, atol=1e-9)
     np.testing.assert_allclose(run["crank.angle acceleration"], 0.0, rtol=0.0, atol=1e-6)
-    assert any("slide.distance: its rest position is undetermined" in text for text in run.attrs["findings"])
+    assert any(
+        "slide.distance: its rest position is undetermined" in text
+        for text in run.attrs["findings"]
+    )
 
 
 def test_a_speed_that_is_given_leaves_its_coordinate_and_may_leave_no_equilibrium():
     with pytest.raises(jn.SimulationError, match="no static equilibrium was found"):
         jn.simulate_mechanism(
-            four_bar_on_a_slide(), 0.1, start={"crank.angle rate": 3.0}, at_rest=True, redundant="remove"
+            four_bar_on_a_slide(),
+            0.1,
+            start={"crank.angle rate": 3.0},
+            at_rest=True,
+            redundant="remove",
         )

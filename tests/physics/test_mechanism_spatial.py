@@ -12,7 +12,9 @@ import jounce as jn
 
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 ORIGIN = (0.0, 0.0, 0.0)
-CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, 0, -1], [1, 1, -1], [0, 1, -1], [0, 1, 0]], dtype=float)
+CORNERS = np.array(
+    [[0, 0, 0], [1, 0, 0], [1, 0, -1], [1, 1, -1], [0, 1, -1], [0, 1, 0]], dtype=float
+)
 
 
 @cache
@@ -23,7 +25,9 @@ def bricard() -> jn.mechanics.Mechanism:
     """
     mechanism = jn.mechanics.Mechanism()
     bars = {-1: mechanism.ground, 5: mechanism.ground}
-    axes = [np.cross(CORNERS[i] - CORNERS[i - 1], CORNERS[(i + 1) % 6] - CORNERS[i]) for i in range(6)]
+    axes = [
+        np.cross(CORNERS[i] - CORNERS[i - 1], CORNERS[(i + 1) % 6] - CORNERS[i]) for i in range(6)
+    ]
     for i in range(5):
         along = CORNERS[i + 1] - CORNERS[i]
         tensor = (np.eye(3) - np.outer(along, along)) / 12.0 + 1e-4 * np.eye(3)
@@ -40,13 +44,17 @@ def bricard() -> jn.mechanics.Mechanism:
 
 
 def test_bricard_names_its_redundant_equation():
-    with pytest.raises(jn.AssemblyError, match=r"hinge 3.*1 superfluous equation .*loop of hinge 3, ") as caught:
+    with pytest.raises(
+        jn.AssemblyError, match=r"hinge 3.*1 superfluous equation .*loop of hinge 3, "
+    ) as caught:
         jn.simulate_mechanism(bricard(), 0.1)
     assert all(f"hinge {i}" in str(caught.value) for i in range(6))
 
 
 def test_bricard_keeps_energy_and_loop_and_its_symmetry():
-    run = jn.simulate_mechanism(bricard(), 5.0, redundant="remove", output_step=0.01, tolerance=1e-9)
+    run = jn.simulate_mechanism(
+        bricard(), 5.0, redundant="remove", output_step=0.01, tolerance=1e-9
+    )
     total = run["energy.kinetic"] + run["energy.weight"]
     assert float(run["energy.kinetic"].max()) > 4.0
     assert float(abs(total).max()) < 1e-7
@@ -72,7 +80,9 @@ def spatial_slider_crank() -> jn.mechanics.Mechanism:
     slider = mechanism.body("slider", 2.0, seat, (1e-4, 1e-4, 1e-4))
     turn = mechanism.revolute("main", mechanism.ground, crank, at=hub, axis=X)
     mechanism.prismatic("guide", mechanism.ground, slider, axis=X, at=seat)
-    mechanism.universal("cross", slider, rod, at=seat, axis=across, second_axis=np.cross(along, across))
+    mechanism.universal(
+        "cross", slider, rod, at=seat, axis=across, second_axis=np.cross(along, across)
+    )
     mechanism.spherical("ball", crank, rod, at=pin)
     torque = mechanism.motion("drive", turn, mechanism.track("angle"))
     mechanism.output("drive.torque", torque, "N*m", "torque on the crank")
@@ -101,7 +111,9 @@ def test_spatial_slider_crank_follows_the_length_of_its_rod():
     bodies = {"crank": 0.12, "rod": 0.5, "slider": 2.0}
     for axis, weight in (("x", 0.0), ("y", 0.0), ("z", 9.81 * 2.62)):
         push = sum(mass * run[f"{body}.a{axis}"] for body, mass in bodies.items()) + weight
-        np.testing.assert_allclose(run[f"main.f{axis}"] + run[f"guide.f{axis}"], push, rtol=0.0, atol=1e-7)
+        np.testing.assert_allclose(
+            run[f"main.f{axis}"] + run[f"guide.f{axis}"], push, rtol=0.0, atol=1e-7
+        )
     np.testing.assert_allclose(run["main.tx"], run["drive.torque"], rtol=0.0, atol=1e-9)
 
 
@@ -147,7 +159,9 @@ def governor() -> jn.mechanics.Mechanism:
     for side, sign in (("left", 1.0), ("right", -1.0)):
         ball = mechanism.body(side, 0.6, (sign * REACH, 0.0, -REACH))
         mechanism.revolute(f"{side} arm", spindle, ball, at=ORIGIN, axis=(0.0, -sign, 0.0))
-        mechanism.rod(f"{side} link", ball, sleeve, (sign * REACH, 0.0, -REACH), (0.0, 0.0, -2.0 * REACH))
+        mechanism.rod(
+            f"{side} link", ball, sleeve, (sign * REACH, 0.0, -REACH), (0.0, 0.0, -2.0 * REACH)
+        )
     torque = mechanism.motion("drive", turn, mechanism.track("angle"))
     mechanism.output("drive.torque", torque, "N*m", "torque on the spindle")
     mechanism.watch_body(sleeve)
@@ -163,20 +177,36 @@ def test_governor_hunts_as_lagrange_says():
     """Arms at a from the axis: balls at l sin a, sleeve 2 l cos a below; one equation of motion at a given speed."""
     speed = 16.0
     run = jn.simulate_mechanism(
-        governor(), 2.0, motions={"angle": jn.mechanics.constant_rate(speed)}, output_step=0.01, tolerance=1e-9
+        governor(),
+        2.0,
+        motions={"angle": jn.mechanics.constant_rate(speed)},
+        output_step=0.01,
+        tolerance=1e-9,
     )
 
     def hunting(_, state):
         a, rate = state
         inertia = 2.0 * 0.6 + 4.0 * 1.5 * np.sin(a) ** 2
-        force = 2.0 * 0.6 * speed**2 * np.sin(a) * np.cos(a) - 4.0 * 1.5 * rate**2 * np.sin(a) * np.cos(a)
+        force = 2.0 * 0.6 * speed**2 * np.sin(a) * np.cos(a) - 4.0 * 1.5 * rate**2 * np.sin(
+            a
+        ) * np.cos(a)
         force -= 2.0 * (0.6 + 1.5) * 9.81 / 0.3 * np.sin(a)
         return rate, force / inertia
 
     time = run["time"].values
-    exact = solve_ivp(hunting, (0.0, 2.0), (0.25 * np.pi, 0.0), rtol=1e-12, atol=1e-12, method="DOP853", t_eval=time)
+    exact = solve_ivp(
+        hunting,
+        (0.0, 2.0),
+        (0.25 * np.pi, 0.0),
+        rtol=1e-12,
+        atol=1e-12,
+        method="DOP853",
+        t_eval=time,
+    )
     for side in ("left", "right"):
-        np.testing.assert_allclose(run[f"{side} arm.angle"] + 0.25 * np.pi, exact.y[0], rtol=0.0, atol=1e-6)
+        np.testing.assert_allclose(
+            run[f"{side} arm.angle"] + 0.25 * np.pi, exact.y[0], rtol=0.0, atol=1e-6
+        )
     np.testing.assert_allclose(run["sleeve.z"], -0.6 * np.cos(exact.y[0]), rtol=0.0, atol=1e-6)
     torque = 1.2 * 0.3**2 * speed * np.sin(2.0 * exact.y[0]) * exact.y[1]
     np.testing.assert_allclose(run["drive.torque"], torque, rtol=0.0, atol=1e-5)

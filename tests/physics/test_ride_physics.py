@@ -59,7 +59,9 @@ def test_the_benchmark_road(road: jn.Table) -> None:
         (4000.0, 1.6547, 7.4444, 4.0086),
     ],
 )
-def test_metrics_on_the_benchmark_road(road, damping: float, acceleration: float, stroke: float, tyre: float) -> None:
+def test_metrics_on_the_benchmark_road(
+    road, damping: float, acceleration: float, stroke: float, tyre: float
+) -> None:
     found = ride_metrics(driven(car(damping), road), settling=4.0 * PERIOD)
     error = 2e-3 if damping < 1000.0 else 2e-4  # the softest one has not quite settled after 20 s
     assert found.duration == pytest.approx(PERIOD)
@@ -67,19 +69,25 @@ def test_metrics_on_the_benchmark_road(road, damping: float, acceleration: float
     assert 1e3 * found.value("travel_rms") == pytest.approx(stroke, rel=error)
     assert 1e3 * found.value("tyre_deflection_rms") == pytest.approx(tyre, rel=error)
     load = 440.0 * 9.81
-    assert found.value("dynamic_load_coefficient") == pytest.approx(200e3 * 1e-3 * tyre / load, rel=error)
+    assert found.value("dynamic_load_coefficient") == pytest.approx(
+        200e3 * 1e-3 * tyre / load, rel=error
+    )
 
 
 @pytest.mark.parametrize("damping", [600.0, 1500.0, 4000.0])
 @pytest.mark.parametrize("rate", [25e3, 12e3])
-def test_dissipated_power_is_half_the_tyre_stiffness_times_the_intensity(road, damping: float, rate: float) -> None:
+def test_dissipated_power_is_half_the_tyre_stiffness_times_the_intensity(
+    road, damping: float, rate: float
+) -> None:
     # closed form W k_t / 2, whatever spring and damper: W = 2 pi^2 n0^2 G_d(n0) v = 1.0106e-3 m^2/s
     assert pytest.approx(1.0106e-3, rel=1e-4) == INTENSITY
     run = driven(car(damping, **{"strut.spring.rate": rate}), road)
     found = ride_metrics(run, settling=4.0 * PERIOD)
     assert found.value("dissipated_power") == pytest.approx(INTENSITY * 200e3 / 2.0, rel=0.02)
     velocity = run["strut.velocity"].to_numpy()[-5001:]
-    assert found.value("dissipated_power") == pytest.approx(damping * np.mean(velocity[:-1] ** 2), rel=1e-3)
+    assert found.value("dissipated_power") == pytest.approx(
+        damping * np.mean(velocity[:-1] ** 2), rel=1e-3
+    )
 
 
 def test_the_spectrum_of_a_run_is_the_squared_gain_times_that_of_the_road(road: jn.Table) -> None:
@@ -93,7 +101,9 @@ def test_the_spectrum_of_a_run_is_the_squared_gain_times_that_of_the_road(road: 
         lines = np.arange(2, 301)  # one line of the road at each step of the frequency, none beside
         expected = response_spectrum(model, answer.frequency[lines], drive.density[lines], channel)
         np.testing.assert_allclose(answer.density[lines], expected, rtol=5e-3)
-        assert answer.mean_square(0.0, 70.0) == pytest.approx(float(np.var(run[channel].to_numpy())), rel=1e-3)
+        assert answer.mean_square(0.0, 70.0) == pytest.approx(
+            float(np.var(run[channel].to_numpy())), rel=1e-3
+        )
 
 
 def test_transfer_function_of_a_run_is_that_of_the_linear_model() -> None:

@@ -16,12 +16,17 @@ def estimated(road: Iso8608):
     return estimate_roughness(x[whole], z[whole])
 
 
-@pytest.mark.parametrize(("name", "waviness", "side"), [("A", 2.0, "left"), ("C", 2.0, "right"), ("E", 2.5, "left")])
+@pytest.mark.parametrize(
+    ("name", "waviness", "side"), [("A", 2.0, "left"), ("C", 2.0, "right"), ("E", 2.5, "left")]
+)
 def test_welch_gives_slope_and_level_back(name, waviness, side) -> None:
     found = [
-        estimated(Iso8608(class_=name, waviness=waviness, length="3 km", seed=seed, side=side)) for seed in range(10)
+        estimated(Iso8608(class_=name, waviness=waviness, length="3 km", seed=seed, side=side))
+        for seed in range(10)
     ]
-    assert np.mean([one.waviness for one in found]) == pytest.approx(waviness, abs=0.05)  # domain D1
+    assert np.mean([one.waviness for one in found]) == pytest.approx(
+        waviness, abs=0.05
+    )  # domain D1
     level = 10.0 * np.log10(np.array([one.roughness for one in found]) / class_roughness(name))
     assert np.mean(level) == pytest.approx(0.0, abs=0.5)
     assert {one.road_class for one in found} == {name}
@@ -40,12 +45,20 @@ def test_each_line_of_the_spectrum_has_its_level() -> None:
 
 @pytest.mark.parametrize(("band", "rms"), [((0.011, 2.83), 3.806e-3), ((0.01, 10.0), 4.00e-3)])
 def test_rms_height_of_class_a(band, rms) -> None:
-    heights = [Iso8608(class_="A", length=2000, band=band, run_in=0, seed=s).points()[1].std() for s in range(3)]
+    heights = [
+        Iso8608(class_="A", length=2000, band=band, run_in=0, seed=s).points()[1].std()
+        for s in range(3)
+    ]
     assert heights == pytest.approx([rms] * 3, rel=1e-3)  # domain D1: 3.806 and 4.00 mm
 
 
 def test_heights_are_normally_distributed() -> None:
-    z = np.concatenate([Iso8608(class_="C", length=2000, run_in=0, seed=s, step=0.2).points()[1] for s in range(20)])
+    z = np.concatenate(
+        [
+            Iso8608(class_="C", length=2000, run_in=0, seed=s, step=0.2).points()[1]
+            for s in range(20)
+        ]
+    )
     z = z / z.std()
     assert np.mean(z**3) == pytest.approx(0.0, abs=0.15)
     assert np.mean(z**4) == pytest.approx(3.0, abs=0.25)
@@ -57,7 +70,9 @@ def test_a_coarse_step_never_folds_waves_back() -> None:
 
 
 def test_the_fades_take_the_power_that_is_documented() -> None:
-    whole = [Iso8608(class_="C", length=1000, seed=s, run_in=0).points()[1].var() for s in range(200)]
+    whole = [
+        Iso8608(class_="C", length=1000, seed=s, run_in=0).points()[1].var() for s in range(200)
+    ]
     faded = [np.mean(Iso8608(class_="C", length=1000, seed=s).points()[1] ** 2) for s in range(200)]
     assert 10.0 * np.log10(np.mean(faded) / np.mean(whole)) == pytest.approx(-0.055, abs=0.012)
 

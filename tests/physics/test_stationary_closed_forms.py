@@ -29,7 +29,9 @@ from jounce.roughness.spectra import white_noise_intensity
 SPEED = 20.0
 
 
-def car(c: float = 1500.0, k: float = 25e3, *, ms: float = 400.0, mu: float = 40.0, kt: float = 200e3) -> QuarterCar:
+def car(
+    c: float = 1500.0, k: float = 25e3, *, ms: float = 400.0, mu: float = 40.0, kt: float = 200e3
+) -> QuarterCar:
     return QuarterCar(
         sprung={"mass": ms},
         unsprung={"mass": mu},
@@ -38,14 +40,21 @@ def car(c: float = 1500.0, k: float = 25e3, *, ms: float = 400.0, mu: float = 40
     )
 
 
-def lumped(c: float = 1500.0, k: float = 25e3, *, ms: float = 400.0, mu: float = 40.0, kt: float = 200e3):
+def lumped(
+    c: float = 1500.0, k: float = 25e3, *, ms: float = 400.0, mu: float = 40.0, kt: float = 200e3
+):
     return LumpedCorner(ms, mu, k, kt, c)
 
 
 @pytest.mark.parametrize("c", [150.0, 1172.604, 1500.0, 4000.0, 20e3])
-@pytest.mark.parametrize("other", [{}, {"k": 60e3}, {"ms": 200.0, "mu": 60.0}, {"kt": 350e3}], ids=str)
+@pytest.mark.parametrize(
+    "other", [{}, {"k": 60e3}, {"ms": 200.0, "mu": 60.0}, {"kt": 350e3}], ids=str
+)
 def test_variances_on_white_noise(c, other):
-    rig, exact = car(c, **other), white_noise_variances(lumped(c, **other), white_noise_intensity("C", SPEED))
+    rig, exact = (
+        car(c, **other),
+        white_noise_variances(lumped(c, **other), white_noise_intensity("C", SPEED)),
+    )
     found = stationary(rig, "C", SPEED)
     assert found["sprung.az"] ** 2 == pytest.approx(exact.acceleration, rel=1e-9)
     assert found["strut.deflection"] ** 2 == pytest.approx(exact.deflection, rel=1e-9)
@@ -68,7 +77,9 @@ def test_published_numbers_of_car_a():
 def test_strut_at_an_angle_counts_by_its_cosine_squared():
     rig = car().with_changes({"strut.angle": "26 deg"})
     cos = np.cos(np.radians(26.0))
-    exact = white_noise_variances(lumped(1500.0 * cos**2, 25e3 * cos**2), white_noise_intensity("B", SPEED))
+    exact = white_noise_variances(
+        lumped(1500.0 * cos**2, 25e3 * cos**2), white_noise_intensity("B", SPEED)
+    )
     found = stationary(rig, "B", SPEED)
     assert found["sprung.az"] ** 2 == pytest.approx(exact.acceleration, rel=1e-9)
     assert (found["strut.deflection"] / cos) ** 2 == pytest.approx(exact.deflection, rel=1e-9)
@@ -80,28 +91,47 @@ def test_best_dampers_and_stiffness():
     assert road_holding_damping(corner) == pytest.approx(2483.624, abs=5e-4)
     assert road_holding_rate(corner) == pytest.approx(16528.9, abs=0.05)
     least = stationary(car(comfort_damping(corner)), "B", SPEED)["sprung.az"] ** 2
-    assert least == pytest.approx(least_acceleration_variance(corner, white_noise_intensity("B", SPEED)), rel=1e-9)
-    for name, best in (("sprung.az", comfort_damping(corner)), ("tyre.force", road_holding_damping(corner))):
+    assert least == pytest.approx(
+        least_acceleration_variance(corner, white_noise_intensity("B", SPEED)), rel=1e-9
+    )
+    for name, best in (
+        ("sprung.az", comfort_damping(corner)),
+        ("tyre.force", road_holding_damping(corner)),
+    ):
         searched = minimize_scalar(
-            lambda c, name=name: stationary(car(c), "B", SPEED)[name], bounds=(500.0, 5000.0), method="bounded"
+            lambda c, name=name: stationary(car(c), "B", SPEED)[name],
+            bounds=(500.0, 5000.0),
+            method="bounded",
         )
         assert searched.x == pytest.approx(best, rel=1e-4)
         slope = stationary(car(best), "B", SPEED, parameters=["strut.damper.coefficient"]).slopes
-        assert abs(slope["strut.damper.coefficient"][name]) * best < 1e-9 * stationary(car(best), "B", SPEED)[name]
+        assert (
+            abs(slope["strut.damper.coefficient"][name]) * best
+            < 1e-9 * stationary(car(best), "B", SPEED)[name]
+        )
 
 
 def test_best_stiffness_for_road_holding_does_not_depend_on_the_damper():
     for c in (500.0, 3000.0):
-        slopes = stationary(car(c, road_holding_rate(lumped())), "B", SPEED, parameters=["strut.spring.rate"]).slopes
+        slopes = stationary(
+            car(c, road_holding_rate(lumped())), "B", SPEED, parameters=["strut.spring.rate"]
+        ).slopes
         found = stationary(car(c, 25e3), "B", SPEED, parameters=["strut.spring.rate"]).slopes
-        assert abs(slopes["strut.spring.rate"]["tyre.force"]) < 1e-9 * found["strut.spring.rate"]["tyre.force"]
+        assert (
+            abs(slopes["strut.spring.rate"]["tyre.force"])
+            < 1e-9 * found["strut.spring.rate"]["tyre.force"]
+        )
 
 
-@pytest.mark.parametrize("other", [{}, {"c": 300.0}, {"k": 80e3}, {"ms": 250.0}, {"mu": 25.0}], ids=str)
+@pytest.mark.parametrize(
+    "other", [{}, {"c": 300.0}, {"k": 80e3}, {"ms": 250.0}, {"mu": 25.0}], ids=str
+)
 def test_mean_power_of_the_damper_depends_on_the_tyre_only(other):
     rig = car(**other)
     power = rig.strut.damper.coefficient * stationary(rig, "C", SPEED)["strut.velocity"] ** 2
-    assert power == pytest.approx(mean_dissipated_power(200e3, white_noise_intensity("C", SPEED)), rel=1e-9)
+    assert power == pytest.approx(
+        mean_dissipated_power(200e3, white_noise_intensity("C", SPEED)), rel=1e-9
+    )
 
 
 @pytest.mark.parametrize("c", [1.0, 1500.0, 9000.0])
@@ -137,7 +167,9 @@ def test_invariant_point_of_a_half_car(damper):
         ("front.sprung.az", exact.acceleration_frequency_hz, exact.acceleration_ratio),
         ("front.strut.deflection", exact.deflection_frequency_hz, exact.deflection_ratio),
     ):
-        assert abs(model.frequency_response([at], name, "front.road.z")[0]) == pytest.approx(ratio, rel=1e-9)
+        assert abs(model.frequency_response([at], name, "front.road.z")[0]) == pytest.approx(
+            ratio, rel=1e-9
+        )
         assert abs(model.frequency_response([at], name, "rear.road.z")[0]) < 1e-9 * ratio
 
 
@@ -169,7 +201,10 @@ def test_dampers_whose_curve_bends_are_told_with_the_coefficient_they_damp_as(ki
     With it as coefficient a run of 58 s has the standard deviation of the body's acceleration within 1 % (1.36 and
     1.37 m/s^2), and with the slope at rest 2.0 m/s^2.
     """
-    knots, forces = np.array([-1.0, -0.05, 0.0, 0.05, 1.0]), np.array([-1500.0, -400.0, 0.0, 200.0, 900.0])
+    knots, forces = (
+        np.array([-1.0, -0.05, 0.0, 0.05, 1.0]),
+        np.array([-1500.0, -400.0, 0.0, 200.0, 900.0]),
+    )
     table = {"velocity": knots.tolist(), "force": forces.tolist()}
     laws = {
         "table": table,
@@ -188,5 +223,7 @@ def test_dampers_whose_curve_bends_are_told_with_the_coefficient_they_damp_as(ki
     else:
         expected = 500.0 + velocity.expect(lambda v: 300.0 * 20.0 * (1.0 - np.tanh(20.0 * v) ** 2))
     assert told == [pytest.approx(expected, rel=1e-4)]
-    unknown = linear_findings(car().with_changes({"strut.damper": laws[kind]}), {}, {})  # as of modes
+    unknown = linear_findings(
+        car().with_changes({"strut.damper": laws[kind]}), {}, {}
+    )  # as of modes
     assert ["0.3 m/s (assumed)" in one.message for one in unknown] == [True]

@@ -8,8 +8,12 @@ import pytest
 import jounce as jn
 from jounce.parts.files import library
 
-TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="0.5 m", start="0.1 m"), speed="5 m/s", duration="0.3 s")
-STEERED = [name for name in sorted(library()) if getattr(jn.load(name), "steering", None) is not None]
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="10 mm", length="0.5 m", start="0.1 m"), speed="5 m/s", duration="0.3 s"
+)
+STEERED = [
+    name for name in sorted(library()) if getattr(jn.load(name), "steering", None) is not None
+]
 RACKS = (-0.05, -0.02, 0.005, 0.05)
 
 
@@ -29,9 +33,14 @@ def test_a_steered_wheel_rests_where_its_run_begins(name):
         whole = jn.simulate(rig, TRIAL, method="explicit")
         for channel in ("sprung.z", "tyre.force"):
             begin = float(reduced[channel][0])
-            assert float(whole[channel][0]) == pytest.approx(begin, rel=1e-6, abs=1e-7), (rack, channel)
+            assert float(whole[channel][0]) == pytest.approx(begin, rel=1e-6, abs=1e-7), (
+                rack,
+                channel,
+            )
         numbers = rig.parameters()
-        weight = numbers["gravity"] * sum(value for path, value in numbers.items() if path.endswith(".mass"))
+        weight = numbers["gravity"] * sum(
+            value for path, value in numbers.items() if path.endswith(".mass")
+        )
         assert jn.equilibrium(rig)["tyre.force"] == pytest.approx(weight, rel=1e-9)
 
 

@@ -29,20 +29,27 @@ def as_five_links(rig: DoubleWishbone) -> FiveLink:
     points = rig.hardpoints
     table = rig.model_dump(by_alias=True, exclude_none=True)
     links = [
-        (f"{arm}_{end}", f"{arm[:5]}_ball_joint") for arm in ("lower_arm", "upper_arm") for end in ("front", "rear")
+        (f"{arm}_{end}", f"{arm[:5]}_ball_joint")
+        for arm in ("lower_arm", "upper_arm")
+        for end in ("front", "rear")
     ]
     links.append(("tie_rod_inner", "tie_rod_outer"))
     kept = ("wheel_centre", "strut_bottom", "strut_top")
     table["hardpoints"] = {name: getattr(points, name) for name in kept}
     for i, (inner, outer) in enumerate(links, 1):
-        table["hardpoints"] |= {f"link_{i}_inner": getattr(points, inner), f"link_{i}_outer": getattr(points, outer)}
+        table["hardpoints"] |= {
+            f"link_{i}_inner": getattr(points, inner),
+            f"link_{i}_outer": getattr(points, outer),
+        }
     table["model"] = "five-link"
     table["bodies"] = {"upright": table["bodies"]["upright"]}
     table["strut"] |= {"on": "upright", "pushrod_on": "upright"}
     return FiveLink.from_table(table)
 
 
-@pytest.mark.parametrize("name", ["reference-double-wishbone", "sedan-double-wishbone", "polaris-front", "suv-front"])
+@pytest.mark.parametrize(
+    "name", ["reference-double-wishbone", "sedan-double-wishbone", "polaris-front", "suv-front"]
+)
 def test_a_double_wishbone_of_five_links_steers_about_its_ball_joints(name: str) -> None:
     rig = jn.load(name)
     ball, links = (jn.sweep_travel(one, TRAVEL, RACK) for one in (rig, as_five_links(rig)))
@@ -53,8 +60,16 @@ def test_a_double_wishbone_of_five_links_steers_about_its_ball_joints(name: str)
 
 def test_right_hand_links_have_the_axis_of_the_left_ones() -> None:
     rig = jn.load("sedan-multi-link")
-    one, other = jn.sweep_travel(rig, TRAVEL, RACK), jn.sweep_travel(rig.mirrored(), TRAVEL, -RACK[::-1])
-    for row in (*AXIS_ROWS, "steering_axis_pitch", "caster_held_spring", "scrub_radius_held_spring"):
+    one, other = (
+        jn.sweep_travel(rig, TRAVEL, RACK),
+        jn.sweep_travel(rig.mirrored(), TRAVEL, -RACK[::-1]),
+    )
+    for row in (
+        *AXIS_ROWS,
+        "steering_axis_pitch",
+        "caster_held_spring",
+        "scrub_radius_held_spring",
+    ):
         assert other[row].to_numpy()[:, ::-1] == pytest.approx(one[row].to_numpy(), abs=1e-9), row
 
 
@@ -71,8 +86,12 @@ def twists(rig: FiveLink) -> dict[str, tuple[np.ndarray, np.ndarray]]:
     def twist(ahead: np.ndarray, behind: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         velocity, arms = (ahead - behind) / (2.0 * step), (ahead + behind) / 2.0
         arms = arms - arms[0]
-        rows = [np.array([[0.0, a[2], -a[1]], [-a[2], 0.0, a[0]], [a[1], -a[0], 0.0]]) for a in arms[1:]]
-        turn = np.linalg.lstsq(np.concatenate(rows), (velocity[1:] - velocity[0]).ravel(), rcond=None)[0]
+        rows = [
+            np.array([[0.0, a[2], -a[1]], [-a[2], 0.0, a[0]], [a[1], -a[0], 0.0]]) for a in arms[1:]
+        ]
+        turn = np.linalg.lstsq(
+            np.concatenate(rows), (velocity[1:] - velocity[0]).ravel(), rcond=None
+        )[0]
         return turn, velocity[0]
 
     return {"travel": twist(places(2, 1), places(0, 1)), "rack": twist(places(1, 2), places(1, 0))}
@@ -82,7 +101,9 @@ def twists(rig: FiveLink) -> dict[str, tuple[np.ndarray, np.ndarray]]:
 def test_the_steering_screw_is_a_pure_turn_or_that_of_least_pitch(seed: int) -> None:
     """Against a search over all motions of rack and travel together; both kinds occur among the seeds."""
     (turn, speed), (other_turn, other_speed) = np.random.default_rng(seed).normal(size=(2, 2, 3))
-    found = steering_screw(ScrewMotion(ca.SX(turn), ca.SX(speed)), ScrewMotion(ca.SX(other_turn), ca.SX(other_speed)))
+    found = steering_screw(
+        ScrewMotion(ca.SX(turn), ca.SX(speed)), ScrewMotion(ca.SX(other_turn), ca.SX(other_speed))
+    )
     spin, pitch = ca.evalf(found.turn).full()[:, 0], float(ca.evalf(found.pitch))
     shares = np.tan(np.linspace(-1.5707, 1.5707, 400_001))
     spins, speeds = turn + shares[:, None] * other_turn, speed + shares[:, None] * other_speed
@@ -99,7 +120,9 @@ def test_the_steering_screw_is_a_pure_turn_or_that_of_least_pitch(seed: int) -> 
 def test_both_kinds_of_steering_screw_occur() -> None:
     kinds = set()
     for seed in range(40):
-        (turn, speed), (other_turn, other_speed) = np.random.default_rng(seed).normal(size=(2, 2, 3))
+        (turn, speed), (other_turn, other_speed) = np.random.default_rng(seed).normal(
+            size=(2, 2, 3)
+        )
         a, b = other_turn @ other_speed, turn @ other_speed + other_turn @ speed
         kinds.add(bool(b**2 >= 4.0 * a * (turn @ speed)))
     assert kinds == {True, False}
@@ -113,8 +136,12 @@ def test_the_axis_at_held_spring_length_is_that_of_its_screw() -> None:
     share = (lengths[1] - lengths[0]) / (2.0 * step) / float(found["motion_ratio"][0])
     turn = motion["rack"][0] + share * motion["travel"][0]
     turn = turn * np.sign(turn[2])
-    assert float(found["caster_held_spring"][0]) == pytest.approx(np.arctan2(-turn[0], turn[2]), abs=1e-6)
-    assert float(found["kingpin_inclination_held_spring"][0]) == pytest.approx(np.arctan2(-turn[1], turn[2]), abs=1e-6)
+    assert float(found["caster_held_spring"][0]) == pytest.approx(
+        np.arctan2(-turn[0], turn[2]), abs=1e-6
+    )
+    assert float(found["kingpin_inclination_held_spring"][0]) == pytest.approx(
+        np.arctan2(-turn[1], turn[2]), abs=1e-6
+    )
 
 
 def test_trail_and_scrub_in_the_axes_of_the_wheel() -> None:
@@ -136,7 +163,9 @@ def test_parallel_arms_have_their_centre_at_infinity_and_a_swing_arm_with_an_ang
     points = rig.hardpoints
     shift = np.array(points.upper_ball_joint) - np.array(points.lower_ball_joint)
     changes = {
-        f"hardpoints.upper_arm_{end}": tuple(map(float, np.array(getattr(points, f"lower_arm_{end}")) + shift))
+        f"hardpoints.upper_arm_{end}": tuple(
+            map(float, np.array(getattr(points, f"lower_arm_{end}")) + shift)
+        )
         for end in ("front", "rear")
     }
     rod = np.array(points.tie_rod_outer) - np.array(points.lower_ball_joint)
@@ -149,7 +178,9 @@ def test_parallel_arms_have_their_centre_at_infinity_and_a_swing_arm_with_an_ang
     usual = jn.sweep_travel(rig, 0.0)
     rise = float(usual["instant_centre_z"][0] - usual["contact_point_z"][0])
     level = float(usual["front_view_swing_arm_length"][0])
-    assert np.tan(float(usual["front_view_swing_arm_angle"][0])) == pytest.approx(rise / level, rel=1e-9)
+    assert np.tan(float(usual["front_view_swing_arm_angle"][0])) == pytest.approx(
+        rise / level, rel=1e-9
+    )
     side = float(usual["side_instant_centre_z"][0] - usual["contact_point_z"][0])
     assert np.tan(float(usual["side_view_swing_arm_angle"][0])) == pytest.approx(
         side / float(usual["side_view_swing_arm_length"][0]), rel=1e-9

@@ -34,7 +34,9 @@ def car(damping=1000.0, **changes):
 FRICTION = {"strut.friction.force": 120.0, "strut.friction.regularisation_velocity": 0.005}
 
 
-@pytest.mark.parametrize("tester", [EUSAMA, THETA.with_changes({"plate_damping_coefficient": 200.0})])
+@pytest.mark.parametrize(
+    "tester", [EUSAMA, THETA.with_changes({"plate_damping_coefficient": 200.0})]
+)
 @pytest.mark.parametrize(
     ("rig", "frequency", "lifts"),
     [(car(), 7.0, False), (car(1000.0, **FRICTION), 12.0, False), (car(200.0), 12.0, True)],
@@ -45,9 +47,13 @@ def test_the_drive_gives_what_the_dampers_take(tester, rig, frequency, lifts):
     values = found.values
     assert found.settled
     assert (found.force_min == 0.0) == (lifts and tester is EUSAMA)
-    suspension = values["strut.force"] * values["strut.velocity"]  # springs give back what they take in a turn
+    suspension = (
+        values["strut.force"] * values["strut.velocity"]
+    )  # springs give back what they take in a turn
     tyre = values["tyre.force"] * (values["plate.vz"] - values["unsprung.vz"])
-    lift_rate = np.gradient(values["excenter.z"], edge_order=2) * 512 * frequency - values["plate.vz"]
+    lift_rate = (
+        np.gradient(values["excenter.z"], edge_order=2) * 512 * frequency - values["plate.vz"]
+    )
     plate = (tester.plate_damping_coefficient or 0.0) * lift_rate**2
     taken = np.mean(suspension + tyre + plate)
     assert taken > 1.0
@@ -64,7 +70,12 @@ def test_energy_of_a_free_run_down(kind):
     on = rig_on_tester(rig, tester, ("",))
     # angle 0 at mean height: where a driven test would be after its hold
     driven = rig_on_tester(rig, tester)
-    begin = driven.run({"": constant_rate(2.0 * np.pi * 16.0)}, np.linspace(0.0, 1.0, 3), fastest=100.0, tolerance=1e-8)
+    begin = driven.run(
+        {"": constant_rate(2.0 * np.pi * 16.0)},
+        np.linspace(0.0, 1.0, 3),
+        fastest=100.0,
+        tolerance=1e-8,
+    )
     start = dict(zip(driven.compiled.facts.states, begin.states[:, -1], strict=True))
     start |= {"excenter.angle": 0.0, "excenter.angle rate": 2.0 * np.pi * 16.0}
     times = np.arange(0.0, 6.0, 2e-4)
@@ -73,14 +84,27 @@ def test_energy_of_a_free_run_down(kind):
     x = dict(zip(on.compiled.facts.states, run.states, strict=True))
     inertia, g, amplitude = tester.drive.inertia, 9.81, tester.amplitude
     rate = x["excenter.angle rate"]
-    stored = 0.5 * inertia * rate**2 + 0.5 * 400.0 * v["sprung.vz"] ** 2 + 0.5 * 40.0 * v["unsprung.vz"] ** 2
+    stored = (
+        0.5 * inertia * rate**2
+        + 0.5 * 400.0 * v["sprung.vz"] ** 2
+        + 0.5 * 40.0 * v["unsprung.vz"] ** 2
+    )
     stored += 0.5 * tester.plate_mass * v["plate.vz"] ** 2
-    stored += g * (400.0 * v["sprung.z"] + 40.0 * v["unsprung.z"] + tester.plate_mass * v["plate.z"])
-    stored += 0.5 * 25e3 * (v["unsprung.z"] - v["sprung.z"]) ** 2 + 0.5 * 200e3 * v["tyre.deflection"] ** 2
+    stored += g * (
+        400.0 * v["sprung.z"] + 40.0 * v["unsprung.z"] + tester.plate_mass * v["plate.z"]
+    )
+    stored += (
+        0.5 * 25e3 * (v["unsprung.z"] - v["sprung.z"]) ** 2
+        + 0.5 * 200e3 * v["tyre.deflection"] ** 2
+    )
     if kind == "sprung":
         stored += 0.5 * tester.plate_spring_rate * (v["excenter.z"] - v["plate.z"]) ** 2
     assert v["tyre.force"].min() > 0.0
-    lost = 600.0 * v["strut.velocity"] ** 2 + 150.0 * (v["plate.vz"] - v["unsprung.vz"]) ** 2 + v["drive.torque"] * rate
+    lost = (
+        600.0 * v["strut.velocity"] ** 2
+        + 150.0 * (v["plate.vz"] - v["unsprung.vz"]) ** 2
+        + v["drive.torque"] * rate
+    )
     work = np.concatenate([[0.0], np.cumsum(0.5 * (lost[1:] + lost[:-1]) * np.diff(times))])
     assert np.ptp(stored) > 300.0
     assert np.max(np.abs(stored + work - stored[0])) < 2e-3 * np.ptp(stored)
@@ -97,12 +121,16 @@ def test_a_free_run_down_passes_the_resonance():
     assert turns[-1] < 3.0
     peak = turns[np.argmax(height)]
     mode = wheel_mode(car(300.0), BOGE, on="rig")
-    assert mode.frequency_hz - 3.0 < peak < mode.frequency_hz + 0.5  # the drive hurries through the resonance
+    assert (
+        mode.frequency_hz - 3.0 < peak < mode.frequency_hz + 0.5
+    )  # the drive hurries through the resonance
     assert height.max() > 2.0 * height[:1000].max()
 
 
 def test_a_motor_brings_the_exciter_up_from_rest():
-    drive = BOGE.drive.model_copy(update={"motor": Motor(stall_torque=40.0, no_load_frequency=20.0)})
+    drive = BOGE.drive.model_copy(
+        update={"motor": Motor(stall_torque=40.0, no_load_frequency=20.0)}
+    )
     programme = BOGE.programme.model_copy(update={"hold_time": 8.0, "duration": 2.0})
     tester = BOGE.model_copy(update={"drive": drive, "programme": programme})
     run = run_programme(car(1500.0), tester)
@@ -192,7 +220,9 @@ def test_bump_stops_are_hit():
     stop = {"strut.bump_stop.gap": 0.16, "strut.bump_stop.rate": 4e5}
     found = periodic(rig_on_tester(car(500.0, **stop), EUSAMA), 11.5)
     deflection = found.values["strut.deflection"]
-    stop_force = found.values["strut.force"] - 25e3 * deflection - 500.0 * found.values["strut.velocity"]
+    stop_force = (
+        found.values["strut.force"] - 25e3 * deflection - 500.0 * found.values["strut.velocity"]
+    )
     assert np.allclose(stop_force, 4e5 * np.maximum(deflection - 0.16, 0.0), atol=1e-6)
     assert stop_force.max() > 100.0
     assert abs(found.force_max - periodic(rig_on_tester(car(500.0), EUSAMA), 11.5).force_max) > 50.0
@@ -211,8 +241,12 @@ def test_frequency_is_exactly_linear_in_time():
 
 def test_results_do_not_depend_on_the_tolerance():
     on = rig_on_tester(car(150.0), EUSAMA)
-    turns = Segments(np.array([0.0, 9.0]), np.zeros(1, np.int64), np.array([[0.0, 150.0, -7.0, 0.0]]))
+    turns = Segments(
+        np.array([0.0, 9.0]), np.zeros(1, np.int64), np.array([[0.0, 150.0, -7.0, 0.0]])
+    )
     times = np.linspace(0.0, 9.0, 901)
     row = on.compiled.output_names.index("tyre.force")
-    coarse, fine = (on.run({"": turns}, times, fastest=150.0, tolerance=t).outputs[row] for t in (1e-5, 1e-9))
+    coarse, fine = (
+        on.run({"": turns}, times, fastest=150.0, tolerance=t).outputs[row] for t in (1e-5, 1e-9)
+    )
     assert np.max(np.abs(coarse - fine)) < 1e-3 * 4316.4

@@ -21,10 +21,14 @@ AUDI = parts.load("audi-a6-quarter-car")
 BUMP = HalfSine(height=0.01, length=0.06, start=0.1)
 RIGS = {
     "kart": KART,
-    "kart without lift-off": KART.with_changes({"tyre.lift_off": False, "guide.friction": {"force": 1.0}}),
+    "kart without lift-off": KART.with_changes(
+        {"tyre.lift_off": False, "guide.friction": {"force": 1.0}}
+    ),
     "kart with tyre damping": KART.with_changes({"tyre.damping_coefficient": 60.0}),
     "kart with friction": KART.with_changes({"strut.friction": {"force": 12.0}}),
-    "kart with bump stop": KART.with_changes({"strut.bump_stop": {"gap": 0.012, "rate": 6e4, "progression": 3e8}}),
+    "kart with bump stop": KART.with_changes(
+        {"strut.bump_stop": {"gap": 0.012, "rate": 6e4, "progression": 3e8}}
+    ),
 }
 ROADS = {
     "half-sine": BUMP,
@@ -74,7 +78,9 @@ def test_errors_are_near_the_tolerance(kart_errors, tolerance):
 
 @pytest.mark.parametrize("tolerance", ASKED)
 def test_tolerance_is_met(kart_errors, tolerance):
-    too_large = {case: error[tolerance] for case, error in kart_errors.items() if error[tolerance] > 1.0}
+    too_large = {
+        case: error[tolerance] for case, error in kart_errors.items() if error[tolerance] > 1.0
+    }
     assert not too_large
 
 
@@ -117,6 +123,10 @@ def test_grazing_the_obstacles_of_a_train(shape, pitch, speed, height, coefficie
 def test_bouncing_on_a_shaker(rig, amplitude):
     """A wheel that jumps on a base shaken at 28 Hz touches it once a period; no touch may be lost."""
     chosen = AUDI if rig == "audi" else KART.with_changes({"tyre.damping_coefficient": 60.0})
-    shaken = Segments(np.array([0.0, 9.0]), np.array([SINE]), np.array([[0.0, 20 * amplitude, 2 * np.pi * 28.0, 0.0]]))
+    shaken = Segments(
+        np.array([0.0, 9.0]),
+        np.array([SINE]),
+        np.array([[0.0, 20 * amplitude, 2 * np.pi * 28.0, 0.0]]),
+    )
     found = errors(chosen, shaken, (1e-5, 1e-6), duration=0.5)
     assert all(error < 1.0 for error in found.values()), found

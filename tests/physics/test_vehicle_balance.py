@@ -20,7 +20,17 @@ LINEAR = {f"{axle}.tyre.lift_off": False for axle in ("front", "rear")}
 TURN = {"value": 4.0, "start": 0.2, "ramp": 0.1}
 
 
-def run(car, *, road=BUMP, speed=10.0, duration=1.5, tolerance=1e-9, output_step=1e-3, method="auto", **loads):
+def run(
+    car,
+    *,
+    road=BUMP,
+    speed=10.0,
+    duration=1.5,
+    tolerance=1e-9,
+    output_step=1e-3,
+    method="auto",
+    **loads,
+):
     trial = jn.Trial(road=road, speed=speed, duration=duration, **loads)
     return jn.simulate(car, trial, tolerance=tolerance, output_step=output_step, method=method)
 
@@ -44,7 +54,9 @@ def test_weight_at_rest(model):
     rest, n = jn.equilibrium(car), wheels_each(car)
     part = "strut" if model == "half-car" else "tyre"
     carried = {corner: n * rest[f"{corner}.{part}.force"] for corner in car.corners}
-    wheel = {c: n * getattr(getattr(car, c.partition("_")[0]), "unsprung_mass", 0.0) for c in car.corners}
+    wheel = {
+        c: n * getattr(getattr(car, c.partition("_")[0]), "unsprung_mass", 0.0) for c in car.corners
+    }
     total = car.body.mass + sum(wheel.values())
     assert abs(sum(carried.values()) - total * 9.81) < 1e-8
     moment = sum(lever(car, c)[0] * (carried[c] - 9.81 * wheel[c]) for c in car.corners)
@@ -61,19 +73,30 @@ def test_momentum_of_all_masses(model):
     found, n = run(car, **loads), wheels_each(car)
     axle = {c: getattr(car, c.partition("_")[0]) for c in car.corners}
     excess = {  # of each wheel: tyre force less weight and inertia = what it passes on to the body
-        c: n * (found[f"{c}.tyre.force"] - axle[c].unsprung_mass * (9.81 + found[f"{c}.unsprung.az"])).values
+        c: n
+        * (
+            found[f"{c}.tyre.force"] - axle[c].unsprung_mass * (9.81 + found[f"{c}.unsprung.az"])
+        ).values
         for c in car.corners
     }
     body = car.body
     lift = sum(excess.values()) - body.mass * (9.81 + found["body.az"].values)
     assert np.max(np.abs(lift)) < 1e-7
-    nose_down = -sum(lever(car, c)[0] * excess[c] for c in car.corners) + found["body.pitch_moment"].values
-    assert np.max(np.abs(nose_down - body.pitch_inertia * found["body.pitch_acceleration"].values)) < 1e-6
+    nose_down = (
+        -sum(lever(car, c)[0] * excess[c] for c in car.corners) + found["body.pitch_moment"].values
+    )
+    assert (
+        np.max(np.abs(nose_down - body.pitch_inertia * found["body.pitch_acceleration"].values))
+        < 1e-6
+    )
     if model == "full-car":
         # the lateral forces act at the road: all of m a h, whatever the roll centres
         turn = body.mass * body.height * found["body.lateral_acceleration"].values
         rolled = sum(lever(car, c)[1] * excess[c] for c in car.corners) + turn
-        assert np.max(np.abs(rolled - body.roll_inertia * found["body.roll_acceleration"].values)) < 1e-6
+        assert (
+            np.max(np.abs(rolled - body.roll_inertia * found["body.roll_acceleration"].values))
+            < 1e-6
+        )
         assert np.max(np.abs(turn)) > 3000.0
 
 
@@ -88,7 +111,13 @@ def test_energy_of_the_full_car():
         "front.bump_stop": {"gap": 0.19, "rate": 6e4},
     }
     car = FULL.with_changes(changes)
-    found = run(car, right=HOLE, lateral_acceleration=TURN, deceleration={"value": 3.0, "start": 0.1}, output_step=1e-4)
+    found = run(
+        car,
+        right=HOLE,
+        lateral_acceleration=TURN,
+        deceleration={"value": 3.0, "start": 0.1},
+        output_step=1e-4,
+    )
     v = {name: found[name].values for name in found}
     dt = float(found["time"][1] - found["time"][0])
     stored = 0.5 * 1636.0 * v["body.vz"] ** 2 + 0.5 * 2500.0 * v["body.pitch_rate"] ** 2
@@ -130,7 +159,11 @@ def test_energy_of_the_full_car():
 def test_superposition_of_the_half_car(compat):
     car = HALF.with_changes({"compat": compat})
     step = {"value": 500.0, "start": 0.3, "ramp": 0.2}
-    both, road, load = run(car, pitch_moment=step), run(car), run(car, road=jn.Flat(), pitch_moment=step)
+    both, road, load = (
+        run(car, pitch_moment=step),
+        run(car),
+        run(car, road=jn.Flat(), pitch_moment=step),
+    )
     for name in ("body.z", "body.pitch", "body.az", "front.strut.force", "rear.sprung.vz"):
         rest = float(road[name][0])
         total = (road[name] + load[name]).values - rest
@@ -147,7 +180,13 @@ def test_superposition_of_the_full_car():
         run(car, road=flat, right=HOLE),
         run(car, road=flat, lateral_acceleration=TURN),
     ]
-    for name in ("body.z", "body.roll", "body.pitch", "front_left.tyre.force", "rear_right.unsprung.az"):
+    for name in (
+        "body.z",
+        "body.roll",
+        "body.pitch",
+        "front_left.tyre.force",
+        "rear_right.unsprung.az",
+    ):
         rest = float(parts[0][name][0])
         total = sum(part[name].values - rest for part in parts) + rest
         assert np.max(np.abs(everything[name].values - total)) < 1e-7 * np.ptp(total), name
@@ -162,7 +201,8 @@ def test_reciprocity(model):
         for i in car.corners:
             for j in car.corners:
                 there, back = (
-                    model.frequency_response(f, f"{a}.tyre.force", f"{b}.road.z")[0] for a, b in ((i, j), (j, i))
+                    model.frequency_response(f, f"{a}.tyre.force", f"{b}.road.z")[0]
+                    for a, b in ((i, j), (j, i))
                 )
                 assert abs(there - back) < 1e-6 * 3e5
 
@@ -172,8 +212,14 @@ def test_stiffness_and_damping_are_symmetric_and_positive(model):
     car = CARS[model]
     a = jn.linearise(car).A
     n = len(a) // 2
-    wheels = [getattr(car, c.partition("_")[0]).unsprung_mass * wheels_each(car) for c in car.corners]
-    body = [car.body.mass, car.body.pitch_inertia, *([car.body.roll_inertia] if model == "full-car" else [])]
+    wheels = [
+        getattr(car, c.partition("_")[0]).unsprung_mass * wheels_each(car) for c in car.corners
+    ]
+    body = [
+        car.body.mass,
+        car.body.pitch_inertia,
+        *([car.body.roll_inertia] if model == "full-car" else []),
+    ]
     masses = np.diag([*body, *wheels])
     for matrix in (-masses @ a[n:, :n], -masses @ a[n:, n:]):
         np.testing.assert_allclose(matrix, matrix.T, rtol=0, atol=1e-9 * np.max(np.abs(matrix)))
@@ -207,7 +253,10 @@ def test_nothing_moves_on_a_level_road(model):
 @pytest.mark.parametrize("model", CARS)
 def test_a_road_at_another_height_moves_everything_by_it(model):
     lifted = jn.Table(x=[0.0, 1.0], height=[0.3, 0.3])
-    found, level = run(CARS[model], road=lifted, duration=0.2), run(CARS[model], road=jn.Flat(), duration=0.2)
+    found, level = (
+        run(CARS[model], road=lifted, duration=0.2),
+        run(CARS[model], road=jn.Flat(), duration=0.2),
+    )
     for name in found:
         step = 0.3 if name.endswith(("body.z", "road.z", "sprung.z")) else 0.0
         np.testing.assert_allclose(found[name], level[name] + step, rtol=0, atol=1e-7)
@@ -229,10 +278,20 @@ def test_a_free_body_conserves_nothing_it_should_not():
     car = HALF4.with_changes(changes)
     found = run(car, road=SMOOTH, duration=10.0, tolerance=1e-10)
     v = {name: found[name].values for name in found}
-    energy = 0.5 * 1636.0 * v["body.vz"] ** 2 + 0.5 * 2500.0 * v["body.pitch_rate"] ** 2 + 1636.0 * 9.81 * v["body.z"]
+    energy = (
+        0.5 * 1636.0 * v["body.vz"] ** 2
+        + 0.5 * 2500.0 * v["body.pitch_rate"] ** 2
+        + 1636.0 * 9.81 * v["body.z"]
+    )
     for corner, k, m in (("front", 28e3, 45.0), ("rear", 21e3, 42.0)):
-        energy = energy + k * v[f"{corner}.strut.deflection"] ** 2 + m * v[f"{corner}.unsprung.vz"] ** 2
-        energy = energy + 3e5 * v[f"{corner}.tyre.deflection"] ** 2 + 2 * m * 9.81 * v[f"{corner}.unsprung.z"]
+        energy = (
+            energy + k * v[f"{corner}.strut.deflection"] ** 2 + m * v[f"{corner}.unsprung.vz"] ** 2
+        )
+        energy = (
+            energy
+            + 3e5 * v[f"{corner}.tyre.deflection"] ** 2
+            + 2 * m * 9.81 * v[f"{corner}.unsprung.z"]
+        )
     after = energy[found["time"].values > 1.0] - energy[0]
     assert np.ptp(after) < 1e-6 * abs(after.mean())
     assert after.mean() > 1.0
@@ -241,7 +300,9 @@ def test_a_free_body_conserves_nothing_it_should_not():
 @pytest.mark.parametrize("model", CARS)
 def test_changing_a_number_never_compiles_again(model):
     car = CARS[model]
-    other = car.with_changes({"body.mass": 1000.0, "front.spring_rate": 40e3, "rear.distance": 1.1, "gravity": 1.6})
+    other = car.with_changes(
+        {"body.mass": 1000.0, "front.spring_rate": 40e3, "rear.distance": 1.1, "gravity": 1.6}
+    )
     assert compile_model(build(car)) is compile_model(build(other)) or (
         compile_model(build(car)).functions is compile_model(build(other)).functions
     )

@@ -12,7 +12,10 @@ import jounce as jn
 HALF4 = jn.load("audi-a6-half-car-4dof")
 FULL = jn.load("audi-a6-full-car")
 BUMP = jn.HalfSine(height="20 mm", length="0.5 m", start="2 m")
-DRIVING = {"front.damping_coefficient": None, "front.damper": {"velocity": [-1.0, 0.0, 1.0], "force": [3e3, 0.0, -3e3]}}
+DRIVING = {
+    "front.damping_coefficient": None,
+    "front.damper": {"velocity": [-1.0, 0.0, 1.0], "force": [3e3, 0.0, -3e3]},
+}
 
 
 def trial(duration=5.0, **loads):
@@ -51,7 +54,9 @@ def test_growth_is_that_of_the_mode():
 )
 def test_loads_from_the_start_that_nothing_holds(loads):
     name, value = next(iter(loads.items()))
-    with pytest.raises(jn.SimulationError, match=re.escape(f"With {name} {value:g} (SI) from the very start")):
+    with pytest.raises(
+        jn.SimulationError, match=re.escape(f"With {name} {value:g} (SI) from the very start")
+    ):
         jn.simulate(FULL, trial(**loads))
 
 
@@ -80,7 +85,9 @@ def test_a_car_that_falls_off_the_road(gravity):
         jn.equilibrium(FULL.with_changes({"gravity": gravity}))
 
 
-@pytest.mark.parametrize("changes", [{"front.unsprung_mass": 1e-3}, {"front.tyre.stiffness": 1e10}], ids=str)
+@pytest.mark.parametrize(
+    "changes", [{"front.unsprung_mass": 1e-3}, {"front.tyre.stiffness": 1e10}], ids=str
+)
 def test_stiff_is_not_unstable(changes):
     run = jn.simulate(FULL.with_changes(changes), trial(1.0))
     assert run.attrs["status"] == "completed"

@@ -12,7 +12,13 @@ from jounce.kinematics.column import handwheel_angle, pinion_angle, rack_travel
 from jounce.parts.elements import Steering
 
 RIG = "formula-student-front"
-CAR = {"axle": "front", "mass": 280.0, "wheelbase": 1.55, "centre_of_mass_height": 0.3, "weight_share": 0.48}
+CAR = {
+    "axle": "front",
+    "mass": 280.0,
+    "wheelbase": 1.55,
+    "centre_of_mass_height": 0.3,
+    "weight_share": 0.48,
+}
 FRONT = jn.LoadedAxle(**CAR, brake_share=0.65, roll_share=0.5)
 THIRD = {
     "third_spring": {"spring": {"rate": 30e3, "preload": 150.0}},
@@ -60,17 +66,23 @@ def test_both_wheels_stand_on_the_road_in_any_attitude(rig) -> None:
     body = turned(1, pitch) @ turned(0, roll)
     for name, side in (("left", 1.0), ("right", -1.0)):
         camber, steer = (float(found[f"{name}.{row}"][0]) for row in ("camber", "steer"))
-        axis = np.array([-side * np.sin(steer), side * np.cos(steer), -np.tan(camber)])  # outboard, from its angles
+        axis = np.array(
+            [-side * np.sin(steer), side * np.cos(steer), -np.tan(camber)]
+        )  # outboard, from its angles
         axis = body @ (axis / np.linalg.norm(axis))
         centre = np.array([float(found[f"{name}.wheel_centre_{a}"][0]) for a in "xyz"])
         centre = body @ (centre - middle) + [0.0, 0.0, heave]
         lowest = centre[2] - 0.228 * np.sqrt(1.0 - axis[2] ** 2)
         assert lowest == pytest.approx(0.0, abs=1e-11)
-        assert float(found[f"{name}.camber_to_ground"][0]) == pytest.approx(-np.arcsin(axis[2]), abs=1e-12)
+        assert float(found[f"{name}.camber_to_ground"][0]) == pytest.approx(
+            -np.arcsin(axis[2]), abs=1e-12
+        )
         ahead, nose = np.cross(axis * side, [0.0, 0.0, 1.0]), body @ [1.0, 0.0, 0.0]
         heading = np.arctan2(ahead[1], ahead[0]) - np.arctan2(nose[1], nose[0])
         assert float(found[f"{name}.steer_to_ground"][0]) == pytest.approx(heading, abs=1e-12)
-    travels = {f"{name}_travel": float(found[f"{name}.wheel_travel"][0]) for name in ("left", "right")}
+    travels = {
+        f"{name}_travel": float(found[f"{name}.wheel_travel"][0]) for name in ("left", "right")
+    }
     again = jn.sweep_axle(rig, **travels, pitch=pitch, rack=rack)
     assert float(again["heave"][0]) == pytest.approx(heave, abs=1e-12)
     assert float(again["roll_angle"][0]) == pytest.approx(roll, abs=1e-12)
@@ -80,16 +92,22 @@ def test_an_axle_of_a_corner_and_its_mirror_is_that_of_one_file(rig) -> None:
     poses = {"left_travel": [0.01, -0.012], "right_travel": [-0.005, 0.004], "rack": 0.004}
     one, both = jn.sweep_axle(rig, **poses), jn.sweep_axle(rig, right=rig.mirrored(), **poses)
     for name in one.data_vars:
-        assert both[name].to_numpy() == pytest.approx(one[name].to_numpy(), abs=1e-12, nan_ok=True), name
+        assert both[name].to_numpy() == pytest.approx(
+            one[name].to_numpy(), abs=1e-12, nan_ok=True
+        ), name
     moved = rig.mirrored().with_changes({"hardpoints.upper_ball_joint[1]": "-541 mm"})
     other = jn.sweep_axle(rig, right=moved, **poses)
-    assert other["left.camber"].to_numpy() == pytest.approx(one["left.camber"].to_numpy(), abs=1e-14)
+    assert other["left.camber"].to_numpy() == pytest.approx(
+        one["left.camber"].to_numpy(), abs=1e-14
+    )
     alone = jn.sweep_path(moved, poses["right_travel"], 0.004)
     for row in ("camber", "steer", "wheel_centre_y", "motion_ratio"):
         assert other[f"right.{row}"].to_numpy() == pytest.approx(alone[row].to_numpy(), abs=1e-12)
     assert np.all(other["right.camber"] != one["right.camber"])
     rolled = jn.sweep_axle(rig, roll=0.02)
-    against = jn.sweep_roll(rig, [0.02])  # there the body neither rises nor sinks by more than the tyres' circles ask
+    against = jn.sweep_roll(
+        rig, [0.02]
+    )  # there the body neither rises nor sinks by more than the tyres' circles ask
     assert float(rolled["left.camber_to_ground"][0]) == pytest.approx(
         float(against["left.camber_to_ground"][0]), abs=2e-3
     )
@@ -135,7 +153,9 @@ def test_shafts_turn_as_their_crosses_ask() -> None:
     steering = Steering(rack_ratio=0.013, column=COLUMN)
     angles = np.radians(np.linspace(-400.0, 400.0, 81))
     found, slope = pinion_angle(steering, angles)
-    points = [np.array(COLUMN[name]) for name in ("handwheel", "upper_joint", "lower_joint", "pinion")]
+    points = [
+        np.array(COLUMN[name]) for name in ("handwheel", "upper_joint", "lower_joint", "pinion")
+    ]
     shafts = [(b - a) / np.linalg.norm(b - a) for a, b in pairwise(points)]
 
     def about(axis: np.ndarray, vector: np.ndarray, angle: float) -> np.ndarray:
@@ -147,7 +167,9 @@ def test_shafts_turn_as_their_crosses_ask() -> None:
 
     def end_pin(angle: float) -> np.ndarray:
         pin = np.cross(shafts[0], shafts[1])
-        pin = about(shafts[0], pin / np.linalg.norm(pin), 0.3 - angle)  # to the left is left-handed about the shaft
+        pin = about(
+            shafts[0], pin / np.linalg.norm(pin), 0.3 - angle
+        )  # to the left is left-handed about the shaft
         for i, (one, other) in enumerate(pairwise(shafts)):
             pin = np.cross(other, pin) if i == 0 else np.cross(other, about(one, pin, 0.4))
             pin = pin / np.linalg.norm(pin)
@@ -171,7 +193,12 @@ def test_shafts_turn_as_their_crosses_ask() -> None:
 
 def test_two_equal_joints_in_phase_turn_evenly() -> None:
     """A Z-column of equal bends in one plane with parallel yokes passes the angle on unchanged; one joint does not."""
-    points = {"handwheel": [0, 0, 0], "upper_joint": [1, 0, 0], "lower_joint": [2, 0, -0.5], "pinion": [3, 0, -0.5]}
+    points = {
+        "handwheel": [0, 0, 0],
+        "upper_joint": [1, 0, 0],
+        "lower_joint": [2, 0, -0.5],
+        "pinion": [3, 0, -0.5],
+    }
     even = Steering(rack_ratio=0.01, column=points)
     angles = np.linspace(-6.0, 6.0, 41)
     assert pinion_angle(even, angles)[0] == pytest.approx(angles, abs=1e-12)
@@ -180,7 +207,9 @@ def test_two_equal_joints_in_phase_turn_evenly() -> None:
     slope = pinion_angle(crossed, np.zeros(1))[1][0]
     assert slope == pytest.approx(bend**2, rel=1e-12) or slope == pytest.approx(bend**-2, rel=1e-12)
     one = Steering(
-        rack_ratio=0.01, column={key: points[key] for key in ("handwheel", "upper_joint")} | {"pinion": [2, 0, -0.5]}
+        rack_ratio=0.01,
+        column={key: points[key] for key in ("handwheel", "upper_joint")}
+        | {"pinion": [2, 0, -0.5]},
     )
     turned = pinion_angle(one, angles)[0]
     assert np.tan(turned) == pytest.approx(bend * np.tan(angles), rel=1e-9)
@@ -192,7 +221,10 @@ def test_two_equal_joints_in_phase_turn_evenly() -> None:
         ({"rack_ratio": 0.0}, "does not move"),
         ({"column": COLUMN}, "moves no rack"),
         ({"rack_ratio": 0.01, "column": {**COLUMN, "pinion": [0.1, 0.22, 0.45]}}, "the same point"),
-        ({"rack_ratio": 0.01, "column": {**COLUMN, "pinion": [-0.5, 0.22, 0.45]}}, "bends the column"),
+        (
+            {"rack_ratio": 0.01, "column": {**COLUMN, "pinion": [-0.5, 0.22, 0.45]}},
+            "bends the column",
+        ),
     ],
 )
 def test_columns_that_cannot_be(rig, table, message: str) -> None:
@@ -206,7 +238,9 @@ def test_columns_that_cannot_be(rig, table, message: str) -> None:
 def uprights(found) -> list[np.ndarray]:
     """Frame of the upright at each pose, from three of its points: one of them and three vectors, shape (3, 4)."""
     names = ("lower_ball_joint", "upper_ball_joint", "tie_rod_outer")
-    points = np.array([[found[f"{name}.{axis}"].to_numpy() for axis in "xyz"] for name in names]).transpose(2, 0, 1)
+    points = np.array(
+        [[found[f"{name}.{axis}"].to_numpy() for axis in "xyz"] for name in names]
+    ).transpose(2, 0, 1)
     return [np.column_stack([a, b - a, c - a, np.cross(b - a, c - a)]) for a, b, c in points]
 
 
@@ -220,14 +254,23 @@ def test_effort_is_the_work_of_the_road_over_the_turn_of_the_handwheel(rig) -> N
     work, two = 0.0, step * np.array([-1.0, 1.0])
     for side, load in ((steered, left), (steered.mirrored(), right)):
         held = np.diff(jn.sweep_path(side, 0.0, rack + two)["spring_length"])[0]
-        held = -held / np.diff(jn.sweep_path(side, two, rack)["spring_length"])[0]  # travel for one of the rack
+        held = (
+            -held / np.diff(jn.sweep_path(side, two, rack)["spring_length"])[0]
+        )  # travel for one of the rack
         at = jn.sweep_path(side, 0.0, rack, points=True)
         contact = np.array([float(at[f"contact_point_{axis}"][0]) for axis in "xyz"])
-        (now,), (before, after) = uprights(at), uprights(jn.sweep_path(side, held * two, rack + two, points=True))
+        (now,), (before, after) = (
+            uprights(at),
+            uprights(jn.sweep_path(side, held * two, rack + two, points=True)),
+        )
         share = np.linalg.solve(now[:, 1:], contact - now[:, 0])
         rate = (after - before) @ [1.0, *share] / (2.0 * step)
         spin = (after[:, 1:] - before[:, 1:]) @ np.linalg.inv(now[:, 1:]) / (2.0 * step)
-        work += load.longitudinal_force * rate[0] + load.lateral_force * rate[1] + load.vertical_force * rate[2]
+        work += (
+            load.longitudinal_force * rate[0]
+            + load.lateral_force * rate[1]
+            + load.vertical_force * rate[2]
+        )
         work += load.aligning_torque * 0.5 * (spin[1, 0] - spin[0, 1])
     assert float(effort["rack_force"][0]) == pytest.approx(work, rel=1e-6)
     ratio = float(effort["c_factor"][0]) / (2.0 * np.pi)
@@ -235,8 +278,13 @@ def test_effort_is_the_work_of_the_road_over_the_turn_of_the_handwheel(rig) -> N
     assert float(effort["pinion_torque"][0]) == pytest.approx(-work * 0.013, rel=1e-5)
     axle = jn.sweep_axle(steered, handwheel=float(effort["handwheel_angle"][0]))
     assert float(axle["right.rack_travel"][0]) == pytest.approx(rack, abs=1e-12)
-    assert float(axle["steering_ratio"][0]) == pytest.approx(float(effort["steering_ratio"][0]), rel=1e-9)
-    two = [float(jn.sweep_axle(steered, handwheel=a)["mean_steer"][0]) for a in (0.2 - 1e-5, 0.2 + 1e-5)]
+    assert float(axle["steering_ratio"][0]) == pytest.approx(
+        float(effort["steering_ratio"][0]), rel=1e-9
+    )
+    two = [
+        float(jn.sweep_axle(steered, handwheel=a)["mean_steer"][0])
+        for a in (0.2 - 1e-5, 0.2 + 1e-5)
+    ]
     ratio = float(jn.sweep_axle(steered, handwheel=0.2)["steering_ratio"][0])
     assert 2e-5 / (two[1] - two[0]) == pytest.approx(ratio, rel=1e-6)
 
@@ -249,22 +297,41 @@ def test_bars_and_third_springs_count_in_load_cases(rig, parts) -> None:
     sprung = rig.with_changes(parts)
     cases = {"static": {}, "turn": {"lateral": 1.0, "longitudinal": -0.5}}
     found, plain = jn.load_cases(sprung, FRONT, cases), jn.load_cases(rig, FRONT, cases)
-    body = ["lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear", "tie_rod_inner", "rocker_pivot"]
+    body = [
+        "lower_arm_front",
+        "lower_arm_rear",
+        "upper_arm_front",
+        "upper_arm_rear",
+        "tie_rod_inner",
+        "rocker_pivot",
+    ]
     body += ["strut_top", "arb_pivot", "third_spring_end"]
-    for axis, road in (("x", "longitudinal_force"), ("y", "lateral_force"), ("z", "vertical_force")):
+    for axis, road in (
+        ("x", "longitudinal_force"),
+        ("y", "lateral_force"),
+        ("z", "vertical_force"),
+    ):
         total = sum(found[f"{name}.f{axis}"] for name in body)
         assert total.to_numpy() == pytest.approx(found[road].to_numpy(), abs=1e-6)
-    for wheel, side in (("left", sprung), ("right", sprung.mirrored())):  # the laws give what the balance asks for
+    for wheel, side in (
+        ("left", sprung),
+        ("right", sprung.mirrored()),
+    ):  # the laws give what the balance asks for
         one = found.sel(case="turn", wheel=wheel)
         swept = jn.sweep_travel(side, float(one["wheel_travel"]))
         has = float(swept["spring_force"][0] + swept["stop_force"][0])
         assert has == pytest.approx(float(one["spring.force"]), rel=1e-6)
     turn = found.sel(case="turn")
-    leaned = [abs(float(np.diff(one.sel(case="turn")["wheel_travel"])[0])) for one in (found, plain)]
+    leaned = [
+        abs(float(np.diff(one.sel(case="turn")["wheel_travel"])[0])) for one in (found, plain)
+    ]
     assert leaned[0] < 0.97 * leaned[1]
     force = turn["third_spring.force"].to_numpy()
     assert force[0] == force[1]
-    ends = [np.array([float(turn[f"third_spring_end.f{a}"].sel(wheel=w)) for a in "xyz"]) for w in ("left", "right")]
+    ends = [
+        np.array([float(turn[f"third_spring_end.f{a}"].sel(wheel=w)) for a in "xyz"])
+        for w in ("left", "right")
+    ]
     assert ends[0] == pytest.approx(-ends[1], abs=1e-9)  # one spring between both
     assert np.linalg.norm(ends[0]) == pytest.approx(abs(force[0]), rel=1e-9)
     assert ends[0][1] * force[0] < 0.0  # compressed, it is pushed inwards by the left side

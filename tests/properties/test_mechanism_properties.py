@@ -25,9 +25,16 @@ def middle(points, bar):
 @cache
 def four_bar() -> jn.mechanics.Mechanism:
     mechanism = jn.mechanics.Mechanism()
-    bodies = {bar: mechanism.body(bar, BARS[bar][2], middle(POINTS, bar), (0.03, 0.03, 0.03)) for bar in BARS}
+    bodies = {
+        bar: mechanism.body(bar, BARS[bar][2], middle(POINTS, bar), (0.03, 0.03, 0.03))
+        for bar in BARS
+    }
     bodies["ground"] = mechanism.ground
-    for joint, first, second in (("A", "ground", "crank"), ("B", "crank", "coupler"), ("D", "ground", "rocker")):
+    for joint, first, second in (
+        ("A", "ground", "crank"),
+        ("B", "crank", "coupler"),
+        ("D", "ground", "rocker"),
+    ):
         mechanism.revolute(joint, bodies[first], bodies[second], at=POINTS[joint], axis=Y)
     mechanism.revolute("C", bodies["coupler"], bodies["rocker"], at=POINTS["C"], axis=Y)
     for joint in POINTS:
@@ -40,13 +47,21 @@ def four_bar() -> jn.mechanics.Mechanism:
 
 def elsewhere(points):
     """The four-bar's numbers for other places of its joints."""
-    values = {f"{name}.at[{i}]": float(point[i]) for name, point in points.items() for i in range(3)}
-    return values | {f"{bar}.centre_of_mass[{i}]": float(middle(points, bar)[i]) for bar in BARS for i in range(3)}
+    values = {
+        f"{name}.at[{i}]": float(point[i]) for name, point in points.items() for i in range(3)
+    }
+    return values | {
+        f"{bar}.centre_of_mass[{i}]": float(middle(points, bar)[i])
+        for bar in BARS
+        for i in range(3)
+    }
 
 
 def run_of(points, speed: float, **settings_):
     given_ = {"redundant": "remove", "output_step": 0.02, "tolerance": 1e-8} | settings_
-    return jn.simulate_mechanism(four_bar(), 0.4, start={"A.angle rate": speed}, values=elsewhere(points), **given_)
+    return jn.simulate_mechanism(
+        four_bar(), 0.4, start={"A.angle rate": speed}, values=elsewhere(points), **given_
+    )
 
 
 def is_crank(crank, coupler, rocker, base):
@@ -68,9 +83,16 @@ def places(crank, coupler, rocker, base, turn):
 
 @FEW
 @given(
-    crank=st.floats(0.1, 0.3), coupler=LENGTH, rocker=LENGTH, base=LENGTH, turn=st.floats(-3, 3), speed=st.floats(-9, 9)
+    crank=st.floats(0.1, 0.3),
+    coupler=LENGTH,
+    rocker=LENGTH,
+    base=LENGTH,
+    turn=st.floats(-3, 3),
+    speed=st.floats(-9, 9),
 )
-def test_cranks_that_go_round_keep_energy_loops_and_balance(crank, coupler, rocker, base, turn, speed):
+def test_cranks_that_go_round_keep_energy_loops_and_balance(
+    crank, coupler, rocker, base, turn, speed
+):
     assume(is_crank(crank, coupler, rocker, base))
     run = run_of(places(crank, coupler, rocker, base, turn), speed)
     total = run["energy.kinetic"] + run["energy.weight"]
@@ -85,7 +107,11 @@ def test_cranks_that_go_round_keep_energy_loops_and_balance(crank, coupler, rock
 def test_places_and_headings_change_nothing_but_the_axes(heading, shift, speed):
     """Moved anywhere and turned about the vertical, the mechanism does the same."""
     turn = np.array(
-        [[np.cos(heading), -np.sin(heading), 0.0], [np.sin(heading), np.cos(heading), 0.0], [0.0, 0.0, 1.0]]
+        [
+            [np.cos(heading), -np.sin(heading), 0.0],
+            [np.sin(heading), np.cos(heading), 0.0],
+            [0.0, 0.0, 1.0],
+        ]
     )
     moved = {name: turn @ point + shift for name, point in POINTS.items()}
     axes = {f"{name}.axis[{i}]": float((turn @ Y)[i]) for name in POINTS for i in range(3)}
@@ -100,8 +126,12 @@ def test_places_and_headings_change_nothing_but_the_axes(heading, shift, speed):
         tolerance=1e-8,
     )
     for bar in BARS:
-        one, other = (np.array([each[f"{bar}.{axis}"].values for axis in "xyz"]) for each in (still, run))
-        np.testing.assert_allclose(turn @ one + np.array(shift)[:, None], other, rtol=0.0, atol=1e-7)
+        one, other = (
+            np.array([each[f"{bar}.{axis}"].values for axis in "xyz"]) for each in (still, run)
+        )
+        np.testing.assert_allclose(
+            turn @ one + np.array(shift)[:, None], other, rtol=0.0, atol=1e-7
+        )
     one, other = (np.array([each[f"B.f{axis}"].values for axis in "xz"]) for each in (still, run))
     sideways = np.cos(heading) * run["B.fx"] + np.sin(heading) * run["B.fy"]
     np.testing.assert_allclose(sideways, one[0], rtol=0.0, atol=1e-4)
@@ -112,8 +142,17 @@ def test_places_and_headings_change_nothing_but_the_axes(heading, shift, speed):
 @given(factor=st.floats(1e-3, 1e3), speed=st.floats(-9, 9))
 def test_heavier_of_the_same_moves_the_same(factor, speed):
     mechanism = four_bar()
-    values = {path: factor * value for path, value in mechanism.values.items() if ".mass" in path or ".inertia" in path}
-    settings_ = {"redundant": "remove", "output_step": 0.02, "tolerance": 1e-8, "start": {"A.angle rate": speed}}
+    values = {
+        path: factor * value
+        for path, value in mechanism.values.items()
+        if ".mass" in path or ".inertia" in path
+    }
+    settings_ = {
+        "redundant": "remove",
+        "output_step": 0.02,
+        "tolerance": 1e-8,
+        "start": {"A.angle rate": speed},
+    }
     one = jn.simulate_mechanism(mechanism, 0.4, **settings_)
     other = jn.simulate_mechanism(mechanism, 0.4, values=values, **settings_)
     np.testing.assert_allclose(other["rocker.x"], one["rocker.x"], rtol=0.0, atol=1e-9)
@@ -143,7 +182,9 @@ def test_time_runs_backwards(speeds, angle):
     start = {"shoulder.angle": angle, **dict(zip(names, speeds, strict=True))}
     there = jn.simulate_mechanism(arm(), 0.5, start=start, output_step=0.5, tolerance=1e-9)
     places_ = ("shoulder.angle", *(f"elbow.e{i}" for i in range(4)))
-    back = {name: float(there[name][-1]) for name in places_} | {name: -float(there[name][-1]) for name in names}
+    back = {name: float(there[name][-1]) for name in places_} | {
+        name: -float(there[name][-1]) for name in names
+    }
     home = jn.simulate_mechanism(arm(), 0.5, start=back, output_step=0.5, tolerance=1e-9)
     for name, speed in zip(names, speeds, strict=True):
         assert float(home[name][-1]) == pytest.approx(-speed, abs=1e-6)
@@ -160,7 +201,9 @@ def test_length_and_sign_of_a_given_quaternion_do_not_matter(scale, parts):
         start = {f"elbow.e{i}": factor * part for i, part in enumerate(parts)} | {"elbow.wx": 1.0}
         runs.append(jn.simulate_mechanism(arm(), 0.2, start=start, output_step=0.1, tolerance=1e-8))
     for run in runs[1:]:
-        np.testing.assert_allclose(run["shoulder.angle"], runs[0]["shoulder.angle"], rtol=0.0, atol=1e-9)
+        np.testing.assert_allclose(
+            run["shoulder.angle"], runs[0]["shoulder.angle"], rtol=0.0, atol=1e-9
+        )
         assert abs(float(sum(run[f"elbow.e{i}"][-1] ** 2 for i in range(4))) - 1.0) < 1e-13
 
 

@@ -17,7 +17,14 @@ from outcomes import outcome
 
 import jounce as jn
 from jounce.core.units import _registry, conversion_factor
-from jounce.recordings import Sensor, cfc_filter, derivative, filter_signals, resample, shift_signals
+from jounce.recordings import (
+    Sensor,
+    cfc_filter,
+    derivative,
+    filter_signals,
+    resample,
+    shift_signals,
+)
 from jounce.ride.comfort import running_rms, vdv
 from jounce.ride.surface import surface
 from jounce.ride.weighting import weight
@@ -47,13 +54,25 @@ CALLS: dict[str, tuple[Callable[[Any], Any], float, str]] = {
     "fit_stiffness, force": (lambda v: jn.fit_stiffness([STRUT], operating_force=v), 300.0, "N"),
     "iri, segment": (lambda v: jn.iri(X, ROUGH, segment=v), 50.0, "m"),
     "iri, run_up": (lambda v: jn.iri(X, ROUGH, run_up=v), 10.0, "m"),
-    "estimate_roughness, waviness": (lambda v: vars(jn.estimate_roughness(X, ROUGH, waviness=v)), 2.0, "1"),
-    "estimate_roughness, band": (lambda v: vars(jn.estimate_roughness(X, ROUGH, band=(v, 2.0))), 0.02, "1/m"),
+    "estimate_roughness, waviness": (
+        lambda v: vars(jn.estimate_roughness(X, ROUGH, waviness=v)),
+        2.0,
+        "1",
+    ),
+    "estimate_roughness, band": (
+        lambda v: vars(jn.estimate_roughness(X, ROUGH, band=(v, 2.0))),
+        0.02,
+        "1/m",
+    ),
     "road_psd, road": (lambda v: jn.road_psd(v, X + 1.0), 64e-6, ""),
     "road_psd, waviness": (lambda v: jn.road_psd("A", X + 1.0, waviness=v), 2.1, "1"),
     "white_noise_intensity": (lambda v: jn.white_noise_intensity("A", v), 20.0, "m/s"),
     "power_spectrum, rate": (lambda v: vars(jn.power_spectrum(SWING, v)), 250.0, "Hz"),
-    "power_spectrum, segment": (lambda v: vars(jn.power_spectrum(SWING, 250.0, segment=v)), 0.5, "s"),
+    "power_spectrum, segment": (
+        lambda v: vars(jn.power_spectrum(SWING, 250.0, segment=v)),
+        0.5,
+        "s",
+    ),
     "transfer_function, rate": (lambda v: vars(jn.transfer_function(SWING, T, v)), 250.0, "Hz"),
     "weighted": (lambda v: weight(SWING, v, "Wk"), 250.0, "Hz"),
     "running_rms": (lambda v: running_rms(SWING, v), 250.0, "Hz"),
@@ -67,14 +86,26 @@ CALLS: dict[str, tuple[Callable[[Any], Any], float, str]] = {
     "spring_and_damper, mass": (lambda v: jn.spring_and_damper(v, 1.4, 0.3), 300.0, "kg"),
     "spring_and_damper, frequency": (lambda v: jn.spring_and_damper(300.0, v, 0.3), 1.4, "Hz"),
     "spring_and_damper, ratio": (lambda v: jn.spring_and_damper(300.0, 1.4, v), 0.3, "1"),
-    "spring_and_damper, motion ratio": (lambda v: jn.spring_and_damper(300.0, 1.4, 0.3, motion_ratio=v), 0.7, "1"),
-    "spring_and_damper, gravity": (lambda v: jn.spring_and_damper(300.0, 1.4, 0.3, gravity=v), 9.8, "m/s^2"),
+    "spring_and_damper, motion ratio": (
+        lambda v: jn.spring_and_damper(300.0, 1.4, 0.3, motion_ratio=v),
+        0.7,
+        "1",
+    ),
+    "spring_and_damper, gravity": (
+        lambda v: jn.spring_and_damper(300.0, 1.4, 0.3, gravity=v),
+        9.8,
+        "m/s^2",
+    ),
     "swept_sine": (lambda v: jn.swept_sine(v, 1.0, 20.0, 2.0), 0.01, "m"),
     "iso_trial": (lambda v: jn.iso_trial(RIG, "A", v, duration=5.0), 20.0, "m/s"),
     "iso_trial, step": (lambda v: jn.iso_trial(RIG, "A", 20.0, duration=5.0, step=v), 0.05, "m"),
     "with_strut_angle": (lambda v: jn.with_strut_angle(RIG, v), 0.2, "rad"),
     "bouc_wen_path": (lambda v: jn.bouc_wen_path(SWING, v, 1.0, 1.5, 0.0), 1e3, "1/m"),
-    "cylinder": (lambda v: vars(jn.mechanics.cylinder(v, 0.02, (0, 0, 0), (0, 0, 1.0))), 7800.0, ""),
+    "cylinder": (
+        lambda v: vars(jn.mechanics.cylinder(v, 0.02, (0, 0, 0), (0, 0, 1.0))),
+        7800.0,
+        "",
+    ),
     "harmonic": (lambda v: vars(jn.mechanics.harmonic(v, 2.0)), 0.01, "m"),
     "step": (lambda v: vars(jn.mechanics.step(0.0, v, begin=1.0, stop=2.0)), 0.01, "rad"),
     "step, begin": (lambda v: vars(jn.mechanics.step(0.0, 0.1, begin=v, stop=2.0)), 0.5, "s"),
@@ -157,7 +188,10 @@ def cases_of(name: str) -> Iterator[tuple[str, Any, float | None]]:
     yield from ((kind, made, 0.5 if si == "s" else None) for kind, made in DURATIONS.items())
     if si in OTHER:
         unit, factor = OTHER[si], conversion_factor(OTHER[si], si)
-        yield from ((kind, make(value / factor, unit), value / factor * factor) for kind, make in WITH_UNITS.items())
+        yield from (
+            (kind, make(value / factor, unit), value / factor * factor)
+            for kind, make in WITH_UNITS.items()
+        )
 
 
 @pytest.mark.parametrize("name", CALLS)
@@ -175,4 +209,7 @@ def test_numbers_count_as_plain_floats_or_are_refused(name: str) -> None:
 def test_a_table_of_ours_gives_numbers_for_a_rig() -> None:
     """What a variant's number is, with its unit, is an array without dimensions."""
     many = xr.Dataset(coords={"strut.spring.rate": ("variant", [25e3, 26e3], {"units": "N/m"})})
-    assert RIG.with_changes({"strut.spring.rate": many["strut.spring.rate"][0]}).strut.spring.rate == 25e3
+    assert (
+        RIG.with_changes({"strut.spring.rate": many["strut.spring.rate"][0]}).strut.spring.rate
+        == 25e3
+    )

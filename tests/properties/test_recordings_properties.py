@@ -38,7 +38,8 @@ SENSORS = st.builds(
 @given(SIGNALS, st.sampled_from([".nc", ".csv"]), st.floats(1e-4, 0.1))
 def test_files_give_back_what_was_written(values: np.ndarray, suffix: str, step: float) -> None:
     run = recording(
-        np.arange(values.size) * step, {"sprung.az": (values, "m/s^2", ""), "tyre.force": (-values, "N", "")}
+        np.arange(values.size) * step,
+        {"sprung.az": (values, "m/s^2", ""), "tyre.force": (-values, "N", "")},
     )
     with tempfile.TemporaryDirectory() as folder:
         back, _ = read_recording(write_recording(run, Path(folder) / f"run{suffix}"))
@@ -47,11 +48,21 @@ def test_files_give_back_what_was_written(values: np.ndarray, suffix: str, step:
     np.testing.assert_allclose(back["time"], run["time"], rtol=1e-14, atol=1e-15)
 
 
-@given(SIGNALS, st.sampled_from(["m/s^2", "g", "mm/s^2", "ft/s^2"]), st.sampled_from(["s", "ms", "min"]))
-def test_units_of_a_file_do_not_change_the_recording(values: np.ndarray, unit: str, clock: str) -> None:
+@given(
+    SIGNALS,
+    st.sampled_from(["m/s^2", "g", "mm/s^2", "ft/s^2"]),
+    st.sampled_from(["s", "ms", "min"]),
+)
+def test_units_of_a_file_do_not_change_the_recording(
+    values: np.ndarray, unit: str, clock: str
+) -> None:
     time = np.arange(values.size) * 0.001
-    rows = zip(time / conversion_factor(clock, "s"), values / conversion_factor(unit, "m/s^2"), strict=True)
-    text = f"time [{clock}], sprung.az [{unit}]\n" + "".join(f"{float(t)!r}, {float(v)!r}\n" for t, v in rows)
+    rows = zip(
+        time / conversion_factor(clock, "s"), values / conversion_factor(unit, "m/s^2"), strict=True
+    )
+    text = f"time [{clock}], sprung.az [{unit}]\n" + "".join(
+        f"{float(t)!r}, {float(v)!r}\n" for t, v in rows
+    )
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "a.csv"
         file.write_text(text)
@@ -65,13 +76,19 @@ def test_sensors_are_linear(pair: np.ndarray, sensor: Sensor, factor: float, ini
     a, b = pair.T
     together = filter_signals(a + factor * b, 1000.0, sensor, initial=initial)  # type: ignore[arg-type]
     parts = filter_signals(pair, 1000.0, sensor, initial=initial) @ [1.0, factor]  # type: ignore[arg-type]
-    np.testing.assert_allclose(together, parts, rtol=0.0, atol=1e-11 * (1.0 + np.abs(pair).max()) * 60.0)
+    np.testing.assert_allclose(
+        together, parts, rtol=0.0, atol=1e-11 * (1.0 + np.abs(pair).max()) * 60.0
+    )
 
 
 @given(SIGNALS, st.floats(1.0, 400.0))
-def test_phase_free_filters_do_not_know_the_direction_of_time(values: np.ndarray, corner: float) -> None:
+def test_phase_free_filters_do_not_know_the_direction_of_time(
+    values: np.ndarray, corner: float
+) -> None:
     size = 1.0 + np.abs(values).max()
-    padded = np.concatenate((np.zeros(3000), values, np.zeros(3000)))  # so that the ends do not matter
+    padded = np.concatenate(
+        (np.zeros(3000), values, np.zeros(3000))
+    )  # so that the ends do not matter
     forwards = band_limit(padded, 1000.0, below=corner)
     np.testing.assert_allclose(
         forwards, band_limit(padded[::-1], 1000.0, below=corner)[::-1], rtol=0.0, atol=1e-6 * size

@@ -26,7 +26,9 @@ from jounce.roads import (
     Trial,
 )
 
-heights = st.floats(-0.05, 0.05).filter(lambda h: h == 0.0 or abs(h) > 1e-9)  # m: circles of 1e10 m radius are rounding
+heights = st.floats(-0.05, 0.05).filter(
+    lambda h: h == 0.0 or abs(h) > 1e-9
+)  # m: circles of 1e10 m radius are rounding
 lengths = st.floats(0.02, 2.0)
 starts = st.floats(0.0, 3.0).filter(lambda x: x == 0.0 or x > 1e-9)
 
@@ -46,14 +48,21 @@ DRAWS = {
 
 def table(draw, _):
     points = sorted(draw(st.sets(st.integers(0, 400), min_size=5, max_size=9)))
-    own = {"x": [0.01 * point for point in points], "height": [draw(heights) for _ in points], "start": draw(starts)}
+    own = {
+        "x": [0.01 * point for point in points],
+        "height": [draw(heights) for _ in points],
+        "start": draw(starts),
+    }
     return own | {"interpolation": draw(st.sampled_from(["linear", "cubic"]))}
 
 
 DEPENDENT = {
     Trapezoid: lambda _, own: {"ramp": 0.3 * own["length"]},
     Sine: lambda draw, own: {"wavelength": 0.4 * own["length"], "phase": draw(lengths)},
-    SineSweep: lambda _, own: {"first_wavelength": own["length"], "last_wavelength": 0.3 * own["length"]},
+    SineSweep: lambda _, own: {
+        "first_wavelength": own["length"],
+        "last_wavelength": 0.3 * own["length"],
+    },
     Kerb: lambda _, own: {"edge_radius": 0.5 * abs(own["height"])},
     Pothole: lambda draw, _: {"depth": 0.01 + abs(draw(heights)), "edge_radius": 0.009},
     HalfCylinder: lambda _, own: {"radius": 0.5 * own["radius"]},
@@ -66,10 +75,16 @@ OBSTACLES = [road for road in ROADS.values() if road not in OTHERS]
 
 def fields_of(draw, road):
     """Fields of an obstacle of any class, drawn by their names."""
-    own = {name: draw(DRAWS[name]) for name in road.model_fields if name in DRAWS and road is not Table}
+    own = {
+        name: draw(DRAWS[name]) for name in road.model_fields if name in DRAWS and road is not Table
+    }
     own |= DEPENDENT.get(road, lambda *_: {})(draw, own)
-    lacking = [name for name, field in road.model_fields.items() if field.is_required() and name not in own]
-    assert not lacking, f"say in DRAWS or DEPENDENT what {', '.join(lacking)} of a {road.__name__} is"
+    lacking = [
+        name for name, field in road.model_fields.items() if field.is_required() and name not in own
+    ]
+    assert not lacking, (
+        f"say in DRAWS or DEPENDENT what {', '.join(lacking)} of a {road.__name__} is"
+    )
     return own
 
 
@@ -87,7 +102,9 @@ def roads(draw):
         one = Train(of=one, count=draw(st.integers(1, 4)), pitch=max(pitch, 0.1))
     whole = one.profile()
     if abs(whole.after - whole.before) < 1e-9 and draw(st.booleans()):
-        one = one.model_copy(update={"recurrence": max(whole.span, 0.1) + draw(st.sampled_from([0.0, 1.0]))})
+        one = one.model_copy(
+            update={"recurrence": max(whole.span, 0.1) + draw(st.sampled_from([0.0, 1.0]))}
+        )
     return one
 
 
@@ -110,7 +127,9 @@ def test_slope_is_the_derivative_of_the_height_between_edges(road, distance) -> 
         x, step = x[step > 1e-9], step[step > 1e-9]
         numeric = (segments.evaluate(x + step)[0] - segments.evaluate(x - step)[0]) / (2.0 * step)
         slope = segments.evaluate(x)[1]
-        np.testing.assert_allclose(slope, numeric, rtol=1e-4, atol=1e-6 + 1e-15 / step.min(initial=1.0))
+        np.testing.assert_allclose(
+            slope, numeric, rtol=1e-4, atol=1e-6 + 1e-15 / step.min(initial=1.0)
+        )
 
 
 @settings(deadline=None, max_examples=200)
@@ -125,7 +144,9 @@ def test_edges_ascend_and_every_view_gives_the_same_heights(road, distance, spee
     heights_there = segments.evaluate(x)[0]
     np.testing.assert_allclose(road.height_at(x), heights_there, rtol=0, atol=1e-9)
     trial = Trial(road=road, speed=speed, duration=distance / speed)
-    np.testing.assert_allclose(trial.segments().evaluate(x / speed)[0], heights_there, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(
+        trial.segments().evaluate(x / speed)[0], heights_there, rtol=0, atol=1e-9
+    )
 
 
 @settings(deadline=None, max_examples=100)
@@ -147,11 +168,15 @@ def test_a_wheel_never_sinks_into_the_road(road, radius, method) -> None:
     height = segments.evaluate(x)[0]
     reach = felt.reach()
     edges = road.segments(8.0 + reach, behind=1.0 + reach).edges - 1.0 - reach
-    around = road.height_at(np.concatenate([np.linspace(-reach, 6.0 + reach, 60_001), edges, edges - 1e-9]))
+    around = road.height_at(
+        np.concatenate([np.linspace(-reach, 6.0 + reach, 60_001), edges, edges - 1e-9])
+    )
     assert height.max() <= around.max() + 1e-5
     assert height.min() >= around.min() - 1e-5
     if method == "rigid-circle":
-        under = x + np.linspace(-0.3, 0.3, 7)[:, None] * radius  # points of the road beside the lowest one
+        under = (
+            x + np.linspace(-0.3, 0.3, 7)[:, None] * radius
+        )  # points of the road beside the lowest one
         depth = radius - np.sqrt(radius**2 - (under - x) ** 2)
         assert (height - (road.height_at(under) - depth)).min() > -1e-5
 
@@ -163,7 +188,9 @@ def test_the_mean_over_the_contact_keeps_the_area(road, length) -> None:
     felt = Enveloped(of=road, method="moving-average", contact_length=length).segments(6.0)
     x = np.linspace(0.0, 5.999, 300)
     edges = road.segments(7.0, behind=0.5).edges - 0.5
-    beside = np.concatenate([side * np.geomspace(1e-9, 0.05, 300) for side in (-1.0, 1.0)])  # humps may begin upright
+    beside = np.concatenate(
+        [side * np.geomspace(1e-9, 0.05, 300) for side in (-1.0, 1.0)]
+    )  # humps may begin upright
     near = np.clip((edges[1:-1, None] + beside).ravel(), -0.5, 6.5)
     at = np.unique(np.concatenate([np.linspace(-0.5, 6.5, 30_001), near]))
     height = road.height_at(at)
@@ -181,13 +208,20 @@ def test_the_mean_over_the_contact_keeps_the_area(road, length) -> None:
     st.sampled_from(["left", "right"]),
     st.sampled_from(["linear", "cubic"]),
 )
-def test_rough_roads_are_level_at_both_ends_and_finite(name, length, step, seed, side, interpolation) -> None:
-    road = Iso8608(class_=name, length=length, step=step, seed=seed, side=side, interpolation=interpolation)
+def test_rough_roads_are_level_at_both_ends_and_finite(
+    name, length, step, seed, side, interpolation
+) -> None:
+    road = Iso8608(
+        class_=name, length=length, step=step, seed=seed, side=side, interpolation=interpolation
+    )
     x, height = road.points()
     assert (x[0], x[-1], height[0], height[-1]) == (0.0, length, 0.0, 0.0)
     assert np.isfinite(height).all()
     assert (np.diff(x) <= step * (1 + 1e-9)).all()
     inside = 0.5 * (x[1:] + x[:-1])
     between = road.height_at(inside)
-    assert np.abs(between - 0.5 * (height[1:] + height[:-1])).max() <= 0.6 * np.abs(np.diff(height)).max() + 1e-12
+    assert (
+        np.abs(between - 0.5 * (height[1:] + height[:-1])).max()
+        <= 0.6 * np.abs(np.diff(height)).max() + 1e-12
+    )
     np.testing.assert_array_equal(road.points()[1], height)

@@ -60,11 +60,21 @@ CALLS: dict[str, tuple[Callable[..., Any], Signals]] = {
     ),
     "fit_damper": (
         jn.fit_damper,
-        {"displacement": (MOVED, "m"), "velocity": (RATED, "m/s"), "force": (300.0 * RATED, "N"), "time": (T, "s")},
+        {
+            "displacement": (MOVED, "m"),
+            "velocity": (RATED, "m/s"),
+            "force": (300.0 * RATED, "N"),
+            "time": (T, "s"),
+        },
     ),
     "damper_curve": (
         lambda **signals: vars(jn.damper_curve(DAMPED, **signals)),
-        {"displacement": (MOVED, "m"), "velocity": (RATED, "m/s"), "force": (300.0 * RATED, "N"), "time": (T, "s")},
+        {
+            "displacement": (MOVED, "m"),
+            "velocity": (RATED, "m/s"),
+            "force": (300.0 * RATED, "N"),
+            "time": (T, "s"),
+        },
     ),
     "fit_decay": (
         lambda time, displacement: jn.fit_decay(time, displacement, mass=10.0),
@@ -76,31 +86,49 @@ CALLS: dict[str, tuple[Callable[..., Any], Signals]] = {
     ),
     "FittedCurve": (STIFF, {"deflection": (PUSHED, "m")}),
     "iri": (jn.iri, {"distance": (X, "m"), "height": (ROUGH, "m")}),
-    "estimate_roughness": (lambda **s: vars(jn.estimate_roughness(**s)), {"x": (X, "m"), "height": (ROUGH, "m")}),
+    "estimate_roughness": (
+        lambda **s: vars(jn.estimate_roughness(**s)),
+        {"x": (X, "m"), "height": (ROUGH, "m")},
+    ),
     "road_psd": (lambda n: jn.road_psd("B", n), {"n": (1.0 + X, "1/m")}),
     "height_at": (jn.HalfSine(height="10 mm", length="60 m").height_at, {"x": (X, "m")}),
     "slope_at": (jn.HalfSine(height="10 mm", length="60 m").slope_at, {"x": (X, "m")}),
-    "power_spectrum": (lambda values: vars(jn.power_spectrum(values, RATE)), {"values": (SHAKEN, "")}),
+    "power_spectrum": (
+        lambda values: vars(jn.power_spectrum(values, RATE)),
+        {"values": (SHAKEN, "")},
+    ),
     "transfer_function": (
         lambda **signals: vars(jn.transfer_function(**signals, sample_rate=RATE)),
         {"given": (SHAKEN, ""), "answer": (LATE, "")},
     ),
     "weighted": (lambda values: weight(values, RATE, "Wk"), {"values": (SHAKEN, "")}),
-    "weighting_response": (lambda frequency: weighting_response("Wk", frequency), {"frequency": (1.0 + X, "Hz")}),
+    "weighting_response": (
+        lambda frequency: weighting_response("Wk", frequency),
+        {"frequency": (1.0 + X, "Hz")},
+    ),
     **{
         one.__name__: (lambda values, one=one: one(values, RATE), {"values": (SHAKEN, "")})
         for one in (rms, running_rms, mtvv, vdv, evdv, msdv, crest_factor, derivative)
     },
     "advice": (lambda values: advice(values, RATE, place="seat"), {"values": (SHAKEN, "")}),
     "cfc_filter": (lambda values: cfc_filter(values, RATE * 16, 60.0), {"values": (SHAKEN, "")}),
-    "resample": (lambda **signals: resample(**signals, sample_rate=100.0), {"time": (T, "s"), "values": (SHAKEN, "")}),
+    "resample": (
+        lambda **signals: resample(**signals, sample_rate=100.0),
+        {"time": (T, "s"), "values": (SHAKEN, "")},
+    ),
     "shift_signals": (lambda values: shift_signals(values, RATE, 0.01), {"values": (SHAKEN, "")}),
-    "shift_with_derivative": (lambda values: shift_with_derivative(values, RATE, 0.01), {"values": (SHAKEN, "")}),
+    "shift_with_derivative": (
+        lambda values: shift_with_derivative(values, RATE, 0.01),
+        {"values": (SHAKEN, "")},
+    ),
     "estimate_lag": (
         lambda **signals: estimate_lag(**signals, sample_rate=RATE),
         {"reference": (SHAKEN, ""), "compared": (LATE, "")},
     ),
-    "filter_signals": (lambda values: filter_signals(values, RATE, Sensor(low_pass="40 Hz")), {"values": (SHAKEN, "")}),
+    "filter_signals": (
+        lambda values: filter_signals(values, RATE, Sensor(low_pass="40 Hz")),
+        {"values": (SHAKEN, "")},
+    ),
     "compare": (compare, {"reference": (SHAKEN, ""), "compared": (LATE, ""), "time": (T, "s")}),
     "iso18571": (
         lambda **signals: iso18571(**signals, sample_rate=RATE),
@@ -114,13 +142,22 @@ CALLS: dict[str, tuple[Callable[..., Any], Signals]] = {
         lambda **signals: vars(jn.mechanics.interpolated(**signals)),
         {"time": (T, "s"), "value": (MOVED, "m")},
     ),
-    "Table": (lambda **signals: jn.Table(**signals).model_dump(), {"x": (X, "m"), "height": (ROUGH, "m")}),
+    "Table": (
+        lambda **signals: jn.Table(**signals).model_dump(),
+        {"x": (X, "m"), "height": (ROUGH, "m")},
+    ),
     "sweep": (
         lambda values: jn.grid({"sprung.mass": values}).values(lambda _: (1.0, "kg")),
         {"values": (1.0 + X, "kg")},
     ),
-    "simulate_many": (lambda values: _column(values, "kg", "sprung.mass"), {"values": (1.0 + X, "kg")}),
-    "sweep_travel": (lambda values: path_values(values, "wheel travel"), {"values": (1e-4 * X, "m")}),
+    "simulate_many": (
+        lambda values: _column(values, "kg", "sprung.mass"),
+        {"values": (1.0 + X, "kg")},
+    ),
+    "sweep_travel": (
+        lambda values: path_values(values, "wheel travel"),
+        {"values": (1e-4 * X, "m")},
+    ),
 }
 
 
@@ -247,19 +284,35 @@ TIMES: dict[str, Callable[[np.ndarray], Any]] = {
     "Duration of another library": lambda v: Foreign(_ticks(v)),
     "datetime64": lambda v: np.datetime64("2026-03-29T00:59:59", "ns") + _ticks(v),
     "DatetimeIndex": lambda v: pd.Timestamp("2026-03-29T00:59:59") + pd.to_timedelta(_ticks(v)),
-    "with a zone": lambda v: pd.Series(pd.Timestamp("2026-03-29T00:59:59", tz="UTC") + pd.to_timedelta(_ticks(v))),
+    "with a zone": lambda v: pd.Series(
+        pd.Timestamp("2026-03-29T00:59:59", tz="UTC") + pd.to_timedelta(_ticks(v))
+    ),
     "datetimes": lambda v: [
-        datetime.datetime.fromisoformat("2026-03-29") + datetime.timedelta(microseconds=round(x * 1e6))
+        datetime.datetime.fromisoformat("2026-03-29")
+        + datetime.timedelta(microseconds=round(x * 1e6))
         for x in v.tolist()
     ],
 }
-OTHER = {"m": "mm", "s": "ms", "N": "kN", "m/s": "mm/s", "Hz": "kHz", "kg": "g", "1/m": "1/mm", "m/s^2": "mm/s^2"}
+OTHER = {
+    "m": "mm",
+    "s": "ms",
+    "N": "kN",
+    "m/s": "mm/s",
+    "Hz": "kHz",
+    "kg": "g",
+    "1/m": "1/mm",
+    "m/s^2": "mm/s^2",
+}
 WITH_UNITS: dict[str, Callable[[np.ndarray, str], Any]] = {
     "quantity of Pint": lambda v, unit: _registry().Quantity(v, unit),
     "list of quantities": lambda v, unit: [_registry().Quantity(x, unit) for x in v.tolist()],
     "DataArray with units": lambda v, unit: xr.DataArray(v, dims="time", attrs={"units": unit}),
-    "DataArray with units in bytes": lambda v, unit: xr.DataArray(v, dims="time", attrs={"units": unit.encode()}),
-    "DataArray of a quantity": lambda v, unit: xr.DataArray(_registry().Quantity(v, unit), dims="time"),
+    "DataArray with units in bytes": lambda v, unit: xr.DataArray(
+        v, dims="time", attrs={"units": unit.encode()}
+    ),
+    "DataArray of a quantity": lambda v, unit: xr.DataArray(
+        _registry().Quantity(v, unit), dims="time"
+    ),
 }
 
 
@@ -271,16 +324,30 @@ def _cases() -> Iterator[tuple[str, str, str, Callable[[], Any], np.ndarray | No
     for name, (_, signals) in CALLS.items():
         for argument, (values, si) in signals.items():
             for kind, make in AS_PLAIN.items():
-                yield name, argument, kind, partial(make, values), HELD.get(kind, np.array)(values).astype(float)
+                yield (
+                    name,
+                    argument,
+                    kind,
+                    partial(make, values),
+                    HELD.get(kind, np.array)(values).astype(float),
+                )
             for kind, make in REFUSED.items():
-                if not (kind == "None" and argument == "velocity") and not (kind in ANY_UNIT and not si):
+                if not (kind == "None" and argument == "velocity") and not (
+                    kind in ANY_UNIT and not si
+                ):
                     yield name, argument, kind, partial(make, values), None
             for kind, make in TIMES.items() if si else ():
                 held = HELD.get(kind, np.array)(values).astype(float) if si == "s" else None
                 yield name, argument, kind, partial(make, values), held
             for kind, make_in in WITH_UNITS.items() if si else ():
                 factor = conversion_factor(OTHER[si], si)
-                yield name, argument, kind, partial(make_in, values / factor, OTHER[si]), values / factor * factor
+                yield (
+                    name,
+                    argument,
+                    kind,
+                    partial(make_in, values / factor, OTHER[si]),
+                    values / factor * factor,
+                )
 
 
 ANY_UNIT = ("unknown unit", "another quantity")

@@ -19,7 +19,9 @@ DAMPING = st.floats(0.05, 1.5)
 HARDNESS = st.floats(2.0, 20.0)
 
 
-def car(mass: float, share: float, frequency: float, damping: float, hardness: float) -> jn.QuarterCar:
+def car(
+    mass: float, share: float, frequency: float, damping: float, hardness: float
+) -> jn.QuarterCar:
     k = mass * (2 * np.pi * frequency) ** 2
     return jn.QuarterCar(
         sprung={"mass": mass},
@@ -36,7 +38,10 @@ def test_any_quarter_car_follows_the_closed_form(mass, share, frequency, damping
     corner = LumpedCorner(
         mass, share * mass, rig.strut.spring.rate, rig.tyre.stiffness, rig.strut.damper.coefficient
     )  # fmt: skip
-    exact, found = white_noise_variances(corner, white_noise_intensity("B", 15.0)), stationary(rig, "B", 15.0)
+    exact, found = (
+        white_noise_variances(corner, white_noise_intensity("B", 15.0)),
+        stationary(rig, "B", 15.0),
+    )
     assert found["sprung.az"] ** 2 == pytest.approx(exact.acceleration, rel=1e-8)
     assert found["strut.deflection"] ** 2 == pytest.approx(exact.deflection, rel=1e-8)
     assert found["tyre.force"] ** 2 == pytest.approx(exact.tyre_force, rel=1e-8)
@@ -46,7 +51,10 @@ def test_any_quarter_car_follows_the_closed_form(mass, share, frequency, damping
 @given(st.floats(0.1, 10.0), st.floats(3.0, 60.0))
 def test_responses_grow_with_the_root_of_roughness_and_speed(rougher, speed):
     rig = jn.load("hmmwv-front-corner")
-    first, second = stationary(rig, 64e-6, speed, band="iso"), stationary(rig, rougher * 64e-6, speed, band="iso")
+    first, second = (
+        stationary(rig, 64e-6, speed, band="iso"),
+        stationary(rig, rougher * 64e-6, speed, band="iso"),
+    )
     for name, value in first.standard_deviation.items():
         assert second[name] == pytest.approx(np.sqrt(rougher) * value, rel=1e-12)
     car_a = car(400.0, 0.1, 1.26, 0.24, 8.0)

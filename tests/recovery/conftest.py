@@ -9,7 +9,13 @@ import pytest
 from jounce.campaign import run_campaign
 from jounce.campaign.result import CampaignResult
 from jounce.core.writing import write_files
-from jounce.papers.virtual_bench import BenchPlan, campaign_texts, measurement_texts, shipped_truth, truth_text
+from jounce.papers.virtual_bench import (
+    BenchPlan,
+    campaign_texts,
+    measurement_texts,
+    shipped_truth,
+    truth_text,
+)
 
 
 @pytest.fixture(scope="session")

@@ -62,7 +62,9 @@ def without_error(seed: int) -> Count:
     fit = jn.FitTrial("one", rig, trial, jn.apply_sensors(run, NOISE, seed=seed))
     found = jn.posterior([fit], FREE, draws=4000, predict=())
     truth = {path: (value,) for path, value in changes.items()}
-    gaussian = {path: one.gaussian for path, one in found.parameters.items() if one.gaussian is not None}
+    gaussian = {
+        path: one.gaussian for path, one in found.parameters.items() if one.gaussian is not None
+    }
     return _count("as modelled", seed, found, truth, gaussian, begun)
 
 
@@ -70,7 +72,9 @@ def with_error(seed: int) -> Count:
     """Count a bench of three trials whose laws are not the model's: both readings of each identified part."""
     begun = time.process_time()
     one = wrong_models.bench(seed, trials=3)
-    found = jn.posterior(one.trials, wrong_models.FREE, align="lag", doubt=jn.Doubt(), draws=4000, predict=())
+    found = jn.posterior(
+        one.trials, wrong_models.FREE, align="lag", doubt=jn.Doubt(), draws=4000, predict=()
+    )
     assert found.counted == "model error"
     assert found.update is not None
     assert found.update.discrepancy is not None
@@ -80,15 +84,22 @@ def with_error(seed: int) -> Count:
     return _count("wrong laws", seed, found, truth, gaussian, begun)
 
 
-def _count(benches: str, seed: int, found: jn.Posterior, truth: Truth, gaussian: Intervals, begun: float) -> Count:
+def _count(
+    benches: str, seed: int, found: jn.Posterior, truth: Truth, gaussian: Intervals, begun: float
+) -> Count:
     asked = {path: found.parameters[path] for path in gaussian}
-    held = [all(p.interval[0] <= value <= p.interval[1] for value in truth[path]) for path, p in asked.items()]
+    held = [
+        all(p.interval[0] <= value <= p.interval[1] for value in truth[path])
+        for path, p in asked.items()
+    ]
     widths = [0.5 * np.ptp(p.interval) / p.value for p in asked.values()]
     ratios = [np.ptp(p.interval) / np.ptp(gaussian[path]) for path, p in asked.items()]
     middle = [float(np.median(each)) if each else float("nan") for each in (widths, ratios)]
     told = any("log density" in str(finding) for finding in found.findings)
     took = time.process_time() - begun
-    return Count(benches, seed, len(held), sum(held), middle[0], middle[1], found.density_error, told, took)
+    return Count(
+        benches, seed, len(held), sum(held), middle[0], middle[1], found.density_error, told, took
+    )
 
 
 def interval_of_share(hold: int, of: int) -> tuple[float, float]:
@@ -109,8 +120,12 @@ def counted(path: Path) -> list[Count]:
 
 def _row(texts: Mapping[str, str]) -> Count:
     seed, intervals, hold = (int(texts[name]) for name in ("seed", "intervals", "hold"))
-    widths, ratio, error, took = (float(texts[name]) for name in ("widths", "ratio", "error", "time"))
-    return Count(texts["benches"], seed, intervals, hold, widths, ratio, error, texts["told"] == "True", took)
+    widths, ratio, error, took = (
+        float(texts[name]) for name in ("widths", "ratio", "error", "time")
+    )
+    return Count(
+        texts["benches"], seed, intervals, hold, widths, ratio, error, texts["told"] == "True", took
+    )
 
 
 def _asked(benches: int) -> Iterator[tuple[str, int]]:
@@ -144,7 +159,10 @@ def told(rows: list[Count]) -> str:
         mine = [row for row in rows if row.benches == kind]
         hold, of = (sum(getattr(row, name) for row in mine) for name in ("hold", "intervals"))
         low, high = (100.0 * end for end in interval_of_share(hold, of))
-        errors, ratio = np.array([row.error for row in mine]), np.nanmedian([row.ratio for row in mine])
+        errors, ratio = (
+            np.array([row.error for row in mine]),
+            np.nanmedian([row.ratio for row in mine]),
+        )
         share, took = 100.0 * hold / of, np.mean([row.time for row in mine])
         lines.append(
             f"{kind}: {len(mine)} benches, {hold} of {of} intervals hold ({share:.1f} %, {low:.1f} to {high:.1f}), "

@@ -187,7 +187,9 @@ def drawn(seed: int) -> Bench:
         tyre_damping=even(5.0, 15.0),
     )
     rest = (masses[0] + masses[1]) * GRAVITY / rig.stiffness
-    bend = even(0.0, 0.25) * rig.stiffness / (3.0 * (8e-3**2 - rest**2))  # how much stiffer it is at 8 mm
+    bend = (
+        even(0.0, 0.25) * rig.stiffness / (3.0 * (8e-3**2 - rest**2))
+    )  # how much stiffer it is at 8 mm
     rig = replace(rig, cube=bend)
     shape = str(draw.choice(["half-sine", "versine", "trapezoid"], p=[0.6, 0.2, 0.2]))
     height, length = even(0.008, 0.012), 0.060 if shape == "half-sine" else even(0.06, 0.09)
@@ -197,7 +199,12 @@ def drawn(seed: int) -> Bench:
     true_height = about(single.height, 0.015)
     more = str(draw.choice(["", "strut.deflection", "sprung.z"], p=[0.6, 0.2, 0.2]))
     channels = (*CHANNELS[:2], *([more] if more else []))
-    sizes = {"sprung.az": even(0.08, 0.25), "unsprung.az": even(0.4, 1.2), "strut.deflection": 5e-5, "sprung.z": 5e-5}
+    sizes = {
+        "sprung.az": even(0.08, 0.25),
+        "unsprung.az": even(0.4, 1.2),
+        "strut.deflection": 5e-5,
+        "sprung.z": 5e-5,
+    }
     chains = {
         name: Chain(
             gain=about(1.0, 0.01),
@@ -232,7 +239,9 @@ def drawn(seed: int) -> Bench:
         "tyre.damping_coefficient": rig.tyre_damping,
     }
     kind = f"{'Dahl' if rig.is_dahl else 'tanh'} friction in {'guide and strut' if place == 'both' else place}"
-    return Bench(seed, kind, rig, rides, roads, list(SPEEDS), channels, stated, int(draw.integers(2**31)))
+    return Bench(
+        seed, kind, rig, rides, roads, list(SPEEDS), channels, stated, int(draw.integers(2**31))
+    )
 
 
 def starts(bench: Bench, truth: dict[str, tuple[float, float]]) -> dict[str, float]:
@@ -316,7 +325,10 @@ def height_and_slope(road: Road, x: Array) -> tuple[Array, Array]:
     on = (s >= 0.0) & (s < road.length)
     h, length = road.height, road.length
     if road.shape == "half-sine":
-        height, slope = h * np.sin(np.pi * s / length), h * np.pi / length * np.cos(np.pi * s / length)
+        height, slope = (
+            h * np.sin(np.pi * s / length),
+            h * np.pi / length * np.cos(np.pi * s / length),
+        )
     elif road.shape == "versine":
         turn = 2.0 * np.pi / length
         height, slope = 0.5 * h * (1.0 - np.cos(turn * s)), 0.5 * h * turn * np.sin(turn * s)
@@ -344,7 +356,9 @@ def ridden(rides: Sequence[Ride], *, duration: float = DURATION) -> list[Motion]
 
     static_wheel = -lanes.rest
     static_body = static_wheel - lanes.sag / lanes.cos
-    corner = 2.0 * np.pi * np.array([[_chain(ride, name).corner for ride in rides] for name in CHANNELS])
+    corner = (
+        2.0 * np.pi * np.array([[_chain(ride, name).corner for ride in rides] for name in CHANNELS])
+    )
     is_filtered = corner > 0.0
     is_first = np.array([[_chain(ride, name).order == 1 for ride in rides] for name in CHANNELS])
     y = np.zeros((_FILTERS + 2 * len(CHANNELS), len(rides)))
@@ -362,7 +376,10 @@ def ridden(rides: Sequence[Ride], *, duration: float = DURATION) -> list[Motion]
         out[_ZS], out[_ZU] = y[_VS], y[_VU]
         out[_VS] = (lanes.cos * along - guided) / lanes.sprung - GRAVITY
         out[_VU] = (contact - lanes.cos * along) / lanes.unsprung - GRAVITY
-        out[_STRUT], out[_GUIDE] = lanes.sliding_rate(v, y[_STRUT]), lanes.sliding_rate(y[_VS], y[_GUIDE])
+        out[_STRUT], out[_GUIDE] = (
+            lanes.sliding_rate(v, y[_STRUT]),
+            lanes.sliding_rate(y[_VS], y[_GUIDE]),
+        )
         seen = np.stack([out[_VS], out[_VU], x - lanes.sag, y[_ZS] - static_body])
         first, second = y[_FILTERS::2], y[_FILTERS + 1 :: 2]
         out[_FILTERS::2] = np.where(is_first, corner * (seen - first), second)
@@ -382,7 +399,10 @@ def ridden(rides: Sequence[Ride], *, duration: float = DURATION) -> list[Motion]
 
     samples = round(duration * RATE) + 1
     states, at = states[:samples], kept * np.arange(samples)
-    strut, velocity = lanes.cos * (states[:, _ZU] - states[:, _ZS]), lanes.cos * (states[:, _VU] - states[:, _VS])
+    strut, velocity = (
+        lanes.cos * (states[:, _ZU] - states[:, _ZS]),
+        lanes.cos * (states[:, _VU] - states[:, _VS]),
+    )
     tyre, tyre_rate = height[2 * at] - states[:, _ZU], climb[2 * at] - states[:, _VU]
     damper = lanes.damper(velocity)
     force = lanes.spring(strut) + damper + lanes.strut * lanes.sliding(velocity, states[:, _STRUT])
@@ -393,7 +413,9 @@ def ridden(rides: Sequence[Ride], *, duration: float = DURATION) -> list[Motion]
         recorded = {}
         for place, name in enumerate(CHANNELS):
             late = round(ride.delays.get(name, 0.0) / STEP)
-            recorded[name] = _chain(ride, name).gain * read[np.clip(at - late, 0, count - 1), place, k]
+            recorded[name] = (
+                _chain(ride, name).gain * read[np.clip(at - late, 0, count - 1), place, k]
+            )
         true = (strut, velocity, tyre, tyre_rate, states[:, _VS], force, damper, guide, contact)
         found.append(Motion(recorded, *(one[:, k] for one in true)))
     return found
@@ -418,7 +440,8 @@ def records(bench: Bench, motions: Sequence[Motion]) -> list[dict[str, Array]]:
     draw = np.random.default_rng(bench.noise_seed)
     return [
         {
-            name: motion.recorded[name] + ride.chains[name].noise * draw.standard_normal(len(motion.strut))
+            name: motion.recorded[name]
+            + ride.chains[name].noise * draw.standard_normal(len(motion.strut))
             for name in bench.channels
         }
         for ride, motion in zip(bench.rides, motions, strict=True)

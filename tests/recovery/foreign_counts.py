@@ -35,9 +35,13 @@ FREE = {
 ONSET = foreign_benches.NOMINAL_ONSET
 
 
-def fit_trials(bench: foreign_benches.Bench, motions: Sequence[Any], start: dict[str, float]) -> list[jn.FitTrial]:
+def fit_trials(
+    bench: foreign_benches.Bench, motions: Sequence[Any], start: dict[str, float]
+) -> list[jn.FitTrial]:
     """Give the trials as the bench's user describes them."""
-    damper = {side: start[f"strut.damper.{side}"] for side in ("bump_coefficient", "rebound_coefficient")}
+    damper = {
+        side: start[f"strut.damper.{side}"] for side in ("bump_coefficient", "rebound_coefficient")
+    }
     rig = jn.load("kart-quarter-car").with_changes({
         **bench.stated,
         "strut.spring.rate": start["strut.spring.rate"],
@@ -48,9 +52,13 @@ def fit_trials(bench: foreign_benches.Bench, motions: Sequence[Any], start: dict
     measured = foreign_benches.records(bench, motions)
     units = {"sprung.az": "m/s^2", "unsprung.az": "m/s^2"}
     found = []
-    for number, (road, speed, channels) in enumerate(zip(bench.roads, bench.speeds, measured, strict=True), 1):
+    for number, (road, speed, channels) in enumerate(
+        zip(bench.roads, bench.speeds, measured, strict=True), 1
+    ):
         time_ = np.arange(len(next(iter(channels.values())))) / foreign_benches.RATE
-        table = recording(time_, {name: (values, units.get(name, "m"), "") for name, values in channels.items()})
+        table = recording(
+            time_, {name: (values, units.get(name, "m"), "") for name, values in channels.items()}
+        )
         trial = jn.Trial(road=road_of(road), speed=speed, duration=foreign_benches.DURATION)
         found.append(jn.FitTrial(f"trial {number}", rig, trial, table))
     return found
@@ -74,15 +82,24 @@ def counted(seed: int, starts: int | None = None) -> dict[str, Any]:
     return updated(bench, motions, {} if starts is None else {"starts": starts})
 
 
-def updated(bench: foreign_benches.Bench, motions: Sequence[Any], options: dict[str, Any]) -> dict[str, Any]:
+def updated(
+    bench: foreign_benches.Bench, motions: Sequence[Any], options: dict[str, Any]
+) -> dict[str, Any]:
     """Update the model of one bench, and lay what is told beside what is true."""
     truth = foreign_benches.true_values(bench, motions)
     start = foreign_benches.starts(bench, truth)
     trials = fit_trials(bench, motions, start)
-    head = {"seed": bench.seed, "kind": bench.kind, "shape": bench.roads[0].shape, "channels": len(bench.channels)}
+    head = {
+        "seed": bench.seed,
+        "kind": bench.kind,
+        "shape": bench.roads[0].shape,
+        "channels": len(bench.channels),
+    }
     begun = time.process_time()
     try:
-        found = jn.update_model(trials, FREE, weights="normalised", align="lag", doubt=jn.Doubt(), **options)
+        found = jn.update_model(
+            trials, FREE, weights="normalised", align="lag", doubt=jn.Doubt(), **options
+        )
     except jn.JounceError as error:
         return {**head, "error": str(error)}
     took = time.process_time() - begun
@@ -98,7 +115,10 @@ def updated(bench: foreign_benches.Bench, motions: Sequence[Any], options: dict[
             "plain": found.parameters[path].value,
             "value": law.value,
             "interval": list(law.interval),
-            "readings": [[one.value, *(one.interval or (one.value,) * 2)] for one in (law.component, law.effective)],
+            "readings": [
+                [one.value, *(one.interval or (one.value,) * 2)]
+                for one in (law.component, law.effective)
+            ],
             "identified": law.identified,
             "why": law.why,
         }
@@ -109,7 +129,11 @@ def updated(bench: foreign_benches.Bench, motions: Sequence[Any], options: dict[
         "left": found.objective_after,
         "unexplained": max(counts.unexplained.values()),
         "findings": [[one.place, one.severity, one.message] for one in found.findings],
-        "nuisances": {name: one.deviations for name, one in counts.nuisances.items() if abs(one.deviations) > 1.5},
+        "nuisances": {
+            name: one.deviations
+            for name, one in counts.nuisances.items()
+            if abs(one.deviations) > 1.5
+        },
         "parameters": parameters,
     }
 
@@ -117,7 +141,9 @@ def updated(bench: foreign_benches.Bench, motions: Sequence[Any], options: dict[
 # what the lines say ---------------------------------------------------------------------------------------------------
 
 
-def is_inside(one: dict[str, Any], names: Iterable[str] = ("component", "effective"), widths: float = 1.0) -> bool:
+def is_inside(
+    one: dict[str, Any], names: Iterable[str] = ("component", "effective"), widths: float = 1.0
+) -> bool:
     """Tell whether an interval, stretched to so many of its widths, holds the truth."""
     low, high = one["interval"]
     middle, half = 0.5 * (low + high), 0.5 * (high - low) * widths
@@ -148,7 +174,12 @@ def table(lines: Sequence[dict[str, Any]]) -> str:
     )
     rows = ["".join(f"{name:>34s}" if name == "parameter" else f"{name:>13s}" for name in columns)]
     for path in (*FREE, "all"):
-        some = [(line, one) for line in lines for name, one in line["parameters"].items() if path in (name, "all")]
+        some = [
+            (line, one)
+            for line in lines
+            for name, one in line["parameters"].items()
+            if path in (name, "all")
+        ]
         known = [(line, one) for line, one in some if one["identified"]]
         out = [(line, one) for line, one in known if not is_inside(one)]
         far = [one for _, one in out if not is_inside(one, widths=1.5)]
@@ -175,7 +206,11 @@ def table(lines: Sequence[dict[str, Any]]) -> str:
 
 def wrongs(line: dict[str, Any]) -> list[str]:
     """Paths of values that are called identified and lie outside of their intervals."""
-    return [path for path, one in line.get("parameters", {}).items() if one["identified"] and not is_inside(one)]
+    return [
+        path
+        for path, one in line.get("parameters", {}).items()
+        if one["identified"] and not is_inside(one)
+    ]
 
 
 def _share(flags: Sequence[bool]) -> str:
@@ -190,9 +225,13 @@ def outcomes(line: dict[str, Any]) -> str:
     for path in wrongs(line):
         one = line["parameters"][path]
         low, high = one["interval"]
-        far = max(abs(one[name] - one["value"]) for name in ("component", "effective")) / (0.5 * (high - low))
+        far = max(abs(one[name] - one["value"]) for name in ("component", "effective")) / (
+            0.5 * (high - low)
+        )
         truth = f"{one['component']:.4g} | {one['effective']:.4g}"
-        apart.append(f"{path} {low:.4g} to {high:.4g} for {truth} ({far:.2f}; start {one['start']:.4g})")
+        apart.append(
+            f"{path} {low:.4g} to {high:.4g} for {truth} ({far:.2f}; start {one['start']:.4g})"
+        )
     warned = "warned" if is_warned(line) else "silent"
     head = f"{line['seed']:4d} {line['kind']}, {line['shape']}, objective {line['objective']:.3f}, {warned}"
     return f"{head}: {'; '.join(apart)}"
@@ -217,10 +256,14 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--out", type=Path)
     parser.add_argument("--starts", type=int)
     parser.add_argument("--show", type=Path, nargs="+", help="files to print tables of")
-    parser.add_argument("--wrong", action="store_true", help="list the benches with a wrong value called identified")
+    parser.add_argument(
+        "--wrong", action="store_true", help="list the benches with a wrong value called identified"
+    )
     asked = parser.parse_args(arguments)
     if asked.show:
-        show([lines_of(path) for path in asked.show], [str(path) for path in asked.show], asked.wrong)
+        show(
+            [lines_of(path) for path in asked.show], [str(path) for path in asked.show], asked.wrong
+        )
         return
     if asked.out is None:
         parser.error("give --out FILE, or --show FILE ...")
@@ -257,7 +300,9 @@ def show(counts: Sequence[list[dict[str, Any]]], names: Sequence[str], wrong: bo
         kept = [line for line in lines if line["seed"] in common]
         write(f"{name}\n{table(kept)}\n")
         if wrong:
-            write("".join(f"{outcomes(line)}\n" for line in kept if wrongs(line) or "error" in line))
+            write(
+                "".join(f"{outcomes(line)}\n" for line in kept if wrongs(line) or "error" in line)
+            )
 
 
 if __name__ == "__main__":

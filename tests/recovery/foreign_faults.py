@@ -15,7 +15,9 @@ LASER = "sprung.z"
 def with_laser(bench: Bench) -> Bench:
     """The bench with a laser that measures the height of the body, beside its accelerometers."""
     chains = {**bench.rides[0].chains, LASER: Chain(corner=200.0, noise=5e-5)}
-    rides = [replace(ride, chains=chains, delays={**ride.delays, LASER: 0.0}) for ride in bench.rides]
+    rides = [
+        replace(ride, chains=chains, delays={**ride.delays, LASER: 0.0}) for ride in bench.rides
+    ]
     return replace(bench, rides=rides, channels=(*foreign_benches.CHANNELS[:2], LASER))
 
 
@@ -45,4 +47,6 @@ def with_high_pass(motions: Sequence[Motion], channel: str, corner: float) -> li
 
 def stated_higher(bench: Bench, factor: float) -> Bench:
     """The bench whose user states the obstacles too high by a ``factor``."""
-    return replace(bench, roads=[replace(road, height=factor * road.height) for road in bench.roads])
+    return replace(
+        bench, roads=[replace(road, height=factor * road.height) for road in bench.roads]
+    )

@@ -46,7 +46,11 @@ def evaluated(seed: int) -> dict[str, Any]:
         for trial in result.trials
         if trial.after is not None
     }
-    problems = [str(finding) for finding in [*made.findings, *result.findings] if finding.severity == "problem"]
+    problems = [
+        str(finding)
+        for finding in [*made.findings, *result.findings]
+        if finding.severity == "problem"
+    ]
     return {"parameters": parameters, "r2": r2, "seconds": seconds, "problems": problems}
 
 
@@ -58,16 +62,24 @@ def table_of(counted: dict[str, Any]) -> str:
         found = [row["parameters"][path] for row in rows if path in row["parameters"]]
         covers = [one["interval"][0] <= one["truth"] <= one["interval"][1] for one in found]
         known = sum(one["identified"] for one in found)
-        out = sum(one["identified"] and not covers_ for one, covers_ in zip(found, covers, strict=True))
-        half = np.median([0.5 * (one["interval"][1] - one["interval"][0]) / one["truth"] for one in found])
+        out = sum(
+            one["identified"] and not covers_ for one, covers_ in zip(found, covers, strict=True)
+        )
+        half = np.median(
+            [0.5 * (one["interval"][1] - one["interval"][0]) / one["truth"] for one in found]
+        )
         counts = f"{sum(covers):3} of {len(found)}, identified {known:3}, of these out {out}"
         lines.append(f"{path:36} {counts}, half-width {100.0 * half:.1f} %")
         inside, total = inside + sum(covers), total + len(found)
     lines.append(f"pooled {inside} of {total} = {100.0 * inside / max(total, 1):.1f} %")
     worst = min((min(row["r2"].values()) for row in rows if row["r2"]), default=float("nan"))
     seconds = np.mean([row["seconds"] for row in rows])
-    lines.append(f"trials {sum(len(row['r2']) for row in rows)}, worst R2 {worst:.4f}; {seconds:.1f} CPU s")
-    lines += [f"{seed} {problem[:200]}" for seed, row in counted.items() for problem in row["problems"]]
+    lines.append(
+        f"trials {sum(len(row['r2']) for row in rows)}, worst R2 {worst:.4f}; {seconds:.1f} CPU s"
+    )
+    lines += [
+        f"{seed} {problem[:200]}" for seed, row in counted.items() for problem in row["problems"]
+    ]
     return "\n".join(lines)
 
 

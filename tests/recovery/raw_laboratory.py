@@ -209,10 +209,14 @@ def accelerations(lab: Laboratory) -> tuple[Array, Array]:
         along = bench.rate * x + np.where(closing > 0.0, bench.bump, bench.rebound) * closing
         deflection = road - wheel + rest
         contact = np.where(
-            deflection > 0.0, np.maximum(stiffness * deflection + bench.tyre_damping * (rise - w), 0.0), 0.0
+            deflection > 0.0,
+            np.maximum(stiffness * deflection + bench.tyre_damping * (rise - w), 0.0),
+            0.0,
         )
         up = cos * along - bench.guide * np.tanh(v / bench.onset)
-        return np.stack([v, w, up / bench.sprung - GRAVITY, (contact - cos * along) / bench.unsprung - GRAVITY])
+        return np.stack(
+            [v, w, up / bench.sprung - GRAVITY, (contact - cos * along) / bench.unsprung - GRAVITY]
+        )
 
     y = np.zeros((4, len(TABLE)))
     kept = round(1.0 / (RATE * STEP))
@@ -237,7 +241,11 @@ def accelerations(lab: Laboratory) -> tuple[Array, Array]:
 def volts(chain: Chain, signal: Array, draw: np.random.Generator) -> Array:
     """What the card records of an acceleration (m/s^2), shape (samples, ...): V."""
     filtered = _filtered(signal, chain)
-    out = chain.sign * chain.sensitivity * filtered + chain.offset + chain.noise * draw.standard_normal(signal.shape)
+    out = (
+        chain.sign * chain.sensitivity * filtered
+        + chain.offset
+        + chain.noise * draw.standard_normal(signal.shape)
+    )
     return np.clip(np.round(out / chain.step) * chain.step, -chain.span, chain.span)
 
 
@@ -248,8 +256,12 @@ def _filtered(signal: Array, chain: Chain) -> Array:
     s = 1j * frequency
     high = s / (s + chain.high_pass)
     low = chain.low_pass**2 / (s**2 + math.sqrt(2.0) * chain.low_pass * s + chain.low_pass**2)
-    lead = np.concatenate([signal[::-1], signal]).reshape(padded, -1)  # mirrored: no jump where the record begins
-    return np.fft.irfft(np.fft.rfft(lead, axis=0) * high * low, padded, axis=0)[len(signal) :].reshape(signal.shape)
+    lead = np.concatenate([signal[::-1], signal]).reshape(
+        padded, -1
+    )  # mirrored: no jump where the record begins
+    return np.fft.irfft(np.fft.rfft(lead, axis=0) * high * low, padded, axis=0)[
+        len(signal) :
+    ].reshape(signal.shape)
 
 
 def pulse_times(lab: Laboratory, trial: int, draw: np.random.Generator) -> Array:
@@ -257,7 +269,9 @@ def pulse_times(lab: Laboratory, trial: int, draw: np.random.Generator) -> Array
     belt = lab.belt
     time = np.linspace(-0.5, DURATION + 0.1, 400_001)
     x, _ = travelled(belt, lab.speeds[trial], lab.phases[trial], time)
-    turns = x / ((1.0 - belt.slip) * 2.0 * math.pi * belt.radius) * belt.pulses  # the cylinder runs ahead of the belt
+    turns = (
+        x / ((1.0 - belt.slip) * 2.0 * math.pi * belt.radius) * belt.pulses
+    )  # the cylinder runs ahead of the belt
     marks = np.arange(math.ceil(turns[0]), math.floor(turns[-1]) + 1)
     at = np.interp(marks, turns, time) + lab.jitter * draw.standard_normal(len(marks))
     at = at[draw.random(len(at)) >= lab.missing_pulses]
@@ -291,7 +305,10 @@ def _files(lab: Laboratory, draw: np.random.Generator) -> Iterator[tuple[str, di
         level = 1 + sum(speed > limit for limit in (2.4, 3.3))
         name = f"P{level}_{round(100 * pressure):03d}_{angle}_{profile[0]}_{number:02d}.csv"
         pulses = pulse_volts(pulse_times(lab, k, draw), time, draw)
-        yield name, {"Time [s]": time, "ch0 [V]": first[:, k], "ch1 [V]": second[:, k], "ch2 [V]": pulses}
+        yield (
+            name,
+            {"Time [s]": time, "ch0 [V]": first[:, k], "ch1 [V]": second[:, k], "ch2 [V]": pulses},
+        )
     yield from _machine(lab.bench, draw)
     yield from _decays(lab, draw)
     yield from _calibrations(lab, draw)
@@ -305,7 +322,10 @@ def _machine(bench: Bench, draw: np.random.Generator) -> Iterator[tuple[str, dic
 
     stroke = np.linspace(0.0, 15.0, 61)
     for number in range(1, 6):
-        yield f"mola_{number}.csv", {"Extension [mm]": stroke, "Load [N]": forces(bench.rate * 1e-3 * stroke)}
+        yield (
+            f"mola_{number}.csv",
+            {"Extension [mm]": stroke, "Load [N]": forces(bench.rate * 1e-3 * stroke)},
+        )
     stroke = np.linspace(0.0, 10.0, 81)
     for pressure, stiffness in bench.tyre.items():
         for number in range(1, 4):
@@ -332,13 +352,18 @@ def _released(bench: Bench, lifted: float, time: Array) -> Array:
     """Height (m) of the body after it is let go, from rest."""
     cos = math.cos(math.radians(26.0))
     stiffness = bench.tyre[0.31]
-    y = np.array([lifted, lifted * bench.rate * cos**2 / (bench.rate * cos**2 + stiffness), 0.0, 0.0])
+    y = np.array(
+        [lifted, lifted * bench.rate * cos**2 / (bench.rate * cos**2 + stiffness), 0.0, 0.0]
+    )
     step, out = 5e-4, [y[0]]
 
     def rates(y: Array) -> Array:
         body, wheel, v, w = y
         closing = cos * (w - v)
-        along = bench.rate * cos * (wheel - body) + (bench.bump if closing > 0.0 else bench.rebound) * closing
+        along = (
+            bench.rate * cos * (wheel - body)
+            + (bench.bump if closing > 0.0 else bench.rebound) * closing
+        )
         contact = -stiffness * wheel - bench.tyre_damping * w
         up = cos * along - bench.guide * math.tanh(v / bench.onset)
         return np.array([v, w, up / bench.sprung, (contact - cos * along) / bench.unsprung])
@@ -353,7 +378,9 @@ def _released(bench: Bench, lifted: float, time: Array) -> Array:
     return np.interp(time, step * np.arange(fine + 1), out)
 
 
-def _calibrations(lab: Laboratory, draw: np.random.Generator) -> Iterator[tuple[str, dict[str, Array]]]:
+def _calibrations(
+    lab: Laboratory, draw: np.random.Generator
+) -> Iterator[tuple[str, dict[str, Array]]]:
     """The laser against gauge blocks, and the body's accelerometer on a hand-held shaker: both by hand, as a table."""
     blocks = np.array([0.0, 5.0, 10.0, 20.0, 30.0, 40.0])
     reading = 0.4 + 1e-3 * lab.laser * blocks + 2e-3 * draw.standard_normal(blocks.size)
@@ -369,7 +396,9 @@ def _write_text(file: Path, columns: dict[str, Array], *, has_commas: bool) -> N
         for row in np.column_stack([*columns.values()])
     )
     header = (";" if has_commas else ",").join(columns)
-    file.write_text(f"{header}\n{text.replace('.', ',') if has_commas else text}\n", encoding="utf-8")
+    file.write_text(
+        f"{header}\n{text.replace('.', ',') if has_commas else text}\n", encoding="utf-8"
+    )
 
 
 # what is true ---------------------------------------------------------------------------------------------------------

@@ -15,7 +15,13 @@ from scipy import signal
 
 Array = NDArray[np.float64]
 GRAVITY, STEP, RATE, BEFORE, LASTS = 9.81, 2e-4, 1000, 3.0, 6.0
-TABLE = ((1, 1.95, 26, 0.31), (2, 2.86, 26, 0.31), (3, 3.79, 26, 0.31), (7, 2.03, 16, 0.31), (9, 1.92, 26, 0.25))
+TABLE = (
+    (1, 1.95, 26, 0.31),
+    (2, 2.86, 26, 0.31),
+    (3, 3.79, 26, 0.31),
+    (7, 2.03, 16, 0.31),
+    (9, 1.92, 26, 0.25),
+)
 PSI = {0.31: 45, 0.25: 36}
 SETTINGS = """schema = "jounce.laboratory/1"
 sprung_mass = "16 kg"
@@ -60,11 +66,27 @@ def driven(truth: Truth) -> tuple[Array, Array]:
         height, rise = road(t)
         strut = truth.spring * lever * (z[2] - z[0]) + truth.damper * lever * (z[3] - z[1])
         deflection = height - z[2]
-        contact = np.maximum(tyre * deflection + truth.tyre_damping * (rise - z[3]), 0.0) * (deflection > 0.0)
-        return np.stack((z[1], strut / truth.sprung - GRAVITY, z[3], (contact - strut) / truth.unsprung - GRAVITY))
+        contact = np.maximum(tyre * deflection + truth.tyre_damping * (rise - z[3]), 0.0) * (
+            deflection > 0.0
+        )
+        return np.stack(
+            (
+                z[1],
+                strut / truth.sprung - GRAVITY,
+                z[3],
+                (contact - strut) / truth.unsprung - GRAVITY,
+            )
+        )
 
     weight = (truth.sprung + truth.unsprung) * GRAVITY
-    z = np.stack((-truth.sprung * GRAVITY / (truth.spring * lever) - weight / tyre, 0 * tyre, -weight / tyre, 0 * tyre))
+    z = np.stack(
+        (
+            -truth.sprung * GRAVITY / (truth.spring * lever) - weight / tyre,
+            0 * tyre,
+            -weight / tyre,
+            0 * tyre,
+        )
+    )
     seen = np.empty((steps, 2, len(TABLE)))
     for i in range(steps):
         t = i * STEP
@@ -88,25 +110,41 @@ def write(truth: Truth, folder: Path) -> None:
     for k, (number, _, _, pressure) in enumerate(TABLE):
         columns = []
         for channel, gain in ((0, 10.0), (1, -2.0)):
-            volts = gain * signal.sosfilt(low, signal.sosfilt(high, seen[:, channel, k]))[::every][first:]
+            volts = (
+                gain
+                * signal.sosfilt(low, signal.sosfilt(high, seen[:, channel, k]))[::every][first:]
+            )
             columns.append(volts + 4.0 + 0.4 * draw.standard_normal(volts.size))
         time = np.arange(columns[0].size) / RATE
         _table(folder / f"ensayo{number:02d}_{PSI[pressure]}psi.txt", "tiempo (s)\tmasa suspendida (mV)\tmasa no "
                "suspendida (mV)", [time, *columns], f"Laboratorio de Vehículos\nEnsayo nº {number}\n\n")  # fmt: skip
     tests = [("resorte", truth.spring, 15.0)]
-    tests += [(f"neumatico_{PSI[p]}psi_", rate, 10.0) for p, rate in ((0.31, truth.tyre), (0.25, truth.soft_tyre))]
+    tests += [
+        (f"neumatico_{PSI[p]}psi_", rate, 10.0)
+        for p, rate in ((0.31, truth.tyre), (0.25, truth.soft_tyre))
+    ]
     for name, rate, stroke in tests:
         for repeat in (1, 2, 3):
-            way = np.concatenate([np.arange(0.0, stroke + 0.1, 0.5), np.arange(stroke - 0.5, -0.1, -0.5)])
-            load = rate * 1e-3 * way / 9.80665 * (1.0 + 0.003 * draw.standard_normal()) + 0.1 * draw.standard_normal(
-                way.size
+            way = np.concatenate(
+                [np.arange(0.0, stroke + 0.1, 0.5), np.arange(stroke - 0.5, -0.1, -0.5)]
             )
+            load = rate * 1e-3 * way / 9.80665 * (
+                1.0 + 0.003 * draw.standard_normal()
+            ) + 0.1 * draw.standard_normal(way.size)
             _table(folder / f"{name}{repeat}.txt", "desplazamiento (mm)\tcarga (kg)", [way, load])
     book = openpyxl.Workbook()
     sheet = book.active
     sheet.append(["Tabla 2: Ensayos experimentales"])
     sheet.merge_cells("A1:E1")
-    sheet.append(["Ensayo", "Velocidad de paso [m/s]", "Ángulo del amortiguador [°]", "Presión [MPa]", "Perfil"])
+    sheet.append(
+        [
+            "Ensayo",
+            "Velocidad de paso [m/s]",
+            "Ángulo del amortiguador [°]",
+            "Presión [MPa]",
+            "Perfil",
+        ]
+    )
     for row in TABLE:
         sheet.append([*row, "A"])
     book.save(folder / "ensayos.xlsx")
@@ -114,5 +152,7 @@ def write(truth: Truth, folder: Path) -> None:
 
 
 def _table(file: Path, head: str, columns: list[Array], before: str = "") -> None:
-    rows = "\n".join("\t".join(f"{value:.5g}" for value in row) for row in zip(*columns, strict=True))
+    rows = "\n".join(
+        "\t".join(f"{value:.5g}" for value in row) for row in zip(*columns, strict=True)
+    )
     file.write_bytes(f"{before}{head}\n{rows}\n".replace(".", ",").encode("latin-1"))

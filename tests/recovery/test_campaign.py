@@ -38,7 +38,11 @@ def update(result, name):
 
 def test_description_is_table_2_over_the_courses_of_the_bench(result):
     for entry, row, trial in zip(result.campaign.trial, table2(), result.trials, strict=True):
-        assert (entry.number, entry.speed, entry.tyre_pressure) == (row.number, row.speed, row.tyre_pressure)
+        assert (entry.number, entry.speed, entry.tyre_pressure) == (
+            row.number,
+            row.speed,
+            row.tyre_pressure,
+        )
         assert entry.strut_angle == pytest.approx(row.strut_angle)
         assert entry.road == row.road
         assert trial.obstacle_pitch == row.pitch
@@ -50,7 +54,9 @@ def test_description_is_table_2_over_the_courses_of_the_bench(result):
 def test_everything_is_done_and_every_trial_judged(quick_look):
     result, said = quick_look
     assert result.is_complete
-    assert [strategy.update.name for strategy in result.strategies] == [f"strategy {i}" for i in (1, 2, 3, 4)]
+    assert [strategy.update.name for strategy in result.strategies] == [
+        f"strategy {i}" for i in (1, 2, 3, 4)
+    ]
     assert len(result.trials) == 16
     for trial in result.trials:
         assert set(trial.after.channels) == {"sprung.az", "unsprung.az"}
@@ -86,10 +92,19 @@ def test_every_update_is_held_against_all_trials_before_and_after(result):
     first, second, third, fourth = result.strategies
     for strategy in result.strategies:
         assert [trial.number for trial in strategy.trials] == list(range(1, 17))
-        assert {trial.number for trial in strategy.trials if trial.is_fitted} == set(strategy.fitted_on)
+        assert {trial.number for trial in strategy.trials if trial.is_fitted} == set(
+            strategy.fitted_on
+        )
         for trial in strategy.trials:
-            assert set(trial.before.channels) == set(trial.after.channels) == {"sprung.az", "unsprung.az"}
-            assert trial.signals["sprung.az"].simulated.shape == trial.signals_before["sprung.az"].simulated.shape
+            assert (
+                set(trial.before.channels)
+                == set(trial.after.channels)
+                == {"sprung.az", "unsprung.az"}
+            )
+            assert (
+                trial.signals["sprung.az"].simulated.shape
+                == trial.signals_before["sprung.az"].simulated.shape
+            )
     # each update starts from what was known then: 1 from the measured curve, 3 from the result of 2
     assert first.trial(1).before.objective != second.trial(1).before.objective
     assert third.trial(9).before.objective == second.trial(9).after.objective
@@ -102,18 +117,28 @@ def test_the_objective_is_split_into_body_and_wheel(result):
     for strategy in result.strategies[:3]:  # Eq. 2 as printed, not aligned: its parts add up to it
         split = strategy.objective_by_channel()
         assert list(split) == ["sprung.az", "unsprung.az"]
-        assert sum(part[0] for part in split.values()) == pytest.approx(strategy.update.objective_before, rel=1e-4)
-        assert sum(part[1] for part in split.values()) == pytest.approx(strategy.update.objective_after, rel=1e-4)
+        assert sum(part[0] for part in split.values()) == pytest.approx(
+            strategy.update.objective_before, rel=1e-4
+        )
+        assert sum(part[1] for part in split.values()) == pytest.approx(
+            strategy.update.objective_after, rel=1e-4
+        )
         assert split["unsprung.az"][0] > 3.0 * split["sprung.az"][0]
 
 
 def test_the_linear_tyre_serves_better_than_the_measured_curve(result):
     """The paper's main conclusion; the reason it gives (the standing tyre settles) is built into the virtual bench."""
-    assert update(result, "strategy 2").objective_after < 0.9 * update(result, "strategy 1").objective_after
+    assert (
+        update(result, "strategy 2").objective_after
+        < 0.9 * update(result, "strategy 1").objective_after
+    )
 
 
 def test_strategy_3_changes_the_tyre_at_the_other_pressure_only(result):
-    before, after = (next(s.knowledge for s in result.strategies if s.update.name == f"strategy {i}") for i in (2, 3))
+    before, after = (
+        next(s.knowledge for s in result.strategies if s.update.name == f"strategy {i}")
+        for i in (2, 3)
+    )
     for path in ("strut.spring.rate", "strut.damper.coefficient"):
         assert after.rig_for(None, 250e3, {}).parameters()[path] == before.rig.parameters()[path]
     assert after.tyre_at(310e3) == before.tyre_at(310e3)
@@ -123,13 +148,19 @@ def test_strategy_3_changes_the_tyre_at_the_other_pressure_only(result):
 
 def test_strategy_4_finds_friction_and_the_lags(result):
     found = update(result, "strategy 4")
-    friction = {name: found.parameters[f"{name}.friction.force"].value for name in ("strut", "guide")}
+    friction = {
+        name: found.parameters[f"{name}.friction.force"].value for name in ("strut", "guide")
+    }
     dry = friction["guide"] + friction["strut"] * math.cos(math.radians(26.0))
-    assert dry == pytest.approx(GUIDE_FRICTION + STRUT_FRICTION * math.cos(math.radians(26.0)), rel=0.5)
+    assert dry == pytest.approx(
+        GUIDE_FRICTION + STRUT_FRICTION * math.cos(math.radians(26.0)), rel=0.5
+    )
     assert found.parameters["strut.spring.rate"].value == pytest.approx(SPRING_RATE, rel=0.03)
     rows = {row.number: row for row in table2()}
     for number in (1, 3, 8, 9):  # single obstacles; in trains the slowing belt adds to the lag
-        assert found.lags[f"trial {number}"] == pytest.approx(true_pass(rows[number]).lag, abs=0.6e-3)
+        assert found.lags[f"trial {number}"] == pytest.approx(
+            true_pass(rows[number]).lag, abs=0.6e-3
+        )
 
 
 def test_every_trial_is_nearer_to_the_model_than_before(result):
@@ -176,9 +207,13 @@ def test_results_are_strict_json_with_the_promised_keys(result):
     compared = plain["updates"][1]["comparisons"]
     assert [(one["number"], one["is_fitted"]) for one in compared[:2]] == [(1, True), (2, False)]
     for state in ("before", "after"):
-        assert {"nrmse", "r2", "iso18571", "objective"} <= compared[4][state]["channels"]["unsprung.az"].keys()
+        assert {"nrmse", "r2", "iso18571", "objective"} <= compared[4][state]["channels"][
+            "unsprung.az"
+        ].keys()
     split = plain["updates"][1]["objective_by_channel"]["sprung.az"]
-    assert split["after"] == pytest.approx(compared[0]["after"]["channels"]["sprung.az"]["objective"])
+    assert split["after"] == pytest.approx(
+        compared[0]["after"]["channels"]["sprung.az"]["objective"]
+    )
     channel = plain["trials"][0]["channels"]["sprung.az"]
     assert {"nrmse", "r2", "peak_error", "iso18571"} <= set(channel)
     assert plain["updates"][1]["parameters"]["tyre.stiffness"].keys() >= {
@@ -194,9 +229,14 @@ def test_there_is_a_rig_for_each_update_and_tyre_pressure_and_it_says_the_truth(
         assert list(strategy.rig_texts) == ["0.31 MPa", "0.25 MPa"]
         for label, text in strategy.rig_texts.items():
             rig = rig_from_table(tomllib.loads(text))
-            assert rig.parameters() == strategy.knowledge.rig_for(None, to_si(label, "Pa"), {}).parameters()
+            assert (
+                rig.parameters()
+                == strategy.knowledge.rig_for(None, to_si(label, "Pa"), {}).parameters()
+            )
             assert text.splitlines()[0].endswith(f"with the tyre at {label}.")
-            assert "# never stated in the paper" in text  # lines that nothing changed keep their comments
+            assert (
+                "# never stated in the paper" in text
+            )  # lines that nothing changed keep their comments
             assert "starting points" not in text
             assert "linear fit above 2 mm at 0.31 MPa" not in text
             assert strategy.update.name in rig.source
@@ -215,19 +255,32 @@ def test_fitted_values_carry_their_intervals_and_what_they_are_from(result):
     assert line(second.rig_texts["0.31 MPa"], "stiffness").endswith(
         f"  # fitted: strategy 2; 95 % {low:.6g} to {high:.6g} N/m (noise only)"
     )
-    assert '# measured: bench.tyre."0.25 MPa" +- ' in line(second.rig_texts["0.25 MPa"], "stiffness")
-    assert "# fitted: strategy 2;" in line(third.rig_texts["0.31 MPa"], "stiffness")  # 3 left this pressure alone
+    assert '# measured: bench.tyre."0.25 MPa" +- ' in line(
+        second.rig_texts["0.25 MPa"], "stiffness"
+    )
+    assert "# fitted: strategy 2;" in line(
+        third.rig_texts["0.31 MPa"], "stiffness"
+    )  # 3 left this pressure alone
     assert "# fitted: strategy 3;" in line(third.rig_texts["0.25 MPa"], "stiffness")
-    assert line(third.rig_texts["0.25 MPa"], "spring = {").endswith("# rate fitted: strategy 2; at its bound")
-    assert "strut.friction.force" in rig_from_table(tomllib.loads(third.rig_texts["0.25 MPa"])).estimated
+    assert line(third.rig_texts["0.25 MPa"], "spring = {").endswith(
+        "# rate fitted: strategy 2; at its bound"
+    )
+    assert (
+        "strut.friction.force"
+        in rig_from_table(tomllib.loads(third.rig_texts["0.25 MPa"])).estimated
+    )
     # one factor for both pressures: the interval of the other one is scaled with its value
     known = {label: rig_from_table(tomllib.loads(text)) for label, text in fourth.rig_texts.items()}
     factor = known["0.25 MPa"].tyre.stiffness / known["0.31 MPa"].tyre.stiffness
     low, high = fourth.update.parameters["tyre.stiffness"].interval
     text = fourth.rig_texts["0.25 MPa"]
-    assert f"{factor * low:.6g} to {factor * high:.6g} N/m (noise only); of the part 95 %" in line(text, "stiffness")
+    assert f"{factor * low:.6g} to {factor * high:.6g} N/m (noise only); of the part 95 %" in line(
+        text, "stiffness"
+    )
     low, high = fourth.update.discrepancy.parameters["strut.damper.coefficient"].interval
-    assert f"of the part 95 % {low:.6g} to {high:.6g} N*s/m, not identified" in line(text, "damper = {")
+    assert f"of the part 95 % {low:.6g} to {high:.6g} N*s/m, not identified" in line(
+        text, "damper = {"
+    )
     assert "# Intervals of the part count what the model lacks;" in text
     assert "of the part" not in third.rig_texts["0.25 MPa"]
     assert "strut.friction.force" not in known["0.25 MPa"].estimated
@@ -248,7 +301,10 @@ def test_speed_of_the_campaign_and_truth_differ_within_rounding(result):
 def test_intervals_with_model_error_stand_beside_those_of_the_noise(result):
     for name in ("strategy 1", "strategy 2", "strategy 3"):  # one trial each
         assert update(result, name).discrepancy is None
-        assert any("it takes 3 fitted trials (here 1)" in finding.message for finding in update(result, name).findings)
+        assert any(
+            "it takes 3 fitted trials (here 1)" in finding.message
+            for finding in update(result, name).findings
+        )
     found = update(result, "strategy 4")
     truth = next(strategy.truth for strategy in result.strategies if strategy.update is found)
     assert truth["strut.spring.rate"] == SPRING_RATE
@@ -258,7 +314,9 @@ def test_intervals_with_model_error_stand_beside_those_of_the_noise(result):
     for path, true in truth.items():
         low, high = found.discrepancy.parameters[path].interval
         assert low <= true <= high, path
-    missed = [path for path, true in truth.items() if not _within(true, found.parameters[path].interval)]
+    missed = [
+        path for path, true in truth.items() if not _within(true, found.parameters[path].interval)
+    ]
     assert len(missed) >= 4  # of six, by those of the noise
 
 
@@ -271,21 +329,31 @@ def test_results_and_report_tell_both_intervals_and_the_truth(result):
 
     plain = json.loads(to_json(result.to_dict()))["updates"][3]
     law = plain["discrepancy"]["parameters"]["tyre.stiffness"]
-    assert {"value", "interval", "component", "effective", "identified", "why", "shares"} <= set(law)
+    assert {"value", "interval", "component", "effective", "identified", "why", "shares"} <= set(
+        law
+    )
     assert plain["truth"]["strut.friction.force"] == STRUT_FRICTION
     strategy = result.strategies[3]
     table, words = discrepancy_blocks(strategy, dict.fromkeys(strategy.update.parameters, "1"))
     assert "truth" in table.header
     assert {row[-1].text for row in table.rows} <= {"identified", "not identified with this model"}
     assert "three observations for each channel and trial (6 trials)" in words.text
-    beside = discrepancy_blocks(result.strategies[1], dict.fromkeys(result.strategies[1].update.parameters, "1"))
+    beside = discrepancy_blocks(
+        result.strategies[1], dict.fromkeys(result.strategies[1].update.parameters, "1")
+    )
     assert "three fitted trials" in beside[0].text
-    assert "does not say that its parameters are those of the parts" in validation(result).blocks[0].text
+    assert (
+        "does not say that its parameters are those of the parts"
+        in validation(result).blocks[0].text
+    )
 
 
 def test_what_says_that_parameters_are_not_those_of_the_parts_leads(result):
     def leads(finding):
-        return "ends on its bound" in finding.message or "contradicts the value measured" in finding.message
+        return (
+            "ends on its bound" in finding.message
+            or "contradicts the value measured" in finding.message
+        )
 
     found = [leads(finding) for finding in result.findings]
     assert any(found)
@@ -353,7 +421,9 @@ def problems(result):
     return [finding for finding in result.findings if finding.severity == "problem"]
 
 
-@pytest.mark.parametrize("damage", ["missing", "empty", "nan", "text", "short", "zero time", "no unit"])
+@pytest.mark.parametrize(
+    "damage", ["missing", "empty", "nan", "text", "short", "zero time", "no unit"]
+)
 def test_one_bad_trial_does_not_lose_the_others(template, damage):
     file = template.parent / "trials" / "02.csv"
     lines = file.read_text().splitlines()
@@ -384,7 +454,10 @@ def test_a_lost_fit_trial_loses_its_update_only(template):
     (template.parent / "trials" / "01.csv").unlink()
     changed(template, 'trials = "fit"', "trials = [1]")
     result = run_campaign(template)
-    assert {finding.place for finding in problems(result)} == {"trial 1", "stiffness, damping and friction"}
+    assert {finding.place for finding in problems(result)} == {
+        "trial 1",
+        "stiffness, damping and friction",
+    }
     assert result.strategies == ()
     assert [trial.after is not None for trial in result.trials] == [False, True, True]
 
@@ -402,7 +475,11 @@ def test_a_bad_bench_file_leaves_the_described_value(template):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('"strut.spring.rate" = "10 %"', '"strut.spring.rate" = ["30 N/mm", "40 N/mm"]', "exclude the start"),
+        (
+            '"strut.spring.rate" = "10 %"',
+            '"strut.spring.rate" = ["30 N/mm", "40 N/mm"]',
+            "exclude the start",
+        ),
     ],
 )
 def test_an_impossible_update_is_reported_and_the_trials_still_judged(template, old, new, message):

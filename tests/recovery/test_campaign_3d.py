@@ -28,7 +28,9 @@ FREE = {"strut.spring.rate": "10 %", "strut.damper.coefficient": "10 %", "tyre.s
 BUMP = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m")
 SENSORS = {
     "sprung.az": jn.Sensor(high_pass="0.5 Hz", low_pass="250 Hz", noise=0.15, bias=0.04, gain=1.01),
-    "unsprung.az": jn.Sensor(high_pass="0.5 Hz", low_pass="250 Hz", noise=0.8, bias=-0.15, gain=0.99),
+    "unsprung.az": jn.Sensor(
+        high_pass="0.5 Hz", low_pass="250 Hz", noise=0.8, bias=-0.15, gain=0.99
+    ),
 }
 IDEAL = {name: sensor.model_copy(update={"noise": 0.0}) for name, sensor in SENSORS.items()}
 
@@ -44,7 +46,9 @@ def recorded(degrees, speed, sensors, seed=None):
 def fit(sensors, seed=None, tolerance=1e-9):
     trials = []
     for degrees, speed in ((26, 1.95), (16, 2.86)):
-        trial, measured = recorded(degrees, speed, sensors, None if seed is None else seed + degrees)
+        trial, measured = recorded(
+            degrees, speed, sensors, None if seed is None else seed + degrees
+        )
         rig = with_strut_angle(KART, f"{degrees} deg")
         trials.append(jn.FitTrial(f"{degrees} deg", rig, trial, measured, sensors))
     return jn.update_model(trials, FREE, tolerance=tolerance)
@@ -137,29 +141,48 @@ def test_campaign_on_a_3d_rig_finds_its_values_and_keeps_its_file(folder):
     }
     found = result.strategies[0].update.parameters
     for path, value in TRUTH.items():
-        assert found[path].value == pytest.approx(value, rel=2e-3)  # recordings are rounded to what CSV holds
+        assert found[path].value == pytest.approx(
+            value, rel=2e-3
+        )  # recordings are rounded to what CSV holds
     assert [trial.after.verdict for trial in result.trials] == ["holds", "holds"]
     assert result.start.strut.spring.free_length == KART.strut.spring.free_length
-    assert list(result.strategies[0].rig_texts) == ["", "0.31 MPa"]  # one trial does not state its pressure
+    assert list(result.strategies[0].rig_texts) == [
+        "",
+        "0.31 MPa",
+    ]  # one trial does not state its pressure
     text = result.strategies[0].rig_texts[""]
-    assert rig_from_table(tomllib.loads(text)).parameters() == result.strategies[0].knowledge.rig.parameters()
+    assert (
+        rig_from_table(tomllib.loads(text)).parameters()
+        == result.strategies[0].knowledge.rig.parameters()
+    )
     assert "# the seat is threaded: preload is continuous" in text
     assert 'free_length = "207.955 mm"' in text
 
 
 def test_what_looks_wrong_in_the_rig_is_a_finding_of_the_campaign(folder):
     rig = folder / "rig.toml"
-    rig.write_text(rig.read_text().replace('damper = {coefficient = "150 N*s/m"}', "damper = {coefficient = 150}"))
-    assert not [f for f in run_campaign(folder / "campaign.toml").findings if f.place.startswith("rig.toml")]
+    rig.write_text(
+        rig.read_text().replace(
+            'damper = {coefficient = "150 N*s/m"}', "damper = {coefficient = 150}"
+        )
+    )
+    assert not [
+        f for f in run_campaign(folder / "campaign.toml").findings if f.place.startswith("rig.toml")
+    ]
     rig.write_text(rig.read_text().replace('camber = "0 deg"', "camber = -1"))
-    found = [f for f in run_campaign(folder / "campaign.toml").findings if f.place.startswith("rig.toml")]
+    found = [
+        f for f in run_campaign(folder / "campaign.toml").findings if f.place.startswith("rig.toml")
+    ]
     assert [f.place for f in found] == ["rig.toml: wheel.camber"]
 
 
 def test_each_trial_runs_at_its_own_angle(folder):
     result = run_campaign(folder / "campaign.toml")
     knowledge = result.strategies[0].knowledge
-    angles = [strut_angle(knowledge.rig_for(entry.strut_angle, None, {})) for entry in result.campaign.trial]
+    angles = [
+        strut_angle(knowledge.rig_for(entry.strut_angle, None, {}))
+        for entry in result.campaign.trial
+    ]
     assert np.degrees(angles) == pytest.approx([26.0, 16.0])
 
 
@@ -173,7 +196,9 @@ def test_an_angle_over_thirty_degrees_is_a_finding(folder):
 def test_an_angle_for_a_strut_that_guides_the_wheel_is_refused_before_any_work(folder):
     file = folder / "campaign.toml"
     file.write_text(file.read_text().replace('rig = "rig.toml"', 'rig = "generic-mcpherson"'))
-    with pytest.raises(DescriptionError, match=r"trial\[0\].strut_angle \(number 1\): a McPherson strut guides"):
+    with pytest.raises(
+        DescriptionError, match=r"trial\[0\].strut_angle \(number 1\): a McPherson strut guides"
+    ):
         run_campaign(file)
     assert any("McPherson strut guides" in problem for problem in check_file(file).problems)
 
@@ -183,10 +208,14 @@ def test_a_measured_intercept_goes_into_the_free_length(folder):
     rows = "\n".join(f"{x},{23.0 * x + (23.0 if x else 0.0)}" for x in np.linspace(0.0, 10.0, 41))
     (folder / "spring.csv").write_text(f"displacement [mm], force [N]\n{rows}\n")
     file = folder / "campaign.toml"
-    kept = file.read_text().replace('["spring.csv"]', '["spring.csv"]\nintercept = "keep"\ndiscard_below = "0.1 mm"')
+    kept = file.read_text().replace(
+        '["spring.csv"]', '["spring.csv"]\nintercept = "keep"\ndiscard_below = "0.1 mm"'
+    )
     file.write_text(kept)
     start = run_campaign(file).start
-    assert start.strut.spring.free_length == pytest.approx(KART.strut.spring.free_length + 1e-3, abs=2e-5)
+    assert start.strut.spring.free_length == pytest.approx(
+        KART.strut.spring.free_length + 1e-3, abs=2e-5
+    )
     assert start.strut.spring.rate == pytest.approx(23e3, rel=1e-6)
 
 
@@ -197,20 +226,34 @@ def test_damping_of_a_3d_strut_is_recovered_from_a_decay(tmp_path, support):
     rig = with_strut_angle(KART.with_changes({**light, "tyre.lift_off": False}), "16 deg")
     inertia = {name: body.inertia for name, body in rig.body_masses().items()}
     rig = rig.with_changes(
-        {f"bodies.{n}.inertia.{e}": 1e-3 * getattr(i, e) for n, i in inertia.items() for e in ("xx", "yy", "zz")}
-        | {f"bodies.upright.inertia.{e}": 1e-3 * getattr(inertia["upright"], e) for e in ("xz", "yz")}
+        {
+            f"bodies.{n}.inertia.{e}": 1e-3 * getattr(i, e)
+            for n, i in inertia.items()
+            for e in ("xx", "yy", "zz")
+        }
+        | {
+            f"bodies.upright.inertia.{e}": 1e-3 * getattr(inertia["upright"], e)
+            for e in ("xz", "yz")
+        }
     )
     rig = rig.with_changes({"tyre.stiffness": 1e7}) if support == "blocked" else rig
     trial = jn.Trial(road=jn.Flat(), speed="1 m/s", duration="1.5 s")
     laden = jn.linearise(rig.with_changes({"sprung.mass": 18.0})).equilibrium
     rest = jn.linearise(rig).equilibrium
-    run = jn.simulate(rig, trial, offset={n: v - rest[n] for n, v in laden.items() if v != rest[n]}, tolerance=1e-8)
+    run = jn.simulate(
+        rig,
+        trial,
+        offset={n: v - rest[n] for n, v in laden.items() if v != rest[n]},
+        tolerance=1e-8,
+    )
     write_recording(run[["sprung.z"]], tmp_path / "decay.csv")
     from jounce.campaign.characterise import characterise
     from jounce.campaign.description import Bench
 
     start = rig.with_changes({"strut.damper.coefficient": 100.0})
-    found, knowledge = characterise(start, Bench(decay={"files": ["decay.csv"], "support": support}), tmp_path)
+    found, knowledge = characterise(
+        start, Bench(decay={"files": ["decay.csv"], "support": support}), tmp_path
+    )
     assert not found.failed
     assert knowledge.rig.strut.damper.coefficient == pytest.approx(150.0, rel=0.02)
 
@@ -227,7 +270,9 @@ def shipped(shipped_folder):
 def test_shipped_campaign_runs_the_double_wishbone(shipped):
     assert shipped.is_complete
     assert shipped.rig.model == "double-wishbone"
-    assert [strategy.update.name for strategy in shipped.strategies] == [f"strategy {i}" for i in (1, 2, 3, 4)]
+    assert [strategy.update.name for strategy in shipped.strategies] == [
+        f"strategy {i}" for i in (1, 2, 3, 4)
+    ]
     for strategy in shipped.strategies:
         assert 10.0 < strategy.update.reduction_percent < 95.0
         for label, text in strategy.rig_texts.items():
@@ -254,12 +299,15 @@ def test_shipped_campaign_finds_spring_friction_and_lags(shipped):
     assert found.parameters["strut.spring.rate"].value == pytest.approx(SPRING_RATE, rel=0.03)
     ratio = lump(KART).damper_ratio
     dry = sum(
-        f * found.parameters[p].value for p, f in (("strut.friction.force", ratio), ("guide_friction.force", 1.0))
+        f * found.parameters[p].value
+        for p, f in (("strut.friction.force", ratio), ("guide_friction.force", 1.0))
     )
     assert dry == pytest.approx(GUIDE_FRICTION + STRUT_FRICTION * ratio, rel=0.35)
     rows = {row.number: row for row in table2()}
     for number in (1, 3, 8, 9):  # single obstacles; in trains the slowing belt adds to the lag
-        assert found.lags[f"trial {number}"] == pytest.approx(true_pass(rows[number]).lag, abs=0.6e-3)
+        assert found.lags[f"trial {number}"] == pytest.approx(
+            true_pass(rows[number]).lag, abs=0.6e-3
+        )
 
 
 @pytest.mark.examples
@@ -269,7 +317,9 @@ def test_the_linkage_explains_more_of_the_wheel_than_two_masses(shipped, quick_l
 
     def misfit(result):
         held = [t for t in result.trials if t.entry.use == "hold-out" and t.obstacle_pitch is None]
-        return np.mean([channel.nrmse for trial in held for channel in trial.after.channels.values()])
+        return np.mean(
+            [channel.nrmse for trial in held for channel in trial.after.channels.values()]
+        )
 
     assert misfit(shipped) < misfit(quick)
     assert misfit(shipped) > 0.03  # the bench is richer than either
@@ -282,7 +332,15 @@ def test_report_says_where_the_lumped_model_differs(shipped):
     assert all(abs(peak.relative) < 0.1 for peak in found.peaks)
     assert found.lumping.damper_ratio == pytest.approx(np.cos(np.radians(26.0)), rel=1e-3)
     plain = shipped.to_dict()["lumped"]
-    assert {"rows", "peaks", "lumping", "lumped", "travel", "motion_ratio", "wheel_rate"} <= plain.keys()
+    assert {
+        "rows",
+        "peaks",
+        "lumping",
+        "lumped",
+        "travel",
+        "motion_ratio",
+        "wheel_rate",
+    } <= plain.keys()
     section = lumped_section(found)
     tables = [block for block in section.blocks if isinstance(block, PageTable)]
     assert [len(table.rows) for table in tables] == [11, 3, 48]

@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.campaign.characterise import Characterisation, DampingChoice, Replaced, _AtWheel, bench_values, characterise
+from jounce.campaign.characterise import (
+    Characterisation,
+    DampingChoice,
+    Replaced,
+    _AtWheel,
+    bench_values,
+    characterise,
+)
 from jounce.campaign.description import Bench
 from jounce.identify.estimate import Estimate
 from jounce.recordings import write_recording
@@ -15,9 +22,16 @@ KART = jn.load("kart-quarter-car")
 CURVES = {
     "lines": {},
     "curved spring": {
-        "strut.spring": {"rate": None, "curve": {"kind": "polynomial", "coefficients": [20e3, 2e5]}, "preload": 0.0}
+        "strut.spring": {
+            "rate": None,
+            "curve": {"kind": "polynomial", "coefficients": [20e3, 2e5]},
+            "preload": 0.0,
+        }
     },
-    "curved tyre": {"tyre.stiffness": None, "tyre.curve": {"kind": "polynomial", "coefficients": [90e3, 1.2e7]}},
+    "curved tyre": {
+        "tyre.stiffness": None,
+        "tyre.curve": {"kind": "polynomial", "coefficients": [90e3, 1.2e7]},
+    },
 }
 
 
@@ -58,12 +72,22 @@ def _released(path, coefficient: float, friction: float) -> None:
 
     def rate(_t, y):
         speed = (y[3] - y[1]) * lean
-        strut = (38e3 * (y[2] - y[0]) * lean + coefficient * speed + friction * np.tanh(speed / 2e-3)) * lean
+        strut = (
+            38e3 * (y[2] - y[0]) * lean + coefficient * speed + friction * np.tanh(speed / 2e-3)
+        ) * lean
         return [y[1], strut / 62.0, y[3], (-105e3 * y[2] - 60.0 * y[3] - strut) / 11.0]
 
     held = -8e-3 * 38e3 * lean**2 / (38e3 * lean**2 + 105e3)
     time = np.arange(1500) * 1e-3
-    run = solve_ivp(rate, (0.0, 1.5), [-8e-3, 0.0, held, 0.0], t_eval=time, method="LSODA", rtol=1e-9, atol=1e-12)
+    run = solve_ivp(
+        rate,
+        (0.0, 1.5),
+        [-8e-3, 0.0, held, 0.0],
+        t_eval=time,
+        method="LSODA",
+        rtol=1e-9,
+        atol=1e-12,
+    )
     noise = np.random.default_rng(3).normal(0.0, 2e-5, time.size)
     lines = [f"{t:.4f}, {1e3 * z:.5f}" for t, z in zip(time, run.y[0] + noise, strict=True)]
     path.write_text("\n".join(["time [s], sprung.z [mm]", *lines]))
@@ -76,7 +100,9 @@ def test_a_firm_damper_upon_a_soft_tyre_is_recovered(tmp_path, friction, within)
     found, knowledge = characterise(RACER, Bench(decay={"files": ["decay.csv"]}), tmp_path)
     assert not found.failed
     assert found.decay.quadratic_drag is None
-    assert knowledge.rig.parameters()["strut.damper.coefficient"] == pytest.approx(1450.0, rel=within)
+    assert knowledge.rig.parameters()["strut.damper.coefficient"] == pytest.approx(
+        1450.0, rel=within
+    )
     assert not [one for one in found.findings if friction == 0.0 and "check mass" in one.message]
 
 
@@ -85,19 +111,31 @@ def test_a_body_that_comes_to_rest_faster_than_any_damper_lets_it_is_told(tmp_pa
     rate, time = 38e3 * np.cos(np.radians(12.0)) ** 2, np.arange(800) * 1e-3
     share = 105e3 / (rate + 105e3)
     pole = np.sqrt(rate * share / 62.0) * (-0.75 + 0.66j)
-    lines = [f"{t:.4f}, {z:.7f}" for t, z in zip(time, -8.0 * np.exp(pole * time).real, strict=True)]
+    lines = [
+        f"{t:.4f}, {z:.7f}" for t, z in zip(time, -8.0 * np.exp(pole * time).real, strict=True)
+    ]
     (tmp_path / "decay.csv").write_text("\n".join(["time [s], sprung.z [mm]", *lines]))
     found, _ = characterise(RACER, Bench(decay={"files": ["decay.csv"]}), tmp_path)
     (used,) = [choice for choice in found.damping_choices if choice.is_used]
     by_share = 1.0 / (share * np.cos(np.radians(12.0))) ** 2
     assert used.at_strut.value == pytest.approx(used.seen.value * by_share, rel=1e-9)
-    assert used.at_strut.standard_error == pytest.approx(used.seen.standard_error * by_share, rel=1e-9)
-    assert [one.place for one in found.findings if "comes to rest faster" in one.message] == ["bench.decay"]
+    assert used.at_strut.standard_error == pytest.approx(
+        used.seen.standard_error * by_share, rel=1e-9
+    )
+    assert [one.place for one in found.findings if "comes to rest faster" in one.message] == [
+        "bench.decay"
+    ]
 
 
 def _pole(corner: _AtWheel, damping: float, near: complex) -> complex:
     """That eigenvalue of both masses (1/s) which is the nearest to another one."""
-    ms, mu, k, kt, c = corner.sprung_mass, corner.unsprung_mass, corner.wheel_rate, corner.tyre_rate, damping
+    ms, mu, k, kt, c = (
+        corner.sprung_mass,
+        corner.unsprung_mass,
+        corner.wheel_rate,
+        corner.tyre_rate,
+        damping,
+    )
     body = [-k / ms, k / ms, -c / ms, c / ms]
     wheel = [k / mu, -(k + kt) / mu, c / mu, -(c + corner.tyre_damping) / mu]
     poles = np.linalg.eigvals([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], body, wheel])
@@ -139,21 +177,30 @@ def test_damping_is_found_up_to_the_largest_swing_and_none_beyond(corner, creeps
         at = int(np.argmin(np.abs(dampings - share * dampings[top])))
         damping = dampings[at]
         less, seen, more = (
-            -2.0 * corner.sprung_mass * _pole(corner, damping * one, poles[at]).real for one in (1 - 1e-5, 1, 1 + 1e-5)
+            -2.0 * corner.sprung_mass * _pole(corner, damping * one, poles[at]).real
+            for one in (1 - 1e-5, 1, 1 + 1e-5)
         )
         found = corner.damping_behind(seen)
         assert found == pytest.approx((damping, 2e-5 * damping / (more - less)), rel=1e-4)
         assert found[0] == pytest.approx(damping, rel=1e-7)
     largest = -2.0 * corner.sprung_mass * poles[top].real
-    assert [corner.damping_behind(share * largest) for share in (1.001, 1.02, 1.2, 2.0)] == [None] * 4
+    assert [corner.damping_behind(share * largest) for share in (1.001, 1.02, 1.2, 2.0)] == [
+        None
+    ] * 4
 
 
 @pytest.mark.parametrize(("value", "known"), [(1300.0, True), (np.inf, False)])
 def test_decays_of_too_few_swings_contradict_no_update(value, known):
-    choice = DampingChoice("logarithmic-decrement", Estimate(0.3), Estimate(800.0), Estimate(value), is_used=True)
+    choice = DampingChoice(
+        "logarithmic-decrement", Estimate(0.3), Estimate(800.0), Estimate(value), is_used=True
+    )
     replaced = [Replaced("strut.damper.coefficient", 1000.0, value, None, "bench.decay")]
-    found = bench_values(Characterisation(damping_choices=(choice,), replaced=replaced), RACER, None)
-    assert [(path, one.value) for path, one in found.items()] == [("strut.damper.coefficient", value)] * known
+    found = bench_values(
+        Characterisation(damping_choices=(choice,), replaced=replaced), RACER, None
+    )
+    assert [(path, one.value) for path, one in found.items()] == [
+        ("strut.damper.coefficient", value)
+    ] * known
 
 
 @pytest.mark.parametrize("method", ["viscous-and-coulomb", "logarithmic-decrement"])
@@ -176,11 +223,14 @@ def test_the_way_to_damping_is_chosen(tmp_path, method):
     assert found.replaced[0].measured == used.at_strut.value
     naive = both["logarithmic-decrement"].damping_ratio.value
     assert naive == pytest.approx(
-        found.decay.logarithmic_decrement.value / np.hypot(2 * np.pi, found.decay.logarithmic_decrement.value)
+        found.decay.logarithmic_decrement.value
+        / np.hypot(2 * np.pi, found.decay.logarithmic_decrement.value)
     )
 
 
-@pytest.mark.parametrize(("window", "works"), [({"from": "0.1 s", "to": "0.9 s"}, True), ({"from": "1.49 s"}, False)])
+@pytest.mark.parametrize(
+    ("window", "works"), [({"from": "0.1 s", "to": "0.9 s"}, True), ({"from": "1.49 s"}, False)]
+)
 def test_a_time_window_of_a_campaign(tmp_path, window, works):
     trial = jn.Trial(road=jn.Flat(), speed="1 m/s", duration="1.5 s")
     truth = KART.with_changes({"tyre.lift_off": False, "unsprung.mass": 0.05})

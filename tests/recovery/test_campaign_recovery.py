@@ -25,7 +25,17 @@ def obstacle(lag=0.0, speed=1.95):
     return HalfSine(height="10 mm", length="60 mm", start=0.2 + speed * lag)
 
 
-def made(rig, speed=1.95, duration=1.0, *, lag=0.0, changes=TRUTH, sensors=None, name="trial", tolerance=1e-9):
+def made(
+    rig,
+    speed=1.95,
+    duration=1.0,
+    *,
+    lag=0.0,
+    changes=TRUTH,
+    sensors=None,
+    name="trial",
+    tolerance=1e-9,
+):
     """A trial as described, and what the same model with other values gives on it."""
     trial = jn.Trial(road=obstacle(), speed=speed, duration=duration)
     driven = jn.Trial(road=obstacle(lag, speed), speed=speed, duration=duration)
@@ -39,7 +49,9 @@ def with_noise(trial, deviation, seed):
     noise = np.random.default_rng(seed)
     measured = trial.measured.copy(deep=True)
     for name in CHANNELS:
-        measured[name].values = measured[name].values + deviation * noise.standard_normal(measured.sizes["time"])
+        measured[name].values = measured[name].values + deviation * noise.standard_normal(
+            measured.sizes["time"]
+        )
     return jn.FitTrial(trial.name, trial.rig, trial.trial, measured, trial.sensors)
 
 
@@ -64,7 +76,11 @@ def test_curve_coefficients_and_friction_come_back():
     table = rig.model_dump(by_alias=True, exclude_none=True)
     table["tyre"] = {"curve": {"kind": "polynomial", "coefficients": [120e3, 2e6]}}
     rig = type(rig).from_table(table)
-    truth = {"tyre.curve.coefficients[0]": 126e3, "tyre.curve.coefficients[1]": 1.85e6, "guide.friction.force": 7.0}
+    truth = {
+        "tyre.curve.coefficients[0]": 126e3,
+        "tyre.curve.coefficients[1]": 1.85e6,
+        "guide.friction.force": 7.0,
+    }
     free = {
         "tyre.curve.coefficients[0]": "10 %",
         "tyre.curve.coefficients[1]": "10 %",
@@ -108,7 +124,9 @@ def test_lag_is_estimated_with_the_parameters():
     found = jn.update_model(trials, FREE, align="lag")
     assert found.lags["late"] == pytest.approx(late, abs=5e-6)
     assert found.lags["early"] == pytest.approx(-0.4e-3, abs=5e-6)
-    assert_recovered(found, TRUTH, 2e-3)  # the cubic between samples rounds off the kinks of a landing
+    assert_recovered(
+        found, TRUTH, 2e-3
+    )  # the cubic between samples rounds off the kinks of a landing
     worst = max(abs(blind.parameters[path].value / value - 1.0) for path, value in TRUTH.items())
     assert worst > 0.01  # unaligned, the parameters take the blame
 
@@ -123,7 +141,9 @@ def test_intervals_cover_the_truth_in_about_95_percent_of_repetitions():
         for path, value in TRUTH.items():
             low, high = result.parameters[path].interval
             hits[path] += low <= value <= high
-            deviations[path].append((result.parameters[path].value - value) / result.parameters[path].standard_error)
+            deviations[path].append(
+                (result.parameters[path].value - value) / result.parameters[path].standard_error
+            )
     for path, count in hits.items():
         assert 133 <= count <= 149, (path, count)
         assert np.mean(deviations[path]) == pytest.approx(0.0, abs=3.5 / np.sqrt(repetitions)), path
@@ -140,7 +160,10 @@ def test_values_stop_at_their_bounds_and_say_so(method):
     assert any("intervals of other values hold it there" in text for text in said)
     assert rate.value == pytest.approx(1.03 * 22730.0, rel=1e-4)
     assert rate.standard_error is None
-    assert any("bound" in finding.message and finding.place == "strut.spring.rate" for finding in result.findings)
+    assert any(
+        "bound" in finding.message and finding.place == "strut.spring.rate"
+        for finding in result.findings
+    )
 
 
 def test_several_starts_find_the_same_optimum():
@@ -164,7 +187,9 @@ def test_zero_free_parameters_are_refused():
 
 def test_fewer_data_than_parameters_are_refused():
     trial = made(START)
-    one = jn.FitTrial(trial.name, trial.rig, trial.trial, trial.measured[["sprung.az"]].isel(time=[0, 1000]))
+    one = jn.FitTrial(
+        trial.name, trial.rig, trial.trial, trial.measured[["sprung.az"]].isel(time=[0, 1000])
+    )
     with pytest.raises(FitError, match="fewer data than parameters"):
         jn.update_model([one], FREE)
 
@@ -189,7 +214,9 @@ def test_impossible_bounds_are_refused(free, message):
 
 def test_a_recording_shorter_than_the_pass_is_refused():
     trial = made(START)
-    short = jn.FitTrial(trial.name, trial.rig, trial.trial, trial.measured.sel(time=slice(0.0, 0.12)))
+    short = jn.FitTrial(
+        trial.name, trial.rig, trial.trial, trial.measured.sel(time=slice(0.0, 0.12))
+    )
     with pytest.raises(FitError, match="ends before"):
         jn.update_model([short], FREE)
 
@@ -197,7 +224,10 @@ def test_a_recording_shorter_than_the_pass_is_refused():
 def test_a_recording_without_a_common_channel_is_refused():
     trial = made(START)
     other = jn.FitTrial(
-        trial.name, trial.rig, trial.trial, trial.measured.rename({name: f"rear.{name}" for name in CHANNELS})
+        trial.name,
+        trial.rig,
+        trial.trial,
+        trial.measured.rename({name: f"rear.{name}" for name in CHANNELS}),
     )
     with pytest.raises(FitError, match="no channel"):
         jn.update_model([other], FREE)

@@ -25,11 +25,19 @@ def campaign(tmp_path):
     height = 2e-3 * np.sin(2 * np.pi * 6.0 * time)
     lines = ["time [s], road.z [m]", *(f"{t}, {z}" for t, z in zip(time, height, strict=True))]
     (tmp_path / "base.csv").write_text("\n".join(lines))
-    shaken = jn.Trial(excitation=jn.Excitation(time=tuple(time), height=tuple(height)), duration=0.8)
-    bump = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m"), speed="1.95 m/s", duration="0.8 s")
+    shaken = jn.Trial(
+        excitation=jn.Excitation(time=tuple(time), height=tuple(height)), duration=0.8
+    )
+    bump = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m"),
+        speed="1.95 m/s",
+        duration="0.8 s",
+    )
     truth = RIG.with_changes({"strut.spring.rate": "24 N/mm"})
     for number, trial in ((1, shaken), (2, bump)):
-        write_recording(jn.simulate(truth, trial, tolerance=1e-8)[["sprung.az"]], tmp_path / f"{number}.csv")
+        write_recording(
+            jn.simulate(truth, trial, tolerance=1e-8)[["sprung.az"]], tmp_path / f"{number}.csv"
+        )
 
     def written(duration: str):
         text = 'schema = "jounce.campaign/1"\nrig = "kart-quarter-car"\n[roads.A]\nkind = "half-sine"\n'
@@ -46,19 +54,27 @@ def campaign(tmp_path):
 def test_a_base_motion_may_go_on_after_the_recording(campaign):
     result = campaign("0.8 s")
     assert result.is_complete
-    assert result.strategies[0].update.parameters["strut.spring.rate"].value == pytest.approx(24e3, rel=1e-5)
+    assert result.strategies[0].update.parameters["strut.spring.rate"].value == pytest.approx(
+        24e3, rel=1e-5
+    )
 
 
 def test_a_trial_cut_before_its_obstacle_ends_does_not_take_the_update_with_it(campaign):
     result = campaign("0.11 s")
-    assert [finding.place for finding in result.findings if finding.severity == "problem"] == ["trial 2"]
+    assert [finding.place for finding in result.findings if finding.severity == "problem"] == [
+        "trial 2"
+    ]
     assert result.strategies[0].fitted_on == (1,)
-    assert result.strategies[0].update.parameters["strut.spring.rate"].value == pytest.approx(24e3, rel=1e-5)
+    assert result.strategies[0].update.parameters["strut.spring.rate"].value == pytest.approx(
+        24e3, rel=1e-5
+    )
 
 
 def test_what_the_data_do_not_see_has_no_standard_error():
     rig = RIG.with_changes({"strut.bump_stop": {"gap": "50 mm", "rate": "200 N/mm"}})
-    trial = jn.Trial(road=jn.HalfSine(height="5 mm", length="60 mm"), speed="1.95 m/s", duration="0.5 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="5 mm", length="60 mm"), speed="1.95 m/s", duration="0.5 s"
+    )
     measured = jn.simulate(rig, trial)[["sprung.az"]]
     free = {"strut.bump_stop.rate": "10 %", "strut.spring.rate": "10 %"}
     result = jn.update_model([jn.FitTrial("one", rig, trial, measured)], free)

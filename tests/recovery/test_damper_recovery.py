@@ -31,7 +31,13 @@ def test_bilinear_intervals_cover_with_white_and_with_correlated_noise(share):
 
 
 def test_bouc_wen_intervals_cover():
-    truth = {"coefficient": 250.0, "stiffness": 1500.0, "hysteretic_force": 180.0, "rate": 400.0, "sigma": 2.0}
+    truth = {
+        "coefficient": 250.0,
+        "stiffness": 1500.0,
+        "hysteretic_force": 180.0,
+        "rate": 400.0,
+        "sigma": 2.0,
+    }
     clean = 250.0 * V + 1500.0 * X + 180.0 * bouc_wen_path(X, 400.0, 2.0, 1.5, 0.0)
     hits = dict.fromkeys(truth, 0)
     for seed in range(25):
@@ -47,7 +53,11 @@ def test_tanh_intervals_cover():
     hits = np.zeros(3)
     for seed in range(40):
         found = fit_damper(X, V, clean + noise(seed, 0.0), TIME, law="tanh-hysteretic").parameters
-        hits += [found["force"].has(150.0), found["slope"].has(40.0), found["displacement_coupling"].has(1.5)]
+        hits += [
+            found["force"].has(150.0),
+            found["slope"].has(40.0),
+            found["displacement_coupling"].has(1.5),
+        ]
     assert np.all(hits >= 34), hits
 
 
@@ -68,14 +78,18 @@ def test_noise_of_a_displacement_does_not_soften_the_damper(motion, rate, resolu
     if resolution:
         shaken = resolution * np.round(x / resolution)
     result = fit_damper(shaken, None, 1500.0 * v, time)
-    assert result.parameters["coefficient"].value == pytest.approx(1500.0, rel=2e-3 if motion == "sine" else 0.03)
+    assert result.parameters["coefficient"].value == pytest.approx(
+        1500.0, rel=2e-3 if motion == "sine" else 0.03
+    )
 
 
 def test_noise_that_no_average_takes_away_is_told():
     shaken = X[::4] + np.random.default_rng(1).normal(0.0, 1e-3, len(X[::4]))
     result = fit_damper(shaken, None, 1500.0 * V[::4], TIME[::4])
     (told,) = (one for one in result.findings if "noise of the displacement" in one.message)
-    assert result.parameters["coefficient"].value == pytest.approx(1500.0 * (1.0 - told.value), rel=0.03)
+    assert result.parameters["coefficient"].value == pytest.approx(
+        1500.0 * (1.0 - told.value), rel=0.03
+    )
 
 
 def test_energy_of_a_cycle_is_the_dampers_however_the_record_ends():
@@ -83,7 +97,9 @@ def test_energy_of_a_cycle_is_the_dampers_however_the_record_ends():
     time = TIME[TIME < 3.6]
     x, v = X[: len(time)], V[: len(time)]
     result = fit_damper(x, v, 200.0 * v + 150.0, time)
-    assert result.energy_per_cycle == pytest.approx(math.pi * 200.0 * 2 * math.pi * 0.020**2, rel=0.01)
+    assert result.energy_per_cycle == pytest.approx(
+        math.pi * 200.0 * 2 * math.pi * 0.020**2, rel=0.01
+    )
 
 
 def test_energy_of_a_cycle_that_dies_away_is_the_mean_of_all():
@@ -93,6 +109,8 @@ def test_energy_of_a_cycle_that_dies_away_is_the_mean_of_all():
     x = size * np.sin(2 * math.pi * time)
     v = np.gradient(x, time)
     result = fit_damper(x, v, 500.0 * v, time)
-    whole = time <= 5.0  # from the first pass upwards to the last; mid-stroke is not 0, which moves both a little
+    whole = (
+        time <= 5.0
+    )  # from the first pass upwards to the last; mid-stroke is not 0, which moves both a little
     work = float(np.trapezoid(500.0 * v[whole] ** 2, time[whole]))
     assert result.energy_per_cycle == pytest.approx(work / 5.0, rel=0.02)

@@ -13,10 +13,22 @@ from jounce.identify.datum import QuietStart, with_datums
 pytestmark = pytest.mark.usefixtures("units_kept")
 RIG = jn.load("kart-quarter-car")
 TRUTH = RIG.with_changes(
-    {"strut.spring.rate": "21.5 N/mm", "tyre.stiffness": "130 N/mm", "strut.damper.coefficient": 110.0}
+    {
+        "strut.spring.rate": "21.5 N/mm",
+        "tyre.stiffness": "130 N/mm",
+        "strut.damper.coefficient": 110.0,
+    }
 )
-TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.6 m"), speed="1.95 m/s", duration="1.2 s")
-FREE = {"strut.spring.rate": "20 %", "tyre.stiffness": "20 %", "strut.damper.coefficient": [50.0, 300.0]}
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="10 mm", length="60 mm", start="0.6 m"),
+    speed="1.95 m/s",
+    duration="1.2 s",
+)
+FREE = {
+    "strut.spring.rate": "20 %",
+    "tyre.stiffness": "20 %",
+    "strut.damper.coefficient": [50.0, 300.0],
+}
 HEIGHTS = ["sprung.z", "unsprung.z", "strut.deflection", "tyre.deflection"]
 
 
@@ -27,7 +39,9 @@ def true_run():
 
 def recorded(names, offset):
     """The truth's channels with a constant taken off: "rest", or a number in m or N."""
-    return true_run()[names].map(lambda signal: signal - (signal[0] if offset == "rest" else offset))
+    return true_run()[names].map(
+        lambda signal: signal - (signal[0] if offset == "rest" else offset)
+    )
 
 
 def exact(result):
@@ -41,7 +55,9 @@ def said(result, channel):
 
 
 @pytest.mark.parametrize("channel", HEIGHTS)
-@pytest.mark.parametrize(("offset", "datum"), [("rest", "rest"), (0.0, "undeformed"), (0.7, "free offset")])
+@pytest.mark.parametrize(
+    ("offset", "datum"), [("rest", "rest"), (0.0, "undeformed"), (0.7, "free offset")]
+)
 def test_heights_of_any_datum_give_the_exact_truth(channel, offset, datum):
     update = jn.update_model(
         [jn.FitTrial("one", RIG, TRIAL, recorded([channel], offset))], FREE, method="least-squares"
@@ -62,13 +78,18 @@ def test_accelerometers_that_show_gravity():
     update = jn.update_model([jn.FitTrial("one", RIG, TRIAL, with_gravity)], FREE)
     exact(update)
     assert "free offset" in said(update, "sprung.az")[0].message
-    assert not said(jn.update_model([jn.FitTrial("one", RIG, TRIAL, recorded(["sprung.az"], 0.0))], FREE), "sprung.az")
+    assert not said(
+        jn.update_model([jn.FitTrial("one", RIG, TRIAL, recorded(["sprung.az"], 0.0))], FREE),
+        "sprung.az",
+    )
 
 
 def test_a_stated_datum_is_kept_even_if_wrong():
     """Zeroed at rest, stated as undeformed: the parameters run away, which is what the default prevents."""
     sensors = {"sprung.z": jn.Sensor(datum="undeformed")}
-    update = jn.update_model([jn.FitTrial("one", RIG, TRIAL, recorded(["sprung.z"], "rest"), sensors)], FREE)
+    update = jn.update_model(
+        [jn.FitTrial("one", RIG, TRIAL, recorded(["sprung.z"], "rest"), sensors)], FREE
+    )
     assert not said(update, "sprung.z")
     assert any(parameter.at_bound for parameter in update.parameters.values())
 
@@ -95,7 +116,9 @@ def test_starts_that_say_different_things_leave_the_offset_of_each_trial_free():
         "two": recorded(["sprung.z"], 0.0),
         "three": recorded(["sprung.z"], 0.2),
     }
-    update = jn.update_model([jn.FitTrial(name, RIG, TRIAL, data) for name, data in measured.items()], FREE)
+    update = jn.update_model(
+        [jn.FitTrial(name, RIG, TRIAL, data) for name, data in measured.items()], FREE
+    )
     exact(update)
     (finding,) = said(update, "sprung.z")
     assert 'datum "free offset" taken from the start of one, two, three' in finding.message
@@ -138,10 +161,14 @@ def test_noise_at_the_start_is_no_offset():
     assert not said(jn.update_model([jn.FitTrial("one", RIG, TRIAL, noisy)], FREE), "sprung.az")
 
 
-@pytest.mark.parametrize("channel", ["sprung.z", "strut.deflection", "sprung.az", "unsprung.az", "tyre.force"])
+@pytest.mark.parametrize(
+    "channel", ["sprung.z", "strut.deflection", "sprung.az", "unsprung.az", "tyre.force"]
+)
 def test_a_turned_channel_is_named(channel):
     for align in (None, "lag"):
-        right = jn.update_model([jn.FitTrial("one", RIG, TRIAL, recorded([channel], "rest"))], FREE, align=align)
+        right = jn.update_model(
+            [jn.FitTrial("one", RIG, TRIAL, recorded([channel], "rest"))], FREE, align=align
+        )
         assert not [f for f in right.findings if f.code == "identify.channel_turned"]
     turned = jn.update_model([jn.FitTrial("one", RIG, TRIAL, -recorded([channel], "rest"))], FREE)
     (named,) = [f for f in turned.findings if f.code == "identify.channel_turned"]

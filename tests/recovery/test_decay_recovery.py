@@ -61,7 +61,9 @@ def test_intervals_are_not_needlessly_wide():
 def test_combined_estimate_is_right_where_the_decrement_is_not():
     time = np.arange(0.0, 1.3, 1e-3)
     clean = decay_response(time, truth(120.0, 15.0), "displacement")
-    result = fit_decay(time, clean + np.random.default_rng(1).normal(0.0, 1e-4, len(time)), mass=MASS)
+    result = fit_decay(
+        time, clean + np.random.default_rng(1).normal(0.0, 1e-4, len(time)), mass=MASS
+    )
     assert result.damping_ratio.value == pytest.approx(0.1107, rel=0.02)
     assert min(result.naive_damping_ratios) > 1.3 * 0.1107
 

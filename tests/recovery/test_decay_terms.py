@@ -73,10 +73,14 @@ def test_three_ways_to_lose_energy_are_told_apart(quantity, ratio, friction, dra
         quantity=quantity,
     )
     assert result.damping_ratio.value == pytest.approx(ratio, abs=1e-3 if noisy else 1e-5)
-    assert result.coulomb_force.value == pytest.approx(friction * MASS * OMEGA**2, abs=0.1 if noisy else 1e-3)
+    assert result.coulomb_force.value == pytest.approx(
+        friction * MASS * OMEGA**2, abs=0.1 if noisy else 1e-3
+    )
     assert (result.quadratic_drag is not None) == (drag > 0.0)
     if drag:
-        assert result.quadratic_drag.value == pytest.approx(drag * MASS, rel=0.03 if noisy else 1e-4)
+        assert result.quadratic_drag.value == pytest.approx(
+            drag * MASS, rel=0.03 if noisy else 1e-4
+        )
         assert "quadratic drag" in messages(result)
 
 
@@ -89,7 +93,8 @@ def test_what_would_be_negative_is_fitted_again_at_zero(ratio):
     assert result.parameters.friction_deflection == 0.0
     assert result.parameters.quadratic_drag == 0.0
     assert result.damping_coefficient.value == pytest.approx(
-        2.0 * result.parameters.damping_ratio * result.parameters.angular_frequency * MASS, rel=1e-12
+        2.0 * result.parameters.damping_ratio * result.parameters.angular_frequency * MASS,
+        rel=1e-12,
     )
     used = (result.window[0] <= TIME) & (result.window[1] >= TIME)
     left = signal[used] - decay_response(TIME[used], result.parameters, "displacement")
@@ -99,11 +104,15 @@ def test_what_would_be_negative_is_fitted_again_at_zero(ratio):
         worse = DecayParameters(
             **{**vars(result.parameters), "damping_ratio": factor * result.parameters.damping_ratio}
         )
-        assert np.sum((signal[used] - decay_response(TIME[used], worse, "displacement")) ** 2) > np.sum(left**2)
+        assert np.sum(
+            (signal[used] - decay_response(TIME[used], worse, "displacement")) ** 2
+        ) > np.sum(left**2)
 
 
 def test_drag_can_be_asked_for_and_is_zero_where_there_is_none():
-    result = fit_decay(TIME, record(truth(0.05, 0.0, 0.0), noise=2e-5), mass=MASS, quadratic_drag="yes")
+    result = fit_decay(
+        TIME, record(truth(0.05, 0.0, 0.0), noise=2e-5), mass=MASS, quadratic_drag="yes"
+    )
     assert result.quadratic_drag.interval[0] == 0.0
     assert result.quadratic_drag.interval[1] < 5.0
     assert result.damping_ratio.has(0.05)
@@ -131,7 +140,9 @@ def struck(ratio, hits, *, rate=1000.0, frequency=5.0, seconds=4.0, contact=5e-3
     force = np.zeros(len(time))
     for at, size in hits:
         inside = (time >= at) & (time < at + contact)
-        force[inside] += size * math.pi / 2 / contact * np.sin(math.pi * (time[inside] - at) / contact)
+        force[inside] += (
+            size * math.pi / 2 / contact * np.sin(math.pi * (time[inside] - at) / contact)
+        )
     matrix = np.array([[0.0, 1.0, 0.0], [-(omega**2), -2 * ratio * omega, 1.0], [0.0, 0.0, 0.0]])
     step = expm(matrix / rate / sub)
     states = np.zeros((len(time), 2))
@@ -189,10 +200,14 @@ def test_a_spike_of_the_hit_does_not_crash_the_fit(spike, ratio):
 def test_a_record_that_ends_while_it_moves():
     time = np.arange(0.0, 1.5, 1e-3)
     signal = np.exp(-0.2 * time) * np.cos(75.0 * time)
-    assert fit_decay(time, signal, mass=1.0).damping_ratio.value == pytest.approx(0.2 / 75.0, rel=1e-3)
+    assert fit_decay(time, signal, mass=1.0).damping_ratio.value == pytest.approx(
+        0.2 / 75.0, rel=1e-3
+    )
 
 
-@pytest.mark.parametrize(("begin", "end"), [(0.6, 1.7), ("600 ms", "1.7 s"), (0.6, None), (None, 1.7)])
+@pytest.mark.parametrize(
+    ("begin", "end"), [(0.6, 1.7), ("600 ms", "1.7 s"), (0.6, None), (None, 1.7)]
+)
 def test_a_time_window(begin, end):
     time, motion = struck(0.03, ((0.5, 0.5), (1.9, 0.9)), seconds=4.0)
     result = fit_decay(time, motion["displacement"], mass=MASS, begin=begin, end=end)
@@ -202,7 +217,8 @@ def test_a_time_window(begin, end):
 
 
 @pytest.mark.parametrize(
-    ("begin", "end", "text"), [(1.0, 0.5, "too few"), (9.0, None, "too few"), (0.0, 0.3, "never changes")]
+    ("begin", "end", "text"),
+    [(1.0, 0.5, "too few"), (9.0, None, "too few"), (0.0, 0.3, "never changes")],
 )
 def test_windows_without_a_decay_are_refused(begin, end, text):
     time, motion = struck(0.03, ((0.5, 0.5),))

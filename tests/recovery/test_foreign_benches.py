@@ -37,7 +37,9 @@ def test_the_simulator_imports_nothing_of_jounce():
         name.split(".")[0]
         for node in ast.walk(tree)
         if isinstance(node, ast.Import | ast.ImportFrom)
-        for name in ([node.module] if isinstance(node, ast.ImportFrom) else [one.name for one in node.names])
+        for name in (
+            [node.module] if isinstance(node, ast.ImportFrom) else [one.name for one in node.names]
+        )
     }
     assert "numpy" in imported
     assert imported - {"numpy"} <= sys.stdlib_module_names
@@ -57,7 +59,10 @@ def test_equal_laws_move_equally(rig):
         pairs += [(run[name] - rest[name], motion.recorded[name]) for name in zeroed]
         pairs += [(run["strut.force"], motion.strut_force), (run["tyre.force"], motion.tyre_force)]
         for theirs, ours in pairs:
-            assert np.max(np.abs(theirs.to_numpy() - ours)) < 5e-4 * np.max(np.abs(ours)), (one, theirs.name)
+            assert np.max(np.abs(theirs.to_numpy() - ours)) < 5e-4 * np.max(np.abs(ours)), (
+                one,
+                theirs.name,
+            )
 
 
 def test_sensors_and_delays_are_those_of_closed_forms():
@@ -66,8 +71,13 @@ def test_sensors_and_delays_are_those_of_closed_forms():
     delays = {1: 1.0 / (2.0 * np.pi * corner), 2: np.sqrt(2.0) / (2.0 * np.pi * corner)}
     driven = Pass(Road("versine", length=0.09), 1.95)
     rides = [Ride(Rig(), driven)]
-    rides += [Ride(Rig(), driven, {"sprung.z": Chain(1.02, corner, order)}, {"sprung.z": late}) for order in delays]
-    plain, *filtered = (motion.recorded["sprung.z"] for motion in foreign_benches.ridden(rides, duration=0.35))
+    rides += [
+        Ride(Rig(), driven, {"sprung.z": Chain(1.02, corner, order)}, {"sprung.z": late})
+        for order in delays
+    ]
+    plain, *filtered = (
+        motion.recorded["sprung.z"] for motion in foreign_benches.ridden(rides, duration=0.35)
+    )
     at = np.arange(len(plain)) / foreign_benches.RATE
     for delay, record in zip(delays.values(), filtered, strict=True):
         expected = 1.02 * np.interp(at - late - delay, at, plain, left=0.0)
@@ -94,12 +104,17 @@ def test_laws_have_the_tangents_and_loads_that_are_told():
     assert lanes.cos * lanes.spring(lanes.sag) == pytest.approx(bent.sprung * 9.81, rel=1e-9)
     slope = (lanes.tyre(lanes.rest + near, 0.0) - lanes.tyre(lanes.rest - near, 0.0)) / (2.0 * near)
     assert slope == pytest.approx(bent.stiffness, rel=1e-6)
-    assert lanes.tyre(lanes.rest, 0.0) == pytest.approx((bent.sprung + bent.unsprung) * 9.81, rel=1e-9)
+    assert lanes.tyre(lanes.rest, 0.0) == pytest.approx(
+        (bent.sprung + bent.unsprung) * 9.81, rel=1e-9
+    )
     assert lanes.damper(np.array(1e-6)) == pytest.approx(1e-6 * bent.bump, rel=1e-5)
 
 
 def test_a_bench_of_the_fitted_laws_has_one_truth():
-    rides = [Ride(Rig(guide=6.0, bump=120.0, rebound=200.0), Pass(Road(), speed)) for speed in (1.95, 3.79)]
+    rides = [
+        Ride(Rig(guide=6.0, bump=120.0, rebound=200.0), Pass(Road(), speed))
+        for speed in (1.95, 3.79)
+    ]
     bench = foreign_benches.Bench(0, "", rides[0].rig, rides, [], [], (), {}, 0)
     truth = foreign_benches.true_values(bench, foreign_benches.ridden(rides, duration=0.3))
     for component, effective in truth.values():
@@ -123,7 +138,9 @@ def test_two_benches_are_counted(tmp_path, capsys):
 
 def test_a_count_goes_on_where_it_stopped(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(foreign_benches, "run", lambda benches: [[] for _ in benches])
-    monkeypatch.setattr(foreign_counts, "updated", lambda bench, *_: {"seed": bench.seed, "kind": "", "error": "no"})
+    monkeypatch.setattr(
+        foreign_counts, "updated", lambda bench, *_: {"seed": bench.seed, "kind": "", "error": "no"}
+    )
     out = tmp_path / "counts.jsonl"
     foreign_counts.main(["--benches", "1:3", "--out", str(out)])
     foreign_counts.main(["--benches", "0:5", "--out", str(out)])
@@ -143,12 +160,21 @@ def test_counting_tells_what_is_outside():
     }
     outside = {**inside, "effective": 2.4}
     far = {**inside, "component": -0.6}
-    line = {"seed": 1, "kind": "", "shape": "", "cpu": 1.0, "objective": 0.1, "findings": [["", "note", ""]]}
+    line = {
+        "seed": 1,
+        "kind": "",
+        "shape": "",
+        "cpu": 1.0,
+        "objective": 0.1,
+        "findings": [["", "note", ""]],
+    }
     paths = list(foreign_counts.FREE)
     parameters = dict(zip(paths, [outside, far, *[inside] * 3], strict=True))
     table = foreign_counts.table([{**line, "parameters": parameters}]).splitlines()
     assert " ".join(table[-2].split()) == "all 60.0 % 80.0 % 80.0 % 100.0 % 2 of 5 1 2 100.0 %"
     assert "1 of these without a warning" in table[-1]
-    warned = json.loads(json.dumps({**line, "parameters": parameters, "findings": [["", "warning", ""]]}))
+    warned = json.loads(
+        json.dumps({**line, "parameters": parameters, "findings": [["", "warning", ""]]})
+    )
     assert "0 of these without a warning" in foreign_counts.table([warned])
     assert "(1.40; start 1)" in foreign_counts.outcomes(warned)

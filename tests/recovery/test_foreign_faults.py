@@ -18,8 +18,14 @@ def said(bench: Any, motions: Any, text: str, **options: Any) -> list[tuple[str,
     """Places and values of the findings of an update that hold a text."""
     start = foreign_benches.starts(bench, foreign_benches.true_values(bench, motions))
     trials = foreign_counts.fit_trials(bench, motions, start)
-    found = jn.update_model(trials, foreign_counts.FREE, weights="normalised", align="lag", **options)
-    return [(one.place, one.value) for one in found.findings if text in one.message and one.severity == "warning"]
+    found = jn.update_model(
+        trials, foreign_counts.FREE, weights="normalised", align="lag", **options
+    )
+    return [
+        (one.place, one.value)
+        for one in found.findings
+        if text in one.message and one.severity == "warning"
+    ]
 
 
 @pytest.mark.parametrize("ahead", [0.0, 0.03])
@@ -36,7 +42,9 @@ def test_a_high_pass_that_nobody_stated_is_named() -> None:
     bench = foreign_benches.drawn(3)
     (motions,) = foreign_benches.run([bench])
     assert said(bench, motions, HIGH_PASS) == []
-    ((place, corner),) = said(bench, foreign_faults.with_high_pass(motions, "sprung.az", 1.0), HIGH_PASS)
+    ((place, corner),) = said(
+        bench, foreign_faults.with_high_pass(motions, "sprung.az", 1.0), HIGH_PASS
+    )
     assert place == "sprung.az"
     assert corner == pytest.approx(1.0, rel=0.3)
 

@@ -23,7 +23,9 @@ def twin():
 
 def wheel_of(time, height, force, load, tester):
     channels = {"left.plate.z": (height, "m", ""), "left.plate.force": (force, "N", "")}
-    found = evaluate(recording(time, channels, attributes={"left.static_load": load}), tester).wheel("left")
+    found = evaluate(
+        recording(time, channels, attributes={"left.static_load": load}), tester
+    ).wheel("left")
     assert found.is_gradable, found.reasons
     return found
 
@@ -57,7 +59,13 @@ def check(errors, halves, keys, limits):
         assert 0.6 < useful < 2.0, (key, useful)
 
 
-RIGID = ("adhesion", "phase_angle_min_deg", "theta_road", "relative_force_amplitude", "tyre_rigidity")
+RIGID = (
+    "adhesion",
+    "phase_angle_min_deg",
+    "theta_road",
+    "relative_force_amplitude",
+    "tyre_rigidity",
+)
 RIGID_LIMITS = (0.01, 2.0, 0.01, 0.01, 6e3)
 
 
@@ -74,7 +82,12 @@ def sprung(twin, tester):
         hold=tester.programme.hold_time,
     )
     return lambda car: twin.sprung_record(
-        car, programme, e=tester.amplitude, mp=tester.plate_mass, kp=tester.plate_spring_rate, fine=4
+        car,
+        programme,
+        e=tester.amplitude,
+        mp=tester.plate_mass,
+        kp=tester.plate_spring_rate,
+        fine=4,
     )
 
 
@@ -109,7 +122,9 @@ def test_friction_is_followed_through_the_noise(twin, friction):
     clean = wheel_of(time, height, force, car.static_load, tester)
     assert clean.adhesion == pytest.approx(contact[1600:].min() / car.static_load, abs=4e-3)
     rng = np.random.default_rng(3)
-    noisy = wheel_of(time, height, force + rng.normal(0.0, 43.0, time.size), car.static_load, tester)
+    noisy = wheel_of(
+        time, height, force + rng.normal(0.0, 43.0, time.size), car.static_load, tester
+    )
     assert noisy.adhesion == pytest.approx(clean.adhesion, abs=0.01)
     assert noisy.phase_angle_min_deg == pytest.approx(clean.phase_angle_min_deg, abs=2.0)
     assert noisy.theta_road > 1.05 * twin.Car(c=900.0).wheel_damping()
@@ -118,11 +133,15 @@ def test_friction_is_followed_through_the_noise(twin, friction):
 def test_lift_off_is_seen(twin):
     tester = load_tester("eusama")
     car = twin.Car(ms=170.0, mu=38.0, c=450.0, k=14e3, kt=220e3)
-    time, height, force, contact = twin.rigid_record(car, twin.Programme(), mp=20.0, fine=4, lift_off=True)
+    time, height, force, contact = twin.rigid_record(
+        car, twin.Programme(), mp=20.0, fine=4, lift_off=True
+    )
     assert contact.min() == 0.0
     rng = np.random.default_rng(6)
     for noise in (0.0, NOISE * car.static_load):
-        found = wheel_of(time, height, force + rng.normal(0.0, noise, time.size), car.static_load, tester)
+        found = wheel_of(
+            time, height, force + rng.normal(0.0, noise, time.size), car.static_load, tester
+        )
         assert found.lift_off
         assert found.adhesion == 0.0
         assert found.relative_force_amplitude > 1.0

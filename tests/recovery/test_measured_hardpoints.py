@@ -31,7 +31,10 @@ def truth() -> tuple[jn.Rig, dict[str, np.ndarray]]:
 
 def readings(truth: dict[str, np.ndarray], seed: int) -> dict[str, np.ndarray]:
     random = np.random.default_rng(seed)
-    found = {name: values + random.normal(0.0, NOISE[name], len(TRAVEL)) for name, values in truth.items()}
+    found = {
+        name: values + random.normal(0.0, NOISE[name], len(TRAVEL))
+        for name, values in truth.items()
+    }
     found["camber"] = found["camber"] + OFFSET
     return {"wheel_travel": TRAVEL, "rack_travel": RACK} | found
 
@@ -41,7 +44,11 @@ def test_intervals_cover_the_truth(truth) -> None:
     seeds, covered = 40, np.zeros(len(MOVED) + 1)
     for seed in range(seeds):
         found = jn.fit_hardpoints(
-            FRONT, readings(values, seed), dict.fromkeys(MOVED, "15 mm"), offsets=["camber"], starts=1
+            FRONT,
+            readings(values, seed),
+            dict.fromkeys(MOVED, "15 mm"),
+            offsets=["camber"],
+            starts=1,
         )
         covered += [
             *(found.numbers[path].has(rig.parameters()[path]) for path in MOVED),
@@ -67,8 +74,13 @@ def test_noise_that_is_given_and_poses_without_a_reading(truth) -> None:
     assert found.agreed == 2
     for path in MOVED:
         assert found.numbers[path].value == pytest.approx(rig.parameters()[path], abs=2e-3), path
-    assert found.rig.parameters()["hardpoints.tie_rod_inner[2]"] == found.numbers["hardpoints.tie_rod_inner[2]"].value
-    assert found.quantities["toe"].rms_after < 1.5 * NOISE["toe"] < found.quantities["toe"].rms_before
+    assert (
+        found.rig.parameters()["hardpoints.tie_rod_inner[2]"]
+        == found.numbers["hardpoints.tie_rod_inner[2]"].value
+    )
+    assert (
+        found.quantities["toe"].rms_after < 1.5 * NOISE["toe"] < found.quantities["toe"].rms_before
+    )
     assert not found.findings
 
 
@@ -85,8 +97,15 @@ def test_a_model_that_does_not_explain_the_readings_says_so(truth) -> None:
 def test_points_that_the_readings_do_not_tell_have_no_interval() -> None:
     """The spring's upper end to one side is all other points to the other."""
     rig = jn.load(FRONT)
-    table = {"wheel_travel": TRAVEL, "spring_length": jn.sweep_travel(rig, TRAVEL)["spring_length"].to_numpy()}
-    others = [f"hardpoints.{name}[1]" for name in rig.hardpoints.given() if name not in ("strut_top", "wheel_centre")]
+    table = {
+        "wheel_travel": TRAVEL,
+        "spring_length": jn.sweep_travel(rig, TRAVEL)["spring_length"].to_numpy(),
+    }
+    others = [
+        f"hardpoints.{name}[1]"
+        for name in rig.hardpoints.given()
+        if name not in ("strut_top", "wheel_centre")
+    ]
     free = [
         {"point": "hardpoints.strut_top[1]", "within": "5 mm"},
         {"point": "hardpoints.wheel_centre[1]", "tied": others, "within": "5 mm"},
@@ -105,10 +124,22 @@ def test_points_that_the_readings_do_not_tell_have_no_interval() -> None:
         ({"wheel_travel": [0.0, 0.01, 0.02], "toe": [0.0, 0.0]}, {}, "one reading a pose"),
         ({"wheel_travel": [0.0, 0.01, 0.5], "toe": [0.0, 0.0, 0.0]}, {}, "does not reach"),
         ({"wheel_travel": [0.0, 10.0, 20.0], "toe": [0.0, 0.0, 0.0]}, {}, "metres"),
-        ({"wheel_travel": [0.0, 0.01, 0.02], "toe": [0.0, 0.0, 0.0]}, {"offsets": ["camber"]}, "camber"),
-        ({"wheel_travel": [0.0, 0.01, 0.02], "toe": [0.0, 0.0, 0.0]}, {"noise": {"toe": "1 mm"}}, "mm"),
+        (
+            {"wheel_travel": [0.0, 0.01, 0.02], "toe": [0.0, 0.0, 0.0]},
+            {"offsets": ["camber"]},
+            "camber",
+        ),
+        (
+            {"wheel_travel": [0.0, 0.01, 0.02], "toe": [0.0, 0.0, 0.0]},
+            {"noise": {"toe": "1 mm"}},
+            "mm",
+        ),
         ({"wheel_travel": [0.0], "toe": [0.0]}, {}, "fewer readings"),
-        ({"wheel_travel": [0.0, 0.01, 0.02], "damper_length": [0.2, 0.2, 0.2]}, {"starts": 0}, "1 or more"),
+        (
+            {"wheel_travel": [0.0, 0.01, 0.02], "damper_length": [0.2, 0.2, 0.2]},
+            {"starts": 0},
+            "1 or more",
+        ),
     ],
 )
 def test_what_cannot_be_fitted(table: dict, options: dict, words: str) -> None:

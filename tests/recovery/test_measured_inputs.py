@@ -57,29 +57,39 @@ def test_a_constant_actuator_force_carries_part_of_the_load():
     """20 N pushing body and wheel apart lift the body by 20 N over the wheel rate; the tyre does not feel it."""
     still = jn.simulate(RIG, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.1))
     held = {"time": [0.0, 1.0, 2.0, 3.0], "force": [20.0] * 4}
-    pushed = jn.simulate(RIG, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.1, actuator_force=held))
+    pushed = jn.simulate(
+        RIG, jn.Trial(road=jn.Flat(), speed=1.0, duration=0.1, actuator_force=held)
+    )
     values = RIG.parameters()
     slope = values["strut.spring.rate"] * np.cos(values["strut.angle"])
     lift = (pushed["sprung.z"] - pushed["unsprung.z"] - still["sprung.z"] + still["unsprung.z"])[-1]
     assert float(lift) == pytest.approx(20.0 / slope, rel=1e-6)
-    assert float(pushed["tyre.force"][-1]) == pytest.approx(float(still["tyre.force"][-1]), rel=1e-9)
+    assert float(pushed["tyre.force"][-1]) == pytest.approx(
+        float(still["tyre.force"][-1]), rel=1e-9
+    )
     np.testing.assert_allclose(pushed["actuator.force"], 20.0)
 
 
 def test_an_active_rig_gives_its_parameters_back():
     trial = jn.Trial(duration=2.0, **base_motion(), **actuator())
-    measured = driven(**base_motion(), **actuator())[["sprung.az", "strut.deflection", "actuator.force"]]
+    measured = driven(**base_motion(), **actuator())[
+        ["sprung.az", "strut.deflection", "actuator.force"]
+    ]
     free = {"strut.spring.rate": "15 %", "strut.damper.coefficient": [60.0, 300.0]}
     update = jn.update_model([jn.FitTrial("one", RIG, trial, measured)], free)
     for path, parameter in update.parameters.items():
         assert parameter.value == pytest.approx(TRUTH.parameters()[path], rel=1e-5), path
-    blind = jn.update_model([jn.FitTrial("one", RIG, jn.Trial(duration=2.0, **base_motion()), measured)], free)
+    blind = jn.update_model(
+        [jn.FitTrial("one", RIG, jn.Trial(duration=2.0, **base_motion()), measured)], free
+    )
     assert blind.objective_after > 100.0 * max(update.objective_after, 1e-9)
 
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_campaign_with_a_measured_actuator_force(tmp_path, sign):
-    write_recording(recording(TIME, {"actuator.force": (sign * FORCE, "N", "")}), tmp_path / "force.csv")
+    write_recording(
+        recording(TIME, {"actuator.force": (sign * FORCE, "N", "")}), tmp_path / "force.csv"
+    )
     write_recording(recording(TIME, {"road.z": (BASE, "m", "")}), tmp_path / "base.csv")
     words = 'excitation = "base.csv"\nactuator_force = "force.csv"\n'
     words += 'force_positive = "tension"' if sign < 0 else ""
@@ -100,8 +110,12 @@ def test_base_motion_is_read_like_every_recording(tmp_path, table):
 
     write_recording(recording(TIME, {"road.z": (BASE, "m", "")}), tmp_path / "base.csv")
     rows = zip(TIME.tolist(), BASE.tolist(), strict=True)
-    (tmp_path / "mm.csv").write_text("t; table\n" + "\n".join(f"{1e3 * t!r}; {1e3 * z!r}" for t, z in rows))
-    (tmp_path / "plain.csv").write_text("lvdt\n" + "\n".join(repr(310.0 + 1e3 * z) for z in BASE.tolist()))
+    (tmp_path / "mm.csv").write_text(
+        "t; table\n" + "\n".join(f"{1e3 * t!r}; {1e3 * z!r}" for t, z in rows)
+    )
+    (tmp_path / "plain.csv").write_text(
+        "lvdt\n" + "\n".join(repr(310.0 + 1e3 * z) for z in BASE.tolist())
+    )
     savemat(tmp_path / "base.mat", {"rig": np.column_stack([TIME, 1e3 * BASE])})
     check(campaign(tmp_path, f"excitation = {table}", driven(**base_motion())))
 
@@ -115,9 +129,13 @@ def test_missing_channels_are_said(tmp_path):
 
 def test_what_cannot_be_is_refused():
     with pytest.raises(SimulationError, match="no actuator whose force"):
-        jn.simulate(jn.load("audi-a6-half-car"), jn.Trial(duration=1.0, **base_motion(), **actuator()))
+        jn.simulate(
+            jn.load("audi-a6-half-car"), jn.Trial(duration=1.0, **base_motion(), **actuator())
+        )
     with pytest.raises(SimulationError, match="one of the two"):
-        jn.simulate(RIG, jn.Trial(duration=1.0, **base_motion(), **actuator()), control=jn.Skyhook())
+        jn.simulate(
+            RIG, jn.Trial(duration=1.0, **base_motion(), **actuator()), control=jn.Skyhook()
+        )
 
 
 def test_a_base_motion_takes_the_keys_of_every_recording(tmp_path):
@@ -134,7 +152,10 @@ def test_a_base_motion_takes_the_keys_of_every_recording(tmp_path):
     np.testing.assert_allclose(
         ours["sprung.az"], theirs["sprung.az"], atol=1e-4 * float(abs(theirs["sprung.az"]).max())
     )
-    assert any("decimal commas" in finding.message for finding in jn.Trial(excitation=base).excitation.findings())
+    assert any(
+        "decimal commas" in finding.message
+        for finding in jn.Trial(excitation=base).excitation.findings()
+    )
     check(
         campaign(
             tmp_path,
@@ -148,13 +169,18 @@ def test_a_base_motion_takes_the_keys_of_every_recording(tmp_path):
     ("given", "message"),
     [
         ({"time": [0.0, 0.1, 0.2, 0.3], "height": [0.0] * 4, "sample_time": "1 ms"}, "give file"),
-        ({"file": "base.csv", "columns": {"road.z": "plait [mm]"}}, "no column 'plait'.*Did you mean 'plate'"),
+        (
+            {"file": "base.csv", "columns": {"road.z": "plait [mm]"}},
+            "no column 'plait'.*Did you mean 'plate'",
+        ),
         ({"file": "base.csv", "sample_time": "1 ms"}, "no channel|road.z|no column"),
         ({"file": "none.mat", "variable": "a"}, "no such file"),
     ],
 )
 def test_keys_that_cannot_be_meant_are_refused(tmp_path, given, message, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "base.csv").write_text("time [s];plate [mm]\n0;0\n0,1;1\n0,2;0\n0,3;1\n", encoding="utf-8")
+    (tmp_path / "base.csv").write_text(
+        "time [s];plate [mm]\n0;0\n0,1;1\n0,2;0\n0,3;1\n", encoding="utf-8"
+    )
     with pytest.raises(jn.JounceError, match=message):
         jn.Excitation(**given)

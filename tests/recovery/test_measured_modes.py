@@ -24,7 +24,11 @@ def _covered(duration: float, *, given: str | None, two: TwoMasses) -> tuple[np.
             continue
         complete += 1
         pairs = zip(modes, two.modes(), strict=True)
-        inside += [has for mode, (f, z) in pairs for has in (mode.frequency.has(f), mode.damping_ratio.has(z))]
+        inside += [
+            has
+            for mode, (f, z) in pairs
+            for has in (mode.frequency.has(f), mode.damping_ratio.has(z))
+        ]
     return inside, complete
 
 

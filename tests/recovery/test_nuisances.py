@@ -26,7 +26,12 @@ CHANNELS = ("sprung.az", "unsprung.az")
 
 
 def accelerations(
-    spring: float, damper: float, tyre: float, speed: float, corner: float | None, begun: Array | None = None
+    spring: float,
+    damper: float,
+    tyre: float,
+    speed: float,
+    corner: float | None,
+    begun: Array | None = None,
 ) -> Array:
     """Body and wheel, m/s^2, at 1 kHz; the body's after a low-pass filter of that corner (Hz).
 
@@ -66,11 +71,15 @@ def bench(
     rig, trials = jn.load("kart-quarter-car"), []
     sensors = {name: jn.Sensor(datum="undeformed") for name in CHANNELS}
     for speed in SPEEDS:
-        start = begun * draw.standard_normal(4) * np.array([1.0, 0.5, 31.0, 90.0]) if begun else None
+        start = (
+            begun * draw.standard_normal(4) * np.array([1.0, 0.5, 31.0, 90.0]) if begun else None
+        )
         both = accelerations(*values, speed * faster, corner, start)
         both = both + 0.05 * both.std(axis=0) * draw.standard_normal(both.shape)
         record = {name: (both[:, i], "m/s^2", "") for i, name in enumerate(CHANNELS)}
-        road = jn.Train(of=jn.HalfSine(height=HEIGHT, length=LENGTH), start=START, count=2, pitch=PITCH)
+        road = jn.Train(
+            of=jn.HalfSine(height=HEIGHT, length=LENGTH), start=START, count=2, pitch=PITCH
+        )
         trial = jn.Trial(road=road, speed=speed, duration=DURATION)
         measured = recording(np.arange(len(both)) / RATE, record)
         trials.append(jn.FitTrial(f"{speed:g} m/s", rig, trial, measured, sensors))
@@ -108,7 +117,9 @@ def test_an_undeclared_filter_is_named_and_found(align: str | None) -> None:
     truth, trials = bench(1, corner=60.0)
     plain = fitted(trials, align=align)
     assert off(plain, truth) > 0.15
-    (told,) = [found for found in plain.findings if "after a low-pass filter at about" in found.message]
+    (told,) = [
+        found for found in plain.findings if "after a low-pass filter at about" in found.message
+    ]
     assert told.place == "sprung.az"
     assert told.value == pytest.approx(60.0, rel=0.1)
     freed = fitted(trials, align=align, nuisances=FILTER)
@@ -133,7 +144,9 @@ def test_a_wrong_speed_is_named_and_found(align: str | None, error: float) -> No
     truth, trials = bench(2, faster=1.0 + error)
     plain = fitted(trials, align=align)
     assert off(plain, truth) > 0.02
-    (told,) = [found for found in plain.findings if "from the stated one would explain" in found.message]
+    (told,) = [
+        found for found in plain.findings if "from the stated one would explain" in found.message
+    ]
     assert told.place == "speed"
     assert told.value == pytest.approx(error, rel=0.5)
     freed = fitted(trials, align=align, nuisances={"speed": "8 %"})
@@ -224,20 +237,32 @@ def test_intervals_beside_nuisances_cover() -> None:
     held = dict.fromkeys([*FREE, "speed"], 0)
     told, filtered = 0, dict.fromkeys([*FREE, "sprung.az.low_pass"], 0)
     for seed in range(40):
-        corner, error = float(draw.uniform(40.0, 150.0)), float(draw.choice([-1.0, 1.0]) * draw.uniform(0.01, 0.04))
+        corner, error = (
+            float(draw.uniform(40.0, 150.0)),
+            float(draw.choice([-1.0, 1.0]) * draw.uniform(0.01, 0.04)),
+        )
         truth, trials = bench(seed, corner=corner)
-        told += any("after a low-pass filter at about" in found.message for found in fitted(trials).findings)
+        told += any(
+            "after a low-pass filter at about" in found.message for found in fitted(trials).findings
+        )
         found = fitted(trials, nuisances=FILTER)
         for path, one in {**found.parameters, **found.nuisances}.items():
             assert one.interval is not None
             filtered[path] += one.interval[0] <= truth.get(path, corner) <= one.interval[1]
         assert found.nuisances["sprung.az.low_pass"].value == pytest.approx(corner, rel=1.5e-2)
         truth, trials = bench(seed, faster=1.0 + error)
-        told += any("from the stated one would explain" in found.message for found in fitted(trials).findings)
+        told += any(
+            "from the stated one would explain" in found.message
+            for found in fitted(trials).findings
+        )
         found = fitted(trials, nuisances={"speed": "8 %"})
         for path, one in {**found.parameters, **found.nuisances}.items():
             assert one.interval is not None
-            held[path] += one.interval[0] <= truth.get(path, SPEEDS[0] * (1.0 + error)) <= one.interval[1]
+            held[path] += (
+                one.interval[0] <= truth.get(path, SPEEDS[0] * (1.0 + error)) <= one.interval[1]
+            )
     assert min(held.values()) >= 35, held
-    assert min(filtered[path] for path in FREE) >= 35, filtered  # that of the corner knows nothing of the sensor model
+    assert min(filtered[path] for path in FREE) >= 35, (
+        filtered
+    )  # that of the corner knows nothing of the sensor model
     assert told >= 72

@@ -16,7 +16,10 @@ from jounce.papers.table2 import table2
 from jounce.papers.virtual_bench import BenchPlan, campaign_texts, make_measurements
 
 REPRESENTED = 0.95
-FRICTION = {"rig.strut.friction.force": "5 N", "rig.guide_friction.force": "9 N"}  # of the shipped bench
+FRICTION = {
+    "rig.strut.friction.force": "5 N",
+    "rig.guide_friction.force": "9 N",
+}  # of the shipped bench
 DEGRESSIVE = {
     "rig.strut.damper": {
         "velocity": [-1.2, -0.5, -0.15, 0.0, 0.15, 0.5, 1.2],
@@ -30,10 +33,14 @@ def run(tmp_path_factory):
     """Strategies 1 to 3 on trials 1, 4 and 6 (0.31 MPa) and 9 (0.25 MPa) of a bench, cached by what was changed."""
 
     @cache
-    def evaluated(truth, changed=(), file="campaign.toml", weights="printed", decay="viscous-and-coulomb"):
+    def evaluated(
+        truth, changed=(), file="campaign.toml", weights="printed", decay="viscous-and-coulomb"
+    ):
         folder = tmp_path_factory.mktemp("bench")
         rows = tuple(row for row in table2() if row.number in (1, 4, 6, 9))
-        real = jn.load_truth(truth).with_changes({**dict(FRICTION if "friction" in changed else {}), **_more(changed)})
+        real = jn.load_truth(truth).with_changes(
+            {**dict(FRICTION if "friction" in changed else {}), **_more(changed)}
+        )
         make_measurements(folder, BenchPlan(trials=rows, duration=1.0), real)
         texts = campaign_texts()
         for name in ("rig.toml", "quarter-car.toml"):
@@ -43,7 +50,9 @@ def run(tmp_path_factory):
         kept = [one for one in trials if any(f"\nnumber = {row.number}\n" in one for row in rows)]
         updates = text[text.index("[[update]]") : text.index("# Beyond the paper")]
         chosen = updates.replace('method = "bfgs"', f'method = "bfgs"\nweights = "{weights}"')
-        (folder / "short.toml").write_text("[[trial]]".join([head, *kept]) + chosen, encoding="utf-8")
+        (folder / "short.toml").write_text(
+            "[[trial]]".join([head, *kept]) + chosen, encoding="utf-8"
+        )
         return jn.run_campaign(folder / "short.toml")
 
     return evaluated
@@ -67,7 +76,10 @@ def represented(result, strategy, number=None):
 
 def test_the_paper_s_order_comes_out_on_a_bench_with_little_friction(run):
     result = run("kart-low-friction")
-    assert represented(result, 1) == (True, False)  # section 8: "only the dynamic performance of the sprung mass"
+    assert represented(result, 1) == (
+        True,
+        False,
+    )  # section 8: "only the dynamic performance of the sprung mass"
     assert represented(result, 2) == (True, True)
     assert represented(result, 3) == (True, True)
     first, second, _ = (strategy.update for strategy in result.strategies)
@@ -120,7 +132,8 @@ def test_closer_trains_are_met_better(run, truth):
     """Section 9: "the adjusted model better represented the situations when this distance was smaller"."""
     found = run(truth).strategies[1]
     misfit = {
-        number: sum(channel.nrmse for channel in found.trial(number).after.channels.values()) for number in (4, 6)
+        number: sum(channel.nrmse for channel in found.trial(number).after.channels.values())
+        for number in (4, 6)
     }
     assert misfit[4] < misfit[6]
 
@@ -128,7 +141,9 @@ def test_closer_trains_are_met_better(run, truth):
 @pytest.mark.slow
 def test_a_belt_that_keeps_its_speed_meets_wide_trains_as_well(run):
     found = run("kart-prototype", ("even belt",)).strategies[1]
-    close, wide = (sum(c.nrmse for c in found.trial(number).after.channels.values()) for number in (4, 6))
+    close, wide = (
+        sum(c.nrmse for c in found.trial(number).after.channels.values()) for number in (4, 6)
+    )
     assert wide < close
 
 

@@ -17,7 +17,9 @@ def gaussian(one):
     """Which intervals hold of the Gaussian approximation, which is the posterior within some per cent."""
     settings = {"weights": "normalised", "align": "lag", "doubt": jn.Doubt()}
     told = jn.update_model(one.trials, wrong_models.FREE, **settings).discrepancy.parameters
-    return [counted(path, law.interval, law.value, one) for path, law in told.items() if law.identified]
+    return [
+        counted(path, law.interval, law.value, one) for path, law in told.items() if law.identified
+    ]
 
 
 def counted(path, interval, value, one):
@@ -40,9 +42,13 @@ def test_benches_that_are_off_by_what_is_doubted():
 
     This is what says that intervals are no wider than what is stated; a bench of other errors cannot.
     """
-    rows = [row for seed in range(100) for row in gaussian(wrong_models.doubted_bench(seed, trials=3))]
+    rows = [
+        row for seed in range(100) for row in gaussian(wrong_models.doubted_bench(seed, trials=3))
+    ]
     covered, _ = np.array(rows).T
-    assert 0.92 <= np.mean(covered) <= 0.98  # of some 510, correlated in sixes: three standard errors
+    assert (
+        0.92 <= np.mean(covered) <= 0.98
+    )  # of some 510, correlated in sixes: three standard errors
 
 
 @pytest.mark.slow
@@ -63,11 +69,15 @@ def test_two_hundred_benches_with_model_error():
 @pytest.mark.slow
 def test_posteriors_with_model_error():
     """Seven seconds each; JOUNCE_BENCHES=200 counts all that the documentation tells of."""
-    rows = [coverage_counts.with_error(coverage_counts.FIRST + i) for i in range(max(BENCHES or 40, 20))]
+    rows = [
+        coverage_counts.with_error(coverage_counts.FIRST + i) for i in range(max(BENCHES or 40, 20))
+    ]
     assert sum(row.hold for row in rows) >= 0.92 * sum(row.intervals for row in rows)
     assert np.median([row.widths for row in rows]) < 0.1
     errors = np.array([row.error for row in rows])
     assert np.mean(errors < 0.5) > 0.9
     assert all(row.told == (row.error > 0.5) for row in rows)
     ratios = [row.ratio for row in rows]
-    assert 0.9 < np.nanmedian(ratios) < 1.1  # so that what is counted of the approximation counts for the posterior
+    assert (
+        0.9 < np.nanmedian(ratios) < 1.1
+    )  # so that what is counted of the approximation counts for the posterior

@@ -72,7 +72,9 @@ def test_all_passages_are_found_and_timed(lab: laboratory.Laboratory, runner: Ru
         assert slip == pytest.approx(lab.belt.slip, abs=3e-3)
 
 
-def test_the_intervals_hold_what_is_true(lab: laboratory.Laboratory, result: CampaignResult) -> None:
+def test_the_intervals_hold_what_is_true(
+    lab: laboratory.Laboratory, result: CampaignResult
+) -> None:
     assert result.is_complete, [str(item) for item in result.findings if item.severity == "problem"]
     truth = laboratory.truths(lab)
     parameters = result.strategies[0].update.discrepancy.parameters
@@ -82,7 +84,10 @@ def test_the_intervals_hold_what_is_true(lab: laboratory.Laboratory, result: Cam
         if path == "tyre.damping_coefficient":  # little beside the damper's share at the wheel
             continue
         assert found.identified, path
-        assert found.interval[1] - found.interval[0] < (0.5 if "friction" in path else 0.2) * truth[path], path
+        assert (
+            found.interval[1] - found.interval[0]
+            < (0.5 if "friction" in path else 0.2) * truth[path]
+        ), path
 
 
 def test_the_model_holds_in_all_trials(result: CampaignResult) -> None:
@@ -95,7 +100,10 @@ def test_the_model_holds_in_all_trials(result: CampaignResult) -> None:
     [
         (lambda place: (place / "settings.toml").unlink(), "no settings of the laboratory"),
         (lambda place: (place / "table.csv").unlink(), "no table of trials"),
-        (lambda place: [file.unlink() for file in place.glob("P*.csv")], "no record of a trial was found"),
+        (
+            lambda place: [file.unlink() for file in place.glob("P*.csv")],
+            "no record of a trial was found",
+        ),
         (
             lambda place: (place / "settings.toml").write_text(
                 (place / "settings.toml").read_text().replace("100 mV/g", "100")
@@ -126,7 +134,9 @@ def test_other_files_go_on_without_one(folder: Path, tmp_path: Path) -> None:
     next(place.glob("tyre_025_1.csv")).rename(place / "tyre_1.csv")
     (place / "notes.docx").write_bytes(b"PK")
     (place / "empty.csv").write_text("", encoding="utf-8")
-    (place / "cal_laser.csv").write_text("displacement [mm],ch3 [V]\n10,1.4\n10,1.5\n", encoding="utf-8")
+    (place / "cal_laser.csv").write_text(
+        "displacement [mm],ch3 [V]\n10,1.4\n10,1.5\n", encoding="utf-8"
+    )
     made = jn.campaign_from_folder(tmp_path / "campaign", place)
     codes = {
         item.code.removeprefix("campaign."): item.place
@@ -167,7 +177,9 @@ def test_exchanged_trials_are_named(folder: Path, tmp_path: Path) -> None:
 
 
 @pytest.fixture(scope="module")
-def spoiled(lab: laboratory.Laboratory, folder: Path, tmp_path_factory: pytest.TempPathFactory) -> CampaignResult:
+def spoiled(
+    lab: laboratory.Laboratory, folder: Path, tmp_path_factory: pytest.TempPathFactory
+) -> CampaignResult:
     """Three trials: one whose record holds noise only, one cut to less than a loop, one as it was."""
     place = copy_with_trials(folder, tmp_path_factory.mktemp("spoiled") / "raw", (1, 2, 3))
     records = {number: next(place.glob(f"*_{number:02d}.csv")) for number in (1, 2)}
@@ -200,21 +212,31 @@ def test_an_obstacle_that_never_comes_is_drawn(spoiled: CampaignResult) -> None:
     assert "the obstacle is not found in the record" in left_out.message
     sought = spoiled.sought[1]
     assert sought.likeness < 0.5
-    assert set(sought.record.data_vars) == set(sought.response.data_vars) == {"sprung.az", "unsprung.az"}
+    assert (
+        set(sought.record.data_vars)
+        == set(sought.response.data_vars)
+        == {"sprung.az", "unsprung.az"}
+    )
     assert float(sought.response["time"][0]) < float(sought.record["time"][-1])
     drawn = [block for block in curves(spoiled).blocks if isinstance(block, Details)]
-    (chart,) = [block for item in drawn for block in item.blocks if getattr(block, "name", "") == "sought-1"]
+    (chart,) = [
+        block for item in drawn for block in item.blocks if getattr(block, "name", "") == "sought-1"
+    ]
     assert [panel.series[1].label for panel in chart.panels] == ["looked for", "looked for"]
 
 
-def test_a_record_of_less_than_a_loop_is_compared_on_a_running_belt(spoiled: CampaignResult) -> None:
+def test_a_record_of_less_than_a_loop_is_compared_on_a_running_belt(
+    spoiled: CampaignResult,
+) -> None:
     (noted,) = [item for item in spoiled.findings if item.code == "campaign.no_whole_loop"]
     assert noted.place.startswith("trial 2")
     short = next(trial for trial in spoiled.trials if trial.entry.number == 2)
     assert min(channel.r2 for channel in short.after.channels.values()) > 0.97
 
 
-def test_trials_of_one_speed_that_were_exchanged_are_named_by_their_obstacles(folder: Path, tmp_path: Path) -> None:
+def test_trials_of_one_speed_that_were_exchanged_are_named_by_their_obstacles(
+    folder: Path, tmp_path: Path
+) -> None:
     place = copy_with_trials(folder, tmp_path / "raw", (1, 2, 3, 14, 16))
     exchange(place, 14, 16)
     made = jn.campaign_from_folder(tmp_path / "campaign", place)
@@ -235,5 +257,7 @@ def test_a_belt_that_nobody_measured_is_measured_by_its_pulses(
     made = jn.campaign_from_folder(tmp_path / "campaign", place)
     runner, _, _ = prepared_campaign(made.campaign, lambda _text: None)
     (found,) = [item for item in runner.findings if item.code == "campaign.belt_length_found"]
-    assert found.value == pytest.approx(1.97 / (1.0 - lab.belt.slip), rel=3e-3)  # by pulses: slip counts in it
+    assert found.value == pytest.approx(
+        1.97 / (1.0 - lab.belt.slip), rel=3e-3
+    )  # by pulses: slip counts in it
     assert all(item.trial.road.recurrence == found.value for item in runner.loaded.values())

@@ -26,11 +26,17 @@ def test_no_text_file_is_silently_wrong(variants: ModuleType) -> None:
     assert right["text: sampling"] >= 19
 
 
-def test_a_wrong_reading_would_be_seen(variants: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_wrong_reading_would_be_seen(
+    variants: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> None:
     true = variants.truth
-    monkeypatch.setattr(variants, "truth", lambda time: {name: 1.01 * values for name, values in true(time).items()})
+    monkeypatch.setattr(
+        variants, "truth", lambda time: {name: 1.01 * values for name, values in true(time).items()}
+    )
     columns = {"time": variants.TIME, **true(variants.TIME)}
-    content = variants.text(columns, {"time": "s", "sprung.az": "m/s^2", "strut.deflection": "m", "strut.force": "N"})
+    content = variants.text(
+        columns, {"time": "s", "sprung.az": "m/s^2", "strut.deflection": "m", "strut.force": "N"}
+    )
     (group,) = variants.outcomes([("one", ("a", ".csv", content.encode(), {}))])
     assert group.wrong == ["a"]
 

@@ -47,7 +47,9 @@ def loud(result):
 @pytest.mark.parametrize("gas", [60.0, 0.0, -30.0])
 @pytest.mark.parametrize("velocity", [True, False])
 def test_stated_signs_give_the_truth(stroke, force, gas, velocity):
-    result = fit_damper(*record(stroke, force, gas=gas, velocity=velocity), law="bilinear", **words(stroke, force))
+    result = fit_damper(
+        *record(stroke, force, gas=gas, velocity=velocity), law="bilinear", **words(stroke, force)
+    )
     truth = {"bump_coefficient": 500.0, "rebound_coefficient": 2000.0, "offset": gas}
     assert values(result) == pytest.approx(truth, rel=0.01, abs=1.5)
     assert result.damper == {
@@ -70,9 +72,9 @@ def test_without_options_a_gas_force_tells_the_turned_column(stroke, force):
         truth = {"bump_coefficient": 500.0, "rebound_coefficient": 2000.0, "offset": 60.0}
         assert values(result) == pytest.approx(truth, rel=0.01, abs=1.5)
         turned = {(1, 1): None, (-1, 1): "stroke", (1, -1): "force"}[stroke, force]
-        assert [f"the {turned} was recorded with the other sign" in f.message for f in loud(result)] == [True] * bool(
-            turned
-        )
+        assert [
+            f"the {turned} was recorded with the other sign" in f.message for f in loud(result)
+        ] == [True] * bool(turned)
 
 
 @pytest.mark.parametrize(("stroke", "force"), COMBINATIONS)
@@ -86,10 +88,14 @@ def test_without_options_and_gas_nothing_is_silent(stroke, force):
 def test_a_symmetric_damper_is_right_whatever_the_signs(stroke, force, gas):
     result = fit_damper(*record(stroke, force, bump=1500.0, rebound=1500.0, gas=gas))
     assert result.parameters["coefficient"].value == pytest.approx(1500.0, rel=0.01)
-    assert bool(loud(result)) == (stroke != force or (gas > 0.0 and stroke < 0))  # gas that pulls is told
+    assert bool(loud(result)) == (
+        stroke != force or (gas > 0.0 and stroke < 0)
+    )  # gas that pulls is told
 
 
-@pytest.mark.parametrize(("stated", "column"), [("stroke_positive", "force"), ("force_positive", "stroke")])
+@pytest.mark.parametrize(
+    ("stated", "column"), [("stroke_positive", "force"), ("force_positive", "stroke")]
+)
 @pytest.mark.parametrize("gas", [60.0, 0.0])
 def test_one_stated_sign_tells_the_other(stated, column, gas):
     stroke, force = (1, -1) if stated == "stroke_positive" else (-1, 1)
@@ -103,7 +109,9 @@ def test_one_stated_sign_tells_the_other(stated, column, gas):
 def test_wrong_statements_are_never_silent(stroke, force, said_stroke, said_force):
     result = fit_damper(*record(stroke, force), law="bilinear", **words(said_stroke, said_force))
     right = values(result) == pytest.approx(
-        {"bump_coefficient": 500.0, "rebound_coefficient": 2000.0, "offset": 60.0}, rel=0.01, abs=1.5
+        {"bump_coefficient": 500.0, "rebound_coefficient": 2000.0, "offset": 60.0},
+        rel=0.01,
+        abs=1.5,
     )
     assert right or loud(result)
     if (stroke, force) == (said_stroke, said_force):
@@ -120,7 +128,9 @@ def test_a_velocity_that_contradicts_the_stroke_follows_it(column):
         velocity = -velocity
     result = fit_damper(stroke, velocity, force, time, law="bilinear")
     assert values(result)["bump_coefficient"] == pytest.approx(500.0, rel=0.01)
-    assert any("velocity" in f.message and "reversed" in f.message for f in loud(result)) == (column == "velocity")
+    assert any("velocity" in f.message and "reversed" in f.message for f in loud(result)) == (
+        column == "velocity"
+    )
 
 
 def test_a_spring_is_no_damper():
@@ -135,7 +145,8 @@ def test_a_hold_out_is_read_as_the_fitted_record():
 
 
 @pytest.mark.parametrize(
-    "options", [{"stroke_positive": "tension"}, {"force_positive": "extension"}, {"stroke_positive": "-1"}]
+    "options",
+    [{"stroke_positive": "tension"}, {"force_positive": "extension"}, {"stroke_positive": "-1"}],
 )
 def test_unknown_signs_are_refused(options):
     with pytest.raises(DescriptionError, match="allowed"):
@@ -145,7 +156,18 @@ def test_unknown_signs_are_refused(options):
 
 
 @pytest.mark.parametrize(
-    "unit", ["-mm", "\N{MINUS SIGN}mm", "\N{EN DASH}mm", "- mm", "(-1)*mm", "mm*-1", "-1 mm", "-1*mm", "mm/-1"]
+    "unit",
+    [
+        "-mm",
+        "\N{MINUS SIGN}mm",
+        "\N{EN DASH}mm",
+        "- mm",
+        "(-1)*mm",
+        "mm*-1",
+        "-1 mm",
+        "-1*mm",
+        "mm/-1",
+    ],
 )
 def test_turned_units_are_accepted_nowhere(unit):
     with pytest.raises(DescriptionError, match="wrong unit"):
@@ -160,7 +182,9 @@ def test_turned_units_are_accepted_nowhere(unit):
 def test_a_spring_pushes_back_whatever_the_signs(stroke, force, stated, preload):
     way = np.concatenate([np.linspace(0.0, 0.03, 100), np.linspace(0.03, 0.0, 100)])
     options = words(stroke, force) if stated else {}
-    trial = ForceDeflectionTrial(stroke * way, force * (preload + 22.7e3 * way), "spring", **options)
+    trial = ForceDeflectionTrial(
+        stroke * way, force * (preload + 22.7e3 * way), "spring", **options
+    )
     result = fit_stiffness([trial], intercept="keep")
     assert result.stiffness.value == pytest.approx(22.7e3, rel=1e-9)
     assert result.intercept.value == pytest.approx(preload, abs=1e-6)
@@ -180,10 +204,31 @@ def test_a_wrong_statement_about_a_spring_is_a_warning(stroke, force):
 def test_channels_of_a_trial_are_turned_as_stated():
     channels = {
         name: ([1.0, 2.0], unit, "")
-        for name, unit in [("strut.deflection", "m"), ("strut.force", "N"), ("sprung.z", "m"), ("sprung.az", "m/s^2")]
+        for name, unit in [
+            ("strut.deflection", "m"),
+            ("strut.force", "N"),
+            ("sprung.z", "m"),
+            ("sprung.az", "m/s^2"),
+        ]
     }
     run = recording([0.0, 1.0], channels)
-    signs = {name: float(values[0]) for name, values in compression_positive(run, "extension", None).items()}
-    assert signs == {"strut.deflection": -1.0, "strut.force": 1.0, "sprung.z": 1.0, "sprung.az": 1.0}
-    signs = {name: float(values[0]) for name, values in compression_positive(run, None, "tension").items()}
-    assert signs == {"strut.deflection": 1.0, "strut.force": -1.0, "sprung.z": 1.0, "sprung.az": 1.0}
+    signs = {
+        name: float(values[0])
+        for name, values in compression_positive(run, "extension", None).items()
+    }
+    assert signs == {
+        "strut.deflection": -1.0,
+        "strut.force": 1.0,
+        "sprung.z": 1.0,
+        "sprung.az": 1.0,
+    }
+    signs = {
+        name: float(values[0])
+        for name, values in compression_positive(run, None, "tension").items()
+    }
+    assert signs == {
+        "strut.deflection": 1.0,
+        "strut.force": -1.0,
+        "sprung.z": 1.0,
+        "sprung.az": 1.0,
+    }

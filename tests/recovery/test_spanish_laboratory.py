@@ -23,7 +23,9 @@ def test_every_file_is_recognised(made: jn.FolderCampaign) -> None:
     assert made.findings == ()
 
 
-def test_the_intervals_hold_what_is_true_where_the_tyre_damps_four_times_the_start(made: jn.FolderCampaign) -> None:
+def test_the_intervals_hold_what_is_true_where_the_tyre_damps_four_times_the_start(
+    made: jn.FolderCampaign,
+) -> None:
     result = jn.run_campaign(made.campaign)
     truth = laboratory.Truth()
     assert result.is_complete, [str(item) for item in result.findings if item.severity == "problem"]

@@ -34,7 +34,11 @@ def codes_of(tmp_path_factory):
         tester = load_tester(one.tester)
         run, notes = read_record(file, tester)
         found = evaluate(run, tester)
-        said = [*notes, *found.findings, *(finding for wheel in found.wheels for finding in wheel.findings)]
+        said = [
+            *notes,
+            *found.findings,
+            *(finding for wheel in found.wheels for finding in wheel.findings),
+        ]
         return {finding.code for finding in said if finding.severity != "note"}
 
     return read

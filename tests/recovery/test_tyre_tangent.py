@@ -30,7 +30,10 @@ def tyre(draw: np.random.Generator) -> tuple[Curve, Curve]:
         return lambda x: a * np.maximum(x, 0.0) ** b, lambda x: a * b * x ** (b - 1.0)
     if kind == 1:
         p, q = draw.uniform(-0.3, 0.5) / REACH, draw.uniform(-0.2, 0.2) / REACH**2
-        return lambda x: k * x * (1.0 + p * x + q * x**2), lambda x: k * (1.0 + 2.0 * p * x + 3.0 * q * x**2)
+        return (
+            lambda x: k * x * (1.0 + p * x + q * x**2),
+            lambda x: k * (1.0 + 2.0 * p * x + 3.0 * q * x**2),
+        )
     if kind == 2:
         soft, share = draw.uniform(0.3e-3, 1.2e-3), draw.uniform(0.3, 0.7)
         return (
@@ -39,7 +42,9 @@ def tyre(draw: np.random.Generator) -> tuple[Curve, Curve]:
         )
     rise = 1.5 * draw.uniform(0.1, 0.4)
     return (
-        lambda x: k * (x + rise * 0.002 * (np.log(np.cosh((x - 0.004) / 0.002)) - np.log(np.cosh(2.0)))),
+        lambda x: (
+            k * (x + rise * 0.002 * (np.log(np.cosh((x - 0.004) / 0.002)) - np.log(np.cosh(2.0))))
+        ),
         lambda x: k * (1.0 + rise * np.tanh((x - 0.004) / 0.002)),
     )
 
@@ -52,7 +57,11 @@ def loadings(draw: np.random.Generator, force: Curve) -> list[ForceDeflectionTri
         measured = scale * force(x) + 2.0 * draw.standard_normal(60)
         before = np.linspace(-free, 0.0, 6)[:-1]
         noise = 2.0 * draw.standard_normal(5)
-        found.append(ForceDeflectionTrial(np.append(before, x) + free, np.append(noise, measured), f"loading {i}"))
+        found.append(
+            ForceDeflectionTrial(
+                np.append(before, x) + free, np.append(noise, measured), f"loading {i}"
+            )
+        )
     return found
 
 
@@ -66,7 +75,9 @@ def fitted(seed: int, law: Law, degree: int) -> tuple[StiffnessResult, float]:
     return result, float(slope(brentq(lambda x: float(force(x)) - load, 1e-6, REACH)))
 
 
-@pytest.mark.parametrize(("law", "degree", "least"), [("polynomial", 3, 37), ("polynomial", 2, 37), ("power", 3, 36)])
+@pytest.mark.parametrize(
+    ("law", "degree", "least"), [("polynomial", 3, 37), ("polynomial", 2, 37), ("power", 3, 36)]
+)
 def test_intervals_of_the_tangent_cover(law: Law, degree: int, least: int) -> None:
     """Of 40 tyres 26 were held by intervals of the scatter between trials alone, with errors up to 8 %."""
     held, told = 0, 0
@@ -83,6 +94,9 @@ def test_the_law_of_the_part_has_intervals_of_the_trials_alone() -> None:
     """A cubic through cubics: more degrees have nothing to add but noise."""
     x: Array = np.linspace(0.0, REACH, 200)
     scales = (0.99, 1.0, 1.01)
-    trials = [ForceDeflectionTrial(x, one * (1.2e5 * x + 2e6 * x**2 + 1e8 * x**3), f"loading {one}") for one in scales]
+    trials = [
+        ForceDeflectionTrial(x, one * (1.2e5 * x + 2e6 * x**2 + 1e8 * x**3), f"loading {one}")
+        for one in scales
+    ]
     found = fit_stiffness(trials, law="polynomial", degree=3, operating_force=500.0).stiffness
     assert found.standard_error == pytest.approx(0.01 * found.value / np.sqrt(3.0), rel=0.05)

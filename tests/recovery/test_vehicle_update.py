@@ -6,8 +6,16 @@ import pytest
 
 import jounce as jn
 
-TRUTH = {"front.spring_rate": 31e3, "rear.damping_coefficient": 2200.0, "body.pitch_inertia": 2650.0}
-FREE = {"front.spring_rate": "20 %", "rear.damping_coefficient": "30 %", "body.pitch_inertia": "20 %"}
+TRUTH = {
+    "front.spring_rate": 31e3,
+    "rear.damping_coefficient": 2200.0,
+    "body.pitch_inertia": 2650.0,
+}
+FREE = {
+    "front.spring_rate": "20 %",
+    "rear.damping_coefficient": "30 %",
+    "body.pitch_inertia": "20 %",
+}
 
 
 @pytest.mark.parametrize("name", ["audi-a6-half-car", "audi-a6-half-car-4dof", "audi-a6-full-car"])

@@ -12,10 +12,17 @@ def summed_up(rows):
         for path in ("strut.spring.rate", "tyre.stiffness")
     }
     covered = np.mean([row.is_covered for row in known])
-    return float(covered), float(np.mean([row.was_covered for row in rows])), firm, len(known) / len(rows)
+    return (
+        float(covered),
+        float(np.mean([row.was_covered for row in rows])),
+        firm,
+        len(known) / len(rows),
+    )
 
 
-@pytest.mark.parametrize("seed", [200, pytest.param(201, marks=pytest.mark.slow)])  # in 3-D, and a quarter car
+@pytest.mark.parametrize(
+    "seed", [200, pytest.param(201, marks=pytest.mark.slow)]
+)  # in 3-D, and a quarter car
 def test_truths_lie_in_the_intervals_that_count_model_error(seed):
     rows = wrong_models.rows_of(seed)
     assert ("3-D" in rows[0].kind) == (seed == 200)

@@ -57,12 +57,20 @@ def bench(seed: int, *, trials: int = len(TRIALS)) -> Bench:
     coefficient = draw.uniform(80.0, 220.0)
     kind, damper = _damper(draw, coefficient)
     rate, stiffness = draw.uniform(20e3, 26e3), draw.uniform(118e3, 150e3)
-    strut, guide, damping = draw.uniform(2.0, 14.0), draw.uniform(2.0, 16.0), draw.uniform(5.0, 60.0)
+    strut, guide, damping = (
+        draw.uniform(2.0, 14.0),
+        draw.uniform(2.0, 16.0),
+        draw.uniform(5.0, 60.0),
+    )
     onsets = np.exp(draw.uniform(np.log(0.3e-3), np.log(4e-3), 2))
-    masses = (16.0 * (1.0 + 0.004 * draw.standard_normal()), 5.0 * (1.0 + 0.03 * draw.standard_normal()))
+    masses = (
+        16.0 * (1.0 + 0.004 * draw.standard_normal()),
+        5.0 * (1.0 + 0.03 * draw.standard_normal()),
+    )
     curve = _tyre(draw, stiffness, (masses[0] + masses[1]) * 9.81)
     friction = [
-        {"force": force, "regularisation_velocity": onset} for force, onset in zip((strut, guide), onsets, strict=True)
+        {"force": force, "regularisation_velocity": onset}
+        for force, onset in zip((strut, guide), onsets, strict=True)
     ]
     changes: dict[str, Any] = {
         "sprung.mass": masses[0],
@@ -85,7 +93,11 @@ def bench(seed: int, *, trials: int = len(TRIALS)) -> Bench:
             }
             del changes["strut.spring.rate"]
     height = 0.010 * (1.0 + 0.015 * draw.standard_normal())
-    shape = {"kind": "half-sine", "height": height, "length": 0.060 * (1.0 + 0.02 * draw.standard_normal())}
+    shape = {
+        "kind": "half-sine",
+        "height": height,
+        "length": 0.060 * (1.0 + 0.02 * draw.standard_normal()),
+    }
     if draw.random() < 0.3:
         shape |= {"kind": "table", "x": tuple(np.linspace(0.0, shape["length"], 41))}
         length, power = shape.pop("length"), draw.uniform(0.9, 1.15)
@@ -171,7 +183,11 @@ def doubted_bench(seed: int, *, trials: int = len(TRIALS)) -> Bench:
         road = road if pitch == 0.0 else jn.Train(of=road, count=5, pitch=pitch)
         rig = told.with_changes({"strut.angle": f"{degrees} deg"})
         trial = jn.Trial(road=road, speed=speed, duration=DURATION)
-        meant.append(jn.FitTrial(f"trial {number}", rig, trial, jn.simulate(rig, trial)[list(CHANNELS)], sensor))
+        meant.append(
+            jn.FitTrial(
+                f"trial {number}", rig, trial, jn.simulate(rig, trial)[list(CHANNELS)], sensor
+            )
+        )
     free = free_parameters(told, FREE, where="doubted bench")
     one = ModelErrorProblem(
         meant,
@@ -188,14 +204,20 @@ def doubted_bench(seed: int, *, trials: int = len(TRIALS)) -> Bench:
     seen, fits = [], []
     for number, (run, trial) in enumerate(zip(one.runs, meant, strict=True)):
         for _ in range(4):  # forces beside the strut follow from the motion that they cause
-            solution = run.simulate(run.compiled.plain, run.numbers(state), one.inputs(state, number))
+            solution = run.simulate(
+                run.compiled.plain, run.numbers(state), one.inputs(state, number)
+            )
             states = States.of(run.compiled.plain, solution)
             run.beside = run.forces(states)
         seen.append(states)
         signals = {}
         for channel, size in zip(run.channels, (0.15, 0.8), strict=True):
             reading = run.prepared.table(one._doubtful_channel(channel, state.xi), solution)[:, 0]
-            signals[channel.name] = (reading + size * draw.standard_normal(len(reading)), "m/s^2", "")
+            signals[channel.name] = (
+                reading + size * draw.standard_normal(len(reading)),
+                "m/s^2",
+                "",
+            )
         fits.append(replace(trial, measured=recording(trial.measured["time"].to_numpy(), signals)))
     laws, run = Laws(one.richer, seen), one.runs[0]
     numbers = one.richer.plain(run.values, run.fitted_values(state.theta), state.xi)
@@ -227,7 +249,12 @@ def _damper(draw: np.random.Generator, c: float) -> tuple[str, dict[str, Any]]:
         force = c * uneven * np.sign(v) * np.abs(v) ** power * 0.4 ** (1.0 - power)
     elif kind == "blow-off":
         opens = draw.uniform(0.2, 0.6)
-        force = c * uneven * np.sign(v) * (np.minimum(np.abs(v), opens) + 0.55 * np.maximum(np.abs(v) - opens, 0.0))
+        force = (
+            c
+            * uneven
+            * np.sign(v)
+            * (np.minimum(np.abs(v), opens) + 0.55 * np.maximum(np.abs(v) - opens, 0.0))
+        )
     elif kind == "tanh":
         return kind, {
             "kind": "tanh", "coefficient": c, "force": draw.uniform(1.0, 6.0), "slope": draw.uniform(20.0, 80.0),
@@ -251,13 +278,19 @@ def _tyre(draw: np.random.Generator, stiffness: float, load: float) -> dict[str,
             "coefficients": (stiffness - 2.0 * square * rest - 3.0 * cube * rest**2, square, cube),
         }
     exponent = draw.uniform(1.0, 1.06)
-    return {"kind": "power", "coefficient": stiffness / (exponent * rest ** (exponent - 1.0)), "exponent": exponent}
+    return {
+        "kind": "power",
+        "coefficient": stiffness / (exponent * rest ** (exponent - 1.0)),
+        "exponent": exponent,
+    }
 
 
 def _truths(rig: Any, rides: list[Any]) -> tuple[dict[str, float], dict[str, float]]:
     """Component and effective values over the states ridden, from the forces of the true laws."""
     x, v, d, u = (np.concatenate([run[name].to_numpy() for run in rides]) for name in _STATES)
-    rate_d = np.concatenate([np.gradient(run["tyre.deflection"].to_numpy(), 1.0 / RATE) for run in rides])
+    rate_d = np.concatenate(
+        [np.gradient(run["tyre.deflection"].to_numpy(), 1.0 / RATE) for run in rides]
+    )
     tyre = np.concatenate([run["tyre.force"].to_numpy() for run in rides])
     force = np.concatenate([run["strut.force"].to_numpy() for run in rides])
     values = rig.parameters()
@@ -293,7 +326,9 @@ def _truths(rig: Any, rides: list[Any]) -> tuple[dict[str, float], dict[str, flo
     table = np.column_stack([np.ones(len(v)), x, v, np.tanh(v / 0.005)])
     effective = dict(zip(names, np.linalg.lstsq(table, force, rcond=None)[0][1:], strict=True))
     on = d > 0.0
-    found = np.linalg.lstsq(np.column_stack([np.ones(on.sum()), d[on], rate_d[on]]), tyre[on], rcond=None)[0]
+    found = np.linalg.lstsq(
+        np.column_stack([np.ones(on.sum()), d[on], rate_d[on]]), tyre[on], rcond=None
+    )[0]
     column = np.tanh(u / 0.005)
     effective |= {
         "tyre.stiffness": float(found[1]),
@@ -335,7 +370,10 @@ class Row:
     @property
     def is_covered(self) -> bool:
         """Whether the interval holds both readings of the truth."""
-        return all(self.interval[0] <= true <= self.interval[1] for true in (self.component, self.effective))
+        return all(
+            self.interval[0] <= true <= self.interval[1]
+            for true in (self.component, self.effective)
+        )
 
     @property
     def was_covered(self) -> bool:
@@ -359,7 +397,14 @@ def rows_of(seed: int) -> list[Row]:
     for path, law in found.discrepancy.parameters.items():
         plain = found.parameters[path]
         true = one.component[path], one.effective[path]
-        numbers = (plain.value, plain.interval, law.value, law.interval, law.identified, unexplained)
+        numbers = (
+            plain.value,
+            plain.interval,
+            law.value,
+            law.interval,
+            law.identified,
+            unexplained,
+        )
         rows.append(Row(seed, one.kind, path, *true, *numbers))
     return rows
 

@@ -56,7 +56,16 @@ WORDS = {
 }
 # Limits on the largest difference over the largest value of the case (of what vanishes: over the weight or gravity);
 # what is found is half to two thirds of it. ADAMS's first spherical case is itself 8.4e-4 m off its revolute twin.
-QUANTITIES = ("position", "orientation", "velocity", "acceleration", "spin", "spin rate", "force", "torque")
+QUANTITIES = (
+    "position",
+    "orientation",
+    "velocity",
+    "acceleration",
+    "spin",
+    "spin rate",
+    "force",
+    "torque",
+)
 LIMITS = {
     "Cylindrical_Case01": (6e-6, 1e-12, 2e-6, 1e-12, 1e-12, 1e-12, 1e-12, 1e-12),
     "Cylindrical_Case02": (4e-6, 3e-6, 2e-6, 1e-4, 3e-6, 2e-4, 4e-5, 1e-12),
@@ -140,7 +149,10 @@ def test_meaning_of_the_files(name: str) -> None:
         along = np.outer(case.force() @ slide, slide)
         assert difference(case["RforceA"], along, weight) < 2e-6
         assert difference(case["RforceP"], along - case.force(), weight) < 1e-6
-        assert difference(case["RtorqueP"], -case.torque(), max(np.abs(case.torque()).max(), weight)) < 1e-5
+        assert (
+            difference(case["RtorqueP"], -case.torque(), max(np.abs(case.torque()).max(), weight))
+            < 1e-5
+        )
         assert np.abs(case["RtorqueA"]).max() == 0.0
         return
     assert difference(case["Rforce"], -case.force(), max(np.abs(case.force()).max(), weight)) < 5e-6
@@ -151,7 +163,9 @@ def test_meaning_of_the_files(name: str) -> None:
         assert difference(case["Rtorque"], -case.torque(), scale) < 2e-5
     spin = np.gradient(case.turned, case["time"], axis=0) @ case.turned.transpose(0, 2, 1)
     spin = np.stack([spin[:, 2, 1], spin[:, 0, 2], spin[:, 1, 0]], axis=1)
-    typical = np.median(np.abs(spin - case["Avel"])[1:-1])  # central differences over 0.01 s, some turn 34 rad/s
+    typical = np.median(
+        np.abs(spin - case["Avel"])[1:-1]
+    )  # central differences over 0.01 s, some turn 34 rad/s
     assert typical <= 0.01 * np.abs(case["Avel"]).max()
 
 
@@ -174,23 +188,38 @@ def built(case: Recorded):
             made.cylindrical("joint", ground, bob, at=case.place, axis=axis)
         case "Distance":
             made.free("flight", bob)
-            made.rod("joint", ground, bob, at=case.case["ground_pt"], second_at=case.case["body_pt"])
+            made.rod(
+                "joint", ground, bob, at=case.case["ground_pt"], second_at=case.case["body_pt"]
+            )
         case "TranSpring":
             made.free("flight", bob)
-            law = {"stiffness": case.case["k"], "damping": case.case["c"], "free_length": case.case["L0"]}
-            _, push = made.spring_damper("spring", ground, bob, case.case["ground_pt"], case.case["body_pt"], **law)
+            law = {
+                "stiffness": case.case["k"],
+                "damping": case.case["c"],
+                "free_length": case.case["L0"],
+            }
+            _, push = made.spring_damper(
+                "spring", ground, bob, case.case["ground_pt"], case.case["body_pt"], **law
+            )
             made.output("spring push", push, "N", "force of the spring")
         case "LinActuator":
             slide = made.prismatic("joint", ground, bob, axis=axis, at=case.place)
             track = made.track("drive")
-            made.output("actuator", made.motion("actuator", slide, track), "N", "force of the drive")
+            made.output(
+                "actuator", made.motion("actuator", slide, track), "N", "force of the drive"
+            )
             motions = {"drive": jn.mechanics.constant_rate(case.case["speed_m_s"])}
     if case.name == "RotSpring":
         law = {"stiffness": 200.0, "damping": 10.0}
         if "|angle|" in case.case["law"]:
             angle = made.coordinate_named("joint.angle")
             law = {"torque": -(50.0 + 10.0 * ca.fabs(angle)) * angle - 10.0 * made.rate_of(angle)}
-        made.output("spring torque", made.rotational_spring_damper("spring", "joint", **law), "N*m", "spring's torque")
+        made.output(
+            "spring torque",
+            made.rotational_spring_damper("spring", "joint", **law),
+            "N*m",
+            "spring's torque",
+        )
     made.watch_body(bob)
     for i, name in enumerate(("along x", "along y", "along z")):
         made.watch_point(name, bob, centre + np.eye(3)[i])
@@ -205,8 +234,12 @@ def vector(run, *names: str):
 
 def compared(case: Recorded) -> dict[str, float]:
     made, motions = built(case)
-    start = {"joint.distance rate": motions["drive"].evaluate(np.zeros(1))[1][0]} if motions else None
-    run = jn.simulate_mechanism(made, "5 s", start=start, motions=motions, output_step=0.01, tolerance=1e-8)
+    start = (
+        {"joint.distance rate": motions["drive"].evaluate(np.zeros(1))[1][0]} if motions else None
+    )
+    run = jn.simulate_mechanism(
+        made, "5 s", start=start, motions=motions, output_step=0.01, tolerance=1e-8
+    )
     scale = max(np.abs(case["Acc"]).max(), GRAVITY)
     place = vector(run, "bob.x", "bob.y", "bob.z")
     axes = [vector(run, f"along {a}.x", f"along {a}.y", f"along {a}.z") - place for a in "xyz"]
@@ -217,7 +250,9 @@ def compared(case: Recorded) -> dict[str, float]:
         "velocity": difference(vector(run, "bob.vx", "bob.vy", "bob.vz"), case["Vel"]),
         "acceleration": difference(vector(run, "bob.ax", "bob.ay", "bob.az"), case["Acc"], scale),
         "spin": difference(vector(run, "bob.wx", "bob.wy", "bob.wz"), case["Avel"]),
-        "spin rate": difference(vector(run, "bob.alpha_x", "bob.alpha_y", "bob.alpha_z"), case["Aacc"]),
+        "spin rate": difference(
+            vector(run, "bob.alpha_x", "bob.alpha_y", "bob.alpha_z"), case["Aacc"]
+        ),
     }
     return found | carried(case, run, place)
 
@@ -229,7 +264,9 @@ def carried(case: Recorded, run, place) -> dict[str, float]:
         reach = place - np.array(case.case["ground_pt"])  # the spring's end is the centre of mass
         length = np.maximum(np.linalg.norm(reach, axis=1), 1e-12)
         force = run["spring push"].values[:, None] * reach / length[:, None]
-        return {"force": difference(-force, case["Rforce"], max(np.abs(case["Rforce"]).max(), weight))}
+        return {
+            "force": difference(-force, case["Rforce"], max(np.abs(case["Rforce"]).max(), weight))
+        }
     force = vector(run, "joint.fx", "joint.fy", "joint.fz")
     torque = vector(run, "joint.tx", "joint.ty", "joint.tz")
     axis = case.turned[0] @ np.array([0.0, 0.0, 1.0])
@@ -241,10 +278,16 @@ def carried(case: Recorded, run, place) -> dict[str, float]:
         along = np.outer(run["actuator"], axis)
         across = difference(along - force, case["RforceP"], weight)
         found = {"force": max(across, difference(along, case["RforceA"], weight))}
-        return found | {"torque": difference(-torque, case["RtorqueP"], max(np.abs(case["RtorqueP"]).max(), weight))}
+        return found | {
+            "torque": difference(
+                -torque, case["RtorqueP"], max(np.abs(case["RtorqueP"]).max(), weight)
+            )
+        }
     found = {"force": difference(-force, case["Rforce"], max(np.abs(case["Rforce"]).max(), weight))}
     if case.name != "Distance":
-        found["torque"] = difference(-torque, case["Rtorque"], max(np.abs(case["Rtorque"]).max(), 2.0 * weight))
+        found["torque"] = difference(
+            -torque, case["Rtorque"], max(np.abs(case["Rtorque"]).max(), 2.0 * weight)
+        )
     return found
 
 

@@ -36,7 +36,9 @@ def study(name: str) -> AudiCase:
 
 def case(name: str, moment: float, variant: str) -> CaseRun:
     return next(
-        run for run in study(name).runs if run.variant == variant and run.moment == pytest.approx(moment, rel=1e-12)
+        run
+        for run in study(name).runs
+        if run.variant == variant and run.moment == pytest.approx(moment, rel=1e-12)
     )
 
 
@@ -120,10 +122,14 @@ def test_times(which, variant, output, index, end, time):
 @pytest.mark.parametrize("name", CASES)
 def test_each_moment_runs_in_every_variant(name):
     sign = CASES[name].sign
-    expected = [(moment, variant) for moment in (100.0, 1636.0 * 3.0 * 0.55) for variant in VARIANTS]
+    expected = [
+        (moment, variant) for moment in (100.0, 1636.0 * 3.0 * 0.55) for variant in VARIANTS
+    ]
     found = [(sign * run.moment, run.variant) for run in study(name).runs]
     assert [variant for _, variant in found] == [variant for _, variant in expected]
-    assert [moment for moment, _ in found] == pytest.approx([moment for moment, _ in expected], rel=1e-12)
+    assert [moment for moment, _ in found] == pytest.approx(
+        [moment for moment, _ in expected], rel=1e-12
+    )
 
 
 def test_the_window_where_pitch_settles_under_braking():
@@ -193,14 +199,20 @@ def test_statics():
 
 def test_modes_and_the_printed_sign():
     found = study("case-a")
-    assert [mode.frequency_hz for mode in found.modes] == pytest.approx([1.2347, 1.4316], abs=5.1e-5)
-    assert [mode.damping_ratio for mode in found.modes] == pytest.approx([0.4370, 0.5106], abs=5.1e-5)
+    assert [mode.frequency_hz for mode in found.modes] == pytest.approx(
+        [1.2347, 1.4316], abs=5.1e-5
+    )
+    assert [mode.damping_ratio for mode in found.modes] == pytest.approx(
+        [0.4370, 0.5106], abs=5.1e-5
+    )
     assert found.printed.growth_rate == pytest.approx(3.570, abs=5.1e-4)
     assert found.printed.pitch_at_rest == pytest.approx(0.997, abs=5.1e-4)
     assert sorted(real for real, _ in found.printed.correct_eigenvalues) == pytest.approx(
         [-4.5929, -4.5929, -3.3903, -3.3903], abs=5.1e-5
     )
-    own = np.linalg.eigvals(jn.linearise(found.vehicle).A)  # the model's, which has nothing of the printed sign
+    own = np.linalg.eigvals(
+        jn.linearise(found.vehicle).A
+    )  # the model's, which has nothing of the printed sign
     correct = [complex(*value) for value in found.printed.correct_eigenvalues]
     assert sorted(own, key=lambda v: (v.real, v.imag)) == pytest.approx(
         sorted(correct, key=lambda v: (v.real, v.imag)), abs=1e-9
@@ -215,9 +227,13 @@ def test_start_up_of_the_demo():
     assert found.lowest < found.equilibrium < found.initial
 
 
-@pytest.mark.parametrize(("variant", "peak"), [("simulink", 2.995), ("sign-corrected", 2.995), ("physical", 5.953)])
+@pytest.mark.parametrize(
+    ("variant", "peak"), [("simulink", 2.995), ("sign-corrected", 2.995), ("physical", 5.953)]
+)
 def test_peak_acceleration(variant, peak):
-    assert case(*A, variant).peak_acceleration == pytest.approx(peak + 5e-4, abs=5e-4)  # digits were cut off
+    assert case(*A, variant).peak_acceleration == pytest.approx(
+        peak + 5e-4, abs=5e-4
+    )  # digits were cut off
 
 
 @pytest.mark.no_source
@@ -225,7 +241,9 @@ def test_wheels_that_would_leave_the_road_are_reported():
     found = study("case-a")
     pulled = [run for run in found.runs if run.least_wheel_force < 0.0]
     assert {run.variant for run in pulled} == {"physical"}
-    assert sum("leave the road there" in finding.message for finding in found.findings) == len(pulled)
+    assert sum("leave the road there" in finding.message for finding in found.findings) == len(
+        pulled
+    )
     assert all(run.least_wheel_force > 0.0 for run in study("case-b").runs)
 
 
@@ -244,7 +262,10 @@ def test_the_paper_beside_what_is_correct():
         pytest.approx(4201.7, abs=0.051), pytest.approx(70.03, abs=0.0051)
     )  # fmt: skip
     stiffness = errata["section 4, spring constant"]
-    assert (stiffness.printed_value, stiffness.correct_value) == (338e3, pytest.approx(33728.0, abs=0.51))
+    assert (stiffness.printed_value, stiffness.correct_value) == (
+        338e3,
+        pytest.approx(33728.0, abs=0.51),
+    )
     result = errata["section 4, result"]
     assert result.printed_value == pytest.approx(0.0122, abs=1e-9)
     assert "factor of 10.7" in result.why
@@ -262,7 +283,9 @@ def test_the_paper_beside_what_is_correct():
 @pytest.mark.no_source
 def test_more_damping_is_not_more_comfort() -> None:
     """Paper 2, "the greater is damping rate, the greater is comfort": the named damping is the best, on any road."""
-    best = next(one for one in study("case-b").errata if one.place == "Theta, comfort").correct_value
+    best = next(
+        one for one in study("case-b").errata if one.place == "Theta, comfort"
+    ).correct_value
     corner = jn.load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 0.0})
 
     def acceleration(coefficient: float) -> float:

@@ -32,17 +32,31 @@ def test_static_compressions(study):
     assert 1e3 * summed["compression"] == pytest.approx(13.351, abs=5.1e-4)
     assert 1e3 * series["compression"] == pytest.approx(133.79, abs=5.1e-3)
     assert 1e3 * series["spring_compression"] == pytest.approx(118.75, abs=5.1e-3)
-    assert 1e3 * (series["compression"] - series["spring_compression"]) == pytest.approx(15.04, abs=5.1e-3)
+    assert 1e3 * (series["compression"] - series["spring_compression"]) == pytest.approx(
+        15.04, abs=5.1e-3
+    )
     assert 1e3 * full["spring_compression"] == pytest.approx(118.75, abs=5.1e-3)
     assert full["contact_force"] == pytest.approx((460.0 + 45.0) * 9.81, rel=1e-9)
     assert summed["contact_force"] == pytest.approx(4512.6, rel=1e-9)
 
 
 def test_modes(study):
-    found = {run.variant: [(one.frequency_hz, one.damping_ratio) for one in run.modes] for run in study.runs}
-    assert found["summed"][0] == (pytest.approx(4.314, abs=5.1e-4), pytest.approx(0.1203, abs=5.1e-5))
-    assert found["two-mass"][0] == (pytest.approx(1.3749, abs=5.1e-5), pytest.approx(0.2022, abs=5.1e-5))
-    assert found["two-mass"][1] == (pytest.approx(13.672, abs=5.1e-4), pytest.approx(0.3930, abs=5.1e-5))
+    found = {
+        run.variant: [(one.frequency_hz, one.damping_ratio) for one in run.modes]
+        for run in study.runs
+    }
+    assert found["summed"][0] == (
+        pytest.approx(4.314, abs=5.1e-4),
+        pytest.approx(0.1203, abs=5.1e-5),
+    )
+    assert found["two-mass"][0] == (
+        pytest.approx(1.3749, abs=5.1e-5),
+        pytest.approx(0.2022, abs=5.1e-5),
+    )
+    assert found["two-mass"][1] == (
+        pytest.approx(13.672, abs=5.1e-4),
+        pytest.approx(0.3930, abs=5.1e-5),
+    )
     assert len(found["series"]) == 1
 
 
@@ -58,7 +72,9 @@ def test_answers_at_5_hz(study):
     summed, full = study.run("summed").amplitudes, study.run("two-mass").amplitudes
     assert summed["spring"] == pytest.approx(3.0376, abs=5.1e-5)
     assert summed["body"] == pytest.approx(2.3477, abs=5.1e-5)
-    assert [full[name] for name in ("body", "wheel", "spring")] == pytest.approx([0.1729, 0.9905, 1.0689], abs=5.1e-5)
+    assert [full[name] for name in ("body", "wheel", "spring")] == pytest.approx(
+        [0.1729, 0.9905, 1.0689], abs=5.1e-5
+    )
     assert 1e-3 * full["contact"] == pytest.approx(73.79, abs=5.1e-3)
 
 
@@ -86,16 +102,22 @@ def test_the_spring_of_341_mm(study):
 def test_the_drive_gives_what_the_dampers_take(study):
     for run in study.runs:
         assert run.drive.power == pytest.approx(run.drive.dissipated, rel=1e-6)
-        assert run.drive.torque.mean * 2.0 * np.pi * 5.0 == pytest.approx(run.drive.dissipated, rel=1e-6)
+        assert run.drive.torque.mean * 2.0 * np.pi * 5.0 == pytest.approx(
+            run.drive.dissipated, rel=1e-6
+        )
     # closed form: c |v|^2 / 2 of each damper, amplitudes at 5 Hz
     speed = 2.0 * np.pi * 5.0 * study.amplitude
     summed = study.run("summed")
-    assert summed.drive.power == pytest.approx(0.5 * 3000.0 * (speed * summed.closed_form["spring"]) ** 2, rel=1e-6)
+    assert summed.drive.power == pytest.approx(
+        0.5 * 3000.0 * (speed * summed.closed_form["spring"]) ** 2, rel=1e-6
+    )
 
 
 @pytest.mark.no_source
 def test_the_mean_torque_does_not_depend_on_the_plate():
-    light, heavy = (run_eccentric_exciter(plate_mass=mass).run("two-mass").drive for mass in (0.0, 60.0))
+    light, heavy = (
+        run_eccentric_exciter(plate_mass=mass).run("two-mass").drive for mass in (0.0, 60.0)
+    )
     assert light.torque.mean == pytest.approx(heavy.torque.mean, rel=1e-6)
     assert heavy.torque.max > light.torque.max + 0.5
 
@@ -108,8 +130,12 @@ def test_torque_of_the_drive(study):
 
 def test_eusama_tester(study):
     with_damping, without = study.eusama
-    assert (100.0 * with_damping.adhesion, with_damping.frequency_hz) == pytest.approx((72.5, 16.6), abs=0.051)
-    assert (100.0 * without.adhesion, without.frequency_hz) == pytest.approx((62.7, 14.6), abs=0.051)
+    assert (100.0 * with_damping.adhesion, with_damping.frequency_hz) == pytest.approx(
+        (72.5, 16.6), abs=0.051
+    )
+    assert (100.0 * without.adhesion, without.frequency_hz) == pytest.approx(
+        (62.7, 14.6), abs=0.051
+    )
 
 
 @pytest.mark.no_source
@@ -123,12 +149,16 @@ def test_a_large_amplitude_lifts_the_wheel_off():
 def test_the_largest_amplitude_leaves_the_spring_hardly_any_length():
     shortest = run_eccentric_exciter(amplitude=LARGEST).run("summed").shortest
     assert 0.0 < shortest < 0.01  # m of 0.341
-    with pytest.raises(DescriptionError, match=r"^amplitude: .*found '3 m'; allowed: above 0 m, at most 0.095 m"):
+    with pytest.raises(
+        DescriptionError, match=r"^amplitude: .*found '3 m'; allowed: above 0 m, at most 0.095 m"
+    ):
         run_eccentric_exciter(amplitude=3.0)
 
 
 @pytest.mark.no_source
-@pytest.mark.parametrize(("amplitude", "mass"), [(0.0, 20.0), (-0.003, 20.0), (np.nan, 20.0), (0.003, -1.0)])
+@pytest.mark.parametrize(
+    ("amplitude", "mass"), [(0.0, 20.0), (-0.003, 20.0), (np.nan, 20.0), (0.003, -1.0)]
+)
 def test_senseless_inputs(amplitude, mass):
     with pytest.raises(DescriptionError, match="allowed"):
         run_eccentric_exciter(amplitude, mass)

@@ -60,7 +60,9 @@ def test_torque_and_pull():
     assert margin.inverter_frequency * (1 - BARE.motor_slip) == pytest.approx(24.64, abs=0.01)
 
 
-@pytest.mark.parametrize(("speed", "time"), [(1.95, 1.010), (2.86, 0.689), (3.79, 0.520), (3.87, 0.509)])
+@pytest.mark.parametrize(
+    ("speed", "time"), [(1.95, 1.010), (2.86, 0.689), (3.79, 0.520), (3.87, 0.509)]
+)
 def test_recurrence_of_an_obstacle(speed, time):
     # domain A1: belt length 1.97 m / speed
     found = belt_speed(BARE, inverter_frequency_for(BARE, speed))
@@ -69,7 +71,9 @@ def test_recurrence_of_an_obstacle(speed, time):
 
 
 @pytest.mark.no_source
-@pytest.mark.parametrize(("reference", "radius"), [("bare", 0.050), ("pitch", 0.0515), ("outer", 0.053)])
+@pytest.mark.parametrize(
+    ("reference", "radius"), [("bare", 0.050), ("pitch", 0.0515), ("outer", 0.053)]
+)
 def test_belt_reference_sets_the_radius(reference, radius):
     drive = BenchDrive(belt_reference=reference, cylinder_radius=0.05, belt_thickness=0.003)
     assert drive.radius == pytest.approx(radius)
@@ -105,7 +109,9 @@ def test_error_of_the_radius_adds_to_that_of_counting():
 @pytest.mark.no_source
 def test_few_pulses_are_reported():
     assert "count longer" in messages(photo_sensor_speed(BARE, 6, 1.0))
-    assert "count longer" not in messages(photo_sensor_speed(BARE, 60, 1.0, pulses_per_revolution=10))
+    assert "count longer" not in messages(
+        photo_sensor_speed(BARE, 60, 1.0, pulses_per_revolution=10)
+    )
 
 
 @pytest.mark.no_source
@@ -126,7 +132,9 @@ def test_required_pull_is_the_sum_of_its_parts():
 
 
 @pytest.mark.no_source
-@pytest.mark.parametrize(("pull", "text"), [(60.0, ""), (130.0, "not the cooling"), (180.0, "rated torque")])
+@pytest.mark.parametrize(
+    ("pull", "text"), [(60.0, ""), (130.0, "not the cooling"), (180.0, "rated torque")]
+)
 def test_overload_and_overheating_are_told_apart(pull, text):
     load = BeltLoad(wheel_load=0.0, bending_force=pull)
     margin = drive_margin(BARE, 3.0, load)
@@ -193,7 +201,14 @@ def test_speeds_above_the_supply_frequency_are_reported():
 @pytest.mark.no_source
 def test_estimated_values_are_named_until_they_are_given():
     text = messages(drive_margin(BenchDrive(), 2.0))
-    for name in ("cylinder_radius", "belt_thickness", "pulley_slip", "efficiency", "bed_friction", "wheel_load"):
+    for name in (
+        "cylinder_radius",
+        "belt_thickness",
+        "pulley_slip",
+        "efficiency",
+        "bed_friction",
+        "wheel_load",
+    ):
         assert name in text
     given = BenchDrive(cylinder_radius="60 mm")
     assert "cylinder_radius" not in messages(belt_speed(given, 30.0))

@@ -64,7 +64,9 @@ def test_violations_of_the_published_prototype():
     assert report.frequency == pytest.approx(5.066, abs=1e-3)
     assert report.similar_frequency == pytest.approx(1.8371, abs=1e-4)
     text = " | ".join(report.violations)
-    assert all(word in text for word in ("two length factors", "mass:", "frequency:", "static deflection"))
+    assert all(
+        word in text for word in ("two length factors", "mass:", "frequency:", "static deflection")
+    )
     assert "reference_density" in report.findings[-1].message
 
 

@@ -47,7 +47,9 @@ def test_the_stiff_spring_is_rejected_for_the_paper_s_reason():
     assert len(found.reasons) == 1
     assert found.reasons[0].startswith("bicycle spring (52775 N/m) is too stiff")
     stiff, soft = found.rows
-    assert stiff.static_deflection == pytest.approx(16 * 9.81 / (52775 * math.cos(math.radians(26)) ** 2))
+    assert stiff.static_deflection == pytest.approx(
+        16 * 9.81 / (52775 * math.cos(math.radians(26)) ** 2)
+    )
     assert 1e3 * stiff.static_deflection == pytest.approx(3.68, abs=0.01)
     assert 1e3 * soft.static_deflection == pytest.approx(8.55, abs=0.01)
     # same damper: ratio falls with the square root of the rate
@@ -87,7 +89,10 @@ def test_steep_struts_are_warned_of():
 def test_estimated_values_are_named_until_they_are_given():
     assert "friction_force = 15" in messages(compare_springs(PAPER))
     choice = SpringChoice(
-        damping_coefficient=150.0, available_travel="40 mm", target_frequency="1.84 Hz", friction_force="15 N"
+        damping_coefficient=150.0,
+        available_travel="40 mm",
+        target_frequency="1.84 Hz",
+        friction_force="15 N",
     )
     assert "estimated" not in messages(compare_springs(PAPER, choice))
 
@@ -100,7 +105,11 @@ def test_result_is_plain_data():
 @pytest.mark.no_source
 @pytest.mark.parametrize(
     ("springs", "text"),
-    [([], "no springs"), ([("a", 1.0), ("a", 2.0)], "named twice"), ([("a", -1.0)], "a: the spring rate")],
+    [
+        ([], "no springs"),
+        ([("a", 1.0), ("a", 2.0)], "named twice"),
+        ([("a", -1.0)], "a: the spring rate"),
+    ],
 )
 def test_unusable_springs_are_refused(springs, text):
     with pytest.raises(FitError, match=text):

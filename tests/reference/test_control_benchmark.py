@@ -55,8 +55,13 @@ def trial(periods: int) -> jn.Trial:
 
 
 def last_period(run: object) -> tuple[float, float, float]:
-    values = [run[name].to_numpy()[-5001:-1] for name in ("sprung.az", "strut.deflection", "tyre.deflection")]
-    return tuple(scale * np.std(value) for scale, value in zip((1.0, 1e3, 1e3), values, strict=True))
+    values = [
+        run[name].to_numpy()[-5001:-1]
+        for name in ("sprung.az", "strut.deflection", "tyre.deflection")
+    ]
+    return tuple(
+        scale * np.std(value) for scale, value in zip((1.0, 1e3, 1e3), values, strict=True)
+    )
 
 
 def test_road_is_the_published_one() -> None:
@@ -74,7 +79,9 @@ def test_passive_dampers(coefficient: float) -> None:
 
 @pytest.mark.no_source
 def test_an_actuator_that_holds_still_is_the_passive_damper() -> None:
-    run = jn.simulate(car(300.0), trial(2), control=Passive(damping_coefficient=1500.0, actuator=DAMPER))
+    run = jn.simulate(
+        car(300.0), trial(2), control=Passive(damping_coefficient=1500.0, actuator=DAMPER)
+    )
     assert last_period(run) == pytest.approx(PASSIVE[1500.0], rel=1e-4)
 
 
@@ -84,5 +91,7 @@ def test_two_state_skyhook() -> None:
 
 
 def test_linear_skyhook() -> None:
-    run = jn.simulate(car(), trial(2), control=Skyhook(damping_coefficient=4000.0, actuator=DAMPER, rate=5000.0))
+    run = jn.simulate(
+        car(), trial(2), control=Skyhook(damping_coefficient=4000.0, actuator=DAMPER, rate=5000.0)
+    )
     assert last_period(run) == pytest.approx((0.9456, 13.544, 6.866), rel=0.005)

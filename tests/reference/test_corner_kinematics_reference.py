@@ -56,7 +56,11 @@ def test_table_to_its_printed_digits(corner, travel: int) -> None:
     got = corner.quantities(travel * MM)
     angles = [got[name] / DEGREE for name in ("camber", "steer", "caster", "kingpin_inclination")]
     lengths = [got[name] / MM for name in ("caster_trail", "scrub_radius")]
-    lengths += [got["contact_point"][1] / MM, got["roll_centre_height"] / MM, got["spring_length"] / MM]
+    lengths += [
+        got["contact_point"][1] / MM,
+        got["roll_centre_height"] / MM,
+        got["spring_length"] / MM,
+    ]
     for value, text in zip([*angles, *lengths], TABLE[travel].split(), strict=True):
         expected, half_digit = printed(text)
         assert value == pytest.approx(expected, abs=half_digit * 1.01)
@@ -96,7 +100,11 @@ def variants():
         "strut_bottom": (0.0, 0.64, 0.38),
         "strut_top": (-0.02, 0.56, 0.85),
     }
-    five = {"wheel_centre": (0.0, 0.75, 0.31), "strut_bottom": (-0.06, 0.64, 0.2), "strut_top": (-0.05, 0.56, 0.65)}
+    five = {
+        "wheel_centre": (0.0, 0.75, 0.31),
+        "strut_bottom": (-0.06, 0.64, 0.2),
+        "strut_top": (-0.05, 0.56, 0.65),
+    }
     ends = [
         ((0.15, 0.35, 0.18), (0.03, 0.7, 0.17)),
         ((-0.2, 0.37, 0.19), (-0.02, 0.705, 0.165)),
@@ -129,7 +137,11 @@ def test_exact_derivatives_are_those_of_the_poses(name: str) -> None:
     above, here, below = (corner.quantities(travel + s) for s in (step, 0.0, -step))
 
     def slope(quantity: str, against: str = "wheel_centre", axis: int | None = None):
-        change = above[quantity] - below[quantity] if axis is None else (above[quantity] - below[quantity])[axis]
+        change = (
+            above[quantity] - below[quantity]
+            if axis is None
+            else (above[quantity] - below[quantity])[axis]
+        )
         return change / (above[against][2] - below[against][2])
 
     pairs = {"camber_gain": "camber", "bump_steer": "steer", "caster_gain": "caster"}
@@ -137,12 +149,18 @@ def test_exact_derivatives_are_those_of_the_poses(name: str) -> None:
         if gain in here:
             assert here[gain] == pytest.approx(slope(quantity), rel=1e-6, abs=1e-7)
     assert here["motion_ratio"] == pytest.approx(-slope("spring_length"), rel=1e-7)
-    assert here["motion_ratio_contact"] == pytest.approx(-slope("spring_length", "contact_point"), rel=1e-7)
+    assert here["motion_ratio_contact"] == pytest.approx(
+        -slope("spring_length", "contact_point"), rel=1e-7
+    )
     assert here["motion_ratio_gradient"] == pytest.approx(slope("motion_ratio"), rel=1e-6, abs=1e-6)
     contact = slope("motion_ratio_contact", "contact_point")
     assert here["motion_ratio_gradient_contact"] == pytest.approx(contact, rel=1e-6, abs=1e-6)
-    assert here["wheel_centre_dx_dz"] == pytest.approx(slope("wheel_centre", axis=0), rel=1e-6, abs=1e-8)
-    assert here["wheel_centre_dy_dz"] == pytest.approx(slope("wheel_centre", axis=1), rel=1e-6, abs=1e-8)
+    assert here["wheel_centre_dx_dz"] == pytest.approx(
+        slope("wheel_centre", axis=0), rel=1e-6, abs=1e-8
+    )
+    assert here["wheel_centre_dy_dz"] == pytest.approx(
+        slope("wheel_centre", axis=1), rel=1e-6, abs=1e-8
+    )
 
 
 @pytest.mark.no_source
@@ -150,7 +168,9 @@ def test_exact_derivatives_are_those_of_the_poses(name: str) -> None:
 def test_spring_force_is_that_of_virtual_work(name: str) -> None:
     corner = variants()[name]
     got = corner.contact_loads(0.02, (0.0, 0.0, 1000.0))
-    assert got["spring_force"] == pytest.approx(1000.0 / corner.quantities(0.02)["motion_ratio_contact"], rel=1e-10)
+    assert got["spring_force"] == pytest.approx(
+        1000.0 / corner.quantities(0.02)["motion_ratio_contact"], rel=1e-10
+    )
 
 
 @pytest.mark.no_source

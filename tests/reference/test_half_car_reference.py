@@ -88,9 +88,15 @@ def test_rest():
     rest = jn.equilibrium(AUDI)
     printed(1e3 * rest["body.z"], "-163.91198")
     printed(1e3 * rest["body.pitch"], "-3.38437")
-    printed(2.0 * rest["front.strut.force"], "8934.584"), printed(2.0 * rest["rear.strut.force"], "7114.576")
+    (
+        printed(2.0 * rest["front.strut.force"], "8934.584"),
+        printed(2.0 * rest["rear.strut.force"], "7114.576"),
+    )
     printed(rest["front.strut.force"], "4467.29"), printed(rest["rear.strut.force"], "3557.29")
-    printed(1e3 * rest["front.strut.deflection"], "159.546"), printed(1e3 * rest["rear.strut.deflection"], "169.395")
+    (
+        printed(1e3 * rest["front.strut.deflection"], "159.546"),
+        printed(1e3 * rest["rear.strut.deflection"], "169.395"),
+    )
 
 
 @pytest.mark.parametrize("compat", ["physical", "sign-corrected", "simulink"])
@@ -107,7 +113,9 @@ def test_modes():
     low, high = jn.modes(AUDI)
     printed(low.frequency_hz, "1.2347"), printed(low.damping_ratio, "0.4370")
     printed(high.frequency_hz, "1.4316"), printed(high.damping_ratio, "0.5106")
-    undamped = AUDI.with_changes({"front.damping_coefficient": 0.0, "rear.damping_coefficient": 0.0})
+    undamped = AUDI.with_changes(
+        {"front.damping_coefficient": 0.0, "rear.damping_coefficient": 0.0}
+    )
     low, high = jn.modes(undamped)
     printed(low.frequency_hz, "1.22975"), printed(high.frequency_hz, "1.43738")
 
@@ -115,7 +123,10 @@ def test_modes():
 def test_uncoupled_frequencies_and_axles():
     k, c = matrices(jn.linearise(AUDI))
     frequencies = np.sqrt(np.diag(k) / np.diag(MASSES))
-    printed(frequencies[0] / (2 * np.pi), "1.23180"), printed(frequencies[1] / (2 * np.pi), "1.43562")
+    (
+        printed(frequencies[0] / (2 * np.pi), "1.23180"),
+        printed(frequencies[1] / (2 * np.pi), "1.43562"),
+    )
     ratios = np.diag(c) / (2.0 * frequencies * np.diag(MASSES))
     printed(ratios[0], "0.4344"), printed(ratios[1], "0.5123")
     rest, body = jn.equilibrium(AUDI), AUDI.body
@@ -145,13 +156,20 @@ def test_reciprocity():
 
 def test_equation_9_as_printed_is_unstable():
     """M_rear = -L_r F_rear: one eigenvalue is real and positive, the rest position a fiction (0.997 rad)."""
-    forces = np.array([[1.0, -1.29], [1.0, 1.62]])  # rows: deflection of front and rear from -(z, pitch)
+    forces = np.array(
+        [[1.0, -1.29], [1.0, 1.62]]
+    )  # rows: deflection of front and rear from -(z, pitch)
     as_printed = np.array([[1.0, 1.0], [-1.29, -1.62]])
     demo = np.array([[1.0, 1.0], [-1.29, 1.62]])
     for moments, growing in ((as_printed, True), (demo, False)):
         k = moments @ np.diag([56000.0, 42000.0]) @ forces
         c = moments @ np.diag([6000.0, 5000.0]) @ forces
-        a = np.block([[np.zeros((2, 2)), np.eye(2)], [-np.linalg.solve(MASSES, k), -np.linalg.solve(MASSES, c)]])
+        a = np.block(
+            [
+                [np.zeros((2, 2)), np.eye(2)],
+                [-np.linalg.solve(MASSES, k), -np.linalg.solve(MASSES, c)],
+            ]
+        )
         fastest = max(np.linalg.eigvals(a), key=lambda value: value.real)
         assert (fastest.real > 0.0) == growing
         if growing:
@@ -159,7 +177,9 @@ def test_equation_9_as_printed_is_unstable():
             assert abs(fastest.imag) < 1e-12
             printed(np.linalg.solve(k, [-1636.0 * 9.81, 0.0])[1], "0.997")
         else:
-            np.testing.assert_allclose(np.linalg.eigvals(a), np.linalg.eigvals(jn.linearise(AUDI).A), rtol=1e-10)
+            np.testing.assert_allclose(
+                np.linalg.eigvals(a), np.linalg.eigvals(jn.linearise(AUDI).A), rtol=1e-10
+            )
 
 
 # --- the cases -------------------------------------------------------------------------------------------------------
@@ -177,7 +197,10 @@ WINDOWS = ((3.0, 6.0), (6.0, 8.0), (8.0, 10.0))
 
 def changes(run) -> dict[str, np.ndarray]:
     """Body height in mm and pitch in mrad, from rest."""
-    return {name: 1e3 * (run[f"body.{name}"].values - float(run[f"body.{name}"][0])) for name in ("z", "pitch")}
+    return {
+        name: 1e3 * (run[f"body.{name}"].values - float(run[f"body.{name}"][0]))
+        for name in ("z", "pitch")
+    }
 
 
 def extremes(time: np.ndarray, values: np.ndarray) -> list[tuple[float, float, float, float]]:
@@ -232,8 +255,12 @@ def test_case_a_braking_at_3_metres_per_second_squared():
 def test_deceleration_is_that_moment():
     car = AUDI.with_changes({"body.height": 0.55})
     common = {"road": jn.Flat(), "speed": "10 m/s", "duration": "2 s"}
-    braked = jn.simulate(car, jn.Trial(**common, deceleration={"value": "3 m/s^2", "start": "0.5 s"}))
-    moved = jn.simulate(car, jn.Trial(**common, pitch_moment={"value": "2699.4 N*m", "start": "0.5 s"}))
+    braked = jn.simulate(
+        car, jn.Trial(**common, deceleration={"value": "3 m/s^2", "start": "0.5 s"})
+    )
+    moved = jn.simulate(
+        car, jn.Trial(**common, pitch_moment={"value": "2699.4 N*m", "start": "0.5 s"})
+    )
     for name in ("body.z", "body.pitch", "body.pitch_moment"):
         np.testing.assert_allclose(braked[name], moved[name], rtol=1e-12, atol=1e-12)
 
@@ -256,7 +283,9 @@ def physical_case(height: float, moment: float):
     ramp = jn.Ramp(height=height, length="0.5 m", shape="cosine", start="60 m")
     common = {"speed": "10 m/s", "duration": "10 s"}
     up = jn.simulate(AUDI, jn.Trial(road=ramp, **common), tolerance=1e-9)
-    moved = jn.simulate(AUDI, jn.Trial(road=jn.Flat(), pitch_moment={"value": moment, "start": "3 s"}, **common))
+    moved = jn.simulate(
+        AUDI, jn.Trial(road=jn.Flat(), pitch_moment={"value": moment, "start": "3 s"}, **common)
+    )
     result = []
     for name in ("z", "pitch"):
         once = changes(up)[name]
@@ -288,5 +317,7 @@ def test_peak_acceleration_at_the_step():
     run = jn.simulate(AUDI.with_changes({"compat": "sign-corrected"}), trial, tolerance=1e-9)
     near(float(run["body.az"].max()), "2.995")
     ramp = jn.Ramp(height="50 mm", length="0.5 m", shape="cosine", start="60 m")
-    run = jn.simulate(AUDI, jn.Trial(road=ramp, speed="10 m/s", duration="7 s"), tolerance=1e-9, output_step=1e-4)
+    run = jn.simulate(
+        AUDI, jn.Trial(road=ramp, speed="10 m/s", duration="7 s"), tolerance=1e-9, output_step=1e-4
+    )
     near(float(abs(run["body.az"]).max()), "5.953")

@@ -48,7 +48,12 @@ def twin():
 
 
 def car(damping: float, **changes) -> LinearQuarterCar:
-    values = {"sprung_mass": 400.0, "unsprung_mass": 40.0, "spring_rate": 25e3, "tyre_stiffness": 200e3} | changes
+    values = {
+        "sprung_mass": 400.0,
+        "unsprung_mass": 40.0,
+        "spring_rate": 25e3,
+        "tyre_stiffness": 200e3,
+    } | changes
     return LinearQuarterCar(damping_coefficient=damping, **values)
 
 
@@ -71,8 +76,12 @@ def test_steady_states(damping):
 @pytest.mark.parametrize(("damping", "rate"), RUN_DOWN)
 def test_run_downs(twin, damping, rate):
     adhesion, phase = RUN_DOWN[damping, rate]
-    time, height, force, _ = twin.rigid_record(twin.Car(c=damping), twin.Programme(rate=rate), mp=20.0)
-    found = evaluate(record_of(time, height, force, 440.0 * 9.81), load_tester("egea-specsus2018")).wheel("left")
+    time, height, force, _ = twin.rigid_record(
+        twin.Car(c=damping), twin.Programme(rate=rate), mp=20.0
+    )
+    found = evaluate(
+        record_of(time, height, force, 440.0 * 9.81), load_tester("egea-specsus2018")
+    ).wheel("left")
     assert 100.0 * found.adhesion == pytest.approx(adhesion, abs=0.2)
     assert found.phase_angle_min_deg == pytest.approx(phase, abs=0.3)
     assert found.theta_road == pytest.approx(STEADY[damping][5], rel=2e-3)
@@ -102,18 +111,25 @@ def test_tyre_and_mass_move_the_adhesion():
 
 def test_rigidity():
     """kt 150 to 300 N/mm at c = 1500: H25/e_p 175.5, 248.0, 329.6, 421.9; rigidity 146.2, 187.6, 234.2, 286.9 N/mm."""
-    for stiffness, gain, value in ((150, 175.5, 146.2), (200, 248.0, 187.6), (250, 329.6, 234.2), (300, 421.9, 286.9)):
+    for stiffness, gain, value in (
+        (150, 175.5, 146.2),
+        (200, 248.0, 187.6),
+        (250, 329.6, 234.2),
+        (300, 421.9, 286.9),
+    ):
         found = abs(force_response(car(1500.0, tyre_stiffness=1e3 * stiffness), [25.0])[0])
         assert found == pytest.approx(1e3 * gain, abs=60.0)
         assert tyre_rigidity(3e-3 * found, 3e-3) == pytest.approx(1e3 * value, abs=60.0)
-        assert steady_state(car(1500.0, tyre_stiffness=1e3 * stiffness)).tyre_rigidity == pytest.approx(
-            1e3 * value, abs=60.0
-        )
+        assert steady_state(
+            car(1500.0, tyre_stiffness=1e3 * stiffness)
+        ).tyre_rigidity == pytest.approx(1e3 * value, abs=60.0)
 
 
 def test_measured_rigidity(twin):
     time, height, force, _ = twin.rigid_record(twin.Car(c=1500.0), twin.Programme(), mp=20.0)
-    found = evaluate(record_of(time, height, force, 4316.4), load_tester("egea-specsus2018")).wheel("left")
+    found = evaluate(record_of(time, height, force, 4316.4), load_tester("egea-specsus2018")).wheel(
+        "left"
+    )
     assert found.tyre_rigidity == pytest.approx(187.6e3, rel=2e-3)
 
 
@@ -134,7 +150,9 @@ def test_sprung_plate(damping):
     assert wheel_damping(rig_poles(wheel, 20.0, 50e3))[0] == pytest.approx(rig, abs=6e-5)
     assert wheel_damping(road_poles(wheel))[0] == pytest.approx(road, abs=6e-5)
     plate = {"plate_mass": 20.0, "plate_spring_rate": 50e3}
-    on_road = road_damping_ratio(rig, wheel_rate=25e3, tyre_stiffness=200e3, unsprung_mass=40.0, **plate)
+    on_road = road_damping_ratio(
+        rig, wheel_rate=25e3, tyre_stiffness=200e3, unsprung_mass=40.0, **plate
+    )
     assert on_road == pytest.approx(converted, abs=1.2e-4)
     frequency = np.linspace(2.0, 12.0, 5001)
     curve = plate_gain(wheel, tester, frequency)
@@ -147,7 +165,9 @@ def test_sprung_plate(damping):
 def test_stiffer_plate_spring():
     """100 N/mm: 6.83 Hz and 0.0479, 0.0960, 0.1443, 0.1931."""
     found = [wheel_damping(rig_poles(car(damping), 20.0, 100e3)) for damping in SPRUNG]
-    assert [ratio for ratio, _ in found] == pytest.approx([0.0479, 0.0960, 0.1443, 0.1931], abs=6e-5)
+    assert [ratio for ratio, _ in found] == pytest.approx(
+        [0.0479, 0.0960, 0.1443, 0.1931], abs=6e-5
+    )
     assert found[1][1] == pytest.approx(6.83, abs=0.006)
 
 

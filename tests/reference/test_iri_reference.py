@@ -19,7 +19,9 @@ pytestmark = pytest.mark.source(
 )
 
 FILES = Path(__file__).parents[1] / "files" / "road_iri"
-PRINTED = json.loads((FILES / "sayers_wtp46_coefficients.json").read_text(encoding="utf-8"))["matrices"]
+PRINTED = json.loads((FILES / "sayers_wtp46_coefficients.json").read_text(encoding="utf-8"))[
+    "matrices"
+]
 
 
 @pytest.mark.source(
@@ -55,7 +57,11 @@ def test_segments_of_a_measured_profile() -> None:
     # It takes the run-up over 0.5 s at 80 km/h, which changes the first segment in the fifth digit.
     x, z = np.loadtxt(FILES / "profile_1.txt", unpack=True)
     theirs = iri(x, z, segment=100.0, run_up=0.5 * 80.0 / 3.6)
-    assert [round(part.iri_m_per_km, 5) for part in theirs.segments[:3]] == [3.29852, 2.44211, 3.55511]
+    assert [round(part.iri_m_per_km, 5) for part in theirs.segments[:3]] == [
+        3.29852,
+        2.44211,
+        3.55511,
+    ]
     ours = iri(x, z, segment=100.0)
     found = [part.iri_m_per_km for part in ours.segments[:3]]
     np.testing.assert_allclose(found, [3.29852, 2.44211, 3.55511], rtol=0.0, atol=4e-5)
@@ -69,7 +75,21 @@ def test_the_pulse_of_the_technical_paper() -> None:
     z = 1e-3 * np.interp(x, [1.0, 3.0, 5.0], [0.0, 2.0, 0.0])
     trace = 1e3 * rectified_slope(z, 0.25)
     running = np.cumsum(trace) / np.arange(1, trace.size + 1)
-    first = [0.0, 0.0, 0.0, 0.05553, 0.17619, 0.31537, 0.43129, 0.50395, 0.53395, 0.53375, 0.51838, 0.48820, 0.53101]
+    first = [
+        0.0,
+        0.0,
+        0.0,
+        0.05553,
+        0.17619,
+        0.31537,
+        0.43129,
+        0.50395,
+        0.53395,
+        0.53375,
+        0.51838,
+        0.48820,
+        0.53101,
+    ]
     first += [0.61800, 0.70999, 0.77932, 0.81681, 0.82787]
     np.testing.assert_allclose(running[: len(first)], first, rtol=0.0, atol=6e-6)
     assert running[-1] == pytest.approx(0.20668, abs=6e-6)
@@ -84,7 +104,9 @@ def test_a_sinusoid(spacing: float, expected: float) -> None:
     assert found.iri_m_per_km == pytest.approx(expected, abs=6e-6)
 
 
-@pytest.mark.parametrize(("wavelength", "gain"), [(2.0, 1.5335), (5.0, 1.1697), (10.0, 1.2597), (20.0, 1.2340)])
+@pytest.mark.parametrize(
+    ("wavelength", "gain"), [(2.0, 1.5335), (5.0, 1.1697), (10.0, 1.2597), (20.0, 1.2340)]
+)
 def test_gain_of_the_golden_car(wavelength: float, gain: float) -> None:
     # response of the golden car at 80 km/h, four digits, computed from the constants of the paper
     assert abs(golden_car_response(wavelength)) == pytest.approx(gain, abs=6e-5)

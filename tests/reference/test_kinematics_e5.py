@@ -56,7 +56,9 @@ def sweep():
 @pytest.mark.parametrize("name", TABLE)
 def test_table_holds_to_its_printed_digits(sweep, name: str) -> None:
     unit, values, half = TABLE[name]
-    for found, value, room in zip(sweep[name].to_numpy() / unit, values, np.broadcast_to(half, 3), strict=True):
+    for found, value, room in zip(
+        sweep[name].to_numpy() / unit, values, np.broadcast_to(half, 3), strict=True
+    ):
         assert found == pytest.approx(value, abs=room * 1.000001)
 
 

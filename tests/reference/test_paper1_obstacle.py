@@ -29,7 +29,9 @@ PEAKS = {
 }
 WHEEL_DAMPING = 2.0 * 0.15 * np.sqrt(18362.0 * 16.0)  # 162.6 N s/m at the wheel
 KART = parts.load("kart-quarter-car").with_changes(
-    {"strut.damper.coefficient": WHEEL_DAMPING / np.cos(np.radians(26.0)) ** 2}  # 201.3 N s/m in the strut
+    {
+        "strut.damper.coefficient": WHEEL_DAMPING / np.cos(np.radians(26.0)) ** 2
+    }  # 201.3 N s/m in the strut
 )
 
 
@@ -37,12 +39,19 @@ KART = parts.load("kart-quarter-car").with_changes(
 @pytest.mark.parametrize("speed", PEAKS)
 def test_peaks(speed, start):
     """Where the obstacle begins does not matter."""
-    trial = jounce.Trial(road=jounce.HalfSine(height=0.01, length=0.06, start=start), speed=speed, duration=1.5)
+    trial = jounce.Trial(
+        road=jounce.HalfSine(height=0.01, length=0.06, start=start), speed=speed, duration=1.5
+    )
     *with_lift_off, acceleration, rise = PEAKS[speed]
-    for changes, (peak, height) in (({}, with_lift_off), ({"tyre.lift_off": False}, (acceleration, rise))):
+    for changes, (peak, height) in (
+        ({}, with_lift_off),
+        ({"tyre.lift_off": False}, (acceleration, rise)),
+    ):
         run = jounce.simulate(KART.with_changes(changes), trial, output_step=2e-4)
         assert float(abs(run["sprung.az"]).max()) == pytest.approx(peak, abs=0.051)
-        assert float(run["sprung.z"].max() - run["sprung.z"][0]) * 1e3 == pytest.approx(height, abs=0.0051)
+        assert float(run["sprung.z"].max() - run["sprung.z"][0]) * 1e3 == pytest.approx(
+            height, abs=0.0051
+        )
         assert (float(run["tyre.force"].min()) == 0.0) == (not changes)
 
 
@@ -64,6 +73,8 @@ def test_modes(stiffness, expected):
     """Body bounce and wheel hop at 0.31 and 0.25 MPa, Hz and damping ratio; four digits were given."""
     found = jounce.modes(KART.with_changes({"tyre.stiffness": stiffness}))
     for mode, (frequency, ratio) in zip(found, expected, strict=True):
-        assert mode.frequency_hz == pytest.approx(frequency, abs=0.0051 if frequency > 10 else 0.00051)
+        assert mode.frequency_hz == pytest.approx(
+            frequency, abs=0.0051 if frequency > 10 else 0.00051
+        )
         if ratio is not None:
             assert mode.damping_ratio == pytest.approx(ratio, abs=0.000051)

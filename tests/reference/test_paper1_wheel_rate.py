@@ -39,16 +39,18 @@ def test_wheel_rate_from_statics(angle):
     before, after = jounce.equilibrium(rig), jounce.equilibrium(heavier)
     sunk = (before["sprung.z"] - before["unsprung.z"]) - (after["sprung.z"] - after["unsprung.z"])
     assert 10.0 / sunk == pytest.approx(rate, abs=0.051)
-    assert (before["sprung.z"] - after["sprung.z"]) * (rate * 138468.0 / (rate + 138468.0)) == pytest.approx(
-        10.0, rel=1e-5
-    )
+    assert (before["sprung.z"] - after["sprung.z"]) * (
+        rate * 138468.0 / (rate + 138468.0)
+    ) == pytest.approx(10.0, rel=1e-5)
 
 
 @pytest.mark.parametrize("angle", TABLE)
 def test_body_frequency(angle):
     """A wheel without mass and a strut without damping leave one mass on one or two springs."""
     _, rigid, in_series = TABLE[angle]
-    light = KART.with_changes({"strut.angle": f"{angle} deg", "unsprung.mass": 1e-5, "strut.damper.coefficient": 0.0})
+    light = KART.with_changes(
+        {"strut.angle": f"{angle} deg", "unsprung.mass": 1e-5, "strut.damper.coefficient": 0.0}
+    )
     assert jounce.modes(light)[0].frequency_hz == pytest.approx(in_series, abs=0.00051)
     stiff = light.with_changes({"tyre.stiffness": 1e12})
     assert jounce.modes(stiff)[0].frequency_hz == pytest.approx(rigid, abs=0.00051)
@@ -59,7 +61,13 @@ def test_damping_follows_the_same_square():
     """A strut at 26 deg is an upright one with rate and coefficient times cos^2."""
     square = np.cos(np.radians(26.0)) ** 2
     upright = KART.with_changes(
-        {"strut.angle": 0.0, "strut.spring.rate": 22730.0 * square, "strut.damper.coefficient": 150.0 * square}
+        {
+            "strut.angle": 0.0,
+            "strut.spring.rate": 22730.0 * square,
+            "strut.damper.coefficient": 150.0 * square,
+        }
     )
     for a, b in zip(jounce.modes(KART), jounce.modes(upright), strict=True):
-        assert (a.frequency_hz, a.damping_ratio) == pytest.approx((b.frequency_hz, b.damping_ratio), rel=1e-10)
+        assert (a.frequency_hz, a.damping_ratio) == pytest.approx(
+            (b.frequency_hz, b.damping_ratio), rel=1e-10
+        )

@@ -29,7 +29,9 @@ AT_5_HZ = {1000.0: (0.1729, 0.9905, 1.0689, 73.79), 0.0: (0.1774, 1.0162, 1.0966
 def test_modes(coefficient):
     found = jounce.modes(AUDI.with_changes({"tyre.damping_coefficient": coefficient}))
     for mode, (frequency, ratio) in zip(found, MODES[coefficient], strict=True):
-        assert mode.frequency_hz == pytest.approx(frequency, abs=0.00051 if frequency > 10 else 0.000051)
+        assert mode.frequency_hz == pytest.approx(
+            frequency, abs=0.00051 if frequency > 10 else 0.000051
+        )
         assert mode.damping_ratio == pytest.approx(ratio, abs=0.000051)
 
 

@@ -57,7 +57,9 @@ def errors(run, expected) -> dict[str, float]:
     """Largest difference over the largest value, channel by channel."""
     assert np.allclose(run["time"], expected["time"], rtol=0.0, atol=1e-12)
     return {
-        name: float(np.abs(run[channel].values - expected[name]).max() / np.abs(expected[name]).max())
+        name: float(
+            np.abs(run[channel].values - expected[name]).max() / np.abs(expected[name]).max()
+        )
         for name, channel in CHANNELS.items()
     }
 
@@ -65,7 +67,12 @@ def errors(run, expected) -> dict[str, float]:
 def test_rig_file_holds_the_numbers_of_the_model() -> None:
     model = json.loads((FILES / "double_wishbone.json").read_text(encoding="utf-8"))
     ours, points = rig("bilateral"), model["hardpoints"]
-    names = {"lower_ball_joint": "BJ_L", "upper_ball_joint": "BJ_U", "tie_rod_inner": "T_C", "tie_rod_outer": "T_U"}
+    names = {
+        "lower_ball_joint": "BJ_L",
+        "upper_ball_joint": "BJ_U",
+        "tie_rod_inner": "T_C",
+        "tie_rod_outer": "T_U",
+    }
     names |= {"wheel_centre": "W", "strut_bottom": "S_A", "strut_top": "S_C"}
     for name, other in names.items():
         assert getattr(ours.hardpoints, name) == pytest.approx(points[other], abs=1e-15)
@@ -108,7 +115,8 @@ def test_reference_that_came_with_the_model(tyre: str) -> None:
     with np.load(FILES / "double_wishbone_reference.npz") as stored:
         prefix = "lin_1.95_" if tyre == "bilateral" else "uni_1.95_"
         expected = {
-            name: stored[prefix + {"tyre_force": "Ftyre", "strut_force": "Fstrut"}.get(name, name)] for name in CHANNELS
+            name: stored[prefix + {"tyre_force": "Ftyre", "strut_force": "Fstrut"}.get(name, name)]
+            for name in CHANNELS
         }
         expected["time"] = stored["t"]
     found = errors(jn.simulate(rig(tyre), trial(1.95), tolerance=1e-10), expected)
@@ -140,6 +148,8 @@ def test_twin_made_the_references(tyre: str) -> None:
     expected = reference(tyre, 2.86)
     count = 601  # to 0.6 s: all contact events
     corner = twin.prototype(model, unilateral=tyre == "unilateral")
-    found = corner.run(twin.Obstacle(0.01, 0.1, 2.86), expected["time"][:count], rtol=1e-11, atol=1e-13)
+    found = corner.run(
+        twin.Obstacle(0.01, 0.1, 2.86), expected["time"][:count], rtol=1e-11, atol=1e-13
+    )
     for name in CHANNELS:
         assert np.abs(found[name] - expected[name][:count]).max() < 1e-11 * np.ptp(expected[name])

@@ -27,9 +27,20 @@ INCH, POUND_FORCE = 0.0254, 4.4482216152605
 
 def trailing(points: dict[str, list[float]], **more: object):
     """An arm on an axis across the car, the wheel centre 0.3 m high."""
-    table = {"wheel_centre": [0.0, 0.7, 0.3], "strut_bottom": [-0.2, 0.6, 0.3], "strut_top": [-0.2, 0.6, 0.7], **points}
+    table = {
+        "wheel_centre": [0.0, 0.7, 0.3],
+        "strut_bottom": [-0.2, 0.6, 0.3],
+        "strut_top": [-0.2, 0.6, 0.7],
+        **points,
+    }
     return rig_from_table(
-        {"schema": "jounce.rig/1", "model": "trailing-arm", "hardpoints": table, "wheel": {"radius": 0.3}, **more}
+        {
+            "schema": "jounce.rig/1",
+            "model": "trailing-arm",
+            "hardpoints": table,
+            "wheel": {"radius": 0.3},
+            **more,
+        }
     )
 
 
@@ -50,7 +61,12 @@ def steered(track: float, offset: float, arm: float, inboard: float):
         "strut_top": [0.0, y - 0.1, 0.6],
     }
     return rig_from_table(
-        {"schema": "jounce.rig/1", "model": "double-wishbone", "hardpoints": points, "wheel": {"radius": 0.3}}
+        {
+            "schema": "jounce.rig/1",
+            "model": "double-wishbone",
+            "hardpoints": points,
+            "wheel": {"radius": 0.3},
+        }
     )
 
 
@@ -71,7 +87,9 @@ def test_turning_radius_of_the_outer_wheel() -> None:
     """Wheelbase 2.7 m, track 1.999 m, 0.13 m between the pivots, 4.99 m: the outer wheel turns by 0.728515 rad."""
     wheelbase, track, pivots, radius, angle = 2.7, 1.999, 0.13, 4.99, 0.728515
     scale = 10.0  # pivots 1.3 m apart
-    car = jn.AxleLayout(axle="front", wheelbase=scale * wheelbase, centre_of_mass_height=0.5, brake_share=0.6)
+    car = jn.AxleLayout(
+        axle="front", wheelbase=scale * wheelbase, centre_of_mass_height=0.5, brake_share=0.6
+    )
     offset = 0.5 * scale * (track - pivots)
 
     def turned(inboard: float):
@@ -83,9 +101,13 @@ def test_turning_radius_of_the_outer_wheel() -> None:
         rack = brentq(outer, -0.085, -0.06, xtol=1e-13)
         return jn.sweep_steering(rig, [rack], vehicle=car)
 
-    inboard = brentq(lambda one: float(turned(one)["ackermann"][0]) - 1.0, -0.005, 0.0, xtol=1e-12)  # one centre
+    inboard = brentq(
+        lambda one: float(turned(one)["ackermann"][0]) - 1.0, -0.005, 0.0, xtol=1e-12
+    )  # one centre
     found = float(turned(inboard)["turn_diameter_kerbs"][0]) / 2.0 / scale
-    assert found == pytest.approx(radius, abs=2e-5)  # half a unit of the angle's last digit is 2e-6 m
+    assert found == pytest.approx(
+        radius, abs=2e-5
+    )  # half a unit of the angle's last digit is 2e-6 m
 
 
 def test_anti_dive_of_a_swing_arm() -> None:
@@ -94,8 +116,12 @@ def test_anti_dive_of_a_swing_arm() -> None:
     rig = trailing({"arm_inner": [-0.5, 0.3, height], "arm_outer": [-0.5, 0.7, height]})
     car = jn.AxleLayout(axle="front", wheelbase=2.55, centre_of_mass_height=0.6, brake_share=0.6)
     found = jn.sweep_travel(rig, [0.0], vehicle=car)
-    assert abs(np.degrees(float(found["side_view_swing_arm_angle"][0]))) == pytest.approx(5.6, abs=1e-9)
-    assert float(found["anti_dive"][0]) == pytest.approx(0.25, abs=0.0023)  # half a unit of the angle's last digit
+    assert abs(np.degrees(float(found["side_view_swing_arm_angle"][0]))) == pytest.approx(
+        5.6, abs=1e-9
+    )
+    assert float(found["anti_dive"][0]) == pytest.approx(
+        0.25, abs=0.0023
+    )  # half a unit of the angle's last digit
 
 
 def test_wheel_rate_of_a_lever() -> None:

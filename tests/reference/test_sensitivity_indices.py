@@ -74,22 +74,35 @@ def test_the_g_function():
     variance = np.prod(1.0 + alone) - 1.0
     total = alone * np.array([np.prod(np.delete(1.0 + alone, i)) for i in range(4)]) / variance
     design = jn.saltelli({key: [0.0, 1.0] for key in "abcd"}, 4096, seed=2)
-    found = jn.sensitivity_indices(runs(design, lambda x: np.prod((np.abs(4.0 * x - 2.0) + a) / (1.0 + a), axis=1)))
+    found = jn.sensitivity_indices(
+        runs(design, lambda x: np.prod((np.abs(4.0 * x - 2.0) + a) / (1.0 + a), axis=1))
+    )
     assert found["first"].values[0] == pytest.approx(alone / variance, abs=0.01)
     assert found["total"].values[0] == pytest.approx(total, abs=0.01)
 
 
 @pytest.mark.source(
-    kind="program", of="many runs", key="scipy", where="stats.sobol_indices on the same values", tolerance="rounding"
+    kind="program",
+    of="many runs",
+    key="scipy",
+    where="stats.sobol_indices on the same values",
+    tolerance="rounding",
 )
 def test_the_estimators_are_those_of_scipy():
     many = runs(jn.saltelli(RANGES, 256, seed=3), ishigami)
     y = many["y"].values.reshape(-1, 5)
     theirs = stats.sobol_indices(
-        func={"f_A": y[None, :, 0], "f_B": y[None, :, 4], "f_AB": y[:, None, 1:4].transpose(2, 1, 0)}, n=256
+        func={
+            "f_A": y[None, :, 0],
+            "f_B": y[None, :, 4],
+            "f_AB": y[:, None, 1:4].transpose(2, 1, 0),
+        },
+        n=256,
     )
     found = jn.sensitivity_indices(many)
-    assert found["first"].values[0] == pytest.approx(theirs.first_order.ravel(), rel=1e-9, abs=1e-12)
+    assert found["first"].values[0] == pytest.approx(
+        theirs.first_order.ravel(), rel=1e-9, abs=1e-12
+    )
     assert found["total"].values[0] == pytest.approx(theirs.total_order.ravel(), rel=1e-9)
 
 
@@ -99,13 +112,18 @@ def test_intervals_hold_the_truth_about_as_often_as_they_say():
     for seed in range(12):
         pairs = np.random.default_rng(seed).uniform(-np.pi, np.pi, (128, 6))
         first, second = pairs[:, None, :3], pairs[:, None, 3:]
-        x = np.concatenate([first, np.where(np.eye(3, dtype=bool), second, first), second], axis=1).reshape(-1, 3)
+        x = np.concatenate(
+            [first, np.where(np.eye(3, dtype=bool), second, first), second], axis=1
+        ).reshape(-1, 3)
         many = runs(jn.saltelli(RANGES, 128), ishigami).assign_coords(
             {name: ("variant", x[:, i]) for i, name in enumerate("abc")}
         )
         found = jn.sensitivity_indices(many.assign(y=("variant", ishigami(x), {"units": "N"})))
         for name, truth in (("first", FIRST), ("total", TOTAL)):
-            inside += ((found[f"{name}_low"].values[0] <= truth) & (truth <= found[f"{name}_high"].values[0])).tolist()
+            inside += (
+                (found[f"{name}_low"].values[0] <= truth)
+                & (truth <= found[f"{name}_high"].values[0])
+            ).tolist()
     share = np.mean(inside)
     assert share > 0.84  # of 72; the percentile bootstrap is a little short for so few pairs
 
@@ -117,7 +135,10 @@ def test_intervals_of_few_pairs_hold_the_truth_too():
     for pairs, seed in itertools.product((8, 16), range(6)):
         found = jn.sensitivity_indices(runs(jn.saltelli(RANGES, pairs, seed=seed), ishigami))
         for name, truth in (("first", FIRST), ("total", TOTAL)):
-            held += ((found[f"{name}_low"].values[0] <= truth) & (truth <= found[f"{name}_high"].values[0])).tolist()
+            held += (
+                (found[f"{name}_low"].values[0] <= truth)
+                & (truth <= found[f"{name}_high"].values[0])
+            ).tolist()
         assert np.all(found["total_low"] >= 0.0)
     assert np.mean(held) > 0.92
 
@@ -146,7 +167,9 @@ def test_regression_of_a_straight_line():
     assert found["regression"].values[0] == pytest.approx([0.6, -0.8], abs=0.02)
     assert found["explained"].values[0] == pytest.approx(1.0)
     assert found["rank_correlation"].values[0] == pytest.approx([0.6, -0.8], abs=0.05)
-    assert found["at_high"].values[0] - found["at_low"].values[0] == pytest.approx([2.4, -3.2], abs=0.05)
+    assert found["at_high"].values[0] - found["at_low"].values[0] == pytest.approx(
+        [2.4, -3.2], abs=0.05
+    )
     bent = jn.sensitivity_indices(runs(jn.sobol({"a": [-1.0, 1.0]}, 256), lambda x: x[:, 0] ** 2))
     assert abs(bent["explained"].values[0]) < 0.01
 
@@ -166,8 +189,14 @@ def test_intervals_of_regression_hold_the_truth_about_as_often_as_they_say():
         found = jn.sensitivity_indices(runs(jn.monte_carlo(ranges, 60, seed=seed), scattered))
         for name, held in inside.items():
             exact = truth[name].values[0]
-            held.extend((found[f"{name}_low"].values[0] <= exact) & (exact <= found[f"{name}_high"].values[0]))
-    for name, held in inside.items():  # of 200: 0.95 is met within 0.03, and 60 variants are few for the errors
+            held.extend(
+                (found[f"{name}_low"].values[0] <= exact)
+                & (exact <= found[f"{name}_high"].values[0])
+            )
+    for (
+        name,
+        held,
+    ) in inside.items():  # of 200: 0.95 is met within 0.03, and 60 variants are few for the errors
         assert 0.90 < np.mean(held) < 0.98, name
 
 
@@ -182,7 +211,9 @@ def test_what_did_not_run_takes_what_belongs_to_it_with_it(make, size):
     assert found.attrs["left_out"] == size
     for name in ("first", "total") if make is jn.saltelli else ("mean_effect", "effect_spread"):
         assert found[name].values == pytest.approx(whole[name].values)
-    holes = np.delete(np.arange(many.sizes["variant"]), [1, -1])  # a sweep that is not finished, and lacks a shard
+    holes = np.delete(
+        np.arange(many.sizes["variant"]), [1, -1]
+    )  # a sweep that is not finished, and lacks a shard
     cut = jn.sensitivity_indices(many.isel(variant=holes))
     inner = jn.sensitivity_indices(many.isel(variant=slice(size, -size)))
     assert cut.attrs["left_out"] == 2 * (size - 1)
@@ -194,7 +225,9 @@ def test_a_metric_that_does_not_vary_depends_on_nothing():
     for make in (jn.saltelli, jn.morris, jn.sobol):
         found = jn.sensitivity_indices(runs(make(RANGES, 16), lambda x: np.full(len(x), 3.0)))
         assert all(
-            np.nanmax(np.abs(found[name].values[0])) == 0.0 for name in found if not name.startswith(("at_", "expl"))
+            np.nanmax(np.abs(found[name].values[0])) == 0.0
+            for name in found
+            if not name.startswith(("at_", "expl"))
         )
 
 

@@ -102,12 +102,16 @@ def test_run_down(rate, damping):
     time, static = record["time"].values, record.attrs["left.static_load"]
     force = record["truth.left.tyre.force"].values
     assert 100.0 * force.min() / static == pytest.approx(adhesion, abs=0.05)
-    assert plain_phase_angle(time, record["left.plate.z"].values, force - static, rate) == pytest.approx(phase, abs=0.1)
+    assert plain_phase_angle(
+        time, record["left.plate.z"].values, force - static, rate
+    ) == pytest.approx(phase, abs=0.1)
 
 
 def plain_phase_angle(time, height, force, rate):
     """Least angle (deg) from a plate's top to the middle of the low-force half that lies in the turn it begins."""
-    turned = 2.0 * np.pi * 25.0 * time - np.pi * rate * np.maximum(time - 1.5, 0.0) ** 2  # exact chirp
+    turned = (
+        2.0 * np.pi * 25.0 * time - np.pi * rate * np.maximum(time - 1.5, 0.0) ** 2
+    )  # exact chirp
     assert np.allclose(height, 0.003 * np.sin(turned), atol=1e-9)
     first, last = np.ceil(turned[0] / (2 * np.pi) - 0.25), np.floor(turned[-1] / (2 * np.pi) - 0.25)
     tops = np.interp(2.0 * np.pi * (np.arange(first, last + 1) + 0.25), turned, time)
@@ -158,9 +162,13 @@ def test_sprung_plate(damping):
     assert wheel_mode(rig, THETA).damping_ratio == pytest.approx(on_road, abs=0.00006)
 
 
-@pytest.mark.parametrize(("damping", "on_rig"), [(200, 0.0479), (400, 0.0960), (600, 0.1443), (800, 0.1931)])
+@pytest.mark.parametrize(
+    ("damping", "on_rig"), [(200, 0.0479), (400, 0.0960), (600, 0.1443), (800, 0.1931)]
+)
 def test_stiffer_plate_spring(damping, on_rig):
-    mode = wheel_mode(car_a(damping), THETA.with_changes({"plate_spring_rate": "100 N/mm"}), on="rig")
+    mode = wheel_mode(
+        car_a(damping), THETA.with_changes({"plate_spring_rate": "100 N/mm"}), on="rig"
+    )
     assert mode.damping_ratio == pytest.approx(on_rig, abs=0.00006)
     assert mode.frequency_hz == pytest.approx(6.83, abs=0.03)
 
@@ -172,7 +180,9 @@ def test_stiffer_plate_spring(damping, on_rig):
     where="Table 1 on a EUSAMA plate; closed form beside jounce",
     tolerance="half a unit of the last printed digit",
 )
-@pytest.mark.parametrize(("tyre_damping", "adhesion", "at"), [(1000.0, 72.5, 16.6), (0.0, 62.7, 14.6)])
+@pytest.mark.parametrize(
+    ("tyre_damping", "adhesion", "at"), [(1000.0, 72.5, 16.6), (0.0, 62.7, 14.6)]
+)
 def test_paper_2_corner(tyre_damping, adhesion, at):
     rig = load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": tyre_damping})
     found = closed_form_adhesion(rig, EUSAMA)

@@ -103,7 +103,9 @@ def test_design_values_to_the_printed_digits(name: str, n: int, printed: str) ->
 )
 def test_reference_frequencies(name: str, frequency: float, gain: float, digits: int) -> None:
     # ISO 8041-1:2017, Table 1: weighting factors at the reference frequencies 500 rad/s / (10 pi) and 2.5 rad/s
-    assert float(abs(weighting_response(name, frequency))) == pytest.approx(gain, abs=0.5000001 * 10.0**-digits)
+    assert float(abs(weighting_response(name, frequency))) == pytest.approx(
+        gain, abs=0.5000001 * 10.0**-digits
+    )
 
 
 @pytest.mark.source(
@@ -116,7 +118,9 @@ def test_reference_frequencies(name: str, frequency: float, gain: float, digits:
 @pytest.mark.parametrize(("frequency", "degrees"), [(1.0, 40.06), (15.85, -61.84)])
 def test_phase_of_wk(frequency: float, degrees: float) -> None:
     # computed from the transfer function of ISO 8041-1 with f1 = 0.4 Hz exactly, two digits
-    assert np.degrees(np.angle(weighting_response("Wk", frequency))) == pytest.approx(degrees, abs=0.006)
+    assert np.degrees(np.angle(weighting_response("Wk", frequency))) == pytest.approx(
+        degrees, abs=0.006
+    )
 
 
 @pytest.mark.source(
@@ -129,13 +133,17 @@ def test_phase_of_wk(frequency: float, degrees: float) -> None:
 )
 @pytest.mark.parametrize("rate", RATES)
 @pytest.mark.parametrize("name", WEIGHTINGS)
-def test_sampled_signals_are_weighted_within_the_tolerances_of_the_standard(name: str, rate: float) -> None:
+def test_sampled_signals_are_weighted_within_the_tolerances_of_the_standard(
+    name: str, rate: float
+) -> None:
     # ISO 8041-1:2017, Tables 4 and 5; an impulse holds all frequencies
     row = WEIGHTINGS[name]
     count = 1 << int(np.ceil(np.log2(2.0 * row.memory * rate)))
     impulse = np.zeros(count)
     impulse[count // 4] = 1.0
-    spectrum = np.fft.rfft(weight(impulse, rate, name)) * np.exp(2j * np.pi * np.arange(count // 2 + 1) / 4.0)
+    spectrum = np.fft.rfft(weight(impulse, rate, name)) * np.exp(
+        2j * np.pi * np.arange(count // 2 + 1) / 4.0
+    )
     frequency = np.fft.rfftfreq(count, 1.0 / rate)
     seen = (frequency >= row.limits[0]) & (frequency < 0.499 * rate)
     low, high = tolerance(name, frequency[seen])
@@ -144,8 +152,12 @@ def test_sampled_signals_are_weighted_within_the_tolerances_of_the_standard(name
     assert np.count_nonzero(finite) > 50
     assert np.all((ratio[finite] > low[finite]) & (ratio[finite] < high[finite]))
     np.testing.assert_allclose(ratio[finite], 1.0, atol=0.03)
-    far = finite & (frequency[seen] < 0.4 * rate)  # far from half the rate it is the analog filter itself
-    np.testing.assert_allclose(spectrum[seen][far], weighting_response(name, frequency[seen])[far], rtol=1e-3)
+    far = finite & (
+        frequency[seen] < 0.4 * rate
+    )  # far from half the rate it is the analog filter itself
+    np.testing.assert_allclose(
+        spectrum[seen][far], weighting_response(name, frequency[seen])[far], rtol=1e-3
+    )
 
 
 @pytest.mark.source(
@@ -167,7 +179,9 @@ def test_the_tolerances_notice_a_bilinear_design(rate: float, at: float, error: 
 
 @pytest.mark.no_source
 def test_tolerances_are_those_of_the_tables() -> None:
-    low, high = tolerance("Wk", [0.2, 10**-0.6, 0.4, 10**-0.2, 10.0, 10**1.8, 100.0, 10**2.2, 300.0])
+    low, high = tolerance(
+        "Wk", [0.2, 10**-0.6, 0.4, 10**-0.2, 10.0, 10**1.8, 100.0, 10**2.2, 300.0]
+    )
     assert low.tolist() == [0.0, 0.0, 0.79, 0.89, 0.89, 0.89, 0.79, 0.0, 0.0]
     assert high.tolist() == [1.26, 1.26, 1.26, 1.12, 1.12, 1.12, 1.26, 1.26, 1.26]
 

@@ -20,14 +20,18 @@ SIDES = {"left": 1.0, "right": -1.0}
 def slope(values, step: float) -> float:
     """Difference of order eight in the middle of nine values."""
     values = np.asarray(values)
-    return float(sum(w * (values[4 + k] - values[4 - k]) for k, w in enumerate(WEIGHTS, start=1)) / step)
+    return float(
+        sum(w * (values[4 + k] - values[4 - k]) for k, w in enumerate(WEIGHTS, start=1)) / step
+    )
 
 
 def wheel_axis(rows, name: str):
     """Axis of a wheel, outboard, body axes, shape (n, 3)."""
     camber, steer, side = rows[f"{name}.camber"], rows[f"{name}.steer"], SIDES[name]
     level = np.cos(camber)
-    return np.stack([-side * np.sin(steer) * level, side * np.cos(steer) * level, -np.sin(camber)], axis=-1)
+    return np.stack(
+        [-side * np.sin(steer) * level, side * np.cos(steer) * level, -np.sin(camber)], axis=-1
+    )
 
 
 def onto_road(vectors, roll, pitch=0.0):
@@ -42,7 +46,9 @@ def onto_road(vectors, roll, pitch=0.0):
 def contact(rows, name: str, radius: float, roll, pitch=0.0):
     """Contact point of a wheel in axes of the road, shape (n, 3), and the wheel's axis there."""
     axis = onto_road(wheel_axis(rows, name), roll, pitch)
-    centre = onto_road(np.stack([rows[f"{name}.wheel_centre_{one}"] for one in "xyz"], axis=-1), roll, pitch)
+    centre = onto_road(
+        np.stack([rows[f"{name}.wheel_centre_{one}"] for one in "xyz"], axis=-1), roll, pitch
+    )
     down = axis * axis[..., 2:] - np.array([0.0, 0.0, 1.0])
     return centre + radius * down / np.linalg.norm(down, axis=-1, keepdims=True), axis
 
@@ -66,7 +72,9 @@ def rolled(rig, roll: float, rack: float) -> tuple[dict[str, float], dict[str, f
         found[f"{name}.roll_steer"] = slope(rows[f"{name}.steer"], STEP)
         found[f"{name}.roll_camber"] = slope(rows[f"{name}.camber"], STEP)
         found[f"{name}.roll_caster"] = slope(rows[f"{name}.caster"], STEP)
-    assert np.allclose(points["left"][0][:, 2], points["right"][0][:, 2], atol=1e-12)  # one plane road
+    assert np.allclose(
+        points["left"][0][:, 2], points["right"][0][:, 2], atol=1e-12
+    )  # one plane road
     apart = points["left"][0] - points["right"][0]
     found["track"] = middle(apart[:, 1])
     found |= roll_centre(rig, rows, roll, rack)
@@ -83,7 +91,10 @@ def rolled(rig, roll: float, rack: float) -> tuple[dict[str, float], dict[str, f
     energy = 0.5 * rig.anti_roll_bar.stiffness * twist**2
     second = (
         -205 / 72 * energy[4]
-        + sum(w * (energy[4 + k] + energy[4 - k]) for k, w in enumerate((8 / 5, -1 / 5, 8 / 315, -1 / 560), start=1))
+        + sum(
+            w * (energy[4 + k] + energy[4 - k])
+            for k, w in enumerate((8 / 5, -1 / 5, 8 / 315, -1 / 560), start=1)
+        )
     ) / STEP**2
     found["roll_stiffness_bar"] = float(second)
     found["roll_stiffness_springs"] = found["roll_stiffness"] - found["roll_stiffness_bar"]
@@ -99,13 +110,18 @@ def roll_centre(rig, rows, roll: float, rack: float) -> dict[str, float]:
         wheel = rig if side > 0.0 else rig.mirrored()
         up = np.array([0.0, side * np.sin(roll), np.cos(roll)])
         found = FromPoses(wheel, jn.sweep_travel, middle(rows[f"{name}.wheel_travel"]), rack, up)
-        place, speed = (found.now(value) * [1.0, side, 1.0] for value in (found.contact, found.patch))
+        place, speed = (
+            found.now(value) * [1.0, side, 1.0] for value in (found.contact, found.patch)
+        )
         ends.append(onto_road(place, roll)[1:])
         ways.append(onto_road(np.array([0.0, speed[2], -speed[1]]), roll)[1:])
     share = np.linalg.solve(np.column_stack([ways[0], -ways[1]]), ends[1] - ends[0])
     place = ends[0] + share[0] * ways[0]
     half = 0.5 * (ends[0] + ends[1])
-    return {"roll_centre_height": float(place[1] - ends[0][1]), "roll_centre_y": float(place[0] - half[0])}
+    return {
+        "roll_centre_height": float(place[1] - ends[0][1]),
+        "roll_centre_y": float(place[0] - half[0]),
+    }
 
 
 def steered(rig, car, rack: float, travel: float) -> tuple[dict[str, float], dict[str, float]]:
@@ -138,7 +154,8 @@ def steered(rig, car, rack: float, travel: float) -> tuple[dict[str, float], dic
         "ackermann_error": abs(heading[outer]) - ideal,
         "ackermann": (abs(heading[inner]) - abs(heading[outer])) / (abs(heading[inner]) - ideal),
         "turning_radius": centre,
-        "turn_diameter_kerbs": 2.0 * float(np.hypot(x - rear, centre - y)) + (rig.wheel.width or 0.0),
+        "turn_diameter_kerbs": 2.0 * float(np.hypot(x - rear, centre - y))
+        + (rig.wheel.width or 0.0),
         "turn_diameter_walls": 2.0
         * float(np.hypot(abs(centre) + 0.5 * car.body_width, car.wheelbase + car.front_overhang)),
         "pinion_angle": rack / rig.steering.rack_ratio,

@@ -22,9 +22,14 @@ def at_rest(car: FullCar3D, **loads: float) -> dict[str, float]:
     key = structure_of(car)
     if key not in _SEEN:  # as its graph gives them: code would take longer to make than to save
         model = build(car, detail=True)
-        _SEEN[key] = model, ca.Function("output", [model.x, model.u, model.p, model.m], [model.output])
+        _SEEN[key] = (
+            model,
+            ca.Function("output", [model.x, model.u, model.p, model.m], [model.output]),
+        )
     model, outputs = _SEEN[key]
-    shown = outputs(found.x, u, [values[path] for path in model.parameters], found.modes).full().ravel()
+    shown = (
+        outputs(found.x, u, [values[path] for path in model.parameters], found.modes).full().ravel()
+    )
     return {output.name: float(value) for output, value in zip(model.outputs, shown, strict=True)}
 
 
@@ -57,7 +62,9 @@ def without_weights(car: FullCar3D) -> FullCar3D:
 
 def seen_from_body(car: FullCar3D, run, point: np.ndarray) -> np.ndarray:
     """A place, m, in the axes of the body, as in the design pose; it pitches, then rolls about its own x axis."""
-    (sp, cp), (sr, cr) = ((np.sin(a), np.cos(a)) for a in (float(run["body.pitch"]), float(run["body.roll"])))
+    (sp, cp), (sr, cr) = (
+        (np.sin(a), np.cos(a)) for a in (float(run["body.pitch"]), float(run["body.roll"]))
+    )
     about_y = np.array([[cp, 0.0, sp], [0.0, 1.0, 0.0], [-sp, 0.0, cp]])
     about_x = np.array([[1.0, 0.0, 0.0], [0.0, cr, -sr], [0.0, sr, cr]])
     return (about_y @ about_x).T @ (point - body_centre(car, run)) + [0.0, 0.0, car.body.height]
@@ -74,7 +81,9 @@ def loaded(car: FullCar3D, run, which: str):
     corner = corner.with_changes(radii)
     travel = seen_from_body(car, run, centre)[2] - corner.hardpoints.wheel_centre[2]
     loads = {name: float(run[f"{name}.tyre.force"]) for name in car.corners}
-    hanging = [body.mass for axle in (car.front, car.rear) for body in axle.corner.body_masses().values()]
+    hanging = [
+        body.mass for axle in (car.front, car.rear) for body in axle.corner.body_masses().values()
+    ]
     held = (car.body.mass + 2.0 * sum(hanging)) * loads[which] / sum(loads.values())
     return corner if which.endswith("left") else corner.mirrored(), travel, loads[which], held
 
@@ -83,7 +92,9 @@ def kept_level(car: FullCar3D, **roads: float) -> tuple[float, dict[str, float]]
     """Lateral acceleration (m/s^2) that keeps a car level on roads of some heights, with a moment against its pitch."""
 
     def turned(given) -> dict[str, float]:
-        return at_rest(car, lateral_acceleration=float(given[0]), pitch_moment=float(given[1]), **roads)
+        return at_rest(
+            car, lateral_acceleration=float(given[0]), pitch_moment=float(given[1]), **roads
+        )
 
     def tilt(given) -> list[float]:
         run = turned(given)

@@ -43,7 +43,10 @@ FURTHER = [
     ("arb_arm_end", "arb_link_end"),
 ]
 UPRIGHT = {name: bodies[-1] for name, bodies in BODIES.items()}
-AXES = {"double-wishbone": ("lower_ball_joint", "upper_ball_joint"), "mcpherson": ("lower_ball_joint", "strut_top")}
+AXES = {
+    "double-wishbone": ("lower_ball_joint", "upper_ball_joint"),
+    "mcpherson": ("lower_ball_joint", "strut_top"),
+}
 
 
 def unit(v):
@@ -108,14 +111,21 @@ class FromPoses:
         travels = travel + STEPS[0] * np.arange(-2 * REACH, 2 * REACH + 1)
         racks = rack + STEPS[1] * np.arange(-REACH, REACH + 1)
         swept = (
-            sweep_travel(rig, travels, racks, points=True) if self.steers else sweep_travel(rig, travels, points=True)
+            sweep_travel(rig, travels, racks, points=True)
+            if self.steers
+            else sweep_travel(rig, travels, points=True)
         )
         self.mirror = np.array([1.0, self.side, 1.0])
         self.points = {}
         for name in (*rig.hardpoints.given(), "contact_point"):
-            place = np.stack([swept[f"{name}.{axis}"].to_numpy() for axis in "xyz"], axis=-1) * self.mirror
+            place = (
+                np.stack([swept[f"{name}.{axis}"].to_numpy() for axis in "xyz"], axis=-1)
+                * self.mirror
+            )
             self.points[name] = place if self.steers else place[:, None, :]
-        self.design = {name: np.array(place) * self.mirror for name, place in rig.hardpoints.given().items()}
+        self.design = {
+            name: np.array(place) * self.mirror for name, place in rig.hardpoints.given().items()
+        }
 
     # differences ----------------------------------------------------------------------------------------------
 
@@ -154,7 +164,9 @@ class FromPoses:
     @cached_property
     def spin(self):
         camber, toe = self.rig.wheel.camber, self.rig.wheel.toe
-        return self.rotation @ np.array([sin(toe) * cos(camber), cos(toe) * cos(camber), -sin(camber)])
+        return self.rotation @ np.array(
+            [sin(toe) * cos(camber), cos(toe) * cos(camber), -sin(camber)]
+        )
 
     @property
     def centre(self):
@@ -202,7 +214,9 @@ class FromPoses:
     @property
     def lift(self) -> Screw:
         middle = self.centre.shape[1] // 2
-        return Screw(*(part[:, middle : middle + 1] for part in (self.by_travel.w, self.by_travel.v)))
+        return Screw(
+            *(part[:, middle : middle + 1] for part in (self.by_travel.w, self.by_travel.v))
+        )
 
     @cached_property
     def turning(self) -> Screw:
@@ -215,9 +229,14 @@ class FromPoses:
             if np.all(np.isreal(roots)):
                 shares[at] = min(roots.real, key=abs)
                 continue
-            top, under = np.poly1d([lw @ lv, w @ lv + lw @ v, w @ v]), np.poly1d([lw @ lw, 2.0 * w @ lw, w @ w])
+            top, under = (
+                np.poly1d([lw @ lv, w @ lv + lw @ v, w @ v]),
+                np.poly1d([lw @ lw, 2.0 * w @ lw, w @ w]),
+            )
             extremes = (top.deriv() * under - top * under.deriv()).roots
-            shares[at] = min(extremes[np.isreal(extremes)].real, key=lambda t: abs(top(t) / under(t)))
+            shares[at] = min(
+                extremes[np.isreal(extremes)].real, key=lambda t: abs(top(t) / under(t))
+            )
         return rack.plus(shares, lift)
 
     @cached_property
@@ -232,13 +251,18 @@ class FromPoses:
     def leads(self, axis, place):
         """How far an axis lies ahead (x) and outward (y) of a place at its height."""
         point, along = axis
-        return (point + along * ((place[..., 2] - point[..., 2]) / along[..., 2])[..., None] - place)[..., :2]
+        return (
+            point + along * ((place[..., 2] - point[..., 2]) / along[..., 2])[..., None] - place
+        )[..., :2]
 
     def axis_rows(self) -> dict:
         middle = slice(self.centre.shape[1] // 2, self.centre.shape[1] // 2 + 1)
         contact, centre = (self.inner(place)[:, middle] for place in (self.contact, self.centre))
         point, along = self.axis
-        caster, inclination = np.arctan2(-along[..., 0], along[..., 2]), np.arctan2(-along[..., 1], along[..., 2])
+        caster, inclination = (
+            np.arctan2(-along[..., 0], along[..., 2]),
+            np.arctan2(-along[..., 1], along[..., 2]),
+        )
         ground, level = self.leads((point, along), contact), self.leads((point, along), centre)
         spin = self.inner(self.spin)[:, middle]
         flat = unit(spin[..., :2])
@@ -261,7 +285,9 @@ class FromPoses:
             "wheel_centre_caster_offset_wheel": -dot(level, forward),
             "steering_axis_pitch": self.turning.pitch,
             "caster_held_spring": np.arctan2(-held_axis[1][..., 0], held_axis[1][..., 2]),
-            "kingpin_inclination_held_spring": np.arctan2(-held_axis[1][..., 1], held_axis[1][..., 2]),
+            "kingpin_inclination_held_spring": np.arctan2(
+                -held_axis[1][..., 1], held_axis[1][..., 2]
+            ),
             "caster_trail_held_spring": held_ground[..., 0],
             "scrub_radius_held_spring": -held_ground[..., 1],
             "caster_gain": self.d(caster),
@@ -285,20 +311,30 @@ class FromPoses:
     def length(self, element: str):
         """Length of spring or damper, m."""
         own = f"{element}_bottom" in self.points
-        names = [f"{element if f'{element}_{end}' in self.points else 'strut'}_{end}" for end in ("bottom", "top")]
+        names = [
+            f"{element if f'{element}_{end}' in self.points else 'strut'}_{end}"
+            for end in ("bottom", "top")
+        ]
         assert own or names[0] == "strut_bottom"
         return np.linalg.norm(self.points[names[1]] - self.points[names[0]], axis=-1)
 
     def short(self, element: str):
         """Design length minus length, m."""
-        names = [f"{element if f'{element}_{end}' in self.points else 'strut'}_{end}" for end in ("bottom", "top")]
+        names = [
+            f"{element if f'{element}_{end}' in self.points else 'strut'}_{end}"
+            for end in ("bottom", "top")
+        ]
         return np.linalg.norm(self.design[names[1]] - self.design[names[0]]) - self.length(element)
 
     def coil(self, spring, short, design: float):
         """Energy, force and stiffness of a spring (linear) that has become shorter by so much."""
         free = 0.0 if spring.free_length is None else spring.free_length - design
         force = spring.rate * (short + free) + (spring.preload or 0.0)
-        return 0.5 * spring.rate * short**2 + (spring.rate * free + (spring.preload or 0.0)) * short, force, spring.rate
+        return (
+            0.5 * spring.rate * short**2 + (spring.rate * free + (spring.preload or 0.0)) * short,
+            force,
+            spring.rate,
+        )
 
     def stop(self, stop, short):
         """Energy, force and stiffness of a stop."""
@@ -356,13 +392,23 @@ class FromPoses:
                 "torsion_bar_torque": torque,
                 "torsion_bar_motion_ratio": self.d(angle),
             }
-            energy = energy + rig.torsion_bar.preload * angle + 0.5 * rig.torsion_bar.stiffness * angle**2
+            energy = (
+                energy
+                + rig.torsion_bar.preload * angle
+                + 0.5 * rig.torsion_bar.stiffness * angle**2
+            )
             at_contact = at_contact + self.inner(torque) * self.d(angle) / rise
             soft = soft + rig.torsion_bar.stiffness * self.d(angle) ** 2
-        rows |= {"wheel_force": self.d(energy), "wheel_rate": self.d(energy, 2), "wheel_rate_spring": soft}
+        rows |= {
+            "wheel_force": self.d(energy),
+            "wheel_rate": self.d(energy, 2),
+            "wheel_rate_spring": soft,
+        }
         rows["wheel_rate_contact"] = self.d(at_contact) / self.inner(rise)
         rows["wheel_rate_contact_spring"] = soft / rise**2
-        rows["tyre_deflection"] = np.array((rig.tyre.undeformed_radius or rig.wheel.radius) - rig.wheel.radius)
+        rows["tyre_deflection"] = np.array(
+            (rig.tyre.undeformed_radius or rig.wheel.radius) - rig.wheel.radius
+        )
         rows["tyre_stiffness"] = np.array(rig.tyre.stiffness)
         rows["ride_rate"] = 1.0 / (1.0 / rows["wheel_rate"] + 1.0 / rig.tyre.stiffness)
         return rows | self.across_rows(energy)
@@ -390,7 +436,9 @@ class FromPoses:
             stored = stored + self.still(rig.third_spring.damper, design - length)[0]
             rows |= {"third_spring_force": force, "third_wheel_force": 0.5 * self.d(stored)}
             rows["third_wheel_rate"] = 0.5 * self.d(stored, 2)
-            rows["third_damping_coefficient"] = 0.5 * rig.third_spring.damper.coefficient * self.d(length) ** 2
+            rows["third_damping_coefficient"] = (
+                0.5 * rig.third_spring.damper.coefficient * self.d(length) ** 2
+            )
             whole = whole + 0.5 * stored
         if rig.anti_roll_bar is not None:
             bar, pivot = rig.anti_roll_bar, self.design["arb_pivot"]
@@ -398,22 +446,34 @@ class FromPoses:
             if "arb_axis" in self.design:
                 axis = self.design["arb_axis"] - pivot
                 axis = unit(axis if axis[1] > 0.0 else -axis)
-            end, link = self.points["arb_arm_end"], self.points["arb_link_end"] - self.points["arb_arm_end"]
+            end, link = (
+                self.points["arb_arm_end"],
+                self.points["arb_link_end"] - self.points["arb_arm_end"],
+            )
             angle = turned_about(end, pivot, axis, self.design["arb_arm_end"])
             twice = 2.0 * angle if bar.kind == "z" else 0.0 * angle
             arm = end - pivot - dot(end - pivot, axis)[..., None] * axis
             rows |= {"anti_roll_bar_angle": angle, "anti_roll_bar_motion_ratio": self.d(angle)}
             rows["anti_roll_bar_motion_ratio_gradient"] = self.d(angle, 2)
-            opposite = 2.0 * self.d(angle) if bar.kind == "u" else 0.0 * self.d(angle)  # twist for a metre each way
+            opposite = (
+                2.0 * self.d(angle) if bar.kind == "u" else 0.0 * self.d(angle)
+            )  # twist for a metre each way
             rows["anti_roll_bar_rate"] = 0.5 * bar.stiffness * opposite**2
             rows["anti_roll_bar_arm_angle"] = angle_between(arm, link)
             rows["anti_roll_bar_stiffness"] = np.array(bar.stiffness)
             whole = whole + 0.5 * 0.5 * bar.stiffness * twice**2
-        if rig.third_spring is not None or (rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "z"):
+        if rig.third_spring is not None or (
+            rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "z"
+        ):
             rows |= {"heave_force": self.d(whole), "heave_rate": self.d(whole, 2)}
         if "rocker_pivot" in self.points:
-            pivot, axis = self.design["rocker_pivot"], unit(self.design["rocker_axis"] - self.design["rocker_pivot"])
-            turn = turned_about(self.points["pushrod_inner"], pivot, axis, self.design["pushrod_inner"])
+            pivot, axis = (
+                self.design["rocker_pivot"],
+                unit(self.design["rocker_axis"] - self.design["rocker_pivot"]),
+            )
+            turn = turned_about(
+                self.points["pushrod_inner"], pivot, axis, self.design["pushrod_inner"]
+            )
             rows["rocker_angle"] = turn * np.sign(self.now(self.d(turn)))
             for name, (inner, outer) in {
                 "pushrod_angle": ("pushrod_inner", "pushrod_outer"),
@@ -464,7 +524,10 @@ class FromPoses:
             found[f"contact_point_{axis}"] = self.mirror[i] * contact[..., i]
         found |= self.spring_rows()
         found |= self.axis_rows() if self.steers else {}
-        return {name: float(self.now(value)) if np.ndim(value) else float(value) for name, value in found.items()}
+        return {
+            name: float(self.now(value)) if np.ndim(value) else float(value)
+            for name, value in found.items()
+        }
 
     @property
     def spin_at_design(self):
@@ -485,5 +548,7 @@ class FromPoses:
         if self.rig.model == "mcpherson":  # the strut's line is fixed to the upright
             line = unit(self.points["strut_top"] - self.points["strut_bottom"])
             then = unit(self.design["strut_top"] - self.design["strut_bottom"])
-            found["strut line"] = float(np.max(np.linalg.norm(line - self.rotation @ then, axis=-1)))
+            found["strut line"] = float(
+                np.max(np.linalg.norm(line - self.rotation @ then, axis=-1))
+            )
         return found

@@ -85,7 +85,9 @@ class Slider:
         for normal in self.normals:
             n, d = pose.turned(normal), self.top - pose.at(self.bottom)
             turn = np.cross(w, n)
-            out.append(-(np.cross(w, turn) @ d) + 2.0 * turn @ rate + n @ np.cross(w, np.cross(w, arm)))
+            out.append(
+                -(np.cross(w, turn) @ d) + 2.0 * turn @ rate + n @ np.cross(w, np.cross(w, arm))
+            )
         return out
 
 
@@ -96,7 +98,10 @@ class Hinge:
         self.first, self.second = np.array(inner, float), np.array(outer, float)
         axis = unit(self.second - self.first)
         side = unit(np.cross(axis, [1.0, 0.0, 0.0]))
-        self.pairs = [(self.first, e) for e in np.eye(3)] + [(self.second, side), (self.second, np.cross(axis, side))]
+        self.pairs = [(self.first, e) for e in np.eye(3)] + [
+            (self.second, side),
+            (self.second, np.cross(axis, side)),
+        ]
 
     def residual(self, pose):
         return [e @ (pose.at(p) - p) for p, e in self.pairs]
@@ -182,7 +187,9 @@ class Corner:
         if self.steered is not None:
             self.steered.shift = np.array([0.0, rack, 0.0])
         for _ in range(30):
-            residual = [f for c in self.constraints for f in c.residual(pose)] + [pose.t[2] - travel]
+            residual = [f for c in self.constraints for f in c.residual(pose)] + [
+                pose.t[2] - travel
+            ]
             move = np.linalg.solve(self._matrix(pose, np.zeros(3)), -np.array(residual))
             pose = Pose(self.centre, pose.t + move[:3], rotation(move[3:]) @ pose.R)
             if np.abs(move).max() < 1e-15:
@@ -269,7 +276,9 @@ class Corner:
 
     # --- the catalogue ----------------------------------------------------------------------------------------
 
-    def quantities(self, travel: float, rack: float = 0.0, spring_rate: float = 0.0, spring_force: float = 0.0) -> dict:
+    def quantities(
+        self, travel: float, rack: float = 0.0, spring_rate: float = 0.0, spring_force: float = 0.0
+    ) -> dict:
         """Every kinematic quantity at one travel, SI and radians."""
         pose = self.pose(travel, rack)
         spin = pose.turned(self.spin)
@@ -364,29 +373,47 @@ class Corner:
             index += len(c.rows(pose))
         if self.spring[0][0] == "arm":
             on_upright[tuple(self.arm[2])] += multipliers[5] * matrix[5][:3]
-        return {"spring_force": multipliers[5], "multipliers": multipliers[:5], "on_upright": on_upright}
+        return {
+            "spring_force": multipliers[5],
+            "multipliers": multipliers[:5],
+            "on_upright": on_upright,
+        }
 
 
 # --- the four templates, from named hardpoints (m) ------------------------------------------------------------------
 
 
-def double_wishbone(h: dict, radius: float, camber: float = 0.0, toe: float = 0.0, strut_on="lower_arm") -> Corner:
+def double_wishbone(
+    h: dict, radius: float, camber: float = 0.0, toe: float = 0.0, strut_on="lower_arm"
+) -> Corner:
     rod = Rod(h["tie_rod_inner"], h["tie_rod_outer"])
-    arms = [Rod(h[f"{a}_arm_{e}"], h[f"{a}_ball_joint"]) for a in ("lower", "upper") for e in ("front", "rear")]
+    arms = [
+        Rod(h[f"{a}_arm_{e}"], h[f"{a}_ball_joint"])
+        for a in ("lower", "upper")
+        for e in ("front", "rear")
+    ]
     axis = ("upright", h["lower_ball_joint"]), ("upright", h["upper_ball_joint"])
     side = strut_on.removesuffix("_arm") if strut_on != "upright" else "lower"
     arm = h[f"{side}_arm_front"], h[f"{side}_arm_rear"], h[f"{side}_ball_joint"]
-    spring = ("upright" if strut_on == "upright" else "arm", h["strut_bottom"]), ("body", h["strut_top"])
+    spring = (
+        ("upright" if strut_on == "upright" else "arm", h["strut_bottom"]),
+        ("body", h["strut_top"]),
+    )
     return Corner([*arms, rod], h["wheel_centre"], radius, spring, axis, arm, camber, toe, rod)
 
 
 def mcpherson(h: dict, radius: float, camber: float = 0.0, toe: float = 0.0) -> Corner:
     rod = Rod(h["tie_rod_inner"], h["tie_rod_outer"])
     arms = [Rod(h[f"lower_arm_{e}"], h["lower_ball_joint"]) for e in ("front", "rear")]
-    spring = ("upright", h.get("spring_bottom", h["strut_bottom"])), ("body", h.get("spring_top", h["strut_top"]))
+    spring = (
+        ("upright", h.get("spring_bottom", h["strut_bottom"])),
+        ("body", h.get("spring_top", h["strut_top"])),
+    )
     axis = ("upright", h["lower_ball_joint"]), ("body", h["strut_top"])
     slider = Slider(h["strut_bottom"], h["strut_top"])
-    return Corner([*arms, slider, rod], h["wheel_centre"], radius, spring, axis, None, camber, toe, rod)
+    return Corner(
+        [*arms, slider, rod], h["wheel_centre"], radius, spring, axis, None, camber, toe, rod
+    )
 
 
 def five_link(h: dict, radius: float, camber: float = 0.0, toe: float = 0.0) -> Corner:

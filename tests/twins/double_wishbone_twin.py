@@ -41,14 +41,23 @@ def _matrix(q):
 
 @njit
 def _cross(a, b):
-    return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+    return np.array(
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    )
 
 
 @njit
 def _quaternion_rate(q, omega):
     w, x, y, z = q
     a, b, c = omega
-    return 0.5 * np.array([-x * a - y * b - z * c, w * a + z * b - y * c, w * b + x * c - z * a, w * c + y * a - x * b])
+    return 0.5 * np.array(
+        [
+            -x * a - y * b - z * c,
+            w * a + z * b - y * c,
+            w * b + x * c - z * a,
+            w * c + y * a - x * b,
+        ]
+    )
 
 
 @njit
@@ -123,7 +132,9 @@ def _point(y, n, body, local):
         return local.copy(), np.zeros(3)
     r = _matrix(y[7 * (body - 1) + 3 : 7 * body]) @ local
     at = 7 * n + 6 * (body - 1)
-    return y[7 * (body - 1) : 7 * (body - 1) + 3] + r, y[at : at + 3] + _cross(y[at + 3 : at + 6], r)
+    return y[7 * (body - 1) : 7 * (body - 1) + 3] + r, y[at : at + 3] + _cross(
+        y[at + 3 : at + 6], r
+    )
 
 
 @njit
@@ -146,7 +157,22 @@ def _spring(y, n, ends, places, laws):
 
 @njit
 def _accelerations(  # noqa: PLR0917
-    y, tyre, n, mass, inertia, gravity, kinds, ends, first, second, lengths, s_ends, s_places, s_laws, wheel, hub
+    y,
+    tyre,
+    n,
+    mass,
+    inertia,
+    gravity,
+    kinds,
+    ends,
+    first,
+    second,
+    lengths,
+    s_ends,
+    s_places,
+    s_laws,
+    wheel,
+    hub,
 ):
     """Accelerations (6 n) and multipliers; ``tyre`` is the vertical force at the wheel centre."""
     m = len(kinds)
@@ -199,7 +225,9 @@ def _project(y, n, *model):
         move = -(W @ np.linalg.solve(J @ W, f))
         for b in range(n):
             y[7 * b : 7 * b + 3] += move[6 * b : 6 * b + 3]
-            y[7 * b + 3 : 7 * b + 7] = _turned(y[7 * b + 3 : 7 * b + 7], move[6 * b + 3 : 6 * b + 6])
+            y[7 * b + 3 : 7 * b + 7] = _turned(
+                y[7 * b + 3 : 7 * b + 7], move[6 * b + 3 : 6 * b + 6]
+            )
         if np.abs(f).max() < 1e-16:
             break
     _, _, J, f, W = _accelerations(y, 0.0, n, *model)
@@ -242,7 +270,9 @@ class System:
             self.along(a, b, point, direction)
 
     def perpendicular(self, a: int, b: int, u, w) -> None:
-        self.rows.append((PERPENDICULAR, a, b, np.concatenate([u, np.zeros(3)]), np.asarray(w, float), 0.0))
+        self.rows.append(
+            (PERPENDICULAR, a, b, np.concatenate([u, np.zeros(3)]), np.asarray(w, float), 0.0)
+        )
 
     def rod(self, a: int, b: int, first, second) -> None:
         length = float(np.linalg.norm(np.subtract(second, first)))
@@ -265,7 +295,9 @@ class System:
             self.perpendicular(a, b, across, axis)
         self.perpendicular(a, b, side, other)
 
-    def spring(self, a: int, b: int, first, second, rate: float, damping: float, free_length: float) -> None:
+    def spring(
+        self, a: int, b: int, first, second, rate: float, damping: float, free_length: float
+    ) -> None:
         places = np.concatenate([self.local(a, first), self.local(b, second)])
         self.springs.append((a, b, places, (rate, damping, free_length)))
 
@@ -278,7 +310,9 @@ class System:
     def arrays(self) -> tuple:
         """The model as arrays, in the order of the compiled functions."""
         kinds, a, b, first, second, lengths = (list(x) for x in zip(*self.rows, strict=True))
-        springs = [list(x) for x in zip(*self.springs, strict=True)] if self.springs else [[], [], [], []]
+        springs = (
+            [list(x) for x in zip(*self.springs, strict=True)] if self.springs else [[], [], [], []]
+        )
         return (
             len(self.mass),
             np.array(self.mass, float),
@@ -323,8 +357,15 @@ class Obstacle:
 class Corner:
     """A system with a body on a vertical guide (body 1), a wheel, a tyre and a strut (spring 0)."""
 
-    def __init__(self, system: System, stiffness: float, radius: float, *, unilateral: bool) -> None:
-        self.system, self.stiffness, self.radius, self.unilateral = system, stiffness, radius, unilateral
+    def __init__(
+        self, system: System, stiffness: float, radius: float, *, unilateral: bool
+    ) -> None:
+        self.system, self.stiffness, self.radius, self.unilateral = (
+            system,
+            stiffness,
+            radius,
+            unilateral,
+        )
         self.model = system.arrays()
         self.hub = self.model[-1]
         self.design_centre = np.array(system.hub, float)
@@ -341,10 +382,16 @@ class Corner:
         omega = y[7 * n + 6 * body - 3 : 7 * n + 6 * body]
         arm = centre - y[7 * (body - 1) : 7 * (body - 1) + 3]
         alpha = acceleration[6 * body - 3 : 6 * body]
-        hub = acceleration[6 * body - 6 : 6 * body - 3] + np.cross(alpha, arm) + np.cross(omega, np.cross(omega, arm))
+        hub = (
+            acceleration[6 * body - 6 : 6 * body - 3]
+            + np.cross(alpha, arm)
+            + np.cross(omega, np.cross(omega, arm))
+        )
         length, force, *_ = _spring(y, n, *(x[0] for x in self.model[9:12]))
         zs, zu = y[2] - self.system.centre[0][2], centre[2] - self.design_centre[2]
-        return np.array([zs, zu, acceleration[2], hub[2], tyre, force, length, y[7 * n + 2], velocity[2]])
+        return np.array(
+            [zs, zu, acceleration[2], hub[2], tyre, force, length, y[7 * n + 2], velocity[2]]
+        )
 
     def joint_forces(self, y, height: float, touching: bool) -> dict[str, np.ndarray]:
         """Force of each named joint on its second body, ground axes."""
@@ -360,18 +407,25 @@ class Corner:
                     turned = _matrix(y[7 * a - 4 : 7 * a]) if a else np.eye(3)
                     total += multipliers[i] * (turned @ first[3:])
                 elif kind == ROD:
-                    ends = _point(y, n, a, np.ascontiguousarray(first[:3]))[0], _point(y, n, b, second)[0]
+                    ends = (
+                        _point(y, n, a, np.ascontiguousarray(first[:3]))[0],
+                        _point(y, n, b, second)[0],
+                    )
                     total += multipliers[i] * (ends[1] - ends[0])
             found[name] = total
         return found
 
     NAMES = ("zs", "zu", "as", "au", "tyre_force", "strut_force", "strut_length", "vs", "vu")
 
-    def run(self, road: Obstacle, times, *, rtol: float = 1e-13, atol: float = 1e-15) -> dict[str, np.ndarray]:
+    def run(
+        self, road: Obstacle, times, *, rtol: float = 1e-13, atol: float = 1e-15
+    ) -> dict[str, np.ndarray]:
         """All channels at the times, joint forces (``<joint>.fx``), "violation" and "events" (contact changes)."""
         y, touching, events, worst = self.system.at_design(), True, [], 0.0
         y, _ = _project(y, *self.model)
-        stops = np.unique(np.concatenate([times, [e for e in road.edges if times[0] < e < times[-1]]]))
+        stops = np.unique(
+            np.concatenate([times, [e for e in road.edges if times[0] < e < times[-1]]])
+        )
         kept = {float(times[0]): self.channels(y, road(times[0]), touching)}
         carried = [self.joint_forces(y, road(times[0]), touching)]
         wanted = set(map(float, times))
@@ -385,9 +439,13 @@ class Corner:
             if float(end) in wanted:
                 kept[float(end)] = self.channels(y, road(end), touching)
                 carried.append(self.joint_forces(y, road(end), touching))
-        joints = {name: np.array([forces[name] for forces in carried]) for name in self.system.joints}
+        joints = {
+            name: np.array([forces[name] for forces in carried]) for name in self.system.joints
+        }
         rows = np.array([kept[float(t)] for t in times])
-        forces = {f"{name}.f{x}": joints[name][:, i] for name in joints for i, x in enumerate("xyz")}
+        forces = {
+            f"{name}.f{x}": joints[name][:, i] for name in joints for i, x in enumerate("xyz")
+        }
         found = dict(zip(self.NAMES, rows.T, strict=True)) | forces
         return found | {"violation": worst, "events": np.array(events)}
 
@@ -397,7 +455,9 @@ class Corner:
         height = road if road.edges[0] < middle < road.edges[1] else (lambda _: 0.0)
 
         def rate(s, x):
-            return _rate(x, self.stiffness * self.deflection(x, height(s)) if touching else 0.0, *self.model)
+            return _rate(
+                x, self.stiffness * self.deflection(x, height(s)) if touching else 0.0, *self.model
+            )
 
         def gap(s, x):
             return self.deflection(x, height(s))
@@ -409,7 +469,9 @@ class Corner:
             if self.unilateral and wrong:
                 dense = solver.dense_output()
                 low = solver.t_old
-                if (gap(low, dense(low)) > 0.0) != touching:  # just switched: rounding at the start is no event
+                if (
+                    gap(low, dense(low)) > 0.0
+                ) != touching:  # just switched: rounding at the start is no event
                     low += 1e-9
                 guess = brentq(_gap_of(gap, dense), low, solver.t, xtol=1e-16, rtol=1e-15)
                 event, x = self._polished(rate, gap, dense, (t, y), guess, rtol, atol)
@@ -419,7 +481,9 @@ class Corner:
     def _polished(self, rate, gap, dense, start: tuple, event: float, rtol: float, atol: float):
         """Move an event of the dense output to where the integrated gap is zero; give it and the state there."""
         for _ in range(3):
-            exact = DOP853(rate, *start, event, rtol=rtol, atol=atol, first_step=min(event - start[0], 1e-3))
+            exact = DOP853(
+                rate, *start, event, rtol=rtol, atol=atol, first_step=min(event - start[0], 1e-3)
+            )
             while exact.status == "running":
                 exact.step()
             slope = (gap(event, exact.y) - gap(event - 1e-7, dense(event - 1e-7))) / 1e-7
@@ -434,7 +498,9 @@ def _gap_of(gap, dense):
     return lambda s: gap(s, dense(s))
 
 
-def double_wishbone(points: dict, bodies: dict, strut: dict, *, gravity: float = 9.81, strut_on="lower_arm") -> System:
+def double_wishbone(
+    points: dict, bodies: dict, strut: dict, *, gravity: float = 9.81, strut_on="lower_arm"
+) -> System:
     """Body on a vertical guide, two arms on hinges, an upright on ball joints, a massless tie rod, one spring-damper.
 
     ``bodies`` maps chassis, lower_arm, upper_arm and upright to (mass, centre of mass, six inertia elements); ``strut``
@@ -442,7 +508,10 @@ def double_wishbone(points: dict, bodies: dict, strut: dict, *, gravity: float =
     """
     p = {name: np.array(point, float) for name, point in points.items()}
     system = System(gravity=gravity)
-    number = {name: system.body(*bodies[name]) for name in ("chassis", "lower_arm", "upper_arm", "upright")}
+    number = {
+        name: system.body(*bodies[name])
+        for name in ("chassis", "lower_arm", "upper_arm", "upright")
+    }
     chassis = number["chassis"]
     system.prismatic(0, chassis, system.centre[0], (0.0, 0.0, 1.0))
     for arm in ("lower", "upper"):
@@ -451,7 +520,9 @@ def double_wishbone(points: dict, bodies: dict, strut: dict, *, gravity: float =
         system.named(f"{arm}_arm", system.revolute, *hinge)
         ball = number[f"{arm}_arm"], number["upright"], p[f"{arm}_ball_joint"]
         system.named(f"{arm}_ball_joint", system.together, *ball)
-    system.named("tie_rod", system.rod, chassis, number["upright"], p["tie_rod_inner"], p["tie_rod_outer"])
+    system.named(
+        "tie_rod", system.rod, chassis, number["upright"], p["tie_rod_inner"], p["tie_rod_outer"]
+    )
     law = strut["rate"], strut["damping"], strut["free_length"]
     system.spring(chassis, number[strut_on], p["strut_top"], p["strut_bottom"], *law)
     system.wheel, system.hub = number["upright"], tuple(p["wheel_centre"])
@@ -475,8 +546,18 @@ def prototype(description: dict, *, unilateral: bool) -> Corner:
         "strut_bottom": h["S_A"],
         "wheel_centre": h["W"],
     }
-    bodies = {name: (b[name]["mass"], b[name]["com"], b[name]["inertia"]) for name in b if name != "chassis"}
-    bodies["chassis"] = (b["chassis"]["mass"], (0.0, 0.0, 0.2), (1.0, 1.0, 1.0, 0.0, 0.0, 0.0))  # it does not turn
+    bodies = {
+        name: (b[name]["mass"], b[name]["com"], b[name]["inertia"])
+        for name in b
+        if name != "chassis"
+    }
+    bodies["chassis"] = (
+        b["chassis"]["mass"],
+        (0.0, 0.0, 0.2),
+        (1.0, 1.0, 1.0, 0.0, 0.0, 0.0),
+    )  # it does not turn
     strut = {"rate": s["k"], "damping": s["c"], "free_length": s["L0"]}
     system = double_wishbone(points, bodies, strut, gravity=description["gravity"])
-    return Corner(system, description["tyre"]["k"], description["tyre"]["R0"], unilateral=unilateral)
+    return Corner(
+        system, description["tyre"]["k"], description["tyre"]["R0"], unilateral=unilateral
+    )

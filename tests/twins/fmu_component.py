@@ -49,7 +49,16 @@ def binary(version: int, folder: Path, source: Path = SOURCE) -> bytes:
     compiler = build.compiler_for((this_platform(),))
     assert compiler is not None
     out = folder / f"{source.stem}{version}"
-    words = [*compiler[1], "-std=c99", "-O1", "-fPIC", "-shared", f"-DVERSION={version}", f"-I{build.C}", str(source)]
+    words = [
+        *compiler[1],
+        "-std=c99",
+        "-O1",
+        "-fPIC",
+        "-shared",
+        f"-DVERSION={version}",
+        f"-I{build.C}",
+        str(source),
+    ]
     subprocess.run([*words, "-o", str(out), "-lm"], check=True, capture_output=True)
     return out.read_bytes()
 

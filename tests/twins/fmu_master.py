@@ -37,7 +37,9 @@ class Fmu:
         self.put(list(values), list(values.values()))
 
     def put(self, names, values) -> None:
-        real = [(n, float(v)) for n, v in zip(names, values, strict=True) if not isinstance(v, bool)]
+        real = [
+            (n, float(v)) for n, v in zip(names, values, strict=True) if not isinstance(v, bool)
+        ]
         flags = [(n, v) for n, v in zip(names, values, strict=True) if isinstance(v, bool)]
         if real:
             put = self.it.setFloat64 if self.three else self.it.setReal

@@ -20,7 +20,9 @@ from jounce.models.linkage import Linkage
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
 
 _SIDES = {"left": 1.0, "right": -1.0}
-_UP, _FORWARD, _LEFT = (ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
+_UP, _FORWARD, _LEFT = (
+    ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+)
 
 
 @dataclass(frozen=True)
@@ -46,13 +48,17 @@ def full_car_in_ground_axes(vehicle: FullCar3D, *, detail: bool = False) -> Mode
     body = _body(mechanism)
     wheels: list[_Wheel] = []
     for name, axle, end in (("front", vehicle.front, 1.0), ("rear", vehicle.rear, -1.0)):
-        left, right = (_corner(mechanism, body, name, axle, end, side, at_points=detail) for side in _SIDES)
+        left, right = (
+            _corner(mechanism, body, name, axle, end, side, at_points=detail) for side in _SIDES
+        )
         twist = mechanism.parameter(f"{name}.anti_roll_bar_rate") * (left.travel - right.travel)
         for wheel, pushed in ((left, -twist), (right, twist)):
             force = pushed * body.direction(_UP).value
             mechanism.apply_force(wheel.linkage.upright, force, wheel.centre)
             arm = wheel.centre.value - body.frame.origin.value
-            under = Moving(wheel.centre.value, body.frame.origin.rate + ca.cross(body.spin, arm), _UP)
+            under = Moving(
+                wheel.centre.value, body.frame.origin.rate + ca.cross(body.spin, arm), _UP
+            )
             mechanism.apply_force(body, -force, under)
         if detail:
             for side, wheel in (("left", left), ("right", right)):
@@ -78,19 +84,44 @@ def _body(mechanism: Mechanism) -> Body:
     carriage = mechanism.body("carriage")
     heave = mechanism.prismatic("sprung", mechanism.ground, carriage, axis=_UP)
     angles = mechanism.universal("attitude", carriage, body, centre, _LEFT, _FORWARD)
-    for name, value, unit in (("z", heave, "m"), ("pitch", angles[0], "rad"), ("roll", angles[1], "rad")):
+    for name, value, unit in (
+        ("z", heave, "m"),
+        ("pitch", angles[0], "rad"),
+        ("roll", angles[1], "rad"),
+    ):
         mechanism.output(f"body.{name}", value, unit, f"body, {name}; from the design position")
-    mechanism.output("body.vz", mechanism.rate_of(heave), "m/s", "centre of gravity of the body, vertical velocity")
-    mechanism.output("body.az", mechanism.acceleration_of(heave), "m/s^2", "centre of gravity, vertical acceleration")
+    mechanism.output(
+        "body.vz",
+        mechanism.rate_of(heave),
+        "m/s",
+        "centre of gravity of the body, vertical velocity",
+    )
+    mechanism.output(
+        "body.az",
+        mechanism.acceleration_of(heave),
+        "m/s^2",
+        "centre of gravity, vertical acceleration",
+    )
     for name, angle in (("pitch", angles[0]), ("roll", angles[1])):
-        mechanism.output(f"body.{name}_rate", mechanism.rate_of(angle), "rad/s", f"body {name} rate")
+        mechanism.output(
+            f"body.{name}_rate", mechanism.rate_of(angle), "rad/s", f"body {name} rate"
+        )
         acceleration = mechanism.acceleration_of(angle)
-        mechanism.output(f"body.{name}_acceleration", acceleration, "rad/s^2", f"body {name} acceleration")
+        mechanism.output(
+            f"body.{name}_acceleration", acceleration, "rad/s^2", f"body {name} acceleration"
+        )
     return body
 
 
 def _corner(
-    mechanism: Mechanism, body: Body, name: str, axle: SpatialAxle, end: float, side: str, *, at_points: bool
+    mechanism: Mechanism,
+    body: Body,
+    name: str,
+    axle: SpatialAxle,
+    end: float,
+    side: str,
+    *,
+    at_points: bool,
 ) -> _Wheel:
     """Hang one corner under the body and stand it on its road."""
     distance = mechanism.parameter(f"{name}.distance")
@@ -107,12 +138,19 @@ def _corner(
         load = push / _cosine(axis)
         if not at_points:
             mechanism.force(deflection, -push)
-        mechanism.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
+        mechanism.output(
+            "tyre.deflection",
+            deflection,
+            "m",
+            "tyre deflection from undeformed, compression positive",
+        )
         mechanism.output("tyre.force", load, "N", "contact force, compression positive")
         design = linkage.hardpoint("wheel_centre")
         centre = linkage.wheel_centre
         wheel, above = centre.value[2] - design[2], body.point(design).value[2] - design[2]
-        travel = ca.dot(body.direction(ca.SX([0.0, 0.0, 1.0])).value, centre.value - body.point(design).value)
+        travel = ca.dot(
+            body.direction(ca.SX([0.0, 0.0, 1.0])).value, centre.value - body.point(design).value
+        )
         show_height(mechanism, "unsprung", wheel, "wheel centre")
         show_height(mechanism, "sprung", above, "body above the wheel")
         show_wheel(linkage)
@@ -131,13 +169,19 @@ def _drive(mechanism: Mechanism, body: Body, wheels: list[_Wheel]) -> None:
     """Let a pitch moment, a deceleration and a lateral acceleration act."""
     moment = mechanism.track("pitch_moment").value
     mechanism.apply_torque(body, moment * _LEFT)
-    mechanism.output("body.pitch_moment", moment, "N*m", "moment given on the body, nose down positive")
-    deceleration, lateral = (mechanism.track(name).value for name in ("deceleration", "lateral_acceleration"))
+    mechanism.output(
+        "body.pitch_moment", moment, "N*m", "moment given on the body, nose down positive"
+    )
+    deceleration, lateral = (
+        mechanism.track(name).value for name in ("deceleration", "lateral_acceleration")
+    )
     inertia = deceleration * _FORWARD - lateral * _LEFT
     total = ca.SX(0.0)
     for part in mechanism.bodies.values():
         if part.mass_properties is not None:
-            mechanism.apply_force(part, part.mass_properties.mass * inertia, part.mass_properties.centre)
+            mechanism.apply_force(
+                part, part.mass_properties.mass * inertia, part.mass_properties.centre
+            )
             total += part.mass_properties.mass
     loads = sum((wheel.load for wheel in wheels), ca.SX(0.0))
     for wheel in wheels:
@@ -152,5 +196,7 @@ def _push_at_road(wheel: _Wheel, force: ca.SX) -> None:
     reach = wheel.height * (axis[2] / _cosine(axis) * inwards - _UP)
     mechanism = wheel.linkage.mechanism
     mechanism.apply_force(
-        upright, force, Moving(centre.value + reach, centre.rate + ca.cross(upright.spin, reach), _UP)
+        upright,
+        force,
+        Moving(centre.value + reach, centre.rate + ca.cross(upright.spin, reach), _UP),
     )

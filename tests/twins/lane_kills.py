@@ -64,7 +64,11 @@ def fork_importer(files: list[Path], store: str, out: Path) -> int:
 def acknowledged(out: Path) -> dict[str, int]:
     """Number by file of the whole lines on stdout."""
     lines = out.read_text().splitlines(keepends=True) if out.exists() else []
-    words = [line.split() for line in lines if line.endswith("\n") and line.startswith(("accepted ", "known "))]
+    words = [
+        line.split()
+        for line in lines
+        if line.endswith("\n") and line.startswith(("accepted ", "known "))
+    ]
     return {word[2].rstrip(":"): int(word[1]) for word in words}
 
 
@@ -113,7 +117,14 @@ def run(folder: Path, kills: int, seed: int, server: str = "") -> dict[str, int]
     rng = random.Random(seed)
     with Path(os.devnull).open("w") as nowhere, contextlib.redirect_stdout(nowhere):
         longest = undisturbed_time(folder, rng, server)
-    seen = {"kills": 0, "rounds": 0, "in_the_middle": 0, "acknowledged": 0, "stored": 0, "unacknowledged": 0}
+    seen = {
+        "kills": 0,
+        "rounds": 0,
+        "in_the_middle": 0,
+        "acknowledged": 0,
+        "stored": 0,
+        "unacknowledged": 0,
+    }
     store, everything = new_store(folder, "0", server), {}
     while seen["kills"] < kills:
         seen["rounds"] += 1
@@ -123,7 +134,9 @@ def run(folder: Path, kills: int, seed: int, server: str = "") -> dict[str, int]
         outs = [folder / "first.out", folder / "second.out"]
         for out in outs:
             out.unlink(missing_ok=True)
-        children = [fork_importer(files[k * FILES : (k + 1) * FILES], store, outs[k]) for k in (0, 1)]
+        children = [
+            fork_importer(files[k * FILES : (k + 1) * FILES], store, outs[k]) for k in (0, 1)
+        ]
         time.sleep(rng.uniform(0.0, longest))
         for k, child in enumerate(children):
             if k == 0 or rng.random() < 0.7:
@@ -146,4 +159,6 @@ def run(folder: Path, kills: int, seed: int, server: str = "") -> dict[str, int]
 
 
 if __name__ == "__main__":
-    sys.stdout.write(json.dumps(run(Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]), *sys.argv[4:])))
+    sys.stdout.write(
+        json.dumps(run(Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]), *sys.argv[4:]))
+    )

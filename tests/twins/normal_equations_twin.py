@@ -56,4 +56,9 @@ def normal_equations(parameters, speed, height, force):
     left = missed - basis @ share
     jacobian = real(slopes * height[:, None] - transient[:, None] * of_value / value[:, None])
     jacobian -= basis @ (basis.T @ jacobian)
-    return left @ left, jacobian.T @ jacobian, jacobian.T @ left, left[: speed.size] + 1j * left[speed.size :]
+    return (
+        left @ left,
+        jacobian.T @ jacobian,
+        jacobian.T @ left,
+        left[: speed.size] + 1j * left[speed.size :],
+    )

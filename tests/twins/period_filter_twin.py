@@ -23,7 +23,9 @@ def least_in_period(signal, rate, start, top, frequency, taps, half, window):
     """
     period = rate / frequency
     reach, step = int(half * period), max(1, int(period / 40.0))
-    smooth = np.convolve(signal, weights(reach, period, taps, half), mode="same")  # what is near the ends is not used
+    smooth = np.convolve(
+        signal, weights(reach, period, taps, half), mode="same"
+    )  # what is near the ends is not used
     middle = (top - start) * rate
     place = np.arange(np.floor(middle + (window[0] - 0.55) * period), signal.size, step).astype(int)
     inside = place[(place >= middle + window[0] * period) & (place <= middle + window[1] * period)]

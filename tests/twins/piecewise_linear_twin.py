@@ -38,7 +38,14 @@ class Stretch:
 
     def __init__(self, compiled, p, road, i: int, modes, t: float, x) -> None:
         zero, still = np.zeros(len(x)), np.zeros(2)
-        self.compiled, self.p, self.road, self.i, self.modes, self.t = compiled, p, road, i, modes, t
+        self.compiled, self.p, self.road, self.i, self.modes, self.t = (
+            compiled,
+            p,
+            road,
+            i,
+            modes,
+            t,
+        )
         n = len(x)
         self.matrix = np.zeros((n + 5, n + 5))
         self.matrix[:n, :n] = compiled.evaluate("rate_x", zero, still, p, modes)
@@ -60,7 +67,9 @@ class Stretch:
 def run(compiled, p, road, times, x):
     """States at ``times`` (s), from ``x`` on."""
     first = np.array(derivatives(road, 0, times[0])[:2])
-    modes = (compiled.evaluate("switch", x, first, p, np.ones(len(compiled.facts.switches))) > 0.0).astype(float)
+    modes = (
+        compiled.evaluate("switch", x, first, p, np.ones(len(compiled.facts.switches))) > 0.0
+    ).astype(float)
     found, t, i = [x], times[0], 0
     for end in times[1:]:
         while t < end:

@@ -106,7 +106,11 @@ def linear_motion(a: np.ndarray, b: np.ndarray, drive: np.ndarray, step: float) 
 
     values, vectors = np.linalg.eig(a)
     into = np.linalg.solve(vectors, b.astype(complex)) * (1.0 + (values.imag > 0.0))
-    into, vectors, values = into[values.imag >= 0.0], vectors[:, values.imag >= 0.0], values[values.imag >= 0.0]
+    into, vectors, values = (
+        into[values.imag >= 0.0],
+        vectors[:, values.imag >= 0.0],
+        values[values.imag >= 0.0],
+    )
     states = np.empty((len(values), len(drive)), dtype=complex)
     for i, pole in enumerate(values):
         z = pole * step
@@ -118,7 +122,9 @@ def linear_motion(a: np.ndarray, b: np.ndarray, drive: np.ndarray, step: float) 
     return (vectors @ states).real
 
 
-def rigid_record(car: Car, programme: Programme, *, e=3e-3, sample_rate=1000.0, fine=8, mp=0.0, lift_off=False):
+def rigid_record(
+    car: Car, programme: Programme, *, e=3e-3, sample_rate=1000.0, fine=8, mp=0.0, lift_off=False
+):
     """Time, plate height, measured force, contact force of a run on the rigid plate, at ``sample_rate``."""
     t = grid(programme.duration, sample_rate * fine)
     z = e * np.sin(programme.angle(t))
@@ -127,12 +133,20 @@ def rigid_record(car: Car, programme: Programme, *, e=3e-3, sample_rate=1000.0, 
         f = stepped(car, t, z)
     else:
         z0 = z - z[0]
-        x = linear_motion(a, b, z0, t[1]) if car.ct == 0.0 else linear_motion(*damped(car), z0, t[1])
+        x = (
+            linear_motion(a, b, z0, t[1])
+            if car.ct == 0.0
+            else linear_motion(*damped(car), z0, t[1])
+        )
         wheel, wheel_rate = x[2], x[3]
         zdot = np.gradient(z, t[1], edge_order=2)
         f = car.static_load + car.kt * (z0 - wheel) + car.ct * (zdot - wheel_rate)
         if car.ct > 0.0:
-            f = car.static_load + car.kt * (z0 - x[2]) + car.ct * (zdot - (x[3] + car.ct / car.mu * z0))
+            f = (
+                car.static_load
+                + car.kt * (z0 - x[2])
+                + car.ct * (zdot - (x[3] + car.ct / car.mu * z0))
+            )
     inertia = mp * np.gradient(np.gradient(z, t[1], edge_order=2), t[1], edge_order=2)
     return t[::fine], z[::fine], (f + inertia)[::fine], f[::fine]
 
@@ -166,13 +180,18 @@ def stepped(car: Car, t: np.ndarray, z: np.ndarray) -> np.ndarray:
         k2 = slope(tuple(a + 0.5 * h * b for a, b in zip(x, k1, strict=True)), i + 1)
         k3 = slope(tuple(a + 0.5 * h * b for a, b in zip(x, k2, strict=True)), i + 1)
         k4 = slope(tuple(a + h * b for a, b in zip(x, k3, strict=True)), i + 2)
-        x = tuple(a + h / 6.0 * (p + 2 * q + 2 * r + s) for a, p, q, r, s in zip(x, k1, k2, k3, k4, strict=True))
+        x = tuple(
+            a + h / 6.0 * (p + 2 * q + 2 * r + s)
+            for a, p, q, r, s in zip(x, k1, k2, k3, k4, strict=True)
+        )
         force[i + 2] = contact(x[2], x[3], i + 2)
         force[i + 1] = 0.5 * (force[i] + force[i + 2])  # of no fine grid that is read
     return force
 
 
-def sprung_record(car: Car, programme: Programme, *, e=3.25e-3, mp=20.0, kp=50e3, sample_rate=1000.0, fine=8):
+def sprung_record(
+    car: Car, programme: Programme, *, e=3.25e-3, mp=20.0, kp=50e3, sample_rate=1000.0, fine=8
+):
     """Time, plate height, measured force, contact force of a run on the sprung plate (linear)."""
     t = grid(programme.duration, sample_rate * fine)
     exciter = e * np.sin(programme.angle(t))

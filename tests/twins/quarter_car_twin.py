@@ -47,16 +47,23 @@ def deflection_under(load: float, force) -> float:
 
 
 def coulomb(friction, v: float) -> float:
-    return 0.0 if friction is None else friction.force * math.tanh(v / friction.regularisation_velocity)
+    return (
+        0.0
+        if friction is None
+        else friction.force * math.tanh(v / friction.regularisation_velocity)
+    )
 
 
 def blow_off_force(law, v: float) -> float:
     """Steep up to the blow-off force of the direction, flatter beyond."""
     side, speed = ("bump", v) if v > 0.0 else ("rebound", -v)
     force, knee, slope = (
-        getattr(law, f"{side}_{name}") for name in ("blow_off_force", "blow_off_velocity", "high_speed_coefficient")
+        getattr(law, f"{side}_{name}")
+        for name in ("blow_off_force", "blow_off_velocity", "high_speed_coefficient")
     )
-    return math.copysign(force * speed / knee if speed < knee else force + slope * (speed - knee), v)
+    return math.copysign(
+        force * speed / knee if speed < knee else force + slope * (speed - knee), v
+    )
 
 
 class QuarterCarTwin:
@@ -87,11 +94,15 @@ class QuarterCarTwin:
         if law.kind != "bouc-wen":
             return 0.0
         n, sigma = law.exponent, law.sigma
-        return law.rate * (v - sigma * abs(v) * abs(w) ** (n - 1.0) * w + (sigma - 1.0) * v * abs(w) ** n)
+        return law.rate * (
+            v - sigma * abs(v) * abs(w) ** (n - 1.0) * w + (sigma - 1.0) * v * abs(w) ** n
+        )
 
     def strut(self, d: float, v: float, w: float) -> float:
         spring, stop = self.rig.strut.spring, self.rig.strut.bump_stop
-        force = spring.preload + (spring.rate * d if spring.curve is None else curve_force(spring.curve, d))
+        force = spring.preload + (
+            spring.rate * d if spring.curve is None else curve_force(spring.curve, d)
+        )
         force += self.damper(d, v, w) + coulomb(self.rig.strut.friction, v)
         if stop is not None and d > stop.gap:
             force += stop.rate * (d - stop.gap) + stop.progression * (d - stop.gap) ** 3
@@ -116,17 +127,23 @@ class QuarterCarTwin:
     def accelerations(self, x, strut: float, tyre: float) -> tuple[float, float]:
         rig = self.rig
         body = self.cos * strut - coulomb(rig.guide.friction, x[2])
-        return body / rig.sprung.mass - rig.gravity, (tyre - self.cos * strut) / rig.unsprung.mass - rig.gravity
+        return body / rig.sprung.mass - rig.gravity, (
+            tyre - self.cos * strut
+        ) / rig.unsprung.mass - rig.gravity
 
     def rest(self, height: float) -> list[float]:
         """State of rest on a level road of that height, nothing hysteretic wound up."""
         rig = self.rig
-        d = deflection_under(rig.sprung.mass * rig.gravity, lambda d: self.cos * self.strut(d, 0.0, 0.0))
+        d = deflection_under(
+            rig.sprung.mass * rig.gravity, lambda d: self.cos * self.strut(d, 0.0, 0.0)
+        )
         load = (rig.sprung.mass + rig.unsprung.mass) * rig.gravity
         delta = deflection_under(load, lambda delta: self.tyre(delta, 0.0))
         return [height - delta - d / self.cos, height - delta, 0.0, 0.0, 0.0]
 
-    def run(self, times, *, tolerance: float = 1e-10, max_step: float = 1e-3, offset=None) -> dict[str, np.ndarray]:
+    def run(
+        self, times, *, tolerance: float = 1e-10, max_step: float = 1e-3, offset=None
+    ) -> dict[str, np.ndarray]:
         """Integrate piece after piece; give every channel at ``times`` (at a jump: just after it)."""
         times = np.asarray(times, dtype=float)
         x = np.array(self.rest(self.road[0][2](times[0])))

@@ -52,7 +52,9 @@ def _integral(function: Callable[[float], np.ndarray], begin: float, end: float)
     total = np.zeros(())
     for i in range(_PANELS):
         for point, weight in zip(points, weights, strict=True):
-            total = total + 0.5 * width * weight * function(begin + width * (i + 0.5 * (1.0 + point)))
+            total = total + 0.5 * width * weight * function(
+                begin + width * (i + 0.5 * (1.0 + point))
+            )
     return total
 
 
@@ -76,18 +78,24 @@ def band_variance(
 
 def _response(model: Table, wheels: Sequence[int], s: complex) -> np.ndarray:
     """Amplitude of the outputs for a road of amplitude 1 that reaches each of the wheels after its delay."""
-    states = np.linalg.solve(s * np.eye(len(model["A"])) - model["A"], model["B0"] + s * model["B1"])
+    states = np.linalg.solve(
+        s * np.eye(len(model["A"])) - model["A"], model["B0"] + s * model["B1"]
+    )
     whole = model["C"] @ states + model["D0"] + s * model["D1"]
     return sum(whole[:, k] * np.exp(-s * model["delays"][k]) for k in wheels)
 
 
-def slope(function: Callable[[Table], np.ndarray], model: Table, along: Table, size: float) -> np.ndarray:
+def slope(
+    function: Callable[[Table], np.ndarray], model: Table, along: Table, size: float
+) -> np.ndarray:
     """Slope of variances along a number of some size, from those of the model's parts: differences of 8th order."""
     step = _STEP * size
     found = np.zeros(())
     for count, weight in _EIGHTH_ORDER:
         ahead, behind = (
-            function({name: part + side * count * step * along[name] for name, part in model.items()})
+            function(
+                {name: part + side * count * step * along[name] for name, part in model.items()}
+            )
             for side in (1.0, -1.0)
         )
         found = found + weight * (ahead - behind) / step

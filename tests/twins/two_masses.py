@@ -29,7 +29,12 @@ class TwoMasses:
             [0.0, 0.0, 1.0, 0.0],
             [0.0, 0.0, 0.0, 1.0],
             [-k / self.sprung, k / self.sprung, -c / self.sprung, c / self.sprung],
-            [k / self.unsprung, -(k + self.tyre) / self.unsprung, c / self.unsprung, -c / self.unsprung],
+            [
+                k / self.unsprung,
+                -(k + self.tyre) / self.unsprung,
+                c / self.unsprung,
+                -c / self.unsprung,
+            ],
         ]
         a = np.array(rows)
         b = np.array([[0.0], [0.0], [0.0], [self.tyre / self.unsprung]])
@@ -44,9 +49,13 @@ class TwoMasses:
     def response(self, frequency: Array) -> NDArray[np.complex128]:
         """Accelerations of body and wheel over the road's height, 1/s^2, shape (n, 2)."""
         a, b, c, d = self.matrices
-        return np.array([(c @ np.linalg.solve(2j * np.pi * f * np.eye(4) - a, b) + d)[:, 0] for f in frequency])
+        return np.array(
+            [(c @ np.linalg.solve(2j * np.pi * f * np.eye(4) - a, b) + d)[:, 0] for f in frequency]
+        )
 
-    def drive(self, seed: int, duration: float, rate: float = 200.0, noise: float = 0.05) -> tuple[Array, Array, Array]:
+    def drive(
+        self, seed: int, duration: float, rate: float = 200.0, noise: float = 0.05
+    ) -> tuple[Array, Array, Array]:
         """Drive over a random road: time (s), its height (m), and both accelerations, shape (n, 2), with noise.
 
         The slope of the road is white above 0.1 Hz. The noise is that share of each acceleration's r.m.s.
@@ -58,6 +67,8 @@ class TwoMasses:
         a, b, c, d = signal.cont2discrete(self.matrices, step, "foh")[:4]
         numerators, denominator = signal.ss2tf(a, b, c, d)
         both = np.stack([signal.lfilter(row, denominator, road) for row in numerators], axis=1)
-        road, both = (signal.decimate(one, fine, ftype="fir", axis=0) for one in (road, both))  # filters as a card has
+        road, both = (
+            signal.decimate(one, fine, ftype="fir", axis=0) for one in (road, both)
+        )  # filters as a card has
         both = both + noise * both.std(axis=0) * rng.normal(size=both.shape)
         return np.arange(len(both)) / rate, road, both

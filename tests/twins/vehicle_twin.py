@@ -40,7 +40,8 @@ class Signal:
 
     def __init__(self, pieces, delay: float = 0.0) -> None:
         self.pieces = [
-            (a + delay, b + delay, lambda t, f=f: f(t - delay), lambda t, f=r: f(t - delay)) for a, b, f, r in pieces
+            (a + delay, b + delay, lambda t, f=f: f(t - delay), lambda t, f=r: f(t - delay))
+            for a, b, f, r in pieces
         ]
         if delay > 0.0:
             level = pieces[0][2](pieces[0][0])
@@ -99,16 +100,26 @@ class Twin:
         return self.signals[name].at(t) if name in self.signals else (0.0, 0.0)
 
     def edges(self, first: float, last: float) -> list[float]:
-        inner = {start for signal in self.signals.values() for start in signal.starts if first < start < last}
+        inner = {
+            start
+            for signal in self.signals.values()
+            for start in signal.starts
+            if first < start < last
+        }
         return [first, *sorted(inner), last]
 
-    def run(self, times, *, tolerance: float = 1e-11, max_step: float = 1e-2) -> dict[str, np.ndarray]:
+    def run(
+        self, times, *, tolerance: float = 1e-11, max_step: float = 1e-2
+    ) -> dict[str, np.ndarray]:
         """Integrate piece after piece; give every channel at ``times`` (at a jump: just after it)."""
         times = np.asarray(times, dtype=float)
         x, rows, edges = self.rest(), {}, self.edges(times[0], times[-1])
         for start, end in pairwise(edges):
             # signals are asked for inside of the piece only: at its edges the neighbour's value might come
-            inside = lambda t, a=start, b=end: min(max(t, a + 1e-13 * (1.0 + a)), b - 1e-13 * (1.0 + b))  # noqa: E731
+
+            def inside(t, a=start, b=end):
+                return min(max(t, a + 1e-13 * (1.0 + a)), b - 1e-13 * (1.0 + b))
+
             wanted = times[(times >= start - 1e-12) & (times < end - 1e-12)]
             done = solve_ivp(
                 lambda t, x, inside=inside: self.rate(inside(t), x),
@@ -177,10 +188,15 @@ class HalfCarTwin(Twin):
     def rest(self):
         """Two linear equations: the constant part and the columns of the forces."""
         zero = np.array(self.accelerations(0.0, [0.0] * 4))
-        columns = [np.array(self.accelerations(0.0, row)) - zero for row in ([1.0, 0, 0, 0], [0, 1.0, 0, 0])]
+        columns = [
+            np.array(self.accelerations(0.0, row)) - zero
+            for row in ([1.0, 0, 0, 0], [0, 1.0, 0, 0])
+        ]
         # the road's rate at the start is no part of rest
         still = {name: constant(signal.at(0.0)[0]) for name, signal in self.signals.items()}
-        zero = np.array(type(self)(self.car, still, rear_sign=self.rear_sign).accelerations(0.0, [0.0] * 4))
+        zero = np.array(
+            type(self)(self.car, still, rear_sign=self.rear_sign).accelerations(0.0, [0.0] * 4)
+        )
         return np.array([*np.linalg.solve(np.array(columns).T, -zero), 0.0, 0.0])
 
     def matrices(self) -> tuple[np.ndarray, np.ndarray]:
@@ -221,7 +237,11 @@ class WheelsTwin(Twin):
     def __init__(self, vehicle, signals) -> None:
         self.car, self.signals = vehicle, signals
         self.full = vehicle.model == "full-car"
-        self.corners = ("front_left", "front_right", "rear_left", "rear_right") if self.full else ("front", "rear")
+        self.corners = (
+            ("front_left", "front_right", "rear_left", "rear_right")
+            if self.full
+            else ("front", "rear")
+        )
         self.axle = [getattr(vehicle, corner.split("_")[0]) for corner in self.corners]
         self.x = np.array(
             [
@@ -237,7 +257,9 @@ class WheelsTwin(Twin):
         )
         self.wheels = 1.0 if self.full else 2.0
         self.unsprung = np.array([axle.unsprung_mass for axle in self.axle])
-        self.bar_rates = np.array([axle.anti_roll_bar_rate for axle in self.axle]) if self.full else None
+        self.bar_rates = (
+            np.array([axle.anti_roll_bar_rate for axle in self.axle]) if self.full else None
+        )
         self.n = 3 + len(self.corners)
 
     # --- laws of one wheel ------------------------------------------------------------------------------------
@@ -248,8 +270,12 @@ class WheelsTwin(Twin):
             force = axle.spring_rate * d
         else:
             curve = axle.spring.curve
-            force = axle.spring.preload + (axle.spring.rate * d if curve is None else _curve(curve, d))
-        force += axle.damping_coefficient * v if axle.damper is None else self._damper(axle.damper, d, v)
+            force = axle.spring.preload + (
+                axle.spring.rate * d if curve is None else _curve(curve, d)
+            )
+        force += (
+            axle.damping_coefficient * v if axle.damper is None else self._damper(axle.damper, d, v)
+        )
         if axle.friction is not None:
             force += axle.friction.force * math.tanh(v / axle.friction.regularisation_velocity)
         return force + _stop(axle.bump_stop, d) - _stop(axle.rebound_stop, -d)
@@ -261,7 +287,10 @@ class WheelsTwin(Twin):
             return (law.bump_coefficient if v > 0.0 else law.rebound_coefficient) * v
         if law.kind == "blow-off":
             side, speed = ("bump", v) if v > 0.0 else ("rebound", -v)
-            knee, slope = getattr(law, f"{side}_blow_off_velocity"), getattr(law, f"{side}_high_speed_coefficient")
+            knee, slope = (
+                getattr(law, f"{side}_blow_off_velocity"),
+                getattr(law, f"{side}_high_speed_coefficient"),
+            )
             steep = min(speed / knee, 1.0) * getattr(law, f"{side}_blow_off_force")
             return math.copysign(steep + slope * max(speed - knee, 0.0), v)
         if law.kind == "tanh":
@@ -288,7 +317,9 @@ class WheelsTwin(Twin):
         strut = np.array([self.strut(i, d[i], v[i]) for i in range(len(self.corners))])
         roads = np.array([self.value(f"{corner}.road.z", t) for corner in self.corners])
         delta = roads[:, 0] - zu
-        tyre = np.array([self.tyre(i, delta[i], roads[i, 1] - vu[i]) for i in range(len(self.corners))])
+        tyre = np.array(
+            [self.tyre(i, delta[i], roads[i, 1] - vu[i]) for i in range(len(self.corners))]
+        )
         return d, v, strut, self.bars(d), delta, tyre
 
     def bars(self, d):
@@ -304,9 +335,15 @@ class WheelsTwin(Twin):
         side = self.car.body.mass * lateral
         a, b = self.car.front.distance, self.car.rear.distance
         share = {"front": side * b / (a + b), "rear": side * a / (a + b)}
-        moment = sum(share[n] * (self.car.body.height - getattr(self.car, n).roll_centre_height) for n in share)
+        moment = sum(
+            share[n] * (self.car.body.height - getattr(self.car, n).roll_centre_height)
+            for n in share
+        )
         pressed = [
-            -math.copysign(1.0, y) * share[corner.split("_")[0]] * axle.roll_centre_height / axle.track
+            -math.copysign(1.0, y)
+            * share[corner.split("_")[0]]
+            * axle.roll_centre_height
+            / axle.track
             for corner, axle, y in zip(self.corners, self.axle, self.y, strict=True)
         ]
         return moment, np.array(pressed)
@@ -333,7 +370,9 @@ class WheelsTwin(Twin):
 
     def rest(self):
         """Where nothing accelerates, roads and loads held at their first values."""
-        still = type(self)(self.car, {name: constant(signal.at(0.0)[0]) for name, signal in self.signals.items()})
+        still = type(self)(
+            self.car, {name: constant(signal.at(0.0)[0]) for name, signal in self.signals.items()}
+        )
         size = np.ones(self.n)
         guess = np.array([-0.2, 0.0, 0.0, *[-0.02] * len(self.corners)])
         free = [i for i in range(self.n) if self.full or i != 2]
@@ -361,7 +400,11 @@ class WheelsTwin(Twin):
             )
         ):
             if i < 2 or self.full:
-                result |= {f"body.{name}": x[i], f"body.{rate}": x[n + i], f"body.{acceleration}": a[i]}
+                result |= {
+                    f"body.{name}": x[i],
+                    f"body.{rate}": x[n + i],
+                    f"body.{acceleration}": a[i],
+                }
         result["body.pitch_moment"] = self.pitching(t)
         d, v, strut, _, delta, tyre = self.forces(t, x)
         for i, corner in enumerate(self.corners):
@@ -392,7 +435,13 @@ def road_pieces(segments):
     for i in range(len(segments.kind)):
         start, end = float(segments.edges[i]), float(segments.edges[i + 1])
         law = (_line, _sine, _circle)[int(segments.kind[i])]
-        result.append((start, end, *law([float(c) for c in segments.coefficients[i]], start, float(segments.rate))))
+        result.append(
+            (
+                start,
+                end,
+                *law([float(c) for c in segments.coefficients[i]], start, float(segments.rate)),
+            )
+        )
     return result
 
 
@@ -424,11 +473,15 @@ def _circle(c, start: float, speed: float):
 
     return (
         lambda t: c[0] + c[3] * height(t),
-        lambda t: -speed * c[3] * (speed * (t - start) - c[2]) / height(t) if height(t) > 0.0 else 0.0,
+        lambda t: (
+            -speed * c[3] * (speed * (t - start) - c[2]) / height(t) if height(t) > 0.0 else 0.0
+        ),
     )
 
 
-def driven(vehicle, road, speed: float, duration: float, *, right=None, **loads: Signal) -> dict[str, Signal]:
+def driven(
+    vehicle, road, speed: float, duration: float, *, right=None, **loads: Signal
+) -> dict[str, Signal]:
     """Tracks of a car on a road: wheels behind the front axle meet it later by their distance over the speed."""
     corners, behind = ("front", "rear"), vehicle.front.distance + vehicle.rear.distance
     if vehicle.model == "full-car":
@@ -439,7 +492,9 @@ def driven(vehicle, road, speed: float, duration: float, *, right=None, **loads:
     for corner in corners:
         under = right if right is not None and corner.endswith("right") else road
         late = behind if corner.startswith("rear") else 0.0
-        if under.kind == "table" and late:  # which may begin before distance 0: the same table, put further ahead
+        if (
+            under.kind == "table" and late
+        ):  # which may begin before distance 0: the same table, put further ahead
             under, late = under.model_copy(update={"start": under.start + late}), 0.0
         pieces = road_pieces(under.segments(speed * duration).in_time(speed).with_ramps(1e-9))
         signals[f"{corner}.road.z"] = Signal(pieces, late / speed)
@@ -447,4 +502,8 @@ def driven(vehicle, road, speed: float, duration: float, *, right=None, **loads:
 
 
 def twin_of(vehicle, signals) -> Twin:
-    return HalfCarTwin(vehicle, signals) if vehicle.model == "half-car" else WheelsTwin(vehicle, signals)
+    return (
+        HalfCarTwin(vehicle, signals)
+        if vehicle.model == "half-car"
+        else WheelsTwin(vehicle, signals)
+    )

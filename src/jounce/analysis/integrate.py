@@ -86,8 +86,12 @@ class IntegratedChannel(Plain):
     corner: Annotated[float, Shows("corner", "Hz")]
     band: Annotated[tuple[float, float], Shows("amplitudes within 5 %", "Hz")]
     noise: float
-    velocity_error: Annotated[float, Shows("noise adds to velocity", lambda channel: channel.velocity_unit)]
-    displacement_error: Annotated[float, Shows("noise adds to displacement", lambda channel: channel.displacement_unit)]
+    velocity_error: Annotated[
+        float, Shows("noise adds to velocity", lambda channel: channel.velocity_unit)
+    ]
+    displacement_error: Annotated[
+        float, Shows("noise adds to displacement", lambda channel: channel.displacement_unit)
+    ]
     removed: Annotated[float, Shows("removed", lambda channel: channel.displacement_unit)]
     velocity: Array
     displacement: Array
@@ -135,16 +139,28 @@ class Integration(Plain):
 
     def to_dict(self) -> dict[str, Any]:
         """Give plain values, SI, without the signals."""
-        return plain_table({name: value for name, value in vars(self).items() if name not in ("time", "source")})
+        return plain_table(
+            {name: value for name, value in vars(self).items() if name not in ("time", "source")}
+        )
 
     def recording(self) -> xr.Dataset:
         """Give accelerations, velocities and displacements as a recording."""
         signals = {}
         for channel in self.channels:
-            signals[channel.channel] = (self.source.values(channel.channel)[: len(self.time)], channel.unit, "")
+            signals[channel.channel] = (
+                self.source.values(channel.channel)[: len(self.time)],
+                channel.unit,
+                "",
+            )
             signals[channel.velocity_channel] = (channel.velocity, channel.velocity_unit, "")
-            signals[channel.displacement_channel] = (channel.displacement, channel.displacement_unit, "")
-        return recording_of(self.time, signals, {"valid_from": self.valid[0], "valid_to": self.valid[1]})
+            signals[channel.displacement_channel] = (
+                channel.displacement,
+                channel.displacement_unit,
+                "",
+            )
+        return recording_of(
+            self.time, signals, {"valid_from": self.valid[0], "valid_to": self.valid[1]}
+        )
 
 
 @operation(
@@ -160,7 +176,9 @@ def integrate_acceleration(
     record: AnyRecord,
     channels: Annotated[Sequence[str] | str | None, CHANNELS] = None,
     *,
-    motion: Annotated[Motion, Mark("random, transient (from rest to rest) or periodic.", "MOTION")] = "random",
+    motion: Annotated[
+        Motion, Mark("random, transient (from rest to rest) or periodic.", "MOTION")
+    ] = "random",
     above: Annotated[
         float | str | None,
         Number(
@@ -172,7 +190,9 @@ def integrate_acceleration(
     ] = None,
     period: Annotated[
         float | str | None,
-        Number("Period of periodic motion; by default the whole record.", "TIME", "s", is_positive=True),
+        Number(
+            "Period of periodic motion; by default the whole record.", "TIME", "s", is_positive=True
+        ),
     ] = None,
     noise: Annotated[
         float | None,
@@ -244,12 +264,16 @@ def integrate_acceleration(
         raise unknown(str(motion), get_args(Motion), what="motion", where="motion")
     for name, given, of in (("above", above, "random"), ("period", period, "periodic")):
         if given is not None and motion != of:
-            raise DescriptionError(Phrase("it belongs to {of} motion", of=of), where=name, found=f"motion {motion}")
+            raise DescriptionError(
+                Phrase("it belongs to {of} motion", of=of), where=name, found=f"motion {motion}"
+            )
     used = read_measured(record, begin, end)
     names = _accelerations(used, channels)
     moving, still = constant_channels(used, names)
     if not moving:
-        raise RecordingError("every acceleration is constant", where=used.name, found=", ".join(names))
+        raise RecordingError(
+            "every acceleration is constant", where=used.name, found=", ".join(names)
+        )
     length = to_si(period, "s", where="period") if period is not None else None
     corner = to_si(above, "Hz", where="above") if above is not None else None
     samples = used.run.sizes["time"]
@@ -266,10 +290,14 @@ def integrate_acceleration(
             chosen_corner, words = _corner(used, name, spectrum, corner)
             return _random(used, name, level, spectrum, density, chosen_corner), words
         if motion == "transient":
-            return _transient(used, name, values, density), _not_at_rest(used, name, values, density)
+            return _transient(used, name, values, density), _not_at_rest(
+                used, name, values, density
+            )
         return _periodic(used, name, values, density, length or samples / used.rate), []
 
-    with ThreadPoolExecutor(min(len(moving), processors())) as threads:  # nearly all of it is Fourier transforms
+    with ThreadPoolExecutor(
+        min(len(moving), processors())
+    ) as threads:  # nearly all of it is Fourier transforms
         done = list(threads.map(integrate_channel, moving))
     results = [result for result, _ in done]
     findings = [*used.findings, *still, *(word for _, words in done for word in words)]
@@ -329,12 +357,16 @@ def _floor(spectrum: Spectrum, highest: float) -> float:
 _FEWEST_LINES = 45.0  # ten within a third of an octave: the least of fewer is less than the floor
 
 
-def _corner(used: Measured, name: str, spectrum: Spectrum, given: float | None) -> tuple[float, list[Finding]]:
+def _corner(
+    used: Measured, name: str, spectrum: Spectrum, given: float | None
+) -> tuple[float, list[Finding]]:
     """Corner (Hz) of the high pass: as given, or where motion leaves the floor of the density."""
     lowest = _FEWEST_CYCLES / used.duration
     at = f"{used.name}: {name}"
     if given is not None:
-        if not lowest <= given < 0.25 * used.rate:  # above, half of what can be integrated is taken away
+        if (
+            not lowest <= given < 0.25 * used.rate
+        ):  # above, half of what can be integrated is taken away
             raise RecordingError(
                 "the corner frequency does not suit the record",
                 where=f"{at}: above",
@@ -396,7 +428,10 @@ def _random(
     both[1] *= -1j
     velocity, displacement = fft.irfft(both, size, overwrite_x=True)[:, pad : pad + len(level)]
     f = spectrum.frequency[1:]
-    lost = np.sum(spectrum.density[1:] / (2.0 * np.pi * f) ** 4 * (1.0 - _gain(f, corner)) ** 2) * spectrum.step
+    lost = (
+        np.sum(spectrum.density[1:] / (2.0 * np.pi * f) ** 4 * (1.0 - _gain(f, corner)) ** 2)
+        * spectrum.step
+    )
     return _channel(
         used,
         name,
@@ -414,7 +449,9 @@ def _errors_above(density: float, corner: float, highest: float) -> tuple[float,
     """Standard deviations of velocity and displacement that white noise gives through the high pass."""
     f = np.geomspace(0.02 * corner, highest, 2000)
     squared = density * _gain(f, corner) ** 2
-    return tuple(float(np.trapezoid(squared / (2.0 * np.pi * f) ** power, f)) ** 0.5 for power in (2, 4))
+    return tuple(
+        float(np.trapezoid(squared / (2.0 * np.pi * f) ** power, f)) ** 0.5 for power in (2, 4)
+    )
 
 
 def _transient(used: Measured, name: str, values: Array, density: float) -> IntegratedChannel:
@@ -452,7 +489,11 @@ def _not_at_rest(used: Measured, name: str, values: Array, density: float) -> li
     ends = float(max(np.ptp(values[:few]), np.ptp(values[-few:])))
     if ends <= max(0.1 * float(np.ptp(values)), 8.0 * (density * used.rate / 2.0) ** 0.5):
         return []
-    return [finding("analysis.not_at_rest", f"{used.name}: {name}", ends, ends=ends, unit=used.unit(name))]
+    return [
+        finding(
+            "analysis.not_at_rest", f"{used.name}: {name}", ends, ends=ends, unit=used.unit(name)
+        )
+    ]
 
 
 def _whole_periods(used: Measured, period: float | None) -> int:
@@ -466,12 +507,16 @@ def _whole_periods(used: Measured, period: float | None) -> int:
             "the record contains no whole period",
             where=f"{used.name}: period",
             found=f"{period:g} s",
-            allowed=Phrase("{rate:g} s to {samples:g} s", rate=8.0 / used.rate, samples=samples / used.rate),
+            allowed=Phrase(
+                "{rate:g} s to {samples:g} s", rate=8.0 / used.rate, samples=samples / used.rate
+            ),
         )
     return min(round(count * period * used.rate), samples)
 
 
-def _periodic(used: Measured, name: str, values: Array, density: float, period: float) -> IntegratedChannel:
+def _periodic(
+    used: Measured, name: str, values: Array, density: float, period: float
+) -> IntegratedChannel:
     """Integrate the multiples of the frequency of a motion that repeats itself."""
     size = len(values)
     count = max(round(size / used.rate / period), 1)
@@ -485,7 +530,9 @@ def _periodic(used: Measured, name: str, values: Array, density: float, period: 
     s[0] = 1.0
     harmonics = frequency[count::count]
     share = density * used.rate / size
-    errors = tuple(float(np.sum(share / (2.0 * np.pi * harmonics) ** power)) ** 0.5 for power in (2, 4))
+    errors = tuple(
+        float(np.sum(share / (2.0 * np.pi * harmonics) ** power)) ** 0.5 for power in (2, 4)
+    )
     return _channel(
         used,
         name,
@@ -513,5 +560,14 @@ def _channel(
 ) -> IntegratedChannel:
     band = lowest, used.highest_frequency(name)
     return IntegratedChannel(
-        name, *_names(name), used.unit(name), corner, band, noise**0.5, *errors, removed, velocity, displacement
+        name,
+        *_names(name),
+        used.unit(name),
+        corner,
+        band,
+        noise**0.5,
+        *errors,
+        removed,
+        velocity,
+        displacement,
     )

@@ -58,7 +58,9 @@ _FEWEST_GROUPS = 6  # 5 degrees of freedom, Student's factor 2.6; of 4 groups it
 _FEWEST_LINES = 24  # as many as the highest order has poles
 _LARGEST_ERROR = 0.1  # of a frequency, above which a pole tells nothing
 _NEAR = 1.5  # factor of frequency between a measured mode and that of a model
-_CYCLES = 2.0  # of the lowest frequency within a segment: below, the window and the mean leave nothing
+_CYCLES = (
+    2.0  # of the lowest frequency within a segment: below, the window and the mean leave nothing
+)
 
 
 @dataclass(frozen=True)
@@ -142,7 +144,9 @@ class FittedModes(Plain):
     def to_dict(self) -> dict[str, Any]:
         """Give plain values, SI, without the lines."""
         left_out = ("frequency", "measured", "fitted")
-        return plain_table({name: value for name, value in vars(self).items() if name not in left_out})
+        return plain_table(
+            {name: value for name, value in vars(self).items() if name not in left_out}
+        )
 
     def rows(self) -> list[dict[str, Any]]:
         """Give one row for each mode, SI."""
@@ -164,16 +168,24 @@ _Leaving: TypeAlias = "Callable[[int], Complex] | None"
 def fit_modes(
     record: AnyRecord,
     outputs: Annotated[
-        Sequence[str] | str | None, Texts("Channel of an output; all but the input by default. Repeat it.", "CHANNEL")
+        Sequence[str] | str | None,
+        Texts("Channel of an output; all but the input by default. Repeat it.", "CHANNEL"),
     ] = None,
     given: Annotated[
-        str | None, Mark("Channel of the input; without one, spectra of the outputs are fitted.", "CHANNEL")
+        str | None,
+        Mark("Channel of the input; without one, spectra of the outputs are fitted.", "CHANNEL"),
     ] = None,
     *,
     decay: Annotated[bool, Switch("The record is a free decay.")] = False,
     rig: ComparedRig = None,
     count: Annotated[
-        int | None, Count("Number of modes; by default as many as the data ask for.", "COUNT", least=1, most=MOST_MODES)
+        int | None,
+        Count(
+            "Number of modes; by default as many as the data ask for.",
+            "COUNT",
+            least=1,
+            most=MOST_MODES,
+        ),
     ] = None,
     band: Annotated[tuple[float | str, float | str] | None, BAND] = None,
     segment: Annotated[float | str | None, SEGMENT] = None,
@@ -239,25 +251,37 @@ def fit_modes(
     (3.0, 0.1)
     """
     if decay and given is not None:
-        raise DescriptionError("a free decay has no input", where="given", found=given, allowed="no input with decay")
+        raise DescriptionError(
+            "a free decay has no input", where="given", found=given, allowed="no input with decay"
+        )
     if count is not None and not 1 <= count <= MOST_MODES:
         raise DescriptionError(
-            "no number of modes", where="count", found=count, allowed=Phrase("1 to {most_modes}", most_modes=MOST_MODES)
+            "no number of modes",
+            where="count",
+            found=count,
+            allowed=Phrase("1 to {most_modes}", most_modes=MOST_MODES),
         )
     used = read_measured(record, begin, end)
     if given is not None:
         check_channel(used, given)
-    names = [name for name in select_channels(used, outputs) if outputs is not None or name != given]
+    names = [
+        name for name in select_channels(used, outputs) if outputs is not None or name != given
+    ]
     if not names or given in names:
         raise RecordingError(
-            "no output", where=used.name, found=", ".join(names), allowed="channels other than the input"
+            "no output",
+            where=used.name,
+            found=", ".join(names),
+            allowed="channels other than the input",
         )
     check_moving(used, [*names, *([given] if given else [])])
     samples = _decay_samples(used) if decay else _samples(used, segment)
     length = samples / used.rate
     everything = [*names, *([given] if given else [])]
     lowest = (1.0 if decay else _CYCLES) / length
-    limits, notes = band_of(used, band or (lowest, min(_HIGHEST, _top(used, everything))), everything, lowest)
+    limits, notes = band_of(
+        used, band or (lowest, min(_HIGHEST, _top(used, everything))), everything, lowest
+    )
     lines, response, leave_out, groups, doubts = _lines(used, names, given, decay, samples, limits)
     table = stabilisation(lines, response)
     starts = stable_modes(table, lines.kind)
@@ -298,22 +322,37 @@ def _top(used: Measured, names: Sequence[str]) -> float:
 
 def _samples(used: Measured, segment: float | str | None) -> int:
     count = segment_samples(used, segment, FEWEST_PARTS)
-    return max(count, min(round(_SHORTEST * used.rate), used.run.sizes["time"] // 8)) if segment is None else count
+    return (
+        max(count, min(round(_SHORTEST * used.rate), used.run.sizes["time"] // 8))
+        if segment is None
+        else count
+    )
 
 
 def _decay_samples(used: Measured) -> int:
     return segment_samples(used, used.run.sizes["time"] / used.rate, 1)
 
 
-def _inside(samples: int, rate: float, band: tuple[float, float]) -> tuple[Array, NDArray[np.bool_]]:
+def _inside(
+    samples: int, rate: float, band: tuple[float, float]
+) -> tuple[Array, NDArray[np.bool_]]:
     """Frequencies (Hz) of the lines within the band, and which of all lines they are."""
     frequency = np.asarray(np.fft.rfftfreq(samples, 1.0 / rate), dtype=np.float64)
-    inside = (frequency >= band[0] * (1.0 - 1e-9)) & (frequency <= band[1] * (1.0 + 1e-9)) & (frequency > 0.0)
+    inside = (
+        (frequency >= band[0] * (1.0 - 1e-9))
+        & (frequency <= band[1] * (1.0 + 1e-9))
+        & (frequency > 0.0)
+    )
     return frequency[inside], inside
 
 
 def _lines(
-    used: Measured, names: list[str], given: str | None, decay: bool, samples: int, band: tuple[float, float]
+    used: Measured,
+    names: list[str],
+    given: str | None,
+    decay: bool,
+    samples: int,
+    band: tuple[float, float],
 ) -> tuple[Lines, Complex, _Leaving, int, list[Finding]]:
     """Lines to fit, responses for the starts, lines without each group of segments, and their number."""
     f, inside = _inside(samples, used.rate, band)
@@ -329,7 +368,13 @@ def _lines(
         step = 1.0 / used.rate
         values = np.stack([np.fft.rfft(used.values(name))[inside] * step for name in names], axis=1)
         weight = np.ones(values.shape) / np.abs(values).max(axis=0)
-        return Lines("decay", f, values, weight, samples * step, step, is_hann=False), values, None, 0, []
+        return (
+            Lines("decay", f, values, weight, samples * step, step, is_hann=False),
+            values,
+            None,
+            0,
+            [],
+        )
     signals, rate = _decimate(used, [*names, *([given] if given else [])], band[1])
     samples = round(samples * rate / used.rate)
     f, inside = _inside(samples, rate, band)
@@ -351,11 +396,15 @@ def _lines(
         made = _spectrum_lines(f, outputs, group, inside, samples / rate, 1.0 / rate)
         return (*made, groups, [finding("analysis.smooth_excitation", used.name)])
     source = _segments(signals[given], rate, samples)[inside]
-    made = _transfer_lines(f, source, [output[inside] for output in outputs], group, samples / rate, 1.0 / rate)
+    made = _transfer_lines(
+        f, source, [output[inside] for output in outputs], group, samples / rate, 1.0 / rate
+    )
     return (*made, groups, [])
 
 
-def _decimate(used: Measured, names: Sequence[str], highest: float) -> tuple[dict[str, Array], float]:
+def _decimate(
+    used: Measured, names: Sequence[str], highest: float
+) -> tuple[dict[str, Array], float]:
     """Channels at a rate that suffices for the band, without phase, and that rate (Hz)."""
     from scipy import signal
 
@@ -364,7 +413,8 @@ def _decimate(used: Measured, names: Sequence[str], highest: float) -> tuple[dic
     if factor == 1:
         return values, used.rate
     return {
-        name: signal.resample_poly(record - record.mean(), 1, factor) for name, record in values.items()
+        name: signal.resample_poly(record - record.mean(), 1, factor)
+        for name, record in values.items()
     }, used.rate / factor
 
 
@@ -375,12 +425,24 @@ def _segments(values: Array, rate: float, samples: int) -> Complex:
     """Transforms of Hann segments that overlap by half, shape (frequencies, segments)."""
     from scipy import signal
 
-    options: dict[str, Any] = {"window": "hann", "nperseg": samples, "noverlap": samples // 2, "detrend": "constant"}
-    return np.asarray(signal.stft(values, rate, boundary=None, padded=False, scaling="psd", **options)[2])
+    options: dict[str, Any] = {
+        "window": "hann",
+        "nperseg": samples,
+        "noverlap": samples // 2,
+        "detrend": "constant",
+    }
+    return np.asarray(
+        signal.stft(values, rate, boundary=None, padded=False, scaling="psd", **options)[2]
+    )
 
 
 def _transfer_lines(
-    f: Array, source: Complex, outputs: list[Complex], group: NDArray[np.int_], length: float, step: float
+    f: Array,
+    source: Complex,
+    outputs: list[Complex],
+    group: NDArray[np.int_],
+    length: float,
+    step: float,
 ) -> tuple[Lines, Complex, _Leaving]:
     own = _by_group(np.abs(source) ** 2, group).real
     cross = [_by_group(np.conj(source) * output, group) for output in outputs]
@@ -398,7 +460,12 @@ def _transfer_lines(
 
 
 def _spectrum_lines(
-    f: Array, outputs: list[Complex], group: NDArray[np.int_], inside: NDArray[np.bool_], length: float, step: float
+    f: Array,
+    outputs: list[Complex],
+    group: NDArray[np.int_],
+    inside: NDArray[np.bool_],
+    length: float,
+    step: float,
 ) -> tuple[Lines, Complex, _Leaving]:
     powers = [_by_group(np.abs(output) ** 2, group).real for output in outputs]
     whole = np.stack([spectrum.sum(axis=1) for spectrum in powers], axis=1) / len(group)
@@ -420,7 +487,9 @@ def _causal(density: Array) -> Complex:
     correlation = np.fft.irfft(density)
     size = len(correlation)
     u = np.arange(2 * size // 5) / size
-    seen = (1.0 - u) * (2.0 / 3.0 + np.cos(2.0 * np.pi * u) / 3.0) + np.sin(2.0 * np.pi * u) / (2.0 * np.pi)
+    seen = (1.0 - u) * (2.0 / 3.0 + np.cos(2.0 * np.pi * u) / 3.0) + np.sin(2.0 * np.pi * u) / (
+        2.0 * np.pi
+    )
     positive = np.zeros(size)
     positive[: len(u)] = correlation[: len(u)] / seen * (0.5 + 0.5 * np.cos(np.pi * u / u[-1]))
     positive[0] *= 0.5
@@ -439,7 +508,9 @@ def _smooth(values: Array) -> Array:
     return np.asarray(uniform_filter1d(values, 9, axis=0, mode="nearest"))
 
 
-def _fit(lines: Lines, starts: list[tuple[float, float, int]], count: int | None) -> tuple[PoleFit | None, Lines]:
+def _fit(
+    lines: Lines, starts: list[tuple[float, float, int]], count: int | None
+) -> tuple[PoleFit | None, Lines]:
     """Fit the poles that the data ask for, or as many as are asked for; give them with the weights that were used."""
     if not starts:
         return None, lines
@@ -448,7 +519,9 @@ def _fit(lines: Lines, starts: list[tuple[float, float, int]], count: int | None
         pairs = fit.parameters.size // 2
         if count is not None and pairs <= count:
             break
-        tries = [fit_poles(lines, np.delete(fit.parameters, [2 * k, 2 * k + 1])) for k in range(pairs)]
+        tries = [
+            fit_poles(lines, np.delete(fit.parameters, [2 * k, 2 * k + 1])) for k in range(pairs)
+        ]
         best = min(tries, key=lambda attempt: attempt.cost)
         if count is None and _criterion(fit, lines) < _criterion(best, lines):
             break
@@ -467,9 +540,17 @@ def _refine(lines: Lines, start: Array) -> tuple[Lines, PoleFit]:
             weight = 1.0 / np.maximum(model, 0.05 * _smooth(lines.values.real))
         else:
             left = np.sqrt(np.mean(np.abs(lines.values - fit.model) ** 2, axis=0))
-            weight = np.ones(lines.values.shape) / np.maximum(left, 1e-9 * np.abs(lines.values).max(axis=0))
+            weight = np.ones(lines.values.shape) / np.maximum(
+                left, 1e-9 * np.abs(lines.values).max(axis=0)
+            )
         lines = Lines(
-            lines.kind, lines.frequency, lines.values, weight, lines.length, lines.step, is_hann=lines.is_hann
+            lines.kind,
+            lines.frequency,
+            lines.values,
+            weight,
+            lines.length,
+            lines.step,
+            is_hann=lines.is_hann,
         )
         fit = fit_poles(lines, fit.parameters)
     return lines, fit
@@ -477,13 +558,19 @@ def _refine(lines: Lines, start: Array) -> tuple[Lines, PoleFit]:
 
 def _criterion(fit: PoleFit, lines: Lines) -> float:
     """Bayesian information criterion (Schwarz), with two numbers for each pole and two for each of its outputs."""
-    size = len(fit.residual) / (1.5 if lines.is_hann else 1.0)  # neighbouring lines of Hann segments share noise
+    size = len(fit.residual) / (
+        1.5 if lines.is_hann else 1.0
+    )  # neighbouring lines of Hann segments share noise
     numbers = fit.parameters.size * (1.0 + lines.values.shape[1])
     return float(size * np.log(max(fit.cost, 1e-300) / size) + numbers * np.log(size))
 
 
 def _modes(
-    fit: PoleFit, lines: Lines, starts: list[tuple[float, float, int]], leave_out: _Leaving, groups: int
+    fit: PoleFit,
+    lines: Lines,
+    starts: list[tuple[float, float, int]],
+    leave_out: _Leaving,
+    groups: int,
 ) -> list[MeasuredMode]:
     if leave_out is None:
         linear = fit.parameters.size + 3
@@ -524,18 +611,24 @@ def _is_known(mode: MeasuredMode) -> bool:
     return error is not None and error <= _LARGEST_ERROR * mode.frequency.value
 
 
-def _doubts(where: str, modes: list[MeasuredMode], count: int | None, band: tuple[float, float]) -> list[Finding]:
+def _doubts(
+    where: str, modes: list[MeasuredMode], count: int | None, band: tuple[float, float]
+) -> list[Finding]:
     low, high = band
     if not modes:
         return [finding("analysis.no_mode", where, low=low, high=high)]
     findings = []
     if count is not None and len(modes) < count:
-        findings.append(finding("analysis.fewer_modes", where, len(modes), present=len(modes), wanted=count))
+        findings.append(
+            finding("analysis.fewer_modes", where, len(modes), present=len(modes), wanted=count)
+        )
     for mode in modes:
         width = mode.damping_ratio.value * mode.frequency.value
         frequency = mode.frequency.value
         if not low + width <= frequency <= high - width:
-            edge = finding("analysis.mode_at_edge", where, frequency, frequency=frequency, low=low, high=high)
+            edge = finding(
+                "analysis.mode_at_edge", where, frequency, frequency=frequency, low=low, high=high
+            )
             findings.append(edge)
     return findings
 
@@ -553,11 +646,15 @@ def _beside_model(
     if held:
         findings.append(finding("analysis.held_output", where, channel=given))
     theirs = oscillating(
-        poles_with_held_output(model, given, tracks[0]) if held and given else np.linalg.eigvals(model.A)
+        poles_with_held_output(model, given, tracks[0])
+        if held and given
+        else np.linalg.eigvals(model.A)
     )
     remaining, beside = list(theirs), []
     for mode in modes:
-        near = min(remaining, key=lambda pair: abs(np.log(pair[0] / mode.frequency.value)), default=None)
+        near = min(
+            remaining, key=lambda pair: abs(np.log(pair[0] / mode.frequency.value)), default=None
+        )
         if near is None or not 1.0 / _NEAR < near[0] / mode.frequency.value < _NEAR:
             beside.append(mode)
             continue
@@ -565,10 +662,17 @@ def _beside_model(
         beside.append(MeasuredMode(mode.frequency, mode.damping_ratio, mode.orders, *near))
     for frequency, _ in remaining:
         if band[0] <= frequency <= band[1]:
-            findings.append(finding("analysis.mode_not_measured", where, frequency, frequency=frequency))
+            findings.append(
+                finding("analysis.mode_not_measured", where, frequency, frequency=frequency)
+            )
         else:
             outside = finding(
-                "analysis.mode_outside_band", where, frequency, frequency=frequency, low=band[0], high=band[1]
+                "analysis.mode_outside_band",
+                where,
+                frequency,
+                frequency=frequency,
+                low=band[0],
+                high=band[1],
             )
             findings.append(outside)
     return beside, findings
@@ -580,7 +684,11 @@ def oscillating(poles: NDArray[Any]) -> list[tuple[float, float]]:
     >>> [(round(f, 3), round(z, 3)) for f, z in oscillating(np.roots([1.0, 2.0, 101.0]))]
     [(1.599, 0.1)]
     """
-    pairs = [(float(abs(p)) / (2.0 * np.pi), float(-p.real / abs(p))) for p in poles if p.imag > 1e-9 * abs(p)]
+    pairs = [
+        (float(abs(p)) / (2.0 * np.pi), float(-p.real / abs(p)))
+        for p in poles
+        if p.imag > 1e-9 * abs(p)
+    ]
     return sorted(pairs)
 
 

@@ -13,14 +13,19 @@ from jounce.parts.rig import Rig
 
 ComparedRig: TypeAlias = Annotated[
     Rig | Path | str | None,
-    MadeBy("jounce.analysis.options:compared_rig", "jounce.analysis.options:compared_rig_in_python"),
+    MadeBy(
+        "jounce.analysis.options:compared_rig", "jounce.analysis.options:compared_rig_in_python"
+    ),
 ]
 """A rig whose linear model stands beside what was measured, if one is named."""
 
 
 def compared_rig(
     rig: Annotated[
-        str | None, File("Rig whose linear model is compared, without dry friction.", "RIG", shipped=("parts",))
+        str | None,
+        File(
+            "Rig whose linear model is compared, without dry friction.", "RIG", shipped=("parts",)
+        ),
     ] = None,
     changes: Annotated[
         Mapping[str, Any] | None,
@@ -29,7 +34,9 @@ def compared_rig(
 ) -> Rig | None:
     """Load a rig and change its values, if one is named; refuse changes without a rig."""
     if rig is None and changes:
-        raise DescriptionError("there is no rig to change", where="changes", hint="Name the rig with --rig.")
+        raise DescriptionError(
+            "there is no rig to change", where="changes", hint="Name the rig with --rig."
+        )
     return None if rig is None else rig_of_options(rig, changes)
 
 

@@ -25,7 +25,9 @@ SAME = {"transfer": (0.02, 0.10), "decay": (0.02, 0.10), "spectrum": (0.05, 0.25
 5 to 10 %, more for spectra, which scatter with their own level."""
 _FEWEST_ORDERS = 4  # that must agree on a mode
 _MOST_DAMPING = 0.9  # ratio: beyond, a pole has no resonance by which a frequency could be told
-MOST_MODES = 6  # bounce, pitch and roll of a body, three of wheels: more than a band of records tells apart
+MOST_MODES = (
+    6  # bounce, pitch and roll of a body, three of wheels: more than a band of records tells apart
+)
 
 
 @dataclass(frozen=True)
@@ -68,32 +70,45 @@ class Lines:
         scaled = self.frequency / self.frequency[-1]
         if self.kind == "spectrum":
             real = [part.real for part in parts]
-            return np.stack([*real, np.ones_like(scaled), scaled**2, (self.frequency[0] / self.frequency) ** 2], axis=1)
+            return np.stack(
+                [*real, np.ones_like(scaled), scaled**2, (self.frequency[0] / self.frequency) ** 2],
+                axis=1,
+            )
         below = self.frequency[0] / self.frequency
-        last = [scaled**2, below**2] if self.kind == "transfer" else [1j * below]  # a decay's drift, which leaks
+        last = (
+            [scaled**2, below**2] if self.kind == "transfer" else [1j * below]
+        )  # a decay's drift, which leaks
         ends = [np.ones_like(scaled), 1j * scaled, *last]
         table = np.stack([*parts, *ends], axis=1)
         return np.concatenate([table.real, table.imag])
 
     def data(self, values: Complex) -> Array:
         """Lines as real numbers, as `columns` has them."""
-        return values.real if self.kind == "spectrum" else np.concatenate([values.real, values.imag])
+        return (
+            values.real if self.kind == "spectrum" else np.concatenate([values.real, values.imag])
+        )
 
     def weights(self) -> Array:
         """Weights as real numbers, as `columns` has them."""
-        return self.weight if self.kind == "spectrum" else np.concatenate([self.weight, self.weight])
+        return (
+            self.weight if self.kind == "spectrum" else np.concatenate([self.weight, self.weight])
+        )
 
     def _kernel(self, pole: complex, omega: Array) -> Complex:
         """Transform of exp(pole t) from 0 on, times the autocorrelation of the window, or the window of a decay."""
         if self.kind == "decay":
             ratio = np.exp((pole - 1j * omega) * self.step)
-            return np.asarray(self.step * (1.0 - ratio ** round(self.length / self.step)) / (1.0 - ratio))
+            return np.asarray(
+                self.step * (1.0 - ratio ** round(self.length / self.step)) / (1.0 - ratio)
+            )
         p, length = pole - 1j * omega, self.length
         if not self.is_hann:
             return _falling(p, length)
         turn = 2j * np.pi / length
         up, down = p + turn, p - turn
-        level = 2.0 / 3.0 * _falling(p, length) + (_falling(up, length) + _falling(down, length)) / 6.0
+        level = (
+            2.0 / 3.0 * _falling(p, length) + (_falling(up, length) + _falling(down, length)) / 6.0
+        )
         return np.asarray(level + (_whole(up, length) - _whole(down, length)) / (4j * np.pi))
 
 
@@ -151,10 +166,15 @@ def stabilisation(lines: Lines, response: Complex, highest: int = HIGHEST_ORDER)
         keep = (poles.imag > 0.0) & (poles.real < 0.0) & (-poles.real < _MOST_DAMPING * size)
         now = sorted(zip(size[keep] / (2.0 * np.pi), -poles.real[keep] / size[keep], strict=True))
         now = [(float(f), float(z)) for f, z in now if low <= f <= high]
-        rows += [(order, f, z, any(_is_same((f, z), other, SAME[lines.kind]) for other in before)) for f, z in now]
+        rows += [
+            (order, f, z, any(_is_same((f, z), other, SAME[lines.kind]) for other in before))
+            for f, z in now
+        ]
         before = now
     table = np.array(rows, dtype=float).reshape(-1, 4)
-    return Stabilisation(table[:, 0].astype(int), table[:, 1], table[:, 2], table[:, 3].astype(bool))
+    return Stabilisation(
+        table[:, 0].astype(int), table[:, 1], table[:, 2], table[:, 3].astype(bool)
+    )
 
 
 def _denominator(powers: Complex, response: Complex, weight: Array) -> Array:
@@ -181,7 +201,9 @@ _ITERATIONS = 3  # only starts are needed: fits to the response follow
 _AT_INFINITY = 1e-9  # a root of -1 but for rounding
 
 
-def _is_same(first: tuple[float, float], other: tuple[float, float], limits: tuple[float, float]) -> bool:
+def _is_same(
+    first: tuple[float, float], other: tuple[float, float], limits: tuple[float, float]
+) -> bool:
     return all(abs(a / b - 1.0) < limit for a, b, limit in zip(first, other, limits, strict=True))
 
 
@@ -193,7 +215,11 @@ def stable_modes(diagram: Stabilisation, kind: Kind) -> list[tuple[float, float,
     modes = []
     while remaining:
         members = {
-            i: [j for j in remaining if _is_same(poles[j], poles[i], (1.5 * SAME[kind][0], 2.5 * SAME[kind][1]))]
+            i: [
+                j
+                for j in remaining
+                if _is_same(poles[j], poles[i], (1.5 * SAME[kind][0], 2.5 * SAME[kind][1]))
+            ]
             for i in remaining
         }
         best = max(members.values(), key=len)
@@ -201,7 +227,11 @@ def stable_modes(diagram: Stabilisation, kind: Kind) -> list[tuple[float, float,
         orders = len(set(diagram.order[best].tolist()))
         if orders >= _FEWEST_ORDERS:
             modes.append(
-                (float(np.median(diagram.frequency[best])), float(np.median(diagram.damping_ratio[best])), orders)
+                (
+                    float(np.median(diagram.frequency[best])),
+                    float(np.median(diagram.damping_ratio[best])),
+                    orders,
+                )
             )
     return sorted(modes, key=lambda mode: -mode[2])[:MOST_MODES]
 
@@ -244,11 +274,19 @@ def fit_poles(lines: Lines, start: Array) -> PoleFit:
 
     low, high = np.full(start.shape, -12.0), np.full(start.shape, 4.0)
     low[0::2], high[0::2] = limits - 0.7, limits + 0.7
-    solution = least_squares(residual, start, bounds=(low, high), x_scale="jac", xtol=1e-9, ftol=1e-10)
+    solution = least_squares(
+        residual, start, bounds=(low, high), x_scale="jac", xtol=1e-9, ftol=1e-10
+    )
     model = _project(lines.columns(poles_of(solution.x)), data, weights)[1]
     half = len(lines.frequency)
     values = model.astype(complex) if lines.kind == "spectrum" else model[:half] + 1j * model[half:]
-    return PoleFit(solution.x, solution.fun, np.asarray(solution.jac), values, float(solution.fun @ solution.fun))
+    return PoleFit(
+        solution.x,
+        solution.fun,
+        np.asarray(solution.jac),
+        values,
+        float(solution.fun @ solution.fun),
+    )
 
 
 def residual_at(lines: Lines, parameters: Array, values: Complex) -> Array:
@@ -269,12 +307,17 @@ def _project(columns: Array, data: Array, weights: Array) -> tuple[Array, Array]
     return np.concatenate(residuals), np.stack(models, axis=1)
 
 
-def covariance_by_groups(fit: PoleFit, lines: Lines, leave_out: Callable[[int], Complex], groups: int) -> Array:
+def covariance_by_groups(
+    fit: PoleFit, lines: Lines, leave_out: Callable[[int], Complex], groups: int
+) -> Array:
     """Covariance (p, p) of the parameters by leaving out each group of segments, with one step of Gauss and Newton."""
     inverse = np.linalg.pinv(fit.slopes)
     base = residual_at(lines, fit.parameters, lines.values)
     steps = np.stack(
-        [inverse @ (base - residual_at(lines, fit.parameters, leave_out(group))) for group in range(groups)]
+        [
+            inverse @ (base - residual_at(lines, fit.parameters, leave_out(group)))
+            for group in range(groups)
+        ]
     )
     away = steps - steps.mean(axis=0)
     return np.asarray((groups - 1.0) / groups * away.T @ away)

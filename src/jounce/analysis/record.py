@@ -27,13 +27,20 @@ if TYPE_CHECKING:
 
 AnyRecord: TypeAlias = Annotated[
     "xr.Dataset | pd.DataFrame | tuple[xr.Dataset, list[Finding]] | Measured | Path | str",
-    MadeBy("jounce.recordings.options:chosen_recording", "jounce.recordings.options:recording_in_python"),
+    MadeBy(
+        "jounce.recordings.options:chosen_recording",
+        "jounce.recordings.options:recording_in_python",
+    ),
 ]
 """A recording, with or without its findings, a table, or a file; faces ask for a file and its columns."""
 CHANNELS = Texts("A channel; all by default. Repeat it.", "CHANNEL")
 BEGIN = Number('Leave out what is before, e.g. "1.2 s".', "TIME", "s")
 END = Number("Leave out what is after.", "TIME", "s")
-BAND = Band('Frequencies to look at, e.g. "0.5..30 Hz"; by default all that were recorded.', "LOW..HIGH", "Hz")
+BAND = Band(
+    'Frequencies to look at, e.g. "0.5..30 Hz"; by default all that were recorded.',
+    "LOW..HIGH",
+    "Hz",
+)
 SEGMENT = Number("Length of the segments that are averaged.", "TIME", "s", is_positive=True)
 WINDOW = Mark("hann or boxcar.", "WINDOW")
 CONFIDENCE = Number("Level of the intervals, between 0 and 1.", "LEVEL", "1")
@@ -71,7 +78,9 @@ class Measured:
     def names(self) -> list[str]:
         """Channels with real numbers over time."""
         return [
-            str(name) for name, values in self.run.data_vars.items() if values.dims == ("time",) and _is_number(values)
+            str(name)
+            for name, values in self.run.data_vars.items()
+            if values.dims == ("time",) and _is_number(values)
         ]
 
     def unit(self, name: str) -> str:
@@ -89,7 +98,11 @@ class Measured:
         if not finite.all():
             lost = np.flatnonzero(~finite)
             raise RecordingError(
-                Phrase("{size} of {second_size} samples are missing", size=lost.size, second_size=values.size),
+                Phrase(
+                    "{size} of {second_size} samples are missing",
+                    size=lost.size,
+                    second_size=values.size,
+                ),
                 where=f"{self.name}: {name}",
                 found=f"the first at {float(self.run['time'][int(lost[0])]):.6g} s",
                 allowed="numbers throughout",
@@ -100,10 +113,14 @@ class Measured:
     def highest_frequency(self, name: str) -> float:
         """Frequency (Hz) up to which a channel was recorded: half its own sample rate if that was lower."""
         own = self.run[name].attrs.get("recorded_rate")
-        return 0.5 * self.rate if own is None else min(0.5 * self.rate, ANTI_ALIAS_SHARE * float(own))
+        return (
+            0.5 * self.rate if own is None else min(0.5 * self.rate, ANTI_ALIAS_SHARE * float(own))
+        )
 
 
-def read_measured(record: AnyRecord, begin: float | str | None = None, end: float | str | None = None) -> Measured:
+def read_measured(
+    record: AnyRecord, begin: float | str | None = None, end: float | str | None = None
+) -> Measured:
     """Read or accept a record, and cut it to a section of time (s).
 
     Raises
@@ -131,7 +148,12 @@ def read_measured(record: AnyRecord, begin: float | str | None = None, end: floa
                 second_time=time[-1],
             ),
         )
-    return Measured(whole.run.isel(time=slice(inside[0], inside[-1] + 1)), whole.name, whole.rate, whole.findings)
+    return Measured(
+        whole.run.isel(time=slice(inside[0], inside[-1] + 1)),
+        whole.name,
+        whole.rate,
+        whole.findings,
+    )
 
 
 def _read(record: Any) -> Measured:
@@ -186,7 +208,10 @@ def check_channel(record: Measured, name: str) -> str:
 
 
 def band_of(
-    record: Measured, band: tuple[float | str, float | str] | None, names: Sequence[str], lowest: float
+    record: Measured,
+    band: tuple[float | str, float | str] | None,
+    names: Sequence[str],
+    lowest: float,
 ) -> tuple[tuple[float, float], list[Finding]]:
     """Frequencies (Hz) to analyse: the requested ones, limited to the band in which all channels were recorded."""
     tops = {name: record.highest_frequency(name) for name in names}
@@ -199,7 +224,11 @@ def band_of(
             found=f"{low:g} Hz to {high:g} Hz",
             allowed=Phrase("two frequencies from 0 to {top:g} Hz", top=top),
         )
-    slow = [name for name in names if tops[name] < min(high if band else 0.5 * record.rate, 0.5 * record.rate)]
+    slow = [
+        name
+        for name in names
+        if tops[name] < min(high if band else 0.5 * record.rate, 0.5 * record.rate)
+    ]
     findings = []
     if high > top * (1.0 + 1e-9) or slow:
         channels = ", ".join(slow) or "the record"
@@ -215,7 +244,9 @@ def constant_channels(record: Measured, names: Sequence[str]) -> tuple[list[str]
         spread = float(np.ptp(values))
         if spread <= _STILL * max(abs(float(values[0])), np.finfo(float).tiny):
             level = float(values[0])
-            findings.append(finding("analysis.constant", f"{record.name}: {name}", level, level=level))
+            findings.append(
+                finding("analysis.constant", f"{record.name}: {name}", level, level=level)
+            )
         else:
             moving.append(name)
     return moving, findings
@@ -244,5 +275,8 @@ def frequency_ranges(frequency: Array, condition: NDArray[np.bool_]) -> list[tup
     [(3.0, 4.0), (1.0, 1.0)]
     """
     edges = np.flatnonzero(np.diff(np.concatenate([[0], condition.astype(np.int8), [0]])))
-    ranges = [(float(frequency[a]), float(frequency[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+    ranges = [
+        (float(frequency[a]), float(frequency[b - 1]))
+        for a, b in zip(edges[::2], edges[1::2], strict=True)
+    ]
     return sorted(ranges, key=lambda ends: ends[0] - ends[1])

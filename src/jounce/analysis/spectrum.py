@@ -219,7 +219,10 @@ def estimate_spectra(
     length = count / used.rate
     limits, notes = band_of(used, band, names, 0.0)
     moving, still = constant_channels(used, names)
-    spectra = {name: power_spectrum(used.values(name), used.rate, segment=length, window=window) for name in moving}
+    spectra = {
+        name: power_spectrum(used.values(name), used.rate, segment=length, window=window)
+        for name in moving
+    }
     averages = independent_segments(used.run.sizes["time"], count, window)
     rows = tuple(_channel(used, name, spectrum, limits) for name, spectrum in spectra.items())
     few = finding("analysis.few_segments", used.name, averages, averages=averages, length=length)
@@ -246,10 +249,14 @@ def check_confidence(confidence: float) -> None:
     """Refuse a level outside (0, 1)."""
     if not 0.0 < confidence < 1.0:
         allowed = "between 0 and 1, such as 0.95"
-        raise DescriptionError("no level of confidence", where="confidence", found=confidence, allowed=allowed)
+        raise DescriptionError(
+            "no level of confidence", where="confidence", found=confidence, allowed=allowed
+        )
 
 
-def segment_samples(used: Measured, segment: float | str | None, parts: int, longest: float = LONGEST_SEGMENT) -> int:
+def segment_samples(
+    used: Measured, segment: float | str | None, parts: int, longest: float = LONGEST_SEGMENT
+) -> int:
     """Samples in each segment; a ``parts``-th of the record by default, ``longest`` seconds at most."""
     samples = used.run.sizes["time"]
     if samples < _FEWEST_SAMPLES:
@@ -292,13 +299,21 @@ def chi_squared_factors(freedom: float, confidence: float) -> tuple[float, float
     return float(freedom / chi2.ppf(1.0 - tail, freedom)), float(freedom / chi2.ppf(tail, freedom))
 
 
-def _channel(used: Measured, name: str, spectrum: Spectrum, band: tuple[float, float]) -> ChannelSpectrum:
+def _channel(
+    used: Measured, name: str, spectrum: Spectrum, band: tuple[float, float]
+) -> ChannelSpectrum:
     frequency = spectrum.frequency
     inside = (frequency >= band[0] * (1.0 - 1e-9)) & (frequency <= band[1] * (1.0 + 1e-9))
     rms = spectrum.mean_square(*band) ** 0.5
     peaks = spectral_peaks(spectrum, band)
     return ChannelSpectrum(
-        name, used.label(name), used.unit(name), frequency[inside], spectrum.density[inside], rms, peaks
+        name,
+        used.label(name),
+        used.unit(name),
+        frequency[inside],
+        spectrum.density[inside],
+        rms,
+        peaks,
     )
 
 
@@ -309,7 +324,9 @@ def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[Spect
 
     freedom = 2.0 * spectrum.averages
     # A peak and the valley beside it are the extremes of many lines: each pair of lines counts.
-    least = float(np.log(f_distribution.isf(_CHANCE / len(spectrum.density) ** 2, freedom, freedom)))
+    least = float(
+        np.log(f_distribution.isf(_CHANCE / len(spectrum.density) ** 2, freedom, freedom))
+    )
     floor = float(spectrum.density.max()) * 1e-30
     density = np.maximum(spectrum.density, floor)
     density[:2], density[-1] = (
@@ -323,9 +340,13 @@ def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[Spect
         if band[0] <= spectrum.frequency[at] <= band[1]
     ]
     apart: list[SpectralPeak] = []
-    for peak in sorted(peaks, key=lambda peak: -peak.ratio):  # the wider of two peaks holds the smaller one beside it
+    for peak in sorted(
+        peaks, key=lambda peak: -peak.ratio
+    ):  # the wider of two peaks holds the smaller one beside it
         # The main lobe of a Hann window is four lines wide, its resolution 1.5 lines.
-        if all(abs(peak.frequency - other.frequency) > 2.0 * spectrum.resolution for other in apart):
+        if all(
+            abs(peak.frequency - other.frequency) > 2.0 * spectrum.resolution for other in apart
+        ):
             apart.append(peak)
     strongest = sorted(apart, key=lambda peak: -peak.rms)[:_MOST_PEAKS]
     return tuple(sorted(strongest, key=lambda peak: peak.frequency))
@@ -335,7 +356,9 @@ def _peak(spectrum: Spectrum, density: Array, at: int, ratio: float) -> Spectral
     """Centre and level of a peak: where the density, smoothed over five lines, is above half of the highest."""
     smooth = np.convolve(density[max(at - _REACH, 0) : at + _REACH + 1], np.full(5, 0.2), "same")
     inner = min(at, _REACH)
-    outside = np.flatnonzero((smooth < 0.5 * smooth[inner]) | (smooth > 1.5 * smooth[inner]))  # or a higher peak
+    outside = np.flatnonzero(
+        (smooth < 0.5 * smooth[inner]) | (smooth > 1.5 * smooth[inner])
+    )  # or a higher peak
     first = max(int(outside[outside < inner].max(initial=-1)) + 1, 0)
     last = min(int(outside[outside > inner].min(initial=len(smooth))), len(smooth))
     lines = slice(max(at - inner + first, 0), at - inner + last)
@@ -343,7 +366,9 @@ def _peak(spectrum: Spectrum, density: Array, at: int, ratio: float) -> Spectral
         lines = slice(max(at - 2, 0), at + 3)
     f, step = spectrum.frequency[lines], spectrum.step
     centre = float(f @ spectrum.density[lines] / spectrum.density[lines].sum())
-    return SpectralPeak(centre, spectrum.mean_square(float(f[0]) - step, float(f[-1]) + step) ** 0.5, ratio)
+    return SpectralPeak(
+        centre, spectrum.mean_square(float(f[0]) - step, float(f[-1]) + step) ** 0.5, ratio
+    )
 
 
 _NARROW = 7  # lines that a sine covers, smoothed

@@ -8,7 +8,15 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from jounce.analysis.record import BEGIN, CHANNELS, END, AnyRecord, Measured, read_measured, select_channels
+from jounce.analysis.record import (
+    BEGIN,
+    CHANNELS,
+    END,
+    AnyRecord,
+    Measured,
+    read_measured,
+    select_channels,
+)
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import operation
 from jounce.core.results import Shows, own_unit
@@ -162,7 +170,9 @@ def describe_channels(
     checked = () if used.findings else check_channels(values, where=used.name)
     doubts = [finding for row in rows for finding in _doubts(used, row, values[row.channel])]
     findings = (*used.findings, *checked, *doubts)
-    return RecordStatistics(used.name, float(time[0]), float(time[-1]), used.rate, rows, findings, used)
+    return RecordStatistics(
+        used.name, float(time[0]), float(time[-1]), used.rate, rows, findings, used
+    )
 
 
 def _statistics(used: Measured, name: str, signal: Array, time: Array) -> ChannelStatistics:

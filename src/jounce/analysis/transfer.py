@@ -34,7 +34,13 @@ from jounce.core.serialise import Plain, plain_table
 from jounce.core.types import Array
 from jounce.identify.estimate import student_factor
 from jounce.parts import Rig, as_rig
-from jounce.ride.spectra import WINDOWS, cross_spectrum, independent_segments, power_spectrum, relative_error
+from jounce.ride.spectra import (
+    WINDOWS,
+    cross_spectrum,
+    independent_segments,
+    power_spectrum,
+    relative_error,
+)
 from jounce.simulation.linear_model import LinearModel, linearise
 
 Estimator: TypeAlias = Literal["H1", "H2", "Hv"]
@@ -156,7 +162,9 @@ class TransferEstimate(Plain):
 
     def to_dict(self) -> dict[str, Any]:
         """Give plain values, SI; complex numbers as real and imaginary parts."""
-        plain = {name: value for name, value in vars(self).items() if name not in ("response", "model")}
+        plain = {
+            name: value for name, value in vars(self).items() if name not in ("response", "model")
+        }
         for name in ("response", "model"):
             value = getattr(self, name)
             parts = None if value is None else {"real": value.real, "imaginary": value.imag}
@@ -265,12 +273,18 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
     inside = (frequency >= limits[0]) & (frequency <= limits[1])
     frequency, own, other, cross = frequency[inside], own[inside], other[inside], cross[inside]
     both = own * other
-    coherence = np.clip(np.divide(abs(cross) ** 2, both, out=np.zeros_like(own), where=both > 0.0), 0.0, 1.0)
+    coherence = np.clip(
+        np.divide(abs(cross) ** 2, both, out=np.zeros_like(own), where=both > 0.0), 0.0, 1.0
+    )
     response = _response(estimator, own, other, cross)
     error = relative_error(coherence, averages)
     significant = 1.0 - (1.0 - confidence) ** (1.0 / max(averages - 1.0, 1e-9))
-    model, words = (None, []) if rig is None else _of_model(as_rig(rig), frequency, output, given, used.name)
-    power = power_spectrum(used.values(given), used.rate, segment=count / used.rate, window=window).density[inside]
+    model, words = (
+        (None, []) if rig is None else _of_model(as_rig(rig), frequency, output, given, used.name)
+    )
+    power = power_spectrum(
+        used.values(given), used.rate, segment=count / used.rate, window=window
+    ).density[inside]
     doubts = [*_incoherent(used.name, frequency, coherence, power, significant), *words]
     doubts += _flattened_peaks(used.name, frequency, np.abs(response), error, resolution)
     return TransferEstimate(
@@ -337,7 +351,9 @@ def whiten(signals: dict[str, Array], given: str, count: int) -> dict[str, Array
     size = len(signals[given])
     frequency, density = signal.welch(signals[given], 1.0, nperseg=count)
     density[:2] = density[min(2, count // 2)]  # the mean was taken off
-    level = uniform_filter1d(np.log(np.maximum(density, _LEAST_POWER * density.max())), 3, mode="nearest")
+    level = uniform_filter1d(
+        np.log(np.maximum(density, _LEAST_POWER * density.max())), 3, mode="nearest"
+    )
     longer = fft.next_fast_len(size + count, real=True)
     gain = np.exp(-0.5 * np.interp(fft.rfftfreq(longer), frequency, level))
     return {
@@ -349,7 +365,9 @@ def whiten(signals: dict[str, Array], given: str, count: int) -> dict[str, Array
 _LEAST_POWER = 1e-6  # of the strongest line: what is quieter is not made louder
 
 
-def _response(estimator: Estimator, own: Array, other: Array, cross: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def _response(
+    estimator: Estimator, own: Array, other: Array, cross: NDArray[np.complex128]
+) -> NDArray[np.complex128]:
     """Transfer function of an estimator; 0 where nothing excites."""
     zero = np.zeros_like(cross)
     if estimator == "H1":
@@ -361,7 +379,9 @@ def _response(estimator: Estimator, own: Array, other: Array, cross: NDArray[np.
     return np.divide(gain * cross, size, out=zero, where=size > 0.0)
 
 
-def _incoherent(name: str, frequency: Array, coherence: Array, own: Array, significant: float) -> list[Finding]:
+def _incoherent(
+    name: str, frequency: Array, coherence: Array, own: Array, significant: float
+) -> list[Finding]:
     """Say where the output does not follow the input, and why it may not."""
     from scipy.ndimage import uniform_filter1d
 
@@ -373,14 +393,24 @@ def _incoherent(name: str, frequency: Array, coherence: Array, own: Array, signi
     if share > _NEARLY_ALL:
         return [finding("analysis.incoherent", name, share)]
     is_quiet = bool(np.median(own[low]) < _EXCITED * float(own.max()))
-    cause = "the input hardly excites there" if is_quiet else "noise, other inputs, lost contact or dry friction"
-    return [finding("analysis.low_coherence", name, share, limit=LOW_COHERENCE, ranges=ranges, cause=cause)]
+    cause = (
+        "the input hardly excites there"
+        if is_quiet
+        else "noise, other inputs, lost contact or dry friction"
+    )
+    return [
+        finding(
+            "analysis.low_coherence", name, share, limit=LOW_COHERENCE, ranges=ranges, cause=cause
+        )
+    ]
 
 
 _NEARLY_ALL = 0.95  # of the band without coherence: what is left may have it by chance
 
 
-def _flattened_peaks(name: str, frequency: Array, gain: Array, error: Array, resolution: float) -> list[Finding]:
+def _flattened_peaks(
+    name: str, frequency: Array, gain: Array, error: Array, resolution: float
+) -> list[Finding]:
     """Name peaks that are so narrow that the segments take off their height (Bendat and Piersol, section 8.5)."""
     from scipy.signal import find_peaks
 
@@ -398,13 +428,21 @@ def _flattened_peaks(name: str, frequency: Array, gain: Array, error: Array, res
         loss = (resolution / width) ** 2 / 3.0
         if loss > _BIAS:
             centre = float(frequency[at])
-            findings.append(finding("analysis.flat_peak", name, centre, frequency=centre, width=width, loss=loss))
+            findings.append(
+                finding(
+                    "analysis.flat_peak", name, centre, frequency=centre, width=width, loss=loss
+                )
+            )
     return findings
 
 
 def sliding_model(rig: Rig) -> LinearModel:
     """Linear model of a rig without dry friction, as in large motions."""
-    frictions = {path: 0.0 for path, value in rig.parameters().items() if path.endswith("friction.force") and value}
+    frictions = {
+        path: 0.0
+        for path, value in rig.parameters().items()
+        if path.endswith("friction.force") and value
+    }
     return linearise(rig.with_changes(frictions) if frictions else rig)
 
 

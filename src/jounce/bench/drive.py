@@ -90,7 +90,9 @@ class BenchDrive(Description):
     pulley_slip: Share = estimated_default(0.02, "typical V-belt under load")
     flat_belt_slip: Share = estimated_default(0.0, "not observable with a sensor on the cylinder")
     efficiency: Efficiency = estimated_default(0.95, "typical V-belt")
-    standstill_torque: Efficiency = estimated_default(0.5, "typical self-ventilated motor on an inverter")
+    standstill_torque: Efficiency = estimated_default(
+        0.5, "typical self-ventilated motor on an inverter"
+    )
 
     @property
     def ratio(self) -> float:
@@ -106,7 +108,9 @@ class BenchDrive(Description):
     @property
     def motor_slip(self) -> float:
         """Slip of the motor at its rating [1]."""
-        return 1.0 - self.rated_motor_speed * self.pole_pairs / (2.0 * math.pi * self.supply_frequency)
+        return 1.0 - self.rated_motor_speed * self.pole_pairs / (
+            2.0 * math.pi * self.supply_frequency
+        )
 
     @property
     def rated_torque(self) -> float:
@@ -186,7 +190,9 @@ def inverter_frequency_for(drive: BenchDrive, speed: float) -> float:
 
 
 def _unseen_slip(drive: BenchDrive) -> Finding:
-    return finding("bench.unseen_slip", "bench drive", drive.flat_belt_slip, slip=drive.flat_belt_slip)
+    return finding(
+        "bench.unseen_slip", "bench drive", drive.flat_belt_slip, slip=drive.flat_belt_slip
+    )
 
 
 def _check_positive(value: float, what: str, unit: str) -> None:
@@ -224,7 +230,12 @@ class SensorSpeed:
 
 
 def photo_sensor_speed(
-    drive: BenchDrive, pulses: int, duration: float, *, pulses_per_revolution: int = 1, radius_error: float = 0.0
+    drive: BenchDrive,
+    pulses: int,
+    duration: float,
+    *,
+    pulses_per_revolution: int = 1,
+    radius_error: float = 0.0,
 ) -> SensorSpeed:
     """Estimate the belt speed, with its 95 % interval, from the pulses counted in a window of ``duration`` (s).
 
@@ -242,16 +253,24 @@ def photo_sensor_speed(
     _check_positive(pulses_per_revolution, "number of pulses per revolution", "")
     _check_positive(duration, "duration", "s")
     if radius_error < 0.0:
-        raise FitError("the error of the radius is negative", found=f"{radius_error} m", allowed="0 m or more")
+        raise FitError(
+            "the error of the radius is negative", found=f"{radius_error} m", allowed="0 m or more"
+        )
     per_pulse = 2.0 * math.pi / (pulses_per_revolution * duration)
     angular = estimate(pulses * per_pulse, per_pulse / math.sqrt(6.0))
     speed = angular.value * drive.radius
     error = math.hypot(per_pulse / math.sqrt(6.0) * drive.radius, angular.value * radius_error)
     findings = [*estimates_used(drive, "photo-sensor", _SPEED_FIELDS[:2]), _unseen_slip(drive)]
     if pulses < 40:
-        findings.append(finding("bench.pulse_coarse", "photo-sensor", 1.0 / pulses, share=100.0 / pulses))
+        findings.append(
+            finding("bench.pulse_coarse", "photo-sensor", 1.0 / pulses, share=100.0 / pulses)
+        )
     return SensorSpeed(
-        estimate(speed, error), angular, per_pulse * drive.radius, drive.belt_length / speed, tuple(findings)
+        estimate(speed, error),
+        angular,
+        per_pulse * drive.radius,
+        drive.belt_length / speed,
+        tuple(findings),
     )
 
 
@@ -288,10 +307,16 @@ class BeltLoad(Description):
     """
 
     wheel_load: NonNegativeForce = estimated_default(206.0, "16 kg sprung and 5 kg unsprung mass")
-    rolling_resistance: Annotated[float, Unit("1", at_least=0.0)] = estimated_default(0.02, "small pneumatic tyre")
-    bed_friction: Annotated[float, Unit("1", at_least=0.0)] = estimated_default(0.3, "belt back on sheet metal")
+    rolling_resistance: Annotated[float, Unit("1", at_least=0.0)] = estimated_default(
+        0.02, "small pneumatic tyre"
+    )
+    bed_friction: Annotated[float, Unit("1", at_least=0.0)] = estimated_default(
+        0.3, "belt back on sheet metal"
+    )
     bed_load: NonNegativeForce | None = None
-    bending_force: NonNegativeForce = estimated_default(10.0, "bending a thin flat belt round two cylinders")
+    bending_force: NonNegativeForce = estimated_default(
+        10.0, "bending a thin flat belt round two cylinders"
+    )
     drag: NonNegativeDampingCoefficient = estimated_default(0.0, "bearing losses neglected")
     inertia: Inertia = estimated_default(0.0, "constant speed")
     acceleration: Annotated[float, Unit("m/s^2")] = 0.0
@@ -299,7 +324,9 @@ class BeltLoad(Description):
     def force(self, speed: float, radius: float) -> float:
         """Pull needed at the belt [N] at ``speed`` [m/s] round cylinders of ``radius`` [m]."""
         bed = self.wheel_load if self.bed_load is None else self.bed_load
-        resting = self.rolling_resistance * self.wheel_load + self.bed_friction * bed + self.bending_force
+        resting = (
+            self.rolling_resistance * self.wheel_load + self.bed_friction * bed + self.bending_force
+        )
         return resting + self.drag * speed + self.inertia * self.acceleration / radius**2
 
 
@@ -354,7 +381,9 @@ def drive_margin(drive: BenchDrive, speed: float, load: BeltLoad | None = None) 
     load = load or BeltLoad()
     frequency = inverter_frequency_for(drive, speed)
     pull = drive.rated_torque * drive.ratio * drive.efficiency / drive.radius
-    available = pull if frequency <= drive.supply_frequency else pull * drive.supply_frequency / frequency
+    available = (
+        pull if frequency <= drive.supply_frequency else pull * drive.supply_frequency / frequency
+    )
     continuous = available * _cooling(drive, frequency)
     required = load.force(speed, drive.radius)
     margin, lasting = 1.0 - required / available, 1.0 - required / continuous
@@ -382,7 +411,9 @@ def _cooling(drive: BenchDrive, frequency: float) -> float:
     return drive.standstill_torque + (1.0 - drive.standstill_torque) * share
 
 
-def _overload(margin: float, lasting: float, speed: float, frequency: float, drive: BenchDrive) -> list[Finding]:
+def _overload(
+    margin: float, lasting: float, speed: float, frequency: float, drive: BenchDrive
+) -> list[Finding]:
     findings = []
     if frequency > drive.supply_frequency:
         findings.append(
@@ -459,7 +490,9 @@ def attainable_speed(
         speed=float(speeds[lasting][-1]) if lasting.any() else 0.0,
         limited_by=limited,
         short_time_speed=float(speeds[short][-1]) if short.any() else 0.0,
-        lowest_continuous_speed=float(speeds[lasting][0]) if lasting.any() and not lasting[0] else 0.0,
+        lowest_continuous_speed=float(speeds[lasting][0])
+        if lasting.any() and not lasting[0]
+        else 0.0,
         implied_force=implied,
         findings=tuple(findings),
     )
@@ -505,7 +538,13 @@ class BeltSpeeds(Plain):
     @property
     def speed(self) -> float:
         """Belt speed, m/s: as counted, otherwise from the inverter."""
-        return self.photo_sensor.speed.value if self.photo_sensor else self.inverter.speed if self.inverter else 0.0
+        return (
+            self.photo_sensor.speed.value
+            if self.photo_sensor
+            else self.inverter.speed
+            if self.inverter
+            else 0.0
+        )
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -514,7 +553,10 @@ class BeltSpeeds(Plain):
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, SI."""
-        both = {"inverter": _without_findings(self.inverter), "photo_sensor": _without_findings(self.photo_sensor)}
+        both = {
+            "inverter": _without_findings(self.inverter),
+            "photo_sensor": _without_findings(self.photo_sensor),
+        }
         return {"speed": self.speed, **both, "findings": to_plain(self.findings)}
 
 
@@ -535,14 +577,20 @@ def find_belt_speed(
     *,
     speed: Annotated[
         float | str | None,
-        Number("Belt speed to reach; gives the inverter frequency.", "VALUE", "m/s", is_positive=True),
+        Number(
+            "Belt speed to reach; gives the inverter frequency.", "VALUE", "m/s", is_positive=True
+        ),
     ] = None,
-    pulses: Annotated[int | None, Count("Pulses counted by the photo-sensor on the cylinder.")] = None,
+    pulses: Annotated[
+        int | None, Count("Pulses counted by the photo-sensor on the cylinder.")
+    ] = None,
     duration: Annotated[
         float | str | None, Number("Counting time of the pulses.", "VALUE", "s", is_positive=True)
     ] = None,
     pulses_per_revolution: Annotated[int, Count("Marks on the cylinder.")] = 1,
-    radius_error: Annotated[float | str, Number("Standard error of the radius.", "VALUE", "m", most=LONGEST)] = 0.0,
+    radius_error: Annotated[
+        float | str, Number("Standard error of the radius.", "VALUE", "m", most=LONGEST)
+    ] = 0.0,
 ) -> BeltSpeeds:
     """Find the belt speed from the inverter frequency or from photo-sensor pulses, or the frequency for a speed.
 
@@ -580,7 +628,9 @@ def find_belt_speed(
     >>> round(find_belt_speed(BenchDrive(), "24.6 Hz", pulses=62, duration="10 s").speed, 3)
     2.006
     """
-    if (inverter_frequency is not None and speed is not None) or inverter_frequency == speed == pulses:
+    if (
+        inverter_frequency is not None and speed is not None
+    ) or inverter_frequency == speed == pulses:
         raise DescriptionError(
             "give an inverter frequency, a speed or pulses",
             where="jounce bench speed",
@@ -589,13 +639,19 @@ def find_belt_speed(
     if pulses is None and duration is not None:
         hint = "Count them in that time, or leave it out."
         raise DescriptionError(
-            "--duration is the time in which --pulses are counted, but --pulses is missing", hint=hint
+            "--duration is the time in which --pulses are counted, but --pulses is missing",
+            hint=hint,
         )
     if pulses is not None and duration is None:
         raise DescriptionError(
-            "--duration is missing: the time in which the pulses were counted", allowed='--duration "10 s"'
+            "--duration is missing: the time in which the pulses were counted",
+            allowed='--duration "10 s"',
         )
-    frequency = None if inverter_frequency is None else to_si(inverter_frequency, "Hz", where="inverter_frequency")
+    frequency = (
+        None
+        if inverter_frequency is None
+        else to_si(inverter_frequency, "Hz", where="inverter_frequency")
+    )
     if speed is not None:
         frequency = inverter_frequency_for(drive, positive_si(speed, "m/s", where="speed"))
     computed = None if frequency is None else belt_speed(drive, frequency)
@@ -633,7 +689,10 @@ class DriveAssessment(Plain):
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, SI."""
-        margin, attainable = _without_findings(self.margin) or {}, _without_findings(self.attainable)
+        margin, attainable = (
+            _without_findings(self.margin) or {},
+            _without_findings(self.attainable),
+        )
         return {**margin, "attainable": attainable, "findings": to_plain(self.findings)}
 
 
@@ -650,7 +709,8 @@ def assess_drive(
     load: Annotated[BeltLoad, MadeBy("jounce.bench.drive:BeltLoad")],
     *,
     speed: Annotated[
-        float | str | None, Number('Belt speed to assess, e.g. "3.87 m/s".', "VALUE", "m/s", is_positive=True)
+        float | str | None,
+        Number('Belt speed to assess, e.g. "3.87 m/s".', "VALUE", "m/s", is_positive=True),
     ] = None,
     observed_ceiling: Annotated[
         float | str | None,
@@ -687,18 +747,34 @@ def assess_drive(
     >>> found.attainable.limited_by, found.margin.margin > 0.0
     ('supply frequency', True)
     """
-    margin = None if speed is None else drive_margin(drive, positive_si(speed, "m/s", where="speed"), load)
+    margin = (
+        None
+        if speed is None
+        else drive_margin(drive, positive_si(speed, "m/s", where="speed"), load)
+    )
     if observed_ceiling is None and drive == BenchDrive() and load == BeltLoad():
         observed_ceiling = PUBLISHED_CEILING
-    ceiling = None if observed_ceiling is None else to_si(observed_ceiling, "m/s", where="observed_ceiling")
+    ceiling = (
+        None
+        if observed_ceiling is None
+        else to_si(observed_ceiling, "m/s", where="observed_ceiling")
+    )
     return DriveAssessment(margin, attainable_speed(drive, load, observed_ceiling=ceiling))
 
 
 def _without_findings(result: Any) -> dict[str, Any] | None:
     """Return a part of a result as plain data; findings are listed once for the whole."""
-    return None if result is None else {key: item for key, item in to_plain(result).items() if key != "findings"}
+    return (
+        None
+        if result is None
+        else {key: item for key, item in to_plain(result).items() if key != "findings"}
+    )
 
 
 def _together(*results: Any) -> tuple[Finding, ...]:
     """Findings of several results, each once."""
-    return tuple(dict.fromkeys(finding for result in results if result is not None for finding in result.findings))
+    return tuple(
+        dict.fromkeys(
+            finding for result in results if result is not None for finding in result.findings
+        )
+    )

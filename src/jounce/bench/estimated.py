@@ -12,10 +12,14 @@ from jounce.core.findings import Finding, finding
 
 def estimated_default(default: Any, why: str) -> Any:
     """Make a field default that is an estimate; ``why`` is its basis."""
-    return Field(default=default, description=f"estimated: {why}", json_schema_extra={"estimated": True})
+    return Field(
+        default=default, description=f"estimated: {why}", json_schema_extra={"estimated": True}
+    )
 
 
-def estimates_used(description: Description, place: str, names: tuple[str, ...] | None = None) -> list[Finding]:
+def estimates_used(
+    description: Description, place: str, names: tuple[str, ...] | None = None
+) -> list[Finding]:
     """Report the estimated defaults that a result depends on, among the fields in ``names`` or all."""
     fields = type(description).model_fields
     left = [

@@ -14,7 +14,14 @@ from jounce.core.findings import Finding
 from jounce.core.operation import MadeBy, operation
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
-from jounce.core.units import Frequency, Mass, PositiveNumber, PositiveSpeed, PositiveStiffness, Unit
+from jounce.core.units import (
+    Frequency,
+    Mass,
+    PositiveNumber,
+    PositiveSpeed,
+    PositiveStiffness,
+    Unit,
+)
 
 Density = Annotated[float, Unit("kg/m^3", above=0.0)]
 _MISSED = 0.05
@@ -36,7 +43,9 @@ def scaled_mass(mass: float, factor: float, *, density_ratio: float = 1.0) -> fl
     """
     for value, what in ((mass, "mass"), (factor, "factor"), (density_ratio, "density ratio")):
         if not (math.isfinite(value) and value > 0.0):
-            raise FitError(Phrase("the {what} is not positive", what=what), found=value, allowed="above 0")
+            raise FitError(
+                Phrase("the {what} is not positive", what=what), found=value, allowed="above 0"
+            )
     return mass * density_ratio / factor**3
 
 
@@ -186,7 +195,9 @@ def similitude_report(
     findings += estimates_used(case, "similitude")
     return SimilitudeReport(
         mass_same_density=scaled_mass(case.reference_mass, case.mass_factor),
-        mass_prototype_density=scaled_mass(case.reference_mass, case.mass_factor, density_ratio=density),
+        mass_prototype_density=scaled_mass(
+            case.reference_mass, case.mass_factor, density_ratio=density
+        ),
         effective_mass_factor=(mass_ratio * density) ** (1.0 / 3.0),
         density_for_built_mass=scaled_mass(case.reference_mass, case.mass_factor)
         * case.prototype_density
@@ -200,7 +211,9 @@ def similitude_report(
 
 
 def _factor(name: str, factor: float, prototype: float | None, unit: str) -> ScaleFactor:
-    return ScaleFactor(name, factor, prototype, None if prototype is None else factor * prototype, unit)
+    return ScaleFactor(
+        name, factor, prototype, None if prototype is None else factor * prototype, unit
+    )
 
 
 def _violations(case: Similitude, frequency: float, density: float) -> tuple[str, ...]:

@@ -32,7 +32,9 @@ _AT_REST = 0.5
 """Share of the travel that a spring may use at rest: as much is left for bump as for rebound."""
 _STIFF = 1.5
 """Times the target frequency: the wheel rate is then 2.25 times what it should be."""
-CANDIDATES = Pairs("Candidates. Default: bicycle=52775 N/m, scooter=22730 N/m.", "NAME=RATE", 'soft="22.73 N/mm"')
+CANDIDATES = Pairs(
+    "Candidates. Default: bicycle=52775 N/m, scooter=22730 N/m.", "NAME=RATE", 'soft="22.73 N/mm"'
+)
 
 
 class SpringChoice(Description):
@@ -67,9 +69,13 @@ class SpringChoice(Description):
     damping_coefficient: NonNegativeDampingCoefficient = estimated_default(
         150.0, "damping ratio near 0.1 with the softer spring"
     )
-    available_travel: PositiveLength = estimated_default(0.040, "stroke of a bicycle shock absorber")
+    available_travel: PositiveLength = estimated_default(
+        0.040, "stroke of a bicycle shock absorber"
+    )
     target_frequency: Frequency = estimated_default(1.84, "1.5 Hz at full size")
-    friction_force: NonNegativeForce = estimated_default(15.0, "linear guides after one set of balls was removed")
+    friction_force: NonNegativeForce = estimated_default(
+        15.0, "linear guides after one set of balls was removed"
+    )
 
 
 @dataclass(frozen=True)
@@ -141,7 +147,9 @@ class SpringComparison(Plain):
     example='jounce bench springs stiff="52.775 N/mm" soft="22.73 N/mm" --sprung-mass "16 kg"',
 )
 def compare_springs(
-    springs: Annotated[Mapping[str, float | str] | Sequence[tuple[str, float | str]] | None, CANDIDATES] = None,
+    springs: Annotated[
+        Mapping[str, float | str] | Sequence[tuple[str, float | str]] | None, CANDIDATES
+    ] = None,
     choice: Annotated[SpringChoice | None, MadeBy("jounce.bench.springs:SpringChoice")] = None,
 ) -> SpringComparison:
     """Compare candidate springs: static deflection, natural frequency, damping ratio, and which to choose.
@@ -180,13 +188,19 @@ def compare_springs(
     if len(set(names)) < len(names):
         raise FitError("a spring is named twice", allowed="different names")
     rates = [(name, _rate(name, rate)) for name, rate in pairs]
-    if math.cos(choice.strut_angle) < 0.1:  # the wheel rate is then less than a hundredth of the spring rate
+    if (
+        math.cos(choice.strut_angle) < 0.1
+    ):  # the wheel rate is then less than a hundredth of the spring rate
         raise FitError(
-            "the strut lies nearly flat", found=f"{math.degrees(choice.strut_angle):g} deg", allowed="below 84 deg"
+            "the strut lies nearly flat",
+            found=f"{math.degrees(choice.strut_angle):g} deg",
+            allowed="below 84 deg",
         )
     rows = tuple(_row(name, rate, choice) for name, rate in rates)
     fitting = [row for row in rows if row.travel_share <= _AT_REST] or list(rows)
-    chosen = min(fitting, key=lambda row: abs(math.log(row.natural_frequency / choice.target_frequency)))
+    chosen = min(
+        fitting, key=lambda row: abs(math.log(row.natural_frequency / choice.target_frequency))
+    )
     reasons = tuple(_reason(row, chosen, choice) for row in rows if row is not chosen)
     findings = [Finding("springs", "note", reason) for reason in reasons]
     findings += _doubts(chosen, choice)
@@ -200,7 +214,9 @@ def _rate(name: str, given: float | str) -> float:
         return positive_quantity(given, "N/m", name)
     if not given > 0.0:
         raise FitError(
-            Phrase("{name}: the spring rate is not positive", name=name), found=f"{given:g} N/m", allowed="above 0 N/m"
+            Phrase("{name}: the spring rate is not positive", name=name),
+            found=f"{given:g} N/m",
+            allowed="above 0 N/m",
         )
     return to_si(given, "N/m", where=name)
 
@@ -217,7 +233,9 @@ def _row(name: str, rate: float, choice: SpringChoice) -> SpringRow:
         ride_rate=ride,
         natural_frequency_rigid_tyre=math.sqrt(wheel / choice.sprung_mass) / (2.0 * math.pi),
         natural_frequency=math.sqrt(ride / choice.sprung_mass) / (2.0 * math.pi),
-        damping_ratio=choice.damping_coefficient * lever / (2.0 * math.sqrt(wheel * choice.sprung_mass)),
+        damping_ratio=choice.damping_coefficient
+        * lever
+        / (2.0 * math.sqrt(wheel * choice.sprung_mass)),
         static_deflection=static,
         travel_share=static / choice.available_travel,
         suspension_share=choice.tyre_stiffness / (choice.tyre_stiffness + wheel),
@@ -263,8 +281,16 @@ def _doubts(row: SpringRow, choice: SpringChoice) -> list[Finding]:
         )
     if row.travel_share > _AT_REST:
         findings.append(
-            finding("bench.travel_used_at_rest", "springs", row.travel_share, name=row.name, share=row.travel_share)
+            finding(
+                "bench.travel_used_at_rest",
+                "springs",
+                row.travel_share,
+                name=row.name,
+                share=row.travel_share,
+            )
         )
-    if choice.strut_angle > math.radians(30.0):  # Adams 1993, cited by the paper; `STEEP_STRUT` of rigs
+    if choice.strut_angle > math.radians(
+        30.0
+    ):  # Adams 1993, cited by the paper; `STEEP_STRUT` of rigs
         findings.append(finding("bench.struts_inclined", "springs", choice.strut_angle))
     return findings

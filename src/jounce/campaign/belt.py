@@ -32,7 +32,11 @@ _SLIP_BEYOND = 0.005
 """Share by which the speed from recurrence may differ from that of the pulses before slip is said: what radius and
 length of a belt are known to."""
 
-SPEED_CODES = ("identify.other_speed", "campaign.belt_and_pulses_differ", "campaign.other_speed_than_noted")
+SPEED_CODES = (
+    "identify.other_speed",
+    "campaign.belt_and_pulses_differ",
+    "campaign.other_speed_than_noted",
+)
 """Findings about the speed of one trial."""
 _LARGEST_SLIP = 0.1
 """Share that a flat belt slips by at most without being seen or heard."""
@@ -146,7 +150,9 @@ def loop_length(met: Sequence[tuple[Sequence[float], float]]) -> tuple[float, fl
     for instants, speed in met:
         gaps = [later - sooner for sooner, later in pairwise(sorted(instants))]
         if gaps:
-            loops = sum(round(gap / min(gaps)) for gap in gaps)  # a passage between may not have been recognised
+            loops = sum(
+                round(gap / min(gaps)) for gap in gaps
+            )  # a passage between may not have been recognised
             lengths.append(speed * sum(gaps) / loops)
     if len(lengths) < _FEWEST_LENGTHS:
         return None
@@ -160,7 +166,9 @@ Placed = tuple[FitTrial, TrialOnBelt | None, Sequence[Finding]]
 """A trial that meets its obstacle when the record does, what was found of belt and passages, and what is doubtful."""
 
 
-def place_trial(trial: FitTrial, noted: float | None, passage: Passage, pulses: PulseSpeed | None) -> Placed:
+def place_trial(
+    trial: FitTrial, noted: float | None, passage: Passage, pulses: PulseSpeed | None
+) -> Placed:
     """Give a trial whose model meets the obstacle when the record does.
 
     On a belt the record is the average of its loops (``passage="all"``), or one of them, and the model has been
@@ -181,10 +189,18 @@ def place_trial(trial: FitTrial, noted: float | None, passage: Passage, pulses: 
     if road.recurrence is None:
         return _move_obstacle(trial, noted, channels)
     passages = find_passages(
-        trial.measured, trial.rig, road, trial.trial.speed, sensors=trial.sensors, channels=channels, name=trial.name
+        trial.measured,
+        trial.rig,
+        road,
+        trial.trial.speed,
+        sensors=trial.sensors,
+        channels=channels,
+        name=trial.name,
     )
     if passage != "all":
-        passages = select_loop(passages, trial.measured, passage, channels=channels, name=trial.name)
+        passages = select_loop(
+            passages, trial.measured, passage, channels=channels, name=trial.name
+        )
     slip = None if pulses is None else 1.0 - passages.speed / pulses.mean
     facts = TrialOnBelt(
         noted,
@@ -198,7 +214,10 @@ def place_trial(trial: FitTrial, noted: float | None, passage: Passage, pulses: 
     trial = replace(trial, sensors={**trial.sensors, **sensors})
     if passages.loop is None:
         met = ", ".join(f"{time:.3g} s" for time in passages.times)
-        facts = replace(facts, findings=(*facts.findings, finding("campaign.no_whole_loop", "belt", None, times=met)))
+        facts = replace(
+            facts,
+            findings=(*facts.findings, finding("campaign.no_whole_loop", "belt", None, times=met)),
+        )
         return trial_on_running_belt(trial, passages), facts, facts.findings
     return averaged_trial(trial, passages), facts, facts.findings
 
@@ -210,18 +229,26 @@ def _compared_channels(trial: FitTrial) -> list[str]:
 def _with_free_zero(sensor: Sensor | None) -> Sensor:
     """Nothing is at rest in a loop that could tell where zero lies."""
     sensor = sensor or Sensor()
-    return sensor if sensor.datum is not None else sensor.model_copy(update={"datum": "free offset"})
+    return (
+        sensor if sensor.datum is not None else sensor.model_copy(update={"datum": "free offset"})
+    )
 
 
 def _speed_findings(noted: float | None, slip: float | None, passages: Passages) -> list[Finding]:
     findings = list(passages.findings)
     if slip is not None and abs(slip) > _SLIP_BEYOND:
-        code = "campaign.belt_slips" if 0.0 < slip < _LARGEST_SLIP else "campaign.belt_and_pulses_differ"
+        code = (
+            "campaign.belt_slips"
+            if 0.0 < slip < _LARGEST_SLIP
+            else "campaign.belt_and_pulses_differ"
+        )
         findings.append(finding(code, "speed", slip, slip=slip, speed=passages.speed))
     # Speeds are noted to three digits, 1.95 m/s to 0.3 %; beyond 1 % it is not rounding.
     if noted is not None and abs(passages.speed / noted - 1.0) > 0.01:
         numbers = {"noted": noted, "period": passages.period, "speed": passages.speed}
-        findings.append(finding("campaign.other_speed_than_noted", "speed", passages.speed, **numbers))
+        findings.append(
+            finding("campaign.other_speed_than_noted", "speed", passages.speed, **numbers)
+        )
     return findings
 
 
@@ -234,7 +261,13 @@ def _move_obstacle(trial: FitTrial, noted: float | None, channels: list[str]) ->
         return trial, None, ()
     try:
         passages = find_passages(
-            trial.measured, trial.rig, road, speed, sensors=trial.sensors, channels=channels, name=trial.name
+            trial.measured,
+            trial.rig,
+            road,
+            speed,
+            sensors=trial.sensors,
+            channels=channels,
+            name=trial.name,
         )
     except ObstacleNotFoundError:
         raise
@@ -250,7 +283,10 @@ def _move_obstacle(trial: FitTrial, noted: float | None, channels: list[str]) ->
         speed,
         None,
         passages,
-        (*passages.findings, finding("campaign.met_elsewhere", "road", met, met=met, stated=stated)),
+        (
+            *passages.findings,
+            finding("campaign.met_elsewhere", "road", met, met=met, stated=stated),
+        ),
     )
     return replace(trial, trial=driven), facts, facts.findings
 
@@ -271,7 +307,9 @@ def exchanged_trials(trials: Mapping[int, TrialOnBelt]) -> list[Finding]:
         )
         if min(straight) > _NOTED and max(crossed) < min(_SAME_SPEED, _MUCH_NEARER * min(straight)):
             place = f"trials {first} and {second}"
-            findings.append(finding("campaign.trials_exchanged", place, first=speeds[0], second=speeds[1]))
+            findings.append(
+                finding("campaign.trials_exchanged", place, first=speeds[0], second=speeds[1])
+            )
     return findings
 
 
@@ -284,7 +322,9 @@ _MUCH_NEARER = 1.0 / 3.0
 """Share of the difference to a trial's own noted speed, below which that of the other one is its own."""
 
 
-def common_speed_errors(trials: Mapping[int, TrialOnBelt], length: float) -> tuple[list[Finding], bool]:
+def common_speed_errors(
+    trials: Mapping[int, TrialOnBelt], length: float
+) -> tuple[list[Finding], bool]:
     """Say once what makes the speeds of all trials differ by one factor; whether the belt's length is in doubt.
 
     The speed of the recurrence counts on the belt's ``length`` (m). Pulses count on radius and marks, noted speeds on
@@ -293,8 +333,14 @@ def common_speed_errors(trials: Mapping[int, TrialOnBelt], length: float) -> tup
     """
     noted = _common_factor([(facts.speed, facts.noted) for facts in trials.values()])
     pulses = _common_factor([(facts.speed, facts.pulses) for facts in trials.values()])
-    if noted is not None and _is_off(noted) and (pulses is None or abs(pulses / noted - 1.0) < _SAME_SPEED):
-        return [finding("campaign.belt_length_off", "belt", length, length=length, fits=length / noted)], True
+    if (
+        noted is not None
+        and _is_off(noted)
+        and (pulses is None or abs(pulses / noted - 1.0) < _SAME_SPEED)
+    ):
+        return [
+            finding("campaign.belt_length_off", "belt", length, length=length, fits=length / noted)
+        ], True
     if pulses is not None and _is_off(pulses) and noted is not None and not _is_off(noted):
         return [finding("campaign.pulses_off", "belt", pulses, factor=pulses)], False
     return [], False

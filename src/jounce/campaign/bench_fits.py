@@ -24,15 +24,33 @@ from jounce.identify.damper_record import VelocityFrom
 from jounce.identify.damper_result import DamperCurve, DamperResult
 from jounce.identify.decay import CombinedDecay, DecayResult, Drag, combine_decays, fit_decay
 from jounce.identify.force_deflection import Branch, ForceDeflectionTrial
-from jounce.identify.motion import MOTIONS, QUANTITY_OF_UNIT, MeasuredMotion, motion_of, unit_in_words
+from jounce.identify.motion import (
+    MOTIONS,
+    QUANTITY_OF_UNIT,
+    MeasuredMotion,
+    motion_of,
+    unit_in_words,
+)
 from jounce.identify.motion import Quantity as MotionQuantity
-from jounce.identify.signs import ForcePositive, StrokePositive, check_stroke, compression_positive, sign_of
+from jounce.identify.signs import (
+    ForcePositive,
+    StrokePositive,
+    check_stroke,
+    compression_positive,
+    sign_of,
+)
 from jounce.identify.stiffness import Intercept, Law, StiffnessResult, fit_stiffness
 from jounce.parts import load, rig_path
 from jounce.parts.files import changed_text
 from jounce.parts.rig import unit_of
 from jounce.recordings.formats import TableFormat
-from jounce.recordings.options import COLUMNS, VARIABLE, AnyRecordFile, AnyRecordFiles, as_record_file
+from jounce.recordings.options import (
+    COLUMNS,
+    VARIABLE,
+    AnyRecordFile,
+    AnyRecordFiles,
+    as_record_file,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -88,13 +106,16 @@ class MeasuredDamper(Plain):
 )
 def fit_measured_damper(
     record: AnyRecordFile,
-    law: Annotated[LawName, Mark("linear, bilinear, blow-off, polynomial, tanh-hysteretic or bouc-wen.")] = "linear",
+    law: Annotated[
+        LawName, Mark("linear, bilinear, blow-off, polynomial, tanh-hysteretic or bouc-wen.")
+    ] = "linear",
     *,
     degree: Annotated[int, Count("Degree of the polynomial.", least=1, most=9)] = 3,
     odd: Annotated[bool, Switch("Use odd powers only.")] = False,
     friction: Annotated[bool, Switch("Add dry friction to a law of velocity.")] = False,
     velocity_from: Annotated[
-        VelocityFrom, Mark("recorded, or displacement to differentiate it even if a velocity was recorded.")
+        VelocityFrom,
+        Mark("recorded, or displacement to differentiate it even if a velocity was recorded."),
     ] = "recorded",
     stroke_positive: Annotated[StrokePositive | None, STROKE_SIGN] = None,
     force_positive: Annotated[ForcePositive | None, FORCE_SIGN] = None,
@@ -151,7 +172,12 @@ def fit_measured_damper(
                 hint=Phrase("Name its column: --columns {name}='COLUMN [unit]'.", name=name),
             )
     velocity = data["velocity"].to_numpy() if "velocity" in data else None
-    measured = data["displacement"].to_numpy(), velocity, data["force"].to_numpy(), data["time"].to_numpy()
+    measured = (
+        data["displacement"].to_numpy(),
+        velocity,
+        data["force"].to_numpy(),
+        data["time"].to_numpy(),
+    )
     fit = fit_damper(
         *measured,
         law=law,
@@ -237,10 +263,13 @@ _ESTIMATES = (
 )
 def fit_measured_decays(
     records: AnyRecordFiles,
-    channel: Annotated[str, Mark("Displacement, velocity or acceleration, e.g. sprung.z, or an angle or its rate.")],
+    channel: Annotated[
+        str, Mark("Displacement, velocity or acceleration, e.g. sprung.z, or an angle or its rate.")
+    ],
     *,
     mass: Annotated[
-        float | str | None, Number('Oscillating mass, e.g. "16 kg".', "MASS", "kg", is_positive=True)
+        float | str | None,
+        Number('Oscillating mass, e.g. "16 kg".', "MASS", "kg", is_positive=True),
     ] = None,
     inertia: Annotated[
         float | str | None,
@@ -252,11 +281,16 @@ def fit_measured_decays(
         ),
     ] = None,
     stiffness: Annotated[
-        float | str | None, Mark("Known stiffness, compared with that from mass and frequency.", "STIFFNESS")
+        float | str | None,
+        Mark("Known stiffness, compared with that from mass and frequency.", "STIFFNESS"),
     ] = None,
-    begin: Annotated[float | str | None, Number('Leave out what is before, e.g. "1.2 s".', "TIME", "s")] = None,
+    begin: Annotated[
+        float | str | None, Number('Leave out what is before, e.g. "1.2 s".', "TIME", "s")
+    ] = None,
     end: Annotated[float | str | None, Number("Leave out what is after.", "TIME", "s")] = None,
-    quadratic_drag: Annotated[Drag, Mark("Fit it, too; auto: where the record shows it.", "auto|yes|no")] = "auto",
+    quadratic_drag: Annotated[
+        Drag, Mark("Fit it, too; auto: where the record shows it.", "auto|yes|no")
+    ] = "auto",
     stroke_positive: Annotated[StrokePositive | None, STROKE_SIGN] = None,
     progress: Callable[[str], None] = lambda _: None,
 ) -> MeasuredDecays:
@@ -310,14 +344,25 @@ def fit_measured_decays(
     check_stroke(channel, stroke_positive, where="stroke_positive")
     files = [as_record_file(record) for record in records]
     paths = [Path(file.path) for file in files]
-    names = [path.name if len({other.name for other in paths}) == len(paths) else str(path) for path in paths]
+    names = [
+        path.name if len({other.name for other in paths}) == len(paths) else str(path)
+        for path in paths
+    ]
     decays: dict[str, tuple[DecayResult, Array, Array]] = {}
     for number, (name, file) in enumerate(zip(names, files, strict=True), 1):
-        progress(progress_through("fitting {which} of {count}: {name}", number, len(files), name=Path(file.path).name))
+        progress(
+            progress_through(
+                "fitting {which} of {count}: {name}", number, len(files), name=Path(file.path).name
+            )
+        )
         data = compression_positive(file.data, stroke_positive, None)
         signal, kind = _motion_in(data, channel, str(file.path))
         motion, time = motion_of(kind), data["time"].to_numpy()
-        known = None if stiffness is None else positive_quantity(str(stiffness), motion.stiffness, "stiffness")
+        known = (
+            None
+            if stiffness is None
+            else positive_quantity(str(stiffness), motion.stiffness, "stiffness")
+        )
         fit = fit_decay(
             time,
             signal,
@@ -337,14 +382,24 @@ def fit_measured_decays(
 
 
 def check_decay(
-    *, measured: Sequence[str], channel: str, stroke_positive: Any, figure: Path | None, **_others: Any
+    *,
+    measured: Sequence[str],
+    channel: str,
+    stroke_positive: Any,
+    figure: Path | None,
+    **_others: Any,
 ) -> None:
     """Refuse invalid signs, and a figure of several decays."""
     sign_of(stroke_positive, "stroke", where="--stroke-positive")
     check_stroke(channel, stroke_positive, where="--stroke-positive")
     count = len(matching_files(measured, "FILE"))
     if figure is not None and count > 1:
-        raise OutputError("one picture shows one decay", where="--figure", found=f"{count} files", hint="See --report.")
+        raise OutputError(
+            "one picture shows one decay",
+            where="--figure",
+            found=f"{count} files",
+            hint="See --report.",
+        )
 
 
 def _inertia(
@@ -356,13 +411,18 @@ def _inertia(
     ((other, wrong),) = given.items()
     if own is None or wrong is not None:
         raise DescriptionError(
-            Phrase("the {inertia_word} of what swings is needed", inertia_word=Phrase(motion.inertia_word))
+            Phrase(
+                "the {inertia_word} of what swings is needed",
+                inertia_word=Phrase(motion.inertia_word),
+            )
             if own is None
             else Phrase("no {other} swings here", other=other),
             where=motion.inertia_word if own is None else other,
             found=f"{channel} is {'an angle or its rate' if motion.name == 'rotation' else 'a motion along a line'}",
             allowed=Phrase(
-                '--{inertia_word} "NUMBER {inertia}"', inertia_word=motion.inertia_word, inertia=motion.inertia
+                '--{inertia_word} "NUMBER {inertia}"',
+                inertia_word=motion.inertia_word,
+                inertia=motion.inertia,
             ),
         )
     return {motion.inertia_word: positive_quantity(str(own), motion.inertia, motion.inertia_word)}
@@ -403,14 +463,17 @@ class BenchFiles(Shown):
 
 AnyBenchFiles = Annotated[
     "BenchFiles | Sequence[str | Path]",
-    MadeBy("jounce.campaign.bench_fits:read_bench_files", "jounce.campaign.bench_fits:trials_in_python"),
+    MadeBy(
+        "jounce.campaign.bench_fits:read_bench_files", "jounce.campaign.bench_fits:trials_in_python"
+    ),
 ]
 """Trials of a test machine; faces ask for files, columns and signs."""
 
 
 def read_bench_files(
     measured: Annotated[
-        Sequence[str | Path], Texts("Trials: columns displacement and force, or angle and torque.", "FILES")
+        Sequence[str | Path],
+        Texts("Trials: columns displacement and force, or angle and torque.", "FILES"),
     ],
     columns: Annotated[Any, COLUMNS] = None,
     variable: Annotated[str, VARIABLE] = "",
@@ -452,7 +515,9 @@ def read_bench_files(
     files = matching_files([str(name) for name in measured], "FILES")
     table = TableFormat(columns=columns or {}, variable=variable)
     motions = tuple(MOTIONS.values())
-    return BenchFiles(files, *read_force_deflection(files, table, stroke_positive, force_positive, motions))
+    return BenchFiles(
+        files, *read_force_deflection(files, table, stroke_positive, force_positive, motions)
+    )
 
 
 def trials_in_python(measured: Sequence[str], **options: Any) -> str:
@@ -516,7 +581,8 @@ def fit_measured_stiffness(
     *,
     degree: Annotated[int, Count("Degree of the polynomial.", least=1, most=9)] = 3,
     discard_below: Annotated[
-        float | str | None, Mark('Ignore smaller deflections, e.g. "2 mm", or angles.', "DEFLECTION")
+        float | str | None,
+        Mark('Ignore smaller deflections, e.g. "2 mm", or angles.', "DEFLECTION"),
     ] = None,
     intercept: Annotated[
         Intercept,
@@ -525,10 +591,17 @@ def fit_measured_stiffness(
     branch: Annotated[Branch, Mark("loading, unloading or both.")] = "loading",
     operating_force: Annotated[
         float | str | None,
-        Mark('Static load of the part, e.g. "206 N", or torque: checks that the fit covers it.', "LOAD"),
+        Mark(
+            'Static load of the part, e.g. "206 N", or torque: checks that the fit covers it.',
+            "LOAD",
+        ),
     ] = None,
-    rig: Annotated[str | None, File("A rig that takes the rate over: name or file.", "RIG", ("parts",))] = None,
-    part: Annotated[str | None, Mark("Which rate of the rig it is; strut.spring.rate by default.", "PART")] = None,
+    rig: Annotated[
+        str | None, File("A rig that takes the rate over: name or file.", "RIG", ("parts",))
+    ] = None,
+    part: Annotated[
+        str | None, Mark("Which rate of the rig it is; strut.spring.rate by default.", "PART")
+    ] = None,
 ) -> MeasuredStiffness:
     """Fit the stiffness of a spring, a tyre or a part that is twisted to repeated trials.
 
@@ -582,7 +655,8 @@ def fit_measured_stiffness(
         measured.trials,
         law=law,
         degree=degree,
-        discard_below=_optional_quantity(discard_below, motion.deflection, "discard_below", longest) or 0.0,
+        discard_below=_optional_quantity(discard_below, motion.deflection, "discard_below", longest)
+        or 0.0,
         intercept=intercept,
         branch=branch,
         operating_force=_optional_quantity(operating_force, motion.force, "operating_force"),
@@ -592,16 +666,24 @@ def fit_measured_stiffness(
     return MeasuredStiffness(fit, measured, text, (*measured.findings, *fit.findings))
 
 
-def _optional_quantity(value: float | str | None, unit: str, where: str, most: float | None = None) -> float | None:
+def _optional_quantity(
+    value: float | str | None, unit: str, where: str, most: float | None = None
+) -> float | None:
     return None if value is None else quantity(str(value), unit, where, most=most)
 
 
 def check_stiffness(*, rig: Any, part: str | None, out: Path | None, **_others: Any) -> None:
     """Refuse a rig without an output file, and a part without a rig."""
     if (rig is None) != (out is None):
-        raise OutputError("a rate is written from one rig into another file", where="--rig", allowed="--rig and --out")
+        raise OutputError(
+            "a rate is written from one rig into another file",
+            where="--rig",
+            allowed="--rig and --out",
+        )
     if part is not None and rig is None:
-        raise OutputError("a part of no rig", where="--part", found=part, allowed="--part with --rig and --out")
+        raise OutputError(
+            "a part of no rig", where="--part", found=part, allowed="--part with --rig and --out"
+        )
 
 
 def _with_rate(fit: StiffnessResult, rig: str, part: str, source: str) -> str:

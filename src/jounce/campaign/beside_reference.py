@@ -56,7 +56,11 @@ def beside_reference(
         if strategy is None:
             rows.append(
                 ReferenceComparison(
-                    published.update, "", "not run", "not comparable", "The update failed or was not chosen."
+                    published.update,
+                    "",
+                    "not run",
+                    "not comparable",
+                    "The update failed or was not chosen.",
                 )
             )
         else:
@@ -66,7 +70,9 @@ def beside_reference(
     return rows
 
 
-def _of_update(published: ReferenceUpdate, strategy: StrategyResult) -> Iterator[ReferenceComparison]:
+def _of_update(
+    published: ReferenceUpdate, strategy: StrategyResult
+) -> Iterator[ReferenceComparison]:
     name, update = published.update, strategy.update
     if published.reduction is not None:
         ours = update.reduction_percent / 100.0
@@ -75,37 +81,80 @@ def _of_update(published: ReferenceUpdate, strategy: StrategyResult) -> Iterator
             "The update explains as much here as there."
             if agrees
             else "It counts from each one's own start: ours lay "
-            + ("farther from the optimum." if ours > published.reduction else "nearer to it, or the model lacks more.")
+            + (
+                "farther from the optimum."
+                if ours > published.reduction
+                else "nearer to it, or the model lacks more."
+            )
         )
-        yield _comparison(f"{name}: reduction", _percent(published.reduction), _percent(ours), agrees, follows)
+        yield _comparison(
+            f"{name}: reduction", _percent(published.reduction), _percent(ours), agrees, follows
+        )
     if published.iterations is not None:
-        agrees = update.iterations <= 2 * published.iterations and published.iterations <= 2 * update.iterations
-        follows = "Iterations depend on method, start and stopping rule; they say nothing of the model."
-        yield _comparison(f"{name}: iterations", str(published.iterations), str(update.iterations), agrees, follows)
+        agrees = (
+            update.iterations <= 2 * published.iterations
+            and published.iterations <= 2 * update.iterations
+        )
+        follows = (
+            "Iterations depend on method, start and stopping rule; they say nothing of the model."
+        )
+        yield _comparison(
+            f"{name}: iterations",
+            str(published.iterations),
+            str(update.iterations),
+            agrees,
+            follows,
+        )
     if published.represents is not None:
         seen = _represented_channels(strategy)
         agrees = seen == set(published.represents)
         follows = f"A channel counts as represented with R² of {REPRESENTED:g} or more on the trials of the update."
-        yield _comparison(f"{name}: represents", _join_names(published.represents), _join_names(seen), agrees, follows)
+        yield _comparison(
+            f"{name}: represents",
+            _join_names(published.represents),
+            _join_names(seen),
+            agrees,
+            follows,
+        )
     for path, given in published.parameters.items():
         parameter = update.parameters.get(path)
-        unit = unit_of(strategy.knowledge.rig, path) if path in strategy.knowledge.rig.parameters() else "1"
+        unit = (
+            unit_of(strategy.knowledge.rig, path)
+            if path in strategy.knowledge.rig.parameters()
+            else "1"
+        )
         value = to_si(given, unit, where=f"reference.update.parameters: {path}")
         if parameter is None:
             yield ReferenceComparison(
-                f"{name}: {path}", f"{value:.4g} {unit}", "–", "not comparable", "It was not free here."
+                f"{name}: {path}",
+                f"{value:.4g} {unit}",
+                "–",
+                "not comparable",
+                "It was not free here.",
             )
             continue
         low, high = _interval(strategy, path)
         agrees = low <= value <= high
         follows = (
-            "" if agrees else "Another part, another law, or an error of one of both: compare the component tests."
+            ""
+            if agrees
+            else "Another part, another law, or an error of one of both: compare the component tests."
         )
-        yield _comparison(f"{name}: {path}", f"{value:.4g} {unit}", f"{low:.4g} to {high:.4g} {unit}", agrees, follows)
+        yield _comparison(
+            f"{name}: {path}",
+            f"{value:.4g} {unit}",
+            f"{low:.4g} to {high:.4g} {unit}",
+            agrees,
+            follows,
+        )
 
 
-def _comparison(what: str, published: str, ours: str, agrees: bool, follows: str) -> ReferenceComparison:
-    return ReferenceComparison(what, published, ours, "reproduced" if agrees else "not reproduced", follows)
+def _comparison(
+    what: str, published: str, ours: str, agrees: bool, follows: str
+) -> ReferenceComparison:
+    return ReferenceComparison(
+        what, published, ours, "reproduced" if agrees else "not reproduced", follows
+    )
 
 
 def _interval(strategy: StrategyResult, path: str) -> tuple[float, float]:
@@ -118,9 +167,13 @@ def _interval(strategy: StrategyResult, path: str) -> tuple[float, float]:
 
 def _represented_channels(strategy: StrategyResult) -> set[str]:
     """Channels with a high R2 on all trials that the update was fitted on."""
-    fitted = [trial.after for trial in strategy.trials if trial.is_fitted and trial.after is not None]
+    fitted = [
+        trial.after for trial in strategy.trials if trial.is_fitted and trial.after is not None
+    ]
     channels = set.intersection(*(set(after.channels) for after in fitted)) if fitted else set()
-    return {name for name in channels if all(after.channels[name].r2 >= REPRESENTED for after in fitted)}
+    return {
+        name for name in channels if all(after.channels[name].r2 >= REPRESENTED for after in fitted)
+    }
 
 
 def _of_speeds(published: tuple[float, ...], trials: Sequence[TrialResult]) -> ReferenceComparison:
@@ -129,7 +182,9 @@ def _of_speeds(published: tuple[float, ...], trials: Sequence[TrialResult]) -> R
     usable = [trial for trial in usable if trial.entry.speed is not None]
     ranked = sorted(usable, key=_worst)
     best = sorted({round(trial.entry.speed or 0.0, 2) for trial in ranked[: len(published)]})
-    near = [speed for speed in published if any(abs(speed - other) <= _SPEEDS_APART for other in best)]
+    near = [
+        speed for speed in published if any(abs(speed - other) <= _SPEEDS_APART for other in best)
+    ]
     said = ", ".join(f"{speed:.2f} m/s" for speed in published)
     ours = ", ".join(f"{speed:.2f} m/s" for speed in best) or "–"
     if not best:

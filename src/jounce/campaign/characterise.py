@@ -23,12 +23,23 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.lumping import lump
-from jounce.identify.decay import CombinedDecay, DecayResult, combine_decays, fit_decay, ratio_from_decrement
+from jounce.identify.decay import (
+    CombinedDecay,
+    DecayResult,
+    combine_decays,
+    fit_decay,
+    ratio_from_decrement,
+)
 from jounce.identify.estimate import Estimate
 from jounce.identify.force_deflection import ForceDeflectionTrial
 from jounce.identify.motion import TRANSLATION, MeasuredMotion, MotionName
 from jounce.identify.signs import ForcePositive, StrokePositive, check_stroke, compression_positive
-from jounce.identify.stiffness import PressureStiffness, StiffnessResult, fit_stiffness, stiffness_against_pressure
+from jounce.identify.stiffness import (
+    PressureStiffness,
+    StiffnessResult,
+    fit_stiffness,
+    stiffness_against_pressure,
+)
 from jounce.identify.update import UpdatedParameter
 from jounce.inspection.quarter_car import LinearQuarterCar, road_poles, road_polynomial
 from jounce.parts import Corner, Rig
@@ -63,7 +74,11 @@ class Knowledge(Shown):
         return self.between(pressure) if self.between is not None else {}
 
     def rig_for(
-        self, strut_angle: float | None, pressure: float | None, changes: Mapping[str, Any], added_mass: float = 0.0
+        self,
+        strut_angle: float | None,
+        pressure: float | None,
+        changes: Mapping[str, Any],
+        added_mass: float = 0.0,
     ) -> Rig:
         """Rig as set up for one trial: strut angle (rad), pressure (Pa), changes by path, and a mass (kg) on its body.
 
@@ -72,12 +87,20 @@ class Knowledge(Shown):
         rig = with_tyre(self.rig, self.tyre_at(pressure))
         rig = rig if strut_angle is None else with_strut_angle(rig, strut_angle)
         rig = rig.with_changes(dict(changes)) if changes else rig
-        return rig.with_changes({SPRUNG_MASS: rig.parameters()[SPRUNG_MASS] + added_mass}) if added_mass else rig
+        return (
+            rig.with_changes({SPRUNG_MASS: rig.parameters()[SPRUNG_MASS] + added_mass})
+            if added_mass
+            else rig
+        )
 
-    def after(self, fitted: Mapping[str, UpdatedParameter], pressures: Sequence[float | None]) -> Knowledge:
+    def after(
+        self, fitted: Mapping[str, UpdatedParameter], pressures: Sequence[float | None]
+    ) -> Knowledge:
         """Adopt fitted values; those of the tyre apply only at the pressures they were fitted at."""
         tyre = {path: p for path, p in fitted.items() if path.startswith(TYRE_PATHS)}
-        rig = self.rig.with_changes({path: p.value for path, p in fitted.items() if path not in tyre})
+        rig = self.rig.with_changes(
+            {path: p.value for path, p in fitted.items() if path not in tyre}
+        )
         if not tyre:
             return Knowledge(rig, self.tyres, self.between)
         tyres = dict(self.tyres)
@@ -85,7 +108,10 @@ class Knowledge(Shown):
             set_up = with_tyre(rig, self.tyre_at(pressure))
             start = set_up.parameters()
             scaled = set_up.with_changes(
-                {path: start[path] * p.value / p.initial if p.initial else p.value for path, p in tyre.items()}
+                {
+                    path: start[path] * p.value / p.initial if p.initial else p.value
+                    for path, p in tyre.items()
+                }
             )
             if pressure is not None:
                 tyres[pressure] = tyre_of(scaled)
@@ -99,7 +125,9 @@ def with_tyre(rig: Rig, table: TyreTable) -> Rig:
     if not table:
         return rig
     dump = rig.model_dump(by_alias=True, exclude_none=True)
-    others = {key: value for key, value in dump["tyre"].items() if key not in ("stiffness", "curve")}
+    others = {
+        key: value for key, value in dump["tyre"].items() if key not in ("stiffness", "curve")
+    }
     return type(rig).from_table({**dump, "tyre": {**others, **table}})
 
 
@@ -172,7 +200,9 @@ def characterise(
             knowledge = step(measured, knowledge, table, folder)
         except Exception as error:  # noqa: BLE001 - one bad file never loses the others
             measured.failed.append(place)
-            measured.findings.append(finding("campaign.described_value_used", place, error=reason(error)))
+            measured.findings.append(
+                finding("campaign.described_value_used", place, error=reason(error))
+            )
     return measured, knowledge
 
 
@@ -180,7 +210,9 @@ def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
     """Find the files of a table, each once; every pattern must match at least one."""
     files: list[Path] = []
     for pattern in patterns:
-        matches = sorted(folder.glob(pattern)) if not Path(pattern).is_absolute() else [Path(pattern)]
+        matches = (
+            sorted(folder.glob(pattern)) if not Path(pattern).is_absolute() else [Path(pattern)]
+        )
         if not matches:
             raise RecordingError(
                 "no file matches",
@@ -188,7 +220,9 @@ def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
                 found=pattern,
                 hint=Phrase("The pattern is relative to {folder}.", folder=folder),
             )
-        files += [file for file in matches if file not in files]  # counted twice, it would look like a repetition
+        files += [
+            file for file in matches if file not in files
+        ]  # counted twice, it would look like a repetition
     return files
 
 
@@ -214,35 +248,54 @@ def read_force_deflection(
         values, notes = table.read_columns(file, [_COLUMNS[kind.name] for kind in motions])
         motion = next(kind for kind in motions if set(_COLUMNS[kind.name]) == set(values))
         deflection, force = values.values()
-        trials.append(ForceDeflectionTrial(deflection, force, file.name, stroke_positive, force_positive, motion.name))
+        trials.append(
+            ForceDeflectionTrial(
+                deflection, force, file.name, stroke_positive, force_positive, motion.name
+            )
+        )
         findings += notes
     return trials, findings
 
 
 def _fit(
-    table: StiffnessBench, folder: Path, where: str, load: float, measured: Characterisation, **choice: Any
+    table: StiffnessBench,
+    folder: Path,
+    where: str,
+    load: float,
+    measured: Characterisation,
+    **choice: Any,
 ) -> StiffnessResult:
     paths = files_of(table.files, folder, where)
-    trials, findings = read_force_deflection(paths, table, table.stroke_positive, table.force_positive)
+    trials, findings = read_force_deflection(
+        paths, table, table.stroke_positive, table.force_positive
+    )
     settings: dict[str, Any] = {
         "law": table.law,
         "degree": table.degree,
         "discard_below": table.discard_below,
         "intercept": table.intercept,
         "branch": table.branch,
-        "operating_force": load if load > 0.0 else None,  # a torsion bar or a third spring may carry all
+        "operating_force": load
+        if load > 0.0
+        else None,  # a torsion bar or a third spring may carry all
         **choice,
     }
     result = fit_stiffness(trials, **settings)
     measured.loaded.setdefault(where.removesuffix(" as polynomial"), trials)
-    measured.findings += [at_place(f"{where}: {item.place}", item) for item in (*findings, *result.findings)]
+    measured.findings += [
+        at_place(f"{where}: {item.place}", item) for item in (*findings, *result.findings)
+    ]
     return result
 
 
-def _has_value(measured: Characterisation, place: str, findings: Sequence[Finding], estimate: Estimate) -> bool:
+def _has_value(
+    measured: Characterisation, place: str, findings: Sequence[Finding], estimate: Estimate
+) -> bool:
     """Whether a bench result may replace what the rig describes; where it may not, a finding says why."""
     problem = next((item.message for item in findings if item.severity == "problem"), None)
-    unsure = estimate.standard_error is not None and estimate.standard_error > _UNSURE * abs(estimate.value)
+    unsure = estimate.standard_error is not None and estimate.standard_error > _UNSURE * abs(
+        estimate.value
+    )
     if problem is None and not unsure:
         return True
     why = problem or f"{estimate.value:.3g} ± {estimate.standard_error:.2g} is no value"
@@ -254,10 +307,14 @@ _UNSURE = 0.5
 """Standard error over value above which a bench result is none: its interval holds zero and twice the value."""
 
 
-def _spring(measured: Characterisation, knowledge: Knowledge, table: StiffnessBench, folder: Path) -> Knowledge:
+def _spring(
+    measured: Characterisation, knowledge: Knowledge, table: StiffnessBench, folder: Path
+) -> Knowledge:
     rig = knowledge.rig
     values = rig.parameters()
-    result = measured.spring = _fit(table, folder, "bench.spring", _static_spring_force(rig), measured)
+    result = measured.spring = _fit(
+        table, folder, "bench.spring", _static_spring_force(rig), measured
+    )
     if not _has_value(measured, "bench.spring", result.findings, result.stiffness):
         return knowledge
     dump = rig.model_dump(by_alias=True, exclude_none=True)
@@ -276,7 +333,11 @@ def _spring(measured: Characterisation, knowledge: Knowledge, table: StiffnessBe
 
 def _measured_spring(result: StiffnessResult, values: Mapping[str, float]) -> dict[str, Any]:
     """Describe the spring with its measured law; what the rig says of its load stays: preload, or free length."""
-    load = {key: values[f"strut.spring.{key}"] for key in ("preload", "free_length") if f"strut.spring.{key}" in values}
+    load = {
+        key: values[f"strut.spring.{key}"]
+        for key in ("preload", "free_length")
+        if f"strut.spring.{key}" in values
+    }
     if result.law != "linear":
         return {**load, "curve": result.curve.to_table(result.fitted_range[1])}
     rate = result.stiffness.value
@@ -306,7 +367,10 @@ def static_tyre_force(rig: Rig) -> float:
 
 
 def _tyre(
-    measured: Characterisation, knowledge: Knowledge, tables: dict[str, StiffnessBench], folder: Path
+    measured: Characterisation,
+    knowledge: Knowledge,
+    tables: dict[str, StiffnessBench],
+    folder: Path,
 ) -> Knowledge:
     values = knowledge.rig.parameters()
     load = static_tyre_force(knowledge.rig)
@@ -328,7 +392,9 @@ def _tyre(
         )
     if not tyres:
         return knowledge
-    points = [(at, measured.tyre[name].stiffness) for name in tables if (at := to_si(name, "Pa")) in tyres]
+    points = [
+        (at, measured.tyre[name].stiffness) for name in tables if (at := to_si(name, "Pa")) in tyres
+    ]
     measured.pressure = stiffness_against_pressure(points)
     measured.findings += measured.pressure.findings
     linear = all(result.law == "linear" for result in measured.tyre.values())
@@ -350,22 +416,34 @@ def _interpolate(measured: Characterisation, pressure: float) -> dict[str, Any]:
     return {"stiffness": stiffness.value}
 
 
-def polynomial_tyres(bench: Bench, knowledge: Knowledge, folder: Path, measured: Characterisation) -> Knowledge:
+def polynomial_tyres(
+    bench: Bench, knowledge: Knowledge, folder: Path, measured: Characterisation
+) -> Knowledge:
     """Knowledge with the tyre's measured curve (cubic through the origin, all points) instead of its stiffness."""
     load = static_tyre_force(knowledge.rig)
     tyres = {}
     for name, table in bench.tyre.items():
         if name not in measured.tyre_polynomial:
             measured.tyre_polynomial[name] = _fit(
-                table, folder, f'bench.tyre."{name}" as polynomial', load, measured, law="polynomial", discard_below=0.0
+                table,
+                folder,
+                f'bench.tyre."{name}" as polynomial',
+                load,
+                measured,
+                law="polynomial",
+                discard_below=0.0,
             )
         tyres[to_si(name, "Pa")] = _tyre_table(measured.tyre_polynomial[name])
     if not tyres:
         raise RecordingError(
-            'tyre_law = "polynomial" needs measured tyre curves', where="update", allowed='a [bench.tyre."P"] table'
+            'tyre_law = "polynomial" needs measured tyre curves',
+            where="update",
+            allowed='a [bench.tyre."P"] table',
         )
 
-    return Knowledge(with_tyre(knowledge.rig, next(iter(tyres.values()))), tyres, partial(_nearest, tyres))
+    return Knowledge(
+        with_tyre(knowledge.rig, next(iter(tyres.values()))), tyres, partial(_nearest, tyres)
+    )
 
 
 def _tyre_table(result: StiffnessResult) -> dict[str, Any]:
@@ -384,7 +462,9 @@ class DecayRecord:
     findings: tuple[Finding, ...]
 
 
-def decay_records(table: DecayBench, folder: Path, sensors: Mapping[str, Sensor] | None = None) -> list[DecayRecord]:
+def decay_records(
+    table: DecayBench, folder: Path, sensors: Mapping[str, Sensor] | None = None
+) -> list[DecayRecord]:
     """Read the free decays of a campaign; its files are relative to ``folder``."""
     records = []
     for file in files_of(table.files, folder, "bench.decay"):
@@ -430,12 +510,20 @@ def _decay(
         if on_tyre:
             plain = fit_decay(time, signal, quadratic_drag="no", **asked)
             stiffness = seen_at.stiffness_behind(plain.damping_coefficient.value)
-        results.append(fit_decay(time, signal, stiffness=stiffness, quadratic_drag=table.quadratic_drag, **asked))
+        results.append(
+            fit_decay(
+                time, signal, stiffness=stiffness, quadratic_drag=table.quadratic_drag, **asked
+            )
+        )
     measured.decays = tuple(results)
     measured.decay = combine_decays(results) if len(results) > 1 else results[0]
-    measured.findings += [at_place(f"bench.decay: {item.place}", item) for item in measured.decay.findings]
+    measured.findings += [
+        at_place(f"bench.decay: {item.place}", item) for item in measured.decay.findings
+    ]
     has_coefficient = "strut.damper.coefficient" in values
-    refer: Callable[[float], tuple[float, float]] = seen_at.refer if on_tyre else lambda seen: (seen, 1.0)
+    refer: Callable[[float], tuple[float, float]] = (
+        seen_at.refer if on_tyre else lambda seen: (seen, 1.0)
+    )
     measured.damping_choices = _damping_choices(
         measured.decay, seen_at, refer if has_coefficient else None, table.method
     )
@@ -445,7 +533,9 @@ def _decay(
     at_strut = next(choice.at_strut for choice in measured.damping_choices if choice.is_used)
     assert at_strut is not None
     if not math.isfinite(at_strut.value):
-        raise RecordingError("the decays have too few swings for a logarithmic decrement", where="bench.decay.method")
+        raise RecordingError(
+            "the decays have too few swings for a logarithmic decrement", where="bench.decay.method"
+        )
     seen = next(choice.seen for choice in measured.damping_choices if choice.is_used)
     if not _has_value(measured, "bench.decay", measured.decay.findings, at_strut):
         return knowledge
@@ -476,7 +566,9 @@ def _damping_choices(
     ratio = ratio_from_decrement(decrement.value) if math.isfinite(decrement.value) else math.inf
     slope = (2.0 * math.pi) ** 2 / ((2.0 * math.pi) ** 2 + decrement.value**2) ** 1.5
     critical = 4.0 * math.pi * decay.natural_frequency_hz.value * mass
-    naive = _scale_estimate(Estimate(decrement.value, decrement.standard_error, decrement.interval), slope, ratio)
+    naive = _scale_estimate(
+        Estimate(decrement.value, decrement.standard_error, decrement.interval), slope, ratio
+    )
     ways = {
         "viscous-and-coulomb": (decay.damping_ratio, decay.damping_coefficient),
         "logarithmic-decrement": (naive, _scale_estimate(naive, critical, ratio * critical)),
@@ -512,7 +604,9 @@ def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration
     }
     if unit not in kinds:
         allowed = "a displacement, velocity or acceleration"
-        raise RecordingError("not a motion", where=f"bench.decay: channel {channel!r}", found=unit, allowed=allowed)
+        raise RecordingError(
+            "not a motion", where=f"bench.decay: channel {channel!r}", found=unit, allowed=allowed
+        )
     return kinds[unit]
 
 
@@ -533,7 +627,9 @@ class _AtWheel:
     def swing(self, damping: float) -> tuple[float, float]:
         """Damping (N s/m) and stiffness (N/m) of a single mass equivalent to the body, for a wheel damping (N s/m)."""
         masses = self.sprung_mass, self.unsprung_mass
-        poles = road_poles(LinearQuarterCar(*masses, self.wheel_rate, damping, self.tyre_rate, self.tyre_damping))
+        poles = road_poles(
+            LinearQuarterCar(*masses, self.wheel_rate, damping, self.tyre_rate, self.tyre_damping)
+        )
         upper = poles[poles.imag > 1e-6 * np.abs(poles)]
         if not upper.size:
             return math.nan, math.nan
@@ -586,7 +682,9 @@ class _AtWheel:
         masses = self.sprung_mass, self.unsprung_mass
         without, with_one = (
             Polynomial(
-                road_polynomial(LinearQuarterCar(*masses, self.wheel_rate, c, self.tyre_rate, self.tyre_damping))[::-1]
+                road_polynomial(
+                    LinearQuarterCar(*masses, self.wheel_rate, c, self.tyre_rate, self.tyre_damping)
+                )[::-1]
             )
             for c in (0.0, 1.0)
         )
@@ -599,7 +697,9 @@ class _AtWheel:
         The product of all four poles is the same for any damping, and the wheel's are the quicker ones.
         """
         plain, damped = self._characteristic
-        standstill = plain.deriv() * damped - plain * damped.deriv()  # of the damping along the axis
+        standstill = (
+            plain.deriv() * damped - plain * damped.deriv()
+        )  # of the damping along the axis
         meet = -_positive_roots(standstill(Polynomial([0.0, -1.0])))
         between = self.wheel_rate * self.tyre_rate / (self.sprung_mass * self.unsprung_mass)
         dampings = -plain(meet) / damped(meet)
@@ -609,10 +709,14 @@ class _AtWheel:
 def _positive_roots(of: Polynomial) -> Array:
     """Those roots that are real and positive."""
     roots = np.asarray(of.roots(), dtype=complex)
-    return np.asarray(roots.real[(np.abs(roots.imag) < _SAME_SWING * np.abs(roots)) & (roots.real > 0.0)])
+    return np.asarray(
+        roots.real[(np.abs(roots.imag) < _SAME_SWING * np.abs(roots)) & (roots.real > 0.0)]
+    )
 
 
-_SAME_SWING = 1e-6  # by which share the swing that was looked for may be missed, and a root the real axis
+_SAME_SWING = (
+    1e-6  # by which share the swing that was looked for may be missed, and a root the real axis
+)
 
 
 def _at_wheel(rig: Rig) -> _AtWheel:
@@ -621,13 +725,17 @@ def _at_wheel(rig: Rig) -> _AtWheel:
         lumped = lump(rig)
         sprung, unsprung = lumped.effective_masses
         of_tyre = lumped.tyre_stiffness, lumped.tyre_damping
-        return _AtWheel(lumped.wheel_rate, of_tyre[0], sprung, unsprung, of_tyre[1], lumped.damper_ratio**2)
+        return _AtWheel(
+            lumped.wheel_rate, of_tyre[0], sprung, unsprung, of_tyre[1], lumped.damper_ratio**2
+        )
     values, model = rig.parameters(), linearise(rig)
     row = {name: i for i, name in enumerate(model.states)}
     wheel_rate = -values["sprung.mass"] * model.A[row["sprung.vz"], row["sprung.z"]]
     both = -values["unsprung.mass"] * model.A[row["unsprung.vz"], row["unsprung.z"]]
     lever = math.cos(values.get("strut.angle", 0.0)) ** 2
-    sprung, unsprung, loss = (values[path] for path in ("sprung.mass", "unsprung.mass", "tyre.damping_coefficient"))
+    sprung, unsprung, loss = (
+        values[path] for path in ("sprung.mass", "unsprung.mass", "tyre.damping_coefficient")
+    )
     return _AtWheel(float(wheel_rate), float(both - wheel_rate), sprung, unsprung, loss, lever)
 
 
@@ -637,18 +745,32 @@ _MACHINE = 0.005
 """Share of a value that a test machine is off by, at least."""
 
 
-def bench_values(measured: Characterisation, rig: Rig, pressure: float | None) -> dict[str, Estimate]:
+def bench_values(
+    measured: Characterisation, rig: Rig, pressure: float | None
+) -> dict[str, Estimate]:
     """Values that the bench gave for numbers of a rig, by path, SI; those of the tyre at a pressure (Pa).
 
     Intervals hold the slope over the fitted range and the one at the static load, and what a test machine is off by.
     """
-    values, given, used = rig.parameters(), dict[str, Estimate](), {item.source for item in measured.replaced}
+    values, given, used = (
+        rig.parameters(),
+        dict[str, Estimate](),
+        {item.source for item in measured.replaced},
+    )
     if measured.spring is not None and "bench.spring" in used and "strut.spring.rate" in values:
-        given["strut.spring.rate"] = _cover_readings(measured.spring.stiffness, measured.spring.tangent_stiffness)
+        given["strut.spring.rate"] = _cover_readings(
+            measured.spring.stiffness, measured.spring.tangent_stiffness
+        )
     by_pressure = {
-        to_si(name, "Pa"): result for name, result in measured.tyre.items() if f'bench.tyre."{name}"' in used
+        to_si(name, "Pa"): result
+        for name, result in measured.tyre.items()
+        if f'bench.tyre."{name}"' in used
     }
-    tyre = by_pressure.get(pressure) if pressure is not None else next(iter(by_pressure.values()), None)
+    tyre = (
+        by_pressure.get(pressure)
+        if pressure is not None
+        else next(iter(by_pressure.values()), None)
+    )
     if tyre is not None and "tyre.stiffness" in values:
         given["tyre.stiffness"] = _cover_readings(tyre.stiffness, tyre.tangent_stiffness)
     for at_strut in (choice.at_strut for choice in measured.damping_choices if choice.is_used):
@@ -661,6 +783,10 @@ def bench_values(measured: Characterisation, rig: Rig, pressure: float | None) -
 def _cover_readings(*readings: Estimate | None) -> Estimate:
     """One estimate whose interval holds all readings of a component test."""
     known = [reading for reading in readings if reading is not None]
-    ends = [end for reading in known for end in (reading.interval or (reading.value, reading.value))]
+    ends = [
+        end for reading in known for end in (reading.interval or (reading.value, reading.value))
+    ]
     unsure = _MACHINE * abs(known[0].value)
-    return Estimate(known[0].value, known[0].standard_error, (min(ends) - unsure, max(ends) + unsure))
+    return Estimate(
+        known[0].value, known[0].standard_error, (min(ends) - unsure, max(ends) + unsure)
+    )

@@ -11,7 +11,14 @@ from jounce.campaign.belt import Belt, Passage
 from jounce.campaign.reference import Reference
 from jounce.core.description import Description, Whole, read_description
 from jounce.core.phrases import Phrase
-from jounce.core.units import NonNegativeLength, NonNegativeMass, PositiveSpeed, PositiveTime, Unit, to_si
+from jounce.core.units import (
+    NonNegativeLength,
+    NonNegativeMass,
+    PositiveSpeed,
+    PositiveTime,
+    Unit,
+    to_si,
+)
 from jounce.identify.doubt import Doubt
 from jounce.identify.signs import ForcePositive, StrokePositive
 from jounce.recordings import Sensor
@@ -117,7 +124,11 @@ class TrialEntry(RecordingFormat):
         if (self.excitation is None) == (self.road is None):
             raise ValueError("give either road and speed, or excitation")
         if self.from_ is not None and self.to is not None and self.to <= self.from_:
-            raise ValueError(Phrase("from ({from_:g} s) is not before to ({to:g} s)", from_=self.from_, to=self.to))
+            raise ValueError(
+                Phrase(
+                    "from ({from_:g} s) is not before to ({to:g} s)", from_=self.from_, to=self.to
+                )
+            )
         return self
 
 
@@ -157,7 +168,9 @@ class Campaign(Description):
     @model_validator(mode="after")
     def _consistent(self) -> Campaign:
         has_pulses = self.belt is not None and self.belt.has_pulses
-        slow = [trial.number for trial in self.trial if trial.road is not None and trial.speed is None]
+        slow = [
+            trial.number for trial in self.trial if trial.road is not None and trial.speed is None
+        ]
         if slow and not has_pulses:
             raise ValueError(
                 Phrase(
@@ -188,13 +201,17 @@ class Campaign(Description):
                 missing = min(set(entry.trials) - set(numbers))
                 raise ValueError(
                     Phrase(
-                        "update {name!r} uses trial {missing}, which does not exist", name=entry.name, missing=missing
+                        "update {name!r} uses trial {missing}, which does not exist",
+                        name=entry.name,
+                        missing=missing,
                     )
                 )
             names.append(entry.name)
         for published in self.reference.update if self.reference is not None else ():
             if published.update not in names:
-                raise ValueError(f"reference names update {published.update!r}; updates: {', '.join(names) or 'none'}")
+                raise ValueError(
+                    f"reference names update {published.update!r}; updates: {', '.join(names) or 'none'}"
+                )
         return self
 
 

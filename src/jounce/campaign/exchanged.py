@@ -45,9 +45,14 @@ def better_exchanged(
             continue
         pairs = ((first, second), (second, first))
         if all(residual_of(own, other) < _HALF * residual_of(own, own) for own, other in pairs):
-            numbers = {name: 1.0 - residual_of(*pair) for name, pair in zip(("first", "second"), pairs, strict=True)}
+            numbers = {
+                name: 1.0 - residual_of(*pair)
+                for name, pair in zip(("first", "second"), pairs, strict=True)
+            }
             place = f"trials {first} and {second}"
-            findings.append(finding("campaign.better_exchanged", place, numbers["first"], **numbers))
+            findings.append(
+                finding("campaign.better_exchanged", place, numbers["first"], **numbers)
+            )
     return findings
 
 

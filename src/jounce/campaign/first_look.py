@@ -128,14 +128,20 @@ def _try_analysis(
 ) -> _Result | None:
     try:
         return analyse(*given, **named)
-    except (JounceError, ArithmeticError, ValueError):  # numerics of one record never lose the campaign
+    except (
+        JounceError,
+        ArithmeticError,
+        ValueError,
+    ):  # numerics of one record never lose the campaign
         return None
 
 
 def _statistics(number: int, run: xr.Dataset) -> TrialStatistics:
     used = from_recording(run, f"trial {number}")
     channels = describe_channels(used).channels
-    return TrialStatistics(number, channels, {row.channel: clipped_share(used.values(row.channel)) for row in channels})
+    return TrialStatistics(
+        number, channels, {row.channel: clipped_share(used.values(row.channel)) for row in channels}
+    )
 
 
 def _set_ups(trials: Sequence[TrialResult]) -> list[list[TrialResult]]:
@@ -147,7 +153,11 @@ def _set_ups(trials: Sequence[TrialResult]) -> list[list[TrialResult]]:
         steps = np.diff(next(iter(trial.signals.values())).time)
         if trial.motion.trial.road.is_course() or np.ptp(steps) > _EVEN * steps.mean():
             continue
-        key = (trial.motion.rig.model_dump_json(), tuple(trial.signals), round(1.0 / float(steps.mean())))
+        key = (
+            trial.motion.rig.model_dump_json(),
+            tuple(trial.signals),
+            round(1.0 / float(steps.mean())),
+        )
         by_rig.setdefault(key, []).append(trial)
     return sorted(by_rig.values(), key=lambda shared: -len(shared))
 
@@ -171,28 +181,39 @@ def _spectra(shared: Sequence[TrialResult]) -> ComparedSpectra:
     records = [_end_to_end(shared, names, which) for which in _READINGS.values()]
     length = records[0].run.sizes["time"] / records[0].rate / len(shared)
     band = 1.0 / length, min(_HIGHEST, 0.5 * records[0].rate)
-    spectra = [estimate_spectra(run, names, band=band, segment=length, window="boxcar") for run in records]
+    spectra = [
+        estimate_spectra(run, names, band=band, segment=length, window="boxcar") for run in records
+    ]
     transfers: list[TransferEstimate | None] = [None, None]
     if pair is not None and len(shared) > 1:
         given, output = pair
         transfers = [
-            estimate_transfer(run, output, given, band=band, segment=length, window="boxcar") for run in records
+            estimate_transfer(run, output, given, band=band, segment=length, window="boxcar")
+            for run in records
         ]
     numbers, entry = tuple(trial.entry.number for trial in shared), shared[0].entry
-    return ComparedSpectra(numbers, entry.tyre_pressure, entry.strut_angle, spectra[0], spectra[1], *transfers)
+    return ComparedSpectra(
+        numbers, entry.tyre_pressure, entry.strut_angle, spectra[0], spectra[1], *transfers
+    )
 
 
-def _end_to_end(shared: Sequence[TrialResult], names: Sequence[str], which: Callable[[Signals], Array]) -> Measured:
+def _end_to_end(
+    shared: Sequence[TrialResult], names: Sequence[str], which: Callable[[Signals], Array]
+) -> Measured:
     """Readings of trials one after the other, each cut to the shortest."""
     samples = min(len(trial.signals[names[0]].time) for trial in shared)
-    joined = {name: np.concatenate([which(trial.signals[name])[:samples] for trial in shared]) for name in names}
+    joined = {
+        name: np.concatenate([which(trial.signals[name])[:samples] for trial in shared])
+        for name in names
+    }
     return _uniform(joined, {name: channel_unit(name) for name in names}, _step(shared))
 
 
 def _uniform(channels: Mapping[str, Array], units: Mapping[str, str], step: float) -> Measured:
     time = step * np.arange(len(next(iter(channels.values()))))
     return from_recording(
-        recording_of(time, {name: (values, units[name], "") for name, values in channels.items()}), "trials"
+        recording_of(time, {name: (values, units[name], "") for name, values in channels.items()}),
+        "trials",
     )
 
 
@@ -206,7 +227,9 @@ def _free_modes(shared: Sequence[TrialResult]) -> list[ComparedMode]:
     assert shared[0].motion is not None
     numbers = tuple(trial.entry.number for trial in shared)
     rig = shared[0].motion.rig
-    measured, simulated = (_fit_modes(_free_parts(shared, which), rig) for which in _READINGS.values())
+    measured, simulated = (
+        _fit_modes(_free_parts(shared, which), rig) for which in _READINGS.values()
+    )
     if measured is None:
         return []
     theirs = () if simulated is None else simulated.modes
@@ -239,7 +262,9 @@ def _free_parts(shared: Sequence[TrialResult], which: Callable[[Signals], Array]
             parts[f"trial_{trial.entry.number}.{name}"] = which(signals)[first:]
     samples = min(len(values) for values in parts.values())
     units = {name: channel_unit(name.partition(".")[2]) for name in parts}
-    return _uniform({name: values[:samples] for name, values in parts.items()}, units, _step(shared))
+    return _uniform(
+        {name: values[:samples] for name, values in parts.items()}, units, _step(shared)
+    )
 
 
 def _set_free(trial: TrialResult) -> float:
@@ -253,7 +278,9 @@ def _set_free(trial: TrialResult) -> float:
     return begin
 
 
-def _nearest(frequency: float, modes: Sequence[tuple[float, float]]) -> tuple[float | None, float | None]:
+def _nearest(
+    frequency: float, modes: Sequence[tuple[float, float]]
+) -> tuple[float | None, float | None]:
     """Frequency (Hz) and damping ratio (1) of the mode nearest to a frequency; None where none is near."""
     nearest = min(modes, key=lambda mode: abs(math.log(mode[0] / frequency)), default=None)
     near = nearest is not None and 1.0 / _NEAR < nearest[0] / frequency < _NEAR

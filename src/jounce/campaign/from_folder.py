@@ -14,7 +14,14 @@ from typing import Any, Literal
 
 import tomlkit
 
-from jounce.campaign.laboratory import CardChannel, Laboratory, TrialRow, load_laboratory, read_trials, unread_headings
+from jounce.campaign.laboratory import (
+    CardChannel,
+    Laboratory,
+    TrialRow,
+    load_laboratory,
+    read_trials,
+    unread_headings,
+)
 from jounce.campaign.recogniser import RecognisedFile, recognise
 from jounce.core.columns import name_and_unit
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
@@ -74,7 +81,11 @@ class FolderCampaign(Shown):
             }
             for item in self.files
         ]
-        return {"campaign": str(self.campaign), "files": files, "findings": to_plain(list(self.findings))}
+        return {
+            "campaign": str(self.campaign),
+            "files": files,
+            "findings": to_plain(list(self.findings)),
+        }
 
 
 def campaign_from_folder(
@@ -128,7 +139,10 @@ def campaign_from_folder(
     raw = tomllib.loads(known.read_text(encoding="utf-8"))
     maker = _Maker(Path(folder), place, laboratory, raw, files, strategies)
     text = maker.campaign()
-    written = {"campaign.toml": text.encode(), **({} if laboratory.rig else {"rig.toml": maker.rig().encode()})}
+    written = {
+        "campaign.toml": text.encode(),
+        **({} if laboratory.rig else {"rig.toml": maker.rig().encode()}),
+    }
     write_files(Path(folder), written, force=force)
     return FolderCampaign(Path(folder) / "campaign.toml", tuple(files), tuple(maker.findings))
 
@@ -136,7 +150,11 @@ def campaign_from_folder(
 def _settings_of(source: Path, given: Path | str | None) -> Path:
     if given is not None:
         return Path(given)
-    files = [file for file in sorted(source.glob("*.toml")) if "jounce.laboratory/" in file.read_text(errors="replace")]
+    files = [
+        file
+        for file in sorted(source.glob("*.toml"))
+        if "jounce.laboratory/" in file.read_text(errors="replace")
+    ]
     if len(files) != 1:
         raise DescriptionError(
             "no settings of the laboratory" if not files else "several settings of a laboratory",
@@ -160,7 +178,12 @@ class _Maker:
         files: Sequence[RecognisedFile],
         strategies: Strategies,
     ) -> None:
-        self.folder, self.source, self.laboratory, self.strategies = folder, source, laboratory, strategies
+        self.folder, self.source, self.laboratory, self.strategies = (
+            folder,
+            source,
+            laboratory,
+            strategies,
+        )
         self.raw = raw
         self.files, self.findings = files, list[Finding]()
         self.left_out = set[Path]()
@@ -169,7 +192,13 @@ class _Maker:
             if item.kind == "unknown":
                 self._note("campaign.file_left_out", item.file.name, why=item.why)
             elif item.doubt:
-                self._note(self._doubt_code(item), item.file.name, kind=item.kind, why=item.why, doubt=item.doubt)
+                self._note(
+                    self._doubt_code(item),
+                    item.file.name,
+                    kind=item.kind,
+                    why=item.why,
+                    doubt=item.doubt,
+                )
 
     def _note(self, code: str, place: str, value: float | None = None, **numbers: Any) -> None:
         self.findings.append(finding(code, place, value, **numbers))
@@ -202,14 +231,22 @@ class _Maker:
             self._note("campaign.columns_not_read", tables[0].name, columns=", ".join(unread))
         for row in rows:
             if row.taken_for_one:
-                self._note("campaign.profile_taken_for_one", f"trial {row.number}", profile=row.taken_for_one)
+                self._note(
+                    "campaign.profile_taken_for_one",
+                    f"trial {row.number}",
+                    profile=row.taken_for_one,
+                )
         return rows
 
     # the campaign -----------------------------------------------------------------------------------------------------
 
     def campaign(self) -> str:
         document = tomlkit.document()
-        document.add(tomlkit.comment(f"Made of the files in {self._relative(self.source)}; change what is wrong."))
+        document.add(
+            tomlkit.comment(
+                f"Made of the files in {self._relative(self.source)}; change what is wrong."
+            )
+        )
         document["schema"] = "jounce.campaign/1"
         document["title"] = self.laboratory.title
         if self.laboratory.synthetic:
@@ -218,7 +255,8 @@ class _Maker:
         if self.laboratory.belt is not None:
             document["belt"] = self.raw["belt"]
         document["sensors"] = {
-            channel.measures: self._sensor(name, channel) for name, channel in self.laboratory.channels.items()
+            channel.measures: self._sensor(name, channel)
+            for name, channel in self.laboratory.channels.items()
         }
         self._check_columns()
         document["bench"] = self._bench()
@@ -227,7 +265,10 @@ class _Maker:
             raise RecordingError(
                 "no record of a trial was found",
                 where=str(self.source),
-                found=", ".join(f"{count} {kind}" for kind, count in Counter(item.kind for item in self.files).items()),
+                found=", ".join(
+                    f"{count} {kind}"
+                    for kind, count in Counter(item.kind for item in self.files).items()
+                ),
                 allowed="files with time and signals whose names have the numbers of the table",
             )
         document["trial"] = _tables(self._trials())
@@ -246,8 +287,15 @@ class _Maker:
             asked["belt.column"] = belt.column
         for place, column in asked.items():
             if there and column and not {column, name_and_unit(column)[0]} & there:
-                self._note("campaign.no_such_column", place, column=column, columns=", ".join(sorted(there)))
-        pulsed = sorted({item.columns["pulses"] for item in self._of("trial") if "pulses" in item.columns})
+                self._note(
+                    "campaign.no_such_column",
+                    place,
+                    column=column,
+                    columns=", ".join(sorted(there)),
+                )
+        pulsed = sorted(
+            {item.columns["pulses"] for item in self._of("trial") if "pulses" in item.columns}
+        )
         if pulsed and belt is not None and not (belt.column and belt.pulses):
             self._note("campaign.pulses_not_used", "belt", columns=", ".join(pulsed))
 
@@ -285,11 +333,24 @@ class _Maker:
             stated = sensitivity_of(channel.sensitivity, unit, where=f"channels.{column}").factor
             if abs(size / stated - 1.0) > _AGREES:
                 share = size / stated - 1.0
-                self._note("campaign.calibration_differs", item.file.name, share, share=share, column=column)
+                self._note(
+                    "campaign.calibration_differs",
+                    item.file.name,
+                    share,
+                    share=share,
+                    column=column,
+                )
         if calibration.sensitivity.value < 0.0:
-            self._note("campaign.falls_where_it_grows", item.file.name, column=column, channel=channel.measures)
+            self._note(
+                "campaign.falls_where_it_grows",
+                item.file.name,
+                column=column,
+                channel=channel.measures,
+            )
         table = calibration.sensor()
-        if channel.high_pass is not None:  # behind AC coupling a calibration's zero is none of the record
+        if (
+            channel.high_pass is not None
+        ):  # behind AC coupling a calibration's zero is none of the record
             del table["zero"]
         return table
 
@@ -332,14 +393,20 @@ class _Maker:
     def _decays(self) -> list[RecognisedFile]:
         """Decays at the rig's angle: where every name has an angle of the table, those at others are left out."""
         decays = self._of("decay")
-        angles = {round(math.degrees(row.angle)) for row in self.rows.values() if row.angle is not None}
-        at = [angles & {int(text) for text in re.findall(r"\d+", item.file.stem)} for item in decays]
+        angles = {
+            round(math.degrees(row.angle)) for row in self.rows.values() if row.angle is not None
+        }
+        at = [
+            angles & {int(text) for text in re.findall(r"\d+", item.file.stem)} for item in decays
+        ]
         if len(angles) < 2 or not all(len(named) == 1 for named in at):
             return decays
         usual = round(math.degrees(self._angle()))
         for item, (angle,) in zip(decays, at, strict=True):
             if angle != usual:
-                self._note("campaign.decay_at_another_angle", item.file.name, angle=angle, usual=usual)
+                self._note(
+                    "campaign.decay_at_another_angle", item.file.name, angle=angle, usual=usual
+                )
         return [item for item, named in zip(decays, at, strict=True) if usual in named] or decays
 
     def _angle(self) -> float:
@@ -370,7 +437,12 @@ class _Maker:
         }
         for row in self.rows.values():
             if row.pitch is not None:
-                roads[_road(row)] = {"kind": "train", "of": "A", "count": row.count, "pitch": f"{row.pitch:g} m"}
+                roads[_road(row)] = {
+                    "kind": "train",
+                    "of": "A",
+                    "count": row.count,
+                    "pitch": f"{row.pitch:g} m",
+                }
         return roads
 
     # trials -----------------------------------------------------------------------------------------------------------
@@ -389,7 +461,9 @@ class _Maker:
                 and abs(item.pressure / row.pressure - 1.0) > _SAME_PRESSURE
             ):
                 numbers = {"named": item.pressure, "listed": row.pressure, "number": number}
-                self._note("campaign.name_and_table_differ", item.file.name, item.pressure, **numbers)
+                self._note(
+                    "campaign.name_and_table_differ", item.file.name, item.pressure, **numbers
+                )
             table: dict[str, Any] = {"number": number}
             if row.speed is not None:
                 table["speed"] = f"{row.speed:g} m/s"
@@ -408,8 +482,13 @@ class _Maker:
             }
         rates = Counter(round(item.rate, 1) for item in records.values() if item.rate is not None)
         for item in records.values():
-            if item.rate is not None and abs(item.rate / (usual := rates.most_common(1)[0][0]) - 1.0) > _SAME_RATE:
-                self._note("campaign.another_rate", item.file.name, item.rate, rate=item.rate, usual=usual)
+            if (
+                item.rate is not None
+                and abs(item.rate / (usual := rates.most_common(1)[0][0]) - 1.0) > _SAME_RATE
+            ):
+                self._note(
+                    "campaign.another_rate", item.file.name, item.rate, rate=item.rate, usual=usual
+                )
         for item in self._of("trial"):
             if item.number is None:
                 self._note("campaign.no_number", item.file.name)
@@ -417,12 +496,17 @@ class _Maker:
                 self._note("campaign.not_in_table", item.file.name, number=item.number)
             elif records[item.number] is not item:
                 self._note(
-                    "campaign.another_record", item.file.name, number=item.number, used=records[item.number].file.name
+                    "campaign.another_record",
+                    item.file.name,
+                    number=item.number,
+                    used=records[item.number].file.name,
                 )
 
     def _records(self) -> Mapping[int, RecognisedFile]:
         """The record of each number; of several the first by name."""
-        return {item.number: item for item in reversed(self._of("trial")) if item.number is not None}
+        return {
+            item.number: item for item in reversed(self._of("trial")) if item.number is not None
+        }
 
     def _trials_to_fit(self) -> set[int]:
         """Trials of a single obstacle at the setting that most have: the slowest, a middle one and the fastest."""
@@ -431,7 +515,10 @@ class _Maker:
         if not settings:
             return {row.number for row in self.rows.values()}
         usual = settings.most_common(1)[0][0]
-        rows = sorted((row for row in single if (row.angle, row.pressure) == usual), key=lambda row: row.speed or 0.0)
+        rows = sorted(
+            (row for row in single if (row.angle, row.pressure) == usual),
+            key=lambda row: row.speed or 0.0,
+        )
         count = min(_FITTED, len(rows))
         return {rows[round(k * (len(rows) - 1) / max(count - 1, 1))].number for k in range(count)}
 
@@ -441,7 +528,9 @@ class _Maker:
         if self.laboratory.rig:
             bounds = {"strut.damper.coefficient": "50 %"}
         usual: dict[str, Any] = {"weights": "normalised", "align": "lag"}
-        tyre_damping = {} if self.laboratory.rig else {"tyre.damping_coefficient": _TYRE_DAMPING_BOUNDS}
+        tyre_damping = (
+            {} if self.laboratory.rig else {"tyre.damping_coefficient": _TYRE_DAMPING_BOUNDS}
+        )
         if self.strategies == "default":
             yield {
                 "name": "stiffness, damping and friction",
@@ -471,7 +560,11 @@ class _Maker:
         pressures = {row.pressure for row in self.rows.values() if row.pressure is not None}
         if len(pressures) < 2:
             return []
-        return [n for n, row in self.rows.items() if row.pressure == min(pressures) and n in self._records()]
+        return [
+            n
+            for n, row in self.rows.items()
+            if row.pressure == min(pressures) and n in self._records()
+        ]
 
 
 def quarter_car_text(sprung: Any, unsprung: Any, angle: float) -> str:
@@ -479,7 +572,9 @@ def quarter_car_text(sprung: Any, unsprung: Any, angle: float) -> str:
     document = tomlkit.document()
     document["schema"] = "jounce.rig/1"
     document["model"] = "quarter-car"
-    document["source"] = "masses as weighed; spring and tyre are replaced by their tests; the rest is a start value"
+    document["source"] = (
+        "masses as weighed; spring and tyre are replaced by their tests; the rest is a start value"
+    )
     document["sprung"] = {"mass": sprung}
     document["unsprung"] = {"mass": unsprung}
     document["strut"] = {

@@ -19,7 +19,15 @@ from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.files import reading
 from jounce.core.misplaced import error_at, misplaced_value
 from jounce.core.phrases import Phrase
-from jounce.core.units import Mass, PositiveHeight, PositiveLength, PositiveTime, Unit, is_unit_of, to_si
+from jounce.core.units import (
+    Mass,
+    PositiveHeight,
+    PositiveLength,
+    PositiveTime,
+    Unit,
+    is_unit_of,
+    to_si,
+)
 from jounce.recordings.conditioning import sensitivity_of
 from jounce.recordings.schema import channel_unit, quantity_of
 from jounce.recordings.sensors import Sensor
@@ -30,7 +38,9 @@ class Obstacle(Description):
 
     height: PositiveHeight
     length: PositiveLength
-    shape: Literal["half-sine", "versine", "triangle", "half-cylinder", "rectangle", "trapezoid"] = "half-sine"
+    shape: Literal[
+        "half-sine", "versine", "triangle", "half-cylinder", "rectangle", "trapezoid"
+    ] = "half-sine"
 
 
 class CardChannel(Sensor):
@@ -42,7 +52,11 @@ class CardChannel(Sensor):
     def _measures_something(self) -> CardChannel:
         if not quantity_of(self.measures):
             raise error_at(
-                ("measures",), Phrase("{measures!r} names no known quantity, as sprung.az does", measures=self.measures)
+                ("measures",),
+                Phrase(
+                    "{measures!r} names no known quantity, as sprung.az does",
+                    measures=self.measures,
+                ),
             )
         if self.sensitivity:
             try:
@@ -176,13 +190,24 @@ def read_trials(path: Path | str) -> list[TrialRow]:
     last: dict[str, str] = {}
     trials = []
     for line, row in enumerate(rows[head + 1 :], head + 2):
-        given = {name: row[i].strip() for name, (i, _) in places.items() if i < len(row) and row[i].strip()}
+        given = {
+            name: row[i].strip()
+            for name, (i, _) in places.items()
+            if i < len(row) and row[i].strip()
+        }
         if not given:
             continue
         new_profile = "profile" in given and "pitch" not in given
-        last = {**{name: text for name, text in last.items() if not (new_profile and name == "pitch")}, **given}
+        last = {
+            **{name: text for name, text in last.items() if not (new_profile and name == "pitch")},
+            **given,
+        }
         if "number" in given:
-            trials.append(_trial(last, {name: unit for name, (_, unit) in places.items()}, f"{file}: line {line}"))
+            trials.append(
+                _trial(
+                    last, {name: unit for name, (_, unit) in places.items()}, f"{file}: line {line}"
+                )
+            )
     numbers = [trial.number for trial in trials]
     twice = sorted({number for number in numbers if numbers.count(number) > 1})
     if twice:
@@ -209,12 +234,16 @@ def is_table_of_trials(path: Path | str) -> bool:
 def _table_of(file: Path) -> tuple[list[list[str]], int]:
     """Cells of a table of trials, and the row of its headings."""
     rows = _cells(file)
-    head = next((i for i, row in enumerate(rows) if {"number", "speed"} <= _headings_in(row).keys()), None)
+    head = next(
+        (i for i, row in enumerate(rows) if {"number", "speed"} <= _headings_in(row).keys()), None
+    )
     if head is None:
         raise RecordingError(
             "no table of trials: columns for the number and the speed are not named",
             where=str(file),
-            found=", ".join(cell for cell in max(rows, key=_count_cells) if cell) if rows else "nothing",
+            found=", ".join(cell for cell in max(rows, key=_count_cells) if cell)
+            if rows
+            else "nothing",
             allowed="trial, speed [m/s], angle [deg], pressure [MPa], profile, pitch [m]",
         )
     return rows, head
@@ -232,10 +261,15 @@ def _cells(file: Path) -> list[list[str]]:
         with reading(file, RecordingError):
             book = require("openpyxl", "io").load_workbook(file, read_only=True, data_only=True)
             sheet = book.worksheets[0]
-            cells = [["" if cell is None else str(cell) for cell in row] for row in sheet.iter_rows(values_only=True)]
+            cells = [
+                ["" if cell is None else str(cell) for cell in row]
+                for row in sheet.iter_rows(values_only=True)
+            ]
     else:
         text = text_of(file)
-        separator = max(";\t,", key=lambda mark: max(line.count(mark) for line in text.splitlines() or [""]))
+        separator = max(
+            ";\t,", key=lambda mark: max(line.count(mark) for line in text.splitlines() or [""])
+        )
         cells = list(csv.reader(io.StringIO(text), delimiter=separator))
     return [[re.sub(r"(?<=\d),(?=\d)", ".", cell) for cell in row] for row in cells]
 
@@ -263,7 +297,9 @@ def _heading(text: str) -> str | None:
     words = re.findall(r"[^\W\d_]+", plain)
     for name, (_, symbol, known) in _HEADINGS.items():
         if words == [symbol] or any(
-            word == part or (len(part) >= _PART_OF_A_WORD and part in word) for word in words for part in known
+            word == part or (len(part) >= _PART_OF_A_WORD and part in word)
+            for word in words
+            for part in known
         ):
             return name
     return None
@@ -275,7 +311,9 @@ def without_accents(text: str) -> str:
     >>> without_accents("Prędkość, Ângulo, koło")
     'predkosc, angulo, kolo'
     """
-    folded = unicodedata.normalize("NFKD", text.casefold()).translate({ord("ł"): "l", ord("ø"): "o"})
+    folded = unicodedata.normalize("NFKD", text.casefold()).translate(
+        {ord("ł"): "l", ord("ø"): "o"}
+    )
     return "".join(letter for letter in folded if not unicodedata.combining(letter))
 
 
@@ -297,7 +335,10 @@ def _trial(cells: dict[str, str], units: dict[str, str], where: str) -> TrialRow
             values["pitch"] = _size(f"{inside[1]} {inside[2] or 'm'}", "m", "m", where)
         if "pitch" not in values:
             raise RecordingError(
-                "a train without a pitch", where=where, found=profile, allowed='"B 0.10 m", or a column pitch'
+                "a train without a pitch",
+                where=where,
+                found=profile,
+                allowed='"B 0.10 m", or a column pitch',
             )
     else:
         values.pop("pitch", None)
@@ -310,4 +351,6 @@ def _size(text: str, unit: str, si: str, where: str) -> float:
     try:
         return to_si(text if re.search(r"[A-Za-z°µ]", text) else f"{text} {unit}", si, where=where)
     except DescriptionError as error:
-        raise RecordingError(error.what, where=where, found=text, allowed=error.allowed, hint=error.hint) from None
+        raise RecordingError(
+            error.what, where=where, found=text, allowed=error.allowed, hint=error.hint
+        ) from None

@@ -141,7 +141,11 @@ def compare_campaign_models(
     runner, _, start = prepared_campaign(path, progress)
     entries = {entry.name: entry for entry in runner.campaign.update}
     if not entries:
-        raise FitError("the campaign has no update", where=str(path), hint="Write an [[update]] with free parameters.")
+        raise FitError(
+            "the campaign has no update",
+            where=str(path),
+            hint="Write an [[update]] with free parameters.",
+        )
     if strategy and strategy not in entries:
         raise unknown(strategy, entries, what="update", where=f"{path}: strategy")
     entry = entries[strategy] if strategy else list(entries.values())[-1]
@@ -174,7 +178,11 @@ def _models(runner: Runner, knowledge: Knowledge, entry: UpdateEntry) -> Iterato
         rigs.append(("quarter car, ", replace(knowledge, rig=lumped_from(knowledge.rig))))
     for words, known in rigs:
         values = known.rig.parameters()
-        free = {path: bounds for path, bounds in entry.free.items() if path in values or path.startswith(TYRE)}
+        free = {
+            path: bounds
+            for path, bounds in entry.free.items()
+            if path in values or path.startswith(TYRE)
+        }
         frictions = [path for path in free if "friction" in path and path.endswith(".force")]
         for tyre, law in (("one tyre stiffness", "as-rig"), ("cubic tyre", "polynomial")):
             own = {path: bounds for path, bounds in free.items() if not path.startswith(TYRE)}
@@ -182,13 +190,21 @@ def _models(runner: Runner, knowledge: Knowledge, entry: UpdateEntry) -> Iterato
             if law == "polynomial" and (not runner.campaign.bench.tyre or bounds is None):
                 continue
             if bounds is not None:
-                own |= dict.fromkeys(_CUBIC, _RELATIVE) if law == "polynomial" else {"tyre.stiffness": bounds}
+                own |= (
+                    dict.fromkeys(_CUBIC, _RELATIVE)
+                    if law == "polynomial"
+                    else {"tyre.stiffness": bounds}
+                )
             changed = entry.model_copy(update={"tyre_law": law, "free": own})
             yield _Model(f"{words}{tyre}", known, changed)
             if frictions:
                 without = replace(known, rig=known.rig.with_changes(dict.fromkeys(frictions, 0.0)))
                 less = {path: given for path, given in own.items() if path not in frictions}
-                yield _Model(f"{words}{tyre}, no friction", without, changed.model_copy(update={"free": less}))
+                yield _Model(
+                    f"{words}{tyre}, no friction",
+                    without,
+                    changed.model_copy(update={"free": less}),
+                )
 
 
 _RELATIVE = "20 %"
@@ -199,8 +215,13 @@ def _fit_model(runner: Runner, model: _Model) -> tuple[ModelRow, float, float]:
     """Fit one model on the trials of its update and hold it against the others; also AIC and BIC themselves."""
     knowledge, chosen, trials, settings = runner.set_up(model.entry, model.knowledge, {})
     if not trials:
-        raise FitError("no trial to fit", where=model.entry.name, hint='Mark trials with use = "fit".')
-    free = {path: given["bounds"] if isinstance(given, Mapping) else given for path, given in model.entry.free.items()}
+        raise FitError(
+            "no trial to fit", where=model.entry.name, hint='Mark trials with use = "fit".'
+        )
+    free = {
+        path: given["bounds"] if isinstance(given, Mapping) else given
+        for path, given in model.entry.free.items()
+    }
     result = fit(
         trials, free, name=settings.name, method=settings.method, weights=settings.weights, channels=settings.channels,
         align=settings.align, starts=settings.starts,
@@ -218,21 +239,29 @@ def _fit_model(runner: Runner, model: _Model) -> tuple[ModelRow, float, float]:
                 residuals += [signal.measured - signal.simulated for signal in signals.values()]
     aic, bic = _criteria(residuals, len(free), result)
     least = {
-        key: min((channel.r2 for part in comparisons for channel in part.channels.values()), default=None)
+        key: min(
+            (channel.r2 for part in comparisons for channel in part.channels.values()), default=None
+        )
         for key, comparisons in seen.items()
     }
     holds = sum(judged.verdict == "holds" for judged in seen[False])
     left = result.objective_after / max(result.objective_before, 1e-300)
-    row = ModelRow(model.name, len(free), aic, bic, left, least[True], least[False], holds, len(seen[False]))
+    row = ModelRow(
+        model.name, len(free), aic, bic, left, least[True], least[False], holds, len(seen[False])
+    )
     return row, aic, bic
 
 
-def _criteria(residuals: list[np.ndarray], parameters: int, result: UpdateResult) -> tuple[float, float]:
+def _criteria(
+    residuals: list[np.ndarray], parameters: int, result: UpdateResult
+) -> tuple[float, float]:
     """AIC and BIC of residuals by channel: each has a variance of its own, and counts its independent samples."""
     likelihood = count = 0.0
     for residual in residuals:
         independent = len(residual) / correlation_time(residual)
-        likelihood += independent * math.log(max(float(residual @ residual) / len(residual), 1e-300))
+        likelihood += independent * math.log(
+            max(float(residual @ residual) / len(residual), 1e-300)
+        )
         count += independent
     unknowns = parameters + len(residuals) + len(result.lags)
     return likelihood + 2.0 * unknowns, likelihood + math.log(max(count, 2.0)) * unknowns
@@ -246,12 +275,25 @@ def _conclusion(models: list[ModelRow]) -> Iterator[Finding]:
         yield finding("campaign.models_alike", best.model, others=others)
     simplest = min(models, key=lambda row: row.bic)
     if simplest is not best and simplest.model not in alike:
-        yield finding("campaign.criteria_differ", best.model, other=simplest.model, parameters=simplest.parameters)
+        yield finding(
+            "campaign.criteria_differ",
+            best.model,
+            other=simplest.model,
+            parameters=simplest.parameters,
+        )
     judged = [row for row in models if row.held_out is not None]
     ahead = max(judged, key=lambda row: row.held_out or 0.0, default=None)
-    if ahead is not None and best.held_out is not None and (ahead.held_out or 0.0) > best.held_out + _BETTER:
+    if (
+        ahead is not None
+        and best.held_out is not None
+        and (ahead.held_out or 0.0) > best.held_out + _BETTER
+    ):
         yield finding(
-            "campaign.other_model_predicts", best.model, other=ahead.model, r2=ahead.held_out, own=best.held_out
+            "campaign.other_model_predicts",
+            best.model,
+            other=ahead.model,
+            r2=ahead.held_out,
+            own=best.held_out,
         )
 
 

@@ -53,14 +53,20 @@ class NewCampaign(Shown):
 def start_campaign(
     folder: Annotated[Path | str, Mark("Folder to create.", "DIR")],
     source: Annotated[
-        Path | str | None, File("Folder of measured files: recognised, and made into a campaign.", "FOLDER")
+        Path | str | None,
+        File("Folder of measured files: recognised, and made into a campaign.", "FOLDER"),
     ] = None,
     *,
     settings: Annotated[
-        Path | str | None, File("Settings of the laboratory; by default the file of that kind in --from.", "FILE")
+        Path | str | None,
+        File("Settings of the laboratory; by default the file of that kind in --from.", "FILE"),
     ] = None,
     strategies: Annotated[
-        Strategies, Mark("Updates: one with all parameters, or the three of the prototype paper.", "default|paper")
+        Strategies,
+        Mark(
+            "Updates: one with all parameters, or the three of the prototype paper.",
+            "default|paper",
+        ),
     ] = "default",
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
 ) -> NewCampaign:
@@ -102,14 +108,20 @@ def start_campaign(
     if strategies not in _STRATEGIES:
         raise unknown(strategies, _STRATEGIES, what="strategies", where="strategies")
     if source is not None:
-        made = campaign_from_folder(folder, source, settings=settings, strategies=strategies, force=force)
+        made = campaign_from_folder(
+            folder, source, settings=settings, strategies=strategies, force=force
+        )
         return NewCampaign(Path(folder), made.campaign, _files(folder), made)
     if settings is not None or strategies != "default":
         where = "settings" if settings is not None else "strategies"
-        raise DescriptionError("goes with measured files", where=where, hint="Give their folder with --from.")
+        raise DescriptionError(
+            "goes with measured files", where=where, hint="Give their folder with --from."
+        )
     campaign = new_campaign(folder, force=force)
     return NewCampaign(Path(folder), campaign, _files(folder))
 
 
 def _files(folder: Path | str) -> tuple[str, ...]:
-    return tuple(sorted(str(file.relative_to(folder)) for file in Path(folder).rglob("*") if file.is_file()))
+    return tuple(
+        sorted(str(file.relative_to(folder)) for file in Path(folder).rglob("*") if file.is_file())
+    )

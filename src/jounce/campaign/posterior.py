@@ -74,13 +74,19 @@ class CampaignPosterior(Shown):
         return {
             "posterior.json": to_json(self._table()) + "\n",
             "draws.nc": netcdf_of(self.posterior.samples),
-            **{f"bands/{slug(trial)}.csv": _bands_csv(channels) for trial, channels in predictions.items()},
+            **{
+                f"bands/{slug(trial)}.csv": _bands_csv(channels)
+                for trial, channels in predictions.items()
+            },
         }
 
     def _table(self) -> dict[str, Any]:
         plain = self.posterior.to_dict()
         plain["predictions"] = {
-            trial: {name: {"inside": band.inside, "is_fitted": band.is_fitted} for name, band in channels.items()}
+            trial: {
+                name: {"inside": band.inside, "is_fitted": band.is_fitted}
+                for name, band in channels.items()
+            }
             for trial, channels in self.posterior.predictions.items()
         }
         return plain
@@ -93,7 +99,10 @@ def _bands_csv(channels: Mapping[str, PredictionBand]) -> str:
         low, high = band.ends()
         given = {"measured": band.measured, "mean": band.mean, "lower": low, "upper": high}
         columns |= {f"{name} {word} [{band.unit}]": values for word, values in given.items()}
-    rows = [",".join(columns), *(",".join(f"{v:.9g}" for v in row) for row in zip(*columns.values(), strict=True))]
+    rows = [
+        ",".join(columns),
+        *(",".join(f"{v:.9g}" for v in row) for row in zip(*columns.values(), strict=True)),
+    ]
     return "\n".join(rows) + "\n"
 
 
@@ -113,7 +122,9 @@ def reported_posterior(
     path: Annotated[Path | str, CAMPAIGN],
     strategy: Annotated[str, STRATEGY] = "",
     *,
-    draws: Annotated[int, Count("Number of draws, at least.", least=1000, most=10_000_000)] = 20_000,
+    draws: Annotated[
+        int, Count("Number of draws, at least.", least=1000, most=10_000_000)
+    ] = 20_000,
     seed: Annotated[int, Count("Of everything at random.", least=0)] = 1,
     noise_only: Annotated[bool, NOISE_ONLY] = False,
     progress: Progress = lambda _text: None,
@@ -124,7 +135,12 @@ def reported_posterior(
     """
     for module in ("emcee", "arviz_stats.base"):
         require(module, "posterior")
-    options: dict[str, Any] = {"draws": draws, "seed": seed, "noise_only": noise_only, "progress": progress}
+    options: dict[str, Any] = {
+        "draws": draws,
+        "seed": seed,
+        "noise_only": noise_only,
+        "progress": progress,
+    }
     posterior = campaign_posterior(path, strategy, **options)
     return CampaignPosterior(posterior, load_campaign(path)[0])
 
@@ -176,9 +192,13 @@ def campaign_posterior(
     ('noise only', ['trial 1', 'trial 2', 'trial 4'])
     """
     runner, _, start = prepared_campaign(path, progress)
-    knowledge, trials, free, settings = _prepared_update(runner, start, strategy, path, noise_only=noise_only)
+    knowledge, trials, free, settings = _prepared_update(
+        runner, start, strategy, path, noise_only=noise_only
+    )
     every = [runner.fit_trial(item, knowledge) for item in runner.loaded.values()]
-    return posterior_with(trials, free, settings, draws=draws, seed=seed, predict=every, progress=progress)
+    return posterior_with(
+        trials, free, settings, draws=draws, seed=seed, predict=every, progress=progress
+    )
 
 
 @operation(
@@ -200,14 +220,21 @@ def campaign_next_trials(
     *,
     speeds: Annotated[
         Sequence[float | str] | None,
-        Texts('A speed that could be driven, e.g. "2.5 m/s"; repeat it. By default five are tried.', "SPEED"),
+        Texts(
+            'A speed that could be driven, e.g. "2.5 m/s"; repeat it. By default five are tried.',
+            "SPEED",
+        ),
     ] = None,
-    roads: Annotated[Sequence[str] | None, Texts("A road of the campaign; repeat it. By default all.", "ROAD")] = None,
+    roads: Annotated[
+        Sequence[str] | None, Texts("A road of the campaign; repeat it. By default all.", "ROAD")
+    ] = None,
     strut_angles: Annotated[
-        Sequence[float | str] | None, Texts('A strut angle to set up, e.g. "26 deg"; repeat it.', "ANGLE")
+        Sequence[float | str] | None,
+        Texts('A strut angle to set up, e.g. "26 deg"; repeat it.', "ANGLE"),
     ] = None,
     tyre_pressures: Annotated[
-        Sequence[float | str] | None, Texts('A tyre pressure, e.g. "0.31 MPa"; repeat it.', "PRESSURE")
+        Sequence[float | str] | None,
+        Texts('A tyre pressure, e.g. "0.31 MPa"; repeat it.', "PRESSURE"),
     ] = None,
     count: Annotated[int, Count("Trials to choose one after the other.", least=1, most=20)] = 3,
     noise_only: Annotated[bool, NOISE_ONLY] = False,
@@ -254,10 +281,18 @@ def campaign_next_trials(
     (6, True)
     """
     runner, _, start = prepared_campaign(path, progress)
-    knowledge, trials, free, settings = _prepared_update(runner, start, strategy, path, noise_only=noise_only)
-    candidates, lost = _candidates(runner, knowledge, Path(path), speeds, roads, strut_angles, tyre_pressures)
+    knowledge, trials, free, settings = _prepared_update(
+        runner, start, strategy, path, noise_only=noise_only
+    )
+    candidates, lost = _candidates(
+        runner, knowledge, Path(path), speeds, roads, strut_angles, tyre_pressures
+    )
     basis = update_with_density(trials, free, settings, progress).basis
-    progress(Phrase("{name}: {count} trials that could be run", name=settings.name, count=len(candidates)))
+    progress(
+        Phrase(
+            "{name}: {count} trials that could be run", name=settings.name, count=len(candidates)
+        )
+    )
     ranking = next_trials(basis, candidates, count=count)
     return replace(ranking, findings=(*ranking.findings, *lost))
 
@@ -268,7 +303,11 @@ def _prepared_update(
     """Run what an update starts from; give what is then known, its trials, free parameters and settings."""
     entries = {entry.name: entry for entry in runner.campaign.update}
     if not entries:
-        raise FitError("the campaign has no update", where=str(path), hint="Write an [[update]] with free parameters.")
+        raise FitError(
+            "the campaign has no update",
+            where=str(path),
+            hint="Write an [[update]] with free parameters.",
+        )
     if strategy and strategy not in entries:
         raise unknown(strategy, entries, what="update", where=f"{path}: strategy")
     entry = entries[strategy] if strategy else list(entries.values())[-1]
@@ -276,22 +315,34 @@ def _prepared_update(
     while name is not None:
         before.append(name)
         name = entries[name].start_from
-    done: dict[str, StrategyResult] = {item.update.name: item for item in runner.update_all(start, before)}
+    done: dict[str, StrategyResult] = {
+        item.update.name: item for item in runner.update_all(start, before)
+    }
     problems = [item for item in runner.findings if item.severity == "problem"]
     if len(done) < len(before) and problems:
         raise FitError("an update it starts from failed", where=entry.name, found=str(problems[-1]))
     knowledge, _, trials, settings = runner.set_up(entry, start, done)
     if settings.nuisances:
         hint = (
-            "State what the update finds as speed of the trials and low_pass of the sensors, and leave nuisances out."
+            "State what the update finds as speed of the trials and low_pass of the sensors, and "
+            "leave nuisances out."
         )
-        raise FitError("speeds and filters are not drawn from a posterior", where=entry.name, hint=hint)
+        raise FitError(
+            "speeds and filters are not drawn from a posterior", where=entry.name, hint=hint
+        )
     if not trials:
-        raise FitError("no trial to fit", where=entry.name, hint='Mark trials with use = "fit" or name their numbers.')
+        raise FitError(
+            "no trial to fit",
+            where=entry.name,
+            hint='Mark trials with use = "fit" or name their numbers.',
+        )
     free: dict[str, Any] = dict(entry.free)
     if noise_only:  # a prior counts beside doubts only
         settings = replace(settings, doubt=None)
-        free = {path: given["bounds"] if isinstance(given, Mapping) else given for path, given in free.items()}
+        free = {
+            path: given["bounds"] if isinstance(given, Mapping) else given
+            for path, given in free.items()
+        }
     return knowledge, trials, free, settings
 
 
@@ -307,10 +358,16 @@ def _candidates(
             raise unknown(name, known, what="road", where=f"{path}: roads")
     names = list(roads or known)
     if not names:
-        raise FitError("no road to drive over", where=str(path), hint="Write [roads.NAME] tables in the campaign.")
+        raise FitError(
+            "no road to drive over",
+            where=str(path),
+            hint="Write [roads.NAME] tables in the campaign.",
+        )
     driven = [entry.speed for entry in runner.campaign.trial if entry.speed is not None]
     if speeds is None and not driven:
-        raise FitError("no speed to drive at", where=str(path), hint='Give speeds, e.g. ["1 m/s", "3 m/s"].')
+        raise FitError(
+            "no speed to drive at", where=str(path), hint='Give speeds, e.g. ["1 m/s", "3 m/s"].'
+        )
     if speeds is None:
         chosen = [float(v) for v in np.round(np.linspace(min(driven), max(driven), _SPEEDS), 3)]
     else:
@@ -326,7 +383,10 @@ def _candidates(
     count = len(names) * len(chosen) * len(angles) * len(pressures)
     if count > _MOST:
         raise FitError(
-            "too many trials to compare", found=count, allowed=Phrase("up to {most}", most=_MOST), where="candidates"
+            "too many trials to compare",
+            found=count,
+            allowed=Phrase("up to {most}", most=_MOST),
+            where="candidates",
         )
     duration = max(float(item.measured["time"][-1]) for item in runner.loaded.values())
     sensors = next(iter(runner.sensors.values()), runner.campaign.sensors)
@@ -335,7 +395,9 @@ def _candidates(
     for road, speed, angle, pressure in product(names, chosen, angles, pressures):
         words = [f"{road} at {speed:.4g} m/s"]
         words += [] if len(angles) == 1 or angle is None else [f"strut {np.degrees(angle):.4g} deg"]
-        words += [] if len(pressures) == 1 or pressure is None else [f"tyre {pressure / 1e6:.4g} MPa"]
+        words += (
+            [] if len(pressures) == 1 or pressure is None else [f"tyre {pressure / 1e6:.4g} MPa"]
+        )
         name = ", ".join(words)
         try:
             trial = Trial(road=known[road], speed=speed, duration=duration)

@@ -23,7 +23,9 @@ from jounce.recordings.pulses import FEWEST_PULSES, edges
 from jounce.recordings.reader import ReaderOptions
 from jounce.recordings.readers import READERS, read_signals
 
-Kind = Literal["spring", "tyre", "decay", "trial", "calibration", "table of trials", "settings", "unknown"]
+Kind = Literal[
+    "spring", "tyre", "decay", "trial", "calibration", "table of trials", "settings", "unknown"
+]
 _FEW_ROWS = 60
 """Rows: by hand nobody writes more, and no trial has fewer."""
 _STIFF = 60e3
@@ -114,11 +116,15 @@ def recognise(folder: Path | str, settings: Laboratory | None = None) -> list[Re
     place = Path(folder)
     if not place.is_dir():
         raise RecordingError("no such folder", where=str(place))
-    files = sorted(file for file in place.iterdir() if file.is_file() and not file.name.startswith("."))
+    files = sorted(
+        file for file in place.iterdir() if file.is_file() and not file.name.startswith(".")
+    )
     if not files:
         raise RecordingError("the folder is empty", where=str(place))
     items = [recognise_file(file, settings) for file in files]
-    return _number_trials(items, _numbers_of([item.file for item in items if item.kind == "table of trials"]))
+    return _number_trials(
+        items, _numbers_of([item.file for item in items if item.kind == "table of trials"])
+    )
 
 
 def recognise_file(file: Path, settings: Laboratory | None = None) -> RecognisedFile:
@@ -127,12 +133,18 @@ def recognise_file(file: Path, settings: Laboratory | None = None) -> Recognised
         text = file.read_text(encoding="utf-8", errors="replace")
         is_settings = "jounce.laboratory/" in text
         return RecognisedFile(
-            file, "settings" if is_settings else "unknown", "its schema" if is_settings else "a TOML file"
+            file,
+            "settings" if is_settings else "unknown",
+            "its schema" if is_settings else "a TOML file",
         )
     if not any(file.suffix.lower() in reader.suffixes for reader in READERS):
-        return RecognisedFile(file, "unknown", f"no reader for {file.suffix or 'files without a suffix'}")
+        return RecognisedFile(
+            file, "unknown", f"no reader for {file.suffix or 'files without a suffix'}"
+        )
     if _is_table(file):
-        return RecognisedFile(file, "table of trials", "columns for the number and the speed of trials")
+        return RecognisedFile(
+            file, "table of trials", "columns for the number and the speed of trials"
+        )
     try:
         table = read_signals(file, ReaderOptions()).columns
     except JounceError as error:
@@ -141,7 +153,10 @@ def recognise_file(file: Path, settings: Laboratory | None = None) -> Recognised
 
 
 def _is_table(file: Path) -> bool:
-    if file.suffix.lower() not in (".csv", ".txt", ".tsv", ".xlsx") or file.stat().st_size > 100_000:
+    if (
+        file.suffix.lower() not in (".csv", ".txt", ".tsv", ".xlsx")
+        or file.stat().st_size > 100_000
+    ):
         return False
     return is_table_of_trials(file)
 
@@ -168,14 +183,25 @@ def _of_columns(file: Path, table: ColumnTable, settings: Laboratory | None) -> 
     signals = [column for column in table if column is not time and column.fault is None]
     if not signals:
         return RecognisedFile(file, "unknown", "time, and no other column of numbers")
-    rate = (len(seconds) - 1) / float(seconds[-1] - seconds[0]) if seconds[-1] > seconds[0] else None
+    rate = (
+        (len(seconds) - 1) / float(seconds[-1] - seconds[0]) if seconds[-1] > seconds[0] else None
+    )
     item = _of_signals(file, seconds, signals, settings)
-    return replace(item, time=spec, sample_time=step, rate=rate, signals=tuple(column.name for column in signals))
+    return replace(
+        item,
+        time=spec,
+        sample_time=step,
+        rate=rate,
+        signals=tuple(column.name for column in signals),
+    )
 
 
 def _time(table: ColumnTable) -> Column | None:
     """The column of time: of that name, in a unit of time, or called so in another language."""
-    plain = next((column for column in table if column.name == "time" or _kind_of_unit(column.unit) == "s"), None)
+    plain = next(
+        (column for column in table if column.name == "time" or _kind_of_unit(column.unit) == "s"),
+        None,
+    )
     if plain is not None:
         return plain
     return next((c for c in table if names_time(c.name) and not c.unit and c.fault is None), None)
@@ -189,11 +215,18 @@ def _clock(
         step = _step_in_header(file) if rows > _FEW_ROWS else None
         if step is None and rows > _FEW_ROWS and settings is not None:
             step = settings.sample_time
-        return (None, "", None) if step is None else (np.arange(rows, dtype=np.float64) * step, "", step)
+        return (
+            (None, "", None)
+            if step is None
+            else (np.arange(rows, dtype=np.float64) * step, "", step)
+        )
     if time.unit or time.fault is not None or len(time.values) < 2:
         return time.values * (conversion_factor(time.unit, "s") if time.unit else 1.0), "", None
     step = float(np.median(np.diff(time.values)))
-    unit = next((u for u, s in (("s", 1.0), ("ms", 1e-3)) if step > 0.0 and _is_usual(1.0 / (s * step))), None)
+    unit = next(
+        (u for u, s in (("s", 1.0), ("ms", 1e-3)) if step > 0.0 and _is_usual(1.0 / (s * step))),
+        None,
+    )
     if unit is None:
         return None, "", None
     return time.values * conversion_factor(unit, "s"), f"{time.label} [{unit}]", None
@@ -208,7 +241,11 @@ def _step_in_header(file: Path) -> float | None:
         stated = _RATE.search(without_accents(text_of(file)[:_HEADER]))
     except RecordingError:
         return None
-    return None if stated is None else 1.0 / (float(stated[1].replace(",", ".")) * (1e3 if stated[2] else 1.0))
+    return (
+        None
+        if stated is None
+        else 1.0 / (float(stated[1].replace(",", ".")) * (1e3 if stated[2] else 1.0))
+    )
 
 
 def _no_time(table: ColumnTable, rows: int) -> str:
@@ -218,7 +255,9 @@ def _no_time(table: ColumnTable, rows: int) -> str:
     return f"{columns}; name a column time [s], or give sample_time in the settings"
 
 
-def _of_signals(file: Path, seconds: Array, signals: list[Column], settings: Laboratory | None) -> RecognisedFile:
+def _of_signals(
+    file: Path, seconds: Array, signals: list[Column], settings: Laboratory | None
+) -> RecognisedFile:
     """A trial or a free decay, by what its signals look like over time (s)."""
     pulses = [column for column in signals if _has_pulses(seconds, column.values)]
     moving = [column for column in signals if column not in pulses]
@@ -226,7 +265,9 @@ def _of_signals(file: Path, seconds: Array, signals: list[Column], settings: Lab
         why = f"{', '.join(column.label for column in moving)} swings and falls"
         channel = _measured_channel(moving[0].name, settings)
         known = {} if channel is None or channel == moving[0].name else {channel: moving[0].label}
-        return RecognisedFile(file, "decay", why, known, doubt="" if not pulses else "a trial: it has pulses")
+        return RecognisedFile(
+            file, "decay", why, known, doubt="" if not pulses else "a trial: it has pulses"
+        )
     why = f"{len(moving)} signals over {seconds[-1] - seconds[0]:.3g} s"
     if pulses:
         why += f", and pulses in {', '.join(column.label for column in pulses)}"
@@ -255,9 +296,13 @@ def _force_deflection(file: Path, length: Column, force: Column) -> RecognisedFi
     pressure = _pressure(file.stem)
     kind = named or ("tyre" if pressure is not None and by_rate == "tyre" else by_rate)
     doubt = "" if named in (None, by_rate) else f"a {by_rate} by its rate of {1e-3 * rate:.3g} N/mm"
-    if named is None and 0.5 * _STIFF < abs(rate) < 2.0 * _STIFF:  # bicycle springs, 53 N/mm, soft tyres, 120 N/mm
+    if (
+        named is None and 0.5 * _STIFF < abs(rate) < 2.0 * _STIFF
+    ):  # bicycle springs, 53 N/mm, soft tyres, 120 N/mm
         doubt = f"{'a spring' if by_rate == 'tyre' else 'a tyre'}: its rate of {1e-3 * rate:.3g} N/mm is between both"
-    how = f"force over displacement, {1e-3 * rate:.3g} N/mm" + (f", {force.unit} read as {weight}" if weight else "")
+    how = f"force over displacement, {1e-3 * rate:.3g} N/mm" + (
+        f", {force.unit} read as {weight}" if weight else ""
+    )
     how += f", and its name says {named}" if named else ""
     return RecognisedFile(file, kind, how, columns, pressure=pressure, doubt=doubt)
 
@@ -268,7 +313,14 @@ def _original_heading(column: Column) -> str:
 
 
 def _by_name(stem: str) -> Kind | None:
-    return next((kind for kind, words in _WORDS.items() if any(word in without_accents(stem) for word in words)), None)
+    return next(
+        (
+            kind
+            for kind, words in _WORDS.items()
+            if any(word in without_accents(stem) for word in words)
+        ),
+        None,
+    )
 
 
 def _pressure(stem: str) -> float | None:
@@ -335,7 +387,9 @@ def _number_trials(files: list[RecognisedFile], known: Collection[int]) -> list[
     Places count from either end of a name; of several alike the last in the name is taken.
     """
     trials = [item for item in files if item.kind == "trial"]
-    numbers = {item.file: [int(text) for text in re.findall(r"\d+", item.file.stem)] for item in trials}
+    numbers = {
+        item.file: [int(text) for text in re.findall(r"\d+", item.file.stem)] for item in trials
+    }
     longest = max(map(len, numbers.values()), default=0)
 
     def different(place: int) -> int:
@@ -346,7 +400,10 @@ def _number_trials(files: list[RecognisedFile], known: Collection[int]) -> list[
     place = max(places, key=different, default=None)
     if place is None or (not known and different(place) < len(trials)):
         return files
-    return [_with_number(item, numbers[item.file], place) if item.file in numbers else item for item in files]
+    return [
+        _with_number(item, numbers[item.file], place) if item.file in numbers else item
+        for item in files
+    ]
 
 
 def _with_number(item: RecognisedFile, numbers: list[int], place: int) -> RecognisedFile:

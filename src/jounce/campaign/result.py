@@ -73,7 +73,9 @@ class CampaignResult(Shown):
     def __str__(self) -> str:
         updates = [strategy.update for strategy in self.strategies]
         tables = [group_table("Updates", updates)] if updates else []
-        tables += [group_table(f"Parameters of {update.name}", update.parameters) for update in updates]
+        tables += [
+            group_table(f"Parameters of {update.name}", update.parameters) for update in updates
+        ]
         compared = {
             f"{trial.entry.number} {trial.entry.use}, {name}": channel
             for trial in self.trials
@@ -81,7 +83,9 @@ class CampaignResult(Shown):
             for name, channel in trial.after.channels.items()
         }
         tables += [group_table("Trials", compared)] if compared else []
-        return "\n\n".join([self.campaign.title, *map(str, tables), "\n".join(map(str, self.findings))])
+        return "\n\n".join(
+            [self.campaign.title, *map(str, tables), "\n".join(map(str, self.findings))]
+        )
 
     @property
     def is_complete(self) -> bool:
@@ -111,7 +115,11 @@ class CampaignResult(Shown):
             "records": self.look.to_dict(),
             "lumped": None if self.lumped is None else self.lumped.to_dict(),
             **(
-                {"reference": to_plain(beside_reference(self.campaign.reference, self.strategies, self.trials))}
+                {
+                    "reference": to_plain(
+                        beside_reference(self.campaign.reference, self.strategies, self.trials)
+                    )
+                }
                 if self.campaign.reference
                 else {}
             ),
@@ -162,9 +170,16 @@ def _update(strategy: StrategyResult) -> dict[str, Any]:
         **plain,
         "trials": list(strategy.fitted_on),
         "truth": strategy.truth,
-        "objective_by_channel": {name: {"before": pair[0], "after": pair[1]} for name, pair in split.items()},
+        "objective_by_channel": {
+            name: {"before": pair[0], "after": pair[1]} for name, pair in split.items()
+        },
         "comparisons": [
-            {"number": t.number, "is_fitted": t.is_fitted, "before": to_plain(t.before), "after": to_plain(t.after)}
+            {
+                "number": t.number,
+                "is_fitted": t.is_fitted,
+                "before": to_plain(t.before),
+                "after": to_plain(t.after),
+            }
             for t in strategy.trials
         ],
     }
@@ -180,7 +195,9 @@ def _trial(trial: TrialResult) -> dict[str, Any]:
         "channels": to_plain(after.channels) if after else {},
         "verdict": after.verdict if after else "not usable",
         "objective": to_plain(after.objective) if after else None,
-        "before": {"channels": to_plain(before.channels), "verdict": before.verdict} if before else None,
+        "before": {"channels": to_plain(before.channels), "verdict": before.verdict}
+        if before
+        else None,
         **({"belt": _belt(trial.belt)} if trial.belt else {}),
     }
 

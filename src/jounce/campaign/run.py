@@ -36,7 +36,13 @@ from jounce.campaign.exchanged import better_exchanged
 from jounce.campaign.first_look import first_look
 from jounce.campaign.result import CampaignResult
 from jounce.campaign.strategy_result import StrategyResult, StrategyTrial
-from jounce.campaign.trial_result import Signals, TrialComparison, TrialMotion, TrialResult, compare_trial
+from jounce.campaign.trial_result import (
+    Signals,
+    TrialComparison,
+    TrialMotion,
+    TrialResult,
+    compare_trial,
+)
 from jounce.campaign.truth import BenchTruth, load_truth, true_values
 from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, reason, unknown
@@ -44,7 +50,12 @@ from jounce.core.findings import Finding, at_place, finding
 from jounce.core.phrases import Phrase, Phrases
 from jounce.core.waiting import progress_through
 from jounce.design.lumping import lumped_from
-from jounce.design.model_comparison import ModelComparison, PeakDifference, compare_models, compare_peaks
+from jounce.design.model_comparison import (
+    ModelComparison,
+    PeakDifference,
+    compare_models,
+    compare_peaks,
+)
 from jounce.identify.datum import QuietStart, datums_of, quiet_starts, start_findings, with_datum
 from jounce.identify.extended_rig import own_doubt
 from jounce.identify.fit_problem import FitTrial, check_free
@@ -157,7 +168,15 @@ def prepared_campaign(path: Path | str, progress: Progress) -> tuple[Runner, Rig
     bench, knowledge = characterise(rig, campaign.bench, file.parent, campaign.sensors)
     findings += bench.findings
     loaded = _load_trials(campaign, roads, file.parent, findings)
-    runner = Runner(campaign, file.parent, loaded, rig_file.read_text(encoding="utf-8"), bench, findings, progress)
+    runner = Runner(
+        campaign,
+        file.parent,
+        loaded,
+        rig_file.read_text(encoding="utf-8"),
+        bench,
+        findings,
+        progress,
+    )
     runner.records = {number: item.measured for number, item in loaded.items()}
     runner.truth = _truth(campaign, file.parent, findings)
     runner.place_trials(knowledge)
@@ -194,14 +213,25 @@ def _leading(findings: list[Finding]) -> list[Finding]:
 def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) -> None:
     for i, entry in enumerate(campaign.trial):
         if entry.road is not None and entry.road not in roads:
-            raise unknown(entry.road, roads, what="road", where=f"{file}: trial[{i}].road (number {entry.number})")
+            raise unknown(
+                entry.road,
+                roads,
+                what="road",
+                where=f"{file}: trial[{i}].road (number {entry.number})",
+            )
 
 
 def checks_of(campaign: Campaign, rig: Rig, file: Path) -> list[Callable[[], list[Finding]]]:
     """Checks made before any work starts; ``jounce check`` makes all of them, too."""
     return [
         partial(check, campaign, rig, file)
-        for check in (_check_sensors, check_strut_angles, _check_adjustments, _check_masses, _check_updates)
+        for check in (
+            _check_sensors,
+            check_strut_angles,
+            _check_adjustments,
+            _check_masses,
+            _check_updates,
+        )
     ]
 
 
@@ -272,7 +302,11 @@ def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
         own_doubt(rig, path, given, f"{file}: doubt.values")
     for i, entry in enumerate(campaign.update):
         place = f"{file}: update[{i}].free ({entry.name})"
-        curve = {path for path in entry.free if path.startswith("tyre.curve") and entry.tyre_law == "polynomial"}
+        curve = {
+            path
+            for path in entry.free
+            if path.startswith("tyre.curve") and entry.tyre_law == "polynomial"
+        }
         ranges, _ = bounds_and_priors(rig, entry.free, place)
         check_free(
             rig,
@@ -303,7 +337,9 @@ def load_trial(
 ) -> tuple[_Loaded, list[Finding]]:
     """Read what a trial needs, and refuse what cannot be compared with a simulation."""
     belt, sensors = (None, {}) if campaign is None else (campaign.belt, campaign.sensors)
-    measured, notes = entry.read(folder / entry.recording, folder, {**sensors, **(belt.sensors if belt else {})})
+    measured, notes = entry.read(
+        folder / entry.recording, folder, {**sensors, **(belt.sensors if belt else {})}
+    )
     measured = compression_positive(measured, entry.stroke_positive, entry.force_positive)
     measured = _window(measured, entry)
     duration = entry.duration or float(measured["time"][-1])
@@ -405,7 +441,14 @@ class Runner:
         sensors = self.sensors.get(entry.number, self.campaign.sensors)
         noise = item.facts.passages.noise if item.facts else {}
         return FitTrial(
-            f"trial {entry.number}", rig, item.trial, item.measured, sensors, added, entry.wheel_load, noise=noise
+            f"trial {entry.number}",
+            rig,
+            item.trial,
+            item.measured,
+            sensors,
+            added,
+            entry.wheel_load,
+            noise=noise,
         )
 
     def place_trials(self, knowledge: Knowledge) -> None:
@@ -419,12 +462,19 @@ class Runner:
             name = f"trial {number}"
             try:
                 trial, facts, findings = place_trial(
-                    self.fit_trial(item, knowledge), item.entry.speed, item.entry.passage, item.pulses
+                    self.fit_trial(item, knowledge),
+                    item.entry.speed,
+                    item.entry.passage,
+                    item.pulses,
                 )
             except ObstacleNotFoundError as error:
                 if error.sought is not None:
                     self.sought[number] = error.sought
-                code = "campaign.trial_left_out" if self.campaign.belt else "campaign.obstacle_not_seen"
+                code = (
+                    "campaign.trial_left_out"
+                    if self.campaign.belt
+                    else "campaign.obstacle_not_seen"
+                )
                 said: str = error.message(within=name)
                 self.findings.append(finding(code, name, error=said))
                 if self.campaign.belt:
@@ -437,15 +487,20 @@ class Runner:
                 continue
             if facts is not None:
                 self.sensors[number] = trial.sensors
-                self.loaded[number] = replace(item, trial=trial.trial, measured=trial.measured, facts=facts)
+                self.loaded[number] = replace(
+                    item, trial=trial.trial, measured=trial.measured, facts=facts
+                )
             self.findings += [
-                item if item.place.startswith(name) else at_place(f"{name}: {item.place}", item) for item in findings
+                item if item.place.startswith(name) else at_place(f"{name}: {item.place}", item)
+                for item in findings
             ]
         on_belt = {number: item.facts for number, item in self.loaded.items() if item.facts}
         if self.campaign.belt is not None and self.campaign.belt.length is not None:
             common, is_in_doubt = common_speed_errors(on_belt, self.campaign.belt.length)
             if common:  # said once, and not of every trial again
-                self.findings[:] = [item for item in self.findings if item.code not in SPEED_CODES] + common
+                self.findings[:] = [
+                    item for item in self.findings if item.code not in SPEED_CODES
+                ] + common
             if is_in_doubt:
                 self.loaded.clear()
                 return
@@ -460,8 +515,12 @@ class Runner:
                 continue
             trial = self.fit_trial(item, knowledge)
             with suppress(JounceError):  # said where the trial is placed
-                passages = find_passages(item.measured, trial.rig, road, speed, sensors=trial.sensors, name=trial.name)
-                met.append(((*passages.times, *passages.again), item.pulses.mean if item.pulses else speed))
+                passages = find_passages(
+                    item.measured, trial.rig, road, speed, sensors=trial.sensors, name=trial.name
+                )
+                met.append(
+                    ((*passages.times, *passages.again), item.pulses.mean if item.pulses else speed)
+                )
         measured = loop_length(met)
         if measured is None:
             self.findings.append(finding("campaign.belt_length_unknown", "belt"))
@@ -487,7 +546,9 @@ class Runner:
             self.sensors[number] = with_datum(trial, starts[trial.name], datums).sensors
         self.findings += start_findings(starts)
 
-    def update_all(self, start: Knowledge, chosen: Sequence[str] | None = None) -> list[StrategyResult]:
+    def update_all(
+        self, start: Knowledge, chosen: Sequence[str] | None = None
+    ) -> list[StrategyResult]:
         """Run all updates, or those of some names."""
         done: dict[str, StrategyResult] = {}
         for k, entry in enumerate(self.campaign.update, 1):
@@ -495,7 +556,12 @@ class Runner:
                 continue
             try:
                 self.progress(
-                    progress_through("update {which} of {count}: {name}", k, len(self.campaign.update), name=entry.name)
+                    progress_through(
+                        "update {which} of {count}: {name}",
+                        k,
+                        len(self.campaign.update),
+                        name=entry.name,
+                    )
                 )
                 done[entry.name] = self._update(entry, start, done)
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
@@ -525,11 +591,15 @@ class Runner:
             nuisances=entry.nuisances,
             starts=entry.starts,
             doubt=self.campaign.doubt,
-            bench=bench_values(self.bench, trials[0].rig, chosen[0].entry.tyre_pressure) if chosen else {},
+            bench=bench_values(self.bench, trials[0].rig, chosen[0].entry.tyre_pressure)
+            if chosen
+            else {},
         )
         return knowledge, chosen, trials, settings
 
-    def _update(self, entry: UpdateEntry, start: Knowledge, done: dict[str, StrategyResult]) -> StrategyResult:
+    def _update(
+        self, entry: UpdateEntry, start: Knowledge, done: dict[str, StrategyResult]
+    ) -> StrategyResult:
         knowledge, chosen, trials, settings = self.set_up(entry, start, done)
         result, _ = run_update(trials, entry.free, settings)
         self.findings += [
@@ -544,9 +614,13 @@ class Runner:
                 truth = true_values(self.truth, list(result.parameters), trials, chosen[0].entry)
                 strategy = replace(strategy, truth=truth)
             except JounceError as error:
-                self.findings.append(finding("campaign.no_truths_of", "truth.toml", error=error, name=entry.name))
+                self.findings.append(
+                    finding("campaign.no_truths_of", "truth.toml", error=error, name=entry.name)
+                )
         chain = [*self._before(entry, done), strategy]
-        return replace(strategy, rig_texts=updated_rigs(self.campaign, self.rig_text, self.bench, chain))
+        return replace(
+            strategy, rig_texts=updated_rigs(self.campaign, self.rig_text, self.bench, chain)
+        )
 
     def _before(self, entry: UpdateEntry, done: dict[str, StrategyResult]) -> list[StrategyResult]:
         """Give the updates that one builds on, the first of them first."""
@@ -569,7 +643,10 @@ class Runner:
         for k, strategy in enumerate(strategies, 1):
             self.progress(
                 progress_through(
-                    "compare strategy {which} of {count}: {name}", k, len(strategies), name=strategy.update.name
+                    "compare strategy {which} of {count}: {name}",
+                    k,
+                    len(strategies),
+                    name=strategy.update.name,
                 )
             )
             compared.append(self._compare_trials(strategy))
@@ -581,19 +658,34 @@ class Runner:
         for number, item in self.loaded.items():
             lag = lags.get(f"trial {number}", None if lags else 0.0)
             before = self.comparison(item, strategy.start, lag)
-            after = self.comparison(item, strategy.knowledge, lag, strategy.update.offsets.get(f"trial {number}"))
-            trials.append(StrategyTrial(number, number in strategy.fitted_on, before[0], after[0], before[1], after[1]))
+            after = self.comparison(
+                item, strategy.knowledge, lag, strategy.update.offsets.get(f"trial {number}")
+            )
+            trials.append(
+                StrategyTrial(
+                    number, number in strategy.fitted_on, before[0], after[0], before[1], after[1]
+                )
+            )
         return replace(strategy, trials=tuple(trials))
 
     def compare_all(self, start: Knowledge, strategies: list[StrategyResult]) -> list[TrialResult]:
         """Compare every trial with the characterised model and with that of the last update."""
         final = strategies[-1].knowledge if strategies else start
         lags = {name: lag for strategy in strategies for name, lag in strategy.update.lags.items()}
-        offsets = {name: offset for strategy in strategies for name, offset in strategy.update.offsets.items()}
+        offsets = {
+            name: offset
+            for strategy in strategies
+            for name, offset in strategy.update.offsets.items()
+        }
         aligned = any(entry.align for entry in self.campaign.update)
-        return [self._compare(entry, start, final, lags, offsets, aligned) for entry in self.campaign.trial]
+        return [
+            self._compare(entry, start, final, lags, offsets, aligned)
+            for entry in self.campaign.trial
+        ]
 
-    def exchanged_conditions(self, knowledge: Knowledge, trials: Sequence[TrialResult]) -> list[Finding]:
+    def exchanged_conditions(
+        self, knowledge: Knowledge, trials: Sequence[TrialResult]
+    ) -> list[Finding]:
         """Name pairs of records that each other's conditions explain better."""
         known = {item.place for item in self.findings if item.code == "campaign.trials_exchanged"}
         left = {
@@ -607,13 +699,17 @@ class Runner:
         def under(record: int, other: int) -> FitTrial:
             own, set_up = self.as_read[record], self.as_read[other]
             trial = set_up.trial.with_fields(duration=own.trial.duration)
-            if trial.road is not None and trial.road.recurrence is not None:  # its speed is that of the record
+            if (
+                trial.road is not None and trial.road.recurrence is not None
+            ):  # its speed is that of the record
                 trial = trial.with_fields(speed=own.trial.speed)
             item = replace(set_up, trial=trial, measured=own.measured)
             held = self.fit_trial(item, knowledge)
             return held if trial.road is None else place_trial(held, None, "all", own.pulses)[0]
 
-        exchanges = better_exchanged(doubtful, lambda first, other: conditions[first] == conditions[other], under)
+        exchanges = better_exchanged(
+            doubtful, lambda first, other: conditions[first] == conditions[other], under
+        )
         return [item for item in exchanges if item.place not in known]
 
     def compare_with_lumped(self, knowledge: Knowledge) -> ModelComparison | None:
@@ -625,7 +721,9 @@ class Runner:
             comparison = compare_models(knowledge.rig)
             peaks = [peak for item in self.loaded.values() for peak in self._peaks(item, knowledge)]
         except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-            self.findings.append(finding("campaign.lumped_not_compared", "lumped model", error=reason(error)))
+            self.findings.append(
+                finding("campaign.lumped_not_compared", "lumped model", error=reason(error))
+            )
             return None
         return replace(comparison, peaks=tuple(peaks))
 
@@ -633,12 +731,23 @@ class Runner:
         """Poses over the travel of all trials at each strut angle; none for a lumped rig or if it cannot reach them."""
         sweeps: dict[float | None, xr.Dataset] = {}
         for angle in dict.fromkeys(trial.entry.strut_angle for trial in trials):
-            motions = [t.motion for t in trials if t.motion is not None and t.entry.strut_angle == angle]
-            motions = [motion for motion in motions if isinstance(motion.rig, Corner) and "sprung.z" in motion.outputs]
+            motions = [
+                t.motion for t in trials if t.motion is not None and t.entry.strut_angle == angle
+            ]
+            motions = [
+                motion
+                for motion in motions
+                if isinstance(motion.rig, Corner) and "sprung.z" in motion.outputs
+            ]
             if not motions:
                 continue
-            travels = [motion.outputs["unsprung.z"] - motion.outputs["sprung.z"] for motion in motions]
-            low, high = min(float(part.min()) for part in travels), max(float(part.max()) for part in travels)
+            travels = [
+                motion.outputs["unsprung.z"] - motion.outputs["sprung.z"] for motion in motions
+            ]
+            low, high = (
+                min(float(part.min()) for part in travels),
+                max(float(part.max()) for part in travels),
+            )
             grid = np.linspace(min(low, -_LEAST_TRAVEL), max(high, _LEAST_TRAVEL), _POSES)
             with suppress(JounceError):
                 sweeps[angle] = sweep_travel(motions[0].rig, grid, points=True)
@@ -665,7 +774,11 @@ class Runner:
             return TrialResult(entry, None, None, None, {}, {})
         which = list(self.loaded).index(entry.number) + 1
         title = Phrase("trial {number}", number=entry.number)
-        self.progress(progress_through("compare trial {which} of {count}: {name}", which, len(self.loaded), name=title))
+        self.progress(
+            progress_through(
+                "compare trial {which} of {count}: {name}", which, len(self.loaded), name=title
+            )
+        )
         lag = lags.get(name, None if aligned else 0.0)
         pitch = item.trial.road.pitch if isinstance(item.trial.road, Train) else None
         before, curves_before, _, _ = self.comparison(item, start, lag)
@@ -674,7 +787,11 @@ class Runner:
         return TrialResult(entry, pitch, before, after, curves_before, curves, motion, item.facts)
 
     def comparison(
-        self, item: _Loaded, knowledge: Knowledge, lag: float | None, offset: Mapping[str, float] | None = None
+        self,
+        item: _Loaded,
+        knowledge: Knowledge,
+        lag: float | None,
+        offset: Mapping[str, float] | None = None,
     ) -> _Compared:
         """Compare a trial with a model; what has been compared is not run again. A failure is a finding.
 
@@ -687,14 +804,25 @@ class Runner:
             try:
                 self.compared[key] = compare_trial(trial, lag)
             except Exception as error:  # noqa: BLE001 - one bad file never loses the others
-                self.findings.append(finding("campaign.not_compared", trial.name, error=reason(error)))
+                self.findings.append(
+                    finding("campaign.not_compared", trial.name, error=reason(error))
+                )
                 self.compared[key] = (None, {}, [], None)
         return self.compared[key]
 
 
 def _conditions(entry: TrialEntry) -> dict[str, Any]:
     """What was set up for a trial: not its record, nor how that is read."""
-    names = ("road", "excitation", "strut_angle", "tyre_pressure", "added_mass", "changes", "adjustments", "speed")
+    names = (
+        "road",
+        "excitation",
+        "strut_angle",
+        "tyre_pressure",
+        "added_mass",
+        "changes",
+        "adjustments",
+        "speed",
+    )
     return entry.model_dump(include=set(names))
 
 

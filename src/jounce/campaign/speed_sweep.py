@@ -101,7 +101,10 @@ def speed_sweep(
     dimensions = ("speed", "channel", "parameter")
     return xr.Dataset(
         {
-            **{name: ("speed", np.asarray(values, dtype=float), _LABELS[name]) for name, values in by_speed.items()},
+            **{
+                name: ("speed", np.asarray(values, dtype=float), _LABELS[name])
+                for name, values in by_speed.items()
+            },
             "sensitivity": (dimensions, table[..., 0], _LABELS["sensitivity"]),
             "relative_sensitivity": (dimensions, table[..., 1], _LABELS["relative_sensitivity"]),
         },
@@ -116,7 +119,10 @@ def speed_sweep(
 _LABELS = {
     "peak_body_acceleration": {"units": "m/s^2", "long_name": "peak acceleration of the body"},
     "peak_wheel_acceleration": {"units": "m/s^2", "long_name": "peak acceleration of the wheel"},
-    "peak_body_displacement": {"units": "m", "long_name": "peak displacement of the body from rest"},
+    "peak_body_displacement": {
+        "units": "m",
+        "long_name": "peak displacement of the body from rest",
+    },
     "lift_off_time": {"units": "s", "long_name": "time without contact"},
     "contact_events": {"units": "1", "long_name": "losses and returns of contact"},
     "obstacle_frequency": {"units": "Hz", "long_name": "speed over obstacle length"},
@@ -125,7 +131,10 @@ _LABELS = {
         "units": "m/s^2",
         "long_name": "r.m.s. change of the signal for a relative change of the parameter",
     },
-    "relative_sensitivity": {"units": "1", "long_name": "that change over the r.m.s. of the signal"},
+    "relative_sensitivity": {
+        "units": "1",
+        "long_name": "that change over the r.m.s. of the signal",
+    },
 }
 
 
@@ -133,7 +142,10 @@ def _speeds(speeds: ArrayLike | Sequence[str]) -> Array:
     velocity = as_values(speeds, "m/s", where="speeds")
     if len(velocity) == 0 or not np.all(velocity > 0.0):
         raise DescriptionError(
-            "not speeds to drive at", where="speeds", found=speeds, allowed="one or more above 0 m/s"
+            "not speeds to drive at",
+            where="speeds",
+            found=speeds,
+            allowed="one or more above 0 m/s",
         )
     return velocity
 
@@ -145,7 +157,11 @@ def _logarithmic(rig: Rig, parameters: Sequence[str]) -> tuple[FreeParameter, ..
         if path not in values:
             raise unknown_path(f"speed sweep: {path}", values, name=path)
         if values[path] == 0.0:
-            raise FitError("a value of zero has no relative sensitivity", where=path, hint="Give it a small value.")
+            raise FitError(
+                "a value of zero has no relative sensitivity",
+                where=path,
+                hint="Give it a small value.",
+            )
     return tuple(FreeParameter(path, values[path], 0.0, 2.0 * values[path]) for path in parameters)
 
 
@@ -157,16 +173,27 @@ def _sweep_point(
     Against a record of zeros the residuals are the signals and their Jacobian the sensitivities, both with a minus.
     """
     times = RunSettings(output_step).times(trial.duration)
-    zeros = recording_of(times, {name: (np.zeros(len(times)), unit, "") for name, unit in _WATCHED.items()})
+    zeros = recording_of(
+        times, {name: (np.zeros(len(times)), unit, "") for name, unit in _WATCHED.items()}
+    )
     problem = UpdateProblem(
-        [FitTrial(f"speed {trial.speed:g} m/s", rig, trial, zeros)], free, UpdateSettings(tolerance=1e-6)
+        [FitTrial(f"speed {trial.speed:g} m/s", rig, trial, zeros)],
+        free,
+        UpdateSettings(tolerance=1e-6),
     )
     names = [channel.name for channel in problem.trials[0].channels]
     if set(names) != set(_WATCHED):
-        raise SimulationError("the rig lacks a signal", where="speed sweep", allowed=", ".join(_WATCHED))
+        raise SimulationError(
+            "the rig lacks a signal", where="speed sweep", allowed=", ".join(_WATCHED)
+        )
     residuals = problem.residuals(np.zeros(len(free)))
-    signal = {name: -residuals.vector[block] for name, block in zip(names, residuals.blocks, strict=True)}
-    slopes = {name: -residuals.jacobian[block] for name, block in zip(names, residuals.blocks, strict=True)}
+    signal = {
+        name: -residuals.vector[block] for name, block in zip(names, residuals.blocks, strict=True)
+    }
+    slopes = {
+        name: -residuals.jacobian[block]
+        for name, block in zip(names, residuals.blocks, strict=True)
+    }
     table = np.empty((len(CHANNELS), len(free), 2))
     for i, name in enumerate(CHANNELS):
         table[i, :, 0] = np.sqrt(np.mean(slopes[name] ** 2, axis=0))
@@ -175,7 +202,9 @@ def _sweep_point(
 
 
 def _numbers(signal: dict[str, Array], output_step: float) -> dict[str, float]:
-    aloft = signal["tyre.force"] == 0.0  # exactly, with lift-off; a tyre that can pull only passes through it
+    aloft = (
+        signal["tyre.force"] == 0.0
+    )  # exactly, with lift-off; a tyre that can pull only passes through it
     return {
         "peak_body_acceleration": float(np.max(np.abs(signal["sprung.az"]))),
         "peak_wheel_acceleration": float(np.max(np.abs(signal["unsprung.az"]))),
@@ -195,9 +224,16 @@ def misfit_against_speed(result: CampaignResult) -> xr.Dataset:
     """
     import xarray as xr
 
-    trials = [trial for trial in result.trials if trial.after is not None and trial.entry.speed is not None]
+    trials = [
+        trial
+        for trial in result.trials
+        if trial.after is not None and trial.entry.speed is not None
+    ]
     names = sorted({name for trial in trials if trial.after for name in trial.after.channels})
-    tables = {key: np.full((len(trials), len(names)), np.nan) for key in ("nrmse_before", "nrmse", "iso18571")}
+    tables = {
+        key: np.full((len(trials), len(names)), np.nan)
+        for key in ("nrmse_before", "nrmse", "iso18571")
+    }
     for i, trial in enumerate(trials):
         _enter(tables["nrmse_before"][i], trial.before, names, "nrmse")
         _enter(tables["nrmse"][i], trial.after, names, "nrmse")
@@ -205,7 +241,11 @@ def misfit_against_speed(result: CampaignResult) -> xr.Dataset:
     pitch = [np.nan if trial.obstacle_pitch is None else trial.obstacle_pitch for trial in trials]
     return xr.Dataset(
         {
-            "speed": ("trial", np.array([trial.entry.speed for trial in trials], dtype=float), {"units": "m/s"}),
+            "speed": (
+                "trial",
+                np.array([trial.entry.speed for trial in trials], dtype=float),
+                {"units": "m/s"},
+            ),
             "pitch": ("trial", np.array(pitch, dtype=float), {"units": "m"}),
             "use": ("trial", [trial.entry.use for trial in trials]),
             "verdict": ("trial", [trial.after.verdict if trial.after else "" for trial in trials]),
@@ -215,6 +255,8 @@ def misfit_against_speed(result: CampaignResult) -> xr.Dataset:
     )
 
 
-def _enter(row: Array, comparison: TrialComparison | None, names: Sequence[str], number: str) -> None:
+def _enter(
+    row: Array, comparison: TrialComparison | None, names: Sequence[str], number: str
+) -> None:
     for name, channel in (comparison.channels if comparison is not None else {}).items():
         row[names.index(name)] = getattr(channel, number)

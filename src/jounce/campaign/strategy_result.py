@@ -51,12 +51,17 @@ class StrategyResult(Shown):
         dict of str to (float, float)
             Channel to its sum of squared differences before and after, in the square of its SI unit: (m/s^2)^2.
         """
-        fitted = [t for t in self.trials if t.is_fitted and t.before is not None and t.after is not None]
+        fitted = [
+            t for t in self.trials if t.is_fitted and t.before is not None and t.after is not None
+        ]
         split: dict[str, tuple[float, float]] = {}
         for trial in fitted:
             assert trial.before is not None
             assert trial.after is not None
             for name, after in trial.after.channels.items():
                 before_sum, after_sum = split.get(name, (0.0, 0.0))
-                split[name] = (before_sum + trial.before.channels[name].objective, after_sum + after.objective)
+                split[name] = (
+                    before_sum + trial.before.channels[name].objective,
+                    after_sum + after.objective,
+                )
         return split

@@ -37,5 +37,7 @@ def new_campaign(folder: Path | str, *, force: bool = False) -> Path:
     """
     template = Path(str(resources.files("jounce"))) / "library" / "campaigns" / "template"
     files = (file for file in sorted(template.rglob("*")) if file.is_file())
-    write_files(folder, {str(file.relative_to(template)): file.read_bytes() for file in files}, force=force)
+    write_files(
+        folder, {str(file.relative_to(template)): file.read_bytes() for file in files}, force=force
+    )
     return Path(folder) / "campaign.toml"

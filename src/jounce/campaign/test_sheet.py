@@ -111,7 +111,9 @@ class TestSheet(Plain):
 def plan_test(
     settings: Annotated[Path | str, File("Settings of the laboratory.", "SETTINGS.toml")],
     *,
-    students: Annotated[bool, Switch("Leave room to predict, measure and compare, as a laboratory exercise.")] = False,
+    students: Annotated[
+        bool, Switch("Leave room to predict, measure and compare, as a laboratory exercise.")
+    ] = False,
 ) -> TestSheet:
     """Predict the trials of a laboratory before they are run, and lay out what is to be noted.
 
@@ -142,16 +144,25 @@ def plan_test(
     laboratory = load_laboratory(file)
     if not laboratory.trials:
         raise DescriptionError(
-            "the settings name no table of trials", where=f"{file}: trials", allowed='trials = "table.csv"'
+            "the settings name no table of trials",
+            where=f"{file}: trials",
+            allowed='trials = "table.csv"',
         )
     rows = read_trials(file.parent / laboratory.trials)
     rig = _rig_of(laboratory, rows, file)
     ordered = sorted(
-        rows, key=lambda row: (-(row.pressure or 0.0), -(row.angle or 0.0), row.pitch or 0.0, row.speed or 0.0)
+        rows,
+        key=lambda row: (
+            -(row.pressure or 0.0),
+            -(row.angle or 0.0),
+            row.pitch or 0.0,
+            row.speed or 0.0,
+        ),
     )
     values = rig.parameters()
     channels = tuple(
-        (column, channel.measures, str(channel.sensitivity)) for column, channel in laboratory.channels.items()
+        (column, channel.measures, str(channel.sensitivity))
+        for column, channel in laboratory.channels.items()
     )
     return TestSheet(
         laboratory.title,
@@ -168,7 +179,9 @@ def _rig_of(laboratory: Laboratory, rows: list[TrialRow], file: Path) -> Rig:
         local = file.parent / laboratory.rig
         return load(local if local.is_file() else laboratory.rig)
     angle = next((row.angle for row in rows if row.angle is not None), 0.0)
-    text = quarter_car_text(f"{laboratory.sprung_mass:g} kg", f"{laboratory.unsprung_mass:g} kg", angle)
+    text = quarter_car_text(
+        f"{laboratory.sprung_mass:g} kg", f"{laboratory.unsprung_mass:g} kg", angle
+    )
     return rig_from_table(tomllib.loads(text), where=str(file))
 
 
@@ -184,7 +197,10 @@ def _predict(rig: Rig, laboratory: Laboratory, row: TrialRow) -> SheetTrial:
             trial, begin = running_trial(rig, road, row.speed)
             returns = road.recurrence / row.speed
         else:
-            trial, begin = Trial(road=road, speed=row.speed, duration=road.end() / row.speed + _AFTER), 0.0
+            trial, begin = (
+                Trial(road=road, speed=row.speed, duration=road.end() / row.speed + _AFTER),
+                0.0,
+            )
         values = rig.parameters()
         paths = [path for path in TAUGHT if values.get(path)]
         slopes = sensitivities(rig, trial, paths, output_step=_STEP)
@@ -192,12 +208,26 @@ def _predict(rig: Rig, laboratory: Laboratory, row: TrialRow) -> SheetTrial:
         time = slopes["time"].to_numpy()
         for path in paths:
             information = sum(
-                float(np.sum((slopes[name].sel(parameter=path).to_numpy()[time >= begin] / noise) ** 2))
+                float(
+                    np.sum(
+                        (slopes[name].sel(parameter=path).to_numpy()[time >= begin] / noise) ** 2
+                    )
+                )
                 for name, noise in CHANNELS.items()
             )
             if information > 0.0:
                 teaches[path] = 1.0 / math.sqrt(information) / abs(values[path])
-    return SheetTrial(row.number, row.speed, row.angle, row.pressure, row.pitch, row.count, returns, peaks, teaches)
+    return SheetTrial(
+        row.number,
+        row.speed,
+        row.angle,
+        row.pressure,
+        row.pitch,
+        row.count,
+        returns,
+        peaks,
+        teaches,
+    )
 
 
 def _road_of(laboratory: Laboratory, row: TrialRow) -> Road:
@@ -213,4 +243,6 @@ def _peaks(rig: Rig, trial: Trial, begin: float) -> dict[str, float]:
     from jounce.simulation.solve import solve
 
     run = solve(rig, trial, RunSettings(_STEP))
-    return {name: float(np.max(np.abs(run.channels[name][0][run.time >= begin]))) for name in CHANNELS}
+    return {
+        name: float(np.max(np.abs(run.channels[name][0][run.time >= begin]))) for name in CHANNELS
+    }

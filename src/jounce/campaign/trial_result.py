@@ -84,7 +84,12 @@ def compare_trial(
     findings: list[Finding] = []
     for name, (time, measured, simulated) in curves.items():
         numbers = compare(measured, simulated, time, place=f"{trial.name}, {name}")
-        rating = iso18571(measured, simulated, 1.0 / float(np.median(np.diff(time))), place=f"{trial.name}, {name}")
+        rating = iso18571(
+            measured,
+            simulated,
+            1.0 / float(np.median(np.diff(time))),
+            place=f"{trial.name}, {name}",
+        )
         channels[name] = ChannelComparison(
             numbers.nrmse,
             numbers.r2,
@@ -97,7 +102,9 @@ def compare_trial(
         signals[name] = Signals(time, measured, simulated)
         findings += rating.findings
     objective = sum(channel.objective for channel in channels.values())
-    motion = TrialMotion(trial.rig, trial.trial, trial.measured["time"].to_numpy(), model.outputs(lag))
+    motion = TrialMotion(
+        trial.rig, trial.trial, trial.measured["time"].to_numpy(), model.outputs(lag)
+    )
     return TrialComparison(channels, verdict_of(channels), objective), signals, findings, motion
 
 

@@ -128,7 +128,9 @@ class BenchTruth(Description):
     obstacle: Road = HalfSine(height=0.010, length=0.060, start=0.2)
     belt: BeltImperfections = BeltImperfections()
     sensors: dict[str, Sensor] = Field(
-        default={"sprung.az": Sensor(), "unsprung.az": Sensor()}, min_length=1, validate_default=True
+        default={"sprung.az": Sensor(), "unsprung.az": Sensor()},
+        min_length=1,
+        validate_default=True,
     )
     passes: dict[str, TruePass] = {}
     source: str = ""
@@ -141,7 +143,9 @@ class BenchTruth(Description):
 
     @field_validator("tyre")
     @classmethod
-    def _named_by_pressure(cls, curves: dict[str, tuple[float, ...]]) -> dict[str, tuple[float, ...]]:
+    def _named_by_pressure(
+        cls, curves: dict[str, tuple[float, ...]]
+    ) -> dict[str, tuple[float, ...]]:
         for name in curves:
             to_si(name, "Pa", where="tyre")
         return curves
@@ -154,8 +158,12 @@ class BenchTruth(Description):
 
     def true_rig(self, pressure: float | None = None) -> QuarterCar | Corner:
         """Return the true rig, with the rolling tyre at a pressure (Pa; None: the first of ``tyre``)."""
-        described = load(self.rig) if isinstance(self.rig, str) else rig_from_table(self.rig, where="rig")
-        whole_first = dict(sorted(self.changes.items(), key=lambda change: len(split_path(change[0]))))
+        described = (
+            load(self.rig) if isinstance(self.rig, str) else rig_from_table(self.rig, where="rig")
+        )
+        whole_first = dict(
+            sorted(self.changes.items(), key=lambda change: len(split_path(change[0])))
+        )
         rig = described.with_changes(whole_first) if self.changes else described
         if not isinstance(rig, QuarterCar | Corner):
             raise DescriptionError(
@@ -167,8 +175,14 @@ class BenchTruth(Description):
         curve = self.curve_at(pressure)
         if curve is None:
             return rig
-        tyre = {key: value for key, value in _table_of(rig)["tyre"].items() if key not in ("stiffness", "curve")}
-        return rig.with_changes({"tyre": {**tyre, "curve": {"kind": "polynomial", "coefficients": curve}}})
+        tyre = {
+            key: value
+            for key, value in _table_of(rig)["tyre"].items()
+            if key not in ("stiffness", "curve")
+        }
+        return rig.with_changes(
+            {"tyre": {**tyre, "curve": {"kind": "polynomial", "coefficients": curve}}}
+        )
 
     def curve_at(self, pressure: float | None) -> tuple[float, ...] | None:
         """Return the coefficients of the rolling tyre at a pressure (Pa), SI; None if the rig's own tyre applies."""
@@ -192,7 +206,11 @@ class BenchTruth(Description):
         """
         own = {path: value for path, value in changes.items() if not path.startswith("rig.")}
         table = change_table(self, own)
-        of_rig = {path.removeprefix("rig."): value for path, value in changes.items() if path.startswith("rig.")}
+        of_rig = {
+            path.removeprefix("rig."): value
+            for path, value in changes.items()
+            if path.startswith("rig.")
+        }
         others = {
             path: value
             for path, value in table["changes"].items()
@@ -267,7 +285,9 @@ def true_values(
         run = simulate(rig, trials[0].trial)
         known["tyre.stiffness"] = _tangent(rig.tyre.curve, float(run["tyre.deflection"][0]))
     if "strut.damper.coefficient" in paths and "strut.damper.coefficient" not in values:
-        velocity = np.concatenate([simulate(rig, trial.trial)["strut.velocity"].to_numpy() for trial in trials])
+        velocity = np.concatenate(
+            [simulate(rig, trial.trial)["strut.velocity"].to_numpy() for trial in trials]
+        )
         force = rig.strut.damper.forces(velocity)
         known["strut.damper.coefficient"] = float(velocity @ force / (velocity @ velocity))
     return {path: known[path] for path in paths if path in known}
@@ -279,7 +299,9 @@ def _tangent(curve: Curve, at: float) -> float:
         return float(sum((i + 1) * c * at**i for i, c in enumerate(curve.coefficients)))
     if isinstance(curve, PowerCurve):
         return float(curve.coefficient * curve.exponent * at ** (curve.exponent - 1.0))
-    return float(np.interp(at, curve.deflection[1:], np.diff(curve.force) / np.diff(curve.deflection)))
+    return float(
+        np.interp(at, curve.deflection[1:], np.diff(curve.force) / np.diff(curve.deflection))
+    )
 
 
 def _table_of(rig: Any) -> dict[str, Any]:

@@ -38,12 +38,17 @@ def updated_rigs(
     interval; ``source`` and ``estimated`` are rewritten, and comments on values that changed are dropped.
     """
     return {
-        label: _rig_text(campaign, text, bench, chain, pressure) for label, pressure in pressures_of(campaign).items()
+        label: _rig_text(campaign, text, bench, chain, pressure)
+        for label, pressure in pressures_of(campaign).items()
     }
 
 
 def _rig_text(
-    campaign: Campaign, text: str, bench: Characterisation, chain: Sequence[StrategyResult], pressure: float | None
+    campaign: Campaign,
+    text: str,
+    bench: Characterisation,
+    chain: Sequence[StrategyResult],
+    pressure: float | None,
 ) -> str:
     name, known = chain[-1].update.name, chain[-1].knowledge
     described = rig_from_table(tomllib.loads(text))
@@ -55,7 +60,9 @@ def _rig_text(
         update={
             "source": f"Campaign {campaign.title!r}, {name} ({origin}); what bears no comment: "
             + (described.source or "no source given"),
-            "estimated": tuple(entry for entry in described.estimated if not _is_replaced(entry, replaced, rig)),
+            "estimated": tuple(
+                entry for entry in described.estimated if not _is_replaced(entry, replaced, rig)
+            ),
         }
     )
     document = tomlkit.parse(updated_text(text, rig))
@@ -68,17 +75,30 @@ def _rig_text(
     head = [
         f"The rig after {name} of the campaign {campaign.title!r}{tyre}.",
         "Comments say what was measured and fitted, with 95 % intervals; the rest is as in the campaign's rig file.",
-        *([_OF_THE_PART] if any(strategy.update.discrepancy is not None for strategy in chain) else []),
+        *(
+            [_OF_THE_PART]
+            if any(strategy.update.discrepancy is not None for strategy in chain)
+            else []
+        ),
         *([campaign.synthetic] if campaign.synthetic else []),
     ]
-    return "\n".join(f"# {in_one_line(line)}" for line in head) + "\n" + without_head(tomlkit.dumps(document))
+    return (
+        "\n".join(f"# {in_one_line(line)}" for line in head)
+        + "\n"
+        + without_head(tomlkit.dumps(document))
+    )
 
 
 def _is_replaced(name: str, origins: Sequence[str], rig: Rig) -> bool:
     """Whether every number that an entry of ``estimated`` stands for was measured or fitted."""
-    below = [path for path in rig.parameters() if path == name or path.startswith((f"{name}.", f"{name}["))]
+    below = [
+        path
+        for path in rig.parameters()
+        if path == name or path.startswith((f"{name}.", f"{name}["))
+    ]
     return bool(below) and all(
-        any(path == origin or path.startswith((f"{origin}.", f"{origin}[")) for origin in origins) for path in below
+        any(path == origin or path.startswith((f"{origin}.", f"{origin}[")) for origin in origins)
+        for path in below
     )
 
 
@@ -97,7 +117,9 @@ def _origins(
         name, fitted_at = strategy.update.name, [at[number] for number in strategy.fitted_on]
         if laws[name] == "polynomial":
             words = {path: text for path, text in words.items() if not path.startswith(TYRE_PATHS)}
-            words["tyre.curve"] = f"measured: cubic through the curve of bench.tyre at {_pressure_text(pressure)}"
+            words["tyre.curve"] = (
+                f"measured: cubic through the curve of bench.tyre at {_pressure_text(pressure)}"
+            )
         here = strategy.knowledge.rig_for(None, pressure, {}).parameters()
         for path, p in strategy.update.parameters.items():
             of_tyre = path.startswith(TYRE_PATHS)
@@ -112,7 +134,9 @@ def _origins(
             if discrepancy is not None:
                 law = discrepancy.parameters[path]
                 verdict = "" if law.identified else ", not identified with this model"
-                interval += f"; of the part 95 % {_range(law.interval, factor)}{_unit(rig, path)}{verdict}"
+                interval += (
+                    f"; of the part 95 % {_range(law.interval, factor)}{_unit(rig, path)}{verdict}"
+                )
             words[path] = f"fitted: {name}; {interval}"
     return words
 
@@ -122,14 +146,18 @@ def _range(interval: tuple[float, float], factor: float) -> str:
     return " to ".join(f"{factor * end:.6g}" for end in interval)
 
 
-def _bench_origins(bench: Characterisation, pressure: float | None, rig: Rig) -> Iterator[tuple[str, str]]:
+def _bench_origins(
+    bench: Characterisation, pressure: float | None, rig: Rig
+) -> Iterator[tuple[str, str]]:
     for item in bench.replaced:
         if item.source.startswith("bench.tyre"):
             measured_at = to_si(item.source.split('"')[1], "Pa")
             if pressure is not None and measured_at != pressure:
                 continue
         spread = (
-            "" if item.standard_error is None else f" +- {1.96 * item.standard_error:.3g}{_unit(rig, item.path)} (95 %)"
+            ""
+            if item.standard_error is None
+            else f" +- {1.96 * item.standard_error:.3g}{_unit(rig, item.path)} (95 %)"
         )
         yield item.path, f"measured: {item.source}{spread}"
 

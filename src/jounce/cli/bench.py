@@ -6,5 +6,8 @@ import typer
 
 from jounce.cli.derived import add_commands
 
-app = typer.Typer(no_args_is_help=True, help="The laboratory bench: belt speed, drive, similitude, choice of spring.")
+app = typer.Typer(
+    no_args_is_help=True,
+    help="The laboratory bench: belt speed, drive, similitude, choice of spring.",
+)
 add_commands(app, "bench")

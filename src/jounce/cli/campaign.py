@@ -24,7 +24,9 @@ _RUN = {parameter.option: parameter for parameter in operations()["campaign run"
 def _like(option: str) -> Any:
     """Make an option of the demo as `campaign run` has it."""
     mark = _RUN[option].mark
-    return Annotated[list[str] | None, typer.Option(f"--{option}", metavar=mark.metavar, help=mark.help)]
+    return Annotated[
+        list[str] | None, typer.Option(f"--{option}", metavar=mark.metavar, help=mark.help)
+    ]
 
 
 Figures, Tables, Reports = _like("figure"), _like("table"), _like("report")
@@ -35,9 +37,14 @@ add_commands(app, "campaign")
 
 
 def demo(
-    out: Annotated[Path | None, typer.Option(help="Output folder; by default a new numbered one.")] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="Output folder; by default a new numbered one.")
+    ] = None,
     quick: Annotated[
-        bool, typer.Option("--quick", help="Model the prototype as a quarter car instead of a double wishbone.")
+        bool,
+        typer.Option(
+            "--quick", help="Model the prototype as a quarter car instead of a double wishbone."
+        ),
     ] = False,
     figure: Figures = None,  # type: ignore[valid-type]
     table_: Tables = None,  # type: ignore[valid-type]
@@ -71,7 +78,11 @@ def demo(
         if page.is_file():
             console.print(f"the report: {page.as_uri()}", soft_wrap=True, highlight=False)
         console.print(
-            f"the workbench: {command_line(['jounce', 'serve', str(folder)])}", soft_wrap=True, highlight=False
+            f"the workbench: {command_line(['jounce', 'serve', str(folder)])}",
+            soft_wrap=True,
+            highlight=False,
         )
 
-    return Reply(reported.to_dict(), draw, as_json, DONE if reported.is_met else FAILED, reported.missing)
+    return Reply(
+        reported.to_dict(), draw, as_json, DONE if reported.is_met else FAILED, reported.missing
+    )

@@ -44,14 +44,23 @@ def command_of(operation: Operation) -> Callable[..., Reply]:
 
     own = [_parameter(parameter) for parameter in operation.options]
     offers = [offer for offer in operation.offers if offer not in _own(operation)]
-    files = [(OUTPUTS[offer].option, OUTPUTS[offer].kind, _default(operation, offer)) for offer in offers]
+    files = [
+        (OUTPUTS[offer].option, OUTPUTS[offer].kind, _default(operation, offer)) for offer in offers
+    ]
     force = [("force", Force, False)] if files else []
     shared = [*files, *force, ("as_json", AsJson, False)]
-    own += [inspect.Parameter(name, _KEYWORD, default=default, annotation=kind) for name, kind, default in shared]
-    required_first = sorted(own, key=lambda parameter: parameter.default is not inspect.Parameter.empty)
+    own += [
+        inspect.Parameter(name, _KEYWORD, default=default, annotation=kind)
+        for name, kind, default in shared
+    ]
+    required_first = sorted(
+        own, key=lambda parameter: parameter.default is not inspect.Parameter.empty
+    )
     command.__signature__ = inspect.Signature(required_first)  # type: ignore[attr-defined]
     command.__annotations__ = {parameter.name: parameter.annotation for parameter in own}
-    command.__doc__ = "\n\n".join(filter(None, (operation.summary, operation.note, f"Example: {operation.example}")))
+    command.__doc__ = "\n\n".join(
+        filter(None, (operation.summary, operation.note, f"Example: {operation.example}"))
+    )
     return command
 
 
@@ -78,13 +87,19 @@ def _parameter(parameter: Parameter) -> inspect.Parameter:
     completion = names_in(*mark.shipped) if isinstance(mark, File) and mark.shipped else None
     said: dict[str, Any] = {"help": mark.help, "autocompletion": completion}
     if parameter.is_positional:
-        option: Any = typer.Argument(metavar=mark.metavar or parameter.option.upper(), show_default=False, **said)
+        option: Any = typer.Argument(
+            metavar=mark.metavar or parameter.option.upper(), show_default=False, **said
+        )
     else:
         option = typer.Option(parameter.flag, metavar=metavar, **said)
     if parameter.is_required:
-        return inspect.Parameter(_python_name(parameter), _KEYWORD, annotation=Annotated[kind, option])
+        return inspect.Parameter(
+            _python_name(parameter), _KEYWORD, annotation=Annotated[kind, option]
+        )
     kind = kind if default is not None else kind | None
-    return inspect.Parameter(_python_name(parameter), _KEYWORD, default=default, annotation=Annotated[kind, option])
+    return inspect.Parameter(
+        _python_name(parameter), _KEYWORD, default=default, annotation=Annotated[kind, option]
+    )
 
 
 def _python_name(parameter: Parameter) -> str:
@@ -101,21 +116,30 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
         resolve(operation.check)(**given)
     request = Request(operation, {p.option: given[_python_name(p)] for p in operation.parameters})
     values = request.read()
-    typed = {p.option: p.default for p in operation.parameters} | {p.option: value for p, value in request.values()}
+    typed = {p.option: p.default for p in operation.parameters} | {
+        p.option: value for p, value in request.values()
+    }
     with progress() as say:
         say("loading")
         resolve(operation.function)
         made = request.make(values)
         for name, value in made.items():
             if hasattr(value, "parameters"):
-                warn_of(value, next(str(typed[p.option]) for p in operation.parameters if p.made == name))
+                warn_of(
+                    value,
+                    next(str(typed[p.option]) for p in operation.parameters if p.made == name),
+                )
         say(operation.doing)
         result = request.call(values, made, say, _shower(given["as_json"]))
-    named = {OUTPUTS[offer].option: file for offer, file in asked.items()} | _stems(operation, typed)
+    named = {OUTPUTS[offer].option: file for offer, file in asked.items()} | _stems(
+        operation, typed
+    )
     title = operation.title.format(**named, result=result)
     plain = {**_echo(operation, {p.option: value for p, value in values}), **result.to_dict()}
     subject = str(typed.get(operation.subject, ""))
-    answered = Answered(operation, subject, result, plain, title, operation.comment.format(**typed, result=result))
+    answered = Answered(
+        operation, subject, result, plain, title, operation.comment.format(**typed, result=result)
+    )
     try:
         missing = [*files.write(answered), *getattr(result, "missing", ())]
     except KeyboardInterrupt as error:
@@ -171,10 +195,14 @@ def _stems(operation: Operation, typed: Mapping[str, Any]) -> dict[str, Any]:
 
 def _echo(operation: Operation, read: Mapping[str, Any]) -> dict[str, Any]:
     """Repeat options in the answer: an empty mapping where no pairs were given, otherwise nothing."""
-    absent: dict[str, Any] = {p.option: {} if isinstance(p.mark, Pairs) else None for p in operation.parameters}
+    absent: dict[str, Any] = {
+        p.option: {} if isinstance(p.mark, Pairs) else None for p in operation.parameters
+    }
     values = {**absent, **read}
     return {
-        key: values[options] if isinstance(options, str) else {option: values[option] for option in options}
+        key: values[options]
+        if isinstance(options, str)
+        else {option: values[option] for option in options}
         for key, options in operation.echo.items()
     }
 

@@ -30,14 +30,22 @@ add_commands(app, "design")
 @app.command("kinematic-front")
 def kinematic_front(
     study: Annotated[
-        Path, typer.Argument(metavar="STUDY.toml", help='Study file, schema = "jounce.design/1".', show_default=False)
+        Path,
+        typer.Argument(
+            metavar="STUDY.toml", help='Study file, schema = "jounce.design/1".', show_default=False
+        ),
     ],
     out: Annotated[
         Path | None,
-        typer.Option(metavar="DIR", help="Write front.csv, results.json, front.png and a rig for each design."),
+        typer.Option(
+            metavar="DIR",
+            help="Write front.csv, results.json, front.png and a rig for each design.",
+        ),
     ] = None,
     points: Annotated[int, typer.Option(help="About how many designs.")] = 20,
-    starts: Annotated[int, typer.Option(min=1, help="Number of searches for the best of each goal.")] = 4,
+    starts: Annotated[
+        int, typer.Option(min=1, help="Number of searches for the best of each goal.")
+    ] = 4,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -53,23 +61,32 @@ def kinematic_front(
         from jounce.design.hardpoint_front import front_of
         from jounce.design.kinematics import run_study
 
-        front, sources = run_study(study, lambda asked, task: front_of(task, points, starts, asked.seed))
+        front, sources = run_study(
+            study, lambda asked, task: front_of(task, points, starts, asked.seed)
+        )
         missing: Sequence[Finding] = ()
         if out is not None:
             say("drawing")
             missing = _write_front(front, sources, out, force=force)
     plain = {**front.to_dict(), "out": out and str(out)}
-    return Reply(plain, lambda console: draw_kinematic_front(console, plain, front), as_json, missing=missing)
+    return Reply(
+        plain, lambda console: draw_kinematic_front(console, plain, front), as_json, missing=missing
+    )
 
 
-def _write_front(front: KinematicFront, sources: Mapping[str, Path], out: Path, *, force: bool) -> Sequence[Finding]:
+def _write_front(
+    front: KinematicFront, sources: Mapping[str, Path], out: Path, *, force: bool
+) -> Sequence[Finding]:
     """Write the designs of a front with their rigs, and its picture; give what could not be drawn."""
     from jounce.core.serialise import to_json
     from jounce.core.writing import write_files
     from jounce.parts.files import updated_text
 
     texts = {name: file.read_text(encoding="utf-8") for name, file in sources.items()}
-    files: dict[str, bytes | str] = {"front.csv": front.table(), "results.json": to_json(front.to_dict()) + "\n"}
+    files: dict[str, bytes | str] = {
+        "front.csv": front.table(),
+        "results.json": to_json(front.to_dict()) + "\n",
+    }
     for k in range(len(front.designs)):
         for name, rig in front.rigs(k).items():
             files[f"{name or 'rig'}-{k + 1:02d}.toml"] = updated_text(texts[name], rig)
@@ -89,14 +106,28 @@ def draw_kinematic_front(console: Console, plain: dict[str, Any], front: Kinemat
 
     unit = display_unit("m")
     paths = list(front.before.moved)
-    heads = [f"{point_name(path)} by {unit.name}" if "hardpoints." in path else f"{path} by" for path in paths]
+    heads = [
+        f"{point_name(path)} by {unit.name}" if "hardpoints." in path else f"{path} by"
+        for path in paths
+    ]
     rows = []
-    for label, design in [("before", front.before), *((str(k + 1), design) for k, design in enumerate(front.designs))]:
+    for label, design in [
+        ("before", front.before),
+        *((str(k + 1), design) for k, design in enumerate(front.designs)),
+    ]:
         moved = (
-            (design.moved[path] - front.before.moved[path]) * (unit.factor if "hardpoints." in path else 1.0)
+            (design.moved[path] - front.before.moved[path])
+            * (unit.factor if "hardpoints." in path else 1.0)
             for path in paths
         )
-        rows.append((label, *design.goals.values(), "met" if design.met else "", *(round(value, 3) for value in moved)))
+        rows.append(
+            (
+                label,
+                *design.goals.values(),
+                "met" if design.met else "",
+                *(round(value, 3) for value in moved),
+            )
+        )
     columns = ("design", *front.goals, "", *heads)
     title = "Goals, root mean square in tolerances, and what was moved"
     console.print(table(title, columns, rows, text=(0, 1 + len(front.goals))))

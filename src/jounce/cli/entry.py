@@ -61,7 +61,9 @@ EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --d
 _LONGEST = 1000  # characters of what the parser of the command line says
 _TOO_LARGE = "Reduce the number of samples: a shorter duration, or a larger output step."
 _SAMPLED = {"simulate", "ride", "compare", "sweep", "animate", "plot", "campaign", "demo"}
-_CLICK_ERROR: type[Exception] = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
+_CLICK_ERROR: type[Exception] = next(
+    kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException"
+)
 
 
 def _panels() -> dict[str, dict[str, Any]]:
@@ -153,12 +155,25 @@ def version(as_json: AsJson = False) -> Reply:
     cache: str | None = None
     with contextlib.suppress(RuntimeError):
         cache = str(cache_folder())
-    plain: dict[str, str | None] = {"jounce": metadata.version("jounce"), "python": platform.python_version()}
-    plain |= {name: installed_version(name) for name in ("casadi", "llvmlite", "numba", "numpy", "scipy")}
-    plain |= {"system": platform.platform(), "cache": cache, "cache_unusable": why_not_kept() or None}
-    rows = [f"{name} {value or 'none'}" for name, value in plain.items() if name != "cache_unusable"]
+    plain: dict[str, str | None] = {
+        "jounce": metadata.version("jounce"),
+        "python": platform.python_version(),
+    }
+    plain |= {
+        name: installed_version(name) for name in ("casadi", "llvmlite", "numba", "numpy", "scipy")
+    }
+    plain |= {
+        "system": platform.platform(),
+        "cache": cache,
+        "cache_unusable": why_not_kept() or None,
+    }
+    rows = [
+        f"{name} {value or 'none'}" for name, value in plain.items() if name != "cache_unusable"
+    ]
     if why := plain["cache_unusable"]:
-        rows.append(f"compiled models are not kept, every process makes its own: {why}. Set JOUNCE_CACHE_DIR")
+        rows.append(
+            f"compiled models are not kept, every process makes its own: {why}. Set JOUNCE_CACHE_DIR"
+        )
     return Reply(plain, lambda out: out.print(*rows, sep="\n", soft_wrap=True), as_json)
 
 
@@ -174,7 +189,11 @@ class Shell(StrEnum):
 def completion(
     shell: Annotated[Shell, typer.Argument(metavar="SHELL", help="bash, zsh, fish or powershell.")],
     install: Annotated[
-        bool, typer.Option("--install", help="Add it to what the shell reads when it starts, instead of printing it.")
+        bool,
+        typer.Option(
+            "--install",
+            help="Add it to what the shell reads when it starts, instead of printing it.",
+        ),
     ] = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -195,9 +214,15 @@ def completion(
                 hint="Set HOME, or print the script without --install and let the shell read it.",
             ) from None
         plain = {"shell": shell.value, "installed": str(file)}
-        return Reply(plain, lambda out: out.print(f"installed: {file}; it works in new shells"), as_json)
+        return Reply(
+            plain, lambda out: out.print(f"installed: {file}; it works in new shells"), as_json
+        )
     script = get_completion_script(prog_name="jounce", complete_var=_COMPLETION, shell=shell.value)
-    return Reply({"shell": shell.value, "script": script}, lambda out: out.out(script, highlight=False), as_json)
+    return Reply(
+        {"shell": shell.value, "script": script},
+        lambda out: out.out(script, highlight=False),
+        as_json,
+    )
 
 
 _COMPLETION = "_JOUNCE_COMPLETE"
@@ -239,7 +264,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         words[0] = "version"
     try:
         if any("\0" in word for word in words):
-            raise JounceError("an argument with a NUL character", found=next(word for word in words if "\0" in word))
+            raise JounceError(
+                "an argument with a NUL character",
+                found=next(word for word in words if "\0" in word),
+            )
         if _COMPLETION in os.environ:
             return _complete(words)
         with trusting(False), uncovering_interrupts(), without_pipes(words) as words:
@@ -250,7 +278,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             tell(note)
         tell(INTERRUPTED)
         return 128 + signal_of(error)  # as shells count
-    except (BrokenPipeError, SystemExit):  # nobody reads any more; the help's console ends the process then
+    except (
+        BrokenPipeError,
+        SystemExit,
+    ):  # nobody reads any more; the help's console ends the process then
         lead_nowhere(sys.stdout)
         return PIPE_CLOSED
     except _CLICK_ERROR as error:
@@ -259,17 +290,26 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return refuse(error, as_json=as_json)
     except UnicodeEncodeError as error:
         hint = "Is it written in another encoding than UTF-8?"
-        return refuse(JounceError("a text that is no Unicode", found=error.object, hint=hint), as_json=as_json)
+        return refuse(
+            JounceError("a text that is no Unicode", found=error.object, hint=hint), as_json=as_json
+        )
     except Exception as error:  # noqa: BLE001 - the last resort says how to report it
-        if isinstance(error, MemoryError) and hasattr(error, "shape") and words[0] in _SAMPLED:  # of NumPy's arrays
-            return refuse(ResourceError("out of memory", found=str(error), hint=_TOO_LARGE), as_json=as_json)
+        if (
+            isinstance(error, MemoryError) and hasattr(error, "shape") and words[0] in _SAMPLED
+        ):  # of NumPy's arrays
+            return refuse(
+                ResourceError("out of memory", found=str(error), hint=_TOO_LARGE), as_json=as_json
+            )
         if is_of_system(error):
             return refuse(resource_error(error, _place_of(error)), as_json=as_json)
         if isinstance(error, MemoryError):
             return refuse(unforeseen(error), as_json=as_json)
         if isinstance(error, OSError):
             hint = "Check the path, the permissions and the disk space."
-            return refuse(OutputError(error.strerror or str(error), where=_place_of(error), hint=hint), as_json=as_json)
+            return refuse(
+                OutputError(error.strerror or str(error), where=_place_of(error), hint=hint),
+                as_json=as_json,
+            )
         if debug:
             traceback.print_exc()
         what = shorten(f"internal error: {type(error).__name__}: {error}", _LONGEST)
@@ -323,7 +363,11 @@ def _complete(words: list[str]) -> int:
 
 def _answer(words: list[str]) -> int:
     with as_usual():
-        with contextlib.redirect_stdout(sys.stderr) if "--json" in words else contextlib.nullcontext():
+        with (
+            contextlib.redirect_stdout(sys.stderr)
+            if "--json" in words
+            else contextlib.nullcontext()
+        ):
             try:
                 command = _command(words[0] if words else "")
                 with command.make_context("jounce", words) as context:
@@ -354,7 +398,13 @@ def _explain_misuse(error: Any, *, as_json: bool) -> int:
         message = f"{message.rstrip('.')}: {told[:1].lower()}{told[1:]}"
     hint = Phrase("See `{path} --help`.", path=path)
     message = message if message.endswith((".", "?")) else f"{message}."
-    plain = {"kind": "UsageError", "message": f"{message} {hint}", "where": path, "what": message, "hint": hint}
+    plain = {
+        "kind": "UsageError",
+        "message": f"{message} {hint}",
+        "where": path,
+        "what": message,
+        "hint": hint,
+    }
     return report_error(plain, REFUSED, as_json=as_json)
 
 
@@ -362,6 +412,8 @@ def _instead(option: str, parameters: list[Any]) -> str:
     """What may have been meant by an option that there is not."""
     names = [name for parameter in parameters for name in parameter.opts]
     hint = nearest(option, [name for name in names if name.startswith("-")])
-    if not hint and nearest(option.lstrip("-"), [name for name in names if not name.startswith("-")]):
+    if not hint and nearest(
+        option.lstrip("-"), [name for name in names if not name.startswith("-")]
+    ):
         return f"Give the value without {option}."
     return hint

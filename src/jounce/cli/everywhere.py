@@ -42,11 +42,18 @@ def as_usual() -> Iterator[None]:
 
 def _options(
     open_: Annotated[
-        bool, typer.Option("--open", rich_help_panel=_PANEL, help="Open the page that is written in the browser.")
+        bool,
+        typer.Option(
+            "--open", rich_help_panel=_PANEL, help="Open the page that is written in the browser."
+        ),
     ] = False,
     every_row: Annotated[
         bool,
-        typer.Option("--all", rich_help_panel=_PANEL, help="Every row of long tables; what is piped has them all."),
+        typer.Option(
+            "--all",
+            rich_help_panel=_PANEL,
+            help="Every row of long tables; what is piped has them all.",
+        ),
     ] = False,
     units: Annotated[
         Literal["metric", "imperial"],
@@ -68,7 +75,11 @@ def _all(value: bool) -> None:
     VIEW.every_row = VIEW.every_row or value
 
 
-_TAKEN: Mapping[str, Callable[[Any], None]] = {"open_": _open, "every_row": _all, "units": use_units}
+_TAKEN: Mapping[str, Callable[[Any], None]] = {
+    "open_": _open,
+    "every_row": _all,
+    "units": use_units,
+}
 
 
 def with_shared_options(command: Any) -> Any:
@@ -76,9 +87,15 @@ def with_shared_options(command: Any) -> Any:
     inner = getattr(command, "commands", None)
     if inner is None:
         command.params += [
-            option for option in _everywhere() if option.name != "open_" or _writes_pages(command.params)
+            option
+            for option in _everywhere()
+            if option.name != "open_" or _writes_pages(command.params)
         ]
-    kinds = {name: hint for function in (_options, command.callback) for name, hint in _hints(function).items()}
+    kinds = {
+        name: hint
+        for function in (_options, command.callback)
+        for name, hint in _hints(function).items()
+    }
     for parameter in [*command.params, command.get_help_option(typer.Context(command))]:
         if parameter is not None:
             parameter.metavar = word_of(parameter, kinds.get(parameter.name))

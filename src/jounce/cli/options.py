@@ -19,11 +19,17 @@ if TYPE_CHECKING:
     from jounce.report import Page
 
 
-AsJson = Annotated[bool, typer.Option("--json", help="Print exactly one JSON object (SI) instead of tables.")]
+AsJson = Annotated[
+    bool, typer.Option("--json", help="Print exactly one JSON object (SI) instead of tables.")
+]
 Force = Annotated[bool, typer.Option("--force", help="Overwrite existing output.")]
 Changes = Annotated[
     list[str] | None,
-    typer.Option("--set", metavar="PATH=VALUE", help='Change a parameter of the rig: strut.spring.rate="25 N/mm".'),
+    typer.Option(
+        "--set",
+        metavar="PATH=VALUE",
+        help='Change a parameter of the rig: strut.spring.rate="25 N/mm".',
+    ),
 ]
 Columns = Annotated[
     list[str] | None,
@@ -40,15 +46,20 @@ Variable = Annotated[
     ),
 ]
 SampleTime = Annotated[
-    str | None, typer.Option(help='Constant sampling interval of a file without time, e.g. "10 ms".')
+    str | None,
+    typer.Option(help='Constant sampling interval of a file without time, e.g. "10 ms".'),
 ]
 Resample = Annotated[
     str | None,
-    typer.Option(help='Bring irregular time, or signals at different instants, onto constant steps, e.g. "10 ms".'),
+    typer.Option(
+        help='Bring irregular time, or signals at different instants, onto constant steps, e.g. "10 ms".'
+    ),
 ]
 Database = Annotated[
     Path | None,
-    typer.Option(help="Database of bus messages (.dbc) with which the bus frames of an MDF file are decoded."),
+    typer.Option(
+        help="Database of bus messages (.dbc) with which the bus frames of an MDF file are decoded."
+    ),
 ]
 
 
@@ -58,7 +69,11 @@ def names_in(*packages: str) -> Callable[[str], list[str]]:
     def complete(incomplete: str) -> list[str]:
         from jounce.core.files import shipped_files
 
-        files = [shipped_files(f"jounce.{one}", "library", suffix) for one in packages for suffix in (".toml", ".crg")]
+        files = [
+            shipped_files(f"jounce.{one}", "library", suffix)
+            for one in packages
+            for suffix in (".toml", ".crg")
+        ]
         return [name for names in files for name in names if name.startswith(incomplete)]
 
     return complete
@@ -66,16 +81,24 @@ def names_in(*packages: str) -> Callable[[str], list[str]]:
 
 RigName = Annotated[
     str,
-    typer.Argument(metavar="RIG", help="A rig file, or a name of `jounce library`.", autocompletion=names_in("parts")),
+    typer.Argument(
+        metavar="RIG",
+        help="A rig file, or a name of `jounce library`.",
+        autocompletion=names_in("parts"),
+    ),
 ]
 
 
-def optional_quantity(text: str | None, unit: str, option: str, *, most: float | None = None) -> float | None:
+def optional_quantity(
+    text: str | None, unit: str, option: str, *, most: float | None = None
+) -> float | None:
     """Read the value of an option that may be left out."""
     return None if text is None else quantity(text, unit, option, most=most)
 
 
-def optional_positive(text: str | None, unit: str, option: str, *, most: float | None = None) -> float | None:
+def optional_positive(
+    text: str | None, unit: str, option: str, *, most: float | None = None
+) -> float | None:
     """Read the value of an option that may be left out, and must be above 0."""
     return None if text is None else positive_quantity(text, unit, option, most=most)
 
@@ -98,11 +121,17 @@ def columns(texts: Sequence[str] | None) -> dict[str, str] | None:
 
 def _names_in_order(texts: Sequence[str] | None) -> str | None:
     """All names of a text without a header, as one text: ``time [s], force [N]``; None where columns are mapped."""
-    return texts[0] if texts and len(texts) == 1 and "=" not in texts[0] and "[" in texts[0] else None
+    return (
+        texts[0] if texts and len(texts) == 1 and "=" not in texts[0] and "[" in texts[0] else None
+    )
 
 
 def reading(
-    columns_: Sequence[str] | None, sample_time: str | None, variable: str, resample: str | None, database: Path | None
+    columns_: Sequence[str] | None,
+    sample_time: str | None,
+    variable: str,
+    resample: str | None,
+    database: Path | None,
 ) -> dict[str, Any]:
     """Arguments of ``read_recording`` from the options that all commands that read recordings have."""
     return {
@@ -116,11 +145,18 @@ def reading(
 
 ReportFile = Annotated[
     Path | None,
-    typer.Option("--report", help="Write a report: .html (one page with a viewer, needs nothing else) or .pdf."),
+    typer.Option(
+        "--report",
+        help="Write a report: .html (one page with a viewer, needs nothing else) or .pdf.",
+    ),
 ]
 FigureFile = Annotated[Path | None, typer.Option(help="Plot the result: .png, .svg or .pdf.")]
-RigFile = Annotated[Path | None, typer.Option("--out", help="Write the design as a rig file, RIG.toml.")]
-NumbersFile = Annotated[Path | None, typer.Option("--out", help="Write the numbers: .csv (SI), or .json as --json.")]
+RigFile = Annotated[
+    Path | None, typer.Option("--out", help="Write the design as a rig file, RIG.toml.")
+]
+NumbersFile = Annotated[
+    Path | None, typer.Option("--out", help="Write the numbers: .csv (SI), or .json as --json.")
+]
 
 
 def check_numbers(out: Path | None, *, force: bool) -> None:
@@ -206,7 +242,9 @@ def write_picture(
     return str(figure), ()
 
 
-def write_report(page: Callable[[], Page], report: Path | None, *, force: bool) -> tuple[str | None, Sequence[Finding]]:
+def write_report(
+    page: Callable[[], Page], report: Path | None, *, force: bool
+) -> tuple[str | None, Sequence[Finding]]:
     """Write what a function puts on a page into the file, if one is asked for.
 
     It gives the file's name, and what could not be drawn: that loses no result.
@@ -264,5 +302,6 @@ RoadName = Annotated[
 DrivenSpeed = Annotated[str | None, typer.Option(help='Speed over the road, e.g. "1.95 m/s".')]
 Duration = Annotated[str | None, typer.Option(help='Length of the run, e.g. "3 s".')]
 ExcitationFile = Annotated[
-    Path | None, typer.Option(help="Instead of --road and --speed: a file with columns time and road.z.")
+    Path | None,
+    typer.Option(help="Instead of --road and --speed: a file with columns time and road.z."),
 ]

@@ -184,7 +184,10 @@ def _folder(answered: Answered, folder: Path, force: bool) -> Missing:
     def page() -> Page:
         whole = answered.page()
         pictures = [picture for picture in whole.pictures() if isinstance(picture, Picture)]
-        drawn = {f"{picture.name}.png": render_figure(picture.figure, [".png"])[".png"] for picture in pictures}
+        drawn = {
+            f"{picture.name}.png": render_figure(picture.figure, [".png"])[".png"]
+            for picture in pictures
+        }
         return replace(whole, files=tuple(drawn.items()))
 
     with drawing() as missing:
@@ -197,7 +200,9 @@ def _report(answered: Answered, file: Path, force: bool) -> Missing:
 
 
 OUTPUTS: Mapping[str, OutputKind] = {
-    "rig": OutputKind("out", RigFile, lambda file, force: check_outputs(rig=file, force=force), _rig),
+    "rig": OutputKind(
+        "out", RigFile, lambda file, force: check_outputs(rig=file, force=force), _rig
+    ),
     "changed_rig": OutputKind(
         "out",
         _out("Write the changed rig, with its comments: RIG.toml."),
@@ -229,13 +234,21 @@ OUTPUTS: Mapping[str, OutputKind] = {
         _test_record,
         "record",
     ),
-    "numbers": OutputKind("out", NumbersFile, lambda file, force: check_numbers(file, force=force), _numbers),
-    "sweep": OutputKind("out", _out("Write every quantity: .nc or .csv (SI)."), _check_sweep, _sweep),
+    "numbers": OutputKind(
+        "out", NumbersFile, lambda file, force: check_numbers(file, force=force), _numbers
+    ),
+    "sweep": OutputKind(
+        "out", _out("Write every quantity: .nc or .csv (SI)."), _check_sweep, _sweep
+    ),
     "table": OutputKind("out", _out("Write every number: .csv (SI)."), _check_table, _table),
-    "figure": OutputKind("figure", FigureFile, lambda file, force: check_outputs(figure=file, force=force), _figure),
+    "figure": OutputKind(
+        "figure", FigureFile, lambda file, force: check_outputs(figure=file, force=force), _figure
+    ),
     "figures": OutputKind(
         "figure",
-        Annotated[Path | None, typer.Option(metavar="DIR", help="Draw everything into this folder.")],
+        Annotated[
+            Path | None, typer.Option(metavar="DIR", help="Draw everything into this folder.")
+        ],
         lambda file, force: check_outputs(folder=file, force=force),
         _figures,
     ),
@@ -245,7 +258,9 @@ OUTPUTS: Mapping[str, OutputKind] = {
         lambda file, force: check_outputs(folder=file, force=force),
         _folder,
     ),
-    "report": OutputKind("report", ReportFile, lambda file, force: check_outputs(report=file, force=force), _report),
+    "report": OutputKind(
+        "report", ReportFile, lambda file, force: check_outputs(report=file, force=force), _report
+    ),
 }
 """What an operation may offer (`jounce.core.operation.Offer`)."""
 

@@ -46,7 +46,10 @@ if TYPE_CHECKING:
 
 
 def plot(
-    run: Annotated[Path, typer.Argument(metavar="RUN", help="A recording: .nc of `jounce simulate`, .csv, .mat ...")],
+    run: Annotated[
+        Path,
+        typer.Argument(metavar="RUN", help="A recording: .nc of `jounce simulate`, .csv, .mat ..."),
+    ],
     channels: Annotated[
         list[str] | None,
         typer.Argument(
@@ -72,7 +75,9 @@ def plot(
     from jounce.core.serialise import to_plain
 
     if figure is None and report is None:
-        raise DescriptionError("nothing to write", where="jounce plot", allowed="--figure FILE, --report FILE")
+        raise DescriptionError(
+            "nothing to write", where="jounce plot", allowed="--figure FILE, --report FILE"
+        )
     check_outputs(figure=figure, report=report, force=force)
     from jounce.plots.comparison import common_channels
 
@@ -93,9 +98,16 @@ def plot(
         from jounce.report import REPORTS, recordings_page
 
         title = " and ".join(runs) if len(runs) < _MANY else f"{len(runs)} recordings"
-        REPORTS.write(recordings_page(runs, wanted, title=title, findings=findings), report, force=force)
+        REPORTS.write(
+            recordings_page(runs, wanted, title=title, findings=findings), report, force=force
+        )
     written = [str(file) for file in (figure, report) if file is not None]
-    plain = {"run": str(run), "runs": [str(run), *map(str, more)], "channels": drawn, "out": figure and str(figure)}
+    plain = {
+        "run": str(run),
+        "runs": [str(run), *map(str, more)],
+        "channels": drawn,
+        "out": figure and str(figure),
+    }
     plain |= {"report": report and str(report), "findings": to_plain(findings)}
 
     def draw(console: Console) -> None:
@@ -116,7 +128,9 @@ def _is_file(name: str) -> bool:
     return Path(name).is_file() or any(suffix in known.suffixes for known in READERS)
 
 
-def _recordings(files: list[Path], options: dict[str, Any]) -> tuple[dict[str, xr.Dataset], list[Finding]]:
+def _recordings(
+    files: list[Path], options: dict[str, Any]
+) -> tuple[dict[str, xr.Dataset], list[Finding]]:
     """Read recordings; give them by the shortest names that differ, and what is to be known of them."""
     from jounce.core.findings import at_place
     from jounce.recordings import read_recording
@@ -136,22 +150,31 @@ _MOST_POSES = 9
 _WAY = 41
 
 Travel = Annotated[
-    str | None, typer.Option(help='Wheel travel, bump positive: "-50 mm:50 mm:2 mm", or a single value.')
+    str | None,
+    typer.Option(help='Wheel travel, bump positive: "-50 mm:50 mm:2 mm", or a single value.'),
 ]
-Rack = Annotated[str | None, typer.Option(help="Rack travel, positive to the left: a range, or a single value.")]
+Rack = Annotated[
+    str | None, typer.Option(help="Rack travel, positive to the left: a range, or a single value.")
+]
 
 
 def draw(
     rig: RigName,
     figure: Annotated[
         Path | None,
-        typer.Option(help="Picture to write: .png, .svg or .pdf; by default the name of the rig with .png."),
+        typer.Option(
+            help="Picture to write: .png, .svg or .pdf; by default the name of the rig with .png."
+        ),
     ] = None,
     travel: Travel = None,
     rack: Rack = None,
     names: Annotated[bool, typer.Option("--names/--no-names", help="Label the hardpoints.")] = True,
     centres: Annotated[
-        bool, typer.Option("--centres", help="Draw instant centres, roll centre and steering axis at design instead.")
+        bool,
+        typer.Option(
+            "--centres",
+            help="Draw instant centres, roll centre and steering axis at design instead.",
+        ),
     ] = False,
     set_: Changes = None,
     force: Force = False,
@@ -172,7 +195,9 @@ def draw(
         title = Path(rig).stem
         if centres and (travel is not None or rack is not None):
             raise DescriptionError(
-                "centres are drawn at design", where="--centres", hint="Leave out --travel and --rack."
+                "centres are drawn at design",
+                where="--centres",
+                hint="Leave out --travel and --rack.",
             )
         if centres:
             from jounce.plots.mechanisms.geometry import suspension_geometry
@@ -186,17 +211,24 @@ def draw(
         say("sweeping")
         sweep, at = _few_poses(chosen, travel, rack)
         say("drawing")
-        FIGURES.write(mechanism(chosen, sweep, list(at), names=names, title=title), file, force=force)
+        FIGURES.write(
+            mechanism(chosen, sweep, list(at), names=names, title=title), file, force=force
+        )
     plain = {"rig": rig, "changes": wanted, "poses": at.tolist(), "out": str(file)}
-    return Reply(plain, lambda console: show_written(console, plain), as_json, _report_early_end(sweep))
+    return Reply(
+        plain, lambda console: show_written(console, plain), as_json, _report_early_end(sweep)
+    )
 
 
 def animate(
     rig: RigName,
     report: Annotated[
-        Path | None, typer.Option(help="Page to write: .html, which opens anywhere: turn, play, read values.")
+        Path | None,
+        typer.Option(help="Page to write: .html, which opens anywhere: turn, play, read values."),
     ] = None,
-    figure: Annotated[Path | None, typer.Option(help="Film to write: .gif, or .mp4 (needs ffmpeg).")] = None,
+    figure: Annotated[
+        Path | None, typer.Option(help="Film to write: .gif, or .mp4 (needs ffmpeg).")
+    ] = None,
     travel: Travel = None,
     rack: Rack = None,
     road: RoadName = None,
@@ -205,11 +237,17 @@ def animate(
     excitation: ExcitationFile = None,
     between: Annotated[
         str | None,
-        typer.Option(metavar="FIRST:LAST", help='Show only part of the motion: "0.1 s:0.4 s", or a range of travel.'),
+        typer.Option(
+            metavar="FIRST:LAST",
+            help='Show only part of the motion: "0.1 s:0.4 s", or a range of travel.',
+        ),
     ] = None,
     slow: Annotated[str, typer.Option(help="Slow-motion factor of a run.")] = "5",
     frames: Annotated[
-        int | None, typer.Option(min=1, help="Maximum number of poses; by default 1000 in a page, 300 in a film.")
+        int | None,
+        typer.Option(
+            min=1, help="Maximum number of poses; by default 1000 in a page, 300 in a film."
+        ),
     ] = None,
     set_: Changes = None,
     force: Force = False,
@@ -231,9 +269,17 @@ def animate(
         say("simulating" if driven else "sweeping")
         from jounce.simulation import simulate
 
-        poses = simulate(chosen, driven, detail=True) if driven else _sweep(chosen, _ranges(travel, rack))
+        poses = (
+            simulate(chosen, driven, detail=True)
+            if driven
+            else _sweep(chosen, _ranges(travel, rack))
+        )
         part = None if between is None else _ends(between, "s" if driven else "m")
-        title = Path(rig).stem if driven is None else f"{Path(rig).stem} on {Path(str(excitation or road)).stem}"
+        title = (
+            Path(rig).stem
+            if driven is None
+            else f"{Path(rig).stem} on {Path(str(excitation or road)).stem}"
+        )
         for file in files:
             write_animation(
                 chosen,
@@ -249,7 +295,13 @@ def animate(
             )
     findings = [] if driven is None else trial_findings(driven)
     over = next(name for name in ("time", "rack_travel", "wheel_travel") if name in poses.sizes)
-    plain = {"rig": rig, "changes": wanted, "over": over, "poses": poses.sizes[over], "findings": findings}
+    plain = {
+        "rig": rig,
+        "changes": wanted,
+        "over": over,
+        "poses": poses.sizes[over],
+        "findings": findings,
+    }
     plain["out"] = str(files[0])
     plain |= {"report": report and str(report), "figure": figure and str(figure)}
 
@@ -265,15 +317,23 @@ def _animations(report: Path | None, figure: Path | None, *, force: bool) -> lis
     """Refuse, before the work, files that could not be written; give those that are asked for."""
     from jounce.report.animation import check_animation
 
-    for option, file, allowed in (("--report", report, (".html",)), ("--figure", figure, (".gif", ".mp4"))):
+    for option, file, allowed in (
+        ("--report", report, (".html",)),
+        ("--figure", figure, (".gif", ".mp4")),
+    ):
         if file is not None and file.suffix.lower() not in allowed:
             raise OutputError(
-                "animations are not written in this format", where=option, found=str(file), allowed=", ".join(allowed)
+                "animations are not written in this format",
+                where=option,
+                found=str(file),
+                allowed=", ".join(allowed),
             )
     animated = [check_animation(file, force=force) for file in (report, figure) if file is not None]
     if not animated:
         raise DescriptionError(
-            "nothing to write", where="jounce animate", allowed="--report FILE.html, --figure FILE.gif"
+            "nothing to write",
+            where="jounce animate",
+            allowed="--report FILE.html, --figure FILE.gif",
         )
     return animated
 
@@ -324,7 +384,9 @@ def _sweep(rig: Corner, ranges: dict[str, NDArray[np.float64]]) -> xr.Dataset:
     travel, rack = ranges.get("--travel"), ranges.get("--rack")
     if travel is not None and rack is not None and min(len(travel), len(rack)) > 1:
         raise DescriptionError(
-            "only one motion can be swept", where="--travel, --rack", hint="Give a single value for one of them."
+            "only one motion can be swept",
+            where="--travel, --rack",
+            hint="Give a single value for one of them.",
         )
     if rack is not None and (travel is None or len(travel) == 1):
         return sweep_rack(rig, rack, 0.0 if travel is None else float(travel[0]), points=True)
@@ -336,10 +398,14 @@ def _ranges(travel: str | None, rack: str | None) -> dict[str, NDArray[np.float6
     from jounce.kinematics.sweeps import text_range
 
     texts = {"--travel": travel, "--rack": rack}
-    return {option: text_range(text, "m", option) for option, text in texts.items() if text is not None}
+    return {
+        option: text_range(text, "m", option) for option, text in texts.items() if text is not None
+    }
 
 
-def _few_poses(rig: Corner, travel: str | None, rack: str | None) -> tuple[xr.Dataset, NDArray[np.float64]]:
+def _few_poses(
+    rig: Corner, travel: str | None, rack: str | None
+) -> tuple[xr.Dataset, NDArray[np.float64]]:
     """Sweep finely, for the paths of wheel centre and contact point, and say which poses are to be drawn."""
     import numpy as np
 

@@ -21,10 +21,15 @@ from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.phrases import Phrase
 from jounce.core.writing import lasting_folder
 
-_PIPE = re.compile(r"(?P<before>(?:[^/]*=)?)(?P<path>/dev/stdin|/(?:dev|proc/self)/fd/(?P<number>\d{1,6}))")
+_PIPE = re.compile(
+    r"(?P<before>(?:[^/]*=)?)(?P<path>/dev/stdin|/(?:dev|proc/self)/fd/(?P<number>\d{1,6}))"
+)
 _OUTPUTS = {"--out", "--figure", "--report", "--store", "--animation"}
 """Options whose files are written: a pipe there is refused, not read."""
-_PATIENCE, _PAUSE = 3.0, 0.01  # s until somebody opens a pipe that has a name for writing; between two looks
+_PATIENCE, _PAUSE = (
+    3.0,
+    0.01,
+)  # s until somebody opens a pipe that has a name for writing; between two looks
 _LARGEST = 1_000_000_000  # bytes
 _SHARE = 1 << 20
 _BEGINS = {
@@ -43,7 +48,10 @@ _BEGINS = {
 @contextmanager
 def without_pipes(words: Sequence[str]) -> Iterator[list[str]]:
     """Give a command line with the names of files in the place of pipes that are open for reading."""
-    matches = [match if match and _is_readable(_number(match)) else None for match in map(_PIPE.fullmatch, words)]
+    matches = [
+        match if match and _is_readable(_number(match)) else None
+        for match in map(_PIPE.fullmatch, words)
+    ]
     pipes = [
         None if before in _OUTPUTS or _PIPE.fullmatch(word) else _named_pipe(word)
         for before, word in zip(["", *words], words, strict=False)
@@ -53,7 +61,10 @@ def without_pipes(words: Sequence[str]) -> Iterator[list[str]]:
         return
     folder = lasting_folder()
     try:
-        copies = {number: _copy(number, folder) for number in {_number(match) for match in matches if match}}
+        copies = {
+            number: _copy(number, folder)
+            for number in {_number(match) for match in matches if match}
+        }
         named = {pipe: _copy_named(pipe, folder) for pipe in dict.fromkeys(filter(None, pipes))}
         yield [
             f"{match['before']}{copies[_number(match)]}"
@@ -139,7 +150,9 @@ def _copy(number: int, folder: Path, name: str = "", begin: bytes = b"") -> Path
                 target.write(share)
     except OSError as error:
         hint = "Check the space there (TMPDIR)."
-        raise OutputError("a pipe cannot be copied", where=str(folder), found=error.strerror, hint=hint) from error
+        raise OutputError(
+            "a pipe cannot be copied", where=str(folder), found=error.strerror, hint=hint
+        ) from error
     return file if file.suffix else file.rename(file.with_suffix(_suffix(file)))
 
 
@@ -155,7 +168,9 @@ def _suffix(file: Path) -> str:
     for start, suffix in _BEGINS.items():
         if begin.startswith(start):
             return suffix
-    first = next((line for line in _lines(file) if line.strip() and not line.lstrip().startswith(b"#")), b"")
+    first = next(
+        (line for line in _lines(file) if line.strip() and not line.lstrip().startswith(b"#")), b""
+    )
     return ".toml" if _is_toml(first) else ".csv"
 
 

@@ -46,7 +46,11 @@ class Reply:
     def show(self) -> int:
         """Print to stdout; give the exit code."""
         if self.as_json:
-            more = {"findings": [*self.plain.get("findings", ()), *self.missing]} if self.missing else {}
+            more = (
+                {"findings": [*self.plain.get("findings", ()), *self.missing]}
+                if self.missing
+                else {}
+            )
             print_json({**self.plain, **more})
         else:
             out = console()
@@ -107,14 +111,20 @@ def print_json(plain: Mapping[str, Any]) -> None:
 
 def make_streams_usable() -> None:
     """Discard output to closed streams, show names in full on other encodings, and use the terminal's width."""
-    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):  # the next file would have their numbers
+    for name, mode in (
+        ("stdin", "r"),
+        ("stdout", "w"),
+        ("stderr", "w"),
+    ):  # the next file would have their numbers
         if getattr(sys, name) is None:
             setattr(sys, name, Path(os.devnull).open(mode, encoding="utf-8"))  # noqa: SIM115 - as long as the process
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and not _is_unicode(stream):
             stream.reconfigure(errors=ESCAPES)
     columns = os.environ.get("COLUMNS", "")
-    if columns and not (columns.isdecimal() and len(columns) < 5 and _NARROWEST <= int(columns) <= _WIDEST):
+    if columns and not (
+        columns.isdecimal() and len(columns) < 5 and _NARROWEST <= int(columns) <= _WIDEST
+    ):
         del os.environ["COLUMNS"]
 
 
@@ -133,7 +143,12 @@ def _is_unicode(stream: TextIO) -> bool:
 
 def refuse(error: JounceError, *, as_json: bool) -> int:
     """Say what is wrong on stderr (and as JSON on stdout); give the exit code."""
-    parts = {"what": error.what, "found": error.found, "allowed": error.allowed or None, "hint": error.hint or None}
+    parts = {
+        "what": error.what,
+        "found": error.found,
+        "allowed": error.allowed or None,
+        "hint": error.hint or None,
+    }
     first = {"kind": type(error).__name__, "message": error.message(), "where": error.where or None}
     return report_error({**first, **parts}, REFUSED, as_json=as_json)
 
@@ -151,7 +166,9 @@ def report_error(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> 
 def tell(message: str, *, program: str = "jounce: ") -> None:
     """Write one message to stderr, if it is open."""
     try:
-        sys.stderr.write(f"{program}{visible(encodable(message, sys.stderr.encoding or 'utf-8'))}\n")
+        sys.stderr.write(
+            f"{program}{visible(encodable(message, sys.stderr.encoding or 'utf-8'))}\n"
+        )
         sys.stderr.flush()
     except OSError:
         lead_nowhere(sys.stderr)
@@ -202,7 +219,9 @@ class Elapsed:
         share, left = self.share(), self._left(now)
         if not share:
             return line
-        return f"{line}, {100.0 * share:.0f} %" + (f", about {_duration(left)} left" if left and left >= 1.0 else "")
+        return f"{line}, {100.0 * share:.0f} %" + (
+            f", about {_duration(left)} left" if left and left >= 1.0 else ""
+        )
 
     def left(self) -> float | None:
         """Remaining time (s) of the current work, estimated from its completed share; None if unknown."""
@@ -231,7 +250,11 @@ def _duration(seconds: float) -> str:
     whole = round(seconds)
     if whole < 60:
         return f"{whole} s"
-    return f"{whole // 60} min {whole % 60} s" if whole < 3600 else f"{whole // 3600} h {whole % 3600 // 60} min"
+    return (
+        f"{whole // 60} min {whole % 60} s"
+        if whole < 3600
+        else f"{whole // 3600} h {whole % 3600 // 60} min"
+    )
 
 
 _WORTH_TELLING = 2.0  # s
@@ -290,7 +313,11 @@ SEVERITY_STYLES = {"note": "dim", "warning": "yellow", "problem": "bold red"}
 
 
 def table(
-    title: str, columns: Sequence[str], rows: Iterable[Sequence[object]], *, text: Sequence[int] = (0,)
+    title: str,
+    columns: Sequence[str],
+    rows: Iterable[Sequence[object]],
+    *,
+    text: Sequence[int] = (0,),
 ) -> FittedTable:
     """Build a table; columns are numbers and stand to the right but those listed in ``text``.
 

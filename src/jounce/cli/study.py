@@ -30,7 +30,9 @@ def _study() -> None:
 
 @app.command("proving-ground")
 def proving_ground(
-    out: Annotated[Path | None, typer.Option(help="Folder for report, figures and results.json.")] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="Folder for report, figures and results.json.")
+    ] = None,
     force: Force = False,
     as_json: AsJson = False,
 ) -> Reply:
@@ -61,7 +63,9 @@ def _draw(study: object, name: str, out: Path | None, console: Console) -> None:
     )
 
 
-def _write(study: object, out: Path | None, name: str, say: Callable[[str], None], *, force: bool) -> Sequence[Finding]:
+def _write(
+    study: object, out: Path | None, name: str, say: Callable[[str], None], *, force: bool
+) -> Sequence[Finding]:
     """Write what a study found, and then its page, into a folder if one is given; give what could not be drawn."""
     if out is None:
         return ()
@@ -71,11 +75,16 @@ def _write(study: object, out: Path | None, name: str, say: Callable[[str], None
     files = getattr(papers, f"{name}_files")(study)
     with drawing() as missing:
         page = getattr(papers, f"{name}_page")
-        write_page(lambda: page(study), out, files=files, force=force, figures=figures_here(), progress=say)
+        write_page(
+            lambda: page(study), out, files=files, force=force, figures=figures_here(), progress=say
+        )
     return missing
 
 
-Out = Annotated[Path | None, typer.Option(help="Folder for report, figures, curves (CSV, netCDF) and results.json.")]
+Out = Annotated[
+    Path | None,
+    typer.Option(help="Folder for report, figures, curves (CSV, netCDF) and results.json."),
+]
 
 
 @app.command("audi-a6-case-a")
@@ -98,7 +107,9 @@ def case_b(out: Out = None, force: Force = False, as_json: AsJson = False) -> Re
 
 @app.command("audi-a6-excenter")
 def exciter(
-    amplitude: Annotated[str, typer.Option(help="Of the exciter: half the stroke. Estimated.")] = "3 mm",
+    amplitude: Annotated[
+        str, typer.Option(help="Of the exciter: half the stroke. Estimated.")
+    ] = "3 mm",
     plate_mass: Annotated[str, typer.Option(help="Mass of the plate. Estimated.")] = "20 kg",
     out: Out = None,
     force: Force = False,

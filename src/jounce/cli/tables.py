@@ -21,7 +21,9 @@ class FittedTable(TextTable):
         """Print the title, the table, and how many rows are left out."""
         from rich.text import Text
 
-        rows = [[encodable(cell, options.encoding) for cell in row] for row in self.rows]  # before widths are measured
+        rows = [
+            [encodable(cell, options.encoding) for cell in row] for row in self.rows
+        ]  # before widths are measured
         fitted = replace(self, rows=rows)
         is_cut = len(self.rows) > _LONG and not VIEW.every_row and sys.stdout.isatty()
         if self.title:

@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING
 
 from jounce.cli.reply import show_findings
 from jounce.cli.tables import FittedTable
-from jounce.report.page import Bullets, Cell, Facts, Findings, PageTable, Paragraph, Subsection, alignments
+from jounce.report.page import (
+    Bullets,
+    Cell,
+    Facts,
+    Findings,
+    PageTable,
+    Paragraph,
+    Subsection,
+    alignments,
+)
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -246,7 +246,11 @@ class ActiveActuator(_Actuator):
 
     @model_validator(mode="after")
     def _check_element(self) -> Self:
-        given = [name for name in ("force_limit", "bandwidth", "rate_limit") if getattr(self, name) is not None]
+        given = [
+            name
+            for name in ("force_limit", "bandwidth", "rate_limit")
+            if getattr(self, name) is not None
+        ]
         given += ["lag"] if self.lag > 0.0 else []
         given += ["in_place_of_damper"] if self.in_place_of_damper else []
         if self.in_place_of is not None and given:
@@ -291,7 +295,9 @@ class ActiveActuator(_Actuator):
         if self.bandwidth is None:
             return np.array([[-1.0 / self.lag]]), np.array([[1.0 / self.lag]])
         w = 2.0 * math.pi * self.bandwidth
-        return np.array([[0.0, 1.0], [-(w**2), -2.0 * self.damping_ratio * w]]), np.array([[0.0], [w**2]])
+        return np.array([[0.0, 1.0], [-(w**2), -2.0 * self.damping_ratio * w]]), np.array(
+            [[0.0], [w**2]]
+        )
 
     @property
     def limits(self) -> tuple[float, float]:
@@ -308,8 +314,14 @@ class ActiveActuator(_Actuator):
     def complete_for(self, corner: CornerModel) -> Self:
         """Return the same actuator with its limit."""
         if self.in_place_of is not None:
-            return BaseModel.model_copy(self, update={"force_limit": math.inf})  # none, which no description may give
-        limit = 0.5 * corner.sprung_mass * corner.gravity if self.force_limit is None else self.force_limit
+            return BaseModel.model_copy(
+                self, update={"force_limit": math.inf}
+            )  # none, which no description may give
+        limit = (
+            0.5 * corner.sprung_mass * corner.gravity
+            if self.force_limit is None
+            else self.force_limit
+        )
         return self.model_copy(update={"force_limit": limit})
 
     def force_of(self, command: ca.SX, now: Instant) -> ca.SX:  # noqa: ARG002
@@ -365,7 +377,11 @@ class MagnetorheologicalDamper(_Actuator):
             law = fields.get(name)
             if isinstance(law, dict):
                 if law.get("kind") not in laws:
-                    what = Phrase("{name}: the law's kind is {kind}", name=name, kind=show_value(law.get("kind")))
+                    what = Phrase(
+                        "{name}: the law's kind is {kind}",
+                        name=name,
+                        kind=show_value(law.get("kind")),
+                    )
                     raise error_at((), what, allowed="tanh, bouc-wen")
                 fields[name] = laws[law["kind"]].from_table(law, where=name)
         return fields
@@ -390,7 +406,11 @@ class MagnetorheologicalDamper(_Actuator):
     @property
     def plant_numbers(self) -> dict[str, float]:
         """Numbers of those equations, SI."""
-        numbers = {**parameters_of(self.off, "off."), **parameters_of(self.on, "on."), "maximum": self.maximum}
+        numbers = {
+            **parameters_of(self.off, "off."),
+            **parameters_of(self.on, "on."),
+            "maximum": self.maximum,
+        }
         return {**numbers, "lag": self.lag} if self.lag > 0.0 else numbers
 
     @property
@@ -415,7 +435,9 @@ class MagnetorheologicalDamper(_Actuator):
         deflection = now.seen("strut.deflection") + now.number("static_deflection")
         law: TanhDamper | BoucWenDamper = getattr(self, end)
         return law.evaluate(
-            _ControllerPoint(lambda name: now.number(f"{end}.{name}"), now.seen("strut.velocity"), deflection)
+            _ControllerPoint(
+                lambda name: now.number(f"{end}.{name}"), now.seen("strut.velocity"), deflection
+            )
         )
 
 

@@ -13,7 +13,13 @@ import casadi as ca
 import numpy as np
 from pydantic import BaseModel, BeforeValidator, Field, model_validator
 
-from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Instant, SemiActiveDamper
+from jounce.control.actuators import (
+    ActiveActuator,
+    Actuator,
+    AnyActuator,
+    Instant,
+    SemiActiveDamper,
+)
 from jounce.control.design import CornerModel
 from jounce.core.description import Description, Seed, check_schema, read_toml
 from jounce.core.errors import DescriptionError, JounceError, SimulationError, show_value, unknown
@@ -57,17 +63,26 @@ def _read_noise(value: object) -> object:
         return value
     try:
         deviations = {
-            str(name): to_si(number, channel_unit(str(name)), where=str(name)) for name, number in value.items()
+            str(name): to_si(number, channel_unit(str(name)), where=str(name))
+            for name, number in value.items()
         }
     except JounceError as error:
         raise misplaced_value((), error) from None
     for name, number in deviations.items():
         if number < 0.0:
-            raise ValueError(Phrase("{name}: a standard deviation of {number:g} is below 0", name=name, number=number))
+            raise ValueError(
+                Phrase(
+                    "{name}: a standard deviation of {number:g} is below 0",
+                    name=name,
+                    number=number,
+                )
+            )
     return deviations
 
 
-Noise = Annotated[dict[str, Annotated[float, Unit("1")]], BeforeValidator(_read_noise)]  # in the unit of the channel
+Noise = Annotated[
+    dict[str, Annotated[float, Unit("1")]], BeforeValidator(_read_noise)
+]  # in the unit of the channel
 
 
 @dataclass(frozen=True)
@@ -116,7 +131,9 @@ class Controller(Description):
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
         for name, (summary, actuator) in vars(cls).get("catalogue", {}).items():
-            CONTROLS.add(name, Kind(cls, summary, {} if actuator is None else {"actuator": actuator}))
+            CONTROLS.add(
+                name, Kind(cls, summary, {} if actuator is None else {"actuator": actuator})
+            )
         if summary := vars(cls).get("from_file", ""):
             FILE_CONTROLS.add(cls.model_fields["law"].default, Kind(cls, summary, {}))
 
@@ -156,7 +173,9 @@ class Controller(Description):
 
     def complete_for(self, corner: CornerModel) -> Self:
         """Return the same controller with the missing numbers of its actuator filled in for a corner."""
-        return BaseModel.model_copy(self, update={"actuator": self.actuator.complete_for(corner)})  # checked before
+        return BaseModel.model_copy(
+            self, update={"actuator": self.actuator.complete_for(corner)}
+        )  # checked before
 
     beside: ClassVar[Any] = old_method("Controller.beside", "resolve_paths")
     paced: ClassVar[Any] = old_method("Controller.paced", "with_rate_for")
@@ -172,7 +191,9 @@ class ForceLaw(Controller):
 
     def decide(self, now: Instant) -> Decision:
         """The command for that force."""
-        return Decision(self.actuator.command_for_force(self.force(now) / now.number("motion_ratio"), now))
+        return Decision(
+            self.actuator.command_for_force(self.force(now) / now.number("motion_ratio"), now)
+        )
 
 
 class TwoStateLaw(Controller):
@@ -190,7 +211,12 @@ class TwoStateLaw(Controller):
     def _check_is_damper(self) -> Self:
         if isinstance(self.actuator, ActiveActuator):
             what = Phrase("the law {name} switches a damper", name=show_value(self.name))
-            raise error_at((), what, found=Phrase("an active actuator"), allowed="semi-active, magnetorheological")
+            raise error_at(
+                (),
+                what,
+                found=Phrase("an active actuator"),
+                allowed="semi-active, magnetorheological",
+            )
         return self
 
 
@@ -229,7 +255,9 @@ def controller(name: str | Path, **changes: Any) -> Controller:
     """
     if isinstance(name, Path) or str(name).endswith(".toml"):
         base = _load(Path(name))
-        return type(base).from_table({**base.model_dump(by_alias=True, exclude_unset=True), **changes})
+        return type(base).from_table(
+            {**base.model_dump(by_alias=True, exclude_unset=True), **changes}
+        )
     if name not in CONTROLS:
         raise unknown(name, CONTROLS, what="controller", where="control")
     kind = CONTROLS[name]
@@ -244,7 +272,9 @@ def _load(path: Path) -> Controller:
         raise unknown(str(law), known, what="law", where=f"{path}: law")
     kind = known[law]
     own = kind.law.model_fields["law"].default
-    law_of_file = kind.law.from_table({**kind.fields, **table, "law": own}, where=str(path), text=text)
+    law_of_file = kind.law.from_table(
+        {**kind.fields, **table, "law": own}, where=str(path), text=text
+    )
     return law_of_file.resolve_paths(path.parent)
 
 
@@ -263,7 +293,10 @@ def as_controller(value: Controller | str | Path | Callable[..., Any]) -> Contro
     if callable(value):
         return PythonControl(function=value)
     raise DescriptionError(
-        "not a controller", where="control", found=value, allowed="a controller, its name, a file, or a function"
+        "not a controller",
+        where="control",
+        found=value,
+        allowed="a controller, its name, a file, or a function",
     )
 
 
@@ -367,7 +400,9 @@ class _OwnFunction:
     from_rest = False
     findings = ()
 
-    def __init__(self, function: Callable[[dict[str, float], float], Any], setting: RunSetting) -> None:
+    def __init__(
+        self, function: Callable[[dict[str, float], float], Any], setting: RunSetting
+    ) -> None:
         self._function = function
         self.channels = tuple(setting.units)
         self._corners = tuple(setting.controllers)
@@ -382,7 +417,9 @@ class _OwnFunction:
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
-        measurement = _Measurement(zip(self.channels, values, strict=False))  # the time follows the channels
+        measurement = _Measurement(
+            zip(self.channels, values, strict=False)
+        )  # the time follows the channels
         answer = self._function(measurement, values[-1])
         if type(answer) is float and len(self._corners) == 1:
             return self._limits.apply([answer])
@@ -399,12 +436,18 @@ class _OwnFunction:
                 given_answer = repr(answer)
             else:
                 given_answer, answer = f"corners {', '.join(map(str, answer))}", []
-        commands = list(answer) if isinstance(answer, Sequence) and not isinstance(answer, str) else [answer]
+        commands = (
+            list(answer)
+            if isinstance(answer, Sequence) and not isinstance(answer, str)
+            else [answer]
+        )
         if len(commands) == len(corners):
             with contextlib.suppress(TypeError, ValueError):
                 return [float(command) for command in commands]
         several = Phrase(
-            "{count} numbers: a dict or a sequence for {corners}", count=len(corners), corners=", ".join(corners)
+            "{count} numbers: a dict or a sequence for {corners}",
+            count=len(corners),
+            corners=", ".join(corners),
         )
         raise SimulationError(
             "the controller's answer is not a command",
@@ -422,7 +465,10 @@ class CommandLimits:
         self._limits = [actuator.limits for actuator in actuators]
         rates = [actuator.rate_limit for actuator in actuators]
         periods = [1.0 / controller.rate for controller in controllers.values()]
-        self._steps = [math.inf if rate is None else rate * period for rate, period in zip(rates, periods, strict=True)]
+        self._steps = [
+            math.inf if rate is None else rate * period
+            for rate, period in zip(rates, periods, strict=True)
+        ]
         self._rest = [actuator.rest for actuator in actuators]
         self.last = list(self._rest)
 
@@ -433,12 +479,16 @@ class CommandLimits:
     def apply(self, commands: list[float]) -> list[float]:
         """Return the commands clipped and limited in rate; NaN for commands that are not finite."""
         limited = []
-        for command, before, step, (low, high) in zip(commands, self.last, self._steps, self._limits, strict=True):
+        for command, before, step, (low, high) in zip(
+            commands, self.last, self._steps, self._limits, strict=True
+        ):
             if not math.isfinite(command):
                 limited.append(math.nan)
                 continue
             clipped = min(max(command, low), high)
             change = clipped - before
-            limited.append(before + step if change > step else before - step if change < -step else clipped)
+            limited.append(
+                before + step if change > step else before - step if change < -step else clipped
+            )
         self.last = limited
         return limited

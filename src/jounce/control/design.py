@@ -61,13 +61,20 @@ class CornerModel(Shown):
         return wheel / self.motion_ratio**2
 
 
-def corner_equations(corner: CornerModel, damping_coefficient: float | None = None) -> tuple[Array, Array, Array]:
+def corner_equations(
+    corner: CornerModel, damping_coefficient: float | None = None
+) -> tuple[Array, Array, Array]:
     """Matrices ``A``, ``B``, ``G`` of ``dx/dt = A x + B u + G w``: ``u`` lifts the body (N), ``w`` is road.vz (m/s).
 
     States: sprung.z - unsprung.z (m), sprung.vz (m/s), unsprung.z - road.z (m), unsprung.vz (m/s). In all functions
     here ``damping_coefficient`` (N s/m at the wheel) takes the place of the corner's own damper.
     """
-    m_s, m_u, k, k_t = corner.sprung_mass, corner.unsprung_mass, corner.spring_rate, corner.tyre_stiffness
+    m_s, m_u, k, k_t = (
+        corner.sprung_mass,
+        corner.unsprung_mass,
+        corner.spring_rate,
+        corner.tyre_stiffness,
+    )
     c = corner.damping_coefficient if damping_coefficient is None else damping_coefficient
     A = np.array(
         [
@@ -130,7 +137,9 @@ def cost_matrices(
     return np.asarray(Q), np.asarray(R), np.asarray(C.T @ D)
 
 
-def regulator_gains(corner: CornerModel, weights: Weights, damping_coefficient: float | None = None) -> Array:
+def regulator_gains(
+    corner: CornerModel, weights: Weights, damping_coefficient: float | None = None
+) -> Array:
     """Gains ``K`` (N/m, N s/m, N/m, N s/m) of the force ``u = -K x`` on the body that is optimal [hrovat1997]."""
     from scipy.linalg import solve_continuous_are
 
@@ -140,7 +149,10 @@ def regulator_gains(corner: CornerModel, weights: Weights, damping_coefficient: 
         X = solve_continuous_are(A, B, Q, R, s=S)
     except (np.linalg.LinAlgError, ValueError) as error:
         raise SimulationError(
-            "no regulator gains were found", where="lqr", found=str(error), hint="Check the weights and the corner."
+            "no regulator gains were found",
+            where="lqr",
+            found=str(error),
+            hint="Check the weights and the corner.",
         ) from None
     gains: Array = np.linalg.solve(R, B.T @ X + S.T)[0]
     return gains
@@ -264,7 +276,9 @@ def h_infinity(
             return None
         controller = tuple(np.asarray(part) for part in synthesis[:4])
         # SLICOT may return a controller that misses its bound; 1 % is how well the least bound is known.
-        return controller if _norm(slycot, *_close_loop(plant, controller)) <= 1.01 * bound else None
+        return (
+            controller if _norm(slycot, *_close_loop(plant, controller)) <= 1.01 * bound else None
+        )
 
     norm = _find_least_bound(synthesise)
     controller = synthesise(_RELAXED * norm) if np.isfinite(norm) else None
@@ -279,7 +293,9 @@ def h_infinity(
     return Dynamic(A, B / measured, force * C, force * D / measured), _RELAXED * norm
 
 
-def _close_loop(plant: tuple[Array, ...], controller: tuple[Array, ...]) -> tuple[Array, Array, Array, Array]:
+def _close_loop(
+    plant: tuple[Array, ...], controller: tuple[Array, ...]
+) -> tuple[Array, Array, Array, Array]:
     """Close the loop of the generalised plant from its two measurements to its last input."""
     (a, b, c, d), (A, B, C, D) = plant, controller
     b_w, b_u, c_z, c_y = b[:, :-1], b[:, -1:], c[:-2], c[-2:]
@@ -295,7 +311,9 @@ def _norm(slycot: Any, A: Array, B: Array, C: Array, D: Array) -> float:
         return float("inf")
     n = len(A)
     try:
-        peak, _ = slycot.ab13dd("C", "I", "S", "D", n, B.shape[1], len(C), A, np.eye(n), B, C, D, tol=1e-4)
+        peak, _ = slycot.ab13dd(
+            "C", "I", "S", "D", n, B.shape[1], len(C), A, np.eye(n), B, C, D, tol=1e-4
+        )
     except slycot.exceptions.SlycotError:
         return float("inf")
     return float(peak)

@@ -12,7 +12,15 @@ from typing import Annotated, ClassVar, Literal
 import casadi as ca
 import numpy as np
 
-from jounce.control.actuators import FIRMEST, ActiveActuator, Actuator, AnyActuator, Instant, Lookup, SemiActiveDamper
+from jounce.control.actuators import (
+    FIRMEST,
+    ActiveActuator,
+    Actuator,
+    AnyActuator,
+    Instant,
+    Lookup,
+    SemiActiveDamper,
+)
 from jounce.control.controller import Controller, Decision, ForceLaw, TwoStateLaw, or_default
 from jounce.control.design import (
     H_INFINITY_CHANNELS,
@@ -57,11 +65,15 @@ class Passive(Controller):
 
     def decide(self, now: Instant) -> Decision:
         """The same setting at every instant."""
-        return Decision(self.actuator.command_for_coefficient(now.number("damping_coefficient"), now))
+        return Decision(
+            self.actuator.command_for_coefficient(now.number("damping_coefficient"), now)
+        )
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
         """Coefficient, N s/m."""
-        return {"damping_coefficient": or_default(self.damping_coefficient, corner.reference_damping)}
+        return {
+            "damping_coefficient": or_default(self.damping_coefficient, corner.reference_damping)
+        }
 
 
 class _Hook(ForceLaw):
@@ -72,7 +84,9 @@ class _Hook(ForceLaw):
     def numbers(self, corner: CornerModel) -> dict[str, float]:
         """Coefficient (N s/m) at the wheel, and the motion ratio."""
         r = corner.motion_ratio
-        coefficient = or_default(self.damping_coefficient, FIRMEST * corner.reference_damping * r**2)
+        coefficient = or_default(
+            self.damping_coefficient, FIRMEST * corner.reference_damping * r**2
+        )
         return {"damping_coefficient": coefficient, "motion_ratio": r}
 
 
@@ -107,7 +121,9 @@ class TwoStateSkyhook(TwoStateLaw):
     """Firm where a damper to the sky would pull the same way: ``sprung.vz * extension rate >= 0``."""
 
     law: Literal["skyhook-two-state"] = "skyhook-two-state"
-    catalogue: ClassVar = {"skyhook-two-state": ("firm where a damper to the sky would pull the same way", _DAMPER)}
+    catalogue: ClassVar = {
+        "skyhook-two-state": ("firm where a damper to the sky would pull the same way", _DAMPER)
+    }
 
     def product(self, now: Instant) -> ca.SX:
         """Body velocity times extension rate."""
@@ -124,7 +140,9 @@ class Groundhook(_Hook):
     """
 
     law: Literal["groundhook"] = "groundhook"
-    catalogue: ClassVar = {"groundhook": ("damper between wheel and ground, clipped to a damper", _DAMPER)}
+    catalogue: ClassVar = {
+        "groundhook": ("damper between wheel and ground, clipped to a damper", _DAMPER)
+    }
 
     def force(self, now: Instant) -> ca.SX:
         """Force on the body, N."""
@@ -136,7 +154,10 @@ class TwoStateGroundhook(TwoStateLaw):
 
     law: Literal["groundhook-two-state"] = "groundhook-two-state"
     catalogue: ClassVar = {
-        "groundhook-two-state": ("firm where a damper to the ground would pull the same way", _DAMPER)
+        "groundhook-two-state": (
+            "firm where a damper to the ground would pull the same way",
+            _DAMPER,
+        )
     }
 
     def product(self, now: Instant) -> ca.SX:
@@ -256,7 +277,9 @@ class PID(Controller):
         period, r = 1.0 / self.rate, corner.motion_ratio
         keep = self.filter_time / (self.filter_time + period)
         return {
-            "proportional": or_default(self.proportional, 0.5 * FIRMEST * corner.reference_damping * r**2),
+            "proportional": or_default(
+                self.proportional, 0.5 * FIRMEST * corner.reference_damping * r**2
+            ),
             "integral_gain": or_default(self.integral, 0.1 * corner.spring_rate) * period,
             "derivative": self.derivative,
             "filter_keep": keep,
@@ -284,7 +307,9 @@ class _Quadratic(Controller):
         """Gains of deflection, body velocity, tyre, wheel velocity: N/m, N s/m, N/m, N s/m."""
         square = (corner.spring_rate / corner.sprung_mass) ** 2
         weights = Weights(
-            or_default(self.deflection_weight, square), or_default(self.tyre_weight, 10.0 * square), self.force_weight
+            or_default(self.deflection_weight, square),
+            or_default(self.tyre_weight, 10.0 * square),
+            self.force_weight,
         )
         return regulator_gains(corner, weights, self._base)
 
@@ -353,19 +378,31 @@ class LQG(_Quadratic):
         "lqg": ("regulator on a Kalman filter, active", _FORCE),
         "clipped-lqg": ("clipped-optimal regulator on a Kalman filter, with a damper", _DAMPER),
     }
-    memory_size: ClassVar[int] = 5  # estimated states, and the command that has arrived behind the actuator's lag
+    memory_size: ClassVar[int] = (
+        5  # estimated states, and the command that has arrived behind the actuator's lag
+    )
 
     def decide(self, now: Instant) -> Decision:
         """The command for the states estimated from the measurements and the command behind the actuator's lag."""
         number, r = now.number, now.number("motion_ratio")
         missing = now.memory[4] - now.last
-        arrived, mean = now.last + number("late") * missing, now.last + number("mean_late") * missing
-        force, mean_force = (self.actuator.force_of(command, now) * r for command in (arrived, mean))
-        before = _matrix(number, "F", 4, 4) @ ca.vertcat(*now.memory[:4]) + _vector(number, "H", 4) * mean_force
+        arrived, mean = (
+            now.last + number("late") * missing,
+            now.last + number("mean_late") * missing,
+        )
+        force, mean_force = (
+            self.actuator.force_of(command, now) * r for command in (arrived, mean)
+        )
+        before = (
+            _matrix(number, "F", 4, 4) @ ca.vertcat(*now.memory[:4])
+            + _vector(number, "H", 4) * mean_force
+        )
         measured = ca.vertcat(*(now.seen(channel) for channel in LQG_CHANNELS))
         expected = _matrix(number, "C", 3, 4) @ before + _vector(number, "D", 3) * force
         states = before + _matrix(number, "L", 4, 3) @ (measured - expected)
-        command = self.actuator.command_for_force(-ca.dot(_vector(number, "gain", 4), states) / r, now)
+        command = self.actuator.command_for_force(
+            -ca.dot(_vector(number, "gain", 4), states) / r, now
+        )
         return Decision(command, [*ca.vertsplit(states), arrived])
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
@@ -374,12 +411,25 @@ class LQG(_Quadratic):
         periods = 1.0 / (self.rate * lag) if lag > 0.0 else math.inf
         late = {"late": math.exp(-periods), "mean_late": -math.expm1(-periods) / periods}
         usual = {"strut.deflection": _DEFLECTION_NOISE}
-        deviations = np.array([self.noise.get(name) or usual.get(name, _ACCELERATION_NOISE) for name in LQG_CHANNELS])
+        deviations = np.array(
+            [self.noise.get(name) or usual.get(name, _ACCELERATION_NOISE) for name in LQG_CHANNELS]
+        )
         filter_ = observer(
-            corner, LQG_CHANNELS, deviations, self.roughness, self.disturbance, 1.0 / self.rate, self._base
+            corner,
+            LQG_CHANNELS,
+            deviations,
+            self.roughness,
+            self.disturbance,
+            1.0 / self.rate,
+            self._base,
         )
         filter_numbers = _flatten_all({name: getattr(filter_, name) for name in "FHLCD"})
-        return {**filter_numbers, **late, **_flatten("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
+        return {
+            **filter_numbers,
+            **late,
+            **_flatten("gain", self.gains(corner)),
+            "motion_ratio": corner.motion_ratio,
+        }
 
 
 class HInfinity(Controller):
@@ -417,16 +467,22 @@ class HInfinity(Controller):
         n, channels, states = H_INFINITY_ORDER, H_INFINITY_CHANNELS, ca.vertcat(*now.memory)
         number, r = now.number, now.number("motion_ratio")
         measured = ca.vertcat(*(now.seen(channel) for channel in channels))
-        force = ca.dot(_vector(number, "C", n), states) + ca.dot(_vector(number, "D", len(channels)), measured)
+        force = ca.dot(_vector(number, "C", n), states) + ca.dot(
+            _vector(number, "D", len(channels)), measured
+        )
         if self.actuator.replaces_damper:
             force += number("damping_coefficient") * now.seen("strut.velocity") / r
-        following = _matrix(number, "A", n, n) @ states + _matrix(number, "B", n, len(channels)) @ measured
+        following = (
+            _matrix(number, "A", n, n) @ states + _matrix(number, "B", n, len(channels)) @ measured
+        )
         return Decision(self.actuator.command_for_force(force / r, now), ca.vertsplit(following))
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
         """The controller's matrices, SI."""
         r = corner.motion_ratio
-        acceleration = or_default(self.acceleration, 2.56 * corner.spring_rate / corner.sprung_mass * self.road)
+        acceleration = or_default(
+            self.acceleration, 2.56 * corner.spring_rate / corner.sprung_mass * self.road
+        )
         targets = Targets(
             self.road,
             acceleration,
@@ -437,7 +493,9 @@ class HInfinity(Controller):
         damping, lag = corner.reference_damping * r**2, _lag(self.actuator)
         quickness = min(1.0 / lag, _QUICKEST) if lag > 0.0 else _QUICKEST
         controller, _ = h_infinity(corner, targets, quickness, 1.0 / self.rate, damping)
-        matrices = _flatten_all({"A": controller.A, "B": controller.B, "C": controller.C[0], "D": controller.D[0]})
+        matrices = _flatten_all(
+            {"A": controller.A, "B": controller.B, "C": controller.C[0], "D": controller.D[0]}
+        )
         return {**matrices, "motion_ratio": r, "damping_coefficient": damping}
 
 
@@ -454,11 +512,18 @@ def _lag(actuator: AnyActuator) -> float:
 def _flatten(name: str, values: Array | Sequence[float]) -> dict[str, float]:
     """Flatten an array into numbers by path: ``gain[0]``, ``F[1][2]``."""
     array = np.asarray(values, dtype=np.float64)
-    return {name + "".join(f"[{i}]" for i in index): float(value) for index, value in np.ndenumerate(array)}
+    return {
+        name + "".join(f"[{i}]" for i in index): float(value)
+        for index, value in np.ndenumerate(array)
+    }
 
 
 def _flatten_all(arrays: dict[str, Array]) -> dict[str, float]:
-    return {path: value for name, array in arrays.items() for path, value in _flatten(name, array).items()}
+    return {
+        path: value
+        for name, array in arrays.items()
+        for path, value in _flatten(name, array).items()
+    }
 
 
 def _vector(number: Lookup, name: str, size: int) -> ca.SX:
@@ -466,4 +531,6 @@ def _vector(number: Lookup, name: str, size: int) -> ca.SX:
 
 
 def _matrix(number: Lookup, name: str, rows: int, columns: int) -> ca.SX:
-    return ca.vertcat(*(ca.horzcat(*(number(f"{name}[{i}][{j}]") for j in range(columns))) for i in range(rows)))
+    return ca.vertcat(
+        *(ca.horzcat(*(number(f"{name}[{i}][{j}]") for j in range(columns))) for i in range(rows))
+    )

@@ -8,8 +8,20 @@ from typing import Any, ClassVar, Literal
 import casadi as ca
 import numpy as np
 
-from jounce.control.actuators import ActiveActuator, Actuator, AnyActuator, Instant, SemiActiveDamper
-from jounce.control.controller import CallbackController, CommandLimits, Regulator, RunSetting, or_default
+from jounce.control.actuators import (
+    ActiveActuator,
+    Actuator,
+    AnyActuator,
+    Instant,
+    SemiActiveDamper,
+)
+from jounce.control.controller import (
+    CallbackController,
+    CommandLimits,
+    Regulator,
+    RunSetting,
+    or_default,
+)
 from jounce.control.design import CornerModel, corner_equations, corner_outputs, discretise
 from jounce.control.laws import ForceWeight, Weight
 from jounce.core.errors import SimulationError
@@ -24,7 +36,10 @@ _QUIET: dict[str, dict[str, Any]] = {
     "daqp": {},
     "qrqp": {"print_iter": False, "print_header": False, "print_info": False},
 }
-_SOFT = (1e6, 3.0)  # weights of exceeded stroke and of lost load, relative to those of the deflections
+_SOFT = (
+    1e6,
+    3.0,
+)  # weights of exceeded stroke and of lost load, relative to those of the deflections
 _LONGEST = 200  # steps of a plan
 _SLACK = 1e-2  # m: unit of the slacks
 _CHEAP = 1e-3  # weight of a force behind a lag, relative to that of the acceleration it causes
@@ -63,8 +78,14 @@ class PreviewMPC(CallbackController):
     force_weight: ForceWeight = 0.0
     actuator: Actuator = SemiActiveDamper()
     catalogue: ClassVar = {
-        "mpc": ("model predictive control with preview of the road, with a damper", SemiActiveDamper()),
-        "active-mpc": ("model predictive control with preview of the road, active", ActiveActuator()),
+        "mpc": (
+            "model predictive control with preview of the road, with a damper",
+            SemiActiveDamper(),
+        ),
+        "active-mpc": (
+            "model predictive control with preview of the road, active",
+            ActiveActuator(),
+        ),
     }
     needs_wheel: ClassVar[bool] = True
 
@@ -125,7 +146,18 @@ def _horizon(mpc: PreviewMPC, corner: CornerModel, steps: int) -> _Horizon:
     gx, gw = (Fu.T @ whole + cross.T) @ Fx, (Fu.T @ whole + cross.T) @ Fw
     rows, margin = _limits(mpc, corner, steps, n)
     slack = np.array(_SOFT) * np.maximum(weights, 1.0)
-    return _Horizon(n, (F[4:, 4:], H[4:, 0]), Fx, Fu, Fw, block_diag(hessian, np.diag(slack)), gx, gw, rows, margin)
+    return _Horizon(
+        n,
+        (F[4:, 4:], H[4:, 0]),
+        Fx,
+        Fu,
+        Fw,
+        block_diag(hessian, np.diag(slack)),
+        gx,
+        gw,
+        rows,
+        margin,
+    )
 
 
 def _add_lag(
@@ -139,7 +171,13 @@ def _add_lag(
     first = np.eye(1, m)
     whole = np.block([[A, B @ first], [np.zeros((m, n)), own]])
     none = np.zeros((m, 1))
-    return whole, np.vstack([np.zeros((n, 1)), drive]), np.vstack([G, none]), np.hstack([C, D @ first]), 0.0 * D
+    return (
+        whole,
+        np.vstack([np.zeros((n, 1)), drive]),
+        np.vstack([G, none]),
+        np.hstack([C, D @ first]),
+        0.0 * D,
+    )
 
 
 def _limits(mpc: PreviewMPC, corner: CornerModel, steps: int, states: int) -> tuple[Array, Array]:
@@ -182,7 +220,13 @@ class _Planner:
             )
         times = np.arange(setting.instants + steps + 1) / mpc.rate
         self._plans = [
-            _Plan(mpc, setting.controllers[name].actuator, setting.models[name], steps, setting.road(name, times))
+            _Plan(
+                mpc,
+                setting.controllers[name].actuator,
+                setting.models[name],
+                steps,
+                setting.road(name, times),
+            )
             for name in corners
         ]
         self._instant = 0
@@ -212,7 +256,9 @@ class _Planner:
 class _Plan:
     """The problem of one corner, solved again at every instant."""
 
-    def __init__(self, mpc: PreviewMPC, actuator: AnyActuator, corner: CornerModel, steps: int, road: Array) -> None:
+    def __init__(
+        self, mpc: PreviewMPC, actuator: AnyActuator, corner: CornerModel, steps: int, road: Array
+    ) -> None:
         self._steps, self._corner = steps, corner
         self._horizon = _horizon(mpc, corner, steps)
         self._bumps = np.diff(road) * mpc.rate  # mean velocity of the road in each period
@@ -220,19 +266,29 @@ class _Plan:
         horizon = self._horizon
         self._unit = 0.1 * corner.sprung_mass * corner.gravity  # N: of the forces
         self._units = np.append(np.full(steps, self._unit), [_SLACK, _SLACK])
-        columns = np.vstack([np.hstack([horizon.Fu, np.zeros((len(horizon.Fu), 2))]), np.zeros((2, steps + 2))])
+        columns = np.vstack(
+            [np.hstack([horizon.Fu, np.zeros((len(horizon.Fu), 2))]), np.zeros((2, steps + 2))]
+        )
         columns[-2, -2] = columns[-1, -1] = 1.0
         self._rows = horizon.rows @ columns * self._units
         hessian = horizon.H * self._units[:, None] * self._units
-        shape = {"h": ca.Sparsity.dense(*horizon.H.shape), "a": ca.Sparsity.dense(*self._rows.shape)}
+        shape = {
+            "h": ca.Sparsity.dense(*horizon.H.shape),
+            "a": ca.Sparsity.dense(*self._rows.shape),
+        }
         name = next((name for name in _SOLVERS if ca.has_conic(name)), None)
         if name is None:
             raise SimulationError(
-                "this build of casadi has no solver of quadratic programmes", allowed=", ".join(_SOLVERS)
+                "this build of casadi has no solver of quadratic programmes",
+                allowed=", ".join(_SOLVERS),
             )
         self._solver = ca.conic("plan", name, shape, {**_QUIET[name], "error_on_fail": False})
         scale = np.trace(hessian[:steps, :steps]) / steps
-        self._h, self._a, self._scale = ca.DM(hessian / scale), ca.DM(self._rows), self._units / scale
+        self._h, self._a, self._scale = (
+            ca.DM(hessian / scale),
+            ca.DM(self._rows),
+            self._units / scale,
+        )
         self.forget()
 
     def forget(self) -> None:
@@ -252,7 +308,9 @@ class _Plan:
         x = np.array([-deflection / r, body, -tyre, wheel, *self._own])
         w = self._bumps[instant : instant + n]
         free = horizon.Fx @ x + horizon.Fw @ w
-        expected = (free + horizon.Fu @ np.append(self._forces[1:], self._forces[-1])).reshape(-1, horizon.states)[:n]
+        expected = (free + horizon.Fu @ np.append(self._forces[1:], self._forces[-1])).reshape(
+            -1, horizon.states
+        )[:n]
         along = r * (expected[:, 3] - expected[:, 1])
         along[0] = velocity
         low, high = self._bounds(along, -r * expected[:, 0])
@@ -293,13 +351,20 @@ def _actuator_functions(actuator: AnyActuator, corner: CornerModel, steps: int) 
             return min(max(force / velocity, low), high)
 
         return (lambda v, _: (low * v, high * v)), coefficient
-    known = {**actuator.plant_numbers, "minimum": low, "maximum": high, "static_deflection": corner.static_deflection}
+    known = {
+        **actuator.plant_numbers,
+        "minimum": low,
+        "maximum": high,
+        "static_deflection": corner.static_deflection,
+    }
     force, velocity, deflection = (ca.SX.sym(name) for name in ("force", "velocity", "deflection"))
     seen = {"strut.velocity": velocity, "strut.deflection": deflection}
     now = Instant(seen.__getitem__, lambda name: ca.SX(known[name]), ca.SX(0.0))
     ends = [actuator.force_of(now.between(ca.SX(level)), now) for level in (0.0, 1.0)]
     bounds = ca.Function("bounds", [velocity, deflection], ends).map(steps)
-    command = ca.Function("command", [force, velocity, deflection], [actuator.command_for_force(force, now)])
+    command = ca.Function(
+        "command", [force, velocity, deflection], [actuator.command_for_force(force, now)]
+    )
 
     def both(v: Array, x: Array) -> tuple[Array, Array]:
         values = bounds(v[None, :], x[None, :])

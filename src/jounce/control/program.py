@@ -56,7 +56,9 @@ def _write_program(controller: Controller, corners: tuple[str, ...]) -> Program:
         prefix = f"{corner}." if corner else ""
         return lambda name: known.setdefault(prefix + name, ca.SX.sym(prefix + name))
 
-    memory_symbols = [[ca.SX.sym(f"memory{i}") for i in range(controller.memory_size)] for _ in corners]
+    memory_symbols = [
+        [ca.SX.sym(f"memory{i}") for i in range(controller.memory_size)] for _ in corners
+    ]
     last = [ca.SX.sym("last") for _ in corners]
     commands: list[ca.SX] = []
     memories: list[ca.SX] = []
@@ -77,14 +79,21 @@ def _write_program(controller: Controller, corners: tuple[str, ...]) -> Program:
     return Program(function, tuple(channels), tuple(numbers), memory.shape[0])
 
 
-def values(controllers: Mapping[str, Controller], models: Mapping[str, CornerModel], names: tuple[str, ...]) -> Array:
+def values(
+    controllers: Mapping[str, Controller], models: Mapping[str, CornerModel], names: tuple[str, ...]
+) -> Array:
     """Numbers of a program by their names, SI, from each corner's resolved controller and model."""
     known: dict[str, float] = {}
     for corner, controller in controllers.items():
         prefix = f"{corner}." if corner else ""
         actuator = controller.actuator
         low, high = actuator.limits
-        own_numbers = {**actuator.plant_numbers, **controller.numbers(models[corner]), "minimum": low, "maximum": high}
+        own_numbers = {
+            **actuator.plant_numbers,
+            **controller.numbers(models[corner]),
+            "minimum": low,
+            "maximum": high,
+        }
         own_numbers["static_deflection"] = models[corner].static_deflection
         if actuator.rate_limit is not None:
             own_numbers["rate_limit"] = actuator.rate_limit / controller.rate
@@ -92,15 +101,22 @@ def values(controllers: Mapping[str, Controller], models: Mapping[str, CornerMod
     return np.array([known[name] for name in names])
 
 
-def sensor_noise(noise: Mapping[str, float], seed: int, channels: tuple[str, ...], instants: int) -> Array:
+def sensor_noise(
+    noise: Mapping[str, float], seed: int, channels: tuple[str, ...], instants: int
+) -> Array:
     """White noise of the sensors, shape (instants, channels), SI; no rows without noise.
 
     ``noise`` is the standard deviation by channel; a channel without its corner applies to every corner.
     """
     without_corner = (".".join(name.split(".")[-2:]) for name in channels)
     spread = np.array(
-        [noise.get(name, noise.get(word, 0.0)) for name, word in zip(channels, without_corner, strict=True)]
+        [
+            noise.get(name, noise.get(word, 0.0))
+            for name, word in zip(channels, without_corner, strict=True)
+        ]
     )
     if not np.any(spread > 0.0):
         return np.zeros((0, len(channels)))
-    return np.asarray(np.random.default_rng(seed).standard_normal((instants, len(channels))) * spread)
+    return np.asarray(
+        np.random.default_rng(seed).standard_normal((instants, len(channels))) * spread
+    )

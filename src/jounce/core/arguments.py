@@ -24,7 +24,10 @@ _KINDS = {
     "Rig": ("a rig or a vehicle", "jn.load(...) reads one from a file or the library."),
     "Trial": ("a trial", "Make one: jn.Trial(road=..., speed=..., duration=...)."),
     "HoldsTrial": ("what holds one", ""),
-    "RideTrial": ("a trial for ride studies", "Make one: jn.iso_trial(rig, ...) or jn.road_trial(rig, ...)."),
+    "RideTrial": (
+        "a trial for ride studies",
+        "Make one: jn.iso_trial(rig, ...) or jn.road_trial(rig, ...).",
+    ),
     "Road": ("a road", "Make one, e.g. jn.HalfSine(...), or read it: jn.load_road(...)."),
     "Dataset": (
         "a recording (xarray.Dataset)",
@@ -57,7 +60,9 @@ def guard_arguments(function: Function, name: str) -> Function:
     Traceback (most recent call last):
     jounce.core.errors.DescriptionError: halve: length: a list was given; allowed: a number.
     """
-    flags = frozenset(key for key, hint in function.__annotations__.items() if hint in ("bool", bool))
+    flags = frozenset(
+        key for key, hint in function.__annotations__.items() if hint in ("bool", bool)
+    )
 
     @wraps(function)
     def call(*arguments: Any, **options: Any) -> Any:
@@ -90,12 +95,21 @@ def misfit(
         return None
     hints = _hints(function)
     for name, value in given.items():
-        if signature.parameters[name].kind in (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD):
+        if signature.parameters[name].kind in (
+            inspect.Parameter.VAR_POSITIONAL,
+            inspect.Parameter.VAR_KEYWORD,
+        ):
             continue
         for place, wrong, hint in _misfits(value, hints.get(name, Any), name):
             words, ways = map(dict.fromkeys, zip(*_words(hint), strict=True))
-            swapped = [other for other, kind in hints.items() if other in signature.parameters and _is_for(wrong, kind)]
-            advice = [f"It would do for {swapped[0]!r}: are the arguments in order?"] if swapped else []
+            swapped = [
+                other
+                for other, kind in hints.items()
+                if other in signature.parameters and _is_for(wrong, kind)
+            ]
+            advice = (
+                [f"It would do for {swapped[0]!r}: are the arguments in order?"] if swapped else []
+            )
             return DescriptionError(
                 Phrase("{wrong} was given", wrong=value_or_kind(wrong)),
                 where=f"{function.__name__}: {place}",
@@ -134,7 +148,9 @@ def _misfits(value: Any, hint: Any, place: str) -> Iterator[tuple[str, Any, Any]
         if is_dataclass(value) and not isinstance(value, type):
             hints = _hints(type(value))
             for field in fields(value):
-                yield from _misfits(getattr(value, field.name), hints.get(field.name, Any), f"{place}.{field.name}")
+                yield from _misfits(
+                    getattr(value, field.name), hints.get(field.name, Any), f"{place}.{field.name}"
+                )
         elif isinstance(value, (list, tuple)):
             for k, item in enumerate(value):
                 yield from _misfits(item, Any, f"{place}[{k}]")
@@ -144,9 +160,16 @@ def _misfits(value: Any, hint: Any, place: str) -> Iterator[tuple[str, Any, Any]
         origin, parts = get_origin(option), get_args(option)
         if _is_mapping(origin) and isinstance(value, Mapping):
             for key, item in value.items():
-                inside += [*_misfits(key, parts[0], place), *_misfits(item, parts[1], f"{place}[{key!r}]")]
+                inside += [
+                    *_misfits(key, parts[0], place),
+                    *_misfits(item, parts[1], f"{place}[{key!r}]"),
+                ]
         elif _is_series(origin) and isinstance(value, (list, tuple)):
-            each = parts if len(parts) == len(value) and parts[-1] is not Ellipsis else parts[:1] * len(value)
+            each = (
+                parts
+                if len(parts) == len(value) and parts[-1] is not Ellipsis
+                else parts[:1] * len(value)
+            )
             for k, (item, part) in enumerate(zip(value, each, strict=True)):
                 inside += _misfits(item, part, f"{place}[{k}]")
     yield from inside or [(place, value, hint)]
@@ -184,14 +207,19 @@ def _is_mapping(origin: Any) -> bool:
 
 
 def _is_series(origin: Any) -> bool:
-    is_listed = isinstance(origin, type) and issubclass(origin, Iterable) and not issubclass(origin, Mapping)
+    is_listed = (
+        isinstance(origin, type)
+        and issubclass(origin, Iterable)
+        and not issubclass(origin, Mapping)
+    )
     return is_listed and origin.__name__ != "ndarray"
 
 
 def _is_for(value: Any, hint: Any) -> bool:
     """Whether a value is of a class that a hint names: a rig, a road, a recording."""
     return any(
-        isinstance(option, type) and bool(_words(option)[0][1]) and fits(value, option) for option in _options(hint)
+        isinstance(option, type) and bool(_words(option)[0][1]) and fits(value, option)
+        for option in _options(hint)
     )
 
 
@@ -247,7 +275,9 @@ def _is_number(value: Any, kind: type) -> bool:
     """Whether a value is one number, or for arrays, numbers; a text is no number, though NumPy reads it."""
     import numpy as np
 
-    if value is None or (kind in (float, int) and (isinstance(value, (str, bytes)) or _dimensions(value, 0))):
+    if value is None or (
+        kind in (float, int) and (isinstance(value, (str, bytes)) or _dimensions(value, 0))
+    ):
         return False
     try:
         if kind is int:
@@ -278,7 +308,14 @@ def _words(hint: Any) -> list[tuple[str, str]]:
     if origin is Literal:
         return [(repr(part), "") for part in parts]
     if isinstance(origin, type) and issubclass(origin, Mapping):
-        return [(f"a mapping of {_either(parts[0])} to {_either(parts[1])}" if parts else "a mapping", "")]
+        return [
+            (
+                f"a mapping of {_either(parts[0])} to {_either(parts[1])}"
+                if parts
+                else "a mapping",
+                "",
+            )
+        ]
     if origin is tuple and parts[-1] is not Ellipsis:
         return [(f"({', '.join(_either(part) for part in parts)})", "")]
     if _is_series(origin) and parts:

@@ -74,7 +74,9 @@ def _package(code: str) -> str:
     return package if package.isidentifier() else "inspection"
 
 
-def sentence(code: str, numbers: Mapping[str, Any], language: Language = "en", *, decimal: str = ".") -> str:
+def sentence(
+    code: str, numbers: Mapping[str, Any], language: Language = "en", *, decimal: str = "."
+) -> str:
     """Fill the sentence of a code with its numbers.
 
     Examples
@@ -108,7 +110,9 @@ class _Filled(string.Formatter):
         if isinstance(value, Phrase):  # the text of an error
             return in_german(value) if self.language == "de" else str(value)
         if isinstance(value, str):
-            return format(", ".join(self.words.get(word, word) for word in value.split(", ")), digits)
+            return format(
+                ", ".join(self.words.get(word, word) for word in value.split(", ")), digits
+            )
         unit, is_written = unit.removeprefix("~"), not unit.startswith("~")
         text = format(value * FACTORS[unit] if unit else value, digits).replace(".", self.decimal)
         return (

@@ -65,7 +65,11 @@ class ChildProcess:
 
         Windows cannot wait for a pipe: there it has all the time.
         """
-        if patience and sys.platform != "win32" and not select.select([self._stdout], [], [], patience)[0]:
+        if (
+            patience
+            and sys.platform != "win32"
+            and not select.select([self._stdout], [], [], patience)[0]
+        ):
             raise TimeoutError
         return bytes(self.fill(bytearray(count)))
 
@@ -132,7 +136,9 @@ def _memory_of(process: subprocess.Popen[bytes]) -> float:
         if sys.platform == "win32":
             return _memory_on_windows(int(process._handle))  # type: ignore[attr-defined,unused-ignore]
         asked = ["/bin/ps", "-o", "rss=", "-p", str(process.pid)]
-        return 1024.0 * float(subprocess.run(asked, capture_output=True, timeout=5.0, check=False).stdout)
+        return 1024.0 * float(
+            subprocess.run(asked, capture_output=True, timeout=5.0, check=False).stdout
+        )
     except (OSError, ValueError, AttributeError, subprocess.TimeoutExpired):
         return 0.0
 
@@ -141,7 +147,16 @@ def _memory_on_windows(handle: int) -> float:
     """Bytes that the process of a handle keeps for itself; 0 where Windows does not tell."""
     import ctypes
 
-    sizes = ("PeakWorkingSet", "WorkingSet", "PeakPagedPool", "PagedPool", "PeakPool", "Pool", "Pagefile", "PeakFile")
+    sizes = (
+        "PeakWorkingSet",
+        "WorkingSet",
+        "PeakPagedPool",
+        "PagedPool",
+        "PeakPool",
+        "Pool",
+        "Pagefile",
+        "PeakFile",
+    )
 
     class Counters(ctypes.Structure):
         """PROCESS_MEMORY_COUNTERS."""
@@ -155,7 +170,9 @@ def _memory_on_windows(handle: int) -> float:
     counters = Counters(size=ctypes.sizeof(Counters))
     ask = ctypes.WinDLL("kernel32").K32GetProcessMemoryInfo  # type: ignore[attr-defined,unused-ignore]
     ask.argtypes, ask.restype = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint32), ctypes.c_int
-    return float(counters.Pagefile) if ask(handle, ctypes.addressof(counters), counters.size) else 0.0
+    return (
+        float(counters.Pagefile) if ask(handle, ctypes.addressof(counters), counters.size) else 0.0
+    )
 
 
 # limits that a process holds itself to -------------------------------------------------------------------------------
@@ -175,7 +192,9 @@ def limit(memory: float, seconds: float) -> None:
     ):
         _, hard = resource.getrlimit(kind)
         with contextlib.suppress(ValueError, OSError):
-            resource.setrlimit(kind, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
+            resource.setrlimit(
+                kind, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard)
+            )
 
 
 def has_less_than(memory: float) -> bool:
@@ -185,7 +204,9 @@ def has_less_than(memory: float) -> bool:
     except ImportError:
         return False
     most = [resource.getrlimit(kind)[1] for kind in (resource.RLIMIT_DATA, resource.RLIMIT_AS)]
-    return any(0 <= limit < _used_memory() + memory for limit in most if limit != resource.RLIM_INFINITY)
+    return any(
+        0 <= limit < _used_memory() + memory for limit in most if limit != resource.RLIM_INFINITY
+    )
 
 
 def _used_memory() -> float:
@@ -239,7 +260,9 @@ def _do(make: Callable[[], bytes], writing: int) -> None:
     """In the child: make it, hand it over, end without what a process does at its end."""
     code = 1
     try:
-        os.closerange(3, writing)  # connections of the server, which must not live on with this child
+        os.closerange(
+            3, writing
+        )  # connections of the server, which must not live on with this child
         os.closerange(writing + 1, os.sysconf("SC_OPEN_MAX"))
         content = make()
         with os.fdopen(writing, "wb") as stream:

@@ -86,7 +86,9 @@ class Column:
     @property
     def is_empty(self) -> bool:
         """Whether no cell of the column is a number."""
-        return self.fault is not None and (self.fault.what == _BLANK or self.fault.hint == NO_NUMBER)
+        return self.fault is not None and (
+            self.fault.what == _BLANK or self.fault.hint == NO_NUMBER
+        )
 
     def readable(self) -> Column:
         """Return the column itself; raise its fault if it has one."""
@@ -101,7 +103,9 @@ class Column:
             raise RecordingError(
                 "the header has no unit",
                 where=self.where,
-                allowed=Phrase("'{name} [{si}]' or a unit that converts to it", name=self.name, si=si),
+                allowed=Phrase(
+                    "'{name} [{si}]' or a unit that converts to it", name=self.name, si=si
+                ),
             )
         return self.times(conversion_factor(self.unit, si, where=self.where))
 
@@ -213,7 +217,9 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
     lines = text.splitlines()
     comments, first = _leading_comments(lines)
     if first == len(lines):
-        raise RecordingError("the file is empty", where=str(file), allowed="a header 'name [unit], ...' and rows")
+        raise RecordingError(
+            "the file is empty", where=str(file), allowed="a header 'name [unit], ...' and rows"
+        )
     _check_width(lines[first : first + _LONGEST_PREAMBLE], file, first + 1)
     remarks: tuple[Finding, ...] = ()
     if in_comment := _names_in_comment(lines, first):
@@ -224,10 +230,18 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
     rows, numbers = _without_blank_lines(lines[start + 1 :], start + 2)
     separator = bare or _separator_of(lines[start], rows[0] if rows else "")
     try:
-        written = [f"column {i + 1}" for i in range(named)] if bare else _header_cells(lines[start], separator)
+        written = (
+            [f"column {i + 1}" for i in range(named)]
+            if bare
+            else _header_cells(lines[start], separator)
+        )
         header = [unguard_formula(cell) for cell in written]
         _check_header(header, file, start + 1, separator, named)
-        if rows and all(row.startswith('"') for row in rows) and len(_cells(rows[0], separator)) == len(header) + 1:
+        if (
+            rows
+            and all(row.startswith('"') for row in rows)
+            and len(_cells(rows[0], separator)) == len(header) + 1
+        ):
             header = ["", *header]  # a table of R, whose rows have names
         units = _units_below(rows, header, separator)
         if units:
@@ -239,7 +253,9 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
         if not text.endswith(("\n", "\r")) and _is_cut_off(rows, separator):
             remarks += (finding("core.cut_off", str(file)),)
     except csv.Error as error:
-        raise RecordingError(Phrase("not a table ({error})", error=str(error)), where=str(file)) from None
+        raise RecordingError(
+            Phrase("not a table ({error})", error=str(error)), where=str(file)
+        ) from None
     if start > first:
         remarks = (finding("core.header_below", str(file), kind="line", number=start + 1), *remarks)
     return ColumnTable(columns, comments, str(file), numbers, remarks)
@@ -299,19 +315,30 @@ def text_of(file: Path) -> str:
     _check_memory(existing_file(file, RecordingError).stat().st_size, file)
     with reading(file, RecordingError):
         content = file.read_bytes()
-    if _DOS_END in content[-_SECTOR:] and _DOS_END in content[len(content.rstrip(_DOS_END + b"\0\r\n\t ")) :]:
+    if (
+        _DOS_END in content[-_SECTOR:]
+        and _DOS_END in content[len(content.rstrip(_DOS_END + b"\0\r\n\t ")) :]
+    ):
         content = content.rstrip(_DOS_END + b"\0\r\n\t ") + b"\n"
     wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))
     text = content.decode("utf-16", errors="replace") if wide else ""
     if "\0" in text if wide else b"\0" in content:
-        raise RecordingError("not a text file", where=str(file), allowed="columns separated by comma, semicolon or tab")
+        raise RecordingError(
+            "not a text file",
+            where=str(file),
+            allowed="columns separated by comma, semicolon or tab",
+        )
     if wide:
         return text
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:
         western = content.decode("cp1252", errors="replace")
-        return content.decode("cp1250", errors="replace") if _SIGN_IN_A_WORD.search(western) else western
+        return (
+            content.decode("cp1250", errors="replace")
+            if _SIGN_IN_A_WORD.search(western)
+            else western
+        )
 
 
 _SIGN_IN_A_WORD = re.compile(r"[A-Za-z][¹³¿£¥ª¯][A-Za-z]")
@@ -343,7 +370,9 @@ def _names_in_comment(lines: list[str], first: int) -> tuple[int, str] | None:
     text = lines[places[-1]].strip(" \t#")
     separator = _separator_of(text, lines[first])
     names, numbers = _row(text, separator), _row(lines[first], separator)
-    is_header = len(names) == len(numbers) > 1 and _are_names(names) and all(map(_has_number, numbers))
+    is_header = (
+        len(names) == len(numbers) > 1 and _are_names(names) and all(map(_has_number, numbers))
+    )
     return (places[-1], text) if is_header else None
 
 
@@ -357,8 +386,13 @@ def _check_width(lines: list[str], file: Path, first: int) -> None:
         cells = max(len(line.split()), *(line.count(mark) + 1 for mark in ",;\t"))
         if cells > _MOST_COLUMNS:
             hint = "Export fewer channels, or a binary format (.mf4, .tdms, .parquet, .mat)."
-            where, allowed = at_line(file, number), Phrase("up to {most_columns}", most_columns=_MOST_COLUMNS)
-            raise RecordingError("too many columns", where=where, found=f"{cells}", allowed=allowed, hint=hint)
+            where, allowed = (
+                at_line(file, number),
+                Phrase("up to {most_columns}", most_columns=_MOST_COLUMNS),
+            )
+            raise RecordingError(
+                "too many columns", where=where, found=f"{cells}", allowed=allowed, hint=hint
+            )
 
 
 def _separator_of_numbers(line: str, count: int) -> str:
@@ -366,7 +400,9 @@ def _separator_of_numbers(line: str, count: int) -> str:
     if not count:
         return ""
     rows = ((mark, _row(line.strip(), mark)) for mark in ("\t", ";", ",", " "))
-    return next((mark for mark, row in rows if len(row) == count and all(map(_has_number, row))), "")
+    return next(
+        (mark for mark, row in rows if len(row) == count and all(map(_has_number, row))), ""
+    )
 
 
 def _header_line(lines: list[str], first: int) -> int:
@@ -374,7 +410,11 @@ def _header_line(lines: list[str], first: int) -> int:
 
     Settings of a logger are no header, even with as many cells as columns (``Rate;1000``).
     """
-    filled = [i for i in range(first, min(first + _LONGEST_PREAMBLE, len(lines))) if lines[i].strip(" \r\ufeff")]
+    filled = [
+        i
+        for i in range(first, min(first + _LONGEST_PREAMBLE, len(lines)))
+        if lines[i].strip(" \r\ufeff")
+    ]
     likely = None
     for place, index in enumerate(filled[:-1]):
         below = [lines[i] for i in filled[place + 1 : place + 3]]
@@ -388,7 +428,9 @@ def _header_line(lines: list[str], first: int) -> int:
         if any(unit and is_unit(unit) for _, unit in map(name_and_unit, cells)):
             return index
         row = rows[-1] if _are_units(rows[0]) else rows[0]
-        are_numbers = any(map(_has_number, row)) and all(_has_number(cell) or _is_missing(cell) for cell in row)
+        are_numbers = any(map(_has_number, row)) and all(
+            _has_number(cell) or _is_missing(cell) for cell in row
+        )
         if len(cells) > 1 and are_numbers:
             return index
         if likely is None and any(map(_has_number, row)):
@@ -419,7 +461,8 @@ def _are_names(cells: list[str]) -> bool:
 
 
 _TIME_WORDS = re.compile(
-    r"(?:x?time|zeit|timestamp|temps|tiempo|tempo|czas|tid|tijd|t)(?:[ _.:-]?\d.*|[ _.:-].+)?", re.IGNORECASE
+    r"(?:x?time|zeit|timestamp|temps|tiempo|tempo|czas|tid|tijd|t)(?:[ _.:-]?\d.*|[ _.:-].+)?",
+    re.IGNORECASE,
 )
 
 
@@ -452,7 +495,9 @@ def _is_plain_unit(cell: str) -> bool:
     """Whether a cell is a unit; no foreign number (``1.5d+00``: days?) is, nor ``ch1`` or ``V2``."""
     if _NUMBERED_NAME.fullmatch(cell):
         return False
-    return is_unit(cell) and (cell == "1" or cell.startswith("1/") or not _BEGINS_WITH_NUMBER.match(cell))
+    return is_unit(cell) and (
+        cell == "1" or cell.startswith("1/") or not _BEGINS_WITH_NUMBER.match(cell)
+    )
 
 
 _BEGINS_WITH_NUMBER = re.compile(r"[-+]?\d")
@@ -472,20 +517,27 @@ def _separator_of(header: str, row: str) -> str:
     if separator != "," or "," in outside or '"' in outside:
         return separator
     cells = _cells(row, " ")
-    return " " if len(cells) > 1 and all(_is_number(cell.replace(",", ".")) for cell in cells) else ","
+    return (
+        " " if len(cells) > 1 and all(_is_number(cell.replace(",", ".")) for cell in cells) else ","
+    )
 
 
 def _cells(line: str, separator: str) -> list[str]:
     if separator == " " and '"' not in line:
         return line.split()
-    return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
+    return [
+        cell.strip()
+        for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))
+    ]
 
 
 def _header_cells(line: str, separator: str) -> list[str]:
     if separator != " " or '"' in line:
         return _cells(line, separator)
     wide = re.split(r"\s{2,}", line.strip())
-    return wide if len(wide) > 1 else re.findall(r"[^\s\[(]+(?:\s?\[[^\[\]]*\]|\s?\([^()]*\))?", line)
+    return (
+        wide if len(wide) > 1 else re.findall(r"[^\s\[(]+(?:\s?\[[^\[\]]*\]|\s?\([^()]*\))?", line)
+    )
 
 
 def name_and_unit(cell: str) -> tuple[str, str]:
@@ -504,7 +556,9 @@ def name_and_unit(cell: str) -> tuple[str, str]:
         name, _, unit = text[:-1].rpartition("(")
         name = name.strip().removesuffix("/")
     else:
-        name, _, unit = max((text.rpartition(mark) for mark in (" / ", " in ")), key=lambda part: len(part[0]))
+        name, _, unit = max(
+            (text.rpartition(mark) for mark in (" / ", " in ")), key=lambda part: len(part[0])
+        )
     name, unit = name.strip(), unit.strip()
     return (name, unit) if name and _is_loose_unit(unit) else (text, "")
 
@@ -515,8 +569,14 @@ def _of_r(text: str) -> tuple[str, str]:
     >>> [_of_r(text) for text in ("sprung.az..m.s.2.", "strut.force..N.", "rate..N.mm.")]
     [('sprung.az', 'm/s^2'), ('strut.force', 'N'), ('rate..N.mm.', '')]
     """
-    splits = ((text[: mark.start()], text[mark.start() + 2 : -1]) for mark in re.finditer(r"(?=\.\.)", text))
-    return next(((name, _UNITS_OF_R[unit]) for name, unit in splits if name and unit in _UNITS_OF_R), (text, ""))
+    splits = (
+        (text[: mark.start()], text[mark.start() + 2 : -1])
+        for mark in re.finditer(r"(?=\.\.)", text)
+    )
+    return next(
+        ((name, _UNITS_OF_R[unit]) for name, unit in splits if name and unit in _UNITS_OF_R),
+        (text, ""),
+    )
 
 
 _USUAL = (
@@ -553,12 +613,18 @@ def _check_header(header: list[str], file: Path, line: int, separator: str, name
         written, allowed = separator.join(header), "'name [unit]' for every column"
         if named:
             raise RecordingError(
-                Phrase("the given header names {named} columns, the file has {count}", named=named, count=len(header)),
+                Phrase(
+                    "the given header names {named} columns, the file has {count}",
+                    named=named,
+                    count=len(header),
+                ),
                 where=where,
                 found=written,
             )
         hint = "Write it above the numbers, or give all names in their order: columns = 'time [s], force [N]'."
-        raise RecordingError("the header is missing", where=where, found=written, allowed=allowed, hint=hint)
+        raise RecordingError(
+            "the header is missing", where=where, found=written, allowed=allowed, hint=hint
+        )
 
 
 def _units_below(rows: Sequence[str], header: list[str], separator: str) -> list[str]:
@@ -583,14 +649,21 @@ def _without_blank_lines(lines: list[str], first: int) -> tuple[list[str], Seque
 def _plain_numbers(lines: list[str], width: int, separator: str) -> Array | None:
     """Rows of finite numbers without quotes or faults; None for others, which are read cell by cell."""
     try:
-        values = np.loadtxt(lines, delimiter=None if separator == " " else separator, comments=None, ndmin=2)
+        values = np.loadtxt(
+            lines, delimiter=None if separator == " " else separator, comments=None, ndmin=2
+        )
     except ValueError:
         return None
     return values if values.shape == (len(lines), width) and np.isfinite(values).all() else None
 
 
 def _columns(
-    rows: list[str], lines: Sequence[int], header: list[str], units: list[str], file: Path, separator: str
+    rows: list[str],
+    lines: Sequence[int],
+    header: list[str],
+    units: list[str],
+    file: Path,
+    separator: str,
 ) -> tuple[tuple[Column, ...], tuple[Finding, ...]]:
     """Columns of all rows, and what was understood; rows of another length than the header are refused."""
     heads = header[:-1] if header[-1] == "" else header
@@ -604,13 +677,19 @@ def _columns(
     if values is not None:
         result = [np.ascontiguousarray(column) for column in values.T]
     else:
-        table = _table([_cells(line, separator) for line in rows], lines, heads, header, file, separator)
+        table = _table(
+            [_cells(line, separator) for line in rows], lines, heads, header, file, separator
+        )
         marks = [_decimal_mark(column) for column in table]
-        mixed = _mixed_marks(table, lines, heads, file) if {",", "."} <= set("".join(marks)) else None
+        mixed = (
+            _mixed_marks(table, lines, heads, file) if {",", "."} <= set("".join(marks)) else None
+        )
         comma = mixed is None and "," in marks
         for position, (cells, head, mark) in enumerate(zip(table, heads, marks, strict=True)):
             name, unit = (head, units[position]) if units else name_and_unit(head)
-            clock = seconds_of(cells) if not mark and (names_time(name) or unit in ("", "s")) else None
+            clock = (
+                seconds_of(cells) if not mark and (names_time(name) or unit in ("", "s")) else None
+            )
             if clock is not None:
                 clocks[position] = clock[1]
                 result.append(clock[0])
@@ -623,9 +702,17 @@ def _columns(
             cells = [_cells(line, separator)[position] for line in rows]
             fault = _thousands(cells, lines, f"{file}: column {heads[position]!r}")
             result[position] = numbers if fault is None else fault
-    cells = [cell for line in rows[:_FEW] for cell in _cells(line, separator) if "," in cell] if comma else []
-    are_grouped = len(cells) >= _FEWEST_THOUSANDS and all(_GROUPED.fullmatch(cell) for cell in cells)
-    if are_grouped and separator == ",":  # in quotes: those who separate by commas seldom write decimals with them
+    cells = (
+        [cell for line in rows[:_FEW] for cell in _cells(line, separator) if "," in cell]
+        if comma
+        else []
+    )
+    are_grouped = len(cells) >= _FEWEST_THOUSANDS and all(
+        _GROUPED.fullmatch(cell) for cell in cells
+    )
+    if (
+        are_grouped and separator == ","
+    ):  # in quotes: those who separate by commas seldom write decimals with them
         some = [_cells(line, separator) for line in rows[:_FEW]]
         marked = {i for i in range(len(heads)) if any("," in row[i] for row in some)}
         fault = _either(repr(cells[0]), str(file))
@@ -644,23 +731,33 @@ def _columns(
                 RecordingError(what, where=str(file), found=head, allowed="'name [unit]'"),
             )
         written = head if head not in (name, f"{name} [{unit}]") else ""
-        samples = numbers if fault is None and not isinstance(numbers, RecordingError) else np.empty(0)
+        samples = (
+            numbers if fault is None and not isinstance(numbers, RecordingError) else np.empty(0)
+        )
         if position - 1 in clocks:
             unit = "s"
             written = head if head != f"{name} [s]" else ""
         unit = "" if unit == "-" else unit
-        columns.append(Column(name, unit, samples, str(file), fault, written, parts.get(position - 1)))
+        columns.append(
+            Column(name, unit, samples, str(file), fault, written, parts.get(position - 1))
+        )
     remarks = []
     if comma:
-        remarks.append(finding("core.commas_or_thousands" if are_grouped else "core.decimal_commas", str(file)))
+        remarks.append(
+            finding("core.commas_or_thousands" if are_grouped else "core.decimal_commas", str(file))
+        )
     if units:
         remarks.append(finding("core.units_below", str(file), kind="line"))
-    remarks += [finding("core.clock", str(file), name=heads[k], clock=clock) for k, clock in clocks.items()]
+    remarks += [
+        finding("core.clock", str(file), name=heads[k], clock=clock) for k, clock in clocks.items()
+    ]
     return tuple(columns), tuple(remarks)
 
 
 _OF_DAY = re.compile(r"(?:(\d{1,6}) days? \+?)?(\d{1,2}):(\d{2}):(\d{2}(?:[.,]\d+)?)")
-_OF_CALENDAR = re.compile(r"(\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}:\d{2})([.,]\d+)?(?:(Z)|([+-]\d{2})(?::?(\d{2}))?)?")
+_OF_CALENDAR = re.compile(
+    r"(\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}:\d{2})([.,]\d+)?(?:(Z)|([+-]\d{2})(?::?(\d{2}))?)?"
+)
 _DAY = 86400.0
 
 
@@ -682,7 +779,9 @@ def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
         parts = [time.groups() for time in times if time is not None]
         if len(parts) < len(cells) or any(int(h) > 24 or int(m) > 59 for _, h, m, _ in parts):
             return None
-        seconds = np.array([_DAY * int(d or 0) + 3600 * int(h) + 60 * int(m) for d, h, m, _ in parts], dtype=float)
+        seconds = np.array(
+            [_DAY * int(d or 0) + 3600 * int(h) + 60 * int(m) for d, h, m, _ in parts], dtype=float
+        )
         seconds += np.array([s.replace(",", ".") for *_, s in parts], dtype=float)
         nights = np.concatenate(([0], np.cumsum(np.diff(seconds) < -0.5 * _DAY)))
         since = f"s since {cells[0]}" + (", past midnight" if nights[-1] else "")
@@ -695,13 +794,22 @@ def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
     if len(fields) < len(cells) or len(has_zone) > 1:
         return None
     try:
-        whole = np.array([base.replace(" ", "T") for base, *_ in fields], dtype="datetime64[s]").astype(np.int64)
+        whole = np.array(
+            [base.replace(" ", "T") for base, *_ in fields], dtype="datetime64[s]"
+        ).astype(np.int64)
     except ValueError:  # the 31st of February
         return None
-    zones = [60 * (60 * int(hours or 0) + int(f"{hours[:1]}{minutes or 0}")) for *_, hours, minutes in fields]
+    zones = [
+        60 * (60 * int(hours or 0) + int(f"{hours[:1]}{minutes or 0}"))
+        for *_, hours, minutes in fields
+    ]
     whole -= np.array(zones, dtype=np.int64)
-    parts_of_second = np.array([(part or "0").replace(",", ".") for _, part, *_ in fields], dtype=float)
-    elapsed = np.asarray((whole - whole[0]) + (parts_of_second - parts_of_second[0]), dtype=float).round(9)
+    parts_of_second = np.array(
+        [(part or "0").replace(",", ".") for _, part, *_ in fields], dtype=float
+    )
+    elapsed = np.asarray(
+        (whole - whole[0]) + (parts_of_second - parts_of_second[0]), dtype=float
+    ).round(9)
     return elapsed, f"s since {cells[0]}"
 
 
@@ -724,7 +832,9 @@ def _may_have_thousands(numbers: Array) -> bool:
 
 def _thousands(cells: Sequence[str], lines: Sequence[int], where: str) -> RecordingError | None:
     """Error for numbers whose marks all separate three digits, next to integers below a thousand."""
-    marked = [(cell, line) for cell, line in zip(cells, lines, strict=True) if "." in cell or "," in cell]
+    marked = [
+        (cell, line) for cell, line in zip(cells, lines, strict=True) if "." in cell or "," in cell
+    ]
     if not marked or not all(_GROUPED.fullmatch(cell) for cell, _ in marked):
         return None
     cell, line = marked[0]
@@ -742,7 +852,12 @@ def _either(cell: str, where: str, more: str = "") -> RecordingError:
 
 
 def _table(
-    rows: list[list[str]], lines: Sequence[int], heads: list[str], header: list[str], file: Path, separator: str
+    rows: list[list[str]],
+    lines: Sequence[int],
+    heads: list[str],
+    header: list[str],
+    file: Path,
+    separator: str,
 ) -> list[list[str]]:
     """Cells by column; empty cells after the last column are accepted."""
     width = len(heads)
@@ -764,7 +879,9 @@ def _decimal_mark(cells: list[str]) -> str:
     return "".join(sorted(set(map(_mark_of, cells))))
 
 
-def _mixed_marks(table: list[list[str]], lines: Sequence[int], heads: list[str], file: Path) -> RecordingError:
+def _mixed_marks(
+    table: list[list[str]], lines: Sequence[int], heads: list[str], file: Path
+) -> RecordingError:
     """The error for a file that has decimal commas and decimal points, which may also separate thousands."""
     first: dict[str, str] = {}
     for head, cells in zip(heads, table, strict=True):
@@ -784,7 +901,11 @@ def _numbers(
     cells: list[str], lines: Sequence[int], column: str, file: Path, comma: bool
 ) -> tuple[Array | RecordingError, tuple[NDArray[np.intp], Array] | None]:
     """Finite numbers of a column, or its first fault with the line, and the rows with numbers."""
-    texts = [cell.replace(",", ".") if _DECIMAL_COMMA.fullmatch(cell) else cell for cell in cells] if comma else cells
+    texts = (
+        [cell.replace(",", ".") if _DECIMAL_COMMA.fullmatch(cell) else cell for cell in cells]
+        if comma
+        else cells
+    )
     try:
         values = np.array(texts, dtype=float)
     except ValueError:
@@ -799,14 +920,20 @@ def _numbers(
         held = [texts[row] for row in filled]
         if all(map(_is_number, held)) and np.isfinite(numbers := np.array(held, dtype=float)).all():
             part = filled, numbers
-    wrong = next(i for i, cell in enumerate(texts) if not _is_number(cell) or not math.isfinite(float(cell)))
+    wrong = next(
+        i for i, cell in enumerate(texts) if not _is_number(cell) or not math.isfinite(float(cell))
+    )
     no_numbers = not any(_is_number(cell) for cell in texts)
-    fault = _bad_cell(cells[wrong], below(at_line(file, lines[wrong]), column), no_numbers=no_numbers)
+    fault = _bad_cell(
+        cells[wrong], below(at_line(file, lines[wrong]), column), no_numbers=no_numbers
+    )
     fault.line = int(lines[wrong])
     return fault, part
 
 
-def _ragged_row_error(row: list[str], header: list[str], where: str, separator: str) -> RecordingError:
+def _ragged_row_error(
+    row: list[str], header: list[str], where: str, separator: str
+) -> RecordingError:
     columns = len(header) - (header[-1] == "")
     if header[-1] == "" and len(row) == len(header):
         mark = _SEPARATOR_NAMES[separator]
@@ -820,8 +947,12 @@ def _ragged_row_error(row: list[str], header: list[str], where: str, separator: 
         "the row does not have as many cells as the header",
         where=where,
         found=f"{len(row)} cells",
-        allowed=Phrase("{columns} cells ({header})", columns=columns, header=", ".join(header[:columns])),
-        hint="Decimal commas? Separate the columns by semicolons, or write 1.5, not 1,5." if halves else "",
+        allowed=Phrase(
+            "{columns} cells ({header})", columns=columns, header=", ".join(header[:columns])
+        ),
+        hint="Decimal commas? Separate the columns by semicolons, or write 1.5, not 1,5."
+        if halves
+        else "",
     )
 
 
@@ -838,6 +969,10 @@ def _bad_cell(cell: str, where: str, *, no_numbers: bool) -> RecordingError:
             hint=Phrase("Write {cell}.", cell=cell.replace(",", ".")),
         )
     if _is_number(cell):
-        return RecordingError("not a finite number", where=where, found=cell, hint="Fill the gap or remove the row.")
+        return RecordingError(
+            "not a finite number", where=where, found=cell, hint="Fill the gap or remove the row."
+        )
     hint = NO_NUMBER if no_numbers else ""
-    return RecordingError("text in a number column", where=where, found=cell[:80], allowed="a number", hint=hint)
+    return RecordingError(
+        "text in a number column", where=where, found=cell[:80], allowed="a number", hint=hint
+    )

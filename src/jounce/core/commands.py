@@ -20,7 +20,9 @@ def command_line(words: Iterable[str]) -> str:
     >>> command_line(["jounce", "check", "front axle.toml"]).replace('"', "'")
     "jounce check 'front axle.toml'"
     """
-    return " ".join(_for_windows(word) if sys.platform == "win32" else shlex.quote(word) for word in words)
+    return " ".join(
+        _for_windows(word) if sys.platform == "win32" else shlex.quote(word) for word in words
+    )
 
 
 def words_of(line: str) -> list[str]:

@@ -35,7 +35,11 @@ def dataset(
     2.0
     """
     beside = beside or {}
-    known = _inside_is_known() and _fit({**variables, **beside}, axes) and not set(beside) & set(variables)
+    known = (
+        _inside_is_known()
+        and _fit({**variables, **beside}, axes)
+        and not set(beside) & set(variables)
+    )
     return (_direct if known else _public)(variables, axes, attributes, beside)
 
 
@@ -43,7 +47,10 @@ def _fit(variables: Mapping[str, xr.Variable], axes: xr.Dataset) -> bool:
     sizes = axes.sizes
     return all(
         name not in axes.coords
-        and all(sizes.get(along) == size for along, size in zip(variable.dims, variable.shape, strict=True))
+        and all(
+            sizes.get(along) == size
+            for along, size in zip(variable.dims, variable.shape, strict=True)
+        )
         for name, variable in variables.items()
     )
 
@@ -111,7 +118,9 @@ def _matches_public() -> bool:
         def beside() -> dict[str, xr.Variable]:
             return {"weight": xr.Variable(("along",), np.array([2.0, 5.0]), {"units": "kg"})}
 
-        direct, expected = (make(variables(), axes, {"by": "jounce"}, beside()) for make in (_direct, _public))
+        direct, expected = (
+            make(variables(), axes, {"by": "jounce"}, beside()) for make in (_direct, _public)
+        )
         return (
             direct.identical(expected)
             and list(direct.variables) == list(expected.variables)

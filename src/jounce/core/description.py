@@ -9,11 +9,27 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeVar, cast, get_origin
 
-from pydantic import BaseModel, ConfigDict, Field, GetCoreSchemaHandler, GetJsonSchemaHandler, Strict, ValidationError
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    Strict,
+    ValidationError,
+)
 from pydantic_core import CoreSchema
 
 from jounce.core.arguments import fits
-from jounce.core.errors import DescriptionError, as_found, at_line, below, nearest, show_value, unknown
+from jounce.core.errors import (
+    DescriptionError,
+    as_found,
+    at_line,
+    below,
+    nearest,
+    show_value,
+    unknown,
+)
 from jounce.core.files import content_of, existing_file
 from jounce.core.kinds import FILE_REF, Kinds
 from jounce.core.old_names import old_method
@@ -40,7 +56,9 @@ class _DescriptionType(ModelMetaclass):
     def __call__(cls, *arguments: Any, **fields: Any) -> Any:  # noqa: N805
         if arguments:
             allowed = ", ".join(cls.model_fields)  # type: ignore[attr-defined]
-            raise DescriptionError("fields are given by their names", where=cls.__name__, allowed=allowed)
+            raise DescriptionError(
+                "fields are given by their names", where=cls.__name__, allowed=allowed
+            )
         try:
             return super().__call__(**fields)
         except ValidationError as error:
@@ -51,7 +69,11 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
     """Base of all nouns: frozen, refuses unknown keys, reads physical values with units."""
 
     model_config = ConfigDict(
-        frozen=True, extra="forbid", populate_by_name=True, protected_namespaces=(), defer_build=True
+        frozen=True,
+        extra="forbid",
+        populate_by_name=True,
+        protected_namespaces=(),
+        defer_build=True,
     )  # validators of a kind are built on first use: there are hundreds, a process uses few
 
     kinds: ClassVar[Kinds | None] = None  # set by the base of a family of descriptions
@@ -67,7 +89,9 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         return handler(source) if family is None else family.core_schema(cls)
 
     @classmethod
-    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+    def __get_pydantic_json_schema__(
+        cls, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
         family: Kinds | None = vars(cls).get("kinds")
         return handler(schema) if family is None else {FILE_REF: family.schema}
 
@@ -92,18 +116,27 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
                 "Make a changed copy: model_copy(update={{{change}}}), or of a whole rig: rig.with_changes(...).",
                 change=change,
             )
-        return DescriptionError("descriptions are frozen", where=f"{type(self).__name__}.{name}", hint=hint)
+        return DescriptionError(
+            "descriptions are frozen", where=f"{type(self).__name__}.{name}", hint=hint
+        )
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """Return a copy; unknown fields and values of another kind are treated as those of a new description."""
         kinds = type(self).model_fields
-        if all(name in kinds and fits(value, kinds[name].annotation) for name, value in (update or {}).items()):
+        if all(
+            name in kinds and fits(value, kinds[name].annotation)
+            for name, value in (update or {}).items()
+        ):
             return super().model_copy(update=update, deep=deep)
         return self.with_fields(**(update or {}))
 
     def with_fields(self, **fields: Any) -> Self:
         """Return a copy with other values, checked as a whole; defaults that were not set stay unset."""
-        own = {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}
+        own = {
+            name: getattr(self, name)
+            for name in type(self).model_fields
+            if name in self.model_fields_set
+        }
         return type(self)(**{**own, **fields})
 
     changed: ClassVar[Any] = old_method("Description.changed", "with_fields")
@@ -113,14 +146,24 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         fields = type(self).model_fields
         state = super().__getstate__()
         own = {name: value for name, value in state["__dict__"].items() if name in fields}
-        return state | {"__dict__": own, "__pydantic_fields_set__": sorted(state["__pydantic_fields_set__"])}
+        return state | {
+            "__dict__": own,
+            "__pydantic_fields_set__": sorted(state["__pydantic_fields_set__"]),
+        }
 
     def __setstate__(self, state: dict[Any, Any]) -> None:
-        super().__setstate__(state | {"__pydantic_fields_set__": set(state["__pydantic_fields_set__"])})
+        super().__setstate__(
+            state | {"__pydantic_fields_set__": set(state["__pydantic_fields_set__"])}
+        )
 
     @classmethod
     def from_table(
-        cls, table: dict[str, Any], *, where: str = "", text: str = "", path: tuple[str | int, ...] = ()
+        cls,
+        table: dict[str, Any],
+        *,
+        where: str = "",
+        text: str = "",
+        path: tuple[str | int, ...] = (),
     ) -> Self:
         """Build from a TOML table; ``where``, ``text`` (the file's content) and ``path`` (in it) place the errors."""
         try:
@@ -140,7 +183,9 @@ def description_text(path: Path | str) -> str:
     file = existing_file(path)
     if file.stat().st_size > _LARGEST:
         allowed = Phrase("at most {largest} MB of text", largest=_LARGEST // 1_000_000)
-        raise DescriptionError("the file is too large for a description", where=str(file), allowed=allowed)
+        raise DescriptionError(
+            "the file is too large for a description", where=str(file), allowed=allowed
+        )
     content = content_of(file)
     is_wide = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     text = content.decode("utf-16" if is_wide else "utf-8-sig")
@@ -154,7 +199,10 @@ def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
         text = description_text(file)
     except UnicodeDecodeError:
         raise DescriptionError(
-            "not a text file", where=str(file), allowed="TOML text in UTF-8", hint="Was a recording given instead?"
+            "not a text file",
+            where=str(file),
+            allowed="TOML text in UTF-8",
+            hint="Was a recording given instead?",
         ) from None
     if not text.strip():
         raise DescriptionError("the file is empty", where=str(file), allowed="a TOML description")
@@ -185,7 +233,8 @@ def toml_table(text: str) -> dict[str, Any]:
 
 
 _PLACE_IN_TOML = re.compile(
-    r"(?P<what>.*?) \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end of document)\)", re.DOTALL
+    r"(?P<what>.*?) \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end of document)\)",
+    re.DOTALL,
 )
 """What Python's parser says; until Python 3.14 it tells the place in its text only."""
 
@@ -199,7 +248,9 @@ def toml_error(error: tomllib.TOMLDecodeError, where: str) -> DescriptionError:
         reason = Phrase("{what} (at end of document)", what=Phrase(parts["what"]))
     else:
         at = {"line": int(parts["line"]), "column": int(parts["column"])}
-        reason = Phrase("{what} (at line {line}, column {column})", what=Phrase(parts["what"]), **at)
+        reason = Phrase(
+            "{what} (at line {line}, column {column})", what=Phrase(parts["what"]), **at
+        )
     refusal = DescriptionError(Phrase("not valid TOML: {reason}", reason=reason), where=where)
     refusal.line = int(parts["line"]) if parts and parts["line"] else None
     return refusal
@@ -207,7 +258,9 @@ def toml_error(error: tomllib.TOMLDecodeError, where: str) -> DescriptionError:
 
 _DEEPEST = 30  # tables within each other: deeper than any description
 _MOST_TABLES, _MOST_KEYS = 10_000, 100_000
-_LONG_KEY = re.compile(rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_DEEPEST}}}""")
+_LONG_KEY = re.compile(
+    rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_DEEPEST}}}"""
+)
 
 
 def is_nested_deeply(value: object) -> bool:
@@ -318,7 +371,9 @@ def _split_key(text: str) -> tuple[str, ...]:
     return tuple(part.strip("\"'") for part in re.findall(_NAME, text))
 
 
-def _path_with_entries(names: tuple[str, ...], seen: dict[tuple[str, ...], int]) -> tuple[str | int, ...]:
+def _path_with_entries(
+    names: tuple[str, ...], seen: dict[tuple[str, ...], int]
+) -> tuple[str | int, ...]:
     """Path of a table with the number of the array entry it belongs to."""
     path: list[str | int] = []
     for depth, name in enumerate(names, 1):
@@ -351,14 +406,20 @@ def description_error(
     every = error.errors()
     items = every[:_MOST_PROBLEMS]  # names are compared with names: the square of their number
     misspelt = [item for item in items if item["type"] == "extra_forbidden"]
-    items = [item for item in items if not (item["type"] == "missing" and _is_misspelt(item, misspelt))]
-    items = [item for item in items if not (item["type"] == "too_short" and _is_within(item, items))]
+    items = [
+        item for item in items if not (item["type"] == "missing" and _is_misspelt(item, misspelt))
+    ]
+    items = [
+        item for item in items if not (item["type"] == "too_short" and _is_within(item, items))
+    ]
     problems = [_problem(item, kind, where, text, path) for item in items[:5]]
     if len(problems) == 1:
         return problems[0]
     lines: list[str] = [problem.message() for problem in problems]
     if len(items) > 5:
-        lines.append(Phrase("(and {count} more)", count=len(items) - 5 + len(every[_MOST_PROBLEMS:])))
+        lines.append(
+            Phrase("(and {count} more)", count=len(items) - 5 + len(every[_MOST_PROBLEMS:]))
+        )
     several = DescriptionError(Phrases("\n", lines))
     several.problems = problems
     return several
@@ -380,9 +441,13 @@ def _is_within(whole: Any, items: list[Any]) -> bool:
     return any(item["loc"][:depth] == whole["loc"] and len(item["loc"]) > depth for item in items)
 
 
-def _problem(item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]) -> DescriptionError:
+def _problem(
+    item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]
+) -> DescriptionError:
     """One problem, at its place."""
-    within, models = _user_path(kind, item["loc"][:-1] if item["type"] == "extra_forbidden" else item["loc"])
+    within, models = _user_path(
+        kind, item["loc"][:-1] if item["type"] == "extra_forbidden" else item["loc"]
+    )
     path = (*above, *within, *(item["loc"][-1:] if item["type"] == "extra_forbidden" else ()))
     if item["type"] == "misplaced":
         path = (*path, *item["ctx"]["path"])
@@ -398,7 +463,11 @@ def _parts(item: Any, path: tuple[str | int, ...], models: list[type[BaseModel]]
     context = item.get("ctx", {})
     match item["type"]:
         case "extra_forbidden":
-            fields = {field.alias or name for model in models for name, field in model.model_fields.items()}
+            fields = {
+                field.alias or name
+                for model in models
+                for name, field in model.model_fields.items()
+            }
             hint = nearest(str(path[-1]), fields)
             return {"what": "unknown key", "allowed": ", ".join(sorted(fields)), "hint": hint}
         case "missing":
@@ -410,7 +479,11 @@ def _parts(item: Any, path: tuple[str | int, ...], models: list[type[BaseModel]]
             what = Phrase("unknown {kind} {name}", kind=key, name=show_value(context["tag"]))
             return {"what": what, "allowed": ", ".join(tags), "hint": nearest(context["tag"], tags)}
         case "union_tag_not_found":
-            return {"what": Phrase("the key {key} is missing; it says what this is", key=context["discriminator"])}
+            return {
+                "what": Phrase(
+                    "the key {key} is missing; it says what this is", key=context["discriminator"]
+                )
+            }
         case "misplaced":
             return dict(context["parts"])
         case "value_error" if isinstance(context["error"].args[0], Phrase):
@@ -450,7 +523,11 @@ def _user_path(
 
 
 def _tags(model: type[BaseModel]) -> set[str]:
-    literals = (field.default for field in model.model_fields.values() if get_origin(field.annotation) is Literal)
+    literals = (
+        field.default
+        for field in model.model_fields.values()
+        if get_origin(field.annotation) is Literal
+    )
     return {default for default in literals if isinstance(default, str)}
 
 

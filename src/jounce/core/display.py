@@ -43,7 +43,12 @@ class DisplayUnit:
 
 
 _DEGREES = 180.0 / math.pi
-_INCH, _FOOT, _POUND, _GRAVITY = 0.0254, 0.3048, 0.45359237, 9.80665  # m, m, kg, m/s^2: exact by definition
+_INCH, _FOOT, _POUND, _GRAVITY = (
+    0.0254,
+    0.3048,
+    0.45359237,
+    9.80665,
+)  # m, m, kg, m/s^2: exact by definition
 _POUND_FORCE = _POUND * _GRAVITY
 _ANYWHERE = {
     "rad": DisplayUnit("°", _DEGREES),
@@ -182,7 +187,9 @@ def display_unit(si: str, largest: float = 0.0) -> DisplayUnit:
     large = _LARGE[_chosen].get(si)
     if large is not None and abs(largest) >= large[0]:
         return large[1]
-    return _UNITS[_chosen].get(si) or DisplayUnit(si.replace("^2", "²").replace("^3", "³").replace("*", "·"), 1.0)
+    return _UNITS[_chosen].get(si) or DisplayUnit(
+        si.replace("^2", "²").replace("^3", "³").replace("*", "·"), 1.0
+    )
 
 
 def display_unit_for(unit: str, words: str = "", largest: float = 0.0) -> DisplayUnit:

@@ -45,13 +45,25 @@ class JounceError(Exception):
     problems: Sequence[JounceError] = ()
     """Errors that this one lists, where it is about several."""
 
-    def __init__(self, what: str, *, where: str = "", found: object = None, allowed: str = "", hint: str = "") -> None:
-        self.what, self.where, self.found, self.allowed, self.hint = what, where, found, allowed, hint
+    def __init__(
+        self, what: str, *, where: str = "", found: object = None, allowed: str = "", hint: str = ""
+    ) -> None:
+        self.what, self.where, self.found, self.allowed, self.hint = (
+            what,
+            where,
+            found,
+            allowed,
+            hint,
+        )
         super().__init__(str(self.message()))
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle as text and facts, whatever arguments the constructor of a subclass takes."""
-        plain = self.found if isinstance(self.found, (str, int, float, type(None))) else show_value(self.found)
+        plain = (
+            self.found
+            if isinstance(self.found, (str, int, float, type(None)))
+            else show_value(self.found)
+        )
         return copyreg.__newobj__, (type(self), *self.args), {**vars(self), "found": plain}  # type: ignore[attr-defined]
 
     def message(self, *, placed: bool = True, within: str = "") -> Phrase:
@@ -101,7 +113,9 @@ class Message(Phrase):
         return self._join(self._GERMAN, in_german(where), wrong, in_german(value), *rest)
 
     @staticmethod
-    def _join(words: tuple[str, str], where: str, what: str, value: str | None, allowed: str, hint: str) -> str:
+    def _join(
+        words: tuple[str, str], where: str, what: str, value: str | None, allowed: str, hint: str
+    ) -> str:
         text = f"{where}: {what}" if where else what
         if value is not None:
             text += f"{words[0]}{value}"
@@ -182,9 +196,18 @@ _PROCESSES = (
     "no more processes or threads can be started",
     "End other programs, or raise the limit of processes and threads (ulimit -u).",
 )
-_FILES = ("too many open files", "End other programs, or raise the limit of open files (ulimit -n).")
-_SIZE = ("a file may not grow as large as that", "Raise the limit of the size of files (ulimit -f).")
-_LIBRARY = ("a library cannot be loaded", "Is the installation whole, and is there memory for it (ulimit -v)?")
+_FILES = (
+    "too many open files",
+    "End other programs, or raise the limit of open files (ulimit -n).",
+)
+_SIZE = (
+    "a file may not grow as large as that",
+    "Raise the limit of the size of files (ulimit -f).",
+)
+_LIBRARY = (
+    "a library cannot be loaded",
+    "Is the installation whole, and is there memory for it (ulimit -v)?",
+)
 WHERE_WRITTEN = "Check the path, the permissions and the space on the disk."
 """Advice if the system refuses to write."""
 _DISK = ("the disk is full or fails", WHERE_WRITTEN)
@@ -217,7 +240,9 @@ def _lacking(error: BaseException) -> tuple[str, str] | None:
         return None if _is_larger_than_memory(error) else _MEMORY
     if isinstance(error, RuntimeError) and str(error) == NO_THREAD:
         return _PROCESSES
-    if isinstance(error, ImportError) or (isinstance(error, OSError) and "shared object" in str(error)):  # of llvmlite
+    if isinstance(error, ImportError) or (
+        isinstance(error, OSError) and "shared object" in str(error)
+    ):  # of llvmlite
         return _LIBRARY
     return None
 
@@ -242,7 +267,9 @@ def resource_error(error: BaseException, where: str = "") -> ResourceError:
     what, hint = _lacking(error) or _MEMORY
     if what == _DISK[0]:
         return DiskError(getattr(error, "strerror", None) or what, where=where, hint=hint)
-    return ResourceError(what, where=where, found=str(error) if what == _LIBRARY[0] else None, hint=hint)
+    return ResourceError(
+        what, where=where, found=str(error) if what == _LIBRARY[0] else None, hint=hint
+    )
 
 
 def reason(error: Exception, within: str = "") -> str:
@@ -258,7 +285,9 @@ def reason(error: Exception, within: str = "") -> str:
     return unforeseen(error).message(within=within)
 
 
-def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = JounceError) -> JounceError:
+def unforeseen(
+    error: Exception, where: str = "", kind: type[JounceError] = JounceError
+) -> JounceError:
     """The error itself if it is one of jounce, otherwise the report of it when work continues without the file.
 
     >>> str(unforeseen(KeyError("x"), "a.mat"))
@@ -271,9 +300,13 @@ def unforeseen(error: Exception, where: str = "", kind: type[JounceError] = Joun
     if isinstance(error, MemoryError):
         message = " ".join(str(error).split())
         return kind("this takes more memory than there is", where=where, found=message or None)
-    text = shorten(f"{type(error).__name__}: {' '.join(str(error).split())}".removesuffix(": "), _LONGEST_VALUE)
+    text = shorten(
+        f"{type(error).__name__}: {' '.join(str(error).split())}".removesuffix(": "), _LONGEST_VALUE
+    )
     hint = "Please report it with the file."
-    return kind(f"this cannot be used, for a reason that was not foreseen ({text})", where=where, hint=hint)
+    return kind(
+        f"this cannot be used, for a reason that was not foreseen ({text})", where=where, hint=hint
+    )
 
 
 def show_value(value: object) -> str:
@@ -297,7 +330,11 @@ def as_found(value: object) -> str:
     >>> as_found("5 mm"), show_value(as_found("5 mm")), show_value(as_found(5))
     ('5 mm', "'5 mm'", '5')
     """
-    return shorten(value, _LONGEST_VALUE) if isinstance(value, str) else Phrase("{value}", value=show_value(value))
+    return (
+        shorten(value, _LONGEST_VALUE)
+        if isinstance(value, str)
+        else Phrase("{value}", value=show_value(value))
+    )
 
 
 def value_or_kind(value: object) -> str:
@@ -328,7 +365,9 @@ def unknown(name: str, options: Iterable[str], *, what: str, where: str = "") ->
     """Build the error for a name that is not among ``options``."""
     choices = sorted(options)
     phrase = Phrase("unknown {kind} {name}", kind=Phrase(what), name=show_value(name))
-    return DescriptionError(phrase, where=where, allowed=", ".join(choices), hint=nearest(name, choices))
+    return DescriptionError(
+        phrase, where=where, allowed=", ".join(choices), hint=nearest(name, choices)
+    )
 
 
 def at_line(file: object, line: int | None) -> str:

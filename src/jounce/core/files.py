@@ -11,7 +11,14 @@ from contextvars import ContextVar
 from importlib import resources
 from pathlib import Path
 
-from jounce.core.errors import DescriptionError, DiskError, JounceError, RecordingError, is_of_system, nearest
+from jounce.core.errors import (
+    DescriptionError,
+    DiskError,
+    JounceError,
+    RecordingError,
+    is_of_system,
+    nearest,
+)
 from jounce.core.phrases import Phrase
 
 
@@ -20,7 +27,11 @@ def existing_file(path: Path | str, error: type[JounceError] = DescriptionError)
     file = Path(path)
     root = _ROOT.get() or _ALWAYS.get("root")
     if root is not None and not _lies_in(file, root):
-        raise error("outside of the folder that may be read", where=str(file), allowed=f"files below {root.name}")
+        raise error(
+            "outside of the folder that may be read",
+            where=str(file),
+            allowed=f"files below {root.name}",
+        )
     if not (_is_file(file) or _is_put_back(file)):
         raise error(_instead(file), where=str(file), hint="Check the path and the name.")
     return file
@@ -97,7 +108,9 @@ def state_of(file: Path) -> State:
 _LARGEST = 1_000_000_000  # bytes: what fits into memory with its numbers
 
 
-def content_of(path: Path | str, error: type[JounceError] = DescriptionError, *, most: int = _LARGEST) -> bytes:
+def content_of(
+    path: Path | str, error: type[JounceError] = DescriptionError, *, most: int = _LARGEST
+) -> bytes:
     """Return the content of a regular file of at most ``most`` bytes.
 
     It is opened before it is examined, so that a pipe cannot block.
@@ -110,7 +123,12 @@ def content_of(path: Path | str, error: type[JounceError] = DescriptionError, *,
             raise error("a pipe or a device, not a file", where=str(file))
         if status.st_size > most:
             size, allowed = (f"{number / 1e9:.3g} GB" for number in (status.st_size, most))
-            raise error("too large to be read as a whole", where=str(file), found=size, allowed=f"up to {allowed}")
+            raise error(
+                "too large to be read as a whole",
+                where=str(file),
+                found=size,
+                allowed=f"up to {allowed}",
+            )
         with reading(file, error):
             return stream.read(most)
 
@@ -122,7 +140,9 @@ def reading(file: Path, error: type[JounceError]) -> Iterator[None]:
         yield
     except OSError as refused:
         kind = DiskError if is_of_system(refused) else error
-        raise kind("the file cannot be read", where=str(file), found=refused.strerror or str(refused)) from None
+        raise kind(
+            "the file cannot be read", where=str(file), found=refused.strerror or str(refused)
+        ) from None
 
 
 _MISSING = "no such file"
@@ -140,7 +160,11 @@ def shipped_files(package: str, folder: str, suffix: str = ".toml") -> dict[str,
 
 
 def find_file(
-    name: Path | str, shipped: Mapping[str, Path], what: str, *, others: str = "a path to a .toml file"
+    name: Path | str,
+    shipped: Mapping[str, Path],
+    what: str,
+    *,
+    others: str = "a path to a .toml file",
 ) -> Path:
     """Find the file that a user names: a path (recognised by its suffix, or because it exists), or a shipped file.
 
@@ -156,7 +180,9 @@ def find_file(
         raise DescriptionError(
             unknown if missing == _MISSING else missing,
             where=str(name),
-            allowed=Phrase("{others}, or one of {names}", others=Phrase(others), names=", ".join(shipped)),
+            allowed=Phrase(
+                "{others}, or one of {names}", others=Phrase(others), names=", ".join(shipped)
+            ),
             hint=nearest(str(name), shipped),
         )
     return shipped[str(name)]
@@ -175,6 +201,8 @@ def matching_files(names: Sequence[str], where: str) -> list[Path]:
         except ValueError:  # no pattern
             matches = []
         if not matches:
-            raise RecordingError("no file matches", where=where, found=name, hint="Check the folder and the pattern.")
+            raise RecordingError(
+                "no file matches", where=where, found=name, hint="Check the folder and the pattern."
+            )
         matching += matches
     return matching

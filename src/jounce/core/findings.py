@@ -78,7 +78,13 @@ class Finding(Shown):
 
 
 def finding(
-    code: str, place: str, value: SupportsFloat | None = None, /, *, severity: Severity | Any = None, **numbers: Any
+    code: str,
+    place: str,
+    value: SupportsFloat | None = None,
+    /,
+    *,
+    severity: Severity | Any = None,
+    **numbers: Any,
 ) -> Finding:
     """Make a finding of a row of the catalogue of a package (see `jounce.core.catalogue`).
 
@@ -89,7 +95,10 @@ def finding(
     """
     row = row_of(code)
     assert row is not None, code
-    plain = {name: _text_of(given) if isinstance(given, Exception) else given for name, given in numbers.items()}
+    plain = {
+        name: _text_of(given) if isinstance(given, Exception) else given
+        for name, given in numbers.items()
+    }
     known = None if value is None else float(value)
     return Finding(place, severity or row.severity, sentence(code, plain), known, code, plain)
 
@@ -123,7 +132,12 @@ def with_german(plain: Any) -> Any:
         message, code, numbers = table.get("message"), table.get("code"), table.get("numbers")
         if isinstance(message, Phrase):
             table["german"] = message.german()
-        elif "message" in table and "german" not in table and isinstance(code, str) and isinstance(numbers, dict):
+        elif (
+            "message" in table
+            and "german" not in table
+            and isinstance(code, str)
+            and isinstance(numbers, dict)
+        ):
             table |= {"german": sentence(code, plain["numbers"], "de")} if row_of(code) else {}
         return table
     if isinstance(plain, (list, tuple)) and plain and isinstance(plain[0], (Mapping, list, tuple)):
@@ -137,7 +151,13 @@ def translations(plain: Any) -> dict[str, str]:
     >>> translations({"failed": {"a": Phrase("out of range"), "b": "b"}})
     {'out of range': 'außerhalb des Bereichs'}
     """
-    items = plain.values() if isinstance(plain, Mapping) else plain if isinstance(plain, (list, tuple)) else ()
+    items = (
+        plain.values()
+        if isinstance(plain, Mapping)
+        else plain
+        if isinstance(plain, (list, tuple))
+        else ()
+    )
     german_texts: dict[str, str] = {}
     for item in items:
         if isinstance(item, Phrase) and (german := item.german()):
@@ -203,4 +223,7 @@ class DrawingError(OutputError):
 
     def __init__(self, findings: Iterable[Finding]) -> None:
         self.findings = tuple(findings)
-        super().__init__("; ".join(item.message.rstrip(".") for item in self.findings), where=self.findings[0].place)
+        super().__init__(
+            "; ".join(item.message.rstrip(".") for item in self.findings),
+            where=self.findings[0].place,
+        )

@@ -38,7 +38,9 @@ def plain_numbers(values: object, where: str, error: type[JounceError]) -> tuple
         raise error(str(fault), where=where, allowed="real numbers") from None
     except Exception as fault:  # noqa: BLE001 - of any library, e.g. of a tensor that lies on a graphics card
         text = " ".join(str(fault).split())
-        raise error(f"not an array of numbers ({text})", where=where, found=type(values).__name__) from None
+        raise error(
+            f"not an array of numbers ({text})", where=where, found=type(values).__name__
+        ) from None
 
 
 class _NoNumberError(Exception):
@@ -63,9 +65,13 @@ def _numbers(values: Any) -> tuple[NDArray[Any], str]:
     if kind == "c":
         _refuse(array.imag != 0.0, "has an imaginary part")
         return array.real, unit
-    if kind not in "biufmM" and (kind != "V" or array.dtype.type is np.void):  # bfloat16 is a kind of "V"
+    if kind not in "biufmM" and (
+        kind != "V" or array.dtype.type is np.void
+    ):  # bfloat16 is a kind of "V"
         raise _NoNumberError(
-            "text, not numbers" if kind in "SUT" else Phrase("{dtype} is no kind of number", dtype=array.dtype)
+            "text, not numbers"
+            if kind in "SUT"
+            else Phrase("{dtype} is no kind of number", dtype=array.dtype)
         )
     return array, unit
 
@@ -79,13 +85,17 @@ def _bare(values: Any) -> tuple[Any, str]:
         _refuse(getattr(values, "mask", False), "is masked")
         return (values, "") if unit is None else (values.view(np.ndarray), _unit(str(unit)))
     if hasattr(values, "data_vars"):
-        raise _NoNumberError("a whole Dataset; give the values of one channel, e.g. run['sprung.az']")
+        raise _NoNumberError(
+            "a whole Dataset; give the values of one channel, e.g. run['sprung.az']"
+        )
     attributes: Any = getattr(values, "attrs", None)
     unit = attributes.get("units") if hasattr(attributes, "get") else None
     if unit is None:
         unit = getattr(values, "units", getattr(getattr(values, "dtype", None), "units", None))
     unit = unit.decode() if isinstance(unit, bytes) else unit if isinstance(unit, str) else ""
-    if type(values).__module__.startswith("xarray."):  # its own conversion loses masks and units, too
+    if type(values).__module__.startswith(
+        "xarray."
+    ):  # its own conversion loses masks and units, too
         values, own = _bare(values.variable.data if hasattr(values, "variable") else values.data)
         return values, own or unit
     return values, unit
@@ -98,7 +108,9 @@ def _unit(text: str) -> str:
 def _stack(items: list[Any]) -> tuple[NDArray[Any], str]:
     """Items as one array; they are of one kind and carry one unit."""
     kinds_of_items = {type(item) for item in items}
-    if np.timedelta64 not in kinds_of_items and all(issubclass(kind, _REAL) for kind in kinds_of_items):
+    if np.timedelta64 not in kinds_of_items and all(
+        issubclass(kind, _REAL) for kind in kinds_of_items
+    ):
         return np.array(items, dtype=np.float64), ""
     parts = [_numbers(item) for item in items]
     if len({part.shape for part, _ in parts}) > 1:
@@ -107,7 +119,10 @@ def _stack(items: list[Any]) -> tuple[NDArray[Any], str]:
     units = {unit for _, unit in parts}
     if len(kinds) > 1 or len(units) > 1:
         raise _NoNumberError(
-            Phrase("numbers of several kinds or units ({units})", units=", ".join(sorted(units | kinds)))
+            Phrase(
+                "numbers of several kinds or units ({units})",
+                units=", ".join(sorted(units | kinds)),
+            )
         )
     return np.array([part for part, _ in parts]), units.pop()
 
@@ -118,7 +133,9 @@ def _scalar(value: Any) -> tuple[NDArray[Any], str]:
         return np.array(float(value)), ""
     for convert in ("to_timedelta64", "to_datetime64"):  # pandas
         if hasattr(value, convert):
-            return np.array(getattr(value, convert)()), _ZONED if getattr(value, "tzinfo", None) else ""
+            return np.array(getattr(value, convert)()), _ZONED if getattr(
+                value, "tzinfo", None
+            ) else ""
     if hasattr(value, "as_py"):  # Arrow
         return _numbers(value.as_py())
     if isinstance(value, timedelta):

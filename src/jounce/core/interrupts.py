@@ -10,7 +10,9 @@ from threading import current_thread, main_thread
 from types import FrameType
 from typing import NoReturn
 
-_SIGNALS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+_SIGNALS = [
+    getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)
+]
 INTERRUPTED = "interrupted; no file is left half-written."
 
 
@@ -34,7 +36,12 @@ def signal_of(error: BaseException) -> int:
 def handle_interrupts(handler: Callable[[int, FrameType | None], None]) -> None:
     """Handle Ctrl-C, a closed terminal and a request to end, except those that this process was started to ignore."""
     for number in _SIGNALS:
-        if signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler, interrupt, leave):
+        if signal.getsignal(number) in (
+            signal.SIG_DFL,
+            signal.default_int_handler,
+            interrupt,
+            leave,
+        ):
             signal.signal(number, handler)
 
 
@@ -49,7 +56,9 @@ def interrupt_after() -> Iterator[None]:
         yield
         return
     raising = (signal.default_int_handler, interrupt)
-    before = {number: handler for number in _SIGNALS if (handler := signal.getsignal(number)) in raising}
+    before = {
+        number: handler for number in _SIGNALS if (handler := signal.getsignal(number)) in raising
+    }
     wanted: list[int] = []
 
     def note(number: int, frame: FrameType | None) -> None:

@@ -42,7 +42,9 @@ class Rows(Mapping[str, Row]):
                 self._complete = True
                 for module in iter_modules(import_module(self.package).__path__):
                     import_module(f"{self.package}.{module.name}")
-                self._rows = dict(sorted(self._rows.items(), key=self._order))  # however they came to be imported
+                self._rows = dict(
+                    sorted(self._rows.items(), key=self._order)
+                )  # however they came to be imported
         return self._rows
 
     def _order(self, item: tuple[str, Row]) -> Any:
@@ -85,13 +87,20 @@ class Kinds(Rows[type[Any]]):
             return
         word = kind.model_fields[self.key].default
         known = self._rows.get(word)
-        if known is not None and (known.__module__, known.__qualname__) != (kind.__module__, kind.__qualname__):
-            raise TypeError(f"{kind.__name__}: the {self.key} {word!r} is that of {known.__name__} already")
+        if known is not None and (known.__module__, known.__qualname__) != (
+            kind.__module__,
+            kind.__qualname__,
+        ):
+            raise TypeError(
+                f"{kind.__name__}: the {self.key} {word!r} is that of {known.__name__} already"
+            )
         self.add(word, kind)
 
     def adapter(self) -> TypeAdapter[Any]:
         """Reader of any member of the family, selected by ``key``."""
-        if self._adapter is None or self._adapter[0] != len(self):  # a class of the user's own may have joined
+        if self._adapter is None or self._adapter[0] != len(
+            self
+        ):  # a class of the user's own may have joined
             members: Any = reduce(or_, self._all().values())
             told_apart: Any = Annotated[members, Field(discriminator=self.key)]
             self._adapter = len(self), TypeAdapter(told_apart)

@@ -54,7 +54,10 @@ def is_held(place: Path) -> bool:
 def _file_for(folder: Path) -> Path:
     """A file to lock in place of a folder, which Windows does not lock: it serves the processes of one user."""
     name = os.path.normcase(folder.resolve())
-    return Path(tempfile.gettempdir()) / f"jounce-{sha256(name.encode(errors='surrogatepass')).hexdigest()[:24]}.lock"
+    return (
+        Path(tempfile.gettempdir())
+        / f"jounce-{sha256(name.encode(errors='surrogatepass')).hexdigest()[:24]}.lock"
+    )
 
 
 @contextmanager

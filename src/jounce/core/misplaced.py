@@ -9,15 +9,24 @@ from jounce.core.phrases import Phrase
 
 
 def error_at(
-    path: tuple[str | int, ...], what: str, *, found: str | None = None, allowed: str = "", hint: str = ""
+    path: tuple[str | int, ...],
+    what: str,
+    *,
+    found: str | None = None,
+    allowed: str = "",
+    hint: str = "",
 ) -> PydanticCustomError:
     """Build the error of a validator about the value at ``path`` below the description that is validated.
 
     The parts are those of an error (`JounceError`); ``found`` are words, or text of the user's.
     """
     parts = {"what": what, "found": found, "allowed": allowed, "hint": hint}
-    text = Message(what, found=None if found is None else show_value(found), allowed=allowed, hint=hint)
-    template = text.removesuffix(".").replace("{", "(").replace("}", ")").encode(errors="replace").decode()
+    text = Message(
+        what, found=None if found is None else show_value(found), allowed=allowed, hint=hint
+    )
+    template = (
+        text.removesuffix(".").replace("{", "(").replace("}", ")").encode(errors="replace").decode()
+    )
     return PydanticCustomError("misplaced", template, {"path": list(path), "parts": parts})
 
 

@@ -93,7 +93,9 @@ def digits_for(value: float, error: float | None, most: int = 7, default: int = 
     return max(2, min(most, math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2))
 
 
-def estimate_cells(estimate: Estimated | None, si: str, shown: DisplayUnit | None = None) -> tuple[str, str, str, str]:
+def estimate_cells(
+    estimate: Estimated | None, si: str, shown: DisplayUnit | None = None
+) -> tuple[str, str, str, str]:
     """Value, standard error, 95 % interval and unit of an estimate in the SI unit ``si``, as table cells.
 
     ``shown`` is the unit to write it in, by default the usual one of its size.
@@ -114,7 +116,9 @@ def estimate_cells(estimate: Estimated | None, si: str, shown: DisplayUnit | Non
     if estimate.interval is not None:
         low, high = (end * unit.factor for end in estimate.interval)
         width = (high - low) / 4.0
-        interval = f"{number(low, digits_for(low, width))} to {number(high, digits_for(high, width))}"
+        interval = (
+            f"{number(low, digits_for(low, width))} to {number(high, digits_for(high, width))}"
+        )
     return number(value, digits), number(error, 2), interval, unit.name
 
 

@@ -18,7 +18,9 @@ def with_old_names(
 
     def get(name: str) -> Any:
         if name in old:
-            warnings.warn(f"{module}.{name} is called {old[name]} now", DeprecationWarning, stacklevel=2)
+            warnings.warn(
+                f"{module}.{name} is called {old[name]} now", DeprecationWarning, stacklevel=2
+            )
             return getattr(sys.modules[module], old[name])
         if load is None:
             raise AttributeError(f"module {module!r} has no attribute {name!r}")

@@ -74,7 +74,9 @@ class Number(Mark):
         """Convert the number to SI."""
         from jounce.core.typed import positive_quantity, quantity
 
-        return (positive_quantity if self.is_positive else quantity)(str(given), self.unit, where, most=self.most)
+        return (positive_quantity if self.is_positive else quantity)(
+            str(given), self.unit, where, most=self.most
+        )
 
 
 @dataclass(frozen=True)
@@ -145,7 +147,11 @@ class Pairs(Mark):
 
     def texts(self, given: Any) -> list[str]:
         """Write the pairs."""
-        return [f"{name}={text}" for name, text in given.items()] if isinstance(given, Mapping) else list(given)
+        return (
+            [f"{name}={text}" for name, text in given.items()]
+            if isinstance(given, Mapping)
+            else list(given)
+        )
 
 
 @dataclass(frozen=True)
@@ -160,7 +166,9 @@ class Described(Pairs):
 
         module, _, name = self.of.partition(":")
         kind = getattr(import_module(module), name)
-        return kind.from_table(bare_numbers(kind, super().read(given, where), f"{where} {{}}".format), where=where)
+        return kind.from_table(
+            bare_numbers(kind, super().read(given, where), f"{where} {{}}".format), where=where
+        )
 
     def python(self, given: Any, where: str) -> str:
         """Write the description by its fields."""
@@ -188,7 +196,9 @@ class Names(Pairs):
 
     def read(self, given: Any, where: str) -> dict[str, str]:
         """Split the pairs at their last equals sign."""
-        return dict(given if isinstance(given, Mapping) else (self._pair(text, where) for text in given))
+        return dict(
+            given if isinstance(given, Mapping) else (self._pair(text, where) for text in given)
+        )
 
     def _pair(self, text: str, where: str) -> tuple[str, str]:
         from jounce.core.errors import DescriptionError
@@ -240,7 +250,22 @@ class Band(Mark):
         return tuple(quantity(str(end), self.unit, where) for end in pair)
 
 
-_KINDS = (Mark, Number, Field, File, Texts, Count, Switch, Pairs, Described, Columns, Names, Ranges, Settings, Band)
+_KINDS = (
+    Mark,
+    Number,
+    Field,
+    File,
+    Texts,
+    Count,
+    Switch,
+    Pairs,
+    Described,
+    Columns,
+    Names,
+    Ranges,
+    Settings,
+    Band,
+)
 MARKS: Mapping[str, type[Mark]] = {kind.__name__: kind for kind in _KINDS}
 
 

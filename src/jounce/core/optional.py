@@ -55,4 +55,6 @@ def how_to_install(extra: str) -> str:
         editable = ["-e"] if source.get("dir_info", {}).get("editable") else []
         return command_line(["pip", "install", *editable, f"{folder}[{extra}]"])
     needed = [requirement.partition(";") for requirement in own.requires or ()]
-    return command_line(["pip", "install", *(name for name, _, when in needed if re.search(rf"\b{extra}\b", when))])
+    return command_line(
+        ["pip", "install", *(name for name, _, when in needed if re.search(rf"\b{extra}\b", when))]
+    )

@@ -31,7 +31,12 @@ def read_own(file: Path) -> bytes:
     """
     place = _check_path(file)
     # Opened first, then examined, so that both are the same file. A pipe must not block.
-    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOFOLLOW", 0)
+    flags = (
+        os.O_RDONLY
+        | getattr(os, "O_NONBLOCK", 0)
+        | getattr(os, "O_BINARY", 0)
+        | getattr(os, "O_NOFOLLOW", 0)
+    )
     with os.fdopen(os.open(place, flags), "rb") as stream:
         status = os.fstat(stream.fileno())
         if not stat.S_ISREG(status.st_mode):
@@ -126,4 +131,8 @@ def _is_private(group: int, user: int) -> bool:
         private, owner = grp.getgrgid(group), pwd.getpwuid(user)
     except KeyError:
         return False
-    return private.gr_name == owner.pw_name and owner.pw_gid == group and set(private.gr_mem) <= {owner.pw_name}
+    return (
+        private.gr_name == owner.pw_name
+        and owner.pw_gid == group
+        and set(private.gr_mem) <= {owner.pw_name}
+    )

@@ -121,5 +121,8 @@ def _phrase(template: str, fields: dict[str, Any]) -> Phrase:
 @cache
 def _rows() -> dict[str, str]:
     """German by English of all packages."""
-    tables = (tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted(_PACKAGES.glob("*/phrases.toml")))
+    tables = (
+        tomllib.loads(file.read_text(encoding="utf-8"))
+        for file in sorted(_PACKAGES.glob("*/phrases.toml"))
+    )
     return {english: german for table in tables for english, german in table.items()}

@@ -82,21 +82,36 @@ def starting_workers() -> Iterator[None]:
 def _lacking(error: Exception) -> str:
     """Where the system keeps what workers need and was refused: their semaphores lie in shared memory."""
     number = getattr(error, "errno", None)
-    if sys.platform == "linux" and number in (errno.EROFS, errno.ENOSPC, errno.EACCES, errno.ENOENT):
+    if sys.platform == "linux" and number in (
+        errno.EROFS,
+        errno.ENOSPC,
+        errno.EACCES,
+        errno.ENOENT,
+    ):
         return "/dev/shm"
-    return "the limit of open files (ulimit -n)" if number == errno.EMFILE else "the limit of processes (ulimit -u)"
+    return (
+        "the limit of open files (ulimit -n)"
+        if number == errno.EMFILE
+        else "the limit of processes (ulimit -u)"
+    )
 
 
 def _unguarded_line() -> str:
     """File and line of the main script that is running now, if workers would run it, too; otherwise nothing."""
     main = sys.modules.get("__main__")
     name = getattr(getattr(main, "__spec__", None), "name", "")
-    if main is None or name.rpartition(".")[2] == "__main__":  # workers do not import `python -m package`
+    if (
+        main is None or name.rpartition(".")[2] == "__main__"
+    ):  # workers do not import `python -m package`
         return ""
-    if getattr(sys, "frozen", False):  # the application itself is started again, and its script has no source there
+    if getattr(
+        sys, "frozen", False
+    ):  # the application itself is started again, and its script has no source there
         return ""
     frame: FrameType | None = sys._getframe()
-    while frame is not None and not (frame.f_globals is vars(main) and frame.f_code.co_name == "<module>"):
+    while frame is not None and not (
+        frame.f_globals is vars(main) and frame.f_code.co_name == "<module>"
+    ):
         frame = frame.f_back
     if frame is None or not hasattr(main, "__file__"):
         return ""
@@ -105,6 +120,10 @@ def _unguarded_line() -> str:
         tree = ast.parse("".join(linecache.getlines(file)))
     except SyntaxError:
         return ""
-    guards = [node for node in ast.walk(tree) if isinstance(node, ast.If) and "__name__" in ast.unparse(node.test)]
+    guards = [
+        node
+        for node in ast.walk(tree)
+        if isinstance(node, ast.If) and "__name__" in ast.unparse(node.test)
+    ]
     is_guarded = any(node.lineno <= line <= (node.end_lineno or node.lineno) for node in guards)
     return "" if is_guarded else f"{file}, line {line}"

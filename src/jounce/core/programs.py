@@ -18,7 +18,9 @@ def program_on_path(name: str) -> str | None:
     >>> program_on_path("no-such-program") is None
     True
     """
-    suffixes = os.environ.get("PATHEXT", ".EXE").split(os.pathsep) if sys.platform == "win32" else [""]
+    suffixes = (
+        os.environ.get("PATHEXT", ".EXE").split(os.pathsep) if sys.platform == "win32" else [""]
+    )
     for folder in os.environ.get("PATH", os.defpath).split(os.pathsep):
         for suffix in suffixes:
             file = Path(folder.strip('"')) / f"{name}{suffix}"

@@ -64,7 +64,12 @@ class ResultField:
     def cells(self, shown: DisplayUnit | None = None) -> tuple[str, str, str, str]:
         """Write value, standard error, 95 % interval and unit, in the usual unit or in one that is given."""
         if self.unit == "%":
-            return number(None if self.value is None else 100.0 * self.value, self.digits), "", "", "%"
+            return (
+                number(None if self.value is None else 100.0 * self.value, self.digits),
+                "",
+                "",
+                "%",
+            )
         unit = shown or display_unit(self.unit, self.size)
         if hasattr(self.value, "interval"):
             return estimate_cells(self.value, self.unit, unit)
@@ -73,7 +78,12 @@ class ResultField:
         if self.unit and isinstance(self.value, float):
             return number(self.value * unit.factor, self.digits), "", "", unit.name
         if self.unit and isinstance(self.value, tuple):
-            return " to ".join(number(end * unit.factor, self.digits) for end in self.value), "", "", unit.name
+            return (
+                " to ".join(number(end * unit.factor, self.digits) for end in self.value),
+                "",
+                "",
+                unit.name,
+            )
         return _words(self.value), "", "", ""
 
     def in_words(self) -> str:
@@ -232,11 +242,16 @@ def _column(fields: Sequence[ResultField], units: Sequence[DisplayUnit]) -> list
     if units:
         return [first.label, *(field.text(unit) for field, unit in zip(fields, units, strict=True))]
     unit = _largest_unit(fields)
-    return [unit.label(first.label) if unit.name else first.label, *(field.text(unit) for field in fields)]
+    return [
+        unit.label(first.label) if unit.name else first.label,
+        *(field.text(unit) for field in fields),
+    ]
 
 
 def _is_text(field: ResultField) -> bool:
-    return not field.unit and (isinstance(field.value, bool) or not isinstance(field.value, int | float))
+    return not field.unit and (
+        isinstance(field.value, bool) or not isinstance(field.value, int | float)
+    )
 
 
 def _largest_unit(fields: Sequence[ResultField]) -> DisplayUnit:

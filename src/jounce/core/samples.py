@@ -13,7 +13,9 @@ from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
 
 
-def as_samples(values: object, si: str = "", *, where: str, error: type[JounceError] = RecordingError) -> Array:
+def as_samples(
+    values: object, si: str = "", *, where: str, error: type[JounceError] = RecordingError
+) -> Array:
     """Return numbers of any library as an array of floats in ``si``; without it, in the unit that they have.
 
     Bare numbers are in ``si``. A unit that the values carry is converted: that of a quantity (Pint, Astropy), or the
@@ -24,11 +26,19 @@ def as_samples(values: object, si: str = "", *, where: str, error: type[JounceEr
     >>> as_samples(np.array([0, 500], "m8[ms]"), "s", where="time").tolist()
     [0.0, 0.5]
     """
-    if type(values) is np.ndarray and values.dtype == np.float64 and (values.ndim != 1 or values.flags.c_contiguous):
+    if (
+        type(values) is np.ndarray
+        and values.dtype == np.float64
+        and (values.ndim != 1 or values.flags.c_contiguous)
+    ):
         return values
     array, unit = plain_numbers(values, where, error)
     factor = conversion_factor(unit, si, where=where) if unit and si else 1.0
-    return (np.ascontiguousarray(array) if array.ndim == 1 else array) if factor == 1.0 else array * factor
+    return (
+        (np.ascontiguousarray(array) if array.ndim == 1 else array)
+        if factor == 1.0
+        else array * factor
+    )
 
 
 def as_values(values: object, si: str, *, where: str) -> Array:
@@ -39,11 +49,16 @@ def as_values(values: object, si: str, *, where: str) -> Array:
     """
     if isinstance(values, str) or _dimensions(values) == 0:
         return np.array([to_si(values, si, where=where)])
-    if isinstance(values, Iterable) and getattr(getattr(values, "dtype", None), "kind", "O") in "OUTb":
+    if (
+        isinstance(values, Iterable)
+        and getattr(getattr(values, "dtype", None), "kind", "O") in "OUTb"
+    ):
         return np.array([to_si(value, si, where=f"{where}[{i}]") for i, value in enumerate(values)])
     array = as_samples(values, si, where=where, error=DescriptionError)
     if array.ndim != 1:
-        raise DescriptionError("not a list of values", where=where, found=f"an array of shape {array.shape}")
+        raise DescriptionError(
+            "not a list of values", where=where, found=f"an array of shape {array.shape}"
+        )
     return array
 
 

@@ -63,7 +63,9 @@ class Segments:
     @cached_property
     def fastest_wave(self) -> float:
         """Fastest sine, radians per unit of ``x``; 0 without one."""
-        return float(np.max(np.abs(self.coefficients[self.kind == SINE, 2]) * self.rate, initial=0.0))
+        return float(
+            np.max(np.abs(self.coefficients[self.kind == SINE, 2]) * self.rate, initial=0.0)
+        )
 
     def in_time(self, speed: float) -> Segments:
         """Return the same heights against time for a constant ``speed`` in m/s."""
@@ -87,7 +89,11 @@ class Segments:
         table = self.coefficients[piece].copy()
         c0, c1, c2, c3 = table.T.copy()
         kind = self.kind[piece]
-        polynomial = (c0 + s * (c1 + s * (c2 + s * c3)), c1 + s * (2.0 * c2 + 3.0 * s * c3), c2 + 3.0 * s * c3)
+        polynomial = (
+            c0 + s * (c1 + s * (c2 + s * c3)),
+            c1 + s * (2.0 * c2 + 3.0 * s * c3),
+            c2 + 3.0 * s * c3,
+        )
         for column, moved in enumerate(polynomial):
             table[:, column] = np.where(kind == POLYNOMIAL, moved, table[:, column])
         table[:, 3] = np.where(kind == SINE, c3 + c2 * s, table[:, 3])
@@ -159,9 +165,14 @@ class Segments:
         """How far the height jumps at each inner edge, up positive, shape (n - 1,), m."""
         inner, pieces = self.edges[1:-1], np.arange(len(self.kind))
         if self.is_made_of_lines:
-            before = self.coefficients[:-1, 0] + self.rate * np.diff(self.edges[:-1]) * self.coefficients[:-1, 1]
+            before = (
+                self.coefficients[:-1, 0]
+                + self.rate * np.diff(self.edges[:-1]) * self.coefficients[:-1, 1]
+            )
             return np.asarray(self.coefficients[1:, 0] - before)
-        return np.asarray(self.on_pieces(pieces[1:], inner)[0] - self.on_pieces(pieces[:-1], inner)[0])
+        return np.asarray(
+            self.on_pieces(pieces[1:], inner)[0] - self.on_pieces(pieces[:-1], inner)[0]
+        )
 
     def with_ramps(self, shortest: float) -> Segments:
         """Return the same signal with a ramp just before each jump, no shorter than ``shortest`` (the unit of ``x``).
@@ -195,17 +206,24 @@ class Segments:
         if not np.any(self.kind == CIRCLE):
             return self
         edges, kinds, coefficients = [float(self.edges[0])], [], []
-        for start, stop, kind, c in zip(self.edges[:-1], self.edges[1:], self.kind, self.coefficients, strict=True):
+        for start, stop, kind, c in zip(
+            self.edges[:-1], self.edges[1:], self.kind, self.coefficients, strict=True
+        ):
             for end, piece_kind, piece in _split(kind, c, self.rate * (stop - start)):
                 edges.append(float(stop) if end is None else float(start + end / self.rate))
                 kinds.append(piece_kind)
                 coefficients.append(piece)
         return replace(
-            self, edges=np.array(edges), kind=np.array(kinds, dtype=np.int64), coefficients=np.array(coefficients)
+            self,
+            edges=np.array(edges),
+            kind=np.array(kinds, dtype=np.int64),
+            coefficients=np.array(coefficients),
         )
 
 
-_CHORD = 1e-5  # of the radius, or of the height of a jump: far shorter than a step, longer than rounding
+_CHORD = (
+    1e-5  # of the radius, or of the height of a jump: far shorter than a step, longer than rounding
+)
 JUMP = 1e-6
 """Difference at an edge from which on a height jumps there, m."""
 
@@ -229,7 +247,9 @@ def _split(kind: int, c: Array, length: float) -> list[tuple[float | None, int, 
 
 
 def _polynomial(s: Array, c0: Array, c1: Array, c2: Array, c3: Array) -> tuple[Array, Array]:
-    return np.asarray(c0 + s * (c1 + s * (c2 + s * c3))), np.asarray(c1 + s * (2.0 * c2 + 3.0 * s * c3))
+    return np.asarray(c0 + s * (c1 + s * (c2 + s * c3))), np.asarray(
+        c1 + s * (2.0 * c2 + 3.0 * s * c3)
+    )
 
 
 def _sine(s: Array, c0: Array, c1: Array, c2: Array, c3: Array) -> tuple[Array, Array]:
@@ -246,7 +266,9 @@ def _circle(s: Array, c0: Array, c1: Array, c2: Array, c3: Array) -> tuple[Array
 
 def flat(end: float, height: float = 0.0) -> Segments:
     """One level piece from 0 to ``end``."""
-    return Segments(np.array([0.0, end]), np.zeros(1, dtype=np.int64), np.array([[height, 0.0, 0.0, 0.0]]))
+    return Segments(
+        np.array([0.0, end]), np.zeros(1, dtype=np.int64), np.array([[height, 0.0, 0.0, 0.0]])
+    )
 
 
 def piecewise_linear(x: Array, height: Array) -> Segments:

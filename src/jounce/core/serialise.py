@@ -66,7 +66,9 @@ def to_plain(value: Any) -> Any:
     if isinstance(value, Plain):
         return value.to_dict()
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        return {field.name: to_plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
+        return {
+            field.name: to_plain(getattr(value, field.name)) for field in dataclasses.fields(value)
+        }
     if isinstance(value, Mapping):
         return plain_table(value)
     if isinstance(value, np.ndarray):

@@ -39,7 +39,9 @@ class Shown:
         titles = [(kind.__name__, _summary(kind)), *((table.title, "") for table in tables[1:])]
         longest = _LONGEST // len(tables)
         return "".join(
-            html_table(*title, list(map(tuple, table.rows)), _more(self), table.header, longest=longest)
+            html_table(
+                *title, list(map(tuple, table.rows)), _more(self), table.header, longest=longest
+            )
             for title, table in zip(titles, tables, strict=True)
         )
 
@@ -48,7 +50,9 @@ class Shown:
             return super().__str__()
         if marks_of(type(self)):
             return "\n\n".join(map(str, tables_of(self)))
-        return str(TextTable(type(self).__name__, ("field", "value", ""), list(_rows(self)), (0, 1, 2)))
+        return str(
+            TextTable(type(self).__name__, ("field", "value", ""), list(_rows(self)), (0, 1, 2))
+        )
 
 
 def html_table(
@@ -70,7 +74,9 @@ def html_table(
     for count in range(min(_FIRST, len(rows)), -1, -1):
         left = len(rows) - count
         note = f"… and {left} more: {more}" if left else f"more: {more}"
-        body = "".join(f"<tr>{''.join(_cells(row, right=bool(header)))}</tr>" for row in rows[:count])
+        body = "".join(
+            f"<tr>{''.join(_cells(row, right=bool(header)))}</tr>" for row in rows[:count]
+        )
         head = f"<tr>{''.join(f'<th>{_text(word)}</th>' for word in header)}</tr>" if header else ""
         text = (
             f'{_STYLE}<div class="jounce"><strong>{_text(title)}</strong> {_text(subtitle)}<table>{head}{body}</table>'
@@ -95,7 +101,10 @@ def _text(text: str) -> str:
 
 
 def _more(value: Any) -> str:
-    return next((f"{name}()" for name in ("parameters", "to_dict") if hasattr(value, name)), "its attributes")
+    return next(
+        (f"{name}()" for name in ("parameters", "to_dict") if hasattr(value, name)),
+        "its attributes",
+    )
 
 
 @cache
@@ -133,7 +142,11 @@ def _rows(value: Any) -> Iterator[Row]:
     words = _words(kind)
     for attribute in dataclasses.fields(value):
         if not attribute.name.startswith("_"):
-            yield attribute.name, _brief(getattr(value, attribute.name)), words.get(attribute.name, "")
+            yield (
+                attribute.name,
+                _brief(getattr(value, attribute.name)),
+                words.get(attribute.name, ""),
+            )
 
 
 def _field_rows(path: str, value: Any, field: Any) -> Iterator[Row]:
@@ -151,7 +164,12 @@ def _field_rows(path: str, value: Any, field: Any) -> Iterator[Row]:
     if units and isinstance(value, float):
         unit = display_unit(units[0].si, value)
         yield path, number(value * unit.factor), unit.name
-    elif units and isinstance(value, tuple) and value and all(isinstance(item, float) for item in value):
+    elif (
+        units
+        and isinstance(value, tuple)
+        and value
+        and all(isinstance(item, float) for item in value)
+    ):
         unit = display_unit(units[0].si, max(map(abs, value)))
         yield path, _series([item * unit.factor for item in value]), unit.name
     else:
@@ -176,7 +194,11 @@ def number(value: float) -> str:
 
 
 def _series(values: Sequence[float]) -> str:
-    return ", ".join(map(number, values)) if len(values) <= 4 else f"{number(values[0])} … {number(values[-1])}"
+    return (
+        ", ".join(map(number, values))
+        if len(values) <= 4
+        else f"{number(values[0])} … {number(values[-1])}"
+    )
 
 
 def _brief(value: Any) -> str:
@@ -189,7 +211,9 @@ def _brief(value: Any) -> str:
         return value
     if isinstance(value, complex):
         return f"{number(value.real)} {'−' if value.imag < 0.0 else '+'} {number(abs(value.imag))}i"
-    if isinstance(value, (int, float)) or (hasattr(value, "item") and getattr(value, "ndim", 1) == 0):
+    if isinstance(value, (int, float)) or (
+        hasattr(value, "item") and getattr(value, "ndim", 1) == 0
+    ):
         return number(float(value)) if not isinstance(value, int) else str(value)
     interval = getattr(value, "interval", None)
     if isinstance(getattr(value, "value", None), float) and interval:
@@ -212,7 +236,9 @@ def _brief(value: Any) -> str:
 
 
 def _join_names(names: list[str]) -> str:
-    return ", ".join(names) if len(names) <= 4 else f"{', '.join(names[:3])} and {len(names) - 3} more"
+    return (
+        ", ".join(names) if len(names) <= 4 else f"{', '.join(names[:3])} and {len(names) - 3} more"
+    )
 
 
 def dataset_html(data: Any) -> str:
@@ -230,13 +256,17 @@ def dataset_html(data: Any) -> str:
             continue
         known = values[np.isfinite(values)]
         low, high = (float(known.min()), float(known.max())) if known.size else (math.nan, math.nan)
-        unit = display_unit(str(data[name].attrs["units"]), max(abs(low), abs(high)) if known.size else 0.0)
+        unit = display_unit(
+            str(data[name].attrs["units"]), max(abs(low), abs(high)) if known.size else 0.0
+        )
         rows.append((str(name), number(low * unit.factor), number(high * unit.factor), unit.name))
     over = []
     for axis, size in data.sizes.items():
         if axis in data.coords and size:
             ends = data[axis].to_numpy()
-            unit = display_unit(str(data[axis].attrs.get("units", "1")), float(np.abs(ends[[0, -1]]).max()))
+            unit = display_unit(
+                str(data[axis].attrs.get("units", "1")), float(np.abs(ends[[0, -1]]).max())
+            )
             first, last = (number(float(end) * unit.factor) for end in (ends[0], ends[-1]))
             over.append(f"{size} values of {axis} from {first} to {last} {unit.name}".rstrip())
     title = "Recording" if "time" in data.sizes else "Sweep"

@@ -17,7 +17,9 @@ def digest_of(*packages: str) -> str:
     digest, root = hashlib.sha256(), Path(__file__).parent.parent
     for package in packages:
         folder = root / package
-        for file in sorted(folder.rglob("*.py")) if folder.is_dir() else [folder.with_suffix(".py")]:
+        for file in (
+            sorted(folder.rglob("*.py")) if folder.is_dir() else [folder.with_suffix(".py")]
+        ):
             digest.update(f"{file.relative_to(root)}\n".encode() + file.read_bytes())
     return digest.hexdigest()
 

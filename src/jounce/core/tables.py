@@ -70,12 +70,18 @@ class TextTable:
         names = [0, *(k for k in every[1:] if self.header[k] == "unit")]
         parts = [list(names)]
         for k in every:
-            if k not in names and len(parts[-1]) > len(names) and _sum([least[j] for j in (*parts[-1], k)]) > width:
+            if (
+                k not in names
+                and len(parts[-1]) > len(names)
+                and _sum([least[j] for j in (*parts[-1], k)]) > width
+            ):
                 parts.append(list(names))
             parts[-1] += [k] if k not in names else []
         return [self._share_width(part, least, width) for part in parts]
 
-    def _share_width(self, columns: Sequence[int], least: Sequence[int], width: int) -> dict[int, int]:
+    def _share_width(
+        self, columns: Sequence[int], least: Sequence[int], width: int
+    ) -> dict[int, int]:
         """Share the remaining width among the columns that can use it; without any, shorten the names of rows."""
         wanted = [self._width(k, is_least=False) - least[k] for k in columns]
         left = width - _sum([least[k] for k in columns])
@@ -89,9 +95,13 @@ class TextTable:
         if is_least and column in self.texts:
             cells = [word for text in cells for word in text.split()]
         head = self.header[column].split() if is_least else [self.header[column]]
-        return max((width_of(text) for cell in (*head, *cells) for text in cell.splitlines()), default=1)
+        return max(
+            (width_of(text) for cell in (*head, *cells) for text in cell.splitlines()), default=1
+        )
 
-    def _row_lines(self, cells: Sequence[str], widths: dict[int, int], *, is_head: bool = False) -> Iterator[str]:
+    def _row_lines(
+        self, cells: Sequence[str], widths: dict[int, int], *, is_head: bool = False
+    ) -> Iterator[str]:
         """Write one row; a head ends at its line, other rows begin together."""
         columns = {k: _wrap(cells[k], wide) for k, wide in widths.items()}
         height = max(map(len, columns.values()))
@@ -115,12 +125,19 @@ def width_of(text: str) -> int:
     """
     if text.isascii():
         return len(text)
-    return sum(2 if unicodedata.east_asian_width(sign) in "FW" else not unicodedata.combining(sign) for sign in text)
+    return sum(
+        2 if unicodedata.east_asian_width(sign) in "FW" else not unicodedata.combining(sign)
+        for sign in text
+    )
 
 
 def _wrap(text: str, width: int) -> list[str]:
     lines = visible(text).splitlines() or [""]
-    return [part for line in lines for part in textwrap.wrap(line, width, break_on_hyphens=False) or [""]]
+    return [
+        part
+        for line in lines
+        for part in textwrap.wrap(line, width, break_on_hyphens=False) or [""]
+    ]
 
 
 def _sum(widths: Sequence[int]) -> int:

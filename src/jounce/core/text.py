@@ -11,7 +11,9 @@ from typing import Any
 from unicodedata import category, normalize
 
 # Control characters but tab and new line, those of 8-bit terminals, separators of lines, and what turns the direction.
-_UNSEEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
+_UNSEEN = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
+)
 
 
 def visible(text: str, *, json: bool = False) -> str:
@@ -22,7 +24,9 @@ def visible(text: str, *, json: bool = False) -> str:
     >>> visible("spring\x1b[2J 22 N/mm")
     'spring\\x1b[2J 22 N/mm'
     """
-    return _UNSEEN.sub(lambda match: f"\\u{ord(match[0]):04x}" if json else repr(match[0])[1:-1], text)
+    return _UNSEEN.sub(
+        lambda match: f"\\u{ord(match[0]):04x}" if json else repr(match[0])[1:-1], text
+    )
 
 
 ESCAPES = "jounce-escapes"
@@ -34,7 +38,9 @@ def _escape(error: UnicodeError) -> tuple[str, int]:
     assert isinstance(error, UnicodeEncodeError)
     text = error.object[error.start : error.end]
     written = (letter.encode("ascii", "backslashreplace").decode() for letter in text)
-    return "".join("?" if category(old)[0] in "SPZ" else new for old, new in zip(text, written, strict=True)), error.end
+    return "".join(
+        "?" if category(old)[0] in "SPZ" else new for old, new in zip(text, written, strict=True)
+    ), error.end
 
 
 codecs.register_error(ESCAPES, _escape)
@@ -110,7 +116,9 @@ def unguard_formula(text: str) -> str:
 
 def guard_row(row: Iterable[Any]) -> list[Any]:
     r"""Cells of a row of CSV, those that are texts guarded; ``\r``, which is not quoted, would end the row."""
-    return [guard_formula(cell).replace("\r", "\n") if isinstance(cell, str) else cell for cell in row]
+    return [
+        guard_formula(cell).replace("\r", "\n") if isinstance(cell, str) else cell for cell in row
+    ]
 
 
 def align_columns(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
@@ -122,7 +130,8 @@ def align_columns(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return [
         "  ".join(
-            cell.rjust(w) if i >= left else cell.ljust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True))
+            cell.rjust(w) if i >= left else cell.ljust(w)
+            for i, (cell, w) in enumerate(zip(row, widths, strict=True))
         )
         for row in rows
     ]

@@ -22,7 +22,9 @@ def annotate(document: tomlkit.TOMLDocument, path: Sequence[str | int], words: s
         return
     item: Any = way[-1][0].body[way[-1][1]][1]
     if not isinstance(item, Table):
-        for container, place in reversed(way):  # the comments above `strut.angle = ...` stand above `strut`
+        for container, place in reversed(
+            way
+        ):  # the comments above `strut.angle = ...` stand above `strut`
             key = container.body[place][0]
             if (container, place) != way[-1] and not (key is not None and key.is_dotted()):
                 break
@@ -57,5 +59,7 @@ def _drop_comments_above(container: Container, place: int) -> None:
 def without_head(text: str) -> str:
     """Drop the comments at the beginning of a file."""
     lines = text.split("\n")
-    first = next((i for i, line in enumerate(lines) if line.strip() and not line.startswith("#")), 0)
+    first = next(
+        (i for i, line in enumerate(lines) if line.strip() and not line.startswith("#")), 0
+    )
     return "\n".join(lines[first:])

@@ -67,7 +67,9 @@ def ends(text: str) -> tuple[str | float, str | float] | None:
 def unreadable_band(text: object, where: str, words: Sequence[str]) -> DescriptionError:
     """Refuse anything but a band of spatial frequencies."""
     allowed = ", ".join([*words, "LOW..HIGH"])
-    return DescriptionError("not a band of spatial frequencies", where=where, found=text, allowed=allowed)
+    return DescriptionError(
+        "not a band of spatial frequencies", where=where, found=text, allowed=allowed
+    )
 
 
 def pairs(texts: Sequence[str] | None, where: str, example: str) -> dict[str, str]:
@@ -78,10 +80,15 @@ def pairs(texts: Sequence[str] | None, where: str, example: str) -> dict[str, st
         name, value = name.strip(), value.strip()
         if not (equals and name and value):
             raise DescriptionError(
-                "not NAME=VALUE", where=where, found=text, allowed=Phrase("e.g. {example}", example=example)
+                "not NAME=VALUE",
+                where=where,
+                found=text,
+                allowed=Phrase("e.g. {example}", example=example),
             )
         if name in split:
-            raise DescriptionError(Phrase("{name!r} is given twice", name=name), where=where, found=text)
+            raise DescriptionError(
+                Phrase("{name!r} is given twice", name=name), where=where, found=text
+            )
         split[name] = value
     return split
 
@@ -100,7 +107,9 @@ def toml_value(text: str) -> Any:
         return value
 
 
-def bare_numbers(kind: type[BaseModel], texts: dict[str, str], option: Callable[[str], str]) -> dict[str, str | float]:
+def bare_numbers(
+    kind: type[BaseModel], texts: dict[str, str], option: Callable[[str], str]
+) -> dict[str, str | float]:
     """Values of the fields of a description as it takes them; numbers without a unit are refused as in `quantity`.
 
     ``option`` names the place of a field.
@@ -109,7 +118,11 @@ def bare_numbers(kind: type[BaseModel], texts: dict[str, str], option: Callable[
 
     given = {name: bare_number(text) for name, text in texts.items()}
     for name, value in given.items():
-        units = [item.si for item in getattr(kind.model_fields.get(name), "metadata", ()) if isinstance(item, Unit)]
+        units = [
+            item.si
+            for item in getattr(kind.model_fields.get(name), "metadata", ())
+            if isinstance(item, Unit)
+        ]
         if units and isinstance(value, float):
             bare_si(value, units[0], where=option(name), most=LONGEST if units[0] == "m" else None)
     return given

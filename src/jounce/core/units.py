@@ -41,7 +41,9 @@ _registries: Recent[Any] = Recent()
 
 _LONGEST_UNIT = 64
 _UNIT_TEXT = re.compile(r"[A-Za-z_°µμΩ%0-9.*/^()\s+-]*")
-_POWER = re.compile(r"\^\s*(?:\(\s*[+-]?\d{1,2}(?:\.\d+)?\s*\)|[+-]?\d{1,2}(?:\.\d+)?)(?![\d.]|\s*\^)")
+_POWER = re.compile(
+    r"\^\s*(?:\(\s*[+-]?\d{1,2}(?:\.\d+)?\s*\)|[+-]?\d{1,2}(?:\.\d+)?)(?![\d.]|\s*\^)"
+)
 _AS_WRITTEN = str.maketrans({
     "²": "^2", "³": "^3", "⁴": "^4", "·": "*", "⋅": "*", "×": "*", "−": "-", "’": "'", "\N{GREEK SMALL LETTER MU}": "µ",
 })  # fmt: skip
@@ -56,7 +58,9 @@ _WHOLE = {"U/min": "rpm", "1/min": "rpm", "min^-1": "rpm", "lb-ft": "lbf*ft", "f
 """Units with another meaning in a column of rotation or torque."""
 _GRAVITY = {
     **dict.fromkeys(("g", "G", "gn", "g_n", "g0", "g_0", "gs", "g's", "g-force"), 1.0),
-    **dict.fromkeys(("mg", "mG", "mgn", "milli-g", "millig", "milli g", "milli_g", "milligravity"), 1e-3),
+    **dict.fromkeys(
+        ("mg", "mG", "mgn", "milli-g", "millig", "milli g", "milli_g", "milligravity"), 1e-3
+    ),
     **dict.fromkeys(("µg", "ug", "micro-g", "microg", "micro g"), 1e-6),
 }
 """Standard gravities that one unit of an acceleration is: the library reads g as gram."""
@@ -79,7 +83,11 @@ def _plain_spelling(unit: str) -> str:
 def _parse_unit(unit: str) -> Any:
     """The library's unit of a text; ValueError if it is none, or far too long or raised too high."""
     plain = _plain_spelling(unit) if len(unit) <= _LONGEST_UNIT else "^"
-    if not plain or not _UNIT_TEXT.fullmatch(plain) or plain.count("^") != len(_POWER.findall(plain)):
+    if (
+        not plain
+        or not _UNIT_TEXT.fullmatch(plain)
+        or plain.count("^") != len(_POWER.findall(plain))
+    ):
         raise ValueError(Phrase("{unit!r} is not a unit", unit=unit[:_LONGEST_UNIT]))
     try:
         result = _registry().Unit(plain)
@@ -156,7 +164,9 @@ def _factor_of_library(unit: str, si: str) -> float:
     parsed = _parse_unit(_WHOLE.get(unit, unit) if turning else unit)
     wrong = f"{unit!r} is not a unit of {si if si not in _DIMENSIONLESS else 'a plain number'}"
     try:
-        factor, thrice = (float(registry.Quantity(number, parsed).to(target).magnitude) for number in (1.0, 3.0))
+        factor, thrice = (
+            float(registry.Quantity(number, parsed).to(target).magnitude) for number in (1.0, 3.0)
+        )
     except Exception as error:
         raise ValueError(wrong) from error
     if not math.isclose(thrice, 3.0 * factor, rel_tol=1e-9):  # dB, octaves, degrees Celsius
@@ -164,7 +174,10 @@ def _factor_of_library(unit: str, si: str) -> float:
     angles = _angles(parsed)
     if si == "Hz" and angles == 1.0:
         return factor / (2.0 * math.pi)
-    if not (angles == _angles(target) or (angles == 0.0 and si.startswith("rad") and _has_dimensions(parsed))):
+    if not (
+        angles == _angles(target)
+        or (angles == 0.0 and si.startswith("rad") and _has_dimensions(parsed))
+    ):
         raise ValueError(wrong)
     if si.startswith("rad/s") and "hertz" in str(parsed):
         raise ValueError(wrong)
@@ -220,7 +233,14 @@ def base_units(si: str) -> dict[str, int]:
     """
     if si in _DIMENSIONLESS:
         return {}
-    words = {"kilogram": "kg", "meter": "m", "second": "s", "ampere": "A", "kelvin": "K", "radian": "rad"}
+    words = {
+        "kilogram": "kg",
+        "meter": "m",
+        "second": "s",
+        "ampere": "A",
+        "kelvin": "K",
+        "radian": "rad",
+    }
     powers = _registry().Quantity(1.0, _parse_unit(si)).to_base_units().units._units
     return {words[str(name)]: int(power) for name, power in sorted(powers.items())}
 
@@ -242,7 +262,10 @@ def as_number(value: object, si: str, *, where: str = "") -> float:
         return to_si(value, si, where=where)
     given = "None" if value is None else value
     refusal = DescriptionError(
-        "not a physical value", where=where, found=given, allowed=Phrase("'<number> <unit of {si}>'", si=si)
+        "not a physical value",
+        where=where,
+        found=given,
+        allowed=Phrase("'<number> <unit of {si}>'", si=si),
     )
     if isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b":
         raise refusal
@@ -261,9 +284,13 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
     Numbers of other libraries are also read, those with a unit (a quantity of Pint, a duration) by it.
     A DescriptionError at the place ``where`` refuses a missing or wrong unit, and what is not a finite number.
     """
-    if type(value) is float and -LARGEST <= value <= LARGEST:  # most are: descriptions made from others
+    if (
+        type(value) is float and -LARGEST <= value <= LARGEST
+    ):  # most are: descriptions made from others
         return value
-    if not isinstance(value, str) and (type(value) is bool or not isinstance(value, Real) or hasattr(value, "dtype")):
+    if not isinstance(value, str) and (
+        type(value) is bool or not isinstance(value, Real) or hasattr(value, "dtype")
+    ):
         value = as_number(value, si, where=where)
     if not isinstance(value, str):
         try:
@@ -282,7 +309,9 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
                 hint=""
                 if comma is None
                 else Phrase(
-                    "Decimals have a point, thousands no sign: '{whole}.{decimals}'.", whole=comma[1], decimals=comma[2]
+                    "Decimals have a point, thousands no sign: '{whole}.{decimals}'.",
+                    whole=comma[1],
+                    decimals=comma[2],
                 ),
             )
         number = float(match[1])
@@ -300,7 +329,9 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
         if match[2]:
             number *= conversion_factor(match[2], si, where=where)
     if not math.isfinite(number):
-        raise DescriptionError("not a finite number", where=where, found=value, allowed="a finite number")
+        raise DescriptionError(
+            "not a finite number", where=where, found=value, allowed="a finite number"
+        )
     is_written = isinstance(value, str)  # what rounding leaves of a zero is no mistake
     if abs(number) > LARGEST or (is_written and 0.0 < abs(number) < _SMALLEST):
         sizes = Phrase("0, and sizes from {least:g} to {most:g}", least=_SMALLEST, most=LARGEST)
@@ -349,10 +380,17 @@ def bare_si(number: float, si: str, *, where: str, most: float | None = None) ->
         return to_si(number, si, where=where)
     other = Phrase("'{number:g} {unit}', or ", number=number, unit=usual) if usual != si else ""
     raise DescriptionError(
-        Phrase("{number:g} {si} cannot be meant, and a bare number is in {si}", number=number, si=si),
+        Phrase(
+            "{number:g} {si} cannot be meant, and a bare number is in {si}", number=number, si=si
+        ),
         where=where,
         found=f"{number:g}",
-        hint=Phrase("Write the unit: {other}'{number:g} {si}' where it is.", other=other, number=number, si=si),
+        hint=Phrase(
+            "Write the unit: {other}'{number:g} {si}' where it is.",
+            other=other,
+            number=number,
+            si=si,
+        ),
     )
 
 
@@ -381,7 +419,11 @@ class Unit:
         >>> Unit("N/m").mistaken_for(22.73), Unit("m", meant=1.0).mistaken_for(0.01)
         ('N/mm', '')
         """
-        low, high, usual = _MEANT.get(self.si, (0.0, math.inf, self.si)) if self.si in _ASKED else (0.0, math.inf, "mm")
+        low, high, usual = (
+            _MEANT.get(self.si, (0.0, math.inf, self.si))
+            if self.si in _ASKED
+            else (0.0, math.inf, "mm")
+        )
         high = high if self.meant is None else self.meant
         if value == 0.0 or low <= abs(value) <= high:
             return ""
@@ -391,7 +433,9 @@ class Unit:
         try:
             number = to_si(value, self.si)
         except DescriptionError as error:
-            raise error_at((), error.what, found=as_found(value), allowed=error.allowed, hint=error.hint) from None
+            raise error_at(
+                (), error.what, found=as_found(value), allowed=error.allowed, hint=error.hint
+            ) from None
         if not self._is_allowed(number):
             raise error_at((), "out of range", found=as_found(value), allowed=self.range_text)
         return number
@@ -399,7 +443,9 @@ class Unit:
     @property
     def limits(self) -> tuple[float, float]:
         """Least and greatest size (SI), infinite without one; the least itself may be excluded (``above``)."""
-        least = max((bound for bound in (self.above, self.at_least) if bound is not None), default=-math.inf)
+        least = max(
+            (bound for bound in (self.above, self.at_least) if bound is not None), default=-math.inf
+        )
         return least, math.inf if self.at_most is None else self.at_most
 
     @property
@@ -410,7 +456,9 @@ class Unit:
             ("at least {bound:g}", self.at_least),
             ("at most {bound:g}", self.at_most),
         ]
-        limits = Phrases(", ", [Phrase(limit, bound=bound) for limit, bound in bounds if bound is not None])
+        limits = Phrases(
+            ", ", [Phrase(limit, bound=bound) for limit, bound in bounds if bound is not None]
+        )
         return limits if not limits or self.si == "1" else Phrases(" ", [limits, self.si])
 
     def _is_allowed(self, number: float) -> bool:
@@ -420,10 +468,14 @@ class Unit:
             and (self.at_most is None or number <= self.at_most)
         )
 
-    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
         return core_schema.no_info_plain_validator_function(self._read)
 
-    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
         return {
             "anyOf": [{"type": "number"}, {"type": "string"}],
             "description": f"text with a unit that converts to {self.si}, or a bare number in {self.si}",

@@ -127,7 +127,9 @@ class _Teller:
                     return
                 if self._waits[-1] is not wait:
                     wait, last = self._waits[-1], 0.0
-                every = SHOWN_EVERY if wait.listener else min(max(LOGGED_EVERY, last), LOGGED_LATEST)
+                every = (
+                    SHOWN_EVERY if wait.listener else min(max(LOGGED_EVERY, last), LOGGED_LATEST)
+                )
                 waited = time.monotonic() - wait.started
                 if waited < last + every:
                     continue
@@ -141,7 +143,9 @@ class _Teller:
 
 _teller = _Teller()
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_teller.forget)  # the thread stayed behind, with the lock perhaps
+    os.register_at_fork(
+        after_in_child=_teller.forget
+    )  # the thread stayed behind, with the lock perhaps
 
 
 @contextmanager

@@ -37,7 +37,9 @@ def workbook_of(sheets: Mapping[str, Iterable[Sequence[float | str]]]) -> bytes:
 def _cell(openpyxl: Any, sheet: Any, value: float | str) -> Any:
     is_text = isinstance(value, str)
     cell = openpyxl.cell.WriteOnlyCell(sheet, value if is_text else repr(float(value)))
-    cell.data_type = "s" if is_text else "n"  # no formula, and all digits: of a number 16 would be written
+    cell.data_type = (
+        "s" if is_text else "n"
+    )  # no formula, and all digits: of a number 16 would be written
     return cell
 
 
@@ -62,10 +64,16 @@ def workbook_bytes(book: Any) -> bytes:
         def writestr(self, name: Any, content: bytes | str, *_: Any) -> None:  # type: ignore[override]
             data = content.encode() if isinstance(content, str) else content
             if name == "docProps/core.xml":
-                data = re.sub(rb"(<dcterms:(?:created|modified)[^>]*>)[^<]*", rb"\g<1>2000-01-01T00:00:00Z", data)
+                data = re.sub(
+                    rb"(<dcterms:(?:created|modified)[^>]*>)[^<]*",
+                    rb"\g<1>2000-01-01T00:00:00Z",
+                    data,
+                )
             if name == "xl/_rels/workbook.xml.rels":  # as Excel writes it; Octave reads no other
                 data = data.replace(b'Target="/xl/', b'Target="')
-            super().writestr(zipfile.ZipInfo(name, (2000, 1, 1, 0, 0, 0)), data, zipfile.ZIP_DEFLATED)
+            super().writestr(
+                zipfile.ZipInfo(name, (2000, 1, 1, 0, 0, 0)), data, zipfile.ZIP_DEFLATED
+            )
 
     class Writer(excel.ExcelWriter):  # type: ignore[misc, name-defined]
         def write_worksheet(self, sheet: Any) -> None:
@@ -113,7 +121,9 @@ def sheets_of(
         sheet.reset_dimensions()
         for number, row in enumerate(sheet.iter_rows(values_only=True, max_col=most_columns), 1):
             if number > most_rows:
-                raise error("too many rows", where=f"{file}, {sheet.title}", allowed=f"up to {most_rows}")
+                raise error(
+                    "too many rows", where=f"{file}, {sheet.title}", allowed=f"up to {most_rows}"
+                )
             yield number, list(row)
 
     try:

@@ -26,21 +26,33 @@ ALLOW_OVERWRITING = "Choose another name or allow it with --force."
 """Advice where something would be overwritten."""
 
 
-def check_writable(path: Path | str, *, what: str = "files", suffixes: Sequence[str] = (), force: bool = False) -> Path:
+def check_writable(
+    path: Path | str, *, what: str = "files", suffixes: Sequence[str] = (), force: bool = False
+) -> Path:
     """Return the path of an output; refuse another suffix, an existing file (without ``force``), a missing folder."""
     file = Path(path)
     if file.exists() and not file.is_file() and not file.is_dir():
-        hint = "Write a file and read it from there; what a command prints with --json goes to pipes."
-        raise OutputError("a pipe or a device, which no file can replace", where=str(file), hint=hint)
+        hint = (
+            "Write a file and read it from there; what a command prints with --json goes to pipes."
+        )
+        raise OutputError(
+            "a pipe or a device, which no file can replace", where=str(file), hint=hint
+        )
     if suffixes and file.suffix.lower() not in suffixes:
         problem, allowed = f"{what} are not written in this format", ", ".join(suffixes)
         raise OutputError(problem, where=str(file), found=file.suffix, allowed=allowed)
     if file.is_dir():
-        raise OutputError("a folder stands where the file should be", where=str(file), hint="Choose another name.")
+        raise OutputError(
+            "a folder stands where the file should be", where=str(file), hint="Choose another name."
+        )
     if file.exists() and not force:
         raise OutputError("the output exists", where=str(file), hint=ALLOW_OVERWRITING)
     if not file.parent.is_dir():
-        raise OutputError("the folder of the output does not exist", where=str(file.parent), hint="Create it first.")
+        raise OutputError(
+            "the folder of the output does not exist",
+            where=str(file.parent),
+            hint="Create it first.",
+        )
     return file
 
 
@@ -86,7 +98,9 @@ class Formats:
 
 
 @contextmanager
-def replacing(file: Path, *, force: bool = True, most: int = 0o777, lasting: bool = True) -> Iterator[Path]:
+def replacing(
+    file: Path, *, force: bool = True, most: int = 0o777, lasting: bool = True
+) -> Iterator[Path]:
     """Return a temporary file beside ``file`` that takes its place when the block ends well, and is removed otherwise.
 
     Without ``force`` a file that another process has written there meanwhile stays, and is an error.
@@ -128,7 +142,9 @@ def _put(temporary: Path, file: Path) -> None:
     except OSError:  # a disk without links
         temporary.replace(check_writable(file))
     else:
-        with contextlib.suppress(OSError):  # the file is there, whole; the next process takes what is left
+        with contextlib.suppress(
+            OSError
+        ):  # the file is there, whole; the next process takes what is left
             temporary.unlink()
 
 
@@ -169,7 +185,9 @@ def sweep_beside(file: Path) -> None:
     _sweep(file.parent)
 
 
-def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, force: bool = False) -> list[Path]:
+def write_files(
+    folder: Path | str, contents: Mapping[str, bytes | str], *, force: bool = False
+) -> list[Path]:
     """Write files below a folder, which is created: all of them, or none.
 
     They are written into another folder first. That takes its place where there is none yet. Otherwise files of the
@@ -211,7 +229,9 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
         # Beside what is to be moved: in a folder that is there, which may be a disk of its own.
         place = root if is_there else root.parent
         place.mkdir(parents=True, exist_ok=True)
-        _sweep(root.parent)  # where a process stood that was killed just after it had put the folder in its place
+        _sweep(
+            root.parent
+        )  # where a process stood that was killed just after it had put the folder in its place
         _sweep(place)
         aside = Path(tempfile.mkdtemp(dir=place, prefix=_own_prefix()))
         try:
@@ -228,7 +248,9 @@ def write_files(folder: Path | str, contents: Mapping[str, bytes | str], *, forc
                     _check_room(root, files, force=force)  # another process may have been here
                     _exchange(root, aside, list(contents))
             elif not _move_into_place(built, root):
-                return write_files(folder, contents, force=force)  # another process has put a folder there meanwhile
+                return write_files(
+                    folder, contents, force=force
+                )  # another process has put a folder there meanwhile
         finally:
             _remove(aside)
     return [Path(folder) / name for name in contents]
@@ -242,9 +264,14 @@ def resolve_path(path: Path | str, *, home: bool = False) -> Path:
         if any(os.path.islink(each) for each in (place, *place.parents)):  # noqa: PTH114
             raise RuntimeError("a link that leads to itself")
         return place
-    except (RuntimeError, ValueError) as error:  # links that lead to themselves, users that are none, NUL
+    except (
+        RuntimeError,
+        ValueError,
+    ) as error:  # links that lead to themselves, users that are none, NUL
         hint = "Choose another name."
-        raise OutputError("no such path can be", where=str(path), found=str(error), hint=hint) from None
+        raise OutputError(
+            "no such path can be", where=str(path), found=str(error), hint=hint
+        ) from None
 
 
 def check_folder(out: Path | str, *, force: bool = False) -> Path:
@@ -252,21 +279,31 @@ def check_folder(out: Path | str, *, force: bool = False) -> Path:
     folder = resolve_path(out, home=True)
     with _as_output_error(folder, "the folder cannot be written"):
         if folder.exists() and not folder.is_dir():
-            raise OutputError("the output is a file, not a folder", where=str(folder), hint="Choose another name.")
+            raise OutputError(
+                "the output is a file, not a folder", where=str(folder), hint="Choose another name."
+            )
         if folder.is_dir() and not force and not is_empty(folder):
-            raise OutputError("the output folder is not empty", where=str(folder), hint=ALLOW_OVERWRITING)
+            raise OutputError(
+                "the output folder is not empty", where=str(folder), hint=ALLOW_OVERWRITING
+            )
         there = next(parent for parent in folder.parents if parent.exists())
         if not there.is_dir():
-            raise OutputError("a folder cannot be made below a file", where=str(folder), found=str(there))
+            raise OutputError(
+                "a folder cannot be made below a file", where=str(folder), found=str(there)
+            )
     return folder
 
 
 def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
     if root.exists() and not root.is_dir():
-        raise OutputError("a file stands where the folder should be", where=str(root), hint="Choose another name.")
+        raise OutputError(
+            "a file stands where the folder should be", where=str(root), hint="Choose another name."
+        )
     for file in files:
         if not resolve_path(file).is_relative_to(root):
-            raise OutputError("the file would lie outside the folder", where=str(root), found=str(file))
+            raise OutputError(
+                "the file would lie outside the folder", where=str(root), found=str(file)
+            )
         if file.is_dir():
             raise OutputError("a file cannot be written where a folder is", where=str(file))
         if any(parent.is_file() for parent in file.parents if parent.is_relative_to(root)):
@@ -302,7 +339,9 @@ def _exchange(root: Path, aside: Path, names: Sequence[str]) -> None:
     except BaseException:
         with contextlib.suppress(OSError):
             if (aside / _READY).is_dir():
-                _move([name for name in names if os.path.lexists(root / name)], root, aside / _READY)
+                _move(
+                    [name for name in names if os.path.lexists(root / name)], root, aside / _READY
+                )
                 (aside / _READY).rename(aside / _NEW)
         raise
 
@@ -319,13 +358,17 @@ def _settle(aside: Path) -> bool:
     A folder that came with an archive may hold links: nothing is moved out of another folder, or into one.
     """
     source = aside / (_READY if _is_folder(aside / _READY) else _OLD)
-    files = [file for file in source.rglob("*") if not _is_folder(file)] if _is_folder(source) else []
+    files = (
+        [file for file in source.rglob("*") if not _is_folder(file)] if _is_folder(source) else []
+    )
     targets = [aside.parent / file.relative_to(source) for file in files]
     root = aside.parent.resolve()
     for file, target in zip(files, targets, strict=True):
         with contextlib.suppress(OSError, OutputError):
             is_inside = resolve_path(target.parent).is_relative_to(root)
-            if is_inside and not os.path.lexists(target):  # a file may have been written there since
+            if is_inside and not os.path.lexists(
+                target
+            ):  # a file may have been written there since
                 target.parent.mkdir(parents=True, exist_ok=True)
                 file.rename(target)
     return all(map(os.path.lexists, targets))
@@ -418,7 +461,9 @@ def _sweep(folder: Path) -> None:
             status = left.lstat()
             if os.name == "posix" and status.st_uid != os.geteuid():
                 continue
-            if machine != _machine() or os.name != "posix":  # clocks may jump: what runs here is not judged by them
+            if (
+                machine != _machine() or os.name != "posix"
+            ):  # clocks may jump: what runs here is not judged by them
                 ended = time.time() - status.st_mtime > _DAY
             elif int(process) == os.getpid():
                 ended = not rest.startswith(_THIS_RUN)

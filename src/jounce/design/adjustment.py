@@ -48,7 +48,8 @@ class Adjustment(Plain):
     def settings(self) -> str:
         """Settings in words, with "with" before them; empty without one."""
         made = ", ".join(
-            f"{name} {write_setting(value, SETTINGS[name].unit)}" for name, value in self.report.settings.items()
+            f"{name} {write_setting(value, SETTINGS[name].unit)}"
+            for name, value in self.report.settings.items()
         )
         return f" with {made}" if made else ""
 
@@ -56,7 +57,11 @@ class Adjustment(Plain):
         """Return plain values, SI."""
         report = self.report
         effects = [
-            {**to_plain(effect), "text": SETTINGS[effect.setting].text, "source": SETTINGS[effect.setting].source}
+            {
+                **to_plain(effect),
+                "text": SETTINGS[effect.setting].text,
+                "source": SETTINGS[effect.setting].source,
+            }
             for effect in report.effects
         ]
         return {
@@ -73,7 +78,9 @@ class Adjustment(Plain):
 def check_adjusted(**given: Any) -> None:
     """Refuse an output file if nothing changes the rig."""
     if given["out"] is not None and not any(given[name] for name in ("set_", "camber", "toe")):
-        raise DescriptionError("nothing to adjust", where="--out", allowed="--set, --camber or --toe beside it")
+        raise DescriptionError(
+            "nothing to adjust", where="--out", allowed="--set, --camber or --toe beside it"
+        )
 
 
 @operation(
@@ -91,7 +98,11 @@ def adjust_rig(
     rig: RigAlone,
     settings: Annotated[
         Mapping[str, float | str] | None,
-        Settings('Adjust a setting: upper_arm_length="10 mm". Repeat it.', "SETTING=VALUE", 'upper_arm_length="10 mm"'),
+        Settings(
+            'Adjust a setting: upper_arm_length="10 mm". Repeat it.',
+            "SETTING=VALUE",
+            'upper_arm_length="10 mm"',
+        ),
     ] = None,
     camber: Annotated[
         Angle,
@@ -104,7 +115,12 @@ def adjust_rig(
     ] = None,
     toe: Annotated[
         Angle,
-        Number('Find the tie-rod length for this toe, toe-in positive: "0.5 deg".', "ANGLE", "rad", most=_LARGEST),
+        Number(
+            'Find the tie-rod length for this toe, toe-in positive: "0.5 deg".',
+            "ANGLE",
+            "rad",
+            most=_LARGEST,
+        ),
     ] = None,
 ) -> Adjustment:
     """Show the effect of the prototype's adjustments, apply them, or find the lengths for a camber and a toe.
@@ -140,6 +156,8 @@ def adjust_rig(
         for name in made:
             if name == "camber_plate" or (name.endswith("_length") and name != "pushrod_length"):
                 hint = "Leave it out, or --camber and --toe."
-                raise DescriptionError("a length to be found is also given", where=f"--set {name}", hint=hint)
+                raise DescriptionError(
+                    "a length to be found is also given", where=f"--set {name}", hint=hint
+                )
         made |= lengths.settings()
     return Adjustment(adjust_report(rig, made, effects=not made), lengths)

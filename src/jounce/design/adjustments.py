@@ -186,13 +186,17 @@ def wheel_state(rig: Corner) -> WheelState:
     points = sorted({0.0, travel})
     sweep = sweep_travel(rig, points)
     design, at_rest = (sweep.isel(wheel_travel=points.index(value)) for value in (0.0, travel))
-    camber, toe, gain, centre = (float(design[name]) for name in ("camber", "toe", "camber_gain", "roll_centre_height"))
+    camber, toe, gain, centre = (
+        float(design[name]) for name in ("camber", "toe", "camber_gain", "roll_centre_height")
+    )
     caster = float(design["caster"]) if "caster" in design else None
     rate = float(at_rest["wheel_rate"]) if "wheel_rate" in at_rest else None
     return WheelState(camber, toe, caster, gain, centre, ride, rate)
 
 
-def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effects: bool = True) -> AdjustReport:
+def adjust_report(
+    rig: Rig, settings: Mapping[str, Value] | None = None, *, effects: bool = True
+) -> AdjustReport:
     """Report the effect of settings on a rig, and of each possible setting.
 
     Parameters
@@ -236,7 +240,9 @@ def adjust_report(rig: Rig, settings: Mapping[str, Value] | None = None, *, effe
     after = wheel_state(changed) if values else before
     first = _over_travel(rig)
     over = OverTravel(_TRAVELS, first, _over_travel(changed) if values else first)
-    return AdjustReport(values, before, after, changed, tuple(effects_by_setting), over, tuple(findings))
+    return AdjustReport(
+        values, before, after, changed, tuple(effects_by_setting), over, tuple(findings)
+    )
 
 
 def _over_travel(rig: Corner) -> dict[str, tuple[float, ...]]:
@@ -289,7 +295,9 @@ def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None)
     (7.68, 0.0)
     """
     if camber is None and toe is None:
-        raise DescriptionError("no target is given", where="lengths_for", allowed="camber, toe, or both")
+        raise DescriptionError(
+            "no target is given", where="lengths_for", allowed="camber, toe, or both"
+        )
     corner = corner_of(rig)
     if not rods(corner):
         raise DescriptionError(
@@ -300,9 +308,14 @@ def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None)
             hint="Use wedges (camber_wedge, toe_wedge).",
         )
     wished = {
-        name: to_si(value, "rad", where=name) for name, value in (("camber", camber), ("toe", toe)) if value is not None
+        name: to_si(value, "rad", where=name)
+        for name, value in (("camber", camber), ("toe", toe))
+        if value is not None
     }
-    camber_lengths, toe_length = _camber_lengths(corner, wished.get("camber")), _TOE_LENGTHS[type(corner)]
+    camber_lengths, toe_length = (
+        _camber_lengths(corner, wished.get("camber")),
+        _TOE_LENGTHS[type(corner)],
+    )
     # The tie rod changes the camber a little, too: all lengths are tried where a camber is wanted.
     for camber_length in camber_lengths if camber is not None else camber_lengths[:1]:
         names = [{"camber": camber_length, "toe": toe_length}[name] for name in wished]
@@ -340,7 +353,9 @@ def _camber_lengths(rig: Corner, camber: float | None) -> list[str]:
 
 def _solve(rig: Corner, wished: Mapping[str, float], names: list[str]) -> dict[str, float] | None:
     """Newton with bounds; None when it ends at a bound or the linkage cannot be assembled."""
-    low, high = (np.array([getattr(SETTINGS[name], end) for name in names]) for end in ("lowest", "highest"))
+    low, high = (
+        np.array([getattr(SETTINGS[name], end) for name in names]) for end in ("lowest", "highest")
+    )
     target = np.array(list(wished.values()))
 
     def miss(lengths: Array) -> Array:
@@ -355,7 +370,9 @@ def _solve(rig: Corner, wished: Mapping[str, float], names: list[str]) -> dict[s
                 return _by_name(names, lengths)
             inward = np.where(lengths + _NUDGE > high, -_NUDGE, _NUDGE)
             columns = [(miss(lengths + step) - missed) / step.sum() for step in np.diag(inward)]
-            lengths = np.clip(lengths - np.linalg.solve(np.column_stack(columns), missed), low, high)
+            lengths = np.clip(
+                lengths - np.linalg.solve(np.column_stack(columns), missed), low, high
+            )
         except (JounceError, np.linalg.LinAlgError):
             return None
     return None
@@ -365,7 +382,9 @@ def _by_name(names: list[str], lengths: Array) -> dict[str, float]:
     return {name: float(value) for name, value in zip(names, lengths, strict=True)}
 
 
-def _unreachable(rig: Corner, wished: Mapping[str, float], candidates: Mapping[str, list[str]]) -> DescriptionError:
+def _unreachable(
+    rig: Corner, wished: Mapping[str, float], candidates: Mapping[str, list[str]]
+) -> DescriptionError:
     """Error that states what the lengths reach."""
     texts, used = [], list[str]()
     for name in wished:
@@ -390,7 +409,11 @@ def _unreachable(rig: Corner, wished: Mapping[str, float], candidates: Mapping[s
         else "the lengths do not reach this",
         where=", ".join(wished),
         found=wishes,
-        allowed=Phrase("about {texts}, each by itself ({used})", texts=" and ".join(texts), used=", ".join(used)),
+        allowed=Phrase(
+            "about {texts}, each by itself ({used})",
+            texts=" and ".join(texts),
+            used=", ".join(used),
+        ),
         hint="Use wedges (camber_wedge, toe_wedge) for the rest.",
     )
 
@@ -405,7 +428,11 @@ def _effect(rig: Corner, setting: Adjustable, findings: list[Finding]) -> Effect
         except JounceError as error:
             findings.append(
                 finding(
-                    "design.out_of_reach", setting.name, value, wanted=write_setting(value, setting.unit), error=error
+                    "design.out_of_reach",
+                    setting.name,
+                    value,
+                    wanted=write_setting(value, setting.unit),
+                    error=error,
                 )
             )
             return None
@@ -415,13 +442,19 @@ def _effect(rig: Corner, setting: Adjustable, findings: list[Finding]) -> Effect
     if setting.name == "short_upper_arm":  # the block comes with any short arm: compare two of them
         low, high = highest - 2.0 * step, highest - step
     per_unit = _slopes(at(low), at(high), high - low)
-    return Effect(setting.name, setting.unit, lowest, base, highest, at(lowest), at(highest), per_unit)
+    return Effect(
+        setting.name, setting.unit, lowest, base, highest, at(lowest), at(highest), per_unit
+    )
 
 
-def _slopes(low: WheelState | None, high: WheelState | None, step: float) -> dict[str, float | None]:
+def _slopes(
+    low: WheelState | None, high: WheelState | None, step: float
+) -> dict[str, float | None]:
     """Change of every quantity for one unit of a setting."""
     slopes: dict[str, float | None] = {}
     for name in QUANTITIES:
         first, second = getattr(low, name, None), getattr(high, name, None)
-        slopes[name] = None if first is None or second is None or step == 0.0 else float(second - first) / step
+        slopes[name] = (
+            None if first is None or second is None or step == 0.0 else float(second - first) / step
+        )
     return slopes

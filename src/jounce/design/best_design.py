@@ -52,7 +52,9 @@ class BestDesign(Plain):
     @property
     def rig(self) -> Rig:
         """The best rig."""
-        assert isinstance(self.outcome, Optimisation)  # a front is refused before the search where a rig is asked for
+        assert isinstance(
+            self.outcome, Optimisation
+        )  # a front is refused before the search where a rig is asked for
         return self.outcome.rig
 
     @property
@@ -107,16 +109,22 @@ def check_task(vehicle: str, out: Path | None, **given: Any) -> None:
         for name in ("free", "objective"):
             if not options[name]:
                 raise DescriptionError(
-                    "nothing is given", where=f"--{name}", hint="Or give a study file that states it."
+                    "nothing is given",
+                    where=f"--{name}",
+                    hint="Or give a study file that states it.",
                 )
         return
     for name, value in options.items():
         if value:
             raise DescriptionError(
-                "a study file defines the whole task", where=f"--{name}", hint="Write it into the file."
+                "a study file defines the whole task",
+                where=f"--{name}",
+                hint="Write it into the file.",
             )
     if out is not None and read_optimisation(vehicle)[0].front is not None:
-        raise DescriptionError("a front is many rigs", where="--out", hint="Take one of its designs with --set.")
+        raise DescriptionError(
+            "a front is many rigs", where="--out", hint="Take one of its designs with --set."
+        )
 
 
 @operation(
@@ -134,7 +142,10 @@ def check_task(vehicle: str, out: Path | None, **given: Any) -> None:
 def find_best_design(
     rig: Annotated[
         Rig | str | Path,
-        MadeBy("jounce.design.best_design:rig_or_study", "jounce.design.best_design:rig_or_study_in_python"),
+        MadeBy(
+            "jounce.design.best_design:rig_or_study",
+            "jounce.design.best_design:rig_or_study_in_python",
+        ),
     ],
     free: Annotated[Mapping[str, Bounds] | None, FREE] = None,
     objective: Annotated[
@@ -160,7 +171,9 @@ def find_best_design(
         ),
     ] = None,
     band: Annotated[tuple[float, float] | Literal["iso"] | None, ROAD_BAND] = None,
-    starts: Annotated[int, Count("Number of searches; the first starts from the present design.")] = 1,
+    starts: Annotated[
+        int, Count("Number of searches; the first starts from the present design.")
+    ] = 1,
 ) -> BestDesign:
     """Find the parameters of a vehicle that minimise an objective within bounds and limits, using exact gradients.
 
@@ -208,7 +221,9 @@ def find_best_design(
     driven: dict[str, Any] = {"road": road, "speed": speed, "band": band}
     if duration is not None:
         if band is not None:
-            raise DescriptionError("a simulated road is not limited to a band", where="band", hint="Leave it out.")
+            raise DescriptionError(
+                "a simulated road is not limited to a band", where="band", hint="Leave it out."
+            )
         driven = {"trial": trial_over(chosen, road, speed, duration).trial}
     return BestDesign(optimise(chosen, free or {}, weights, constraints, **driven, starts=starts))
 
@@ -220,5 +235,7 @@ def _weights(texts: Sequence[str]) -> dict[str, float]:
         name, equals, weight = text.partition("=")
         if name.strip() in weights:
             raise DescriptionError("given twice", where="objective", found=name.strip())
-        weights[name.strip()] = quantity(weight, "1", f"--objective {name.strip()}") if equals else 1.0
+        weights[name.strip()] = (
+            quantity(weight, "1", f"--objective {name.strip()}") if equals else 1.0
+        )
     return weights

@@ -103,7 +103,9 @@ class OneByOne:
 
     def each(self, values: Array) -> dict[str, Numbers]:
         """Return every metric for values (samples, numbers): (samples, channels), (samples, numbers, channels), SI."""
-        samples = [evaluator.at(sample) for evaluator, sample in zip(self.evaluators, values, strict=True)]
+        samples = [
+            evaluator.at(sample) for evaluator, sample in zip(self.evaluators, values, strict=True)
+        ]
         return {
             text: (
                 np.stack([metrics[text][0] for metrics in samples]),
@@ -136,7 +138,9 @@ class CasesEvaluator:
 
     def at(self, values: Array) -> dict[str, Numbers]:
         """Return every metric by its text: values of its channels and their slopes, SI."""
-        judged = {case: evaluator.each(values * self.factors) for case, evaluator in self.cases.items()}
+        judged = {
+            case: evaluator.each(values * self.factors) for case, evaluator in self.cases.items()
+        }
         metrics = {}
         for text, (case, inner, statistic) in self.wanted.items():
             numbers, slopes = judged[case][inner]
@@ -175,13 +179,19 @@ def cases_problem(
 ) -> DesignProblem:
     """Read a design task of several cases (SI or texts); ``more`` are further metrics to evaluate."""
     if not cases:
-        raise DescriptionError("no case", where="cases", hint='e.g. {"rough": {"road": "C", "speed": "20 m/s"}}')
+        raise DescriptionError(
+            "no case", where="cases", hint='e.g. {"rough": {"road": "C", "speed": "20 m/s"}}'
+        )
     numbers = numbers_of(rig, free)
     weights = read_weights(objective)
     wanted: dict[str, tuple[str, str, str]] = {}
     inner: dict[str, dict[str, Metric]] = {case: {} for case in cases}
     metrics: dict[str, Metric] = {}
-    for where, texts in (("objective", weights), ("constraints", constraints or {}), ("metrics", more)):
+    for where, texts in (
+        ("objective", weights),
+        ("constraints", constraints or {}),
+        ("metrics", more),
+    ):
         for text in texts:
             case, statistic, words = _split_text(text, cases, spread, where)
             metric = _read_metric(words, cases[case], rig, where)
@@ -189,15 +199,21 @@ def cases_problem(
             metrics[text] = replace(metric, text=text)
     limits = tuple(read_limit(metrics[text], given) for text, given in (constraints or {}).items())
     rigs, factors = _draw_samples(rig, numbers, spread or {}, samples, seed)
-    families = Families(tuple(LinearFamily(sample, tuple(number.path for number in numbers)) for sample in rigs))
+    families = Families(
+        tuple(LinearFamily(sample, tuple(number.path for number in numbers)) for sample in rigs)
+    )
     judges: dict[str, StationaryEvaluator | OneByOne] = {}
     notes: list[Finding] = []
     for case, asked in inner.items():
         if not asked:
             raise DescriptionError(
-                "no metric uses it", where=f"cases.{case}", hint=Phrase('e.g. "{case}: sprung.az"', case=case)
+                "no metric uses it",
+                where=f"cases.{case}",
+                hint=Phrase('e.g. "{case}: sprung.az"', case=case),
             )
-        judges[case], case_notes = _build_evaluator(cases[case], families, numbers, tuple(asked.values()), case)
+        judges[case], case_notes = _build_evaluator(
+            cases[case], families, numbers, tuple(asked.values()), case
+        )
         notes += [note for note in case_notes if str(note) not in map(str, notes)]
     words = ", ".join(f"{case} ({_describe_case(given)})" for case, given in cases.items())
     if spread:
@@ -217,7 +233,9 @@ def cases_problem(
     for text in weights:
         base = problem.base_of(metrics[text])
         if not (np.isfinite(base) and base != 0.0):
-            raise FitError("is zero at the start, so there is nothing to reduce", where=f"objective: {text}")
+            raise FitError(
+                "is zero at the start, so there is nothing to reduce", where=f"objective: {text}"
+            )
         problem.base[text] = base
     return problem
 
@@ -236,7 +254,9 @@ def _split_text(
     words = (tail if colon else text).split()
     statistic = words.pop(0) if words and words[0] in _STATISTICS else "mean"
     if statistic == "p95" and not spread:
-        raise DescriptionError("a percentile of one design", where=f"{where}: {text}", hint="Give a spread.")
+        raise DescriptionError(
+            "a percentile of one design", where=f"{where}: {text}", hint="Give a spread."
+        )
     return case, statistic, " ".join(words)
 
 
@@ -246,8 +266,12 @@ def _read_metric(words: str, case: Case, rig: Rig, where: str) -> Metric:
     parts = words.split()
     kind = parts.pop(0) if len(parts) == 2 else "value"
     if kind not in _KINDS or len(parts) != 1:
-        allowed = Phrase("a quantity of the catalogue, or {kinds} before one", kinds=", ".join(_KINDS))
-        raise DescriptionError("not a metric of kinematics", where=where, found=words, allowed=allowed)
+        allowed = Phrase(
+            "a quantity of the catalogue, or {kinds} before one", kinds=", ".join(_KINDS)
+        )
+        raise DescriptionError(
+            "not a metric of kinematics", where=where, found=words, allowed=allowed
+        )
     known = {quantity.name: quantity for quantity in CATALOGUE}
     if parts[0] not in known:
         raise unknown(parts[0], known, what="quantity", where=where)
@@ -255,7 +279,11 @@ def _read_metric(words: str, case: Case, rig: Rig, where: str) -> Metric:
 
 
 def _draw_samples(
-    rig: Rig, numbers: Sequence[FreeParameter], spread: Mapping[str, Spread], samples: int, seed: int
+    rig: Rig,
+    numbers: Sequence[FreeParameter],
+    spread: Mapping[str, Spread],
+    samples: int,
+    seed: int,
 ) -> tuple[list[Rig], list[Array]]:
     """Draw the rigs of the spread, and the factors of the free numbers in each."""
     ones = np.ones(len(numbers))
@@ -263,7 +291,9 @@ def _draw_samples(
         return [rig], [ones]
     if not (is_whole(samples) and 2 <= samples <= _MOST_SAMPLES):
         allowed = Phrase("2 to {most_samples}", most_samples=_MOST_SAMPLES)
-        raise DescriptionError("not a number of samples", where="samples", found=samples, allowed=allowed)
+        raise DescriptionError(
+            "not a number of samples", where="samples", found=samples, allowed=allowed
+        )
     known = rig.parameters()
     for path in spread:
         if path not in known:
@@ -271,7 +301,9 @@ def _draw_samples(
 
             raise unknown_path(f"spread: {path}", known, name=path)
     design = sobol(spread, samples, seed=seed)
-    design.refuse_outside(lambda path: (known[path], unit_of(rig, path)), lambda path: quantity_at(rig, path))
+    design.refuse_outside(
+        lambda path: (known[path], unit_of(rig, path)), lambda path: quantity_at(rig, path)
+    )
     columns = design.values(lambda path: (known[path], unit_of(rig, path)))
     places = {number.path: i for i, number in enumerate(numbers)}
     rigs, factors = [], []
@@ -283,25 +315,37 @@ def _draw_samples(
                     what = "a spread of a free number that is zero at the start"
                     raise DescriptionError(what, where=f"spread: {path}")
                 factor[i] = columns[path][k] / known[path]
-        rigs.append(rig.with_changes({p: float(v[k]) for p, v in columns.items() if p not in places}))
+        rigs.append(
+            rig.with_changes({p: float(v[k]) for p, v in columns.items() if p not in places})
+        )
         factors.append(factor)
     return rigs, factors
 
 
 def _build_evaluator(
-    case: Case, families: Families, numbers: Sequence[FreeParameter], metrics: tuple[Metric, ...], name: str
+    case: Case,
+    families: Families,
+    numbers: Sequence[FreeParameter],
+    metrics: tuple[Metric, ...],
+    name: str,
 ) -> tuple[StationaryEvaluator | OneByOne, tuple[Finding, ...]]:
     where = f"cases.{name}"
     if isinstance(case, Trial):
-        return OneByOne(tuple(TrialEvaluator(family, case, metrics) for family in families.members)), ()
+        return OneByOne(
+            tuple(TrialEvaluator(family, case, metrics) for family in families.members)
+        ), ()
     if not isinstance(case, Mapping):
-        raise DescriptionError("not a case", where=where, found=case, allowed="a trial, road and speed, or travel")
+        raise DescriptionError(
+            "not a case", where=where, found=case, allowed="a trial, road and speed, or travel"
+        )
     if "travel" not in case:
         given = dict(case)
         road, speed = given.pop("road", None), given.pop("speed", None)
         for key in given:
             if key not in ("band", "sides"):
-                raise unknown(key, ("road", "speed", "band", "sides", "travel"), what="key", where=where)
+                raise unknown(
+                    key, ("road", "speed", "band", "sides", "travel"), what="key", where=where
+                )
         try:
             return stationary_evaluator(families, metrics, road, speed, given)
         except DescriptionError as error:
@@ -313,17 +357,25 @@ def _build_evaluator(
             ) from None
     rigs = [family.rig for family in families.members if isinstance(family.rig, Corner)]
     if set(case) != {"travel"} or len(rigs) < len(families):
-        raise DescriptionError("kinematics are those of a 3-D corner over travel", where=where, found=dict(case))
+        raise DescriptionError(
+            "kinematics are those of a 3-D corner over travel", where=where, found=dict(case)
+        )
     from jounce.core.units import to_si
 
     travel = np.array([to_si(value, "m", where=where) for value in case["travel"]])
     if len(travel) < 2 or np.any(np.diff(travel) <= 0.0) or not travel[0] <= 0.0 <= travel[-1]:
         allowed = "two or more rising values around 0"
-        raise DescriptionError("not a travel", where=where, found=list(case["travel"]), allowed=allowed)
+        raise DescriptionError(
+            "not a travel", where=where, found=list(case["travel"]), allowed=allowed
+        )
     grid = np.union1d(np.linspace(travel[0], travel[-1], 13), [0.0]) if len(travel) == 2 else travel
     steps = np.array([_STEP * (number.upper - number.lower) for number in numbers])
     paths = families.first.paths
-    return OneByOne(tuple(KinematicEvaluator(rig, paths, np.maximum(steps, 1e-9), grid, metrics) for rig in rigs)), ()
+    return OneByOne(
+        tuple(
+            KinematicEvaluator(rig, paths, np.maximum(steps, 1e-9), grid, metrics) for rig in rigs
+        )
+    ), ()
 
 
 def _describe_case(case: Case) -> str:

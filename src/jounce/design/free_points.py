@@ -52,7 +52,9 @@ class Numbering:
     def values(self, rigs: Rigs | None = None) -> Array:
         """Numbers of rigs of the same structure as those of the study, by default of the study's own rigs."""
         chosen = self.rigs if rigs is None else rigs
-        return np.concatenate([self.models[name].parameter_values(rig) for name, rig in chosen.items()])
+        return np.concatenate(
+            [self.models[name].parameter_values(rig) for name, rig in chosen.items()]
+        )
 
     def owner(self, path: str, where: str) -> tuple[str, str]:
         """Name of the rig that a path of the study belongs to, and its path there."""
@@ -102,23 +104,30 @@ def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "fr
     for k, entry in enumerate(free):
         where = f"{key}[{k}]"
         groups = [
-            (_paths(numbering, index, name, f"{where}.{part}"), name, sign) for part, name, sign in _list_tied(entry)
+            (_paths(numbering, index, name, f"{where}.{part}"), name, sign)
+            for part, name, sign in _list_tied(entry)
         ]
         first = groups[0][0]
         size = len(first)
         matrix = np.zeros((len(origin), size))
         for paths, name, sign in groups:
             if len(paths) != size:
-                raise DescriptionError("is tied to something of another size", where=f"{where}.tied", found=name)
+                raise DescriptionError(
+                    "is tied to something of another size", where=f"{where}.tied", found=name
+                )
             for j, path in enumerate(paths):
                 if path in taken:
-                    raise DescriptionError("is free twice", where=where, found=path, allowed="each number once")
+                    raise DescriptionError(
+                        "is free twice", where=where, found=path, allowed="each number once"
+                    )
                 taken[path] = where
                 matrix[index[path], j] = sign * _mirror_sign(numbering, first[j], path)
         at = np.array([origin[index[path]] for path in first])
         if entry.along is not None:
             if size != 3:
-                raise DescriptionError("only a point moves along a line", where=f"{where}.along", found=entry.point)
+                raise DescriptionError(
+                    "only a point moves along a line", where=f"{where}.along", found=entry.point
+                )
             direction = _direction(numbering, entry, at, f"{where}.along")
             matrix, at, size = matrix @ direction[:, None], np.zeros(1), 1
         bounds = _bounds(numbering, entry, first, at, size, where)
@@ -130,7 +139,9 @@ def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "fr
         firsts += first[:size]
         labels += first if entry.along is None else [f"{entry.point} along {_line(entry.along)}"]
     if not columns:
-        raise DescriptionError("nothing is free", where="free", allowed='e.g. {"hardpoints.tie_rod_inner[2]": "10 mm"}')
+        raise DescriptionError(
+            "nothing is free", where="free", allowed='e.g. {"hardpoints.tie_rod_inner[2]": "10 mm"}'
+        )
     return FreeNumbers(
         origin,
         np.hstack(columns),
@@ -151,7 +162,8 @@ def _line(along: str | tuple[float, ...]) -> str:
 def _list_tied(entry: FreePoint) -> list[tuple[str, str, float]]:
     """List keys and paths of an entry, and whether each moves with the first or against it."""
     tied = [
-        (f"tied[{i}]", name.removeprefix("-"), -1.0 if name[:1] == "-" else 1.0) for i, name in enumerate(entry.tied)
+        (f"tied[{i}]", name.removeprefix("-"), -1.0 if name[:1] == "-" else 1.0)
+        for i, name in enumerate(entry.tied)
     ]
     return [("point", entry.point, 1.0), *tied]
 
@@ -162,11 +174,18 @@ def _paths(numbering: Numbering, index: Mapping[str, int], name: str, where: str
     known = numbering.rigs[owner].parameters()
     paths = [own] if own in known else [f"{own}[{i}]" for i in range(3)]
     if any(path not in known for path in paths):
-        raise unknown_path(where, [*known, *{path[:-3] for path in known if coordinate(path) is not None}], name=own)
+        raise unknown_path(
+            where,
+            [*known, *{path[:-3] for path in known if coordinate(path) is not None}],
+            name=own,
+        )
     paths = [full_path(owner, path) for path in paths]
     if any(path not in index for path in paths):
         raise DescriptionError(
-            "has no effect: it does not enter the kinematics", where=where, found=name, hint="Leave it out."
+            "has no effect: it does not enter the kinematics",
+            where=where,
+            found=name,
+            hint="Leave it out.",
         )
     return paths
 
@@ -191,7 +210,9 @@ def _direction(numbering: Numbering, entry: FreePoint, at: Array, where: str) ->
         towards = np.array(along, dtype=float)
     length = float(np.linalg.norm(towards))
     if length == 0.0:
-        raise DescriptionError("not a direction", where=where, found=str(along), allowed="another point")
+        raise DescriptionError(
+            "not a direction", where=where, found=str(along), allowed="another point"
+        )
     return np.asarray(towards / length)
 
 
@@ -202,8 +223,12 @@ def _bounds(
     if entry.box is None:
         given = entry.within if isinstance(entry.within, (list, tuple)) else [entry.within] * size
         if len(given) != size:
-            raise DescriptionError("not one width a coordinate", where=f"{where}.within", found=len(given))
-        width = np.array([positive_si(width_text, unit, where=f"{where}.within") for width_text in given])
+            raise DescriptionError(
+                "not one width a coordinate", where=f"{where}.within", found=len(given)
+            )
+        width = np.array(
+            [positive_si(width_text, unit, where=f"{where}.within") for width_text in given]
+        )
         if unit == "m" and np.max(width) > _FAR:
             raise DescriptionError(
                 "too wide a range for a hardpoint",
@@ -213,7 +238,9 @@ def _bounds(
                 hint='A bare number is in metres; write "15 mm".',
             )
         return at - width, at + width
-    corners = [list(corner) if isinstance(corner, (list, tuple)) else [corner] for corner in entry.box]
+    corners = [
+        list(corner) if isinstance(corner, (list, tuple)) else [corner] for corner in entry.box
+    ]
     if any(len(corner) != size for corner in corners):
         raise DescriptionError(
             "not a box of this point",
@@ -221,7 +248,10 @@ def _bounds(
             found=f"{[len(corner) for corner in corners]} numbers",
             allowed=Phrase("lower and upper corner of {size} each", size=size),
         )
-    low, high = (np.array([to_si(bound, unit, where=f"{where}.box") for bound in corner]) for corner in corners)
+    low, high = (
+        np.array([to_si(bound, unit, where=f"{where}.box") for bound in corner])
+        for corner in corners
+    )
     farthest = float(max(np.max(np.abs(low)), np.max(np.abs(high))))
     if unit == "m" and farthest > LONGEST:
         raise DescriptionError(

@@ -15,7 +15,9 @@ import numpy as np
 from jounce.core.types import Array
 from jounce.design.mixtures import achievement
 
-SHARE = 1e-3  # weight of all goals beside the relatively worst one: excludes weakly dominated designs
+SHARE = (
+    1e-3  # weight of all goals beside the relatively worst one: excludes weakly dominated designs
+)
 _PRECISION = 1e-10  # of the relative achievement, which is about 1: far finer than a front is drawn
 _STILL = 1e-6  # scaled movement of a new start below which a search has come to rest
 
@@ -50,18 +52,24 @@ class FrontSearch:
         """Margins of the constraints at scaled numbers, not below zero where they hold; and their slopes."""
         raise NotImplementedError
 
-    def between(self, tried: list[Array], best: Array, span: Array, mixtures: Iterable[Array]) -> bool:
+    def between(
+        self, tried: list[Array], best: Array, span: Array, mixtures: Iterable[Array]
+    ) -> bool:
         """Add a design to those ``tried`` for each mixture of goals; return whether all searches converged."""
         is_settled = True
         for mixture in mixtures:
             aim = Aim(best, span, mixture)
             begins = sorted(tried, key=lambda x: self.rank(x, aim))[:2]
-            x, is_at_rest = min((self.run(x, aim) for x in begins), key=lambda end: self.rank(end[0], aim))
+            x, is_at_rest = min(
+                (self.run(x, aim) for x in begins), key=lambda end: self.rank(end[0], aim)
+            )
             tried.append(x)
             is_settled &= is_at_rest
         return is_settled
 
-    def towards(self, begin: Array, goals: Array, aim: Aim, lower: Array, upper: Array) -> tuple[Array, bool]:
+    def towards(
+        self, begin: Array, goals: Array, aim: Aim, lower: Array, upper: Array
+    ) -> tuple[Array, bool]:
         """Minimise the relatively worst goal from scaled numbers, at which the ``goals`` are known."""
         from scipy.optimize import minimize
 
@@ -71,7 +79,9 @@ class FrontSearch:
             goals, slopes, of = self.rows(z[:size])
             span = aim.span[of]
             beside = SHARE * float(np.sum((goals - aim.best[of]) / span))
-            return float(z[size]) + beside, np.append(SHARE * (slopes / span[:, None]).sum(axis=0), 1.0)
+            return float(z[size]) + beside, np.append(
+                SHARE * (slopes / span[:, None]).sum(axis=0), 1.0
+            )
 
         def room(z: Array) -> tuple[Array, Array]:
             goals, slopes, of = self.rows(z[:size])
@@ -82,7 +92,9 @@ class FrontSearch:
             return left, np.vstack([rows, np.hstack([table, np.zeros((len(firm), 1))])])
 
         z, is_at_rest = np.append(begin, achievement(goals, *aim)), False
-        for _ in range(self.tries):  # SLSQP forgets its curvature at a new start, which helps where it stalled
+        for _ in range(
+            self.tries
+        ):  # SLSQP forgets its curvature at a new start, which helps where it stalled
             result = minimize(
                 least, z, jac=True, method="SLSQP",
                 bounds=[*zip(lower, upper, strict=True), (None, None)],

@@ -33,7 +33,11 @@ from jounce.variants.designs import Spread
 _FEWEST, _MOST, _FEWEST_GOALS = 3, 500, 2  # designs: both ends and one between; each is a search
 _HELD = 1e-6  # share by which the least of one metric may be left while the others are made less
 _KEPT = 1e-6  # share of a limit that rounding of a search may break
-_NEAR, _NEARER, _MOST_NEAR = 0.05, 1e-5, 60  # scaled steps of the search around a kink, and looks a number
+_NEAR, _NEARER, _MOST_NEAR = (
+    0.05,
+    1e-5,
+    60,
+)  # scaled steps of the search around a kink, and looks a number
 
 
 @dataclass(frozen=True)
@@ -86,8 +90,12 @@ class DesignFront(Plain):
         columns = [*self.goals.values(), *self.numbers.values()]
         present = [*self.present.values(), *self.start.values()]
         rows = [["", *heads], ["as it is", *(f"{value:.5g}" for value in present)]]
-        rows += [[str(i + 1), *(f"{column[i]:.5g}" for column in columns)] for i in range(self.count)]
-        return "\n".join([f"Best designs on {self.driven}", *align_columns(rows), *map(str, self.findings)])
+        rows += [
+            [str(i + 1), *(f"{column[i]:.5g}" for column in columns)] for i in range(self.count)
+        ]
+        return "\n".join(
+            [f"Best designs on {self.driven}", *align_columns(rows), *map(str, self.findings)]
+        )
 
 
 def design_front(  # noqa: PLR0913 - each is a choice of its own
@@ -164,11 +172,19 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     names = [goals] if isinstance(goals, str) else [str(goal) for goal in goals]
     if not _FEWEST_GOALS <= len(names) <= MOST_GOALS or len(set(names)) < len(names):
         allowed = Phrase(
-            "{fewest_goals} to {most_goals} different metrics", fewest_goals=_FEWEST_GOALS, most_goals=MOST_GOALS
+            "{fewest_goals} to {most_goals} different metrics",
+            fewest_goals=_FEWEST_GOALS,
+            most_goals=MOST_GOALS,
         )
-        raise DescriptionError("at least two goals are needed", where="front", found=", ".join(names), allowed=allowed)
+        raise DescriptionError(
+            "at least two goals are needed", where="front", found=", ".join(names), allowed=allowed
+        )
     rig = as_rig(rig)
-    given = {name: value for name, value in (("road", road), ("speed", speed), ("band", band)) if value is not None}
+    given = {
+        name: value
+        for name, value in (("road", road), ("speed", speed), ("band", band))
+        if value is not None
+    }
     objective = dict.fromkeys(names, 1.0)
     problem = task_of(rig, free, objective, constraints, given, cases, spread, samples, seed)
     race = _GoalSearch(problem, names)
@@ -186,8 +202,13 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     goal_rows = np.array([race.goals_at(values) for values in sound])
     front_rows = sorted(undominated_rows(goal_rows, span), key=lambda i: tuple(goal_rows[i]))
     designs = np.array([sound[i] for i in front_rows])
-    paths, units = [number.path for number in problem.free], {name: problem.metrics[name].unit for name in names}
-    whole = {name: np.array([problem.whole(name, values)[0] for values in designs]) for name in names}
+    paths, units = (
+        [number.path for number in problem.free],
+        {name: problem.metrics[name].unit for name in names},
+    )
+    whole = {
+        name: np.array([problem.whole(name, values)[0] for values in designs]) for name in names
+    }
     return DesignFront(
         whole, units,
         {path: designs[:, i] for i, path in enumerate(paths)},
@@ -209,14 +230,20 @@ def _search(race: _GoalSearch, points: int, tried: list[Array]) -> tuple[bool, A
     return race.between(tried, best, span, _aims(race, tried, best, span, points)), span
 
 
-def _aims(race: _GoalSearch, tried: list[Array], best: Array, span: Array, points: int) -> Iterator[Array]:
+def _aims(
+    race: _GoalSearch, tried: list[Array], best: Array, span: Array, points: int
+) -> Iterator[Array]:
     """Mixtures to aim at: first evenly spread ones, then those between ``tried`` designs that are still far apart."""
     yield from mixtures(len(best), max(points // 2, len(best) + 1))
     known: set[tuple[int, int]] = set()
     while len(tried) < points:
         goals = np.array([race.goals_at(values) for values in tried])
         front_rows = undominated_rows(goals, span)
-        pairs = {(front_rows.index(i), front_rows.index(j)) for i, j in known if i in front_rows and j in front_rows}
+        pairs = {
+            (front_rows.index(i), front_rows.index(j))
+            for i, j in known
+            if i in front_rows and j in front_rows
+        }
         before = set(pairs)
         mixture = across_gap((goals[front_rows] - best) / span, pairs)
         if mixture is None:
@@ -244,7 +271,9 @@ def _find_corner(problem: DesignProblem, name: str) -> Array:
     held = Limit(problem.metrics[name], None, least + _HELD * abs(least), is_whole=True)
     if least < 0.0:
         held = Limit(problem.metrics[name], least - _HELD * abs(least), None, is_whole=True)
-    second = search(replace(problem, weights=others, limits=(*problem.limits, held)), begin=first.values)
+    second = search(
+        replace(problem, weights=others, limits=(*problem.limits, held)), begin=first.values
+    )
     return second.values if second.violation <= _KEPT else first.values
 
 
@@ -280,7 +309,9 @@ class _GoalSearch(FrontSearch):
         """Margins of the limits, and their slopes."""
         margins = self.problem.margins(self.scale.values(u))
         chain = self.scale.slopes(u)
-        table = np.array([slope * chain for _, _, _, _, slope in margins]).reshape(len(margins), len(u))
+        table = np.array([slope * chain for _, _, _, _, slope in margins]).reshape(
+            len(margins), len(u)
+        )
         return np.array([margin for _, _, _, margin, _ in margins]), table
 
     def rank(self, x: Array, aim: Aim) -> tuple[float, float]:
@@ -290,7 +321,9 @@ class _GoalSearch(FrontSearch):
     def run(self, x: Array, aim: Aim) -> tuple[Array, bool]:
         """Minimise the relatively worst goal from some values (SI); return the values and whether it converged."""
         size = len(x)
-        u, is_at_rest = self.towards(self.scale.normalise(x), self.goals_at(x), aim, np.zeros(size), np.ones(size))
+        u, is_at_rest = self.towards(
+            self.scale.normalise(x), self.goals_at(x), aim, np.zeros(size), np.ones(size)
+        )
         values = self.scale.values(u)
         return self._refine(values, aim) if self.problem.has_kinks else (values, is_at_rest)
 

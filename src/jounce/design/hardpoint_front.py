@@ -25,7 +25,10 @@ from jounce.parts import Corner, Rig
 
 _FEWEST, _MOST = 3, 500  # designs: both ends and one between; each is a search
 _SOFT = 1e-3  # tolerances below which a goal is as good as reached
-_PRECISION, _FORBIDDEN = 1e-10, 1e6  # tolerances: far below what is built; far above what a linkage that closes misses
+_PRECISION, _FORBIDDEN = (
+    1e-10,
+    1e6,
+)  # tolerances: far below what is built; far above what a linkage that closes misses
 _INSIDE = 0.95  # tolerances
 _HELD = 1.0 + 1e-6  # tolerances, but for what a search leaves
 
@@ -79,13 +82,26 @@ class KinematicFront(Plain):
         rigs = {}
         for name, rig in self.start.items():
             head = f"{name}." if name else ""
-            moved = {path.removeprefix(head): value for path, value in self.designs[k].moved.items()}
-            rigs[name] = rig.with_changes({path: value for path, value in moved.items() if path in rig.parameters()})
+            moved = {
+                path.removeprefix(head): value for path, value in self.designs[k].moved.items()
+            }
+            rigs[name] = rig.with_changes(
+                {path: value for path, value in moved.items() if path in rig.parameters()}
+            )
         return rigs
 
     def table(self) -> str:
         """Return the front as CSV: one row per design, goals in tolerances, numbers in SI."""
-        rows = [",".join(("design", *(f"{name} [tolerances]" for name in self.goals), *self.before.moved, "met"))]
+        rows = [
+            ",".join(
+                (
+                    "design",
+                    *(f"{name} [tolerances]" for name in self.goals),
+                    *self.before.moved,
+                    "met",
+                )
+            )
+        ]
         labels = ["before", *(str(k + 1) for k in range(len(self.designs)))]
         for label, design in zip(labels, (self.before, *self.designs), strict=True):
             numbers = (*design.goals.values(), *design.moved.values())
@@ -152,7 +168,9 @@ def kinematic_front(
             allowed=Phrase("{fewest} to {most}", fewest=_FEWEST, most=_MOST),
         )
     if starts < 1:
-        raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
+        raise DescriptionError(
+            "not a number of searches", where="starts", found=starts, allowed="1 or more"
+        )
     return front_of(read_task(rig, free, targets, vehicle, shapes), points, starts, seed)
 
 
@@ -171,7 +189,11 @@ def front_of(task: KinematicTask, points: int, starts: int, seed: int) -> Kinema
     race.between(tried, best, span, mixtures(len(goals), points))
     sound = [x for x in tried if race.holds(x)]
     front_rows = undominated_rows(np.array([race.goals_at(x) for x in sound]), span)
-    designs = [design for design in (_describe_design(race, sound[i]) for i in front_rows) if design is not None]
+    designs = [
+        design
+        for design in (_describe_design(race, sound[i]) for i in front_rows)
+        if design is not None
+    ]
     findings = []
     if len(designs) == 1:
         findings.append(finding("design.best_in_all_goals", "front"))
@@ -179,7 +201,13 @@ def front_of(task: KinematicTask, points: int, starts: int, seed: int) -> Kinema
     assert start is not None
     order = sorted(designs, key=lambda design: tuple(design.goals.values()))
     return KinematicFront(
-        goals, tuple(held), tuple(order), start, search.evaluator.evaluations, dict(task.rigs), tuple(findings)
+        goals,
+        tuple(held),
+        tuple(order),
+        start,
+        search.evaluator.evaluations,
+        dict(task.rigs),
+        tuple(findings),
     )
 
 
@@ -212,7 +240,9 @@ class _HardpointFrontSearch(FrontSearch):
 
     rounds = 150
 
-    def __init__(self, search: HardpointSearch, goals: Mapping[str, tuple[int, ...]], held: Sequence[int]) -> None:
+    def __init__(
+        self, search: HardpointSearch, goals: Mapping[str, tuple[int, ...]], held: Sequence[int]
+    ) -> None:
         self.search, self.goals = search, goals
         parts = search.evaluator.parts
         count = parts[-1].stop
@@ -239,11 +269,21 @@ class _HardpointFrontSearch(FrontSearch):
             firm = self._firm
             ends = [(values - search.high)[firm], (search.low - values)[firm]]
             room = _INSIDE - np.concatenate(ends) / np.tile(search.tolerance[firm], 2)
-            result = goals, slopes, np.where(np.isfinite(room), room, 1.0), np.vstack([-along[firm], along[firm]])
+            result = (
+                goals,
+                slopes,
+                np.where(np.isfinite(room), room, 1.0),
+                np.vstack([-along[firm], along[firm]]),
+            )
         else:
             size, count = len(x), 2 * len(self._firm)
             goals = np.full(len(self.goals), _FORBIDDEN)
-            result = goals, np.zeros((len(goals), size)), np.full(count, -1.0), np.zeros((count, size))
+            result = (
+                goals,
+                np.zeros((len(goals), size)),
+                np.full(count, -1.0),
+                np.zeros((count, size)),
+            )
         self._seen = key, result
         return result
 

@@ -24,14 +24,21 @@ from jounce.design.kinematic_targets import Evaluators, Wanted
 
 _STEPS = 60  # at most; a search that takes more says so (`UNSETTLED`)
 _PULL = 1e-4  # tolerances for a number moved as far as it may go
-_DAMPING, _LARGEST_DAMPING = 1e-3, 1e10  # of Levenberg and Marquardt: nearly free at first; then steps are rounding
+_DAMPING, _LARGEST_DAMPING = (
+    1e-3,
+    1e10,
+)  # of Levenberg and Marquardt: nearly free at first; then steps are rounding
 _SETTLED = 1e-10  # share of the cost below which a step has gained nothing
 _REACHED = 1e-9  # tolerances off from which a target has what it wants
 _SLACK = 1e-7  # tolerances that a smaller movement may cost a wanted value: a band without width has no inside
 _INSIDE = 0.95  # share of the tolerance that the second search asks for
 UNSETTLED = "no more steps"
 """Why a search ended that had not come to rest."""
-_MOST_ROUNDS, _PRECISION, _FORBIDDEN = 200, 1e-12, 1e6  # steps; share of the cost; tolerances where nothing closes
+_MOST_ROUNDS, _PRECISION, _FORBIDDEN = (
+    200,
+    1e-12,
+    1e6,
+)  # steps; share of the cost; tolerances where nothing closes
 _REST = 1e-6  # share of the cost that a search at rest could still gain over a whole box; room where a limit holds
 _NOTHING = 1e-9  # a number that changes its targets less, in tolerances over its box, has no effect
 _WITHIN = 1.0 + 1e-9  # tolerances, but for rounding
@@ -62,10 +69,14 @@ class HardpointSearch:
     must: Array = field(init=False)
 
     def __post_init__(self) -> None:
-        self.low, self.high = (np.concatenate([getattr(item, end) for item in self.wanted]) for end in ("low", "high"))
+        self.low, self.high = (
+            np.concatenate([getattr(item, end) for item in self.wanted]) for end in ("low", "high")
+        )
         counts = [len(item.low) for item in self.wanted]
         self.tolerance = np.repeat([item.tolerance for item in self.wanted], counts)
-        self.share = np.repeat([item.text.weight / np.sqrt(len(item.low)) for item in self.wanted], counts)
+        self.share = np.repeat(
+            [item.text.weight / np.sqrt(len(item.low)) for item in self.wanted], counts
+        )
         self.must = np.repeat([item.text.must for item in self.wanted], counts)
         self.scale = self.free.lengths
         self.lower, self.upper = self.free.lower / self.scale, self.free.upper / self.scale
@@ -106,7 +117,11 @@ class HardpointSearch:
         values, _ = self.evaluator.together(self.numbers(x), slopes=False)
         off = self.off(values)
         met = np.abs(off) <= _WITHIN
-        return float(0.5 * np.sum((self.share * off) ** 2)), bool(met.all()), bool(met[self.must].all())
+        return (
+            float(0.5 * np.sum((self.share * off) ** 2)),
+            bool(met.all()),
+            bool(met[self.must].all()),
+        )
 
     def descend(self, x: Array, asked: Demand) -> tuple[Array, float, bool, int, str]:
         """Levenberg-Marquardt from x: the point reached, its cost, whether all targets are met, steps, why it ended."""
@@ -159,7 +174,10 @@ class HardpointSearch:
         from scipy.optimize import minimize
 
         here, _ = self.evaluator.together(self.numbers(x), slopes=False)
-        slack = np.where(self.low == self.high, np.maximum(asked.inside, _SLACK), asked.inside) * self.tolerance
+        slack = (
+            np.where(self.low == self.high, np.maximum(asked.inside, _SLACK), asked.inside)
+            * self.tolerance
+        )
         low, high = np.minimum(self.low - slack, here), np.maximum(self.high + slack, here)
         above, below = np.isfinite(high), np.isfinite(low)
         size = above.sum() + below.sum()
@@ -172,7 +190,10 @@ class HardpointSearch:
                 values, along = self.evaluator.together(self.numbers(place))
                 along = along * self.scale / self.tolerance[:, None]
                 inside = np.concatenate(
-                    [((high - values) / self.tolerance)[above], ((values - low) / self.tolerance)[below]]
+                    [
+                        ((high - values) / self.tolerance)[above],
+                        ((values - low) / self.tolerance)[below],
+                    ]
                 )
                 if np.all(np.isfinite(inside)):
                     seen[key] = inside, np.vstack([-along[above], along[below]])
@@ -187,7 +208,11 @@ class HardpointSearch:
                 begin,
                 jac=lambda place: place,
                 bounds=list(zip(self.lower, self.upper, strict=True)),
-                constraints={"type": "ineq", "fun": lambda place: room(place)[0], "jac": lambda place: room(place)[1]},
+                constraints={
+                    "type": "ineq",
+                    "fun": lambda place: room(place)[0],
+                    "jac": lambda place: room(place)[1],
+                },
                 method="SLSQP",
                 options={"maxiter": _STEPS, "ftol": _PRECISION},
             )
@@ -210,7 +235,12 @@ class HardpointSearch:
                 off, along = self.off(values), along * self.scale / self.tolerance[:, None]
                 if not np.all(np.isfinite(off)):
                     size = len(place)
-                    seen[key] = np.inf, np.zeros(size), np.full(2 * len(firm), -1.0), np.zeros((2 * len(firm), size))
+                    seen[key] = (
+                        np.inf,
+                        np.zeros(size),
+                        np.full(2 * len(firm), -1.0),
+                        np.zeros((2 * len(firm), size)),
+                    )
                 else:
                     rows = self.share**2 * off
                     from_above = (values - self.high)[firm] / self.tolerance[firm]
@@ -218,7 +248,12 @@ class HardpointSearch:
                     room = _INSIDE - np.concatenate([from_above, from_below])
                     cost = float(0.5 * (rows @ off + _PULL**2 * (place @ place)))
                     slopes = np.vstack([-along[firm], along[firm]])
-                    seen[key] = cost, rows @ along + _PULL**2 * place, np.where(np.isfinite(room), room, 1.0), slopes
+                    seen[key] = (
+                        cost,
+                        rows @ along + _PULL**2 * place,
+                        np.where(np.isfinite(room), room, 1.0),
+                        slopes,
+                    )
             return seen[key]
 
         firm = np.flatnonzero(self.must)
@@ -229,7 +264,11 @@ class HardpointSearch:
             begin,
             jac=lambda place: at(place)[1] / size,
             bounds=list(zip(self.lower, self.upper, strict=True)),
-            constraints={"type": "ineq", "fun": lambda place: at(place)[2], "jac": lambda place: at(place)[3]},
+            constraints={
+                "type": "ineq",
+                "fun": lambda place: at(place)[2],
+                "jac": lambda place: at(place)[3],
+            },
             method="SLSQP",
             options={"maxiter": _MOST_ROUNDS, "ftol": _PRECISION},
         )
@@ -301,7 +340,11 @@ def places(search: HardpointSearch, starts: int, seed: int) -> list[Array]:
     random = np.random.default_rng(seed)
     size = len(search.scale)
     first = np.clip(np.zeros(size), search.lower, search.upper)
-    strata = np.array([random.permutation(starts - 1) for _ in range(size)]).T if starts > 1 else np.zeros((0, size))
+    strata = (
+        np.array([random.permutation(starts - 1) for _ in range(size)]).T
+        if starts > 1
+        else np.zeros((0, size))
+    )
     shares = (strata + random.random(strata.shape)) / max(starts - 1, 1)
     return [first, *(search.lower + shares * (search.upper - search.lower))]
 
@@ -316,7 +359,9 @@ def refuse_idle(search: HardpointSearch, free: Sequence[FreePoint], seed: int) -
         values, slopes = search.evaluator.at(search.numbers(x))
         for item, value, slope in zip(search.wanted, values, slopes, strict=True):
             if np.all(np.isfinite(value)):
-                effect = np.maximum(effect, np.max(np.abs(slope * search.scale), axis=0) / item.tolerance)
+                effect = np.maximum(
+                    effect, np.max(np.abs(slope * search.scale), axis=0) / item.tolerance
+                )
     for k, entry in enumerate(free):
         own = [j for j, owner in enumerate(search.free.owners) if owner == k]
         if np.max(effect[own]) < _NOTHING:

@@ -65,11 +65,15 @@ class FreePoint(Description):
             )
         if self.along is not None:
             if self.box is not None:
-                raise error_at(("box",), "a line has no box", allowed="within, to either side along it")
+                raise error_at(
+                    ("box",), "a line has no box", allowed="within, to either side along it"
+                )
             if not any(self.along) and not isinstance(self.along, str):
                 raise error_at(("along",), "not a direction", found=as_found([0, 0, 0]))
             if self.point.endswith("]"):
-                raise error_at(("along",), "one coordinate moves along its axis", allowed="a point of three")
+                raise error_at(
+                    ("along",), "one coordinate moves along its axis", allowed="a point of three"
+                )
         return self
 
 
@@ -107,10 +111,19 @@ class KinematicTarget(Description):
         wanted = [name for name in ("value", "values") if getattr(self, name) is not None]
         limits = self.at_least is not None or self.at_most is not None
         if len(wanted) + limits != 1:
-            what = Phrase("give one of value, values, or limits (at_least, at_most) for {name}", name=self.quantity)
-            raise error_at((), what, found=Phrase(", ".join([*wanted, *["limits"] * limits]) or "none"))
+            what = Phrase(
+                "give one of value, values, or limits (at_least, at_most) for {name}",
+                name=self.quantity,
+            )
+            raise error_at(
+                (), what, found=Phrase(", ".join([*wanted, *["limits"] * limits]) or "none")
+            )
         if self.at is not None and self.over is not None:
-            raise error_at(("over",), "a target stands at one pose or over a range", found=Phrase("both at and over"))
+            raise error_at(
+                ("over",),
+                "a target stands at one pose or over a range",
+                found=Phrase("both at and over"),
+            )
         if self.values is not None and self.over is None:
             raise error_at(("values",), "values are those of a curve; allowed with over")
         if self.slope and (self.over is None or self.values is not None):
@@ -163,14 +176,22 @@ class KinematicStudy(Description):
     @model_validator(mode="after")
     def _check_rigs(self) -> KinematicStudy:
         if (self.rig is None) == (not self.rigs):
-            raise ValueError('give either rig = "front.toml", or a table [rigs] with a name for each')
+            raise ValueError(
+                'give either rig = "front.toml", or a table [rigs] with a name for each'
+            )
         for name in self.rigs or ():
             if not re.fullmatch(NAME, name):
-                raise error_at(("rigs",), "not a name of a rig", found=name, allowed="letters, digits, _ and -")
+                raise error_at(
+                    ("rigs",), "not a name of a rig", found=name, allowed="letters, digits, _ and -"
+                )
         if self.rigs is None and self.vehicles is not None:
-            raise error_at(("vehicles",), "only several rigs have several", allowed="a table [vehicle]")
+            raise error_at(
+                ("vehicles",), "only several rigs have several", allowed="a table [vehicle]"
+            )
         if self.rigs is not None and self.vehicle is not None:
-            raise error_at(("vehicle",), "whose is it?", allowed="tables [vehicles.<name of a rig>]")
+            raise error_at(
+                ("vehicle",), "whose is it?", allowed="tables [vehicles.<name of a rig>]"
+            )
         return self
 
     def files_by_rig(self) -> dict[str, str]:

@@ -23,7 +23,14 @@ from jounce.design.free_points import Numbering, Rigs
 from jounce.design.kinematic_study import USUAL_TOLERANCES, KinematicTarget
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.across import reaches_over
-from jounce.kinematics.axle import Ground, TwoWheelAxle, WheelRows, roll_axle, roll_rows, steering_rows
+from jounce.kinematics.axle import (
+    Ground,
+    TwoWheelAxle,
+    WheelRows,
+    roll_axle,
+    roll_rows,
+    steering_rows,
+)
 from jounce.kinematics.both_wheels import check_pair_of_corners
 from jounce.kinematics.catalogue import require_parts
 from jounce.kinematics.clearances import PosedCorner, Rim, Shape, check_pair
@@ -84,7 +91,9 @@ class Wanted:
 
     def off(self, values: Array) -> Array:
         """How far values (n,) are above (positive) or below what is wanted, SI."""
-        return np.asarray(np.where(values > self.high, values - self.high, np.minimum(values - self.low, 0.0)))
+        return np.asarray(
+            np.where(values > self.high, values - self.high, np.minimum(values - self.low, 0.0))
+        )
 
 
 # reading --------------------------------------------------------------------------------------------------------------
@@ -100,7 +109,10 @@ def read_targets(
     for name in vehicles:
         if name not in rigs:
             raise unknown(name, rigs, what="rig", where="vehicles")
-    return [_read_target(rigs, target, vehicles, shapes or {}, f"target[{i}]") for i, target in enumerate(targets)]
+    return [
+        _read_target(rigs, target, vehicles, shapes or {}, f"target[{i}]")
+        for i, target in enumerate(targets)
+    ]
 
 
 def _read_target(
@@ -113,10 +125,15 @@ def _read_target(
     name = target.rig or ""
     if name not in rigs:
         if "" in rigs:
-            raise DescriptionError("the study has one rig", where=f"{where}.rig", found=name, hint="Leave it out.")
+            raise DescriptionError(
+                "the study has one rig", where=f"{where}.rig", found=name, hint="Leave it out."
+            )
         if target.rig is None:
             raise DescriptionError(
-                "the rig of the target is missing", where=f"{where}.rig", found="none", allowed=", ".join(rigs)
+                "the rig of the target is missing",
+                where=f"{where}.rig",
+                found="none",
+                allowed=", ".join(rigs),
             )
         raise unknown(name, rigs, what="rig", where=f"{where}.rig")
     rig, vehicle = rigs[name], vehicles.get(name)
@@ -137,42 +154,77 @@ def _read_target(
     if target.values is not None:
         if len(target.values) != count:
             raise DescriptionError(
-                "not one value a pose", where=f"{where}.values", found=len(target.values), allowed=str(count)
+                "not one value a pose",
+                where=f"{where}.values",
+                found=len(target.values),
+                allowed=str(count),
             )
-        low = np.array([to_si(value, unit, where=f"{where}.values[{i}]") for i, value in enumerate(target.values)])
+        low = np.array(
+            [
+                to_si(value, unit, where=f"{where}.values[{i}]")
+                for i, value in enumerate(target.values)
+            ]
+        )
         high = low
     elif target.value is not None:
         low = high = read("value")
     else:
         low, high = read("at_least"), read("at_most")
         if np.any(low > high):
-            raise DescriptionError("at_least lies above at_most", where=where, found=f"{target.at_least}")
+            raise DescriptionError(
+                "at_least lies above at_most", where=where, found=f"{target.at_least}"
+            )
     if target.tolerance is None and unit not in USUAL_TOLERANCES:
-        text, allowed = "the key is missing", Phrase("how exactly it is wanted, above 0 {unit}", unit=unit)
+        text, allowed = (
+            "the key is missing",
+            Phrase("how exactly it is wanted, above 0 {unit}", unit=unit),
+        )
         raise DescriptionError(text, where=f"{where}.tolerance", allowed=allowed)
     given = USUAL_TOLERANCES[unit] if target.tolerance is None else target.tolerance
     tolerance = positive_si(given, unit, where=f"{where}.tolerance")
     pair = _read_pair(rig, target.quantity, along, shapes, where)
-    return Wanted(target, target.quantity, unit, poses, along, low, high, tolerance, name, pair, target.right or "")
+    return Wanted(
+        target,
+        target.quantity,
+        unit,
+        poses,
+        along,
+        low,
+        high,
+        tolerance,
+        name,
+        pair,
+        target.right or "",
+    )
 
 
-def _right_corner(rigs: Rigs, rig: Corner, target: KinematicTarget, of_axle: bool, where: str) -> Corner | None:
+def _right_corner(
+    rigs: Rigs, rig: Corner, target: KinematicTarget, of_axle: bool, where: str
+) -> Corner | None:
     """Right corner of the axle of a target, where it is not the mirror image of the left one."""
     if target.right is None:
         return None
     if target.right not in rigs:
         raise unknown(target.right, rigs, what="rig", where=f"{where}.right")
     if not of_axle:
-        text, hint = "only a rolled or steered axle has two corners", "Leave it out, or ask over roll."
+        text, hint = (
+            "only a rolled or steered axle has two corners",
+            "Leave it out, or ask over roll.",
+        )
         raise DescriptionError(text, where=f"{where}.right", found=target.quantity, hint=hint)
     if rig.side != "left":
         raise DescriptionError(
-            "not a left corner", where=f"{where}.rig", found=f'side = "{rig.side}"', allowed='"left" beside right'
+            "not a left corner",
+            where=f"{where}.rig",
+            found=f'side = "{rig.side}"',
+            allowed='"left" beside right',
         )
     right = rigs[target.right]
     check_pair_of_corners(rig, right, f"{where}.right")
     if has_rack(rig) and not has_rack(right):
-        raise DescriptionError("no rack moves this wheel", where=f"{where}.right", found=target.right)
+        raise DescriptionError(
+            "no rack moves this wheel", where=f"{where}.right", found=target.right
+        )
     return right
 
 
@@ -184,7 +236,9 @@ def _read_pair(
     if named is None:
         return None
     if along == "roll":
-        raise DescriptionError("a clearance is one of travel and rack", where=where, found="over roll")
+        raise DescriptionError(
+            "a clearance is one of travel and rack", where=where, found="over roll"
+        )
     for name in named.groups():
         if name not in shapes:
             raise unknown(name, shapes, what="shape", where=f"{where}.quantity")
@@ -195,7 +249,11 @@ def _read_pair(
 
 def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str]:
     """Poses of a target, shape (k, 3), and what they run along."""
-    fixed = {"travel": 0.0, "rack": float(getattr(getattr(rig, "steering", None), "rack_travel", 0.0)), "roll": 0.0}
+    fixed = {
+        "travel": 0.0,
+        "rack": float(getattr(getattr(rig, "steering", None), "rack_travel", 0.0)),
+        "roll": 0.0,
+    }
     along: str = target.along or "travel"
     values = np.zeros(1)
     if target.over is not None:
@@ -203,13 +261,17 @@ def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str
         over = list(target.over) if isinstance(target.over, tuple) else target.over
         values = sweep_values(over, f"{where}.over", _UNITS[along])
         if target.slope and len(values) < 2:
-            raise DescriptionError("a slope needs two poses at least", where=f"{where}.over", found=len(values))
+            raise DescriptionError(
+                "a slope needs two poses at least", where=f"{where}.over", found=len(values)
+            )
     elif isinstance(target.at, dict):
         for name, value in target.at.items():
             if name not in _POSES:
                 raise unknown(str(name), _POSES, what="coordinate", where=f"{where}.at")
             fixed[name] = float(sweep_values([value], f"{where}.at.{name}", _UNITS[name])[0])
-        along = target.along or next((name for name in ("roll", "rack") if target.at.get(name)), "travel")
+        along = target.along or next(
+            (name for name in ("roll", "rack") if target.at.get(name)), "travel"
+        )
         values = np.array([fixed[along]])
     elif target.at is not None:
         along = target.along or ("roll" if _is_angle(target.at) else "travel")
@@ -217,7 +279,9 @@ def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str
     else:
         values = np.array([fixed[along]])
     if (along == "rack" or fixed["rack"]) and not has_rack(rig):
-        raise DescriptionError("no rack moves this wheel", where=where, found=f"along the rack: {target.quantity}")
+        raise DescriptionError(
+            "no rack moves this wheel", where=where, found=f"along the rack: {target.quantity}"
+        )
     if along == "roll" and fixed["travel"]:
         raise DescriptionError("a rolled axle sets the wheel travel itself", where=f"{where}.at")
     poses = np.tile([fixed[name] for name in _POSES], (len(values), 1))
@@ -229,7 +293,16 @@ def _is_angle(value: object) -> bool:
     texts = [value] if isinstance(value, str) else value if isinstance(value, (list, tuple)) else []
     first = next((item for item in texts if isinstance(item, str)), "")
     words = re.findall(r"[A-Za-z°]+", re.sub(r"(?<=\d)[eE](?=[-+\d])", "", first))
-    return bool(words) and words[0] in ("deg", "rad", "mrad", "degree", "degrees", "radian", "arcmin", "°")
+    return bool(words) and words[0] in (
+        "deg",
+        "rad",
+        "mrad",
+        "degree",
+        "degrees",
+        "radian",
+        "arcmin",
+        "°",
+    )
 
 
 def _is_of_axle(target: KinematicTarget, along: str) -> bool:
@@ -257,7 +330,12 @@ _EACH = {"camber_to_ground": "rad", "roll_steer": "1", "roll_camber": "1", "roll
 
 
 def quantity_unit(
-    rig: Corner, name: str, along: str, vehicle: AxleLayout | None, where: str, right: Corner | None = None
+    rig: Corner,
+    name: str,
+    along: str,
+    vehicle: AxleLayout | None,
+    where: str,
+    right: Corner | None = None,
 ) -> str:
     """SI unit of a quantity that a target may have; an unknown one is refused."""
     rows = {row.name: row.unit for row in kinematic_model(rig).rows}
@@ -268,25 +346,39 @@ def quantity_unit(
     if points:
         for point in points.groups():
             if point not in rig.hardpoints.given():
-                raise unknown(point, rig.hardpoints.given(), what="hardpoint", where=f"{where}.quantity")
+                raise unknown(
+                    point, rig.hardpoints.given(), what="hardpoint", where=f"{where}.quantity"
+                )
         return "m"
     if _CLEARANCE.match(name):
         return "m"
     if along == "roll":
-        others = rows if right is None else {row.name: row.unit for row in kinematic_model(right).rows}
+        others = (
+            rows if right is None else {row.name: row.unit for row in kinematic_model(right).rows}
+        )
         both = {
             f"{side}.{row}": unit
             for side, own in (("left", rows), ("right", others))
             for row, unit in {**own, **_EACH}.items()
             if row != "roll_caster" or "caster" in own
         }
-        springs = {row: unit for row, unit in _STIFF.items() if "total" not in row or "tyre_stiffness" in rows}
+        springs = {
+            row: unit
+            for row, unit in _STIFF.items()
+            if "total" not in row or "tyre_stiffness" in rows
+        }
         known = {**_ROLLED, **both, **(springs if "wheel_force" in rows else {})}
         if "wheel_force" not in rows or "wheel_force" not in others:
-            known = {row: unit for row, unit in known.items() if row not in (*_STIFF, "roll_moment")}
+            known = {
+                row: unit for row, unit in known.items() if row not in (*_STIFF, "roll_moment")
+            }
     elif has_rack(rig):
         ratio = getattr(getattr(rig, "steering", None), "rack_ratio", None)
-        known |= {row: unit for row, unit in _STEERED.items() if row not in _HANDWHEEL or ratio is not None}
+        known |= {
+            row: unit
+            for row, unit in _STEERED.items()
+            if row not in _HANDWHEEL or ratio is not None
+        }
         if vehicle is None and name in _STEERED and name not in _WITHOUT_VEHICLE:
             raise DescriptionError(
                 "needs the car around the axle",
@@ -297,7 +389,9 @@ def quantity_unit(
     if name not in known:
         if name in ("anti_dive", "anti_lift", "anti_squat"):
             hint = "It needs a table [vehicle] of that axle."
-            raise DescriptionError("not known without the car", where=f"{where}.quantity", found=name, hint=hint)
+            raise DescriptionError(
+                "not known without the car", where=f"{where}.quantity", found=name, hint=hint
+            )
         require_parts(rig, name.removeprefix("left.").removeprefix("right."))
         if name in (*_STIFF, "roll_moment"):
             rig.require("spring", what=name)
@@ -344,17 +438,24 @@ class TargetEvaluator:
         self._padded = self._with_tracks(rig, self.directions)
         self._every = directions  # of both sides
         self._posed: dict[bytes, PosedCorner] = {}
-        shapes = [shape for item in wanted for shape in item.pair or () if not isinstance(shape, Rim)]
+        shapes = [
+            shape for item in wanted for shape in item.pair or () if not isinstance(shape, Rim)
+        ]
         self._solid = {point for shape in shapes for point in shape.points}
         self._grids: dict[tuple[str, float], _CornerPoses] = {}
-        for key in dict.fromkeys(self._key(item) for item in wanted if self._kind(item) == "corner"):
+        for key in dict.fromkeys(
+            self._key(item) for item in wanted if self._kind(item) == "corner"
+        ):
             self._grids[key] = self._grid(key)
         self._lay_out()
 
     def together(self, numbers: Array, *, slopes: bool = True) -> tuple[Array, Array]:
         """Values of all targets one after the other, see ``parts``, and slopes (all, directions), when wanted."""
         count = self.parts[-1].stop
-        values, along = np.empty(count), np.empty((count if slopes else 0, self.directions.shape[1]))
+        values, along = (
+            np.empty(count),
+            np.empty((count if slopes else 0, self.directions.shape[1])),
+        )
         own = numbers[: self._cut]
         moved: dict[tuple[str, float], Array | None] = {}
         for key, grid in self._grids.items():
@@ -363,7 +464,9 @@ class TargetEvaluator:
             tangents = moved[key] = grid.tangents.run() if slopes else None
             into, rows, columns = self._plain[key]
             reached = grid.sweep.found.outcome == REACHED
-            values[into] = np.where(reached[columns], grid.sweep.found.outputs[rows, columns], np.nan)
+            values[into] = np.where(
+                reached[columns], grid.sweep.found.outputs[rows, columns], np.nan
+            )
             if tangents is not None:
                 along[into] = tangents[rows, :, columns]
         axles: dict[tuple[str, float], Any] = {}
@@ -386,7 +489,10 @@ class TargetEvaluator:
     def _lay_out(self) -> None:
         """Assign places to the values of each target, and find those that are plain rows of a corner's poses."""
         ends = np.cumsum([len(item.low) for item in self.wanted])
-        self.parts = [slice(int(end) - len(item.low), int(end)) for item, end in zip(self.wanted, ends, strict=True)]
+        self.parts = [
+            slice(int(end) - len(item.low), int(end))
+            for item, end in zip(self.wanted, ends, strict=True)
+        ]
         plain: dict[tuple[str, float], tuple[list[int], list[int], list[int]]]
         plain = {key: ([], [], []) for key in self._grids}
         self._further: list[tuple[Wanted, slice]] = []
@@ -399,7 +505,8 @@ class TargetEvaluator:
             rows += [self.names[item.quantity]] * len(item.poses)
             columns += self._columns(item).tolist()
         self._plain = {
-            key: tuple(np.array(indices, dtype=np.intp) for indices in lists) for key, lists in plain.items()
+            key: tuple(np.array(indices, dtype=np.intp) for indices in lists)
+            for key, lists in plain.items()
         }
 
     def _columns(self, item: Wanted) -> NDArray[np.intp]:
@@ -431,10 +538,16 @@ class TargetEvaluator:
 
     @staticmethod
     def _key(item: Wanted) -> tuple[str, float]:
-        return ("rack", float(item.poses[0, 0])) if item.along == "rack" else ("travel", float(item.poses[0, 1]))
+        return (
+            ("rack", float(item.poses[0, 0]))
+            if item.along == "rack"
+            else ("travel", float(item.poses[0, 1]))
+        )
 
     def _grid(self, key: tuple[str, float]) -> _CornerPoses:
-        mine = [item for item in self.wanted if self._kind(item) == "corner" and self._key(item) == key]
+        mine = [
+            item for item in self.wanted if self._kind(item) == "corner" and self._key(item) == key
+        ]
         swept = np.unique(np.concatenate([item.at for item in mine]))
         sweep = prepare_sweep(self.rig, *((key[1], swept) if key[0] == "rack" else (swept, key[1])))
         return _CornerPoses(sweep, Tangents(sweep, self._padded))
@@ -448,11 +561,15 @@ class TargetEvaluator:
             row = self.names[item.quantity]
             return outputs[row, i], None if moved is None else moved[row][:, i].T
         assert self.vehicle is not None
-        contact, centre = (self.names[name] for name in ("contact_patch_recession", "wheel_centre_recession"))
+        contact, centre = (
+            self.names[name] for name in ("contact_patch_recession", "wheel_centre_recession")
+        )
         value = shares(self.vehicle, outputs[contact, i], outputs[centre, i])[item.quantity]
         if moved is None:
             return value, None
-        return value, shares(self.vehicle, moved[contact][:, i].T, moved[centre][:, i].T)[item.quantity]
+        return value, shares(self.vehicle, moved[contact][:, i].T, moved[centre][:, i].T)[
+            item.quantity
+        ]
 
     def _distance(self, item: Wanted, numbers: Array) -> tuple[Array, Array]:
         """Distance of two hardpoints at design."""
@@ -466,7 +583,11 @@ class TargetEvaluator:
             return float(numbers[index[path]]) if path in index else known[path]
 
         def slope(path: str) -> Array:
-            return self.directions[index[path]] if path in index else np.zeros(self.directions.shape[1])
+            return (
+                self.directions[index[path]]
+                if path in index
+                else np.zeros(self.directions.shape[1])
+            )
 
         away = np.array([place(a) - place(b) for a, b in zip(*paths, strict=True)])
         length = float(np.linalg.norm(away))
@@ -474,26 +595,38 @@ class TargetEvaluator:
         count = len(item.poses)
         return np.full(count, length), np.tile(away @ moves / length, (count, 1))
 
-    def _clearance(self, item: Wanted, numbers: Array, *, slopes: bool) -> tuple[Array, Array | None]:
+    def _clearance(
+        self, item: Wanted, numbers: Array, *, slopes: bool
+    ) -> tuple[Array, Array | None]:
         """Distance of two bodies."""
         assert item.pair is not None
         travel, rack = item.poses[:, 0].copy(), item.poses[:, 1].copy()
         key = travel.tobytes() + rack.tobytes()
         if key not in self._posed:
             directions = self._padded if slopes else None
-            self._posed[key] = PosedCorner.along(self.rig, self._solid, (travel, rack), numbers, directions)
+            self._posed[key] = PosedCorner.along(
+                self.rig, self._solid, (travel, rack), numbers, directions
+            )
         distance, along = self._posed[key].distance(*item.pair)
         return distance, None if along is None else along.T
 
     # axles ---------------------------------------------------------------------------------------------------------
 
     def _of_axle(
-        self, item: Wanted, kind: str, numbers: Array, known: dict[tuple[str, float], Any], *, slopes: bool
+        self,
+        item: Wanted,
+        kind: str,
+        numbers: Array,
+        known: dict[tuple[str, float], Any],
+        *,
+        slopes: bool,
     ) -> tuple[Array, Array | None]:
         key = (kind, float(item.poses[0, 0 if kind == "steering" else 1]))
         if key not in known:
             mine = [
-                target for target in self.wanted if self._kind(target) == kind and _fixed_value(target, kind) == key[1]
+                target
+                for target in self.wanted
+                if self._kind(target) == kind and _fixed_value(target, kind) == key[1]
             ]
             names = {target.quantity for target in mine}
             at = np.unique(np.concatenate([_swept_values(target, kind) for target in mine]))
@@ -520,7 +653,9 @@ class TargetEvaluator:
         values = rows(left, right, numbers)
         if not slopes:
             return values, {}
-        return values, self._along(lambda a, b, p, _: rows(a, b, p), axle, left, right, numbers, 0.0)
+        return values, self._along(
+            lambda a, b, p, _: rows(a, b, p), axle, left, right, numbers, 0.0
+        )
 
     def _evaluate_roll(
         self, numbers: Array, roll: Array, rack: float, names: set[str], slopes: bool
@@ -532,11 +667,15 @@ class TargetEvaluator:
                 return values, moved
             others = self._evaluate_roll(numbers, roll, rack, names - whole, slopes)
             return values | others[0], moved | others[1]
-        rising = tuple(np.hstack([part, np.eye(len(part))[:, :1]]) for part in self._everywhere)  # travel, too
+        rising = tuple(
+            np.hstack([part, np.eye(len(part))[:, :1]]) for part in self._everywhere
+        )  # travel, too
         axle = self._axle(numbers, (rising[0], rising[1]) if slopes else None)
         left, right = axle.level(roll, rack)
 
-        def rows(left: WheelRows, right: WheelRows, numbers: Array, roll: Array) -> dict[str, Array]:
+        def rows(
+            left: WheelRows, right: WheelRows, numbers: Array, roll: Array
+        ) -> dict[str, Array]:
             sides = Ground(left, roll, 1.0), Ground(right, roll, -1.0)
             computed = roll_rows(self._axle(numbers), *sides, np.zeros_like(roll)).values
             return {name: computed[name] for name in names}
@@ -556,7 +695,8 @@ class TargetEvaluator:
         away = heights / (left.height_by_travel + right.height_by_travel)
         for side in (1.0, -1.0):
             axle.slopes[side] = {
-                name: slope[:-1] - side * away * slope[-1] for name, slope in axle.slopes[side].items()
+                name: slope[:-1] - side * away * slope[-1]
+                for name, slope in axle.slopes[side].items()
             }
         return values, self._along(rows, axle, left.wheel, right.wheel, numbers, roll)
 
@@ -578,7 +718,13 @@ class TargetEvaluator:
         return at(numbers), {name: np.array(values) for name, values in moved.items()}
 
     def _along(
-        self, rows: Any, axle: TwoWheelAxle, left: WheelRows, right: WheelRows, numbers: Array, roll: Any
+        self,
+        rows: Any,
+        axle: TwoWheelAxle,
+        left: WheelRows,
+        right: WheelRows,
+        numbers: Array,
+        roll: Any,
     ) -> dict[str, Array]:
         """Slopes of closed formulas of both wheels' rows along each direction, by differences along exact slopes."""
         slopes_by_name: dict[str, list[Array]] = {}
@@ -588,14 +734,19 @@ class TargetEvaluator:
             for sign in (1.0, -1.0):
                 wheels = [
                     WheelRows(
-                        {name: value + sign * step * axle.slopes[side][name][k] for name, value in wheel.rows.items()},
+                        {
+                            name: value + sign * step * axle.slopes[side][name][k]
+                            for name, value in wheel.rows.items()
+                        },
                         wheel.radius + sign * step * self._radius_slope(side, k),
                     )
                     for side, wheel in ((1.0, left), (-1.0, right))
                 ]
                 ends.append(rows(*wheels, numbers + sign * step * self._every[:, k], roll))
             for name in ends[0]:
-                slopes_by_name.setdefault(name, []).append((ends[0][name] - ends[1][name]) / (2.0 * step))
+                slopes_by_name.setdefault(name, []).append(
+                    (ends[0][name] - ends[1][name]) / (2.0 * step)
+                )
         return {name: np.array(slopes) for name, slopes in slopes_by_name.items()}
 
     def _radius_slope(self, side: float, k: int) -> float:
@@ -607,7 +758,10 @@ class TargetEvaluator:
         """Axle with these numbers of both sides."""
         own = numbers[: self._cut]
         return TwoWheelAxle(
-            self.rig, (own, own if self.right is None else numbers[self._cut :]), directions, self.right
+            self.rig,
+            (own, own if self.right is None else numbers[self._cut :]),
+            directions,
+            self.right,
         )
 
     @cached_property
@@ -619,7 +773,9 @@ class TargetEvaluator:
 
     @staticmethod
     def _with_tracks(rig: Corner, directions: Array) -> Array:
-        return np.vstack([np.zeros((len(kinematic_model(rig).tracks), directions.shape[1])), directions])
+        return np.vstack(
+            [np.zeros((len(kinematic_model(rig).tracks), directions.shape[1])), directions]
+        )
 
 
 class Evaluators:
@@ -636,17 +792,30 @@ class Evaluators:
         lengths: Array,
         vehicles: Mapping[str, AxleLayout],
     ) -> None:
-        self.numbering, self.wanted, self.paths, self.evaluations = numbering, list(wanted), numbering.paths, 0
+        self.numbering, self.wanted, self.paths, self.evaluations = (
+            numbering,
+            list(wanted),
+            numbering.paths,
+            0,
+        )
         self._count = directions.shape[1]
         ends = np.cumsum([len(item.low) for item in wanted])
-        self.parts = [slice(int(end) - len(item.low), int(end)) for item, end in zip(wanted, ends, strict=True)]
+        self.parts = [
+            slice(int(end) - len(item.low), int(end))
+            for item, end in zip(wanted, ends, strict=True)
+        ]
         self._members = []
         for name, right in dict.fromkeys((item.rig, item.right) for item in wanted):
             mine = [i for i, item in enumerate(wanted) if (item.rig, item.right) == (name, right)]
-            into = np.concatenate([np.arange(self.parts[i].start, self.parts[i].stop) for i in mine])
+            into = np.concatenate(
+                [np.arange(self.parts[i].start, self.parts[i].stop) for i in mine]
+            )
             sides = [name, right] if right else [name]
             part = np.concatenate(
-                [np.arange(numbering.parts[side].start, numbering.parts[side].stop) for side in sides]
+                [
+                    np.arange(numbering.parts[side].start, numbering.parts[side].stop)
+                    for side in sides
+                ]
             )
             member = TargetEvaluator(
                 numbering.rigs[name],

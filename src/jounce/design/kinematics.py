@@ -24,8 +24,22 @@ from jounce.core.text import qualify
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.design.free_points import FreeNumbers, Numbering, Rigs, free_numbers
-from jounce.design.hardpoint_search import UNSETTLED, HardpointSearch, Outcome, places, refuse_idle, search_from
-from jounce.design.kinematic_study import NAME, SCHEMA, FreePoint, KinematicStudy, KinematicTarget, Spread
+from jounce.design.hardpoint_search import (
+    UNSETTLED,
+    HardpointSearch,
+    Outcome,
+    places,
+    refuse_idle,
+    search_from,
+)
+from jounce.design.kinematic_study import (
+    NAME,
+    SCHEMA,
+    FreePoint,
+    KinematicStudy,
+    KinematicTarget,
+    Spread,
+)
 from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
 from jounce.design.spread import KinematicSpread, Workshop, spread_of
 from jounce.kinematics.clearances import Shape
@@ -41,11 +55,14 @@ _GENTLE = 0.03  # tolerances that half a box must change before it counts as a w
 _AT_LIMIT = 1e-3  # tolerances
 _SEEN = 1.0  # tolerances: points are told apart if curves change by as much
 _NOISE = 1e-9  # share of the largest change below which there is none
-_LOST = 1e-6  # share of a number in directions that curves do not determine, from which it is not known
+_LOST = (
+    1e-6  # share of a number in directions that curves do not determine, from which it is not known
+)
 _PART = 0.1  # share of a combination from which a number is named
 _MOST_OPEN = 5  # combinations that are listed
 _NO_VALUE = (
-    "Ackermann needs a rack away from straight ahead, swing arms and instant centres arms that are not parallel."
+    "Ackermann needs a rack away from straight ahead, swing arms and instant centres arms "
+    "that are not parallel."
 )
 
 
@@ -87,7 +104,9 @@ class TargetResult(Plain):
     def off(self, values: Array) -> Array:
         """Return how far values are above (positive) or below the target, in tolerances [1]."""
         low, high = self.bounds()
-        return np.asarray(np.where(values > high, values - high, np.minimum(values - low, 0.0)) / self.tolerance)
+        return np.asarray(
+            np.where(values > high, values - high, np.minimum(values - low, 0.0)) / self.tolerance
+        )
 
     def worst(self, values: float | list[float]) -> tuple[int, float]:
         """Return the index of the value farthest from the target, and how far above (positive) or below it is, SI."""
@@ -233,7 +252,10 @@ class KinematicDesign(Plain):
         """The rig with its points moved, of a study of one."""
         if len(self.rigs) != 1:
             raise DescriptionError(
-                "the study has several rigs", where="rig", allowed="rigs[...]", found=list(self.rigs)
+                "the study has several rigs",
+                where="rig",
+                allowed="rigs[...]",
+                found=list(self.rigs),
             )
         return next(iter(self.rigs.values()))
 
@@ -243,7 +265,9 @@ class KinematicDesign(Plain):
         for name, rig in self.rigs.items():
             head = f"{name}." if name else ""
             mine = {
-                path.removeprefix(head): number.before for path, number in self.moved.items() if path.startswith(head)
+                path.removeprefix(head): number.before
+                for path, number in self.moved.items()
+                if path.startswith(head)
             }
             rigs[name] = rig.with_changes(mine)
         return rigs
@@ -251,7 +275,9 @@ class KinematicDesign(Plain):
     def fighting(self) -> tuple[Fight, ...]:
         """Return each pair of competing targets once: two missed targets would appear twice."""
         pairs = {frozenset((fight.missed, fight.other)): fight for fight in reversed(self.fights)}
-        return tuple(fight for fight in self.fights if pairs[frozenset((fight.missed, fight.other))] is fight)
+        return tuple(
+            fight for fight in self.fights if pairs[frozenset((fight.missed, fight.other))] is fight
+        )
 
     def results(self) -> dict[str, Any]:
         """Return the content of ``results.json``: met, targets, moved, starts, evaluations."""
@@ -260,22 +286,34 @@ class KinematicDesign(Plain):
 
     def sensitivity_table(self) -> str:
         """Return the sensitivities as CSV: one row per coordinate, the change of each target with 1 mm of it, SI."""
-        heads = [_head(target, i, f" [{target.unit} per mm]") for i, target in enumerate(self.targets)]
+        heads = [
+            _head(target, i, f" [{target.unit} per mm]") for i, target in enumerate(self.targets)
+        ]
         rows = [
-            ",".join([path, *(repr(1e-3 * value) for value in values)]) for path, values in self.sensitivity.items()
+            ",".join([path, *(repr(1e-3 * value) for value in values)])
+            for path, values in self.sensitivity.items()
         ]
         return "\n".join([",".join(["coordinate", *heads]), *rows, ""])
 
     def tradeoff_table(self) -> str:
         """Return the trade-offs as CSV: one row per target that is improved, the response of all, in tolerances [1]."""
         heads = [_head(target, i) for i, target in enumerate(self.targets)]
-        rows = [",".join([head, *map(repr, row)]) for head, row in zip(heads, self.tradeoffs, strict=True)]
+        rows = [
+            ",".join([head, *map(repr, row)])
+            for head, row in zip(heads, self.tradeoffs, strict=True)
+        ]
         return "\n".join([",".join(["one tolerance more of", *heads]), *rows, ""])
 
     def identified_table(self) -> str:
         """Return as CSV how well the curves determine each free number, SI; empty where they do not."""
         rows = [
-            ",".join([row.number, row.unit, *("" if x is None else repr(x) for x in (row.alone, row.together))])
+            ",".join(
+                [
+                    row.number,
+                    row.unit,
+                    *("" if x is None else repr(x) for x in (row.alone, row.together)),
+                ]
+            )
             for row in self.identified
         ]
         return "\n".join(["number,unit,alone,together", *rows, ""])
@@ -284,9 +322,16 @@ class KinematicDesign(Plain):
         """Return all targets as CSV: one row per pose (SI) with value before and after, target and tolerance."""
         rows = ["target,quantity,unit,along,at,before,after,wanted,tolerance"]
         for i, target in enumerate(self.targets):
-            before, after = (value if isinstance(value, list) else [value] for value in (target.before, target.after))
+            before, after = (
+                value if isinstance(value, list) else [value]
+                for value in (target.before, target.after)
+            )
             for k, (value_before, value_after) in enumerate(zip(before, after, strict=True)):
-                wanted = target.wanted if target.limits or not isinstance(target.wanted, list) else target.wanted[k]
+                wanted = (
+                    target.wanted
+                    if target.limits or not isinstance(target.wanted, list)
+                    else target.wanted[k]
+                )
                 ends = wanted if isinstance(wanted, list) else [wanted]
                 text = " to ".join("" if end is None else repr(end) for end in ends)
                 at = repr(target.at[k]) if len(after) > 1 or len(target.at) == 1 else ""
@@ -370,7 +415,9 @@ def design_kinematics(
     if free is None or targets is None:
         return _design_from_file(rig, free, targets)
     if starts < 1:
-        raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
+        raise DescriptionError(
+            "not a number of searches", where="starts", found=starts, allowed="1 or more"
+        )
     made = Spread(**spread) if isinstance(spread, Mapping) else spread
     task = replace(read_task(rig, free, targets, vehicle, shapes), spread=made)
     return design(task, starts, seed)
@@ -379,7 +426,9 @@ def design_kinematics(
 def _design_from_file(rig: object, free: object, targets: object) -> KinematicDesign:
     if not isinstance(rig, (str, Path)) or free is not None or targets is not None:
         raise DescriptionError(
-            "free points or targets are missing", where="design_kinematics", allowed="both, or a study file alone"
+            "free points or targets are missing",
+            where="design_kinematics",
+            allowed="both, or a study file alone",
         )
     return run_study(rig, lambda study, task: design(task, study.starts, study.seed))[0]
 
@@ -412,7 +461,9 @@ class KinematicTask:
     def search(self) -> HardpointSearch:
         """Prepare a search."""
         numbering, numbers, wanted = self.read()
-        evaluator = Evaluators(numbering, wanted, numbers.directions, numbers.lengths, self.vehicles)
+        evaluator = Evaluators(
+            numbering, wanted, numbers.directions, numbers.lengths, self.vehicles
+        )
         return HardpointSearch(evaluator, numbers, wanted)
 
 
@@ -425,17 +476,28 @@ def read_task(
 ) -> KinematicTask:
     """Read what :func:`design_kinematics` and its relatives take."""
     rigs = rig if isinstance(rig, Mapping) else {"": as_rig(rig)}
-    cars = dict(vehicle) if isinstance(vehicle, Mapping) else {} if vehicle is None else {"": vehicle}
-    listed = [{"point": path, "within": width} for path, width in free.items()] if isinstance(free, Mapping) else free
+    cars = (
+        dict(vehicle) if isinstance(vehicle, Mapping) else {} if vehicle is None else {"": vehicle}
+    )
+    listed = (
+        [{"point": path, "within": width} for path, width in free.items()]
+        if isinstance(free, Mapping)
+        else free
+    )
     points = [item if isinstance(item, FreePoint) else FreePoint(**item) for item in listed]
-    wishes = [item if isinstance(item, KinematicTarget) else KinematicTarget(**item) for item in targets]
+    wishes = [
+        item if isinstance(item, KinematicTarget) else KinematicTarget(**item) for item in targets
+    ]
     for name, items in (("rig", rigs), ("free", points), ("targets", wishes)):
         if not items:
             raise DescriptionError("nothing is given", where=name, allowed="one or more")
     for name in rigs if isinstance(rig, Mapping) else ():
         if not re.fullmatch(NAME, str(name)):
             raise DescriptionError(
-                "not a name of a rig", where="rig", found=str(name), allowed="letters, digits, _ and -"
+                "not a name of a rig",
+                where="rig",
+                found=str(name),
+                allowed="letters, digits, _ and -",
             )
     return KinematicTask(
         {name: check_corner(corner) for name, corner in rigs.items()},
@@ -449,14 +511,19 @@ def read_task(
 Found = TypeVar("Found")
 
 
-def run_study(path: Path | str, run: Callable[[KinematicStudy, KinematicTask], Found]) -> tuple[Found, dict[str, Path]]:
+def run_study(
+    path: Path | str, run: Callable[[KinematicStudy, KinematicTask], Found]
+) -> tuple[Found, dict[str, Path]]:
     """Read a study file and run it; return the design and the file of each rig. Errors name file and line."""
     study, text = read_description(KinematicStudy, path, SCHEMA)
     files = {name: rig_named_in(file, Path(path)) for name, file in study.files_by_rig().items()}
     try:
         rigs = {name: check_corner(load(file)) for name, file in files.items()}
         return run(
-            study, KinematicTask(rigs, study.free, study.target, study.around(), study.spread, study.shapes or {})
+            study,
+            KinematicTask(
+                rigs, study.free, study.target, study.around(), study.spread, study.shapes or {}
+            ),
         ), files
     except DescriptionError as error:
         raise _place_error(error, path, text) from None
@@ -480,7 +547,9 @@ def _place_error(error: DescriptionError, path: Path | str, text: str) -> Descri
         return error
     line = line_of(text, tuple(int(part) if part.isdigit() else part for part in head))
     where = below(at_line(path, line), error.where)
-    return DescriptionError(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint)
+    return DescriptionError(
+        error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
+    )
 
 
 def design(task: KinematicTask, starts: int, seed: int) -> KinematicDesign:
@@ -491,7 +560,9 @@ def design(task: KinematicTask, starts: int, seed: int) -> KinematicDesign:
     refuse_idle(search, task.free, seed)
     outcomes = [search_from(search, x) for x in places(search, starts, seed)]
     first = min(range(len(outcomes)), key=lambda i: outcomes[i].rank)
-    outcomes[first] = outcomes[first].move_back(search)  # the one that is proposed: it takes longer than a search
+    outcomes[first] = outcomes[first].move_back(
+        search
+    )  # the one that is proposed: it takes longer than a search
     reached = [outcome for outcome in outcomes if np.isfinite(outcome.cost)]
     if not reached:
         raise DescriptionError(
@@ -520,10 +591,17 @@ def values_before(search: HardpointSearch) -> list[Array]:
     before, _ = search.evaluator.at(search.free.origin, slopes=False)
     missing = [i for i, value in enumerate(before) if not np.all(np.isfinite(value))]
     if missing:
-        ends, where, item = search.evaluator.ends_in_words(), f"target[{missing[0]}]", wanted[missing[0]]
+        ends, where, item = (
+            search.evaluator.ends_in_words(),
+            f"target[{missing[0]}]",
+            wanted[missing[0]],
+        )
         if not ends and item.along != "roll":
             raise DescriptionError(
-                "has no value at a pose of the target", where=where, found=item.quantity, hint=_NO_VALUE
+                "has no value at a pose of the target",
+                where=where,
+                found=item.quantity,
+                hint=_NO_VALUE,
             )
         raise DescriptionError(
             "the rig itself cannot reach the poses of a target",
@@ -577,8 +655,16 @@ def _result(
 ) -> KinematicDesign:
     numbering = search.evaluator.numbering
     values, slopes = search.evaluator.at(numbering.values(moved))
-    targets = tuple(target_result(*triple) for triple in zip(search.wanted, before, values, strict=True))
-    known = dict(zip(numbering.paths, zip(numbering.values(), numbering.values(moved), strict=True), strict=True))
+    targets = tuple(
+        target_result(*triple) for triple in zip(search.wanted, before, values, strict=True)
+    )
+    known = dict(
+        zip(
+            numbering.paths,
+            zip(numbering.values(), numbering.values(moved), strict=True),
+            strict=True,
+        )
+    )
     tells = [
         StartResult(
             k,
@@ -598,7 +684,9 @@ def _result(
         rigs=moved,
         met=all(target.met for target in targets),
         targets=targets,
-        moved={path: Moved(float(known[path][0]), float(known[path][1])) for path in search.free.paths},
+        moved={
+            path: Moved(float(known[path][0]), float(known[path][1])) for path in search.free.paths
+        },
         starts=tuple(tells),
         evaluations=evaluations,
         sensitivity=_sensitivity(task, moved, search.wanted),
@@ -607,11 +695,17 @@ def _result(
         identified=identified,
         open=still_open,
         spread={
-            name: spread_of(rig, wanted_of(search.wanted, name), task.spread, task.vehicles.get(name))
+            name: spread_of(
+                rig, wanted_of(search.wanted, name), task.spread, task.vehicles.get(name)
+            )
             for name, rig in moved.items()
             if task.spread is not None and wanted_of(search.wanted, name)
         },
-        findings=(*_findings(search, x, targets), *_count_unsettled(outcomes), *_list_unspread(task, search.wanted)),
+        findings=(
+            *_findings(search, x, targets),
+            *_count_unsettled(outcomes),
+            *_list_unspread(task, search.wanted),
+        ),
     )
 
 
@@ -620,7 +714,10 @@ def target_result(item: Wanted, before: Array, after: Array) -> TargetResult:
     text = item.text
     limits = text.values is None and text.value is None
     if limits:
-        wanted: Any = [None if not np.isfinite(bound[0]) else float(bound[0]) for bound in (item.low, item.high)]
+        wanted: Any = [
+            None if not np.isfinite(bound[0]) else float(bound[0])
+            for bound in (item.low, item.high)
+        ]
     else:
         wanted = item.low.tolist() if text.values is not None else float(item.low[0])
     single = len(after) == 1
@@ -642,10 +739,14 @@ def target_result(item: Wanted, before: Array, after: Array) -> TargetResult:
     )
 
 
-def _sensitivity(task: KinematicTask, rigs: Rigs, wanted: Sequence[Wanted]) -> dict[str, tuple[float, ...]]:
+def _sensitivity(
+    task: KinematicTask, rigs: Rigs, wanted: Sequence[Wanted]
+) -> dict[str, tuple[float, ...]]:
     """Change of each target with each coordinate of a hardpoint, SI per metre, the largest over its curve."""
     numbering = Numbering.of(rigs)
-    paths = [path for path in numbering.paths if numbering.owner(path, path)[1].startswith("hardpoints.")]
+    paths = [
+        path for path in numbering.paths if numbering.owner(path, path)[1].startswith("hardpoints.")
+    ]
     directions = np.zeros((len(numbering.paths), len(paths)))
     for j, path in enumerate(paths):
         directions[numbering.paths.index(path), j] = 1.0
@@ -665,7 +766,9 @@ def _room(search: HardpointSearch, x: Array) -> NDArray[np.bool_]:
     return np.asarray((x > search.lower + 1e-9) & (x < search.upper - 1e-9))
 
 
-def _fights(search: HardpointSearch, x: Array, values: list[Array], slopes: list[Array]) -> tuple[Fight, ...]:
+def _fights(
+    search: HardpointSearch, x: Array, values: list[Array], slopes: list[Array]
+) -> tuple[Fight, ...]:
     """Targets that get worse when a missed one gets better, along the directions that the boxes still allow."""
     room = _room(search, x)
     pulls = []
@@ -690,10 +793,15 @@ def _tradeoffs(
 ) -> tuple[tuple[float, ...], ...]:
     """Response of all targets when one is moved by one tolerance: the new compromise, to first order."""
     room = _room(search, x)
-    moves = [slope * search.scale / item.tolerance * room for item, slope in zip(search.wanted, slopes, strict=True)]
+    moves = [
+        slope * search.scale / item.tolerance * room
+        for item, slope in zip(search.wanted, slopes, strict=True)
+    ]
     # limits have an effect only where they are reached
     asks = [
-        item.text.weight / np.sqrt(len(item.low)) * ((item.low == item.high) | (_room_within(item, value) < _AT_LIMIT))
+        item.text.weight
+        / np.sqrt(len(item.low))
+        * ((item.low == item.high) | (_room_within(item, value) < _AT_LIMIT))
         for item, value in zip(search.wanted, values, strict=True)
     ]
     rows = np.vstack([ask[:, None] * move for ask, move in zip(asks, moves, strict=True)])
@@ -701,7 +809,9 @@ def _tradeoffs(
     tradeoffs = []
     for ask, move in zip(asks, moves, strict=True):
         step = np.linalg.solve(normal, (ask[:, None] ** 2 * move).sum(axis=0))
-        tradeoffs.append(tuple(float(_largest((target_move @ step)[:, None])[0]) for target_move in moves))
+        tradeoffs.append(
+            tuple(float(_largest((target_move @ step)[:, None])[0]) for target_move in moves)
+        )
     return tuple(tradeoffs)
 
 
@@ -720,12 +830,19 @@ def identifiability(
             for item, slope in zip(search.wanted, slopes, strict=True)
         ]
     )
-    labels, units = search.free.labels, [search.evaluator.numbering.unit(path) for path in search.free.firsts]
+    labels, units = (
+        search.free.labels,
+        [search.evaluator.numbering.unit(path) for path in search.free.firsts],
+    )
     size = len(labels)
-    _, singular_values, directions = np.linalg.svd(np.vstack([rows, np.zeros((size, size))]), full_matrices=False)
+    _, singular_values, directions = np.linalg.svd(
+        np.vstack([rows, np.zeros((size, size))]), full_matrices=False
+    )
     is_determined = singular_values > _NOISE * max(float(singular_values[0]), _SEEN)
     alone = np.linalg.norm(rows, axis=0)
-    spread = np.sqrt(((directions[is_determined] / singular_values[is_determined, None]) ** 2).sum(axis=0))
+    spread = np.sqrt(
+        ((directions[is_determined] / singular_values[is_determined, None]) ** 2).sum(axis=0)
+    )
     lost = ((directions[~is_determined] ** 2).sum(axis=0) > _LOST) | (spread > 1.0)
     numbers = tuple(
         Identified(
@@ -740,8 +857,14 @@ def identifiability(
     combinations = []
     for k in weak:
         shares = directions[k] * np.sign(directions[k][np.argmax(np.abs(directions[k]))])
-        weights = {label: float(share) for label, share in zip(labels, shares, strict=True) if abs(share) > _PART}
-        combinations.append(OpenCombination(float(singular_values[k]) if is_determined[k] else 0.0, weights))
+        weights = {
+            label: float(share)
+            for label, share in zip(labels, shares, strict=True)
+            if abs(share) > _PART
+        }
+        combinations.append(
+            OpenCombination(float(singular_values[k]) if is_determined[k] else 0.0, weights)
+        )
     return numbers, tuple(combinations)
 
 
@@ -755,7 +878,16 @@ def _count_unsettled(outcomes: Sequence[Outcome]) -> list[Finding]:
     """Count searches that ended before they converged."""
     count = sum(outcome.ended == UNSETTLED for outcome in outcomes)
     return (
-        [finding("design.searches_unsettled", "starts", count, count=count, all=len(outcomes), ended=UNSETTLED)]
+        [
+            finding(
+                "design.searches_unsettled",
+                "starts",
+                count,
+                count=count,
+                all=len(outcomes),
+                ended=UNSETTLED,
+            )
+        ]
         if count
         else []
     )

@@ -120,7 +120,12 @@ class Lumping:
     @property
     def wheel_rate(self) -> float:
         """Rate at the wheel, N/m."""
-        return self.wheel_rate_spring + self.wheel_rate_preload + self.wheel_rate_weight + self.wheel_rate_across
+        return (
+            self.wheel_rate_spring
+            + self.wheel_rate_preload
+            + self.wheel_rate_weight
+            + self.wheel_rate_across
+        )
 
     @property
     def static_masses(self) -> tuple[float, float]:
@@ -143,7 +148,9 @@ class Lumping:
         k, k_t = self.wheel_rate, self.tyre_stiffness
         product = sprung * unsprung + b * (sprung + unsprung)
         total = k * unsprung + (k + k_t) * sprung + k_t * b
-        sprung_mass = float(total + np.sqrt(total**2 - 4.0 * (k + k_t) * k * product)) / (2.0 * (k + k_t))
+        sprung_mass = float(total + np.sqrt(total**2 - 4.0 * (k + k_t) * k * product)) / (
+            2.0 * (k + k_t)
+        )
         return sprung_mass, product / sprung_mass
 
     def matrices(self) -> tuple[Array, Array, Array]:
@@ -162,7 +169,9 @@ class Lumping:
         mass, damping, stiffness = self.matrices()
         inverse = np.linalg.inv(mass)
         upper = np.hstack([np.zeros((2, 2)), np.eye(2)])
-        values, vectors = np.linalg.eig(np.vstack([upper, np.hstack([-inverse @ stiffness, -inverse @ damping])]))
+        values, vectors = np.linalg.eig(
+            np.vstack([upper, np.hstack([-inverse @ stiffness, -inverse @ damping])])
+        )
         modes = []
         for value, vector in zip(values, vectors.T, strict=True):
             if value.imag > 1e-9 * abs(value):
@@ -173,7 +182,12 @@ class Lumping:
                 }
                 size = float(abs(value))
                 modes.append(
-                    Mode(size / (2 * np.pi), float(value.imag) / (2 * np.pi), float(-value.real / size), shapes)
+                    Mode(
+                        size / (2 * np.pi),
+                        float(value.imag) / (2 * np.pi),
+                        float(-value.real / size),
+                        shapes,
+                    )
                 )
         return tuple(sorted(modes, key=lambda mode: mode.frequency_hz))
 
@@ -271,11 +285,15 @@ def lumped_from(rig: Rig) -> QuarterCar:
     gas, gas_rate = damper.at_rest(ratio * lumping.travel)
     rate = (lumping.wheel_rate - stop_rate * lumping.motion_ratio**2) / ratio**2 - gas_rate
     static = (lumping.wheel_force - stop_force * lumping.motion_ratio) / ratio - gas
-    tyre = corner.tyre.model_dump(by_alias=True, exclude_none=True, exclude={"law", "undeformed_radius"})
+    tyre = corner.tyre.model_dump(
+        by_alias=True, exclude_none=True, exclude={"law", "undeformed_radius"}
+    )
     table: dict[str, Any] = {
         "schema": "jounce.rig/1",
         "model": "quarter-car",
-        "source": f"Lumped about rest from: {corner.source}" if corner.source else "Lumped from a 3-D rig about rest",
+        "source": f"Lumped about rest from: {corner.source}"
+        if corner.source
+        else "Lumped from a 3-D rig about rest",
         "gravity": corner.gravity,
         "sprung": {"mass": sprung},
         "unsprung": {"mass": unsprung},
@@ -305,7 +323,10 @@ def _guide_vertically(rig: Rig) -> Corner:
         )
     if rig.guide == "fixed" or rig.sprung is None:
         raise DescriptionError(
-            "a fixed body has no motion to lump", where="guide", found=rig.guide, allowed='"vertical" and a sprung mass'
+            "a fixed body has no motion to lump",
+            where="guide",
+            found=rig.guide,
+            allowed='"vertical" and a sprung mass',
         )
     table = rig.model_dump(by_alias=True, exclude_none=True)
     table.pop("bushings", None)
@@ -319,21 +340,28 @@ def _shares(rig: Corner) -> dict[str, BodyShare]:
         velocity, turn = body_motion(rig, name)
         at_centre = velocity + np.cross(turn, body.centre_of_mass)
         whole = body.mass * at_centre @ at_centre + turn @ body.inertia.tensor @ turn
-        shares[name] = BodyShare(body.mass, float(at_centre[2]), float(whole - body.mass * at_centre[2]))
+        shares[name] = BodyShare(
+            body.mass, float(at_centre[2]), float(whole - body.mass * at_centre[2])
+        )
     return shares
 
 
 def _weight_rate(below: Corner, above: Corner) -> float:
     """Rate of the bodies' weights at the wheel, N/m: from how much more they rise a little farther up."""
     shares = [_shares(rig) for rig in (below, above)]
-    gained = sum(part.mass * (part.wheel_share - shares[0][name].wheel_share) for name, part in shares[1].items())
+    gained = sum(
+        part.mass * (part.wheel_share - shares[0][name].wheel_share)
+        for name, part in shares[1].items()
+    )
     return below.gravity * gained / (2.0 * _NUDGE)
 
 
 def _tyre_slope(rig: Corner, deflection: float) -> float:
     """Stiffness of the tyre at a deflection (m), N/m."""
     if deflection <= 0.0:
-        raise SimulationError("the wheel is not on the road", where="tyre.deflection", found=f"{deflection} m")
+        raise SimulationError(
+            "the wheel is not on the road", where="tyre.deflection", found=f"{deflection} m"
+        )
     if rig.tyre.curve is None:
         assert rig.tyre.stiffness is not None
         return rig.tyre.stiffness
@@ -367,10 +395,17 @@ def _damper(rig: Corner, lumping: Lumping) -> DamperLaw:
     third = None if rig.third_spring is None else rig.third_spring.damper
     if third is None or lumping.third_ratio == 0.0:
         return damper
-    own_points, third_points = _law_points(damper, "strut.damper"), _law_points(third, "third_spring.damper")
-    share = lumping.third_ratio / lumping.damper_ratio  # velocity of the third damper for one of the lumped one
+    own_points, third_points = (
+        _law_points(damper, "strut.damper"),
+        _law_points(third, "third_spring.damper"),
+    )
+    share = (
+        lumping.third_ratio / lumping.damper_ratio
+    )  # velocity of the third damper for one of the lumped one
     velocities = np.unique(np.round(np.concatenate([own_points[0], third_points[0] / share]), 12))
-    both = on_lines(*own_points, velocities) + 0.5 * share * on_lines(*third_points, share * velocities)
+    both = on_lines(*own_points, velocities) + 0.5 * share * on_lines(
+        *third_points, share * velocities
+    )
     return VelocityTable(velocity=tuple(velocities.tolist()), force=tuple(both.tolist()))
 
 

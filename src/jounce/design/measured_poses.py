@@ -116,24 +116,38 @@ class HardpointFit(Plain):
     '--free hardpoints.tie_rod_inner="10 mm" --offset toe',
 )
 def fit_hardpoints(
-    rig: Annotated[Rig | str | Path, File("A corner with hardpoints: name or file.", "RIG", ("parts",))],
+    rig: Annotated[
+        Rig | str | Path, File("A corner with hardpoints: name or file.", "RIG", ("parts",))
+    ],
     measured: Annotated[
         xr.Dataset | Mapping[str, Any] | str | Path,
-        File("Columns wheel_travel [mm], rack_travel [mm], toe [deg], camber [deg] ...", "POSES.csv"),
+        File(
+            "Columns wheel_travel [mm], rack_travel [mm], toe [deg], camber [deg] ...", "POSES.csv"
+        ),
     ],
     free: Annotated[
         Sequence[FreePoint | Mapping[str, Any]] | Mapping[str, Any],
         Pairs(
-            'hardpoints.tie_rod_inner="15 mm". Repeat it.', "POINT=WITHIN", example='hardpoints.tie_rod_inner="15 mm"'
+            'hardpoints.tie_rod_inner="15 mm". Repeat it.',
+            "POINT=WITHIN",
+            example='hardpoints.tie_rod_inner="15 mm"',
         ),
     ],
     *,
     noise: Annotated[
         Mapping[str, float | str] | None,
-        Pairs('Standard deviation: toe="0.02 deg". Repeat it.', "QUANTITY=SIZE", example='toe="0.02 deg"'),
+        Pairs(
+            'Standard deviation: toe="0.02 deg". Repeat it.',
+            "QUANTITY=SIZE",
+            example='toe="0.02 deg"',
+        ),
     ] = None,
-    offsets: Annotated[Sequence[str], Texts("A quantity whose zero is not known. Repeat it.", "QUANTITY")] = (),
-    starts: Annotated[int, Count("Number of searches; the first starts from the rig.", least=1)] = 3,
+    offsets: Annotated[
+        Sequence[str], Texts("A quantity whose zero is not known. Repeat it.", "QUANTITY")
+    ] = (),
+    starts: Annotated[
+        int, Count("Number of searches; the first starts from the rig.", least=1)
+    ] = 3,
     seed: int = 0,
 ) -> HardpointFit:
     """Update hardpoints until the model gives a table of measured poses, with 95 % intervals.
@@ -187,26 +201,39 @@ def fit_hardpoints(
     corner = check_corner(as_rig(rig))
     if isinstance(measured, str | Path):
         measured = _read_poses(Path(measured), corner)
-    listed = [{"point": path, "within": width} for path, width in free.items()] if isinstance(free, Mapping) else free
+    listed = (
+        [{"point": path, "within": width} for path, width in free.items()]
+        if isinstance(free, Mapping)
+        else free
+    )
     points = [item if isinstance(item, FreePoint) else FreePoint(**item) for item in listed]
     numbering = Numbering.of({"": corner})
     numbers = free_numbers(numbering, points)
     table = _Table(corner, numbering.paths, measured, numbers, offsets)
     given = {
-        name: positive_si(value, table.unit(name), where=f"noise: {name}") for name, value in (noise or {}).items()
+        name: positive_si(value, table.unit(name), where=f"noise: {name}")
+        for name, value in (noise or {}).items()
     }
     count = numbers.directions.shape[1] + len(table.offsets)
     if int(table.known.sum()) <= count:
-        raise FitError("fewer readings than numbers", found=f"{int(table.known.sum())} readings, {count} numbers")
+        raise FitError(
+            "fewer readings than numbers",
+            found=f"{int(table.known.sum())} readings, {count} numbers",
+        )
     before = table.misfit(np.zeros(count))
     if not np.all(np.isfinite(before[table.known])):
         raise DescriptionError(
-            "the rig does not reach the measured poses", where="measured", found=table.ends(), hint="Leave them out."
+            "the rig does not reach the measured poses",
+            where="measured",
+            found=table.ends(),
+            hint="Leave them out.",
         )
     spread = table.spread_of(before, given, count)
     idle = np.linalg.norm(table.slopes(np.zeros(count))[0], axis=0)
     for k in np.flatnonzero(idle == 0.0):
-        raise DescriptionError("changes nothing that was measured", where="free", found=table.labels[k])
+        raise DescriptionError(
+            "changes nothing that was measured", where="free", found=table.labels[k]
+        )
     ended: list[tuple[float, Array]] = []
     for begin in _starting_points(numbers, len(table.offsets), starts, seed):
         x, weights = begin, spread
@@ -244,12 +271,18 @@ def _read_poses(file: Path, corner: Corner) -> dict[str, Array]:
 
 def _starting_points(numbers: FreeNumbers, offsets: int, starts: int, seed: int) -> list[Array]:
     if starts < 1:
-        raise DescriptionError("not a number of searches", where="starts", found=starts, allowed="1 or more")
+        raise DescriptionError(
+            "not a number of searches", where="starts", found=starts, allowed="1 or more"
+        )
     check_seed(seed)
     random = np.random.default_rng(seed)
     width = numbers.upper - numbers.lower
-    first = np.clip(np.zeros(len(width)), numbers.lower + 1e-6 * width, numbers.upper - 1e-6 * width)
-    others = [numbers.lower + (0.05 + 0.9 * random.random(len(width))) * width for _ in range(starts - 1)]
+    first = np.clip(
+        np.zeros(len(width)), numbers.lower + 1e-6 * width, numbers.upper - 1e-6 * width
+    )
+    others = [
+        numbers.lower + (0.05 + 0.9 * random.random(len(width))) * width for _ in range(starts - 1)
+    ]
     return [np.concatenate([x, np.zeros(offsets)]) for x in (first, *others)]
 
 
@@ -257,13 +290,20 @@ class _Table:
     """Readings and the model's values at their poses, for free numbers x and offsets, one after the other."""
 
     def __init__(
-        self, rig: Corner, paths: tuple[str, ...], measured: Any, numbers: FreeNumbers, offsets: Sequence[str]
+        self,
+        rig: Corner,
+        paths: tuple[str, ...],
+        measured: Any,
+        numbers: FreeNumbers,
+        offsets: Sequence[str],
     ) -> None:
         self.rig, self.paths, self.numbers = rig, paths, numbers
         given = {str(name): measured[name] for name in _list_names(measured)}
         if "wheel_travel" not in given:
             columns = ", ".join(given) or "nothing"
-            raise DescriptionError("no poses", where="measured", found=columns, allowed="wheel_travel")
+            raise DescriptionError(
+                "no poses", where="measured", found=columns, allowed="wheel_travel"
+            )
         self.travel = path_values(given.pop("wheel_travel"), "wheel_travel")
         self.rack = np.zeros_like(self.travel)
         if "rack_travel" in given:
@@ -274,19 +314,22 @@ class _Table:
         self._sweep, self._model = sweep, sweep.model
         rows = {row.name: i for i, row in enumerate(sweep.model.rows)}
         if not given:
-            raise DescriptionError("nothing was measured", where="measured", allowed="rows of the catalogue, e.g. toe")
+            raise DescriptionError(
+                "nothing was measured", where="measured", allowed="rows of the catalogue, e.g. toe"
+            )
         values = {}
         for name, readings in given.items():
             if name not in rows:
                 require_parts(rig, name)
                 raise unknown(name, rows, what="quantity", where="measured")
             unit, where = sweep.model.rows[rows[name]].unit, f"measured: {name}"
-            values[name] = readings = as_samples(readings, unit, where=where, error=DescriptionError).ravel()  # noqa: PLW2901
-            if readings.shape != self.travel.shape:
+            samples = as_samples(readings, unit, where=where, error=DescriptionError).ravel()
+            values[name] = samples
+            if samples.shape != self.travel.shape:
                 raise DescriptionError(
                     "not one reading a pose",
                     where=f"measured: {name}",
-                    found=len(readings),
+                    found=len(samples),
                     allowed=str(len(self.travel)),
                 )
         self.names = tuple(values)
@@ -298,7 +341,9 @@ class _Table:
         self._units = {name: sweep.model.rows[rows[name]].unit for name in self.names}
         self.readings = np.concatenate([values[name] for name in self.names])
         self.known = np.isfinite(self.readings)
-        padded = np.vstack([np.zeros((len(sweep.model.tracks), numbers.directions.shape[1])), numbers.directions])
+        padded = np.vstack(
+            [np.zeros((len(sweep.model.tracks), numbers.directions.shape[1])), numbers.directions]
+        )
         self._tangents = Tangents(sweep, padded)
         size = len(self.travel)
         self._shift = np.zeros((len(self.readings), len(self.offsets)))
@@ -328,7 +373,9 @@ class _Table:
     @property
     def scale(self) -> Array:
         """Scale of each number: its range; of an offset the range of its readings."""
-        reach = [max(float(np.nanstd(self.readings[self.part(name)])), 1e-9) for name in self.offsets]
+        reach = [
+            max(float(np.nanstd(self.readings[self.part(name)])), 1e-9) for name in self.offsets
+        ]
         return np.concatenate([self.numbers.lengths, reach])
 
     def ends(self) -> str:
@@ -359,7 +406,9 @@ class _Table:
         slopes, left = self.slopes(x)
         good = np.isfinite(left) & self.known
         residuals = np.where(good, left, 1e3 * spread)[self.known] / spread[self.known]
-        return residuals, np.where(good[:, None], slopes, 0.0)[self.known] / spread[self.known, None]
+        return residuals, np.where(good[:, None], slopes, 0.0)[self.known] / spread[
+            self.known, None
+        ]
 
     def spread_of(self, left: Array, given: Mapping[str, float], count: int) -> Array:
         """Standard deviation of every reading: as given, or that of the residuals of its quantity."""
@@ -368,7 +417,11 @@ class _Table:
         for name in self.names:
             part = self.part(name)
             residuals = left[part][self.known[part]]
-            own = float(np.sqrt(np.mean(residuals[np.isfinite(residuals)] ** 2) / used)) if residuals.size else 1.0
+            own = (
+                float(np.sqrt(np.mean(residuals[np.isfinite(residuals)] ** 2) / used))
+                if residuals.size
+                else 1.0
+            )
             least = 1e-9 * max(float(np.nanmax(np.abs(self.readings[part]), initial=0.0)), 1e-6)
             spread[part] = given.get(name, max(own, least))
         return spread
@@ -393,7 +446,11 @@ def _describe_fit(
         part = table.part(name)
         residuals = left[part][table.known[part]]
         widened[part] *= np.sqrt(correlation_time(residuals)) if residuals.size else 1.0
-        share = float(np.sqrt(np.mean((residuals / spread[part][table.known[part]]) ** 2))) if residuals.size else 0.0
+        share = (
+            float(np.sqrt(np.mean((residuals / spread[part][table.known[part]]) ** 2)))
+            if residuals.size
+            else 0.0
+        )
         if name in given and share > _FARTHEST:
             findings.append(finding("design.pose_unexplained", name, share, times=share))
             widened[part] *= share
@@ -402,7 +459,11 @@ def _describe_fit(
     clear = seen > _CLEAR * seen[0]
     variance = ((directions[clear] / seen[clear, None]) ** 2).sum(axis=0) * table.scale**2
     lost = (directions[~clear] ** 2).sum(axis=0) > _LOST
-    freedom = float("inf") if len(given) == len(table.names) else max(float(table.known.sum()) - count, 1.0)
+    freedom = (
+        float("inf")
+        if len(given) == len(table.names)
+        else max(float(table.known.sum()) - count, 1.0)
+    )
     size = len(table.numbers.labels)
     numbers, offsets = {}, {}
     low, high = table.bounds
@@ -433,9 +494,13 @@ def _describe_fit(
     index = {path: i for i, path in enumerate(table.paths)}
     parameters = table.numbers.origin + table.numbers.directions @ x[:size]
     try:
-        rig = table.rig.with_changes({path: float(parameters[index[path]]) for path in table.numbers.paths})
+        rig = table.rig.with_changes(
+            {path: float(parameters[index[path]]) for path in table.numbers.paths}
+        )
     except JounceError as error:
-        raise FitError("the points found are no rig", found=str(error), hint="Narrow the boxes.") from None
+        raise FitError(
+            "the points found are no rig", found=str(error), hint="Narrow the boxes."
+        ) from None
     return HardpointFit(
         rig,
         numbers,

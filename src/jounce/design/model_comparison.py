@@ -112,14 +112,21 @@ class ModelComparison(Shown):
                 ),
             },
             {
-                "travel": ("travel", self.travel, {"units": "m", "long_name": "wheel travel from design"}),
+                "travel": (
+                    "travel",
+                    self.travel,
+                    {"units": "m", "long_name": "wheel travel from design"},
+                ),
                 "model": ("model", ["3-D", "lumped"]),
             },
         )
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data, SI."""
-        masses = {"static_masses": self.lumping.static_masses, "effective_masses": self.lumping.effective_masses}
+        masses = {
+            "static_masses": self.lumping.static_masses,
+            "effective_masses": self.lumping.effective_masses,
+        }
         plain: dict[str, Any] = to_plain(
             {
                 "rows": self.rows,
@@ -129,7 +136,11 @@ class ModelComparison(Shown):
                 "lumped_motion_ratio": self.lumped_motion_ratio,
                 "lumped_wheel_rate": self.lumped_wheel_rate,
                 "peaks": [{**to_plain(peak), "relative": peak.relative} for peak in self.peaks],
-                "lumping": {**to_plain(self.lumping), **masses, "inertance": self.lumping.inertance},
+                "lumping": {
+                    **to_plain(self.lumping),
+                    **masses,
+                    "inertance": self.lumping.inertance,
+                },
                 "lumped": self.lumped.parameters(),
             }
         )
@@ -173,12 +184,22 @@ def compare_models(
     (18362.0, 162.5)
     """
     if not isinstance(spatial, Corner):
-        raise DescriptionError("not a rig with hardpoints", where="spatial", found=getattr(spatial, "model", "a rig"))
+        raise DescriptionError(
+            "not a rig with hardpoints", where="spatial", found=getattr(spatial, "model", "a rig")
+        )
     own = lumped_from(spatial) if lumped is None else lumped
     if not isinstance(own, QuarterCar):
-        raise DescriptionError("not a quarter car", where="lumped", found=getattr(own, "model", "a rig"))
-    named = trials if isinstance(trials, Mapping) else {f"trial {i}": trial for i, trial in enumerate(trials, 1)}
-    peaks = [peak for name, trial in named.items() for peak in compare_peaks(name, spatial, own, trial)]
+        raise DescriptionError(
+            "not a quarter car", where="lumped", found=getattr(own, "model", "a rig")
+        )
+    named = (
+        trials
+        if isinstance(trials, Mapping)
+        else {f"trial {i}": trial for i, trial in enumerate(trials, 1)}
+    )
+    peaks = [
+        peak for name, trial in named.items() for peak in compare_peaks(name, spatial, own, trial)
+    ]
     reach = _REACH * spatial.wheel.radius
     sweep = sweep_travel(spatial, np.linspace(-reach, reach, _POINTS))
     lumping, angle = lump(spatial), own.strut.angle
@@ -196,7 +217,9 @@ def compare_models(
     )
 
 
-def compare_peaks(name: str, spatial: Corner, lumped: QuarterCar, trial: Trial) -> list[PeakDifference]:
+def compare_peaks(
+    name: str, spatial: Corner, lumped: QuarterCar, trial: Trial
+) -> list[PeakDifference]:
     """Simulate both models; return the largest absolute values of accelerations (m/s^2) and tyre force (N)."""
     spatial_run, lumped_run = simulate(spatial, trial), simulate(lumped, trial)
     return [
@@ -225,17 +248,27 @@ def _at_wheel(lumped: QuarterCar) -> tuple[float, float]:
     """Rate (N/m) and damping coefficient (N s/m) of the strut at the wheel, about rest, friction apart."""
     model = linearise(without_friction(lumped))
     row, mass = model.states.index("sprung.vz"), lumped.sprung.mass
-    return tuple(-mass * float(model.A[row, model.states.index(name)]) for name in ("sprung.z", "sprung.vz"))  # type: ignore[return-value]
+    return tuple(
+        -mass * float(model.A[row, model.states.index(name)]) for name in ("sprung.z", "sprung.vz")
+    )  # type: ignore[return-value]
 
 
 def _rows(
     spatial: Corner, lumping: Lumping, lumped: QuarterCar, rate: float, damping: float
 ) -> tuple[ModelDifference, ...]:
     sprung, unsprung = lumping.static_masses
-    shares = ", ".join(f"{name} {1e3 * part.unsprung_mass:.0f} g" for name, part in lumping.shares.items())
-    turning = ", ".join(f"{name} {1e3 * part.inertance:+.0f} g" for name, part in lumping.shares.items())
+    shares = ", ".join(
+        f"{name} {1e3 * part.unsprung_mass:.0f} g" for name, part in lumping.shares.items()
+    )
+    turning = ", ".join(
+        f"{name} {1e3 * part.inertance:+.0f} g" for name, part in lumping.shares.items()
+    )
     ratio = float(np.cos(lumped.strut.angle))
-    across = f", {lumping.wheel_rate_across:+.4g} from third spring and Z-bar" if lumping.wheel_rate_across else ""
+    across = (
+        f", {lumping.wheel_rate_across:+.4g} from third spring and Z-bar"
+        if lumping.wheel_rate_across
+        else ""
+    )
     rows = [
         ModelDifference(
             "motion ratio at rest",
@@ -277,7 +310,11 @@ def _rows(
             f"Body of {lumping.body_mass:.4g} kg and, by the law of the lever, the inner part of each arm.",
         ),
         ModelDifference(
-            "unsprung mass", "kg", unsprung, lumped.unsprung.mass, f"Share that rises with the wheel: {shares}."
+            "unsprung mass",
+            "kg",
+            unsprung,
+            lumped.unsprung.mass,
+            f"Share that rises with the wheel: {shares}.",
         ),
         ModelDifference(
             "inertance between body and wheel",
@@ -295,7 +332,9 @@ def _damper_row(lumping: Lumping, ratio: float) -> list[ModelDifference]:
     if abs(lumping.damper_ratio - lumping.motion_ratio) < _SAME_LINE:
         return []
     why = "Spring and damper stand on lines of their own; a lumped strut has one angle for both."
-    return [ModelDifference("motion ratio of the damper at rest", "1", lumping.damper_ratio, ratio, why)]
+    return [
+        ModelDifference("motion ratio of the damper at rest", "1", lumping.damper_ratio, ratio, why)
+    ]
 
 
 def _mode_rows(spatial: tuple[Mode, ...], lumped: tuple[Mode, ...]) -> list[ModelDifference]:
@@ -323,7 +362,9 @@ def _find_mode(name: str, modes: tuple[Mode, ...]) -> Mode | None:
     """Find the mode in which the body (bounce) or the wheel (hop) moves most."""
     moving = {"body bounce": "sprung.z", "wheel hop": "unsprung.z"}[name]
     # The largest coordinate of a shape is 1 by definition.
-    return next((mode for mode in modes if abs(complex(*mode.shape.get(moving, (0.0, 0.0)))) > 0.999), None)
+    return next(
+        (mode for mode in modes if abs(complex(*mode.shape.get(moving, (0.0, 0.0)))) > 0.999), None
+    )
 
 
 @dataclass(frozen=True)
@@ -365,17 +406,28 @@ class LumpedComparison(Plain):
     example="jounce study lumped-vs-spatial kart-double-wishbone --lumped kart-quarter-car",
 )
 def compare_with_lumped(
-    rig: Annotated[Rig | str | Path, File("A rig file, or a name of `jounce library`.", "RIG", ("parts",))],
+    rig: Annotated[
+        Rig | str | Path, File("A rig file, or a name of `jounce library`.", "RIG", ("parts",))
+    ],
     lumped: Annotated[
         Rig | str | Path | None,
-        File("Quarter car to compare; by default the equivalent of the rig at equilibrium.", "RIG", ("parts",)),
+        File(
+            "Quarter car to compare; by default the equivalent of the rig at equilibrium.",
+            "RIG",
+            ("parts",),
+        ),
     ] = None,
     *,
-    road: Annotated[str | None, File("A road: file, or a name of `jounce library`.", "ROAD", ("roads",))] = None,
-    speeds: Annotated[
-        Sequence[float | str] | None, Texts('Speed over the road, e.g. "1.95 m/s". Repeat it.', "SPEED")
+    road: Annotated[
+        str | None, File("A road: file, or a name of `jounce library`.", "ROAD", ("roads",))
     ] = None,
-    duration: Annotated[float | str, Number("Length of each run.", "TIME", "s", is_positive=True)] = "2 s",
+    speeds: Annotated[
+        Sequence[float | str] | None,
+        Texts('Speed over the road, e.g. "1.95 m/s". Repeat it.', "SPEED"),
+    ] = None,
+    duration: Annotated[
+        float | str, Number("Length of each run.", "TIME", "s", is_positive=True)
+    ] = "2 s",
 ) -> LumpedComparison:
     """Show where a lumped quarter car differs from a 3-D rig, and why.
 
@@ -406,12 +458,16 @@ def compare_with_lumped(
     course = HalfSine(height=0.010, length=0.060, start=0.2) if road is None else load_road(road)
     length = positive_quantity(str(duration), "s", "duration")
     trials = {
-        str(speed): Trial(road=course, speed=positive_quantity(str(speed), "m/s", "speeds"), duration=length)
+        str(speed): Trial(
+            road=course, speed=positive_quantity(str(speed), "m/s", "speeds"), duration=length
+        )
         for speed in speeds or _SPEEDS
     }
     spatial, equivalent = as_rig(rig), None if lumped is None else as_rig(lumped)
     names = _name(rig), "its equivalent quarter car" if lumped is None else _name(lumped)
-    return LumpedComparison(compare_models(spatial, equivalent, trials), spatial, " and ".join(names))
+    return LumpedComparison(
+        compare_models(spatial, equivalent, trials), spatial, " and ".join(names)
+    )
 
 
 _SPEEDS = ("1.95 m/s", "2.86 m/s", "3.79 m/s")

@@ -53,9 +53,14 @@ class OptimisationStudy(Description):
     @model_validator(mode="after")
     def _wants_one_thing(self) -> OptimisationStudy:
         if (self.objective is None) == (self.front is None):
-            raise error_at(("objective",), "give either objective, or front = [two metrics or more]")
+            raise error_at(
+                ("objective",), "give either objective, or front = [two metrics or more]"
+            )
         if self.shown is not None and len(self.front or ()) != _PAIR:
-            raise error_at(("shown",), "is a metric beside a front of two; those of a larger front are all shown")
+            raise error_at(
+                ("shown",),
+                "is a metric beside a front of two; those of a larger front are all shown",
+            )
         return self
 
 
@@ -128,7 +133,15 @@ def run_optimisation(path: Path | str) -> Optimisation | ParetoFront | DesignFro
             return design_front(rig, study.free, study.front, points=study.points, **given)
         first, second = study.front
         shown = study.shown or first
-        return pareto(rig, study.free, comfort=first, holding=second, travel=shown, points=study.points, **given)
+        return pareto(
+            rig,
+            study.free,
+            comfort=first,
+            holding=second,
+            travel=shown,
+            points=study.points,
+            **given,
+        )
 
 
 class _placed:  # noqa: N801 - used as a verb
@@ -149,9 +162,13 @@ class _placed:  # noqa: N801 - used as a verb
         if key not in (*OptimisationStudy.model_fields, "metrics") or str(self.path) in error.where:
             return
         text = self.path.read_text(encoding="utf-8")
-        if key == "metrics" or (key == "objective" and line_of(text, ("front",))):  # a front is an objective and more
+        if key == "metrics" or (
+            key == "objective" and line_of(text, ("front",))
+        ):  # a front is an objective and more
             key = "front"
         line = line_of(text, (key, *inside, rest))
         place = ".".join([key, *inside]) + (f": {rest}" if rest else "")
         where = below(at_line(self.path, line), place)
-        raise type(error)(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint) from None
+        raise type(error)(
+            error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
+        ) from None

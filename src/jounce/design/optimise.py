@@ -18,7 +18,13 @@ from jounce.core.text import align_columns
 from jounce.core.types import Array
 from jounce.core.waiting import report_work
 from jounce.design.cases import Case, cases_problem
-from jounce.design.problem import DesignProblem, LimitGiven, Objective, StationaryEvaluator, design_problem
+from jounce.design.problem import (
+    DesignProblem,
+    LimitGiven,
+    Objective,
+    StationaryEvaluator,
+    design_problem,
+)
 from jounce.identify.fit_problem import Bounds
 from jounce.parts import Rig, as_rig
 from jounce.parts.rig import unit_of
@@ -27,13 +33,17 @@ from jounce.ride.surface import Density, Sides
 from jounce.roads import Trial
 from jounce.variants.designs import Spread
 
-_ACTIVE = 1e-5  # share of a limit, up to which it counts as kept, and as reached: searches end far nearer
+_ACTIVE = (
+    1e-5  # share of a limit, up to which it counts as kept, and as reached: searches end far nearer
+)
 _STATIONARY = 1e-4  # slope that is left at an optimum: 0.01 % of the objective at the start over the range of a number
 _EVEN = 1e-4  # weight by which multipliers stay small
 _MOST_STARTS = 1000  # each is a search
 _WIDE = 3.0  # bounds wider than this ratio are searched by logarithm
 _MOST = 200  # iterations
-_FINE = 1e-14  # of the objective, which is 1 at the start: down to rounding, as evaluations are exact
+_FINE = (
+    1e-14  # of the objective, which is 1 at the start: down to rounding, as evaluations are exact
+)
 
 
 @dataclass(frozen=True)
@@ -79,14 +89,18 @@ class Scale:
         """Slope of each value (SI) along its scaled one."""
         safe = np.where(self.is_log, self.lower, 1.0)
         ratio = np.where(self.is_log, self.upper, 1.0) / safe
-        return np.asarray(np.where(self.is_log, self.values(u) * np.log(ratio), self.upper - self.lower))
+        return np.asarray(
+            np.where(self.is_log, self.values(u) * np.log(ratio), self.upper - self.lower)
+        )
 
     def normalise(self, values: Array) -> Array:
         """Convert SI values to scaled ones."""
         safe = np.where(self.is_log, self.lower, 1.0)
         ratio = np.where(self.is_log, self.upper / safe, math.e)
         logarithmic = np.log(np.where(self.is_log, values, 1.0) / safe) / np.log(ratio)
-        return np.asarray(np.where(self.is_log, logarithmic, (values - self.lower) / (self.upper - self.lower)))
+        return np.asarray(
+            np.where(self.is_log, logarithmic, (values - self.lower) / (self.upper - self.lower))
+        )
 
 
 class _SlsqpProblem:
@@ -95,11 +109,18 @@ class _SlsqpProblem:
     def __init__(self, problem: DesignProblem) -> None:
         self.problem, self.scale = problem, Scale(problem)
         metrics = problem.metrics
-        self.worst = [text for text in problem.weights if metrics[text].is_worst and len(metrics[text].channels) > 1]
+        self.worst = [
+            text
+            for text in problem.weights
+            if metrics[text].is_worst and len(metrics[text].channels) > 1
+        ]
         self.count = len(problem.free)
 
     def begin(self, values: Array) -> Array:
-        tops = [abs(self.problem.whole(text, values)[0] / self.problem.base[text]) for text in self.worst]
+        tops = [
+            abs(self.problem.whole(text, values)[0] / self.problem.base[text])
+            for text in self.worst
+        ]
         return np.concatenate([self.scale.normalise(values), tops])
 
     def objective(self, z: Array) -> tuple[float, Array]:
@@ -123,7 +144,9 @@ class _SlsqpProblem:
         """Margins that must not become negative, and their slopes (margins, variables)."""
         u, tops = z[: self.count], z[self.count :]
         values, chain = self.scale.values(u), self.scale.slopes(u)
-        rows = [(margin, slope * chain, None) for _, _, _, margin, slope in self.problem.margins(values)]
+        rows = [
+            (margin, slope * chain, None) for _, _, _, margin, slope in self.problem.margins(values)
+        ]
         margins = [margin for margin, _, _ in rows]
         table = [np.concatenate([slope, np.zeros(len(tops))]) for _, slope, _ in rows]
         for i, text in enumerate(self.worst):
@@ -138,7 +161,12 @@ class _SlsqpProblem:
 
 
 def search(
-    problem: DesignProblem, *, starts: int = 1, seed: int = 0, begin: Array | None = None, precision: float = _FINE
+    problem: DesignProblem,
+    *,
+    starts: int = 1,
+    seed: int = 0,
+    begin: Array | None = None,
+    precision: float = _FINE,
 ) -> SearchResult:
     """Search from the rig's own values (or ``begin``, SI) and from further points; return the best valid result.
 
@@ -165,7 +193,11 @@ def search(
     return _refine_at_kink(problem, best) if problem.has_kinks else best
 
 
-_NEAR, _NEARER, _MOST_NEAR = 0.05, 1e-5, 60  # scaled steps of the search around a kink, and looks a number
+_NEAR, _NEARER, _MOST_NEAR = (
+    0.05,
+    1e-5,
+    60,
+)  # scaled steps of the search around a kink, and looks a number
 
 
 def _refine_at_kink(problem: DesignProblem, best: SearchResult) -> SearchResult:
@@ -189,7 +221,9 @@ def _refine_at_kink(problem: DesignProblem, best: SearchResult) -> SearchResult:
     iterations = best.iterations + int(result.nfev)
     if objective < best.objective and violation <= max(best.violation, _KEPT):
         return SearchResult(values, objective, violation, iterations, bool(result.success))
-    return SearchResult(best.values, best.objective, best.violation, iterations, bool(result.success))
+    return SearchResult(
+        best.values, best.objective, best.violation, iterations, bool(result.success)
+    )
 
 
 def _run_slsqp(problem: DesignProblem, begin: Array, precision: float) -> SearchResult:
@@ -199,7 +233,13 @@ def _run_slsqp(problem: DesignProblem, begin: Array, precision: float) -> Search
     z = task.begin(begin)
     constraints: list[dict[str, Any]] = []
     if problem.limits or task.worst:
-        constraints.append({"type": "ineq", "fun": lambda z: task.margins(z)[0], "jac": lambda z: task.margins(z)[1]})
+        constraints.append(
+            {
+                "type": "ineq",
+                "fun": lambda z: task.margins(z)[0],
+                "jac": lambda z: task.margins(z)[1],
+            }
+        )
     bounds = [(0.0, 1.0)] * task.count + [(0.0, None)] * len(task.worst)
     iterations = 0
     for _ in range(3):  # SLSQP forgets its curvature at a new start, which helps where it stalled
@@ -212,7 +252,9 @@ def _run_slsqp(problem: DesignProblem, begin: Array, precision: float) -> Search
         if is_optimal(problem, task.scale.values(z[: task.count])).holds:
             break
     values = task.scale.values(z[: task.count])
-    return SearchResult(values, problem.objective(values)[0], violation_of(problem, values), iterations)
+    return SearchResult(
+        values, problem.objective(values)[0], violation_of(problem, values), iterations
+    )
 
 
 def violation_of(problem: DesignProblem, values: Array) -> float:
@@ -238,7 +280,12 @@ def least_violation(problem: DesignProblem) -> Array:
 
     best: Array = problem.start
     least = np.inf
-    for u in (scale.normalise(problem.start), np.full(count, 0.5), np.full(count, 0.1), np.full(count, 0.9)):
+    for u in (
+        scale.normalise(problem.start),
+        np.full(count, 0.5),
+        np.full(count, 0.1),
+        np.full(count, 0.9),
+    ):
         first = max(violation_of(problem, scale.values(u)), 0.0)
         result = minimize(
             lambda z: (z[count], np.eye(count + 1)[count]), np.append(u, first), jac=True, method="SLSQP",
@@ -260,7 +307,9 @@ def is_optimal(problem: DesignProblem, values: Array) -> Conditions:
     z = task.begin(values)
     _, slope = task.objective(z)
     margins, table = task.margins(z)
-    names = [(limit.metric.text, channel, side) for limit, channel, side, _, _ in problem.margins(values)]
+    names = [
+        (limit.metric.text, channel, side) for limit, channel, side, _, _ in problem.margins(values)
+    ]
     active = [i for i in range(len(margins)) if margins[i] < _ACTIVE]
     walls = [_wall(i, z[i], len(z)) for i in range(task.count)]
     columns = [table[i] for i in active] + [wall for wall in walls if wall is not None]
@@ -269,7 +318,9 @@ def is_optimal(problem: DesignProblem, values: Array) -> Conditions:
         return Conditions(holds, {})
     table = np.array(columns)
     small = _EVEN * np.eye(len(table))  # limits that say the same share what they hold
-    multipliers, _ = nnls(np.vstack([table.T, small]), np.concatenate([slope, np.zeros(len(table))]))
+    multipliers, _ = nnls(
+        np.vstack([table.T, small]), np.concatenate([slope, np.zeros(len(table))])
+    )
     left = float(np.linalg.norm(multipliers @ table - slope))
     gains = {names[i]: float(multipliers[k]) for k, i in enumerate(active) if i < len(names)}
     return Conditions(bool(left <= _STATIONARY and violation_of(problem, values) <= _ACTIVE), gains)
@@ -284,7 +335,9 @@ def _wall(i: int, u: float, count: int) -> Array | None:
 
 _AT_BOUND = 1e-6  # of the range
 _KEPT = 1e-6  # share of a limit that rounding of a search may break
-_ONE_PERCENT = 0.01  # rise of the objective that counts as none, a choice: with 2 % ranges are some 40 % wider
+_ONE_PERCENT = (
+    0.01  # rise of the objective that counts as none, a choice: with 2 % ranges are some 40 % wider
+)
 _HALVINGS = 20  # at most: half the range is then known to a millionth
 _STEPS = tuple(0.5**k for k in range(6, -1, -1))
 
@@ -405,14 +458,28 @@ class Optimisation(Plain):
             rows.append([item.path, f"{item.start:.5g}", f"{item.value:.5g}", item.unit, at])
         for name in self.objective:
             change = f"{100.0 * (self.after[name] / self.before[name] - 1.0):+.1f} %"
-            rows.append([name, f"{self.before[name]:.5g}", f"{self.after[name]:.5g}", self.units[name], change])
+            rows.append(
+                [
+                    name,
+                    f"{self.before[name]:.5g}",
+                    f"{self.after[name]:.5g}",
+                    self.units[name],
+                    change,
+                ]
+            )
         for limit in self.constraints:
             active = "at its limit" if limit.is_active else ""
-            words = limit.channel if limit.channel.endswith(limit.name) else f"{limit.name}, {limit.channel}"
+            words = (
+                limit.channel
+                if limit.channel.endswith(limit.name)
+                else f"{limit.name}, {limit.channel}"
+            )
             rows.append([words, f"{limit.start:.5g}", f"{limit.value:.5g}", limit.unit, active])
         end = "converged" if self.converged else "did not converge"
         head = f"Best design on {self.driven}: {end}, {self.evaluations} designs"
-        return "\n".join([head, *(line.rstrip() for line in align_columns(rows)), *map(str, self.findings)])
+        return "\n".join(
+            [head, *(line.rstrip() for line in align_columns(rows)), *map(str, self.findings)]
+        )
 
     @property
     def values(self) -> dict[str, float]:
@@ -508,8 +575,12 @@ def optimise(  # noqa: PLR0913 - each is a choice of its own
     1559.1
     """
     given = {"road": road, "speed": speed, "trial": trial, "band": band, "sides": sides}
-    problem = task_of(as_rig(rig), free, objective, constraints, given, cases, spread, samples, seed)
-    with report_work(lambda: Phrase("searching the best design: {judged} judged", judged=problem.evaluations)):
+    problem = task_of(
+        as_rig(rig), free, objective, constraints, given, cases, spread, samples, seed
+    )
+    with report_work(
+        lambda: Phrase("searching the best design: {judged} judged", judged=problem.evaluations)
+    ):
         result = search(problem, starts=starts)
         check_kept(problem, result)
         return outcome(problem, result)
@@ -525,14 +596,24 @@ def task_of(
         return design_problem(rig, free, objective, constraints, more=more, **given)
     chosen = {name: value for name, value in given.items() if value is not None}
     if cases is not None and chosen:
-        raise DescriptionError("cases have their own roads", where=next(iter(chosen)), hint="Give either of both.")
+        raise DescriptionError(
+            "cases have their own roads", where=next(iter(chosen)), hint="Give either of both."
+        )
     if cases is None:
         trial = chosen.pop("trial", None)
         if trial is not None and chosen:
             raise DescriptionError("a trial has its own road", where=next(iter(chosen)))
         cases = {"all": trial if trial is not None else chosen}
     return cases_problem(
-        rig, free, objective, constraints, cases=cases, spread=spread, samples=samples, seed=seed, more=more
+        rig,
+        free,
+        objective,
+        constraints,
+        cases=cases,
+        spread=spread,
+        samples=samples,
+        seed=seed,
+        more=more,
     )
 
 
@@ -546,7 +627,9 @@ def check_kept(problem: DesignProblem, result: SearchResult) -> None:
     numbers, _ = problem.numbers(values)[limit.metric.text]
     reached = float(numbers[limit.metric.channels.index(channel)])
     bound = limit.upper if side == "upper" else limit.lower
-    design = ", ".join(f"{free.path} = {value:.5g}" for free, value in zip(problem.free, values, strict=True))
+    design = ", ".join(
+        f"{free.path} = {value:.5g}" for free, value in zip(problem.free, values, strict=True)
+    )
     unit = "" if limit.metric.unit == "1" else f" {limit.metric.unit}"
     raise FitError(
         "no design within the bounds keeps all limits",
@@ -554,7 +637,8 @@ def check_kept(problem: DesignProblem, result: SearchResult) -> None:
         found=f"{reached:.4g}{unit}",
         allowed=f"{'at most' if side == 'upper' else 'at least'} {bound:.4g}{unit}",
         hint=Phrase(
-            "This is where the limits are broken least ({design}); loosen them or widen the bounds.", design=design
+            "This is where the limits are broken least ({design}); loosen them or widen the bounds.",
+            design=design,
         ),
     )
 
@@ -567,10 +651,16 @@ def outcome(problem: DesignProblem, result: SearchResult) -> Optimisation:
     numbers = tuple(_number(problem, i, values, value, slopes) for i in range(len(values)))
     constraints = tuple(_constraints(problem, values, conditions.gains, value))
     best = problem.with_values(values)
-    findings = [*problem.notes, *_findings(problem, numbers, converged=conditions.holds or result.settled)]
+    findings = [
+        *problem.notes,
+        *_findings(problem, numbers, converged=conditions.holds or result.settled),
+    ]
     if isinstance(problem.evaluator, StationaryEvaluator):
         findings += _linear(problem, best)
-    before, after = ({text: problem.whole(text, at)[0] for text in problem.metrics} for at in (problem.start, values))
+    before, after = (
+        {text: problem.whole(text, at)[0] for text in problem.metrics}
+        for at in (problem.start, values)
+    )
     units = {text: metric.unit for text, metric in problem.metrics.items()}
     return Optimisation(
         best, numbers, problem.weights, value, before, after, units, constraints, conditions.holds or result.settled,
@@ -586,12 +676,22 @@ def road_in_words(problem: DesignProblem) -> str:
     surface = problem.surface
     if surface is None:
         return "a simulated trial"
-    road = "a given spectrum" if surface.roughness is None else f"G_d(n0) = {surface.roughness * 1e6:.4g}e-6 m^3"
-    waves = "all waves" if surface.band is None else f"waves of {surface.band[0]:g} to {surface.band[1]:g} 1/m"
+    road = (
+        "a given spectrum"
+        if surface.roughness is None
+        else f"G_d(n0) = {surface.roughness * 1e6:.4g}e-6 m^3"
+    )
+    waves = (
+        "all waves"
+        if surface.band is None
+        else f"waves of {surface.band[0]:g} to {surface.band[1]:g} 1/m"
+    )
     return f"random road, {road}, {surface.speed:g} m/s, {waves}"
 
 
-def _number(problem: DesignProblem, i: int, values: Array, objective: float, slopes: Array) -> DesignNumber:
+def _number(
+    problem: DesignProblem, i: int, values: Array, objective: float, slopes: Array
+) -> DesignNumber:
     free, value = problem.free[i], float(values[i])
     room = _AT_BOUND * (free.upper - free.lower)
     at: Literal["", "lower", "upper"] = ""
@@ -601,10 +701,14 @@ def _number(problem: DesignProblem, i: int, values: Array, objective: float, slo
         at = "upper"
     flat = _flat_range(problem, i, values, objective) if problem.surface is not None else None
     unit, sensitivity = unit_of(problem.rig, free.path), float(value * slopes[i] / objective)
-    return DesignNumber(free.path, unit, free.initial, value, free.lower, free.upper, at, sensitivity, flat)
+    return DesignNumber(
+        free.path, unit, free.initial, value, free.lower, free.upper, at, sensitivity, flat
+    )
 
 
-def _flat_range(problem: DesignProblem, i: int, values: Array, objective: float) -> tuple[float, float]:
+def _flat_range(
+    problem: DesignProblem, i: int, values: Array, objective: float
+) -> tuple[float, float]:
     """Range of a number, within its bounds, in which all limits hold and the objective rises by at most 1 %."""
     broken = -min([0.0, *(margin[3] for margin in problem.margins(values))])
 
@@ -616,7 +720,9 @@ def _flat_range(problem: DesignProblem, i: int, values: Array, objective: float)
         return all(margin[3] >= -max(_KEPT, broken) for margin in problem.margins(moved))
 
     best = float(values[i])
-    return _reach(best, problem.free[i].lower, is_as_good), _reach(best, problem.free[i].upper, is_as_good)
+    return _reach(best, problem.free[i].lower, is_as_good), _reach(
+        best, problem.free[i].upper, is_as_good
+    )
 
 
 def _reach(start: float, bound: float, is_as_good: Callable[[float], bool]) -> float:
@@ -636,11 +742,16 @@ def _reach(start: float, bound: float, is_as_good: Callable[[float], bool]) -> f
 
 
 def _constraints(
-    problem: DesignProblem, values: Array, gains: dict[tuple[str, str, str], float], objective: float
+    problem: DesignProblem,
+    values: Array,
+    gains: dict[tuple[str, str, str], float],
+    objective: float,
 ) -> list[DesignConstraint]:
     constraints = []
     for limit in problem.limits:
-        before, after = (problem.numbers(at)[limit.metric.text][0] for at in (problem.start, values))
+        before, after = (
+            problem.numbers(at)[limit.metric.text][0] for at in (problem.start, values)
+        )
         for i, channel in enumerate(limit.metric.channels):
             sides = [gains.get((limit.metric.text, channel, side)) for side in ("lower", "upper")]
             active = [gain for gain in sides if gain is not None]
@@ -653,7 +764,9 @@ def _constraints(
     return constraints
 
 
-def _findings(problem: DesignProblem, numbers: tuple[DesignNumber, ...], *, converged: bool) -> list[Finding]:
+def _findings(
+    problem: DesignProblem, numbers: tuple[DesignNumber, ...], *, converged: bool
+) -> list[Finding]:
     findings = []
     if not converged:
         findings.append(finding("design.no_optimum", "optimise"))
@@ -685,8 +798,14 @@ def _linear(problem: DesignProblem, best: Rig) -> list[Finding]:
     assert problem.surface is not None
     family = LinearFamily(best)
     names = family.compiled.output_names
-    wanted = [i for i, name in enumerate(names) if name.endswith(("tyre.force", "strut.deflection"))]
-    moments = RandomVibration(Families((family,)), problem.surface, tuple(Signal(i) for i in wanted)).at(slopes=False)
+    wanted = [
+        i for i, name in enumerate(names) if name.endswith(("tyre.force", "strut.deflection"))
+    ]
+    moments = RandomVibration(
+        Families((family,)), problem.surface, tuple(Signal(i) for i in wanted)
+    ).at(slopes=False)
     there = [k for k in range(len(wanted)) if k not in moments.absent]
     sigma = {names[wanted[k]]: float(np.sqrt(max(moments.variances[0, k], 0.0))) for k in there}
-    return linear_findings(best, sigma, {names[wanted[k]]: float(moments.static[0, k]) for k in there})
+    return linear_findings(
+        best, sigma, {names[wanted[k]]: float(moments.static[0, k]) for k in there}
+    )

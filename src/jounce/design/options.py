@@ -14,7 +14,9 @@ LIMITS = Ranges(
     "METRIC=LIMIT",
     'strut.deflection="20 mm"',
 )
-RANDOM_ROAD = Mark("A class of ISO 8608 (iso:A to iso:H), or its roughness G_d(0.1 1/m), e.g. 256e-6 m^3.", "ROAD")
+RANDOM_ROAD = Mark(
+    "A class of ISO 8608 (iso:A to iso:H), or its roughness G_d(0.1 1/m), e.g. 256e-6 m^3.", "ROAD"
+)
 ROAD_SPEED = Number('Speed over the road, e.g. "20 m/s".', "SPEED", "m/s", is_positive=True)
 ROAD_BAND = Band(
     'Band of spatial frequencies: iso (0.011 to 2.83 1/m) or "0.02..3"; unlimited by default where possible.',

@@ -119,17 +119,32 @@ def best_dampers(
         ("road holding", holding, road_holding_damping),
     )
     for goal, metric, formula in goals:
-        closed = {wheel.damper: formula(wheel.quarter_car(values)) / wheel.motion_ratio**2 for wheel in wheels}
-        free: dict[str, Bounds] = {path: (_RANGE[0] * c, _RANGE[1] * c) for path, c in closed.items()}
-        begin = {path: min(max(values[path], _RANGE[0] * c), _RANGE[1] * c) for path, c in closed.items()}
+        closed = {
+            wheel.damper: formula(wheel.quarter_car(values)) / wheel.motion_ratio**2
+            for wheel in wheels
+        }
+        free: dict[str, Bounds] = {
+            path: (_RANGE[0] * c, _RANGE[1] * c) for path, c in closed.items()
+        }
+        begin = {
+            path: min(max(values[path], _RANGE[0] * c), _RANGE[1] * c) for path, c in closed.items()
+        }
         more = [comfort, holding]  # so that both are judged on the same road
-        problem = design_problem(rig.with_changes(begin), free, metric, more=more, road=road, speed=speed, band=band)
+        problem = design_problem(
+            rig.with_changes(begin), free, metric, more=more, road=road, speed=speed, band=band
+        )
         ended = search(problem).values
-        searched = {number.path: float(value) for number, value in zip(problem.free, ended, strict=True)}
+        searched = {
+            number.path: float(value) for number, value in zip(problem.free, ended, strict=True)
+        }
         present = {path: values[path] for path in closed}
         numbers = {
             name: _metric_with(problem, metric, dampers)
-            for name, dampers in (("present", present), ("closed_form", closed), ("searched", searched))
+            for name, dampers in (
+                ("present", present),
+                ("closed_form", closed),
+                ("searched", searched),
+            )
         }
         unit = problem.metrics[metric].unit
         best.append(BestDamper(goal, metric, unit, present, closed, searched, numbers))
@@ -195,18 +210,35 @@ class ParetoFront(Plain):
     def roles(self) -> tuple[str, ...]:
         """``comfort``, ``holding`` and, where it is a metric of its own, ``travel``."""
         pair = ("comfort", "holding")
-        return pair if self.metrics["travel"] in [self.metrics[role] for role in pair] else (*pair, "travel")
+        return (
+            pair
+            if self.metrics["travel"] in [self.metrics[role] for role in pair]
+            else (*pair, "travel")
+        )
 
     @property
     def heading(self) -> str:
         """The two ends of the front, in words."""
         usual = self.metrics["comfort"] == COMFORT and self.metrics["holding"] == HOLDING
-        return "comfort to road holding" if usual else f"{self.metrics['comfort']} to {self.metrics['holding']}"
+        return (
+            "comfort to road holding"
+            if usual
+            else f"{self.metrics['comfort']} to {self.metrics['holding']}"
+        )
 
     def __str__(self) -> str:
-        rows = [["", *(f"{self.metrics[role]} [{self.units[role]}]" for role in self.roles), *self.numbers]]
+        rows = [
+            [
+                "",
+                *(f"{self.metrics[role]} [{self.units[role]}]" for role in self.roles),
+                *self.numbers,
+            ]
+        ]
         columns = [*(getattr(self, role) for role in self.roles), *self.numbers.values()]
-        rows += [[str(i + 1), *(f"{column[i]:.5g}" for column in columns)] for i in range(len(self.comfort))]
+        rows += [
+            [str(i + 1), *(f"{column[i]:.5g}" for column in columns)]
+            for i in range(len(self.comfort))
+        ]
         beside = [
             f"{mark.name} ({mark.kind}): {', '.join(f'{getattr(mark, role):.5g}' for role in self.roles)}"
             for mark in self.marks
@@ -237,7 +269,9 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
     holding: Annotated[str, Mark("Metric of road holding.", "METRIC")] = HOLDING,
     travel: Annotated[str, Mark("Metric reported alongside.", "METRIC")] = TRAVEL,
     constraints: Annotated[Mapping[str, LimitGiven] | None, LIMITS] = None,
-    points: Annotated[int, Count("Number of designs, ends included.", "NUMBER", _FEWEST, _MOST)] = 25,
+    points: Annotated[
+        int, Count("Number of designs, ends included.", "NUMBER", _FEWEST, _MOST)
+    ] = 25,
     band: Annotated[tuple[float, float] | Literal["iso"] | None, ROAD_BAND] = None,
     cases: Mapping[str, Case] | None = None,
     spread: Mapping[str, Spread] | None = None,
@@ -304,8 +338,21 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
     rig = as_rig(rig)
     given: dict[str, Any] = {"road": road, "speed": speed, "band": band}
     chosen = {name: value for name, value in given.items() if value is not None}
-    soft = task_of(rig, free, comfort, constraints, chosen, cases, spread, samples, seed, more=[holding, travel])
-    firm = replace(soft, weights={holding: 1.0}, base={holding: soft.base_of(soft.metrics[holding])})
+    soft = task_of(
+        rig,
+        free,
+        comfort,
+        constraints,
+        chosen,
+        cases,
+        spread,
+        samples,
+        seed,
+        more=[holding, travel],
+    )
+    firm = replace(
+        soft, weights={holding: 1.0}, base={holding: soft.base_of(soft.metrics[holding])}
+    )
     designs: list[Array] = []
     with report_work(
         lambda: Phrase(
@@ -360,7 +407,9 @@ def _front(
         holds &= result.settled or is_optimal(problem, result.values).holds
         table.append(result.values)
     table.append(ends[1].values)
-    return np.array(table), bool(holds and (ends[1].settled or is_optimal(firm, ends[1].values).holds))
+    return np.array(table), bool(
+        holds and (ends[1].settled or is_optimal(firm, ends[1].values).holds)
+    )
 
 
 def _marks(
@@ -369,7 +418,9 @@ def _marks(
     """The rig as it is, and the best dampers where closed forms exist for the rig."""
     marks = [_mark("as it is", "present", soft, {}, metrics)]
     try:
-        best = best_dampers(soft.rig, **given, comfort=metrics["comfort"], holding=metrics["holding"])
+        best = best_dampers(
+            soft.rig, **given, comfort=metrics["comfort"], holding=metrics["holding"]
+        )
     except (DescriptionError, FitError) as error:
         return tuple(marks), [finding("design.no_best_dampers", "closed forms", error=error)]
     for damper in best:
@@ -389,8 +440,18 @@ def _mark(
     assert isinstance(soft.evaluator, StationaryEvaluator)
     families = Families((LinearFamily(soft.rig.with_changes(changes)),))
     numbers = replace(soft.evaluator, families=families).at(np.zeros(0))
-    values = {role: combine_channels(soft.metrics[text], numbers[text])[0] for role, text in metrics.items()}
-    return ParetoMark(name, kind, {**_present(soft), **changes}, values["comfort"], values["holding"], values["travel"])
+    values = {
+        role: combine_channels(soft.metrics[text], numbers[text])[0]
+        for role, text in metrics.items()
+    }
+    return ParetoMark(
+        name,
+        kind,
+        {**_present(soft), **changes},
+        values["comfort"],
+        values["holding"],
+        values["travel"],
+    )
 
 
 def _present(soft: DesignProblem) -> dict[str, float]:

@@ -34,7 +34,9 @@ from jounce.roads import Trial
 
 KINDS = ("rms", "weighted", "coefficient", "static")
 _MODE = {"frequency": "Hz", "damping_ratio": "1"}
-_EXAMPLES = "e.g. 'sprung.az', 'sprung.az weighted', 'worst tyre.force coefficient', 'mode 1 frequency'"
+_EXAMPLES = (
+    "e.g. 'sprung.az', 'sprung.az weighted', 'worst tyre.force coefficient', 'mode 1 frequency'"
+)
 Numbers = tuple[Array, Array]
 """Values of a metric, one for each channel, and their slopes (numbers, channels)."""
 
@@ -74,17 +76,31 @@ def read_metric(text: str, units: Mapping[str, str], *, where: str) -> Metric:
     channels = tuple(channels_of(words[0], list(units)))
     if not channels:
         ends = {".".join(name.split(".")[-2:]) for name in units}
-        error = unknown(words[0], {*ends, *(name for name in units if name.count(".") < 2)}, what="metric", where=where)
+        error = unknown(
+            words[0],
+            {*ends, *(name for name in units if name.count(".") < 2)},
+            what="metric",
+            where=where,
+        )
         if words[0] in {row.name for row in CATALOGUE}:
             hint = "Kinematic quantities are designed by jn.design_kinematics, `jounce design kinematics`."
             raise DescriptionError(error.what, where=where, allowed=error.allowed, hint=hint)
         raise error
     if kind == "coefficient" and not words[0].endswith("force"):
         raise DescriptionError(
-            "a coefficient is that of a force", where=where, found=text, allowed="e.g. 'tyre.force coefficient'"
+            "a coefficient is that of a force",
+            where=where,
+            found=text,
+            allowed="e.g. 'tyre.force coefficient'",
         )
     return Metric(
-        str(text), channels, kind, "1" if kind == "coefficient" else units[channels[0]], weighting, 0, is_worst
+        str(text),
+        channels,
+        kind,
+        "1" if kind == "coefficient" else units[channels[0]],
+        weighting,
+        0,
+        is_worst,
     )
 
 
@@ -154,12 +170,17 @@ class StationaryEvaluator:
                 if i in moments.absent:
                     reasons[metric.text] = moments.absent[i]
                 elif np.any(np.isnan(moments.variance_slopes[:, :, i])):
-                    reasons[metric.text] = "would depend on the height of the road when a free parameter changes"
+                    reasons[metric.text] = (
+                        "would depend on the height of the road when a free parameter changes"
+                    )
         return reasons
 
     def at(self, values: Array) -> dict[str, Numbers]:
         """Return every metric of the one rig by its text: values of its channels and their slopes, SI."""
-        return {text: (numbers[0], slopes[0]) for text, (numbers, slopes) in self.each(values[None]).items()}
+        return {
+            text: (numbers[0], slopes[0])
+            for text, (numbers, slopes) in self.each(values[None]).items()
+        }
 
     def each(self, values: Array) -> dict[str, Numbers]:
         """The same for values (members, numbers) of all rigs: (members, channels), (members, numbers, channels)."""
@@ -168,24 +189,36 @@ class StationaryEvaluator:
         for metric in self.metrics:
             if metric.is_of_mode:
                 model, along = moments.linear.model, moments.linear.along
-                rows = [mode_number(metric, *matrices) for matrices in zip(model.A, along.A, strict=True)]
-                metrics[metric.text] = np.stack([row[0] for row in rows]), np.stack([row[1] for row in rows])
+                rows = [
+                    mode_number(metric, *matrices)
+                    for matrices in zip(model.A, along.A, strict=True)
+                ]
+                metrics[metric.text] = (
+                    np.stack([row[0] for row in rows]),
+                    np.stack([row[1] for row in rows]),
+                )
                 continue
             i = self._layout[0][metric.text]
             sigma = np.sqrt(np.maximum(moments.variances[:, i], 1e-300))
             slopes = moments.variance_slopes[:, :, i] / (2.0 * sigma[:, None])
-            metrics[metric.text] = _of_kind(metric, sigma, slopes, moments.static[:, i], moments.static_slopes[:, :, i])
+            metrics[metric.text] = _of_kind(
+                metric, sigma, slopes, moments.static[:, i], moments.static_slopes[:, :, i]
+            )
         return metrics
 
 
-def _of_kind(metric: Metric, sigma: Array, slopes: Array, rest: Array, rest_slopes: Array) -> Numbers:
+def _of_kind(
+    metric: Metric, sigma: Array, slopes: Array, rest: Array, rest_slopes: Array
+) -> Numbers:
     """Number of each channel (..., channels), and its slopes (..., numbers, channels)."""
     if metric.kind == "static":
         return rest, rest_slopes
     if metric.kind != "coefficient":
         return sigma, slopes
     if np.any(rest <= 0.0):
-        raise FitError("a coefficient without a static force", where=metric.text, found=f"{np.min(rest):.4g} N")
+        raise FitError(
+            "a coefficient without a static force", where=metric.text, found=f"{np.min(rest):.4g} N"
+        )
     share, size = (sigma / rest)[..., None, :], rest[..., None, :]
     return sigma / rest, (slopes - share * rest_slopes) / size
 
@@ -204,7 +237,8 @@ def mode_number(metric: Metric, a: Array, along: Array) -> Numbers:
     i, j = pairs[metric.mode - 1]
     first, second = values[i], values[j]
     moves = [
-        np.array([left[:, k].conj() @ part @ right[:, k] for part in along]) / (left[:, k].conj() @ right[:, k])
+        np.array([left[:, k].conj() @ part @ right[:, k] for part in along])
+        / (left[:, k].conj() @ right[:, k])
         for k in (i, j)
     ]
     size = np.sqrt((first * second).real)
@@ -217,7 +251,9 @@ def mode_number(metric: Metric, a: Array, along: Array) -> Numbers:
 
 def _pairs(values: NDArray[np.complex128]) -> list[tuple[int, int]]:
     """Eigenvalues of each mode by rising frequency: conjugates, or neighbours of those that do not oscillate."""
-    real = sorted((i for i in range(len(values)) if values[i].imag == 0.0), key=lambda i: abs(values[i]))
+    real = sorted(
+        (i for i in range(len(values)) if values[i].imag == 0.0), key=lambda i: abs(values[i])
+    )
     pairs = [(real[k], real[k + 1]) for k in range(0, len(real) - 1, 2)]
     turning = [i for i in range(len(values)) if values[i].imag > 0.0]
     pairs += [(i, int(np.argmin(np.abs(values - values[i].conj())))) for i in turning]
@@ -264,7 +300,9 @@ class TrialEvaluator:
             compiled = compile_rig(rig, paths)
             solution = solve(compiled, compiled.parameter_values(numbers), driven, times)
         if solution.status is not Status.COMPLETED:
-            raise SimulationError("the run did not reach its end", where="trial", found=solution.status.help)
+            raise SimulationError(
+                "the run did not reach its end", where="trial", found=solution.status.help
+            )
         metrics = {}
         for metric in self.metrics:
             if metric.is_of_mode:
@@ -285,7 +323,9 @@ class TrialEvaluator:
 
             rate = 1.0 / self.output_step
             moved = np.array([weight(row, rate, metric.weighting) for row in moved])
-            slopes = np.array([[weight(row, rate, metric.weighting) for row in block] for block in slopes])
+            slopes = np.array(
+                [[weight(row, rate, metric.weighting) for row in block] for block in slopes]
+            )
         sigma = np.sqrt(np.mean(moved**2, axis=1))
         change = np.mean(slopes * moved[:, None, :], axis=2) / np.maximum(sigma, 1e-300)[:, None]
         return _of_kind(metric, sigma, change.T, rest, rest_slopes.T)
@@ -397,7 +437,9 @@ class DesignProblem:
 
     def with_values(self, values: Array) -> Rig:
         """The rig with other values (SI) of the free numbers."""
-        return self.rig.with_changes(dict(zip([free.path for free in self.free], map(float, values), strict=True)))
+        return self.rig.with_changes(
+            dict(zip([free.path for free in self.free], map(float, values), strict=True))
+        )
 
     def margins(self, values: Array) -> list[tuple[Limit, str, str, float, Array]]:
         """Margin of each side of each limit and channel, relative to the limit, with slopes."""
@@ -409,7 +451,10 @@ class DesignProblem:
                 number, along = combine_channels(limit.metric, (numbers, slopes))
                 numbers, slopes, channels = np.array([number]), along[:, None], (limit.metric.text,)
             for i, channel in enumerate(channels):
-                for side, bound, sign in (("lower", limit.lower, 1.0), ("upper", limit.upper, -1.0)):
+                for side, bound, sign in (
+                    ("lower", limit.lower, 1.0),
+                    ("upper", limit.upper, -1.0),
+                ):
                     if bound is not None:
                         size = abs(bound) or abs(self.base_of(limit.metric)) or 1.0
                         margin = sign * (float(numbers[i]) - bound) / size
@@ -451,20 +496,28 @@ def design_problem(
         _refuse_both(road, speed, settings)
         evaluator = TrialEvaluator(family, trial, tuple(metrics.values()))
     else:
-        evaluator, notes = stationary_evaluator(Families((family,)), tuple(metrics.values()), road, speed, settings)
+        evaluator, notes = stationary_evaluator(
+            Families((family,)), tuple(metrics.values()), road, speed, settings
+        )
         road_surface = evaluator.surface
-    problem = DesignProblem(rig, numbers, weights, tuple(limits), evaluator, metrics, road_surface, trial, notes)
+    problem = DesignProblem(
+        rig, numbers, weights, tuple(limits), evaluator, metrics, road_surface, trial, notes
+    )
     for text in weights:
         base = problem.base_of(metrics[text])
         if not (np.isfinite(base) and base != 0.0):
-            raise FitError("is zero at the start, so there is nothing to reduce", where=f"objective: {text}")
+            raise FitError(
+                "is zero at the start, so there is nothing to reduce", where=f"objective: {text}"
+            )
         problem.base[text] = base
     return problem
 
 
 def numbers_of(rig: Rig, free: Mapping[str, Bounds]) -> tuple[FreeParameter, ...]:
     """Read the free numbers, which the model depends on, with bounds that the description allows."""
-    numbers = free_parameters(rig, {path: _strip_sign(bounds) for path, bounds in free.items()}, where="free")
+    numbers = free_parameters(
+        rig, {path: _strip_sign(bounds) for path, bounds in free.items()}, where="free"
+    )
     _check_used(LinearFamily(rig, tuple(number.path for number in numbers)))
     _check_bounds(rig, numbers)
     return numbers
@@ -478,12 +531,16 @@ def read_weights(objective: Objective) -> dict[str, float]:
     """Read metrics and their weights."""
     given = {objective: 1.0} if isinstance(objective, str) else dict(objective)
     if not given:
-        raise DescriptionError("no objective", where="objective", hint='Give one, e.g. {"sprung.az": 1.0}.')
+        raise DescriptionError(
+            "no objective", where="objective", hint='Give one, e.g. {"sprung.az": 1.0}.'
+        )
     every: Mapping[str, object] = given  # what callers give is not always what they should
     for text, number in every.items():
         is_number = isinstance(number, (int, float)) and not isinstance(number, bool)
         if not (is_number and np.isfinite(given[text]) and given[text] > 0.0):
-            raise DescriptionError("not a weight", where=f"objective: {text}", found=number, allowed="above 0")
+            raise DescriptionError(
+                "not a weight", where=f"objective: {text}", found=number, allowed="above 0"
+            )
     return {text: float(weight) for text, weight in given.items()}
 
 
@@ -492,8 +549,12 @@ def read_limit(metric: Metric, given: LimitGiven) -> Limit:
     where = f"constraints: {metric.text}"
     if isinstance(given, (tuple, list)):
         if len(given) != 2:
-            raise DescriptionError("not limits", where=where, found=list(given), allowed="a value, or (lower, upper)")
-        lower, upper = (None if side is None else to_si(side, metric.unit, where=where) for side in given)
+            raise DescriptionError(
+                "not limits", where=where, found=list(given), allowed="a value, or (lower, upper)"
+            )
+        lower, upper = (
+            None if side is None else to_si(side, metric.unit, where=where) for side in given
+        )
     else:
         text = given.strip() if isinstance(given, str) else given
         is_lower = isinstance(text, str) and text.startswith(">")
@@ -506,7 +567,9 @@ def read_limit(metric: Metric, given: LimitGiven) -> Limit:
     if lower is None and upper is None:
         raise DescriptionError("no limit", where=where, allowed="a value, or (lower, upper)")
     if lower is not None and upper is not None and lower > upper:
-        raise DescriptionError("the lower limit lies above the upper", where=where, found=f"{lower:g}, {upper:g}")
+        raise DescriptionError(
+            "the lower limit lies above the upper", where=where, found=f"{lower:g}, {upper:g}"
+        )
     return Limit(metric, lower, upper)
 
 
@@ -522,7 +585,9 @@ def _check_used(family: LinearFamily) -> None:
     for path in family.paths:
         if path not in used:
             raise DescriptionError(
-                "the model does not depend on this parameter", where=f"free: {path}", allowed=", ".join(sorted(used))
+                "the model does not depend on this parameter",
+                where=f"free: {path}",
+                allowed=", ".join(sorted(used)),
             )
 
 
@@ -537,7 +602,9 @@ def _refuse_both(road: Any, speed: float | str | None, settings: Mapping[str, An
     given = {"road": road, "speed": speed, **settings}
     for name, value in given.items():
         if value is not None:
-            raise DescriptionError("a trial has its own road", where=name, hint="Give either trial or road and speed.")
+            raise DescriptionError(
+                "a trial has its own road", where=name, hint="Give either trial or road and speed."
+            )
 
 
 def stationary_evaluator(
@@ -551,7 +618,9 @@ def stationary_evaluator(
     if road is None or speed is None:
         missing = "road" if road is None else "speed"
         raise DescriptionError(
-            Phrase("no {missing}", missing=missing), where=missing, hint='Give road="C" and speed="20 m/s", or a trial.'
+            Phrase("no {missing}", missing=missing),
+            where=missing,
+            hint='Give road="C" and speed="20 m/s", or a trial.',
         )
     given = {name: value for name, value in settings.items() if value is not None}
     reasons: dict[str, str] = {}
@@ -566,7 +635,9 @@ def stationary_evaluator(
             return evaluator, ()
     if not is_white:
         return StationaryEvaluator(families, surface(road, speed, **given), metrics), ()
-    evaluator = StationaryEvaluator(families, surface(road, speed, **{**given, "band": "iso"}), metrics)
+    evaluator = StationaryEvaluator(
+        families, surface(road, speed, **{**given, "band": "iso"}), metrics
+    )
     text, reason = next(iter(reasons.items()))
     note = finding("design.band_instead_of_white", text, reason=reason)
     return evaluator, (note,)

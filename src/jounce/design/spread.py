@@ -111,7 +111,9 @@ class KinematicSpread(Plain):
             for k, drawn in enumerate(target.drawn):
                 at = repr(target.at[k]) if len(target.drawn) == len(target.at) else ""
                 bands = (repr(getattr(target, name)[k]) for name in names[1:])
-                rows.append(",".join((str(i), quantity, target.unit, target.along, at, repr(drawn), *bands)))
+                rows.append(
+                    ",".join((str(i), quantity, target.unit, target.along, at, repr(drawn), *bands))
+                )
         return "\n".join([*rows, ""])
 
 
@@ -158,7 +160,9 @@ def kinematic_spread(
     True
     """
     corner = check_corner(as_rig(rig))
-    wishes = [item if isinstance(item, KinematicTarget) else KinematicTarget(**item) for item in targets]
+    wishes = [
+        item if isinstance(item, KinematicTarget) else KinematicTarget(**item) for item in targets
+    ]
     if not wishes:
         raise DescriptionError("nothing is wanted", where="targets", allowed="one target or more")
     chosen = spread if isinstance(spread, Spread) else Spread(**spread)
@@ -166,7 +170,9 @@ def kinematic_spread(
     return spread_of(corner, read_targets({"": corner}, wishes, cars, shapes), chosen, vehicle)
 
 
-def spread_of(rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: AxleLayout | None) -> KinematicSpread:
+def spread_of(
+    rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: AxleLayout | None
+) -> KinematicSpread:
     """Build the cars of a corner whose targets are read."""
     workshop = Workshop(rig, wanted, spread, vehicle)
     random = np.random.default_rng(spread.seed)
@@ -188,23 +194,33 @@ def spread_of(rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: Ax
         settled.append(better)
         settings.append(lengths)
     if not made:
-        raise DescriptionError("no car can be assembled", where="spread", hint="Make its tolerances smaller.")
-    return _describe_spread(workshop, drawn, np.array(made), np.array(settled), np.array(settings), failed)
+        raise DescriptionError(
+            "no car can be assembled", where="spread", hint="Make its tolerances smaller."
+        )
+    return _describe_spread(
+        workshop, drawn, np.array(made), np.array(settled), np.array(settings), failed
+    )
 
 
 class Workshop:
     """Builds corners whose parts deviate: ``sources`` of deviations in ``sizes`` (standard deviations, m)."""
 
-    def __init__(self, rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: AxleLayout | None) -> None:
+    def __init__(
+        self, rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: AxleLayout | None
+    ) -> None:
         self.rig, self.spread = rig, spread
         alone = [Wanted(**{**vars(item), "rig": ""}) for item in wanted]
         self.wanted = alone
         numbering = Numbering.of({"": rig})
         nothing = np.zeros((len(numbering.paths), 0))
-        self._evaluator = Evaluators(numbering, alone, nothing, np.zeros(0), {} if vehicle is None else {"": vehicle})
+        self._evaluator = Evaluators(
+            numbering, alone, nothing, np.zeros(0), {} if vehicle is None else {"": vehicle}
+        )
         self._numbering = numbering
         self.parts = self._evaluator.parts
-        self.tolerance = np.repeat([item.tolerance for item in alone], [len(item.low) for item in alone])
+        self.tolerance = np.repeat(
+            [item.tolerance for item in alone], [len(item.low) for item in alone]
+        )
         self._sources()
         self._adjusters()
 
@@ -224,20 +240,32 @@ class Workshop:
         for name in self.spread.exact:
             if name not in known:
                 raise unknown(name, known, what="point or length", where="spread.exact")
-        self.sources = [(name, i) for name in names for i in range(3)] + [(f"{name} length", 0) for name in links]
+        self.sources = [(name, i) for name in names for i in range(3)] + [
+            (f"{name} length", 0) for name in links
+        ]
         sizes = [
-            self.spread.exact.get(name, self.spread.links if name.endswith(" length") else self.spread.points)
+            self.spread.exact.get(
+                name, self.spread.links if name.endswith(" length") else self.spread.points
+            )
             for name, _ in self.sources
         ]
         self.sizes = np.array(sizes) / _DEVIATIONS
         if not np.any(self.sizes > 0.0):
-            raise DescriptionError("nothing deviates", where="spread", allowed="points, links or exact above 0 mm")
+            raise DescriptionError(
+                "nothing deviates", where="spread", allowed="points, links or exact above 0 mm"
+            )
 
     def _adjusters(self) -> None:
-        fitting = {name: item for name, item in SETTINGS.items() if item.unit == "m" and item.fits(self.rig)}
+        fitting = {
+            name: item
+            for name, item in SETTINGS.items()
+            if item.unit == "m" and item.fits(self.rig)
+        }
         for i, name in enumerate(self.spread.adjust):
             if name not in fitting:
-                raise unknown(name, fitting, what="adjustment of a length", where=f"spread.adjust[{i}]")
+                raise unknown(
+                    name, fitting, what="adjustment of a length", where=f"spread.adjust[{i}]"
+                )
         self._settings = [fitting[name] for name in self.spread.adjust]
         ends = [item.range_for(self.rig) for item in self._settings]
         self._low, self._high = (np.array([end[k] for end in ends]) for k in (0, 1))
@@ -259,7 +287,9 @@ class Workshop:
 
     def _aims(self, rig: Corner, values: Array) -> Array:
         """Aims of the adjustments: all values in tolerances, and static camber and toe."""
-        return np.concatenate([values / self.tolerance, np.array([rig.wheel.camber, rig.wheel.toe]) / _ALIGNED])
+        return np.concatenate(
+            [values / self.tolerance, np.array([rig.wheel.camber, rig.wheel.toe]) / _ALIGNED]
+        )
 
     def build(self, deviations: Array) -> Corner:
         """Build the corner from parts that deviate (m)."""
@@ -276,10 +306,16 @@ class Workshop:
                 for i in range(3)
             }
             base = self.rig.with_changes(moved)
-            ends = [[points["pushrod_outer"], points["pushrod_inner"]] for points in (given, base.hardpoints.given())]
+            ends = [
+                [points["pushrod_outer"], points["pushrod_inner"]]
+                for points in (given, base.hardpoints.given())
+            ]
             longer = distance(*ends[0]) - distance(*ends[1]) + away[f"{_PUSHROD} length"][0]
         inner = {name: triple(np.array(given[name]) + away[name]) for name in self._inner}
-        lengths = {name: length + away[f"{name} length"][0] for name, length in rod_lengths(self.rig).items()}
+        lengths = {
+            name: length + away[f"{name} length"][0]
+            for name, length in rod_lengths(self.rig).items()
+        }
         shims = {name: away[name] for name in self._joints}
         return refit(base, Changes(inner, lengths, shims, longer))
 
@@ -290,11 +326,17 @@ class Workshop:
         from scipy.optimize import lsq_linear
 
         aims, values_then, settings = self._aims(car, values), values, np.zeros(len(self._settings))
-        for _ in range(2):  # the effects are those of the drawing: the second step removes what the first one leaves
+        for _ in range(
+            2
+        ):  # the effects are those of the drawing: the second step removes what the first one leaves
             left = aims - self._drawn - self._effects @ settings
             bounds = (self._low - 1e-12, self._high + 1e-12)
-            settings = np.clip(lsq_linear(self._effects, -left, bounds=bounds).x, self._low, self._high)
-            asked = dict(zip([item.name for item in self._settings], settings.tolist(), strict=True))
+            settings = np.clip(
+                lsq_linear(self._effects, -left, bounds=bounds).x, self._low, self._high
+            )
+            asked = dict(
+                zip([item.name for item in self._settings], settings.tolist(), strict=True)
+            )
             better = apply_adjustments(car, asked)
             values_then = self.values(better)
             aims = self._aims(better, values_then)
@@ -322,8 +364,13 @@ def _describe_spread(
     for item, part in zip(workshop.wanted, workshop.parts, strict=True):
         for name, values in (("made", made), ("settled", settled)):
             met[name].append(np.array([item.is_met_by(row) for row in values[:, part]]))
-        (low, high), better = (np.percentile(values[:, part], _BAND, axis=0).tolist() for values in (made, settled))
-        wanted = [[None if not np.isfinite(end) else float(end) for end in ends] for ends in (item.low, item.high)]
+        (low, high), better = (
+            np.percentile(values[:, part], _BAND, axis=0).tolist() for values in (made, settled)
+        )
+        wanted = [
+            [None if not np.isfinite(end) else float(end) for end in ends]
+            for ends in (item.low, item.high)
+        ]
         worst = part.start + int(np.argmax(total[part]))
         shares = {name: float(variance[worst] / total[worst]) for name, variance in causes.items()}
         targets.append(
@@ -350,11 +397,19 @@ def _describe_spread(
     for k, name in enumerate(workshop.spread.adjust):
         low, high = (float(np.percentile(settings[:, k], end)) for end in _BAND)
         ends = workshop.ends(k)
-        beyond = float(np.mean((settings[:, k] <= ends[0] + 1e-9) | (settings[:, k] >= ends[1] - 1e-9)))
+        beyond = float(
+            np.mean((settings[:, k] <= ends[0] + 1e-9) | (settings[:, k] >= ends[1] - 1e-9))
+        )
         needs[name] = AdjustmentNeed(low, high, beyond)
         if beyond > 1.0 - (_BAND[1] - _BAND[0]) / 100.0:
             findings.append(finding("design.range_too_small", name, beyond, share=beyond))
     if failed:
-        findings.append(finding("design.cars_left_out", "spread", failed, failed=failed, cars=workshop.spread.cars))
+        findings.append(
+            finding(
+                "design.cars_left_out", "spread", failed, failed=failed, cars=workshop.spread.cars
+            )
+        )
     both = [float(np.all(met[name], axis=0).mean()) for name in ("made", "settled")]
-    return KinematicSpread(tuple(targets), workshop.spread.cars, failed, both[0], both[1], needs, tuple(findings))
+    return KinematicSpread(
+        tuple(targets), workshop.spread.cars, failed, both[0], both[1], needs, tuple(findings)
+    )

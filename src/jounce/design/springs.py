@@ -56,7 +56,9 @@ class WheelCarriage:
             )
         lever = self.motion_ratio**2
         rates = values[self.spring] * lever, values[self.damper] * lever
-        return LumpedCorner(self.sprung_mass, self.unsprung_mass, rates[0], self.tyre_stiffness, rates[1])
+        return LumpedCorner(
+            self.sprung_mass, self.unsprung_mass, rates[0], self.tyre_stiffness, rates[1]
+        )
 
 
 def wheels_of(rig: Rig) -> tuple[WheelCarriage, ...]:
@@ -79,7 +81,9 @@ def wheels_of(rig: Rig) -> tuple[WheelCarriage, ...]:
         )
     vehicle: Any = rig
     masses = corner_masses(vehicle.body.mass, vehicle.front.distance, vehicle.rear.distance)
-    return tuple(_axle(rig, name, mass) for name, mass in zip(("front", "rear"), masses, strict=True))
+    return tuple(
+        _axle(rig, name, mass) for name, mass in zip(("front", "rear"), masses, strict=True)
+    )
 
 
 def _axle(rig: Rig, name: str, mass: float) -> WheelCarriage:
@@ -90,15 +94,30 @@ def _axle(rig: Rig, name: str, mass: float) -> WheelCarriage:
         spring = f"{name}.spring_rate"
     else:
         spring = _rate(f"{name}.spring", axle.spring.rate)
-    damper = f"{name}.damping_coefficient" if axle.damper is None else _linear(f"{name}.damper", axle.damper)
+    damper = (
+        f"{name}.damping_coefficient"
+        if axle.damper is None
+        else _linear(f"{name}.damper", axle.damper)
+    )
     tyre = axle.tyre
-    return WheelCarriage(name, mass, spring, damper, 1.0, axle.unsprung_mass, tyre.stiffness, tyre.damping_coefficient)
+    return WheelCarriage(
+        name,
+        mass,
+        spring,
+        damper,
+        1.0,
+        axle.unsprung_mass,
+        tyre.stiffness,
+        tyre.damping_coefficient,
+    )
 
 
 def _rate(path: str, rate: float | None) -> str:
     if rate is None:
         raise DescriptionError(
-            "the spring is a curve without a single rate", where=path, allowed=Phrase("{path}.rate", path=path)
+            "the spring is a curve without a single rate",
+            where=path,
+            allowed=Phrase("{path}.rate", path=path),
         )
     return f"{path}.rate"
 
@@ -106,7 +125,9 @@ def _rate(path: str, rate: float | None) -> str:
 def _linear(path: str, damper: object) -> str:
     if not isinstance(damper, LinearDamper):
         kind = getattr(damper, "kind", type(damper).__name__)
-        raise DescriptionError("the damper is not linear", where=path, found=str(kind), allowed="linear")
+        raise DescriptionError(
+            "the damper is not linear", where=path, found=str(kind), allowed="linear"
+        )
     return f"{path}.coefficient"
 
 
@@ -140,9 +161,18 @@ class SpringDesign(Shown):
         rows = [["", "", "kg", "Hz", "damping ratio", "N/m", "N*s/m"]]
         for wheel in self.wheels:
             for state, design in (("as it is", wheel.present), ("wanted", wheel.wanted)):
-                numbers = (design.frequency_hz, design.damping_ratio, design.spring_rate, design.damping_coefficient)
+                numbers = (
+                    design.frequency_hz,
+                    design.damping_ratio,
+                    design.spring_rate,
+                    design.damping_coefficient,
+                )
                 rows.append(
-                    [wheel.place or "wheel", state, *(f"{value:.5g}" for value in (wheel.sprung_mass, *numbers))]
+                    [
+                        wheel.place or "wheel",
+                        state,
+                        *(f"{value:.5g}" for value in (wheel.sprung_mass, *numbers)),
+                    ]
                 )
         return "\n".join([*align_columns(rows), *map(str, self.findings)])
 
@@ -153,17 +183,23 @@ class SpringDesign(Shown):
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, SI; the rig by its changes."""
-        return plain_table({name: getattr(self, name) for name in ("wheels", "with_tyre", "changes", "findings")})
+        return plain_table(
+            {name: getattr(self, name) for name in ("wheels", "with_tyre", "changes", "findings")}
+        )
 
 
-_FREQUENCY = 'Natural frequency of the body, e.g. "1.2 Hz"; of the front axle if --rear-frequency is given.'
+_FREQUENCY = (
+    'Natural frequency of the body, e.g. "1.2 Hz"; of the front axle if --rear-frequency is given.'
+)
 _REAR_FREQUENCY = "Frequency of the rear axle, if different."
 _REAR_DAMPING = "Damping ratio of the rear axle, if different."
 
 
 def _frequencies(
     frequency: Annotated[float, Number(_FREQUENCY, "FREQUENCY", "Hz", is_positive=True)],
-    rear_frequency: Annotated[float | None, Number(_REAR_FREQUENCY, "FREQUENCY", "Hz", is_positive=True)] = None,
+    rear_frequency: Annotated[
+        float | None, Number(_REAR_FREQUENCY, "FREQUENCY", "Hz", is_positive=True)
+    ] = None,
 ) -> float | tuple[float, float]:
     return frequency if rear_frequency is None else (frequency, rear_frequency)
 
@@ -187,10 +223,16 @@ def _damping_ratios(
 )
 def design_springs(
     rig: AnyRig,
-    frequency: Annotated[float | str | tuple[float | str, float | str], MadeBy("jounce.design.springs:_frequencies")],
-    damping_ratio: Annotated[float | tuple[float, float], MadeBy("jounce.design.springs:_damping_ratios")],
+    frequency: Annotated[
+        float | str | tuple[float | str, float | str], MadeBy("jounce.design.springs:_frequencies")
+    ],
+    damping_ratio: Annotated[
+        float | tuple[float, float], MadeBy("jounce.design.springs:_damping_ratios")
+    ],
     *,
-    with_tyre: Annotated[bool, Switch("The frequency includes the tyre in series with the spring.")] = False,
+    with_tyre: Annotated[
+        bool, Switch("The frequency includes the tyre in series with the spring.")
+    ] = False,
 ) -> SpringDesign:
     """Size springs and dampers for a natural frequency and a damping ratio, compared with those of the vehicle.
 
@@ -226,7 +268,10 @@ def design_springs(
     rig = as_rig(rig)
     wheels, values = wheels_of(rig), rig.parameters()
     wanted = zip(
-        wheels, _each(frequency, wheels, "frequency"), _each(damping_ratio, wheels, "damping_ratio"), strict=True
+        wheels,
+        _each(frequency, wheels, "frequency"),
+        _each(damping_ratio, wheels, "damping_ratio"),
+        strict=True,
     )
     gravity = values["gravity"]
     designs = []
@@ -244,7 +289,9 @@ def design_springs(
         )  # fmt: skip
         changes = {wheel.spring: design.spring_rate, wheel.damper: design.damping_coefficient}
         designs.append(WheelDesign(wheel.place, wheel.sprung_mass, present, design, changes))
-    changed = rig.with_changes({path: value for wheel in designs for path, value in wheel.changes.items()})
+    changed = rig.with_changes(
+        {path: value for wheel in designs for path, value in wheel.changes.items()}
+    )
     return SpringDesign(changed, tuple(designs), with_tyre, tuple(_advice(rig, designs)))
 
 
@@ -254,14 +301,20 @@ def _each(value: Any, wheels: tuple[WheelCarriage, ...], where: str) -> tuple[An
         return (value,) * len(wheels)
     if len(value) != len(wheels):
         places = ", ".join(wheel.place for wheel in wheels) or "one wheel"
-        raise DescriptionError("not one value for each axle", where=where, found=list(value), allowed=places)
+        raise DescriptionError(
+            "not one value for each axle", where=where, found=list(value), allowed=places
+        )
     return tuple(value)
 
 
 def _advice(rig: Rig, wheels: list[WheelDesign]) -> list[Finding]:
     sags = [(wheel.place or "spring", wheel.wanted.static_deflection) for wheel in wheels]
     # 0.25 m at rest is 1 Hz, the softest of passenger cars.
-    findings = [finding("design.spring_sags", place, sag, deflection=sag) for place, sag in sags if sag > 0.25]
+    findings = [
+        finding("design.spring_sags", place, sag, deflection=sag)
+        for place, sag in sags
+        if sag > 0.25
+    ]
     if len(wheels) == 2:
         front, rear = (wheel.wanted.frequency_hz for wheel in wheels)
         if rear < front:

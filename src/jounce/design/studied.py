@@ -56,11 +56,14 @@ class StudiedDesign(Plain):
         """Return the rigs with their comments, the results, and tables, by file name."""
         design = self.design
         rigs = {
-            f"{name or 'rig'}.toml": updated_text(self.sources[name].read_text(encoding="utf-8"), rig)
+            f"{name or 'rig'}.toml": updated_text(
+                self.sources[name].read_text(encoding="utf-8"), rig
+            )
             for name, rig in design.rigs.items()
         }
         spreads = {
-            f"spread-{name}.csv" if name else "spread.csv": spread.table() for name, spread in design.spread.items()
+            f"spread-{name}.csv" if name else "spread.csv": spread.table()
+            for name, spread in design.spread.items()
         }
         return {
             **rigs,
@@ -84,7 +87,9 @@ class StudiedDesign(Plain):
 def design_from_study(
     study: Annotated[Path | str, File('Study file, schema = "jounce.design/1".', "STUDY.toml")],
     *,
-    starts: Annotated[int | None, Count("Number of searches; the study's own by default.", least=1)] = None,
+    starts: Annotated[
+        int | None, Count("Number of searches; the study's own by default.", least=1)
+    ] = None,
 ) -> StudiedDesign:
     """Find the hardpoints that give wanted kinematic values and curves. Exit code 1 where targets are missed.
 
@@ -122,5 +127,7 @@ def design_from_study(
     """
     if starts is not None and starts < 1:
         raise DescriptionError("out of range", where="starts", found=starts, allowed="1 or more")
-    result, sources = run_study(study, lambda asked, task: design(task, starts or asked.starts, asked.seed))
+    result, sources = run_study(
+        study, lambda asked, task: design(task, starts or asked.starts, asked.seed)
+    )
     return StudiedDesign(result, sources, Path(study).stem)

@@ -24,12 +24,22 @@ from jounce.parts.bodies import INERTIA_ELEMENTS, RigidBody
 from jounce.parts.corners import SAME_POINT, Corner, DoubleWishbone, FiveLink, McPherson
 from jounce.parts.dampers import LinearDamper, MapDamper
 from jounce.parts.elements import TableCurve
-from jounce.parts.importers.chrono import DESIGN, STOP_PROGRESSION, STOP_RATE, TEMPLATES, arm_frame, rod_frame
+from jounce.parts.importers.chrono import (
+    DESIGN,
+    STOP_PROGRESSION,
+    STOP_RATE,
+    TEMPLATES,
+    arm_frame,
+    rod_frame,
+)
 from jounce.parts.leverage import force_at
 from jounce.parts.options import AnyRig
 
 _RADIUS = {"Spindle": 0.1, "Upright": 0.025}  # m, of bodies in Chrono's graphics; others 0.02 m
-_SPINDLE_SHARE, _SPINDLE_SIZE = 0.05, 0.05  # of the upright's mass, m: for a rig without a separate wheel
+_SPINDLE_SHARE, _SPINDLE_SIZE = (
+    0.05,
+    0.05,
+)  # of the upright's mass, m: for a rig without a separate wheel
 _ARM_SHARE, _ARM_SIZE = 0.05, 0.02  # of the upright's mass, m: of the arm that links 1 and 2 make
 _AXLE_INERTIA = 0.4  # kg m^2: of the half shaft, which Chrono requires
 _CURVE = np.linspace(-0.1, 0.25, 71)  # m: where curves that are no tables are sampled
@@ -120,7 +130,9 @@ def write_chrono(
     file = check_writable(path, what="suspensions", suffixes=(".json",), force=force)
     wheel_mass = to_si(wheel_mass, "kg", where="wheel_mass")
     if wheel_mass < 0.0:
-        raise DescriptionError("not a mass", where="wheel_mass", found=wheel_mass, allowed="0 kg or more")
+        raise DescriptionError(
+            "not a mass", where="wheel_mass", found=wheel_mass, allowed="0 kg or more"
+        )
     writing = _ChronoWriter(_left_corner(as_rig(rig)), wheel_mass)
     table = writing.table()
     write_atomically(file, (json.dumps(_plain(table), indent=2) + "\n").encode(), force=force)
@@ -156,7 +168,9 @@ class _ChronoWriter:
     def __post_init__(self) -> None:
         down = np.array([0.0, 0.0, self.rig.hardpoints.wheel_centre[2]])
         self._down = down
-        self.points = {name: np.array(point) - down for name, point in self.rig.hardpoints.given().items()}
+        self.points = {
+            name: np.array(point) - down for name, point in self.rig.hardpoints.given().items()
+        }
         for element in ("spring", "damper"):
             for end in ("bottom", "top"):
                 self.points.setdefault(f"{element}_{end}", self.points[f"strut_{end}"])
@@ -191,7 +205,10 @@ class _ChronoWriter:
 
     def _refusal(self, what: str, **more: Any) -> OutputError:
         return OutputError(
-            what, where="rig", allowed="arms with the strut on the lower one, or equations and MJCF", **more
+            what,
+            where="rig",
+            allowed="arms with the strut on the lower one, or equations and MJCF",
+            **more,
         )
 
     def _say(self, code: str, place: str, value: float | None = None, /, **numbers: Any) -> None:
@@ -219,7 +236,13 @@ class _ChronoWriter:
         if self.template in _EXACT_PRODUCTS and section != "Spindle":
             return whole | {"Moments of Inertia": np.diag(tensor), "Products of Inertia": products}
         if largest > _LOST:
-            self._say("exchange.products_lost", f"bodies.{name}", largest, section=section, largest=largest)
+            self._say(
+                "exchange.products_lost",
+                f"bodies.{name}",
+                largest,
+                section=section,
+                largest=largest,
+            )
         return whole | {"Inertia": np.diag(tensor), "Products of Inertia": products}
 
     def _body(self, name: str) -> RigidBody | None:
@@ -252,7 +275,9 @@ class _ChronoWriter:
             spindle = wheel
             if self.wheel_mass:
                 radius = self.rig.wheel.radius
-                rolling = _body(self.wheel_mass, at, self.wheel_mass * radius**2 * np.diag([0.35, 0.6, 0.35]))
+                rolling = _body(
+                    self.wheel_mass, at, self.wheel_mass * radius**2 * np.diag([0.35, 0.6, 0.35])
+                )
                 spindle = _less(wheel, rolling)
             else:
                 self._say("exchange.spindle_is_wheel", "bodies.wheel", wheel.mass, mass=wheel.mass)
@@ -279,7 +304,9 @@ class _ChronoWriter:
 
     def _double_wishbone(self) -> dict[str, dict[str, Any]]:
         if self.rig.strut.on != "lower_arm":
-            raise self._refusal("Chrono's double wishbone has its strut on the lower arm", found=self.rig.strut.on)
+            raise self._refusal(
+                "Chrono's double wishbone has its strut on the lower arm", found=self.rig.strut.on
+            )
         return {
             **self._carrier(),
             "Upper Control Arm": self._arm("upper_arm", "Upper Control Arm"),
@@ -302,15 +329,24 @@ class _ChronoWriter:
     def _multi_link(self) -> dict[str, dict[str, Any]]:
         points, bodies = self.points, self.rig.body_masses()
         if np.linalg.norm(points["link_1_outer"] - points["link_2_outer"]) > SAME_POINT:
-            raise self._refusal("links 1 and 2 share no outer point: Chrono's multi-link has an upper arm there")
+            raise self._refusal(
+                "links 1 and 2 share no outer point: Chrono's multi-link has an upper arm there"
+            )
         if self.rig.strut.on != "link_4":
-            raise self._refusal("Chrono's multi-link has its strut on the trailing link", found=self.rig.strut.on)
+            raise self._refusal(
+                "Chrono's multi-link has its strut on the trailing link", found=self.rig.strut.on
+            )
         missing = [name for name in ("link_3", "link_4") if name not in bodies]
         if missing:
-            raise self._refusal("links without mass, which Chrono's multi-link has", found=", ".join(missing))
+            raise self._refusal(
+                "links without mass, which Chrono's multi-link has", found=", ".join(missing)
+            )
         heavy = [name for name in ("link_1", "link_2") if name in bodies]
         if heavy:
-            raise self._refusal("links 1 and 2 are bodies of their own, and one arm in Chrono", found=", ".join(heavy))
+            raise self._refusal(
+                "links 1 and 2 are bodies of their own, and one arm in Chrono",
+                found=", ".join(heavy),
+            )
         carrier = bodies["upright"]
         outer = np.array(self.rig.hardpoints.link_1_outer)  # type: ignore[attr-defined]
         arm = _ball(_ARM_SHARE * carrier.mass, outer, _ARM_SIZE)
@@ -318,11 +354,17 @@ class _ChronoWriter:
         inners = points["link_1_inner"], points["link_2_inner"]
         original = self.rig
         self.rig = original.model_copy(
-            update={"bodies": original.bodies.model_copy(update={"upright": _less(carrier, arm, with_inertia=False)})}
+            update={
+                "bodies": original.bodies.model_copy(
+                    update={"upright": _less(carrier, arm, with_inertia=False)}
+                )
+            }
         )
         parts = {
             **self._carrier(),
-            "Upper Arm": self._part("link_1", "Upper Arm", arm, arm_frame(*inners, points["link_1_outer"], "link_1")),
+            "Upper Arm": self._part(
+                "link_1", "Upper Arm", arm, arm_frame(*inners, points["link_1_outer"], "link_1")
+            ),
         }
         self.rig = original
         for name, section, beside in (
@@ -332,7 +374,10 @@ class _ChronoWriter:
             start, end = points[f"{name}_outer"], points[f"{name}_inner"]
             across = np.cross(start - beside, end - beside)
             frame = rod_frame(start, end, across, name)
-            axes = {"Universal Joint Axis Link": frame[:, 0], "Universal Joint Axis Chassis": frame[:, 1]}
+            axes = {
+                "Universal Joint Axis Link": frame[:, 0],
+                "Universal Joint Axis Chassis": frame[:, 1],
+            }
             parts[section] = {**self._part(name, section, bodies[name], frame), **axes}
         return {**parts, "Tierod": self._rod("link_5"), "Spring": {}, "Shock": {}}
 
@@ -344,7 +389,11 @@ class _ChronoWriter:
         result: dict[str, Any]
         if spring.rate is not None:
             preload = spring.preload or 0.0
-            free = spring.free_length if spring.free_length is not None else design + preload / spring.rate
+            free = (
+                spring.free_length
+                if spring.free_length is not None
+                else design + preload / spring.rate
+            )
             result = {"Spring Coefficient": spring.rate, "Free Length": free}
         else:
             curve = spring.curve
@@ -354,7 +403,10 @@ class _ChronoWriter:
                 self._say("exchange.curve_as_table", "strut.spring")
             force = np.array([force_at(curve, x) for x in compressed]) + (spring.preload or 0.0)
             free = design if spring.free_length is None else spring.free_length
-            result = {"Curve Data": np.column_stack([-compressed[::-1], -force[::-1]]), "Free Length": free}
+            result = {
+                "Curve Data": np.column_stack([-compressed[::-1], -force[::-1]]),
+                "Free Length": free,
+            }
         gaps = {name: getattr(strut, name) for name in ("bump_stop", "rebound_stop")}
         if all(gaps.values()):
             result["Minimum Length"] = design - gaps["bump_stop"].gap
@@ -378,7 +430,9 @@ class _ChronoWriter:
             return {"Deformation": np.array(damper.length), "Map Data": rows}
         points = damper.points(beyond=10.0)
         if points is None:
-            raise self._refusal("a damper with hysteresis is in no file of Chrono", found=damper.kind)
+            raise self._refusal(
+                "a damper with hysteresis is in no file of Chrono", found=damper.kind
+            )
         velocity, force = points
         return {"Curve Data": np.column_stack([-velocity[::-1], -force[::-1]])}
 
@@ -390,7 +444,9 @@ class _ChronoWriter:
         left += ["strut.friction"] if rig.strut.friction is not None else []
         left += ["steering.rack_travel"] if rig.parameters().get("steering.rack_travel") else []
         left += [
-            f"bushings.{name}" for name in type(rig.bushings).model_fields if getattr(rig.bushings, name) is not None
+            f"bushings.{name}"
+            for name in type(rig.bushings).model_fields
+            if getattr(rig.bushings, name) is not None
         ]
         if left:
             self.findings.append(finding("exchange.not_in_file", "rig", names=", ".join(left)))
@@ -403,7 +459,9 @@ def _ball(mass: float, centre: Array, radius: float) -> RigidBody:
 
 def _body(mass: float, centre: Array, tensor: Array) -> RigidBody:
     inertia = {name: float(tensor[at]) for name, at in INERTIA_ELEMENTS.items()}
-    return RigidBody.model_validate({"mass": mass, "centre_of_mass": tuple(map(float, centre)), "inertia": inertia})
+    return RigidBody.model_validate(
+        {"mass": mass, "centre_of_mass": tuple(map(float, centre)), "inertia": inertia}
+    )
 
 
 def _less(whole: RigidBody, part: RigidBody, *, with_inertia: bool = True) -> RigidBody:

@@ -14,7 +14,15 @@ from jounce.core.operation import File, Switch, operation
 from jounce.core.serialise import Plain
 from jounce.core.turns import once
 from jounce.core.writing import Formats
-from jounce.exchange.expressions import LATEX, PYTHON, Language, Written, identifiers, latex_name, write_expressions
+from jounce.exchange.expressions import (
+    LATEX,
+    PYTHON,
+    Language,
+    Written,
+    identifiers,
+    latex_name,
+    write_expressions,
+)
 from jounce.mechanics.facts import speed_of
 from jounce.models import build
 from jounce.parts import Rig, as_rig
@@ -88,7 +96,9 @@ class Equations(Plain):
         pieces = [ca.sparsify(flat[a:b]) for a, b in pairwise(ends)]
         return ca.Function("equations", symbols, pieces)
 
-    def _write(self, names: list[list[str]], language: Language) -> tuple[Written, list[tuple[int, int]]]:
+    def _write(
+        self, names: list[list[str]], language: Language
+    ) -> tuple[Written, list[tuple[int, int]]]:
         shapes = [self.function.size_out(i) for i in range(len(RESULTS))]
         return write_expressions(self._graph, names, language), shapes
 
@@ -97,7 +107,10 @@ class Equations(Plain):
         names = [[latex_name(name) for name in group] for group in self.arguments.values()]
         code, shapes = self._write(names, LATEX)
         lines = [f"% {self.name}: M a = Q + G^T lambda, G a + gamma = 0; SI"]
-        lines += [rf"\begin{{equation*}} {name} = {text} \end{{equation*}}" for name, text in code.definitions]
+        lines += [
+            rf"\begin{{equation*}} {name} = {text} \end{{equation*}}"
+            for name, text in code.definitions
+        ]
         symbols = {"gamma": r"\gamma", "dq": r"\dot q", "dz": r"\dot z"}
         for result, shape, elements in zip(RESULTS, shapes, code.results, strict=True):
             if not elements:
@@ -106,7 +119,9 @@ class Equations(Plain):
             body = r" \\ ".join(rows)
             lines.append(f"% {_MEANING[result]}")
             symbol = symbols.get(result, result)
-            lines.append(rf"\begin{{equation*}} {symbol} = \begin{{pmatrix}} {body} \end{{pmatrix}} \end{{equation*}}")
+            lines.append(
+                rf"\begin{{equation*}} {symbol} = \begin{{pmatrix}} {body} \end{{pmatrix}} \end{{equation*}}"
+            )
         return "\n".join(lines) + "\n"
 
     def sympy(self) -> str:
@@ -117,7 +132,8 @@ class Equations(Plain):
         identifiers(taken)
         code, shapes = self._write(names, PYTHON)
         functions = (
-            "Abs, Eq, Matrix, Max, Min, Ne, Piecewise, Symbol, acos, asin, atan, atan2, cos, cosh, exp, log, sign, "
+            "Abs, Eq, Matrix, Max, Min, Ne, Piecewise, Symbol, acos, asin, atan, atan2, cos, "
+            "cosh, exp, log, sign, "
         )
         lines = [
             f'"""{self.name}: M a = Q + G.T lambda, G a + gamma = 0, dq/dt = dq; SI."""',
@@ -126,7 +142,10 @@ class Equations(Plain):
             "",
         ]
         for key, group, own in zip(groups, groups.values(), names, strict=True):
-            lines += [f"{name} = Symbol({theirs!r}, real=True)" for name, theirs in zip(own, group, strict=True)]
+            lines += [
+                f"{name} = Symbol({theirs!r}, real=True)"
+                for name, theirs in zip(own, group, strict=True)
+            ]
             lines += [f"{key} = Matrix([{', '.join(own)}])", ""]
         lines += [f"numbers = {self.numbers!r}  # of p, by name", ""]
         lines += [f"{name} = {text}" for name, text in code.definitions]
@@ -140,7 +159,9 @@ class Equations(Plain):
         """C code of the function by CasADi, with the order of the elements in a comment."""
         generator = ca.CodeGenerator("equations.c")
         generator.add(self._graph)
-        head = [f"/* {self.name}: M a = Q + G^T lambda, G a + gamma = 0; SI, column by column, zeros left out."]
+        head = [
+            f"/* {self.name}: M a = Q + G^T lambda, G a + gamma = 0; SI, column by column, zeros left out."
+        ]
         head += [f"   {key}: {', '.join(names)}" for key, names in self.arguments.items() if names]
         head += [f"   {result}: {_MEANING[result]}" for result in RESULTS]
         return "\n".join(head) + f" */\n{_BEGIN}{generator.dump()}{_END}"
@@ -244,7 +265,9 @@ def equations(rig: Rig) -> Equations:
         ca.substitute(balance.rate[n_q + n_v :], unknown, nothing),
     ]
     symbols = [model.x, model.u, model.p, model.m]
-    function = ca.Function("equations", symbols, [ca.densify(part) for part in results], list("xupm"), list(RESULTS))
+    function = ca.Function(
+        "equations", symbols, [ca.densify(part) for part in results], list("xupm"), list(RESULTS)
+    )
     order = model.track_order
     inputs = [name for track in model.tracks for name in _inputs(track)[:order]]
     values = rig.parameters()

@@ -50,7 +50,9 @@ class Written:
     results: tuple[tuple[str, ...], ...]
 
 
-def write_expressions(function: ca.Function, names: Sequence[Sequence[str]], language: Language) -> Written:
+def write_expressions(
+    function: ca.Function, names: Sequence[Sequence[str]], language: Language
+) -> Written:
     """Write a function out; ``names`` are those of the elements of each argument."""
     nodes, results = _nodes(function, names, language.number)
     uses = [0] * len(nodes)
@@ -63,7 +65,11 @@ def write_expressions(function: ca.Function, names: Sequence[Sequence[str]], lan
     parts: list[Part] = []
     definitions: list[tuple[str, str]] = []
     for node, count in zip(nodes, uses, strict=True):
-        part = (node.text, _ATOM) if not node.kind else language.write(node.kind, [parts[i] for i in node.operands])
+        part = (
+            (node.text, _ATOM)
+            if not node.kind
+            else language.write(node.kind, [parts[i] for i in node.operands])
+        )
         if node.kind and count > 1:
             name = language.shared(len(definitions) + 1)
             definitions.append((name, part[0]))
@@ -82,7 +88,11 @@ def _nodes(
     at: dict[int, int] = {}  # place of work to the node that was written there last
     results = [[-1] * function.numel_out(i) for i in range(function.n_out())]
     for k in range(function.n_instructions()):
-        kind, left, right = function.instruction_id(k), function.instruction_output(k), function.instruction_input(k)
+        kind, left, right = (
+            function.instruction_id(k),
+            function.instruction_output(k),
+            function.instruction_input(k),
+        )
         if kind == ca.OP_OUTPUT:
             result, element = left
             row, column = function.sparsity_out(result).get_triplet()
@@ -96,7 +106,9 @@ def _nodes(
         elif kind in _OPERATIONS:
             node = _Node(_OPERATIONS[kind], tuple(at[i] for i in right))
         else:
-            raise OutputError("an operation that cannot be written as text", where="equations", found=kind)
+            raise OutputError(
+                "an operation that cannot be written as text", where="equations", found=kind
+            )
         nodes.append(node)
         at[left[0]] = len(nodes) - 1
     return nodes, results
@@ -177,7 +189,10 @@ def _latex(kind: str, parts: Sequence[Part]) -> Part:
     if kind in _RELATIONS:
         return rf"\left[{texts[0]} {_RELATIONS[kind]} {texts[1]}\right]", _ATOM
     forms: dict[str, Callable[..., Part]] = {
-        "ADD": lambda a, b: (f"{a[0]} + {b[0]}" if not b[0].startswith("-") else f"{a[0]} {b[0]}", _SUM),
+        "ADD": lambda a, b: (
+            f"{a[0]} + {b[0]}" if not b[0].startswith("-") else f"{a[0]} {b[0]}",
+            _SUM,
+        ),
         "SUB": lambda a, b: (f"{a[0]} - {around(b, _PRODUCT)}", _SUM),
         "MUL": lambda a, b: (rf"{around(a, _PRODUCT)} \, {around(b, _PRODUCT)}", _PRODUCT),
         "DIV": lambda a, b: (rf"\frac{{{a[0]}}}{{{b[0]}}}", _PRODUCT),
@@ -225,5 +240,7 @@ def identifiers(names: Sequence[str], prefix: str = "") -> list[str]:
     made = [prefix + "".join(sign if sign.isalnum() else "_" for sign in name) for name in names]
     twice = sorted({name for name in made if made.count(name) > 1})
     if twice:
-        raise OutputError("two names are the same in Python", where="equations", found=", ".join(twice))
+        raise OutputError(
+            "two names are the same in Python", where="equations", found=", ".join(twice)
+        )
     return made

@@ -131,7 +131,9 @@ def _text(values: Iterable[float] | float) -> str:
 
 
 def _add(parent: ET.Element, tag: str, *given: Mapping[str, str], **more: str) -> ET.Element:
-    return ET.SubElement(parent, tag, more | {name: text for each in given for name, text in each.items()})
+    return ET.SubElement(
+        parent, tag, more | {name: text for each in given for name, text in each.items()}
+    )
 
 
 @dataclass
@@ -151,12 +153,20 @@ class _MjcfWriter:
         mechanism = Mechanism()
         mechanism.gravity = mechanism.parameter("gravity")
         linkage = suspension(self.rig, mechanism)
-        known = {path: value for path, value in self.rig.parameters().items() if path in mechanism.parameters}
+        known = {
+            path: value
+            for path, value in self.rig.parameters().items()
+            if path in mechanism.parameters
+        }
         listed = mechanism.to_dict(known)
         root = ET.Element("mujoco", model=self.rig.model)  # type: ignore[attr-defined]
         ET.SubElement(root, "compiler", angle="radian", autolimits="true")
         option = ET.SubElement(
-            root, "option", timestep=_text(STEP), gravity=f"0 0 {_text(-self.rig.gravity)}", integrator="implicitfast"
+            root,
+            "option",
+            timestep=_text(STEP),
+            gravity=f"0 0 {_text(-self.rig.gravity)}",
+            integrator="implicitfast",
         )
         ET.SubElement(option, "flag", contact="disable")
         world = ET.SubElement(root, "worldbody")
@@ -165,7 +175,9 @@ class _MjcfWriter:
         bodies = self._tree(world, listed)
         for name, point in self.rig.hardpoints.given().items():
             carrier = linkage.owners[name].name if name in linkage.owners else linkage.chassis.name
-            axis = {"zaxis": _text(self._axle())} if name == "wheel_centre" else {}  # a site has place and direction
+            axis = (
+                {"zaxis": _text(self._axle())} if name == "wheel_centre" else {}
+            )  # a site has place and direction
             _add(bodies[carrier], "site", axis, name=name, pos=_text(point))
         root.extend([self._tendon, self._equality, self._actuator, self._sensor])
         self._close(listed, bodies)
@@ -181,7 +193,11 @@ class _MjcfWriter:
     def _axle(self) -> tuple[float, float, float]:
         """Direction of the wheel's axis, outboard."""
         camber, toe = self.rig.wheel.camber, self.rig.wheel.toe
-        return np.sin(toe) * np.cos(camber), self.rig.sign * np.cos(toe) * np.cos(camber), -np.sin(camber)
+        return (
+            np.sin(toe) * np.cos(camber),
+            self.rig.sign * np.cos(toe) * np.cos(camber),
+            -np.sin(camber),
+        )
 
     def _without_bushings(self) -> None:
         table = self.rig.bushings
@@ -219,7 +235,14 @@ class _MjcfWriter:
             _add(body, "joint", at, name=name, type="ball")
         elif kind == "universal":
             _add(body, "joint", at, name=name, type="hinge", axis=_text(joint["axis"]))
-            _add(body, "joint", at, name=f"{name}.second", type="hinge", axis=_text(joint["second_axis"]))
+            _add(
+                body,
+                "joint",
+                at,
+                name=f"{name}.second",
+                type="hinge",
+                axis=_text(joint["second_axis"]),
+            )
         elif kind == "free":
             ET.SubElement(body, "freejoint", name=name)
         elif kind not in ("fixed", "driven"):
@@ -227,13 +250,19 @@ class _MjcfWriter:
 
     @staticmethod
     def _inertial(body: ET.Element, given: dict[str, Any]) -> None:
-        xx, yy, zz, xy, xz, yz = (given["inertia"][name] for name in ("xx", "yy", "zz", "xy", "xz", "yz"))
+        xx, yy, zz, xy, xz, yz = (
+            given["inertia"][name] for name in ("xx", "yy", "zz", "xy", "xz", "yz")
+        )
         moments = {"diaginertia": "1 1 1"}  # of a body that only heaves
         if xx + yy + zz > 0.0:
             low, middle, high = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-            more = max(0.0, high - (low + middle) * (1.0 - _ROUNDING))  # thin plates: MuJoCo has no room for rounding
+            more = max(
+                0.0, high - (low + middle) * (1.0 - _ROUNDING)
+            )  # thin plates: MuJoCo has no room for rounding
             moments = {"fullinertia": _text((xx + more, yy + more, zz + more, xy, xz, yz))}
-        _add(body, "inertial", moments, pos=_text(given["centre_of_mass"]), mass=_text(given["mass"]))
+        _add(
+            body, "inertial", moments, pos=_text(given["centre_of_mass"]), mass=_text(given["mass"])
+        )
 
     def _close(self, listed: dict[str, Any], bodies: dict[str, ET.Element]) -> None:
         """Loops: points that stay together, rods, and a point on a line by a slider of next to no mass."""
@@ -248,7 +277,13 @@ class _MjcfWriter:
             elif kind == "point on line":
                 slider = ET.SubElement(bodies[loop["first"]], "body", name=name)
                 ET.SubElement(slider, "joint", name=name, type="slide", axis=_text(loop["axis"]))
-                ET.SubElement(slider, "inertial", pos=_text(loop["point"]), mass="0.01", diaginertia="1e-5 1e-5 1e-5")
+                ET.SubElement(
+                    slider,
+                    "inertial",
+                    pos=_text(loop["point"]),
+                    mass="0.01",
+                    diaginertia="1e-5 1e-5 1e-5",
+                )
                 ends["body1"] = name
                 _add(self._equality, "connect", ends, soft, name=name, anchor=_text(loop["point"]))
                 self._say("exchange.sliding_body", name)
@@ -259,10 +294,15 @@ class _MjcfWriter:
     def _body(name: str) -> str:
         return "world" if name == "ground" else name
 
-    def _rod(self, name: str, loop: dict[str, Any], bodies: dict[str, ET.Element], soft: dict[str, str]) -> None:
+    def _rod(
+        self, name: str, loop: dict[str, Any], bodies: dict[str, ET.Element], soft: dict[str, str]
+    ) -> None:
         """A tendon of constant length as at design."""
         tendon = ET.SubElement(self._tendon, "spatial", name=name)
-        for end, body, place in (("first", loop["first"], loop["at"]), ("second", loop["second"], loop["second_at"])):
+        for end, body, place in (
+            ("first", loop["first"], loop["at"]),
+            ("second", loop["second"], loop["second_at"]),
+        ):
             site = f"{name}.{end}"
             ET.SubElement(bodies[body], "site", name=site, pos=_text(place))
             ET.SubElement(tendon, "site", site=site)
@@ -282,7 +322,10 @@ class _MjcfWriter:
         strut, points = self.rig.strut, self.rig.hardpoints
         rate, force = self._spring_at_design()
         self._line(
-            "spring", "spring", stiffness=_text(rate), springlength=_text(points.length("spring") + force / rate)
+            "spring",
+            "spring",
+            stiffness=_text(rate),
+            springlength=_text(points.length("spring") + force / rate),
         )
         friction = {} if strut.friction is None else {"frictionloss": _text(strut.friction.force)}
         self._line("damper", "damper", damping=_text(self._coefficient()), **friction)
@@ -300,7 +343,11 @@ class _MjcfWriter:
     def _spring_at_design(self) -> tuple[float, float]:
         """Rate and force of the spring at design, N/m and N."""
         spring = self.rig.strut.spring
-        compressed = 0.0 if spring.free_length is None else spring.free_length - self.rig.hardpoints.length("spring")
+        compressed = (
+            0.0
+            if spring.free_length is None
+            else spring.free_length - self.rig.hardpoints.length("spring")
+        )
         if spring.rate is not None:
             return spring.rate, spring.rate * compressed + (spring.preload or 0.0)
         assert spring.curve is not None
@@ -313,7 +360,10 @@ class _MjcfWriter:
         rate = (high - low) / (2.0 * _SMALL)
         if not rate > 0.0:
             raise OutputError(
-                "a curve without a rate at design", where=where, found=f"{rate + 0.0:g} N/m", allowed="above 0"
+                "a curve without a rate at design",
+                where=where,
+                found=f"{rate + 0.0:g} N/m",
+                allowed="above 0",
             )
         self._say("exchange.straight_line", where)
         return rate, force
@@ -354,7 +404,9 @@ class _MjcfWriter:
         )  # fmt: skip
 
     def _watch(self, listed: dict[str, Any]) -> None:
-        ET.SubElement(self._sensor, "framepos", name="wheel_centre", objtype="site", objname="wheel_centre")
+        ET.SubElement(
+            self._sensor, "framepos", name="wheel_centre", objtype="site", objname="wheel_centre"
+        )
         ET.SubElement(self._sensor, "actuatorfrc", name="tyre.force", actuator="tyre")
         ET.SubElement(self._sensor, "tendonpos", name="strut.length", tendon="spring")
         if any(joint["name"] == "sprung" for joint in listed["joints"]):
@@ -362,6 +414,10 @@ class _MjcfWriter:
 
     def _note_rest(self) -> None:
         """Findings on parts of the rig that the file omits."""
-        left = [name for name in ("anti_roll_bar", "torsion_bar", "third_spring") if getattr(self.rig, name, None)]
+        left = [
+            name
+            for name in ("anti_roll_bar", "torsion_bar", "third_spring")
+            if getattr(self.rig, name, None)
+        ]
         if left:
             self._say("exchange.not_in_file", "rig", names=", ".join(left))

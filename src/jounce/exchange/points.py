@@ -102,8 +102,12 @@ def write_hardpoints(rig: Rig, path: Path | str, *, force: bool = False) -> Path
 
 
 def _table(rig: Corner, file: Path) -> None:
-    rows = [f"{name},{','.join(map(_number, point))}" for name, point in rig.hardpoints.given().items()]
-    file.write_text("\n".join(["name,x [mm],y [mm],z [mm]", *rows, ""]), encoding="utf-8", newline="\n")
+    rows = [
+        f"{name},{','.join(map(_number, point))}" for name, point in rig.hardpoints.given().items()
+    ]
+    file.write_text(
+        "\n".join(["name,x [mm],y [mm],z [mm]", *rows, ""]), encoding="utf-8", newline="\n"
+    )
 
 
 def _number(metres: float) -> str:
@@ -120,7 +124,13 @@ def _lines(rig: Corner) -> Iterator[tuple[Triple, Triple]]:
 
 def _drawing(rig: Corner, file: Path) -> None:
     """The oldest dialect of DXF (R12), which every program reads."""
-    pairs: list[tuple[int, str]] = [(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009"), (0, "ENDSEC")]
+    pairs: list[tuple[int, str]] = [
+        (0, "SECTION"),
+        (2, "HEADER"),
+        (9, "$ACADVER"),
+        (1, "AC1009"),
+        (0, "ENDSEC"),
+    ]
     pairs += [(0, "SECTION"), (2, "ENTITIES")]
     for name, point in rig.hardpoints.given().items():
         pairs += [(0, "POINT"), (8, "hardpoints"), *_at(10, point)]
@@ -128,7 +138,9 @@ def _drawing(rig: Corner, file: Path) -> None:
     for first, other in _lines(rig):
         pairs += [(0, "LINE"), (8, "links"), *_at(10, first), *_at(11, other)]
     pairs += [(0, "ENDSEC"), (0, "EOF")]
-    file.write_text("".join(f"{code:3d}\n{value}\n" for code, value in pairs), encoding="ascii", newline="\n")
+    file.write_text(
+        "".join(f"{code:3d}\n{value}\n" for code, value in pairs), encoding="ascii", newline="\n"
+    )
 
 
 def _at(code: int, point: Triple) -> list[tuple[int, str]]:

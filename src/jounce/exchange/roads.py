@@ -19,7 +19,10 @@ from jounce.core.writing import Formats
 from jounce.roads import load_road
 from jounce.roads.road import Road
 
-STEP, WIDTH = 0.01, 4.0  # m, choices: `exchange.height_lost` says where a step is too coarse; a car is narrower
+STEP, WIDTH = (
+    0.01,
+    4.0,
+)  # m, choices: `exchange.height_lost` says where a step is too coarse; a car is narrower
 _MOST = 2_000_000  # points: limits the file
 
 
@@ -57,14 +60,21 @@ class RoadExport(Plain):
     example='jounce export road iso:C --length "100 m" --out class-c.crg',
 )
 def write_road(
-    road: Annotated[Road | str | Path, File("A road file, a shipped road, or iso:A to iso:H.", "ROAD", ("roads",))],
+    road: Annotated[
+        Road | str | Path,
+        File("A road file, a shipped road, or iso:A to iso:H.", "ROAD", ("roads",)),
+    ],
     path: Annotated[Path | str, File("File to write: .crg or .csv.", "FILE")],
     *,
     length: Annotated[
-        float | None, Number("Length of the course. Default: to the road's end.", "LENGTH", "m", is_positive=True)
+        float | None,
+        Number(
+            "Length of the course. Default: to the road's end.", "LENGTH", "m", is_positive=True
+        ),
     ] = None,
     step: Annotated[
-        float, Number("Between points. Default: 10 mm.", "LENGTH", "m", is_positive=True, most=LONGEST)
+        float,
+        Number("Between points. Default: 10 mm.", "LENGTH", "m", is_positive=True, most=LONGEST),
     ] = STEP,
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
 ) -> RoadExport:
@@ -115,7 +125,9 @@ def write_road(
         length = known if np.isfinite(known) else road.end() + 0.5
     for name, value in (("length", length), ("step", step)):
         if not (np.isfinite(value) and value > 0.0):
-            raise DescriptionError("out of range", where=name, found=f"{value} m", allowed="above 0 m")
+            raise DescriptionError(
+                "out of range", where=name, found=f"{value} m", allowed="above 0 m"
+            )
     if length > known * (1.0 + 1e-9):
         raise DescriptionError(
             "the road is not known over this distance",
@@ -145,7 +157,9 @@ def _crg(course: tuple[Array, Array], file: Path) -> None:
 
     x, height = course
     edges = 0.5 * WIDTH * np.array([-1.0, 1.0])
-    road = pyopencrg.CrgRoad(np.column_stack([height, height]), u_inc=float(x[1]), v=edges, comments=["jounce"])
+    road = pyopencrg.CrgRoad(
+        np.column_stack([height, height]), u_inc=float(x[1]), v=edges, comments=["jounce"]
+    )
     road.save(str(file), "KDBI")
 
 

@@ -45,7 +45,9 @@ def cut_loops(
 
     signals = CubicSpline(time, np.stack([data[name].to_numpy() for name in names], axis=1))
     loops, numbers = [], []
-    for number, (begin, own) in enumerate(zip(times[:-1] - LEAD * period, np.diff(times), strict=True)):
+    for number, (begin, own) in enumerate(
+        zip(times[:-1] - LEAD * period, np.diff(times), strict=True)
+    ):
         if round(own / period) == 1 and begin >= time[0] and begin + own <= time[-1]:
             loops.append(signals(begin + own * np.arange(count) / count).T)
             numbers.append(number)

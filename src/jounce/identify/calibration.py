@@ -77,12 +77,16 @@ class Calibration(Plain):
     def off_the_line(self) -> tuple[float, ...]:
         """Return what was recorded minus the line, point by point, in the recorded unit."""
         zero, slope = self.zero.value, self.sensitivity.value
-        return tuple(y - zero - slope * x for x, y in zip(self.reference, self.recorded, strict=True))
+        return tuple(
+            y - zero - slope * x for x, y in zip(self.reference, self.recorded, strict=True)
+        )
 
     def sensor(self) -> dict[str, Any]:
         """Return the keys of a sensor in a campaign, or of a channel in the settings of a laboratory."""
         unit, recorded, doubt = self.quantity_unit, _unit_of_record(self), self.gain_doubt
-        keys: dict[str, Any] = {"sensitivity": f"{abs(self.sensitivity.value):.6g} {recorded}/({unit})"}
+        keys: dict[str, Any] = {
+            "sensitivity": f"{abs(self.sensitivity.value):.6g} {recorded}/({unit})"
+        }
         if self.sensitivity.value < 0.0:
             keys["orientation"] = -1
         if doubt is not None:
@@ -91,7 +95,12 @@ class Calibration(Plain):
 
 
 def fit_calibration(
-    reference: ArrayLike, recorded: ArrayLike, *, unit: str, recorded_unit: str = "V", name: str = "calibration"
+    reference: ArrayLike,
+    recorded: ArrayLike,
+    *,
+    unit: str,
+    recorded_unit: str = "V",
+    name: str = "calibration",
 ) -> Calibration:
     """Fit a straight line through calibration points by least squares.
 
@@ -122,9 +131,17 @@ def fit_calibration(
     >>> round(found.sensitivity.value, 9), round(found.zero.value, 9)
     (100.0, 0.4)
     """
-    x, y = as_samples(reference, where=f"{name}: reference"), as_samples(recorded, where=f"{name}: recorded")
+    x, y = (
+        as_samples(reference, where=f"{name}: reference"),
+        as_samples(recorded, where=f"{name}: recorded"),
+    )
     if x.shape != y.shape or x.ndim != 1 or x.size < 2:
-        raise FitError("too few points", where=name, found=f"{x.size} and {y.size}", allowed="two or more pairs")
+        raise FitError(
+            "too few points",
+            where=name,
+            found=f"{x.size} and {y.size}",
+            allowed="two or more pairs",
+        )
     for what, values in (("points of one size", x), ("a recorded value that does not change", y)):
         if np.ptp(values) == 0.0:
             raise FitError(
@@ -141,13 +158,22 @@ def fit_calibration(
     freedom = x.size - 2
     variance = float(left @ left) / freedom if freedom else None
     error = None if variance is None else float(np.sqrt(variance / spread))
-    zero_error = None if variance is None else float(np.sqrt(variance * (1.0 / x.size + centre**2 / spread)))
+    zero_error = (
+        None if variance is None else float(np.sqrt(variance * (1.0 / x.size + centre**2 / spread)))
+    )
     residual = float(np.max(np.abs(left)) / np.ptp(y))
     findings = []
     if residual > _NOT_STRAIGHT:
         worst = int(np.argmax(np.abs(left)))
         findings.append(
-            finding("identify.off_the_line", name, residual, point=float(x[worst]), unit=unit, share=residual)
+            finding(
+                "identify.off_the_line",
+                name,
+                residual,
+                point=float(x[worst]),
+                unit=unit,
+                share=residual,
+            )
         )
     if freedom == 0:
         findings.append(finding("identify.two_points", name))
@@ -186,7 +212,11 @@ _COUNTS = ("count", "counts", "lsb", "digits", "bits")
 )
 def read_calibration(
     path: Annotated[
-        Path | str, File("Table of known sizes, or angles from the vertical, and what was recorded at each.", "FILE")
+        Path | str,
+        File(
+            "Table of known sizes, or angles from the vertical, and what was recorded at each.",
+            "FILE",
+        ),
     ],
     *,
     columns: Annotated[Mapping[str, str] | str | None, POINTS] = None,
@@ -240,7 +270,10 @@ def read_calibration(
     x = reference.times(conversion_factor(reference.unit, unit))
     y = recorded.times(1.0 if electrical == "1" else conversion_factor(recorded.unit, electrical))
     if unit == "rad":
-        x, unit = np.round(STANDARD_GRAVITY * np.cos(x), 12), "m/s^2"  # 90 deg is 0, not 6e-16 of it
+        x, unit = (
+            np.round(STANDARD_GRAVITY * np.cos(x), 12),
+            "m/s^2",
+        )  # 90 deg is 0, not 6e-16 of it
     return fit_calibration(x, y, unit=unit, recorded_unit=electrical, name=file.name)
 
 
@@ -254,7 +287,9 @@ def _points_in(table: ColumnTable, given: Mapping[str, str], file: str) -> tuple
             raise unknown(name, words, what="column of a calibration", where=file)
     reference, recorded = (locate(table, given[name]) if name in given else None for name in words)
     free = [
-        column for column in table if column.name not in {chosen.name for chosen in (reference, recorded) if chosen}
+        column
+        for column in table
+        if column.name not in {chosen.name for chosen in (reference, recorded) if chosen}
     ]
     if recorded is None:
         electrical = [column for column in free if _recorded_unit(column)]
@@ -263,13 +298,23 @@ def _points_in(table: ColumnTable, given: Mapping[str, str], file: str) -> tuple
         sizes = (column for column in free if column is not recorded and _quantity_of(column))
         reference = next(sizes, None)
     if reference is None or not _quantity_of(reference):
-        raise _unusable("known sizes", reference, table, file, f"{', '.join(QUANTITIES)}, or converts to one of them")
+        raise _unusable(
+            "known sizes",
+            reference,
+            table,
+            file,
+            f"{', '.join(QUANTITIES)}, or converts to one of them",
+        )
     if recorded is None or not _recorded_unit(recorded):
-        raise _unusable("what was recorded", recorded, table, file, "V, A or counts, or converts to one of them")
+        raise _unusable(
+            "what was recorded", recorded, table, file, "V, A or counts, or converts to one of them"
+        )
     return reference, recorded
 
 
-def _unusable(what: str, column: Column | None, table: ColumnTable, file: str, allowed: str) -> FitError:
+def _unusable(
+    what: str, column: Column | None, table: ColumnTable, file: str, allowed: str
+) -> FitError:
     """Build the error for a column that is missing or has no unit that fits."""
     bare = next((item.name for item in ([column] if column else table) if not item.unit), "")
     name, unit = ("reference", "N") if what == "known sizes" else ("recorded", "V")
@@ -278,7 +323,9 @@ def _unusable(what: str, column: Column | None, table: ColumnTable, file: str, a
         where=file,
         found=", ".join(item.label for item in ([column] if column else table)),
         allowed=Phrase("a unit that is {allowed}", allowed=allowed),
-        hint=Phrase("State the unit: --columns {name}='{bare} [{unit}]'.", name=name, bare=bare, unit=unit)
+        hint=Phrase(
+            "State the unit: --columns {name}='{bare} [{unit}]'.", name=name, bare=bare, unit=unit
+        )
         if bare
         else "",
     )

@@ -63,7 +63,9 @@ class Comparison:
     samples: int
 
 
-def compare(reference: ArrayLike, compared: ArrayLike, time: ArrayLike, *, place: str = "comparison") -> Comparison:
+def compare(
+    reference: ArrayLike, compared: ArrayLike, time: ArrayLike, *, place: str = "comparison"
+) -> Comparison:
     """Compare a signal with a measured reference of the same unit on the same instants.
 
     The time (s) ascends in constant steps and has at least three samples; errors name the ``place``.
@@ -79,7 +81,10 @@ def compare(reference: ArrayLike, compared: ArrayLike, time: ArrayLike, *, place
     >>> round(result.peak_error, 6), round(result.magnitude, 6), round(abs(result.phase), 6), round(abs(result.lag), 9)
     (0.1, 0.1, 0.0, 0.0)
     """
-    m, c, t = (as_samples(values, si, where=place) for values, si in ((reference, ""), (compared, ""), (time, "s")))
+    m, c, t = (
+        as_samples(values, si, where=place)
+        for values, si in ((reference, ""), (compared, ""), (time, "s"))
+    )
     _check(m, c, t, place)
     deviation = m - m.mean()
     constant = np.ptp(m) == 0.0
@@ -115,7 +120,11 @@ def _check(reference: Array, compared: Array, time: Array, place: str) -> None:
     steps = np.diff(time)
     # 1 %, as for recordings.
     if not (steps > 0.0).all() or np.ptp(steps) > 0.01 * float(np.median(steps)):
-        raise FitError("time does not ascend in constant steps", where=place, hint="Resample the recording first.")
+        raise FitError(
+            "time does not ascend in constant steps",
+            where=place,
+            hint="Resample the recording first.",
+        )
 
 
 def _sprague_geers(reference: Array, compared: Array) -> tuple[float, float]:
@@ -137,12 +146,19 @@ Grade = Literal["excellent", "good", "fair", "poor"]
 SAMPLE_RATE = 10_000.0  # Hz
 INNER_CORRIDOR, OUTER_CORRIDOR, CORRIDOR_EXPONENT = 0.05, 0.5, 2  # of the largest absolute value; 1
 LARGEST_SHIFT = 0.2  # of the length
-WARPING_WINDOW, LARGEST_MAGNITUDE_ERROR, LARGEST_SLOPE_ERROR = 0.1, 0.5, 2.0  # of the length, of the reference's size
+WARPING_WINDOW, LARGEST_MAGNITUDE_ERROR, LARGEST_SLOPE_ERROR = (
+    0.1,
+    0.5,
+    2.0,
+)  # of the length, of the reference's size
 WEIGHTS = (0.4, 0.2, 0.2, 0.2)  # of corridor, phase, magnitude and slope
 SHORTEST = 12  # samples: slopes are averaged over nine
 GRADES: tuple[tuple[float, Grade], ...] = ((0.94, "excellent"), (0.80, "good"), (0.58, "fair"))
 _TIE = 1e-12  # correlation: rounding makes no better shift
-_NEARLY, _VALLEY = 0.01, 0.05  # correlation: a rival peak is nearly as high, and stands beyond a valley
+_NEARLY, _VALLEY = (
+    0.01,
+    0.05,
+)  # correlation: a rival peak is nearly as high, and stands beyond a valley
 
 
 @dataclass(frozen=True)
@@ -179,7 +195,9 @@ class Rating:
     findings: tuple[Finding, ...] = ()
 
 
-def iso18571(reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, place: str = "rating") -> Rating:
+def iso18571(
+    reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, place: str = "rating"
+) -> Rating:
     """Rate a signal against a measured reference by ISO/TS 18571:2014 with its default parameters.
 
     Both are on the same instants and in one unit, of at least 12 samples, the reference not constant: for a constant
@@ -200,7 +218,9 @@ def iso18571(reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, p
     findings = []
     if abs(sample_rate - SAMPLE_RATE) > 1e-6 * SAMPLE_RATE:
         if sample_rate < SAMPLE_RATE:
-            findings.append(finding("identify.sampled_slowly", place, sample_rate, sample_rate=sample_rate))
+            findings.append(
+                finding("identify.sampled_slowly", place, sample_rate, sample_rate=sample_rate)
+            )
         both = resample(np.arange(t.size) / sample_rate, np.stack((t, c), axis=1), SAMPLE_RATE)[1]
         t, c = np.ascontiguousarray(both[:, 0]), np.ascontiguousarray(both[:, 1])
     shift, rival = best_shift(t, c)
@@ -231,7 +251,9 @@ def _check_rated(reference: Array, compared: Array, sample_rate: float, place: s
             "the signals cannot be rated",
             where=place,
             found=f"shapes {reference.shape} and {compared.shape}",
-            allowed=Phrase("two signals of the same length, at least {shortest} samples", shortest=SHORTEST),
+            allowed=Phrase(
+                "two signals of the same length, at least {shortest} samples", shortest=SHORTEST
+            ),
         )
     if not (np.isfinite(reference).all() and np.isfinite(compared).all()):
         raise FitError("a signal to be rated holds values that are not finite", where=place)
@@ -239,7 +261,9 @@ def _check_rated(reference: Array, compared: Array, sample_rate: float, place: s
         raise FitError("the sample rate is not positive", where=place, found=f"{sample_rate:g} Hz")
     if np.ptp(reference) == 0.0:
         raise FitError(
-            "the reference is constant, ISO/TS 18571 defines no rating for it", where=place, found=float(reference[0])
+            "the reference is constant, ISO/TS 18571 defines no rating for it",
+            where=place,
+            found=float(reference[0]),
         )
 
 
@@ -282,7 +306,12 @@ def _rival(correlations: Array, best: int, middle: int) -> int | None:
     if reach < 2:
         return None
     top = correlations[best]
-    peaks = np.flatnonzero((inner[1:-1] >= inner[:-2]) & (inner[1:-1] >= inner[2:]) & (inner[1:-1] > top - _NEARLY)) + 1
+    peaks = (
+        np.flatnonzero(
+            (inner[1:-1] >= inner[:-2]) & (inner[1:-1] >= inner[2:]) & (inner[1:-1] > top - _NEARLY)
+        )
+        + 1
+    )
     peaks += middle - reach
     for index in peaks[np.argsort(np.abs(peaks - middle))].tolist():
         between = correlations[min(index, best) : max(index, best) + 1]

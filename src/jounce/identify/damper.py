@@ -9,8 +9,20 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from jounce.identify.damper_findings import changes, damper_advice, logger_effects
-from jounce.identify.damper_laws import LawName, damper_law, estimates, regularisation_velocity, search
-from jounce.identify.damper_record import DamperMotion, VelocityFrom, columns_of, cycles_of, read_motion
+from jounce.identify.damper_laws import (
+    LawName,
+    damper_law,
+    estimates,
+    regularisation_velocity,
+    search,
+)
+from jounce.identify.damper_record import (
+    DamperMotion,
+    VelocityFrom,
+    columns_of,
+    cycles_of,
+    read_motion,
+)
 from jounce.identify.damper_result import DamperCurve, DamperResult
 from jounce.identify.estimate import r_squared
 from jounce.identify.signals import zigzag
@@ -142,7 +154,9 @@ def fit_damper(  # noqa: PLR0913 - each is a choice of its own
         findings=(),
     )
     findings += damper_advice(result, motion, at_bound, name)
-    findings += changes(motion.velocity[used] / motion.peak_velocity, fitted[used], residual, result, name)
+    findings += changes(
+        motion.velocity[used] / motion.peak_velocity, fitted[used], residual, result, name
+    )
     findings += logger_effects(motion, fitted, parameters["offset"].value, name)
     return replace(result, findings=tuple(findings))
 

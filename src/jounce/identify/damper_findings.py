@@ -33,7 +33,9 @@ def hysteresis_share(motion: DamperMotion) -> float:
     return float(np.sqrt(np.mean(gaps))) / float(np.ptp(motion.force)) if gaps else 0.0
 
 
-def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[str, ...], name: str) -> list[Finding]:
+def damper_advice(
+    result: DamperResult, motion: DamperMotion, at_bound: tuple[str, ...], name: str
+) -> list[Finding]:
     """Findings about a fitted law; ``at_bound`` names the parameters that ended at a limit of their range."""
     findings: list[Finding] = []
 
@@ -41,7 +43,11 @@ def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[st
         findings.append(finding(code, name, value, **numbers))
 
     law, parameters = damper_law(result.law, motion), result.parameters
-    shapes = [key for (key, _), is_signed in zip(law.shapes, law.may_be_negative, strict=True) if not is_signed]
+    shapes = [
+        key
+        for (key, _), is_signed in zip(law.shapes, law.may_be_negative, strict=True)
+        if not is_signed
+    ]
     if not law.hysteretic:
         hysteresis = hysteresis_share(motion)
         # The magneto-rheological records have 8 to 10 %; simulated viscous dampers have 1 % with 5 % noise, 2 % with a
@@ -71,7 +77,13 @@ def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[st
         )  # zero is within 95 %
         if vague and key in shapes:
             numbers = {"value": parameter.value, "error": parameter.standard_error}
-            add("identify.poorly_determined", parameter.standard_error, key=key, unit=result.units[key], **numbers)
+            add(
+                "identify.poorly_determined",
+                parameter.standard_error,
+                key=key,
+                unit=result.units[key],
+                **numbers,
+            )
     if result.cycles < 3.0:  # hardly a cycle is neither the first nor the last
         add("identify.few_cycles", result.cycles, cycles=result.cycles)
     if result.r2 < 0.9:  # a line leaves 10 to 16 % of the magneto-rheological records unexplained
@@ -79,11 +91,19 @@ def damper_advice(result: DamperResult, motion: DamperMotion, at_bound: tuple[st
     return findings
 
 
-_FADED, _DRIFTED = 0.05, 0.03  # of the force of the law, and of the range of the force, over the record
-_FAR, _FEW = 12.0, 0.02  # times the usual residual, share of the samples: a spike, and how many may be spikes
+_FADED, _DRIFTED = (
+    0.05,
+    0.03,
+)  # of the force of the law, and of the range of the force, over the record
+_FAR, _FEW = (
+    12.0,
+    0.02,
+)  # times the usual residual, share of the samples: a spike, and how many may be spikes
 
 
-def changes(speed: Array, fitted: Array, residual: Array, result: DamperResult, name: str) -> list[Finding]:
+def changes(
+    speed: Array, fitted: Array, residual: Array, result: DamperResult, name: str
+) -> list[Finding]:
     """Changes during the record: a damper that warms up, a drifting zero, spikes.
 
     ``speed`` is the velocity over its peak; the force of the law may err as it grows, which is no change in time.
@@ -106,7 +126,9 @@ def changes(speed: Array, fitted: Array, residual: Array, result: DamperResult, 
         )
         speed, fitted, residual = speed[~spikes], fitted[~spikes], residual[~spikes]
     reach = float(np.ptp(fitted))
-    if result.cycles < 2.0 or reach <= 0.0:  # a single cycle does not tell a change in time from one with velocity
+    if (
+        result.cycles < 2.0 or reach <= 0.0
+    ):  # a single cycle does not tell a change in time from one with velocity
         return findings
     place, force = np.linspace(-0.5, 0.5, len(residual)), fitted - fitted.mean()
     bent = [force * np.abs(speed), np.maximum(speed, 0.0), np.minimum(speed, 0.0)]
@@ -121,7 +143,9 @@ def changes(speed: Array, fitted: Array, residual: Array, result: DamperResult, 
 
 
 _COARSE = 0.25  # of the force on one side
-_NEAR = 12.0  # times the frequency of the motion, below which a low pass makes bump and rebound alike
+_NEAR = (
+    12.0  # times the frequency of the motion, below which a low pass makes bump and rebound alike
+)
 
 
 def logger_effects(motion: DamperMotion, fitted: Array, offset: float, name: str) -> list[Finding]:
@@ -135,8 +159,12 @@ def logger_effects(motion: DamperMotion, fitted: Array, offset: float, name: str
     frequency = motion.cycles / float(time[-1] - time[0])
     rate = 1.0 / float(np.median(np.diff(time)))
     reach = float(np.ptp(motion.force))
-    if corner := low_pass_corner(motion.force - fitted, rate, frequency, reach=reach, step=step, near=_NEAR):
-        findings.append(finding("identify.force_low_pass", name, corner, corner=corner, frequency=frequency))
+    if corner := low_pass_corner(
+        motion.force - fitted, rate, frequency, reach=reach, step=step, near=_NEAR
+    ):
+        findings.append(
+            finding("identify.force_low_pass", name, corner, corner=corner, frequency=frequency)
+        )
     return findings
 
 
@@ -162,6 +190,8 @@ def _force_step(motion: DamperMotion) -> tuple[float, float] | None:
     # A knee within twice the regularisation of friction is not told from it.
     knees = [share * motion.peak_velocity for share in (0.05, 0.1, 0.2, 0.4)]
     soft, height, knee = min(
-        (*fit_columns(np.tanh(motion.velocity / knee)), knee) for knee in knees if knee > 2.0 * sharp
+        (*fit_columns(np.tanh(motion.velocity / knee)), knee)
+        for knee in knees
+        if knee > 2.0 * sharp
     )
     return (height, knee) if soft < 0.9 * left else (step, sharp)  # of two that fit alike, friction

@@ -60,7 +60,9 @@ class AlongPath(SampledPoint):
         return bouc_wen_path(x, start=start, **shapes)
 
 
-def harmonic_energy(damper: DamperLaw | Mapping[str, Any], amplitude: float, frequency: float) -> float:
+def harmonic_energy(
+    damper: DamperLaw | Mapping[str, Any], amplitude: float, frequency: float
+) -> float:
     """Work that a damper dissipates per cycle of harmonic motion, once a law with memory has settled.
 
     Parameters
@@ -88,7 +90,9 @@ def harmonic_energy(damper: DamperLaw | Mapping[str, Any], amplitude: float, fre
     (7.8957, 7.8957)
     """
     law = as_damper(damper)
-    phase = np.linspace(0.0, 4.0 * np.pi, 2 * _CYCLE + 1)  # the first cycle brings a law with a memory into its state
+    phase = np.linspace(
+        0.0, 4.0 * np.pi, 2 * _CYCLE + 1
+    )  # the first cycle brings a law with a memory into its state
     x, v = amplitude * np.sin(phase), 2.0 * np.pi * frequency * amplitude * np.cos(phase)
     power = (law.evaluate(AlongPath(partial(getattr, law), v, x, start=0.0)) * v)[_CYCLE:]
     return float(np.trapezoid(power, phase[_CYCLE:])) / (2.0 * np.pi * frequency)
@@ -141,12 +145,17 @@ def damper_law(
     """
     if name not in LAWS:
         raise unknown(str(name), LAWS, what="damper law")
-    law = _polynomial(motion, degree, odd) if name == "polynomial" else _law_of_rig_files(name, motion)
+    law = (
+        _polynomial(motion, degree, odd)
+        if name == "polynomial"
+        else _law_of_rig_files(name, motion)
+    )
     if not law.hysteretic:
         return _with_offset(law, motion, friction)
     if friction:
         raise FitError(
-            Phrase("the law {name!r} contains dry friction already", name=name), allowed="friction only with F(v) laws"
+            Phrase("the law {name!r} contains dry friction already", name=name),
+            allowed="friction only with F(v) laws",
         )
     return law
 
@@ -173,7 +182,9 @@ def _law_of_rig_files(name: str, motion: DamperMotion) -> FittedLaw:
         return numbers if damper_kind(numbers) == word else {"kind": word, **numbers}
 
     units = {key: unit_of_field(value).si for key, value in kind.model_fields.items()}
-    starts, least, most = kind.search(motion.stroke, motion.peak_velocity, motion.velocity_resolution)
+    starts, least, most = kind.search(
+        motion.stroke, motion.peak_velocity, motion.velocity_resolution
+    )
     return FittedLaw(
         name,
         tuple((key, units[key]) for key in kind.weights),
@@ -229,8 +240,14 @@ def _weights(law: FittedLaw, columns: Array, force: Array) -> tuple[Array, NDArr
     factors = np.zeros(columns.shape[1])
     for _ in range(3):
         factors = np.zeros(columns.shape[1])
-        factors[free] = np.linalg.lstsq(columns[:, free] / scale[free], force, rcond=None)[0] / scale[free]
-        wrong = [i for i, (key, _) in enumerate(law.weights) if key in law.not_negative and factors[i] < 0.0]
+        factors[free] = (
+            np.linalg.lstsq(columns[:, free] / scale[free], force, rcond=None)[0] / scale[free]
+        )
+        wrong = [
+            i
+            for i, (key, _) in enumerate(law.weights)
+            if key in law.not_negative and factors[i] < 0.0
+        ]
         if not wrong:
             break
         free[wrong] = False
@@ -243,7 +260,9 @@ def _encode(law: FittedLaw, shapes: Array) -> Array:
     return np.array(
         [
             value / bound if is_signed else math.log(value)
-            for is_signed, value, bound in zip(law.may_be_negative, shapes, law.bounds[1], strict=True)
+            for is_signed, value, bound in zip(
+                law.may_be_negative, shapes, law.bounds[1], strict=True
+            )
         ]
     )
 
@@ -252,7 +271,9 @@ def _decode(law: FittedLaw, coded: Array) -> Array:
     return np.array(
         [
             value * bound if is_signed else math.exp(value)
-            for is_signed, value, bound in zip(law.may_be_negative, coded, law.bounds[1], strict=True)
+            for is_signed, value, bound in zip(
+                law.may_be_negative, coded, law.bounds[1], strict=True
+            )
         ]
     )
 
@@ -267,7 +288,9 @@ def search(
 
     def misfit(coded: Array) -> Array:
         columns = law.columns(motion.displacement, motion.velocity, _decode(law, coded))[used]
-        return np.asarray((columns @ _weights(law, columns, motion.force[used])[0] - motion.force[used]) / size)
+        return np.asarray(
+            (columns @ _weights(law, columns, motion.force[used])[0] - motion.force[used]) / size
+        )
 
     shapes, inside = law.starts[0], np.zeros(0, bool)
     if law.shapes:
@@ -275,7 +298,9 @@ def search(
         starts = [np.clip(_encode(law, start), low + 1e-6, high - 1e-6) for start in law.starts]
         starts.sort(key=lambda start: float((misfit(start) ** 2).sum()))
         optima = [
-            least_squares(misfit, start, bounds=(low, high), diff_step=1e-4, xtol=1e-8, ftol=1e-9, max_nfev=60)
+            least_squares(
+                misfit, start, bounds=(low, high), diff_step=1e-4, xtol=1e-8, ftol=1e-9, max_nfev=60
+            )
             for start in starts[:4]
         ]
         best = min(optima, key=lambda optimum: float(optimum.cost))
@@ -285,23 +310,40 @@ def search(
     weights, free = _weights(law, columns, motion.force[used])
     every = np.concatenate([free, inside])
     names = [key for key, _ in (*law.weights, *law.shapes)]
-    return weights, shapes, every, tuple(key for key, is_free in zip(names, every, strict=True) if not is_free)
+    return (
+        weights,
+        shapes,
+        every,
+        tuple(key for key, is_free in zip(names, every, strict=True) if not is_free),
+    )
 
 
 def estimates(
-    law: FittedLaw, motion: DamperMotion, used: slice, values: Array, residual: Array, free: NDArray[np.bool_]
+    law: FittedLaw,
+    motion: DamperMotion,
+    used: slice,
+    values: Array,
+    residual: Array,
+    free: NDArray[np.bool_],
 ) -> list[Estimate]:
     """Return weights and shapes with their uncertainty; those at a bound have none."""
     weights, shapes = values[: len(law.weights)], values[len(law.weights) :]
 
     def force(point: Array) -> Array:
-        return np.asarray((law.columns(motion.displacement, motion.velocity, point) @ weights)[used])
+        return np.asarray(
+            (law.columns(motion.displacement, motion.velocity, point) @ weights)[used]
+        )
 
     jacobian = law.columns(motion.displacement, motion.velocity, shapes)[used]
     if len(shapes):
         # what has a sign may be near zero: its step is then a share of its range
-        steps = 1e-3 * np.maximum(np.abs(shapes), 1e-2 * np.where(law.may_be_negative, law.bounds[1], 0.0))
+        steps = 1e-3 * np.maximum(
+            np.abs(shapes), 1e-2 * np.where(law.may_be_negative, law.bounds[1], 0.0)
+        )
         jacobian = np.column_stack([jacobian, central_differences(force, shapes, steps)])
     known = uncertainty(jacobian[:, free], residual).estimates(values[free])
     remaining = iter(known)
-    return [next(remaining) if is_free else Estimate(float(v)) for v, is_free in zip(values, free, strict=True)]
+    return [
+        next(remaining) if is_free else Estimate(float(v))
+        for v, is_free in zip(values, free, strict=True)
+    ]

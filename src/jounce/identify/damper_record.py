@@ -75,7 +75,9 @@ def read_motion(
         Unequal lengths, fewer than 50 samples, NaN, time that does not increase, no motion, less than one cycle.
     """
     if velocity_from not in ("recorded", "displacement"):
-        raise unknown(str(velocity_from), ("recorded", "displacement"), what="velocity_from", where=name)
+        raise unknown(
+            str(velocity_from), ("recorded", "displacement"), what="velocity_from", where=name
+        )
     columns = {
         "displacement": (displacement, "m"),
         "velocity": (velocity, "m/s"),
@@ -99,7 +101,9 @@ def read_motion(
     uses_derivative = "velocity" not in arrays or velocity_from == "displacement"
     if "velocity" in arrays:
         arrays["velocity"] = _as_the_stroke(arrays["velocity"], derivative, name, findings)
-        resolution = _check_velocity(arrays["velocity"], derivative, t, velocity_from, name, findings)
+        resolution = _check_velocity(
+            arrays["velocity"], derivative, t, velocity_from, name, findings
+        )
     else:
         findings.append(finding("identify.velocity_derived", name))
     v = _rate(x, t, derivative, name, findings) if uses_derivative else arrays["velocity"]
@@ -111,9 +115,20 @@ def read_motion(
     x, v, f, t, derivative = (column[sound] for column in (x, v, f, t, derivative))
     cycles = cycles_of(x)
     if cycles < 0.95:  # one that was cut a little short has all velocities still
-        raise FitError("less than one cycle of motion", where=name, found=f"{cycles:g} cycles", allowed="at least 1")
+        raise FitError(
+            "less than one cycle of motion",
+            where=name,
+            found=f"{cycles:g} cycles",
+            allowed="at least 1",
+        )
     signs = damper_signs(
-        x, derivative, f, stroke_positive=stroke_positive, force_positive=force_positive, name=name, findings=findings
+        x,
+        derivative,
+        f,
+        stroke_positive=stroke_positive,
+        force_positive=force_positive,
+        name=name,
+        findings=findings,
     )
     x, v, f = signs.stroke * x, signs.stroke * v, signs.force * f
     centre = 0.5 * float(x.max() + x.min())
@@ -125,26 +140,38 @@ def _check(arrays: dict[str, Array], name: str) -> None:
     if len(set(lengths.values())) > 1 or any(value.ndim != 1 for value in arrays.values()):
         raise FitError("the columns are not of the same length", where=name, found=str(lengths))
     if len(arrays["time"]) < 50:
-        raise FitError("too few samples", where=name, found=len(arrays["time"]), allowed="at least 50")
+        raise FitError(
+            "too few samples", where=name, found=len(arrays["time"]), allowed="at least 50"
+        )
     for key, value in arrays.items():
         bad = np.flatnonzero(~np.isfinite(value))
         if len(bad):
-            raise FitError("a value is missing or not finite", where=name, found=f"{key}, sample {bad[0] + 1}")
+            raise FitError(
+                "a value is missing or not finite", where=name, found=f"{key}, sample {bad[0] + 1}"
+            )
     if np.any(np.diff(arrays["time"]) <= 0.0):
         place = int(np.argmax(np.diff(arrays["time"]) <= 0.0)) + 2
         raise FitError("the time does not increase", where=name, found=f"sample {place}")
     if np.ptp(arrays["displacement"]) == 0.0 or np.ptp(arrays["force"]) == 0.0:
-        raise FitError("displacement or force never changes", where=name, hint="Are these the right columns?")
+        raise FitError(
+            "displacement or force never changes", where=name, hint="Are these the right columns?"
+        )
 
 
-def _without_dropouts(arrays: dict[str, Array], name: str, findings: list[Finding]) -> NDArray[np.bool_]:
+def _without_dropouts(
+    arrays: dict[str, Array], name: str, findings: list[Finding]
+) -> NDArray[np.bool_]:
     """Mark what the logger lost while the machine moved, and bridge the displacement there for its derivative."""
     lost = np.zeros(len(arrays["time"]), bool)
     for column in ("displacement", "velocity", "force"):
         if column in arrays and (marks := frozen_samples(arrays[column])).any():
             findings.append(
                 finding(
-                    "identify.dropouts", name, np.count_nonzero(marks), channel=column, samples=np.count_nonzero(marks)
+                    "identify.dropouts",
+                    name,
+                    np.count_nonzero(marks),
+                    channel=column,
+                    samples=np.count_nonzero(marks),
                 )
             )
             lost |= marks
@@ -166,9 +193,13 @@ def _out_of_range(columns: Mapping[str, Array], name: str) -> list[Finding]:
         share = clipped_share(values)
         if share > _CLIPPED:
             if column == "force":
-                findings.append(finding("identify.force_out_of_range", name, share, share=share, channel=column))
+                findings.append(
+                    finding("identify.force_out_of_range", name, share, share=share, channel=column)
+                )
             else:
-                findings.append(finding("identify.flat_at_limits", name, share, share=share, channel=column))
+                findings.append(
+                    finding("identify.flat_at_limits", name, share, share=share, channel=column)
+                )
     return findings
 
 
@@ -178,7 +209,9 @@ _CLIPPED = 2e-3  # of the samples: limits that a steady sine touches for so long
 def _as_the_stroke(velocity: Array, derivative: Array, name: str, findings: list[Finding]) -> Array:
     """Give the velocity with the sign of the displacement's derivative."""
     gain = float(velocity @ derivative) / float(derivative @ derivative)
-    if gain > -0.5:  # half way from a reversed velocity (-1) to one that has nothing to do with the stroke (0)
+    if (
+        gain > -0.5
+    ):  # half way from a reversed velocity (-1) to one that has nothing to do with the stroke (0)
         return velocity
     findings.append(finding("identify.velocity_reversed", name, gain, factor=gain))
     return -velocity
@@ -195,10 +228,16 @@ def _check_velocity(
     step = float(np.median(np.diff(time)))
     if abs(gain - 1.0) > 0.05:  # the coefficient is wrong by as much
         findings.append(finding("identify.velocity_gain", name, gain, factor=gain))
-    elif abs(delay) > 0.2 * step and source == "recorded":  # a choice: channels on one clock agree far better
-        findings.append(finding("identify.velocity_late", name, delay, delay=delay, samples=delay / step))
+    elif (
+        abs(delay) > 0.2 * step and source == "recorded"
+    ):  # a choice: channels on one clock agree far better
+        findings.append(
+            finding("identify.velocity_late", name, delay, delay=delay, samples=delay / step)
+        )
     resolution = quantum_of(np.round(velocity, 9))
-    if resolution > 1e-3 * float(np.abs(velocity).max()):  # slow motion, a tenth of the peak, is then known to 1 %
+    if resolution > 1e-3 * float(
+        np.abs(velocity).max()
+    ):  # slow motion, a tenth of the peak, is then known to 1 %
         findings.append(finding("identify.velocity_steps", name, resolution, step=resolution))
     return resolution
 
@@ -224,13 +263,18 @@ def _rate(x: Array, t: Array, plain: Array, name: str, findings: list[Finding]) 
         half = min(max(half + 1, int(1.2 * half)), widest)
     left = share(half)
     if half > 1:
-        findings.append(finding("identify.derivative_width", name, 2 * half + 1, samples=2 * half + 1))
+        findings.append(
+            finding("identify.derivative_width", name, 2 * half + 1, samples=2 * half + 1)
+        )
     if left > _NOISY:
         findings.append(finding("identify.stroke_noise", name, left, noise=noise, share=left))
     return plain if half == 1 else _slope(x, half) / step
 
 
-_CALM, _NOISY = 1e-4, 1e-2  # of the mean square of a velocity: noise that does no harm, and that is told
+_CALM, _NOISY = (
+    1e-4,
+    1e-2,
+)  # of the mean square of a velocity: noise that does no harm, and that is told
 _WIDEST = 0.05  # of half a cycle: samples on either side over which a cubic follows the motion
 
 
@@ -279,7 +323,9 @@ def cycles_of(displacement: Array, *, is_closed: bool = False) -> float:
     """
     stroke = float(np.ptp(displacement))
     side = displacement - 0.5 * float(displacement.max() + displacement.min())
-    clear = np.sign(side[np.abs(side) > 0.1 * stroke])  # noise in the middle of the stroke makes no crossings
+    clear = np.sign(
+        side[np.abs(side) > 0.1 * stroke]
+    )  # noise in the middle of the stroke makes no crossings
     turns = displacement[[*zigzag(displacement, 0.05 * stroke), len(displacement) - 1]]
     path = float(np.abs(np.diff(turns)).sum())
     return max(0.5 * float(np.count_nonzero(np.diff(clear)) + is_closed), path / (2.0 * stroke))
@@ -290,7 +336,18 @@ def columns_of(
 ) -> tuple[ArrayLike, ArrayLike | None, ArrayLike, ArrayLike]:
     """A record completed from its data: a channel brings its time, a recording or a table everything."""
     if force is None and velocity is None and not hasattr(displacement, "dtype"):
-        displacement, velocity, force = damper_channels(as_recording(displacement, where=name), where=name)
+        displacement, velocity, force = damper_channels(
+            as_recording(displacement, where=name), where=name
+        )
     if force is None:
-        raise FitError("the force is missing", where=name, allowed="displacement, velocity or None, force, time")
-    return displacement, velocity, force, clock_of((displacement, force), where=name) if time is None else time
+        raise FitError(
+            "the force is missing",
+            where=name,
+            allowed="displacement, velocity or None, force, time",
+        )
+    return (
+        displacement,
+        velocity,
+        force,
+        clock_of((displacement, force), where=name) if time is None else time,
+    )

@@ -25,7 +25,10 @@ _MARGIN, _FEW = 0.02, 8  # s by which a recording may be early; samples that sho
 _TURNED = -0.6  # correlation with the model below which a record is turned
 _TINY = 0.002  # of the range of the record: a constant below this does no harm
 _SMALL = 0.02  # of the range of the record: a constant below this is no datum
-_AT_REST, _ABSOLUTE = 0.1, 0.35  # of the static value: how far zeros, and start values of the model, may be off
+_AT_REST, _ABSOLUTE = (
+    0.1,
+    0.35,
+)  # of the static value: how far zeros, and start values of the model, may be off
 
 
 @dataclass(frozen=True)
@@ -53,16 +56,24 @@ class QuietStart:
         if self.recorded is None:
             return "undeformed" if load <= small else "free offset"
         if load <= small:
-            tiny = _TINY * self.reach + 4.0 * self.doubt  # nothing of the model's values is in this static value
+            tiny = (
+                _TINY * self.reach + 4.0 * self.doubt
+            )  # nothing of the model's values is in this static value
             return "undeformed" if abs(self.recorded - self.static) <= tiny else "free offset"
         if abs(self.recorded - self.zero) <= small + _AT_REST * load:
             return "rest"
-        return "undeformed" if abs(self.recorded - self.static) <= small + _ABSOLUTE * load else "free offset"
+        return (
+            "undeformed"
+            if abs(self.recorded - self.static) <= small + _ABSOLUTE * load
+            else "free offset"
+        )
 
     def matters(self, datum: Datum) -> bool:
         """Whether the choice of datum makes a difference."""
         small = _SMALL * self.reach + 4.0 * self.doubt
-        return (abs(self.static - self.zero) > small or datum != "undeformed") and not self.is_stated
+        return (
+            abs(self.static - self.zero) > small or datum != "undeformed"
+        ) and not self.is_stated
 
 
 Starts = Mapping[str, Mapping[str, QuietStart]]
@@ -81,7 +92,9 @@ def with_datums(
     """
     starts = {trial.name: quiet_starts(trial, channels) for trial in trials}
     datums = datums_of(starts)
-    return [with_datum(trial, starts[trial.name], datums) for trial in trials], start_findings(starts)
+    return [with_datum(trial, starts[trial.name], datums) for trial in trials], start_findings(
+        starts
+    )
 
 
 def datums_of(starts: Starts) -> dict[str, Datum]:
@@ -90,13 +103,20 @@ def datums_of(starts: Starts) -> dict[str, Datum]:
     for channels in starts.values():
         for name, start in channels.items():
             if not start.is_stated:
-                said.setdefault(name, {}).setdefault(start.recorded is not None, set()).add(start.datum())
+                said.setdefault(name, {}).setdefault(start.recorded is not None, set()).add(
+                    start.datum()
+                )
     # records that begin at rest decide, also for those that begin in motion
     votes = {name: by_rest.get(True) or by_rest[False] for name, by_rest in said.items()}
-    return {name: next(iter(choices)) if len(choices) == 1 else "free offset" for name, choices in votes.items()}
+    return {
+        name: next(iter(choices)) if len(choices) == 1 else "free offset"
+        for name, choices in votes.items()
+    }
 
 
-def with_datum(trial: FitTrial, starts: Mapping[str, QuietStart], datums: Mapping[str, Datum]) -> FitTrial:
+def with_datum(
+    trial: FitTrial, starts: Mapping[str, QuietStart], datums: Mapping[str, Datum]
+) -> FitTrial:
     """Return a trial with the datums of its channels, except those that its sensors state."""
     sensors = dict(trial.sensors)
     for name, start in starts.items():
@@ -123,11 +143,15 @@ def start_findings(starts: Starts) -> list[Finding]:
     return turned + chosen
 
 
-def _findings(channel: str, datum: Datum, starts: Sequence[tuple[str, QuietStart]]) -> list[Finding]:
+def _findings(
+    channel: str, datum: Datum, starts: Sequence[tuple[str, QuietStart]]
+) -> list[Finding]:
     quiet = [trial for trial, start in starts if start.recorded is not None]
     moving = [trial for trial, start in starts if start.recorded is None]
     differ = len({start.datum() for _, start in starts if start.recorded is not None}) > 1
-    code = {"rest": "identify.datum_rest", "undeformed": "identify.datum_undeformed"}.get(datum, "identify.datum_free")
+    code = {"rest": "identify.datum_rest", "undeformed": "identify.datum_undeformed"}.get(
+        datum, "identify.datum_free"
+    )
     if datum == "free offset" and differ:
         code = "identify.datums_differ"
     findings = [finding(code, channel, trials=_join_trials(quiet or moving))]

@@ -111,7 +111,9 @@ def _moving_average(signal: Array, width: int) -> Array:
     if width < 3:
         return signal
     padded = np.pad(signal, width // 2, mode="edge")
-    return np.convolve(padded, np.ones(width) / width, mode="same")[width // 2 : width // 2 + len(signal)]
+    return np.convolve(padded, np.ones(width) / width, mode="same")[
+        width // 2 : width // 2 + len(signal)
+    ]
 
 
 def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
@@ -129,7 +131,9 @@ def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
     refined = [(float(time[turns[0]]), float(smooth[turns[0]]))]
     refined += [_parabola(time, signal, smooth, index, half) for index in turns[1:]]
     if len(refined) == 2:  # the mass rests after its first swing back
-        refined.append((refined[1][0] + half, float(np.median(signal[-max(5, len(signal) // 4) :]))))
+        refined.append(
+            (refined[1][0] + half, float(np.median(signal[-max(5, len(signal) // 4) :])))
+        )
     moments, values = np.array(refined).T
     return Peaks(moments, values)
 
@@ -145,8 +149,12 @@ def until_it_grows(peaks: Peaks, noise: float) -> Peaks:
     swing = np.abs(np.diff(peaks.value))
     for i in range(2, len(swing)):
         # Swings that are small, or little above the noise, may double by chance.
-        is_sudden = swing[i] > _SUDDEN * max(swing[i - 2 : i]) and swing[i] > 0.1 * swing[0] + 10.0 * noise
-        if is_sudden and not (len(swing) > i + 2 and swing[i + 2] > _GROWS * swing[i + 1] > _GROWS**2 * swing[i]):
+        is_sudden = (
+            swing[i] > _SUDDEN * max(swing[i - 2 : i]) and swing[i] > 0.1 * swing[0] + 10.0 * noise
+        )
+        if is_sudden and not (
+            len(swing) > i + 2 and swing[i + 2] > _GROWS * swing[i + 1] > _GROWS**2 * swing[i]
+        ):
             return Peaks(peaks.time[: i + 1], peaks.value[: i + 1])
     return peaks
 
@@ -164,8 +172,12 @@ def _half_period(time: Array, turns: list[int]) -> float:
     return float(np.median(gaps[1:] if len(gaps) > 1 else gaps))
 
 
-def _parabola(time: Array, signal: Array, smooth: Array, index: int, half: float) -> tuple[float, float]:
-    near = np.abs(time - time[index]) <= half / 10.0  # there a cosine is a parabola to 0.04 % of its height
+def _parabola(
+    time: Array, signal: Array, smooth: Array, index: int, half: float
+) -> tuple[float, float]:
+    near = (
+        np.abs(time - time[index]) <= half / 10.0
+    )  # there a cosine is a parabola to 0.04 % of its height
     near[max(index - 1, 0) : index + 2] = True
     local = time[near] - time[index]
     if len(local) < 3:
@@ -271,7 +283,16 @@ def _start(peaks: Peaks, quantity: Quantity, ratio: float, friction: float, cent
         factor, begin = omega**2, float(peaks.time[0]) - 0.1 / omega
         deflection = -top / factor
     shifted = friction / factor
-    return np.array([omega, ratio, shifted, centre, begin, deflection + shifted * math.copysign(1.0, deflection)])
+    return np.array(
+        [
+            omega,
+            ratio,
+            shifted,
+            centre,
+            begin,
+            deflection + shifted * math.copysign(1.0, deflection),
+        ]
+    )
 
 
 def _starts(peaks: Peaks, quantity: Quantity) -> list[Array]:
@@ -285,7 +306,9 @@ def _starts(peaks: Peaks, quantity: Quantity) -> list[Array]:
     pairs = [(guess.damping_ratio, guess.friction_deflection)]
     pairs += [((1.0 - share) * naive, share * dry) for share in (0.0, 0.25, 0.5, 0.75, 1.0)]
     starts = [_start(peaks, quantity, ratio, friction, centre) for ratio, friction in pairs]
-    if order_of(quantity) == 2:  # its largest value may be just before a turning point: count from the one before
+    if (
+        order_of(quantity) == 2
+    ):  # its largest value may be just before a turning point: count from the one before
         starts += [_one_half_earlier(start) for start in starts]
     return starts
 
@@ -293,7 +316,9 @@ def _starts(peaks: Peaks, quantity: Quantity) -> list[Array]:
 def _early(t: Array, peaks: Peaks) -> NDArray[np.bool_]:
     """Mark the samples until the swings are below a fifth of the first, at least three half cycles."""
     swing = np.abs(np.diff(peaks.value))
-    small = np.flatnonzero(swing < 0.2 * swing[0])  # a choice: later swings are friction and noise more and more
+    small = np.flatnonzero(
+        swing < 0.2 * swing[0]
+    )  # a choice: later swings are friction and noise more and more
     index = max(3, int(small[0]) if len(small) else len(swing))
     early: NDArray[np.bool_] = t <= float(peaks.time[min(index, len(swing))])
     return early if np.count_nonzero(early) >= _FEWEST else np.ones(len(t), bool)
@@ -328,7 +353,11 @@ _CLEAR_GAIN = 12.0  # of twice the log-likelihood: about 3.5 standard errors
 
 
 def _fit(
-    t: Array, signal: Array, starts: list[Array], quantity: Quantity, free: Sequence[bool] = _WITHOUT_DRAG
+    t: Array,
+    signal: Array,
+    starts: list[Array],
+    quantity: Quantity,
+    free: Sequence[bool] = _WITHOUT_DRAG,
 ) -> tuple[Array, Uncertainty, Array]:
     """Nonlinear least squares from several starts; the best one's parameters, uncertainty and residual.
 
@@ -341,12 +370,16 @@ def _fit(
             hint="Choose the part with a time window (from, to).",
         )
     thin = _sample_step(t, starts[0])
-    if len(starts) > 1 and thin > 1:  # the starts are held against each other on part of the samples
+    if (
+        len(starts) > 1 and thin > 1
+    ):  # the starts are held against each other on part of the samples
         starts = [_fit(t[::thin], signal[::thin], starts, quantity, free)[0]]
     reach, which = float(np.ptp(signal)), np.array(free)
     best = None
     for start in starts:
-        descent = _descend(t, signal / reach, np.append(start, np.zeros(7 - len(start))), quantity, reach, which)
+        descent = _descend(
+            t, signal / reach, np.append(start, np.zeros(7 - len(start))), quantity, reach, which
+        )
         if best is None or descent[0].cost < best[0].cost * (1.0 - 1e-9):
             best = descent
     assert best is not None
@@ -384,8 +417,16 @@ def _descend(
 
     size = abs(start[5])
     scale = np.array([start[0], 0.1, 0.02 * size, reach, 1.0 / start[0], size, 0.1 / size])
-    low = np.array([0.3 * start[0], -0.2, -size, -np.inf, t[0] - 6.0 / start[0], -np.inf, -1.0 / size]) / scale
-    high = np.array([3.0 * start[0], 0.97, size, np.inf, t[0] + 3.0 / start[0], np.inf, 30.0 / size]) / scale
+    low = (
+        np.array(
+            [0.3 * start[0], -0.2, -size, -np.inf, t[0] - 6.0 / start[0], -np.inf, -1.0 / size]
+        )
+        / scale
+    )
+    high = (
+        np.array([3.0 * start[0], 0.97, size, np.inf, t[0] + 3.0 / start[0], np.inf, 30.0 / size])
+        / scale
+    )
 
     def point(scaled: Array) -> Array:
         values = start.copy()
@@ -394,7 +435,9 @@ def _descend(
 
     def misfit(scaled: Array) -> Array:
         response = decay_response(t, _unpack(point(scaled)), quantity) / reach
-        return np.clip(np.nan_to_num(response, nan=_FAR), -_FAR, _FAR) - target  # negative damping explodes
+        return (
+            np.clip(np.nan_to_num(response, nan=_FAR), -_FAR, _FAR) - target
+        )  # negative damping explodes
 
     closed = not free[_DRAG] and start[_DRAG] == 0.0
 
@@ -442,7 +485,12 @@ def _slopes_with_drag(t: Array, values: Array, quantity: Quantity, steps: Array)
 
 
 def _not_negative(
-    t: Array, signal: Array, values: Array, spread: Uncertainty, quantity: Quantity, free: Sequence[bool]
+    t: Array,
+    signal: Array,
+    values: Array,
+    spread: Uncertainty,
+    quantity: Quantity,
+    free: Sequence[bool],
 ) -> tuple[Array, Uncertainty, Array]:
     """Set negative parameters (damping, friction, drag) to zero, the clearest first, and fit the others again.
 
@@ -455,7 +503,9 @@ def _not_negative(
         wrong = [i for i in (_RATIO, _FRICTION, _DRAG) if left[i] and values[i] < 0.0]
         if not wrong:
             break
-        clearest = min(wrong, key=lambda i: float(values[i]) / math.sqrt(max(float(doubt[i]), 1e-300)))
+        clearest = min(
+            wrong, key=lambda i: float(values[i]) / math.sqrt(max(float(doubt[i]), 1e-300))
+        )
         left[clearest] = False
         start = values.copy()
         start[clearest] = 0.0
@@ -485,7 +535,12 @@ class DecayPart:
 
 
 def search_decay(
-    part: DecayPart, quantity: Quantity, drag: Drag, name: str, findings: list[Finding], known: float | None = None
+    part: DecayPart,
+    quantity: Quantity,
+    drag: Drag,
+    name: str,
+    findings: list[Finding],
+    known: float | None = None,
 ) -> tuple[DecayParameters, Uncertainty, Array, bool]:
     """Fit the response; leave out the time at rest if sliding friction would have stopped the mass elsewhere.
 
@@ -503,12 +558,21 @@ def search_decay(
         alone = _fit(t[~rest], signal[~rest], [starts[0], values], quantity)
         gap, doubt = _rest_gap(t[rest], signal[rest], alone[0], alone[1])
         # Four standard errors happen by chance once in 16 000 records; smaller gaps are misfit, or change no result.
-        if abs(gap) >= max(4.0 * doubt, 3.0 * float(alone[2].std()), 0.05 * abs(alone[0][_FRICTION])):
-            findings.append(finding("identify.static_friction", name, gap, gap=motion_of(quantity).say(gap)))
+        if abs(gap) >= max(
+            4.0 * doubt, 3.0 * float(alone[2].std()), 0.05 * abs(alone[0][_FRICTION])
+        ):
+            findings.append(
+                finding("identify.static_friction", name, gap, gap=motion_of(quantity).say(gap))
+            )
             used, (values, spread, residual) = ~rest, alone
     without_drag = _not_negative(t[used], signal[used], values, spread, quantity, _WITHOUT_DRAG)
     dragged = _with_drag(t[used], signal[used], peaks, without_drag, quantity, drag)
-    if dragged and drag == "auto" and known is not None and _leads_away(dragged[0], without_drag[0], known):
+    if (
+        dragged
+        and drag == "auto"
+        and known is not None
+        and _leads_away(dragged[0], without_drag[0], known)
+    ):
         dragged = None
     values, spread, fitted_residual = dragged or without_drag
     residual = np.full(len(t), np.nan)
@@ -517,7 +581,12 @@ def search_decay(
 
 
 def _with_drag(
-    t: Array, signal: Array, peaks: Peaks, without: tuple[Array, Uncertainty, Array], quantity: Quantity, drag: Drag
+    t: Array,
+    signal: Array,
+    peaks: Peaks,
+    without: tuple[Array, Uncertainty, Array],
+    quantity: Quantity,
+    drag: Drag,
 ) -> tuple[Array, Uncertainty, Array] | None:
     """Fit quadratic drag as well; None where it is not wanted, or where the data are to decide and do not show it."""
     values, _, residual = without
@@ -525,7 +594,11 @@ def _with_drag(
     if drag == "no" or (drag == "auto" and before <= EXACT * float(np.ptp(signal))):
         return None
     starts = []
-    for share in (0.0, 0.5, 0.9):  # of the energy that drag takes in place of viscous damping, at half the amplitude
+    for share in (
+        0.0,
+        0.5,
+        0.9,
+    ):  # of the energy that drag takes in place of viscous damping, at half the amplitude
         start = np.append(values, 0.0)[:7]
         start[_DRAG] += share * max(start[_RATIO], 1e-3) * 1.5 * math.pi / abs(start[5])
         start[_RATIO] *= 1.0 - share
@@ -546,7 +619,9 @@ def _leads_away(dragged: Array, without: Array, known: float) -> bool:
 
     So do a second mass and the friction of a strut on a tyre, which one mass with viscous damping does not have.
     """
-    with_drag, without_drag = (abs(_unpack(values).angular_frequency / known - 1.0) for values in (dragged, without))
+    with_drag, without_drag = (
+        abs(_unpack(values).angular_frequency / known - 1.0) for values in (dragged, without)
+    )
     return with_drag > max(without_drag, 0.5 * _OFF)
 
 
@@ -572,7 +647,9 @@ def _rest_gap(t: Array, signal: Array, values: Array, spread: Uncertainty) -> tu
 
     steps = 1e-6 * np.maximum(np.abs(values), 1e-3 * abs(values[5]))
     gradient = central_differences(end, values, steps)
-    return float(signal.mean()) - float(end(values)), spread.propagate(0.0, gradient).standard_error or 0.0
+    return float(signal.mean()) - float(end(values)), spread.propagate(
+        0.0, gradient
+    ).standard_error or 0.0
 
 
 # fit ------------------------------------------------------------------------------------------------------------------
@@ -588,19 +665,30 @@ class DecayEstimates(Shown):
     """Result of one or several decays: see :class:`DecayResult`."""
 
     damping_ratio: Annotated[Estimate, Shows("viscous damping ratio", "1")]
-    damping_coefficient: Annotated[Estimate, Shows("viscous damping coefficient", in_motion("damping"))]
-    coulomb_force: Annotated[Estimate, Shows(_label_in_motion("dry friction", "force_word"), in_motion("force"))]
+    damping_coefficient: Annotated[
+        Estimate, Shows("viscous damping coefficient", in_motion("damping"))
+    ]
+    coulomb_force: Annotated[
+        Estimate, Shows(_label_in_motion("dry friction", "force_word"), in_motion("force"))
+    ]
     quadratic_drag: Annotated[Estimate | None, Shows("quadratic drag", in_motion("drag"))]
     natural_frequency_hz: Annotated[Estimate, Shows("natural frequency", "Hz")]
     equilibrium: Annotated[Estimate | None, Shows("equilibrium position", in_motion("deflection"))]
     stiffness: Annotated[
         Estimate,
-        Shows(_label_in_motion("stiffness from", "inertia_word", " and natural frequency"), in_motion("stiffness")),
+        Shows(
+            _label_in_motion("stiffness from", "inertia_word", " and natural frequency"),
+            in_motion("stiffness"),
+        ),
     ]
-    logarithmic_decrement: Annotated[Estimate, Shows("logarithmic decrement (friction neglected, for comparison)", "1")]
+    logarithmic_decrement: Annotated[
+        Estimate, Shows("logarithmic decrement (friction neglected, for comparison)", "1")
+    ]
 
     @property
-    def equivalent_damping_ratio(self) -> Annotated[Estimate, Shows("damping ratio (friction neglected)", "1")]:
+    def equivalent_damping_ratio(
+        self,
+    ) -> Annotated[Estimate, Shows("damping ratio (friction neglected)", "1")]:
         """Damping ratio of a viscous damper alone from the naive decrement [1], which includes friction."""
         return _equivalent(self.logarithmic_decrement)
 
@@ -753,7 +841,11 @@ def fit_decay(
         displacement = carried_channel(time, motion.units[order_of(quantity)], where=name)
         time = clock_of([displacement], where=name)
     mass = _inertia(mass, inertia, motion, quantity, name)
-    stiffness = None if stiffness is None else as_number(stiffness, motion.stiffness, where=f"{name}: stiffness")
+    stiffness = (
+        None
+        if stiffness is None
+        else as_number(stiffness, motion.stiffness, where=f"{name}: stiffness")
+    )
     t, signal = _check_record(time, displacement, stiffness, quantity, name)
     t, signal = _in_window(t, signal, begin, end, name)
     t, signal, logged = without_dropouts(t, signal, name)
@@ -762,7 +854,9 @@ def fit_decay(
     drifted, reach = 0.0, float(np.ptp(part.signal))
     for attempt in range(_DETRENDED + 1):
         findings, peaks = list(part.findings), part.peaks
-        parameters, spread, residual, has_drag = search_decay(part, quantity, quadratic_drag, name, findings, known)
+        parameters, spread, residual, has_drag = search_decay(
+            part, quantity, quadratic_drag, name, findings, known
+        )
         drift = drift_of(part.time, residual, parameters, reach)
         if drift is None or attempt == _DETRENDED or spread.correlation_time <= _ALIKE_FOR:
             break
@@ -776,7 +870,9 @@ def fit_decay(
     estimates = _estimates(parameters, spread, mass)
     centre, drag = estimates.pop("equilibrium"), estimates.pop("quadratic_drag")
     amplitudes = _amplitudes(peaks, parameters, quantity)
-    decrements = tuple(float(math.log(a / b)) for a, b in zip(amplitudes[:-2], amplitudes[2:], strict=True))
+    decrements = tuple(
+        float(math.log(a / b)) for a, b in zip(amplitudes[:-2], amplitudes[2:], strict=True)
+    )
     result = DecayResult(
         **estimates,
         quadratic_drag=drag if has_drag else None,
@@ -806,13 +902,23 @@ def fit_decay(
             )
         )
     is_alike = spread.correlation_time > _ALIKE_FOR
-    findings += _doubts(result, replace(part, time=t, signal=signal), residual, name, is_alike=is_alike)
+    findings += _doubts(
+        result, replace(part, time=t, signal=signal), residual, name, is_alike=is_alike
+    )
     return replace(result, findings=tuple(findings))
 
 
-def _doubts(result: DecayResult, part: DecayPart, residual: Array, name: str, *, is_alike: bool) -> list[Finding]:
+def _doubts(
+    result: DecayResult, part: DecayPart, residual: Array, name: str, *, is_alike: bool
+) -> list[Finding]:
     """Report defects of a record that its fit does not show; ``is_alike`` tells whether residuals are correlated."""
-    t, signal, peaks, p, order = part.time, part.signal, part.peaks, result.parameters, order_of(result.quantity)
+    t, signal, peaks, p, order = (
+        part.time,
+        part.signal,
+        part.peaks,
+        result.parameters,
+        order_of(result.quantity),
+    )
     findings: list[Finding] = []
     if order < 2 and (lost := count_lost_samples(t, signal)) > _FEW_LOST:
         findings.append(finding("identify.decay_jumps", name, lost, places=lost))
@@ -820,7 +926,9 @@ def _doubts(result: DecayResult, part: DecayPart, residual: Array, name: str, *,
         findings += nonlinear_spring(peaks.time, peaks.value, p, noise_of(signal), name)
     held, step = p.friction_deflection * p.angular_frequency**order, quantum_of(signal)
     if step > _STEPS * held and _is_clear(result.coulomb_force):
-        findings.append(finding("identify.decay_steps_hide_friction", name, step, step=step, held=held))
+        findings.append(
+            finding("identify.decay_steps_hide_friction", name, step, step=step, held=held)
+        )
     if result.rms_residual <= EXACT * float(np.ptp(signal)):
         return findings
     low = low_pass_of(t, signal, residual, p, name, is_alike=is_alike)
@@ -832,7 +940,9 @@ def _doubts(result: DecayResult, part: DecayPart, residual: Array, name: str, *,
 
 def _is_clear(friction: Estimate) -> bool:
     """Whether a friction is surely there."""
-    return friction.standard_error is not None and friction.value > _CLEARLY * friction.standard_error
+    return (
+        friction.standard_error is not None and friction.value > _CLEARLY * friction.standard_error
+    )
 
 
 def _read_otherwise(
@@ -888,7 +998,11 @@ def _in_words(quantity: Quantity) -> str:
     return quantity.replace("_", " ")
 
 
-_RATHER, _SURELY, _COUPLED = 0.2, 0.05, 0.35  # of what is left, that another reading leaves: a fifth is no chance
+_RATHER, _SURELY, _COUPLED = (
+    0.2,
+    0.05,
+    0.35,
+)  # of what is left, that another reading leaves: a fifth is no chance
 _CORNERS = np.geomspace(0.01, 0.5, 10)  # of the natural frequency; then beside the best of them
 _BESIDE = np.array([0.75, 0.87, 1.0, 1.15, 1.33])
 _NAMES = tuple(one.name for one in fields(DecayParameters) if one.name != "quadratic_drag")
@@ -899,9 +1013,14 @@ _STEPS = 2.0  # times what friction moves: larger steps hide it
 _DETRENDED = 4  # times a drift is taken off
 _MOST_ACCELERATION = 500.0  # m/s^2: wheels that are struck reach some 40 g
 _SAME = 0.02  # of a logarithmic decrement: less is no change
-_CLEARLY = 4.0  # standard errors of a friction: of intervals alone one decay in forty would show some
+_CLEARLY = (
+    4.0  # standard errors of a friction: of intervals alone one decay in forty would show some
+)
 _TRIES = 5  # turning points, each of which may be the release
-_EXPLAINED, _STILL_HIT = 0.98, 6.0  # R2, and misfit of the first half cycle over the later: the hit is over
+_EXPLAINED, _STILL_HIT = (
+    0.98,
+    6.0,
+)  # R2, and misfit of the first half cycle over the later: the hit is over
 
 
 def _in_window(
@@ -916,15 +1035,24 @@ def _in_window(
             where=name,
             found=f"{np.count_nonzero(inside)} from {low:g} s to {high:g} s",
             allowed=Phrase(
-                "at least {fewest} within {t:g} s to {second_t:g} s", fewest=_FEWEST, t=t[0], second_t=t[-1]
+                "at least {fewest} within {t:g} s to {second_t:g} s",
+                fewest=_FEWEST,
+                t=t[0],
+                second_t=t[-1],
             ),
         )
     if np.ptp(signal[inside]) == 0.0:
-        raise FitError("the record never changes in the time window", where=name, found=f"{low:g} s to {high:g} s")
+        raise FitError(
+            "the record never changes in the time window",
+            where=name,
+            found=f"{low:g} s to {high:g} s",
+        )
     return t[inside], signal[inside]
 
 
-def _best_part(t: Array, signal: Array, quantity: Quantity, name: str, *, look_on: bool) -> DecayPart:
+def _best_part(
+    t: Array, signal: Array, quantity: Quantity, name: str, *, look_on: bool
+) -> DecayPart:
     """Look from the largest excursion on; where that is the hit itself, from later turning points on until it fits."""
     noise = noise_of(signal)
     first, best, refusal = find_release(signal, noise), None, None
@@ -935,7 +1063,9 @@ def _best_part(t: Array, signal: Array, quantity: Quantity, name: str, *, look_o
             refusal = refusal or error
         else:
             fits = part.r2 >= _EXPLAINED and part.early_misfit < _STILL_HIT
-            if fits or best is None or part.r2 > best[1].r2 + 0.01:  # of releases that explain alike, the first
+            if (
+                fits or best is None or part.r2 > best[1].r2 + 0.01
+            ):  # of releases that explain alike, the first
                 best = (attempt, part)
             if fits:
                 break
@@ -946,13 +1076,20 @@ def _best_part(t: Array, signal: Array, quantity: Quantity, name: str, *, look_o
     if best is None:
         assert refusal is not None
         raise FitError(
-            refusal.what, where=name, found=refusal.found, allowed=refusal.allowed, hint=refusal.hint
+            refusal.what,
+            where=name,
+            found=refusal.found,
+            allowed=refusal.allowed,
+            hint=refusal.hint,
         ) from refusal
     attempt, part = best
     if attempt:
         return replace(
             part,
-            findings=(finding("identify.decay_begins_late", name, part.time[0], start=part.time[0]), *part.findings),
+            findings=(
+                finding("identify.decay_begins_late", name, part.time[0], start=part.time[0]),
+                *part.findings,
+            ),
         )
     return part
 
@@ -969,7 +1106,9 @@ def _next_start(signal: Array, first: int, noise: float) -> int | None:
     return max(after + find_release(signal[after:], noise), first + 1)
 
 
-def _part(t: Array, signal: Array, first: int, noise: float, quantity: Quantity, name: str) -> DecayPart:
+def _part(
+    t: Array, signal: Array, first: int, noise: float, quantity: Quantity, name: str
+) -> DecayPart:
     """Find the decay that begins at an index, and fit its large swings.
 
     Far from sticking the misfit has one minimum; each place of sticking has its own.
@@ -984,7 +1123,9 @@ def _part(t: Array, signal: Array, first: int, noise: float, quantity: Quantity,
     t, signal = t[first:last], signal[first:last]
     if len(t) < _FEWEST:
         raise FitError(
-            "too few samples of a free decay", found=len(t), allowed=Phrase("at least {fewest}", fewest=_FEWEST)
+            "too few samples of a free decay",
+            found=len(t),
+            allowed=Phrase("at least {fewest}", fewest=_FEWEST),
         )
     early = _early(t, peaks)
     values, _, residual = _fit(t[early], signal[early], _starts(peaks, quantity), quantity)
@@ -992,11 +1133,18 @@ def _part(t: Array, signal: Array, first: int, noise: float, quantity: Quantity,
     misfit = 1.0
     if opening.any() and not opening.all():
         least = (EXACT * float(np.ptp(signal))) ** 2
-        misfit = math.sqrt(float(np.mean(residual[opening] ** 2)) / max(float(np.mean(residual[~opening] ** 2)), least))
-    return DecayPart(t, signal, peaks, values, r_squared(signal[early], residual), misfit, tuple(findings))
+        misfit = math.sqrt(
+            float(np.mean(residual[opening] ** 2))
+            / max(float(np.mean(residual[~opening] ** 2)), least)
+        )
+    return DecayPart(
+        t, signal, peaks, values, r_squared(signal[early], residual), misfit, tuple(findings)
+    )
 
 
-def _inertia(mass: float | None, inertia: float | None, motion: MeasuredMotion, quantity: Quantity, name: str) -> float:
+def _inertia(
+    mass: float | None, inertia: float | None, motion: MeasuredMotion, quantity: Quantity, name: str
+) -> float:
     """The mass of a translation or the inertia of a rotation; the other one, and none, are refused."""
     given = {"mass": mass, "inertia": inertia}
     stated = given.pop(motion.inertia_word)
@@ -1051,10 +1199,17 @@ def _check_record(
     signal = as_samples(record, si, where=f"{name}: {quantity}", error=FitError)
     if t.ndim != 1 or t.shape != signal.shape:
         raise FitError(
-            "time and record are not two columns of the same length", where=name, found=f"{t.shape} and {signal.shape}"
+            "time and record are not two columns of the same length",
+            where=name,
+            found=f"{t.shape} and {signal.shape}",
         )
     if len(t) < _FEWEST:
-        raise FitError("too few samples", where=name, found=len(t), allowed=Phrase("at least {fewest}", fewest=_FEWEST))
+        raise FitError(
+            "too few samples",
+            where=name,
+            found=len(t),
+            allowed=Phrase("at least {fewest}", fewest=_FEWEST),
+        )
     bad = np.flatnonzero(~(np.isfinite(t) & np.isfinite(signal)))
     if len(bad):
         raise FitError("a value is missing or not finite", where=name, found=f"sample {bad[0] + 1}")
@@ -1062,7 +1217,9 @@ def _check_record(
         place = int(np.argmax(np.diff(t) <= 0.0)) + 2
         raise FitError("the time does not increase", where=name, found=f"sample {place}")
     if stiffness is not None and not (math.isfinite(stiffness) and stiffness > 0.0):
-        raise FitError("the stiffness is not positive", where=name, found=stiffness, allowed="above 0")
+        raise FitError(
+            "the stiffness is not positive", where=name, found=stiffness, allowed="above 0"
+        )
     if np.ptp(signal) == 0.0:
         raise FitError("the record never changes", where=name, hint="Is this the right channel?")
     return t, signal
@@ -1080,10 +1237,14 @@ def _estimates(p: DecayParameters, spread: Uncertainty, mass: float) -> dict[str
             propagate(2.0 * ratio * omega * mass, 2.0 * ratio * mass, 2.0 * omega * mass)
         ),
         "coulomb_force": at_least_zero(
-            propagate(friction * mass * omega**2, 2.0 * friction * mass * omega, 0.0, mass * omega**2)
+            propagate(
+                friction * mass * omega**2, 2.0 * friction * mass * omega, 0.0, mass * omega**2
+            )
         ),
         "natural_frequency_hz": propagate(omega / (2.0 * math.pi), 1.0 / (2.0 * math.pi)),
-        "quadratic_drag": at_least_zero(propagate(p.quadratic_drag * mass, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, mass)),
+        "quadratic_drag": at_least_zero(
+            propagate(p.quadratic_drag * mass, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, mass)
+        ),
         "equilibrium": propagate(p.offset, 0.0, 0.0, 0.0, 1.0),
         "stiffness": propagate(mass * omega**2, 2.0 * mass * omega),
     }
@@ -1103,23 +1264,46 @@ def _naive_decrement(amplitudes: Array) -> Estimate:
     cycle = 0.5 * np.arange(len(amplitudes))
     if len(amplitudes) == 2:
         return Estimate(2.0 * math.log(amplitudes[0] / amplitudes[1]))
-    coefficients, _, spread = linear_least_squares(np.column_stack([-cycle, np.ones_like(cycle)]), np.log(amplitudes))
+    coefficients, _, spread = linear_least_squares(
+        np.column_stack([-cycle, np.ones_like(cycle)]), np.log(amplitudes)
+    )
     return spread.estimates(coefficients)[0]
 
 
-def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: float | None, name: str) -> list[Finding]:
-    p, friction, cycles, motion = result.parameters, result.coulomb_force, result.cycles, MOTIONS[result.motion]
+def _advice(
+    result: DecayResult, spread: Uncertainty, step: float, stiffness: float | None, name: str
+) -> list[Finding]:
+    p, friction, cycles, motion = (
+        result.parameters,
+        result.coulomb_force,
+        result.cycles,
+        MOTIONS[result.motion],
+    )
     findings: list[Finding] = []
 
     def add(code: str, value: float, /, **numbers: Any) -> None:
         findings.append(finding(code, name, value, **numbers))
 
-    changed = abs(result.decrements[-1] / result.decrements[0] - 1.0) if len(result.decrements) > 1 else 0.0
+    changed = (
+        abs(result.decrements[-1] / result.decrements[0] - 1.0)
+        if len(result.decrements) > 1
+        else 0.0
+    )
     if _is_clear(friction) and changed > _SAME:
         first, last = result.decrements[0], result.decrements[-1]
         estimates = {"damping": result.damping_coefficient.value, "friction": friction.value}
-        units = {"damping_unit": unit_in_words(motion.damping), "force_unit": unit_in_words(motion.force)}
-        add("identify.decrement_changes", friction.value, first=first, last=last, **estimates, **units)
+        units = {
+            "damping_unit": unit_in_words(motion.damping),
+            "force_unit": unit_in_words(motion.force),
+        }
+        add(
+            "identify.decrement_changes",
+            friction.value,
+            first=first,
+            last=last,
+            **estimates,
+            **units,
+        )
     drag = result.quadratic_drag
     if p.friction_deflection == 0.0:
         add("identify.no_dry_friction", 0.0)
@@ -1140,11 +1324,17 @@ def _advice(result: DecayResult, spread: Uncertainty, step: float, stiffness: fl
         add("identify.few_samples_per_cycle", samples, samples=samples)
     if result.r2 < _EXPLAINED:
         add("identify.decay_explains_little", result.r2, share=result.r2)
-    elif spread.correlation_time > _ALIKE_FOR and result.rms_residual > 1e-6 * abs(p.release_deflection):
+    elif spread.correlation_time > _ALIKE_FOR and result.rms_residual > 1e-6 * abs(
+        p.release_deflection
+    ):
         add("identify.residuals_correlated", spread.correlation_time)
     if stiffness is not None and abs(result.stiffness.value / stiffness - 1.0) > _OFF:
         share = result.stiffness.value / stiffness - 1.0
-        code = "identify.stiffness_off" if motion.name == "rotation" else "identify.wheel_stiffness_off"
+        code = (
+            "identify.stiffness_off"
+            if motion.name == "rotation"
+            else "identify.wheel_stiffness_off"
+        )
         both = {"value": result.stiffness.value, "given": stiffness, "excess": share}
         add(code, share, inertia=motion.inertia_word, unit=unit_in_words(motion.stiffness), **both)
     return findings
@@ -1221,11 +1411,19 @@ def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
         )
     copies = len(results) - len({result.parameters for result in results})
     if copies:
-        findings.append(finding("identify.decay_copies", "decays", copies, copies=copies, runs=len(results)))
+        findings.append(
+            finding("identify.decay_copies", "decays", copies, copies=copies, runs=len(results))
+        )
     drags = [result.quadratic_drag for result in results if result.quadratic_drag is not None]
     if drags and len(drags) < len(results):
         findings.append(
-            finding("identify.decay_drags_differ", "decays", len(drags), with_drag=len(drags), runs=len(results))
+            finding(
+                "identify.decay_drags_differ",
+                "decays",
+                len(drags),
+                with_drag=len(drags),
+                runs=len(results),
+            )
         )
     return CombinedDecay(
         **combined,

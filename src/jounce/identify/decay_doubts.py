@@ -18,11 +18,27 @@ from jounce.recordings.quality import clipped_share, frozen_samples
 
 EXACT = 1e-6  # of the range: a misfit below this leaves nothing to explain
 _COARSE = 0.05  # of the range: larger steps are told
-_BENT, _CAUSE = 0.05, 0.5  # of the stiffness, over the amplitudes of a decay; of what is left, which a cause explains
-_SEAM, _SEAMS = 0.75, 0.125  # of what is left, which two decays explain; cycles between instants that are tried
-_ODD_STEP, _JUMP, _FEW_JUMPS = 10.0, 0.02, 3  # times the usual step, of the range, jumps of a record
-_FEW, _FEW_SEAMS = 4000, 400  # samples and instants, so that a long record is not looked at for minutes
-_SLOW, _DRIFTS = 4.0, 0.03  # cycles that a drift spans at least; of the range, as no damper moves its centre
+_BENT, _CAUSE = (
+    0.05,
+    0.5,
+)  # of the stiffness, over the amplitudes of a decay; of what is left, which a cause explains
+_SEAM, _SEAMS = (
+    0.75,
+    0.125,
+)  # of what is left, which two decays explain; cycles between instants that are tried
+_ODD_STEP, _JUMP, _FEW_JUMPS = (
+    10.0,
+    0.02,
+    3,
+)  # times the usual step, of the range, jumps of a record
+_FEW, _FEW_SEAMS = (
+    4000,
+    400,
+)  # samples and instants, so that a long record is not looked at for minutes
+_SLOW, _DRIFTS = (
+    4.0,
+    0.03,
+)  # cycles that a drift spans at least; of the range, as no damper moves its centre
 _RELEASING = 0.05  # of a cycle after its release, in which filters of a recorder may hold a jump up
 _NEAR = 8.0  # times the natural frequency, below which a low pass changes what friction leaves
 
@@ -32,7 +48,12 @@ def without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, 
     lost, findings = frozen_samples(signal), []
     if lost.any():
         findings.append(
-            finding("identify.decay_dropouts", name, np.count_nonzero(lost), samples=np.count_nonzero(lost))
+            finding(
+                "identify.decay_dropouts",
+                name,
+                np.count_nonzero(lost),
+                samples=np.count_nonzero(lost),
+            )
         )
     if share := clipped_share(signal):
         findings.append(finding("identify.decay_out_of_range", name, share, share=share))
@@ -42,7 +63,9 @@ def without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, 
     return t[~lost], signal[~lost], findings
 
 
-def nonlinear_spring(times: Array, turns: Array, parameters: DecayParameters, noise: float, name: str) -> list[Finding]:
+def nonlinear_spring(
+    times: Array, turns: Array, parameters: DecayParameters, noise: float, name: str
+) -> list[Finding]:
     """Report a frequency that changes with the amplitude, which neither damping nor dry friction causes.
 
     ``turns`` are the displacements at successive turning points, at ``times`` (s).
@@ -57,15 +80,23 @@ def nonlinear_spring(times: Array, turns: Array, parameters: DecayParameters, no
     periods = times[2:] - times[:-2]
     squares = (0.5 * (sizes[:-1] + sizes[1:]) / swing[0]) ** 2
     rates = (2.0 * math.pi / periods) ** 2
-    coefficients, _, spread = linear_least_squares(np.column_stack([squares, np.ones_like(squares)]), rates)
+    coefficients, _, spread = linear_least_squares(
+        np.column_stack([squares, np.ones_like(squares)]), rates
+    )
     share = float(coefficients[0]) * float(squares[0]) / float(coefficients[1])
-    if abs(share) < _BENT or not (bend := spread.estimates(coefficients)[0]).interval or bend.has(0.0):
+    if (
+        abs(share) < _BENT
+        or not (bend := spread.estimates(coefficients)[0]).interval
+        or bend.has(0.0)
+    ):
         return []
     code = "identify.spring_stiffens" if share > 0.0 else "identify.spring_softens"
     return [finding(code, name, share, first=1.0 / periods[0], last=1.0 / periods[-1])]
 
 
-def drift_of(t: Array, residual: Array, parameters: DecayParameters, reach: float) -> np.polynomial.Polynomial | None:
+def drift_of(
+    t: Array, residual: Array, parameters: DecayParameters, reach: float
+) -> np.polynomial.Polynomial | None:
     """A cubic in time that explains most of the residual, and more than a damper firmer in one direction can."""
     used = np.isfinite(residual)
     left = float(residual[used] @ residual[used])
@@ -78,23 +109,38 @@ def drift_of(t: Array, residual: Array, parameters: DecayParameters, reach: floa
 
 
 def residual_causes(
-    t: Array, signal: Array, residual: Array, parameters: DecayParameters, quantity: Quantity, name: str
+    t: Array,
+    signal: Array,
+    residual: Array,
+    parameters: DecayParameters,
+    quantity: Quantity,
+    name: str,
 ) -> list[Finding]:
     """Name the likely cause of residuals: a jump, two decays, a drift, a damper that is firmer in one direction."""
     left = float(residual @ residual)
     begin = 0
-    if order_of(quantity) == 2:  # a body that was held and is let go jumps there in acceleration, as it must
+    if (
+        order_of(quantity) == 2
+    ):  # a body that was held and is let go jumps there in acceleration, as it must
         turn_time = 2.0 * math.pi / parameters.angular_frequency
         begin = int(np.searchsorted(t, parameters.release_time + _RELEASING * turn_time))
     if (later := _jump(residual[begin:], float(np.ptp(signal)))) is not None:
         jump = begin + later
         return [
-            finding("identify.decay_jumps_once", name, t[jump], jump=residual[jump] - residual[jump - 1], time=t[jump])
+            finding(
+                "identify.decay_jumps_once",
+                name,
+                t[jump],
+                jump=residual[jump] - residual[jump - 1],
+                time=t[jump],
+            )
         ]
     findings = []
     place = np.linspace(-0.5, 0.5, len(t))
     fall, turn = _swing(t, parameters)
-    even = np.column_stack([fall, fall * np.cos(2.0 * turn), fall * np.sin(2.0 * turn), np.ones_like(t)])
+    even = np.column_stack(
+        [fall, fall * np.cos(2.0 * turn), fall * np.sin(2.0 * turn), np.ones_like(t)]
+    )
     slope, remaining, _ = linear_least_squares(np.column_stack([place, np.ones_like(t)]), residual)
     drifts = 1.0 - float(remaining @ remaining) / left
     _, remaining, _ = linear_least_squares(even, residual)
@@ -103,17 +149,30 @@ def residual_causes(
     if seam > max(lopsided, drifts, _SEAM):
         findings.append(finding("identify.decay_second_hit", name, at, time=at, share=seam))
     elif drifts > max(lopsided, _CAUSE):
-        findings.append(finding("identify.decay_zero_drifts", name, slope[0], drift=float(slope[0]), share=drifts))
+        findings.append(
+            finding(
+                "identify.decay_zero_drifts", name, slope[0], drift=float(slope[0]), share=drifts
+            )
+        )
     elif lopsided >= _CAUSE:
         findings.append(finding("identify.decay_lopsided", name, lopsided, share=lopsided))
     return findings
 
 
 def low_pass_of(
-    t: Array, signal: Array, residual: Array, parameters: DecayParameters, name: str, *, is_alike: bool
+    t: Array,
+    signal: Array,
+    residual: Array,
+    parameters: DecayParameters,
+    name: str,
+    *,
+    is_alike: bool,
 ) -> list[Finding]:
     """Detect a low-pass filter near the decay, in its noise if residuals are correlated, or in its missing corners."""
-    rate, frequency = 1.0 / float(np.median(np.diff(t))), parameters.angular_frequency / (2.0 * math.pi)
+    rate, frequency = (
+        1.0 / float(np.median(np.diff(t))),
+        parameters.angular_frequency / (2.0 * math.pi),
+    )
     reach, step = float(np.ptp(signal)), quantum_of(signal)
     corner = smoother_corner(signal, signal - residual, rate, near=_NEAR * frequency)
     if corner is None and is_alike and _jump(residual, reach) is None:
@@ -138,7 +197,9 @@ def _swing(t: Array, parameters: DecayParameters) -> tuple[Array, Array]:
     return fall, parameters.angular_frequency * math.sqrt(1.0 - parameters.damping_ratio**2) * since
 
 
-def _seam(t: Array, residual: Array, parameters: DecayParameters, quantity: Quantity) -> tuple[float, float]:
+def _seam(
+    t: Array, residual: Array, parameters: DecayParameters, quantity: Quantity
+) -> tuple[float, float]:
     """What share of a residual it explains that another decay begins at an instant (s), and the best one."""
     thin = max(1, len(t) // _FEW)
     t, residual = t[::thin], residual[::thin]

@@ -11,7 +11,12 @@ _follow = Loop("drag")
 
 
 def drag_path(
-    since: Array, angular_frequency: float, damping_ratio: float, friction: float, drag: float, release: float
+    since: Array,
+    angular_frequency: float,
+    damping_ratio: float,
+    friction: float,
+    drag: float,
+    release: float,
 ) -> Array:
     """Displacement (m), velocity (m/s) and acceleration (m/s^2) of a decay; shape (3, n).
 

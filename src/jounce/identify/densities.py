@@ -51,17 +51,25 @@ class Basis:
 class NoiseDensity:
     """Log density of scaled parameters when residuals are noise, with the covariance that an update reports."""
 
-    def __init__(self, problem: _Residual, best: Array, lower: Array, upper: Array, lowest: Array) -> None:
+    def __init__(
+        self, problem: _Residual, best: Array, lower: Array, upper: Array, lowest: Array
+    ) -> None:
         self.problem, self.best, self.lowest = problem, best, lowest
         residuals = problem.residuals(best)
         jacobian = residuals.jacobian
         count, size = jacobian.shape
         norms = np.linalg.norm(jacobian, axis=0)
         if not np.all(norms > 1e-9 * max(float(np.max(norms, initial=0.0)), 1e-300)):
-            raise FitError("the data are insensitive to a parameter", where=f"unknown {int(np.argmin(norms)) + 1}")
+            raise FitError(
+                "the data are insensitive to a parameter",
+                where=f"unknown {int(np.argmin(norms)) + 1}",
+            )
         square = float(residuals.vector @ residuals.vector)
         if square <= 0.0:
-            raise FitError("the model explains the data exactly: there is no noise to judge by", where="posterior")
+            raise FitError(
+                "the model explains the data exactly: there is no noise to judge by",
+                where="posterior",
+            )
         self.variance = square / max(count - size, 1)
         self.covariance: Array = robust_covariance(residuals.vector, jacobian, residuals.blocks)
         plain = np.linalg.cholesky(jacobian.T @ jacobian / self.variance).T
@@ -80,7 +88,11 @@ class NoiseDensity:
         except SimulationError:
             return None
         value = -0.5 * float(residuals.vector @ residuals.vector) / self.variance
-        return value, -(self.turn.T @ (residuals.jacobian.T @ residuals.vector)) / self.variance, 0.0
+        return (
+            value,
+            -(self.turn.T @ (residuals.jacobian.T @ residuals.vector)) / self.variance,
+            0.0,
+        )
 
 
 # model error ---------------------------------------------------------------------------------------------------------
@@ -108,17 +120,23 @@ class DoubtDensity:
         information, _, _ = self._linear(fit.blocks, state)
         p = self.size
         self.information = information
-        self.follow = -np.linalg.solve(information[p:, p:], information[p:, :p])  # doubts by parameters
+        self.follow = -np.linalg.solve(
+            information[p:, p:], information[p:, :p]
+        )  # doubts by parameters
         self.spread = np.linalg.inv(information[p:, p:])
         profiled = information[:p, :p] + information[:p, p:] @ self.follow
         self.covariance: Array = np.asarray(np.linalg.inv(profiled), dtype=float)
-        lower = np.array([item.scale(0.0) if item.lower >= 0.0 else -np.inf for item in problem.free])
+        lower = np.array(
+            [item.scale(0.0) if item.lower >= 0.0 else -np.inf for item in problem.free]
+        )
         spread = np.linalg.inv(profiled + np.eye(p) / _WIDE**2)
         best = np.maximum(self.best, lower)
         self.region = Region(best, np.linalg.cholesky(spread), lower, np.full(p, np.inf))
         self.seen: list[tuple[Array, Array]] = []
         self.beside = [dict(run.beside) for run in problem.runs]
-        self.settled = np.zeros(len(information) - p)  # what the doubts had still to go when the fit ended
+        self.settled = np.zeros(
+            len(information) - p
+        )  # what the doubts had still to go when the fit ended
         try:
             self.settled = self._climb(state, fit.blocks, _SETTLING).step
             self.beside = [dict(run.beside) for run in problem.runs]
@@ -143,7 +161,9 @@ class DoubtDensity:
         moved = x - fit.state.theta
         step = np.concatenate([moved, self.settled + self.follow @ moved])
         for run, beside in zip(fit.problem.runs, self.beside, strict=True):
-            run.beside = beside  # not those of the point before: the density is a function of x alone
+            run.beside = (
+                beside  # not those of the point before: the density is a function of x alone
+            )
         try:
             state = fit.problem.step_state(fit.state, step, fit.blocks, 1.0)
             at = self._climb(state, fit.problem.blocks(state)[0], _CLIMBS)
@@ -152,7 +172,11 @@ class DoubtDensity:
         inner = at.information[p:, p:]
         self.seen.append((x, step[p:] + at.step + at.more))
         value = -0.5 * (at.square - float(at.score[p:] @ at.more))
-        return value, at.score[:p] - at.information[:p, p:] @ at.more, -0.5 * float(np.linalg.slogdet(inner)[1])
+        return (
+            value,
+            at.score[:p] - at.information[:p, p:] @ at.more,
+            -0.5 * float(np.linalg.slogdet(inner)[1]),
+        )
 
     def _climb(self, state: Any, blocks: Any, climbs: int) -> _Climbed:
         """Let the doubts climb to where they are best, by the slopes of the blocks, which are those at the state.
@@ -181,8 +205,13 @@ class DoubtDensity:
         """Steps of all doubts (n, unknowns less parameters) that go with scaled parameters (n, parameters), drawn."""
         rng = np.random.default_rng([seed, 7])
         mean = self.settled + (x - self.fit.state.theta) @ self.follow.T
-        if len(self.seen) > 2 * self.size + 2:  # what is left of a straight line: its mean over all points seen
+        if (
+            len(self.seen) > 2 * self.size + 2
+        ):  # what is left of a straight line: its mean over all points seen
             at, steps = (np.array(part) for part in zip(*self.seen, strict=True))
             rows = np.column_stack([np.ones(len(at)), at - self.fit.state.theta])
-            mean = np.column_stack([np.ones(len(x)), x - self.fit.state.theta]) @ np.linalg.lstsq(rows, steps)[0]
+            mean = (
+                np.column_stack([np.ones(len(x)), x - self.fit.state.theta])
+                @ np.linalg.lstsq(rows, steps)[0]
+            )
         return np.asarray(mean + rng.normal(size=mean.shape) @ np.linalg.cholesky(self.spread).T)

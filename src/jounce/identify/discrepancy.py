@@ -27,7 +27,14 @@ from jounce.core.types import Array
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, at_least_zero, correlation_of, estimate
 from jounce.identify.extended_rig import ExtendedRig, Nuisance, RideExtent
-from jounce.identify.fit_problem import Channel, FitTrial, FreeParameter, Prepared, prepare_trial, project_out
+from jounce.identify.fit_problem import (
+    Channel,
+    FitTrial,
+    FreeParameter,
+    Prepared,
+    prepare_trial,
+    project_out,
+)
 from jounce.identify.laws import Laws, States
 from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED, START, begins_unknown, start_motions
 from jounce.identify.settings import UpdateSettings
@@ -62,7 +69,10 @@ OBSERVATIONS = 3.0
 Found on benches 0 to 11 and 300 to 329 of the study: with one, 99 % of the 95 % intervals held both values of the
 truth; with four, those of guide friction only 90 %.
 """
-_ROUNDS, _PASSES = 8, 4  # steps of a search, and estimates of the noise within one: each depends on the other
+_ROUNDS, _PASSES = (
+    8,
+    4,
+)  # steps of a search, and estimates of the noise within one: each depends on the other
 _SETTLED = 0.05  # standard errors: a smaller step ends the search
 _STEP = 0.1  # of a prior standard deviation: differences of inputs and sensors
 _NOISE_FROM = 0.55  # of the Nyquist frequency: above it, records hold noise only
@@ -221,14 +231,22 @@ class _Run:
         self.compiled = problem.compile(richer, prepared.source.trial)
         self.base = richer.parameters()
         names = self.compiled.output_names
-        self.channels = [replace(channel, column=names.index(channel.name)) for channel in prepared.channels]
-        self.beside: dict[str, Array] = {}  # what a unit of each force beside the strut does over time
+        self.channels = [
+            replace(channel, column=names.index(channel.name)) for channel in prepared.channels
+        ]
+        self.beside: dict[
+            str, Array
+        ] = {}  # what a unit of each force beside the strut does over time
         trial = prepared.source.trial
         self.road = trial.road is not None
         self.speed = trial.speed or 0.0
         course = trial.road is None or trial.road.is_course()
         self.patched = self.road and not course and not isinstance(trial.road, Enveloped)
-        first = float(trial.segments().edges[1]) if not course and len(trial.segments().edges) > 2 else 0.0
+        first = (
+            float(trial.segments().edges[1])
+            if not course and len(trial.segments().edges) > 2
+            else 0.0
+        )
         self.passing = (first, trial.duration if course else max(trial.end(), first + 1e-3))
         self._roads: dict[float, list[Segments]] = {}
         self.begins_unknown = begins_unknown(prepared.source)
@@ -244,7 +262,11 @@ class _Run:
 
     def signals(self, inputs: Mapping[str, float]) -> list[Segments]:
         """Tracks with their uncertain inputs, by name: m^2 (patch), 1, N (presliding), kg (arms), m/s (speed)."""
-        patch = max(np.sqrt(max(inputs.get("contact_patch", 0.0), 0.0)), _SHORTEST_PATCH) if self.patched else 0.0
+        patch = (
+            max(np.sqrt(max(inputs.get("contact_patch", 0.0), 0.0)), _SHORTEST_PATCH)
+            if self.patched
+            else 0.0
+        )
         tracks = []
         for name, track in zip(self.compiled.facts.tracks, self._tracks(patch), strict=True):
             if name.endswith("command"):
@@ -261,9 +283,13 @@ class _Run:
             trial = source.trial
             if patch > 0.0 and trial.road is not None:
                 step = min(max(0.2 * patch, _FINEST), _COARSEST)
-                averaged = Enveloped(of=trial.road, method="moving-average", contact_length=patch, step=step)
+                averaged = Enveloped(
+                    of=trial.road, method="moving-average", contact_length=patch, step=step
+                )
                 trial = trial.model_copy(update={"road": averaged})
-            self._roads[patch] = excitation(self.compiled.facts, source.rig, trial, self.compiled.free)
+            self._roads[patch] = excitation(
+                self.compiled.facts, source.rig, trial, self.compiled.free
+            )
         return self._roads[patch]
 
     def _warp(self, track: Segments, inputs: Mapping[str, float]) -> Segments:
@@ -296,7 +322,10 @@ class _Run:
         much added to either mass, which :meth:`simulate` does, a force between them that follows their relative one.
         """
         ratio = float(np.cos(self.values.get("strut.angle", 0.0)))
-        return {"presliding": states.sliding(states.velocity), "arms": -states.acceleration() / ratio**2}
+        return {
+            "presliding": states.sliding(states.velocity),
+            "arms": -states.acceleration() / ratio**2,
+        }
 
     def _begun(self, inputs: Mapping[str, float]) -> dict[str, float]:
         """State to how far from equilibrium the run begins, SI: as stated, and what is in doubt of it."""
@@ -307,17 +336,23 @@ class _Run:
                     offset[state] = offset.get(state, 0.0) + inputs.get(name, 0.0) * value
         return offset if any(offset.values()) else {}
 
-    def simulate(self, compiled: Compiled, numbers: Mapping[str, float], inputs: Mapping[str, float]) -> Solution:
+    def simulate(
+        self, compiled: Compiled, numbers: Mapping[str, float], inputs: Mapping[str, float]
+    ) -> Solution:
         values, arms = {**self.base, **numbers}, inputs.get("arms", 0.0)
         if arms:
             values |= {path: values[path] + arms for path in ("sprung.mass", "unsprung.mass")}
         p = compiled.parameter_values(values)
         signals = self.signals(inputs)
         offset = start_offset(compiled, self._begun(inputs))
-        solution = solve(compiled, p, signals, self.prepared.times, tolerance=self.all.tolerance, offset=offset)
+        solution = solve(
+            compiled, p, signals, self.prepared.times, tolerance=self.all.tolerance, offset=offset
+        )
         if solution.status is not Status.COMPLETED:
             raise SimulationError(
-                "the extended model diverged", where=self.prepared.source.name, found=solution.status.help
+                "the extended model diverged",
+                where=self.prepared.source.name,
+                found=solution.status.help,
             )
         return solution
 
@@ -334,7 +369,10 @@ def low_passed_by(table: Array, rate: float, constant: float, typical: float) ->
 
 
 _SHORTEST_PATCH = 5e-4  # m: the finest step in which a road is averaged; no tyre touches less
-_FINEST, _COARSEST = 5e-4, 3e-3  # m: a fifth of the patch within these bounds, which bound time and error
+_FINEST, _COARSEST = (
+    5e-4,
+    3e-3,
+)  # m: a fifth of the patch within these bounds, which bound time and error
 
 
 class ModelErrorProblem:
@@ -351,18 +389,24 @@ class ModelErrorProblem:
         self.align, self.tolerance = settings.fits_lags, settings.tolerance
         prepared = [prepare_trial(trial, self.free, settings) for trial in trials]
         prepared = [
-            replace(ready, channels=tuple(channel for channel in ready.channels if channel.weight > 0.0))
+            replace(
+                ready, channels=tuple(channel for channel in ready.channels if channel.weight > 0.0)
+            )
             for ready in prepared
         ]
         rig = trials[0].rig
         used = compile_rig(rig).facts.parameters
         paths, start = [item.path for item in free], start or {}
-        self.richer = richer or ExtendedRig(rig, paths, doubt, _ride_extent(prepared[0], start), used, start)
+        self.richer = richer or ExtendedRig(
+            rig, paths, doubt, _ride_extent(prepared[0], start), used, start
+        )
         self.lanes = len(self.richer.nuisances)
         self.columns = self.richer.columns()
         self.runs = [_Run(ready, self) for ready in prepared]
         self.rate = min(ready.rate for ready in prepared)
-        self.names = list(dict.fromkeys(channel.name for run in self.runs for channel in run.channels))
+        self.names = list(
+            dict.fromkeys(channel.name for run in self.runs for channel in run.channels)
+        )
         self.nuisances = [*self.richer.nuisances, *self._inputs(), *self._sensors()]
         self.place = {nuisance.name: i for i, nuisance in enumerate(self.nuisances)}
         self.own = [
@@ -380,12 +424,18 @@ class ModelErrorProblem:
 
     def with_trial(self, trial: FitTrial, settings: UpdateSettings) -> ModelErrorProblem:
         """The same uncertain inputs over one trial."""
-        return ModelErrorProblem([trial], self.free, settings, found_beside=self.beside, richer=self.richer)
+        return ModelErrorProblem(
+            [trial], self.free, settings, found_beside=self.beside, richer=self.richer
+        )
 
     def compile(self, rig: Rig, trial: Trial) -> Compiled:
         """Compile a rig with the slopes by all uncertain inputs, and with an actuator for forces outside its laws."""
         actuator = force_actuator(trial)
-        if actuator is None and self.richer.has_laws and max(self.doubt.presliding, self.doubt.arms) > 0.0:
+        if (
+            actuator is None
+            and self.richer.has_laws
+            and max(self.doubt.presliding, self.doubt.arms) > 0.0
+        ):
             from jounce.control.actuators import ActiveActuator
 
             actuator = ActiveActuator(lag=0.0)
@@ -399,11 +449,17 @@ class ModelErrorProblem:
             nuisances.append(Nuisance("height", "height", "1", 0.0, doubt.height))
         patch = doubt.contact_patch * self.richer.extent.tyre
         if patch > 0.0 and any(run.patched for run in self.runs):
-            nuisances.append(Nuisance("contact_patch", "contact_patch", "m^2", patch**2, 1.5 * patch**2))
+            nuisances.append(
+                Nuisance("contact_patch", "contact_patch", "m^2", patch**2, 1.5 * patch**2)
+            )
         if self.richer.has_laws and doubt.presliding > 0.0:
             nuisances.append(Nuisance("presliding", "presliding", "N", 0.0, doubt.presliding))
         if isinstance(self.richer.rig, QuarterCar) and doubt.arms > 0.0:
-            nuisances.append(Nuisance("arms", "arms", "kg", 0.0, doubt.arms * self.richer.values["unsprung.mass"]))
+            nuisances.append(
+                Nuisance(
+                    "arms", "arms", "kg", 0.0, doubt.arms * self.richer.values["unsprung.mass"]
+                )
+            )
         return nuisances
 
     def gain_doubt(self, channel: Channel) -> float:
@@ -420,13 +476,23 @@ class ModelErrorProblem:
                 nuisances.append(Nuisance(f"{name} gain", "gain", "1", 0.0, gain))
             if doubt.bias > 0.0:
                 nuisances.append(
-                    Nuisance(f"{name} bias", "bias", "SI", 0.0, doubt.bias * float(np.std(channel.measured)))
+                    Nuisance(
+                        f"{name} bias",
+                        "bias",
+                        "SI",
+                        0.0,
+                        doubt.bias * float(np.std(channel.measured)),
+                    )
                 )
             corner = self.beside.get(f"{name}{LOW_PASS}", doubt.corner)
             if corner > 0.0 and channel.sensor is not None and channel.sensor.low_pass is not None:
                 nuisances.append(Nuisance(f"{name} corner", "corner", "ln", 0.0, corner))
-            elif doubt.bandwidth > 0.0 and (channel.sensor is None or channel.sensor.low_pass is None):
-                nuisances.append(Nuisance(f"{name} bandwidth", "bandwidth", "s", 0.0, doubt.bandwidth))
+            elif doubt.bandwidth > 0.0 and (
+                channel.sensor is None or channel.sensor.low_pass is None
+            ):
+                nuisances.append(
+                    Nuisance(f"{name} bandwidth", "bandwidth", "s", 0.0, doubt.bandwidth)
+                )
         return nuisances
 
     def value(self, name: str, xi: Array) -> float:
@@ -439,11 +505,15 @@ class ModelErrorProblem:
     def inputs(self, state: _State, trial: int) -> dict[str, float]:
         """Uncertain inputs of a trial by name, SI."""
         values = {name: self.value(name, state.xi) for name in _INPUTS}
-        return values | {own.name: own.deviation * float(state.own[trial, j]) for j, own in enumerate(self.own)}
+        return values | {
+            own.name: own.deviation * float(state.own[trial, j]) for j, own in enumerate(self.own)
+        }
 
     # one linearisation ----------------------------------------------------------------------------------------------
 
-    def residuals(self, state: _State, blocks: Sequence[_ChannelResiduals]) -> list[_ChannelResiduals]:
+    def residuals(
+        self, state: _State, blocks: Sequence[_ChannelResiduals]
+    ) -> list[_ChannelResiduals]:
         """The same blocks with the residuals of another state: one run per trial, a fifth of the cost of slopes."""
         recomputed, at = [], iter(blocks)
         for i, run in enumerate(self.runs):
@@ -453,7 +523,9 @@ class ModelErrorProblem:
             prepared = replace(run.prepared, compiled=plain)
             for channel in run.channels:
                 table = self.read(prepared, channel, solution, state.xi)
-                shifted = channel.offset(shift_signals(table, prepared.rate, float(state.lags[i])), np.zeros(1))[0]
+                shifted = channel.offset(
+                    shift_signals(table, prepared.rate, float(state.lags[i])), np.zeros(1)
+                )[0]
                 recomputed.append(replace(next(at), residual=channel.measured - shifted[:, 0]))
         return recomputed
 
@@ -476,7 +548,11 @@ class ModelErrorProblem:
         p = len(self.free)
 
         def numbers(x: Array) -> Array:
-            values = run.numbers(_State(x[:p], np.concatenate([x[p:], state.xi[self.lanes :]]), state.own, state.lags))
+            values = run.numbers(
+                _State(
+                    x[:p], np.concatenate([x[p:], state.xi[self.lanes :]]), state.own, state.lags
+                )
+            )
             return np.array([values[path] for path in self.columns])
 
         table = np.empty((len(self.columns), len(unknowns)))
@@ -491,11 +567,19 @@ class ModelErrorProblem:
     ) -> dict[str, tuple[Solution, float]]:
         """Simulations with one input changed by a tenth of its doubt, and one over that in prior units."""
         plain, simulations = run.compiled.plain, {}
-        run.beside = run.forces(states)  # before all of them: what it changes is no difference of the inputs
+        run.beside = run.forces(
+            states
+        )  # before all of them: what it changes is no difference of the inputs
         base = run.simulate(plain, numbers, inputs)
         simulations[""] = base, 0.0
-        deviations = {name: self.nuisances[self.place[name]].deviation for name in _INPUTS if name in self.place}
-        deviations |= {own.name: own.deviation for own in self.own if run.road or own.group == START}
+        deviations = {
+            name: self.nuisances[self.place[name]].deviation
+            for name in _INPUTS
+            if name in self.place
+        }
+        deviations |= {
+            own.name: own.deviation for own in self.own if run.road or own.group == START
+        }
         for name, deviation in deviations.items():
             if (name == "contact_patch" and not run.patched) or (name == "speeds" and not run.road):
                 continue
@@ -517,9 +601,12 @@ class ModelErrorProblem:
         common = np.zeros((len(table), p + q))
         own = np.zeros((len(table), len(self.own)))
         others = {
-            name: self.read(prepared, channel, simulation, state.xi)[:, 0] for name, (simulation, _) in varied.items()
+            name: self.read(prepared, channel, simulation, state.xi)[:, 0]
+            for name, (simulation, _) in varied.items()
         }
-        moved = {name: (others[name] - others[""]) * scale for name, (_, scale) in varied.items() if name}
+        moved = {
+            name: (others[name] - others[""]) * scale for name, (_, scale) in varied.items() if name
+        }
         gained = table[:, 0] - channel.bias - self.value(f"{channel.name} bias", state.xi)
         gained = gained / (1.0 + self.value(f"{channel.name} gain", state.xi))
         sensed: dict[str, Array] = {}
@@ -529,7 +616,9 @@ class ModelErrorProblem:
             if name in self.place:
                 step = state.xi.copy()
                 step[self.place[name]] += _STEP
-                sensed[name] = (self.read(prepared, channel, solution, step)[:, 0] - table[:, 0]) / _STEP
+                sensed[name] = (
+                    self.read(prepared, channel, solution, step)[:, 0] - table[:, 0]
+                ) / _STEP
         keys = [*moved, *sensed]
         stack = np.column_stack([*columns, *moved.values(), *sensed.values()])
         shifted, by_lag = shift_with_derivative(stack, prepared.rate, lag)
@@ -545,7 +634,9 @@ class ModelErrorProblem:
             common[:, names[bias]] = channel.mask_frozen(
                 np.full(len(table), self.nuisances[self.place[bias]].deviation)
             )
-        return _ChannelResiduals(channel.name, trial, channel.measured - shifted[:, 0], common, own, slope)
+        return _ChannelResiduals(
+            channel.name, trial, channel.measured - shifted[:, 0], common, own, slope
+        )
 
     def read(self, prepared: Prepared, channel: Channel, solution: Solution, xi: Array) -> Array:
         """Reading of a channel, and its derivatives, through its uncertain sensor."""
@@ -560,7 +651,9 @@ class ModelErrorProblem:
     def _doubtful_channel(self, channel: Channel, xi: Array) -> Channel:
         """The channel with its sensor as it may be."""
         sensor = channel.sensor or Sensor()
-        change: dict[str, float] = {"gain": sensor.gain * (1.0 + self.value(f"{channel.name} gain", xi))}
+        change: dict[str, float] = {
+            "gain": sensor.gain * (1.0 + self.value(f"{channel.name} gain", xi))
+        }
         if f"{channel.name} corner" in self.place and sensor.low_pass is not None:
             corner = sensor.low_pass * float(np.exp(self.value(f"{channel.name} corner", xi)))
             change["low_pass"] = min(corner, FASTEST * self.rate)
@@ -579,9 +672,15 @@ class ModelErrorProblem:
             noises = {channel.name: channel.noise for channel in run.channels}
             group = [block for block in blocks if block.trial == trial]
             unsure = _LAG_UNSURE / run.prepared.rate
-            extra = [block.own if self.align else np.column_stack([block.own, unsure * block.lag]) for block in group]
+            extra = [
+                block.own if self.align else np.column_stack([block.own, unsure * block.lag])
+                for block in group
+            ]
             whole = np.vstack(
-                [np.column_stack([b.common, own_, b.residual]) for b, own_ in zip(group, extra, strict=True)]
+                [
+                    np.column_stack([b.common, own_, b.residual])
+                    for b, own_ in zip(group, extra, strict=True)
+                ]
             )
             if self.align:
                 project_out(whole, np.concatenate([block.lag for block in group]))
@@ -627,7 +726,9 @@ class ModelErrorProblem:
         unsure = np.array([_LAG_UNSURE / run.prepared.rate for run in self.runs])
         return np.column_stack([state.own, state.lags / unsure])
 
-    def step_state(self, state: _State, step: Array, blocks: Sequence[_ChannelResiduals], share: float) -> _State:
+    def step_state(
+        self, state: _State, step: Array, blocks: Sequence[_ChannelResiduals], share: float
+    ) -> _State:
         """The state after a share of a step; lags follow."""
         p, q = len(self.free), len(self.nuisances)
         theta, xi = state.theta + share * step[:p], state.xi + share * step[p : p + q]
@@ -641,7 +742,12 @@ class ModelErrorProblem:
                 continue
             group = [block for block in blocks if block.trial == trial]
             lag = np.concatenate([block.lag for block in group])
-            left = np.concatenate([b.residual - b.common @ (share * step[: p + q]) - b.own @ own[trial] for b in group])
+            left = np.concatenate(
+                [
+                    b.residual - b.common @ (share * step[: p + q]) - b.own @ own[trial]
+                    for b in group
+                ]
+            )
             lags[trial] += float(lag @ left) / max(float(lag @ lag), 1e-300)
         return _State(theta, xi, state.own + own[:, : len(self.own)], lags)
 
@@ -674,7 +780,10 @@ class _System:
         """Information, score and sum of squares of the prior knowledge."""
         prior = self.prior if prior is None else prior
         slopes, left = self.weighed[:, :-1], self.weighed[:, -1]
-        information, score = np.diag(prior) + slopes.T @ slopes, -prior * self.away + slopes.T @ left
+        information, score = (
+            np.diag(prior) + slopes.T @ slopes,
+            -prior * self.away + slopes.T @ left,
+        )
         return information, score, float(prior @ self.away**2 + left @ left)
 
     def solve(self, prior: Array | None = None) -> _Step:
@@ -708,7 +817,9 @@ class _System:
         covariance[unknown] = np.linalg.pinv(information[unknown], hermitian=True)
         return covariance
 
-    def split_residual(self, step: Array) -> tuple[dict[str, float], dict[str, float], dict[str, float]]:
+    def split_residual(
+        self, step: Array
+    ) -> tuple[dict[str, float], dict[str, float], dict[str, float]]:
         """Noise variance, energy of the unexplained part of one block, and mean square of the residual, by channel."""
         noise: dict[str, list[float]] = {name: [] for name in self.names}
         energy: dict[str, list[float]] = {name: [] for name in self.names}
@@ -764,7 +875,10 @@ class ModelErrorFit:
     @property
     def variance(self) -> dict[str, float]:
         """Variance that weights each channel's residuals: noise, and the unexplained part as few observations (SI)."""
-        return {name: self.step.noise[name] + self.step.energy[name] / OBSERVATIONS for name in self.problem.names}
+        return {
+            name: self.step.noise[name] + self.step.energy[name] / OBSERVATIONS
+            for name in self.problem.names
+        }
 
     @property
     def rest(self) -> dict[str, float]:
@@ -772,11 +886,16 @@ class ModelErrorFit:
         power: dict[str, list[float]] = {name: [] for name in self.problem.names}
         for block in self.blocks:
             channel = next(
-                candidate for candidate in self.problem.runs[block.trial].channels if candidate.name == block.channel
+                candidate
+                for candidate in self.problem.runs[block.trial].channels
+                if candidate.name == block.channel
             )
             simulated = channel.measured - block.residual
             power[block.channel].append(float(np.sum((simulated - simulated[0]) ** 2)))
-        return {name: self.step.energy[name] / max(float(np.mean(power[name])), 1e-300) for name in power}
+        return {
+            name: self.step.energy[name] / max(float(np.mean(power[name])), 1e-300)
+            for name in power
+        }
 
 
 def fit_model_error(
@@ -796,7 +915,9 @@ def fit_model_error(
     found beside the rig's values and the trials have: ``speed``, ``<channel>.low_pass``, each with how far it may still
     be off (1, of the speed or the logarithm of the corner): it is found again with all else.
     """
-    problem = ModelErrorProblem(trials, free, settings, priors=priors, start=start, found_beside=found_beside)
+    problem = ModelErrorProblem(
+        trials, free, settings, priors=priors, start=start, found_beside=found_beside
+    )
     state = _State(
         np.array([item.scale(start[item.path]) for item in free]),
         np.zeros(len(problem.nuisances)),
@@ -809,10 +930,14 @@ def fit_model_error(
     if best.rest_of(first) > _POOR:
         for step in _other_steps(problem, best):
             with suppress(SimulationError):
-                best = min(best, _step_to_rest(problem, best.after(step)), key=lambda place: place.cost)
+                best = min(
+                    best, _step_to_rest(problem, best.after(step)), key=lambda place: place.cost
+                )
         for run, states in zip(problem.runs, best.states, strict=True):
             run.beside = run.forces(states)
-    return ModelErrorFit(problem, best.state, best.blocks, best.states, best.system, best.step, first)
+    return ModelErrorFit(
+        problem, best.state, best.blocks, best.states, best.system, best.step, first
+    )
 
 
 _POOR = 0.2
@@ -871,7 +996,9 @@ class _SearchPoint:
         share = min(1.0, _LONGEST / max(float(np.max(np.abs(step[p:]), initial=0.0)), 1e-12))
         for _ in range(_SHORTER):
             try:
-                return _SearchPoint.of(self.problem, self.problem.step_state(self.state, step, self.blocks, share))
+                return _SearchPoint.of(
+                    self.problem, self.problem.step_state(self.state, step, self.blocks, share)
+                )
             except SimulationError as error:
                 share, last = 0.5 * share, error
         raise last
@@ -907,9 +1034,15 @@ def _other_steps(problem: ModelErrorProblem, place: _SearchPoint) -> list[Array]
     prior = place.system.prior
     doubts = np.arange(len(prior)) >= len(problem.free)
     freed = [
-        place.system.solve(np.where(mask, _FREER * prior, prior)) for mask in _groups(problem, len(prior)).values()
+        place.system.solve(np.where(mask, _FREER * prior, prior))
+        for mask in _groups(problem, len(prior)).values()
     ]
-    best = min(freed, key=lambda step: sum(np.log(step.energy[name] + step.noise[name]) for name in problem.names))
+    best = min(
+        freed,
+        key=lambda step: sum(
+            np.log(step.energy[name] + step.noise[name]) for name in problem.names
+        ),
+    )
     return [place.system.solve(np.where(doubts, _FREER * prior, prior)).step, best.step]
 
 
@@ -948,12 +1081,15 @@ def readings_of(fit: ModelErrorFit) -> Readings:
     def readings(x: Array) -> Array:
         rig = problem.richer.plain(run.values, run.fitted_values(x[:p]), x[p:])
         presliding = problem.value("presliding", x[p:])
-        return np.array([laws.readings(item.path, rig, x[p:], presliding) for item in problem.free]).T
+        return np.array(
+            [laws.readings(item.path, rig, x[p:], presliding) for item in problem.free]
+        ).T
 
     here = np.concatenate([state.theta, state.xi])
     values = readings(here)
     slopes = np.stack(
-        [(readings(here + move) - readings(here - move)) / 2e-4 for move in 1e-4 * np.eye(p + q)], axis=-1
+        [(readings(here + move) - readings(here - move)) / 2e-4 for move in 1e-4 * np.eye(p + q)],
+        axis=-1,
     )
     covariance = step.covariance[: p + q, : p + q]
     errors = np.sqrt(np.maximum(np.einsum("kij,jl,kil->ki", slopes, covariance, slopes), 0.0))
@@ -971,7 +1107,10 @@ def discrepancy_of(fit: ModelErrorFit, bench: Mapping[str, Estimate]) -> Discrep
     shares = _shares(problem, system, step, slopes[0], errors[0])
     after = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     nuisances = _nuisances(problem, state, after[p:])
-    unexplained = {n: step.energy[n] / (step.energy[n] + _length(system, n) * step.noise[n]) for n in problem.names}
+    unexplained = {
+        n: step.energy[n] / (step.energy[n] + _length(system, n) * step.noise[n])
+        for n in problem.names
+    }
     reducer, reduced, strays = _free_group_by_group(problem, state, system, step, slopes, errors)
     estimates = {
         item.path: (
@@ -982,17 +1121,28 @@ def discrepancy_of(fit: ModelErrorFit, bench: Mapping[str, Estimate]) -> Discrep
     }
     for item in problem.free:
         if item.lower >= 0.0:
-            estimates[item.path] = at_least_zero(estimates[item.path][0]), at_least_zero(estimates[item.path][1])
+            estimates[item.path] = (
+                at_least_zero(estimates[item.path][0]),
+                at_least_zero(estimates[item.path][1]),
+            )
     contradicted, rest = _contradictions(estimates, bench), _share_left(step, first, 1.0)
     parameters = {
         item.path: _law_estimate(
-            *estimates[item.path], shares[item.path], _doubt_behind(strays, i), contradicted, item.path, rest
+            *estimates[item.path],
+            shares[item.path],
+            _doubt_behind(strays, i),
+            contradicted,
+            item.path,
+            rest,
         )
         for i, item in enumerate(problem.free)
     }
     correlation = correlation_of(covariance[:p, :p])
     counted: dict[str, int] = {}
-    for group in (*(nuisance.group for nuisance in problem.nuisances), *(own.group for own in problem.own)):
+    for group in (
+        *(nuisance.group for nuisance in problem.nuisances),
+        *(own.group for own in problem.own),
+    ):
         counted[group] = counted.get(group, 0) + 1
     return Discrepancy(
         parameters,
@@ -1019,8 +1169,15 @@ def discrepancy_of(fit: ModelErrorFit, bench: Mapping[str, Estimate]) -> Discrep
             *scale_of_masses(
                 [item.path for item in problem.free],
                 problem.names,
-                1.96 * max((n.deviation for n in problem.nuisances if n.name.endswith("mass")), default=0.0),
-                [item.path for item, (_, sure) in zip(problem.free, problem.priors, strict=True) if sure > 0.0],
+                1.96
+                * max(
+                    (n.deviation for n in problem.nuisances if n.name.endswith("mass")), default=0.0
+                ),
+                [
+                    item.path
+                    for item, (_, sure) in zip(problem.free, problem.priors, strict=True)
+                    if sure > 0.0
+                ],
                 is_weighed=any(run.prepared.source.wheel_load is not None for run in problem.runs),
             ),
         ),
@@ -1029,10 +1186,14 @@ def discrepancy_of(fit: ModelErrorFit, bench: Mapping[str, Estimate]) -> Discrep
 
 def _length(system: _System, name: str) -> float:
     """Mean number of samples of a channel's blocks."""
-    return float(np.mean([len(residual) for channel, _, residual, _ in system.rows if channel == name]))
+    return float(
+        np.mean([len(residual) for channel, _, residual, _ in system.rows if channel == name])
+    )
 
 
-def _nuisances(problem: ModelErrorProblem, state: _State, after: Array) -> dict[str, NuisanceEstimate]:
+def _nuisances(
+    problem: ModelErrorProblem, state: _State, after: Array
+) -> dict[str, NuisanceEstimate]:
     estimates = {}
     xi, error = _in_prior_deviations(problem, state.xi), after
     for i, nuisance in enumerate(problem.nuisances):
@@ -1048,7 +1209,9 @@ def _in_prior_deviations(problem: ModelErrorProblem, xi: Array) -> Array:
     knotted, deviations = problem.richer.damper_covariance_root(), xi.copy()
     if knotted is not None:
         places, root = list(knotted[0]), knotted[1]
-        deviations[places] = root @ xi[places] / np.array([problem.nuisances[i].deviation for i in places])
+        deviations[places] = (
+            root @ xi[places] / np.array([problem.nuisances[i].deviation for i in places])
+        )
     return deviations
 
 
@@ -1070,13 +1233,18 @@ def _shares(
 ) -> dict[str, dict[str, float]]:
     """Share of each value's variance that would be gone if a group were known, or the model explained the rest."""
     p, q = len(problem.free), len(problem.nuisances)
-    covariances = {g: system.covariance_given(mask, step) for g, mask in _groups(problem, len(system.prior)).items()}
+    covariances = {
+        g: system.covariance_given(mask, step)
+        for g, mask in _groups(problem, len(system.prior)).items()
+    }
     covariances["unexplained rest"] = _without_rest(system, step)
     shares: dict[str, dict[str, float]] = {item.path: {} for item in problem.free}
     for group, covariance in covariances.items():
         variance = np.einsum("ij,jl,il->i", slopes, covariance[: p + q, : p + q], slopes)
         for i, item in enumerate(problem.free):
-            shares[item.path][group] = float(np.clip(1.0 - variance[i] / max(errors[i] ** 2, 1e-300), 0.0, 1.0))
+            shares[item.path][group] = float(
+                np.clip(1.0 - variance[i] / max(errors[i] ** 2, 1e-300), 0.0, 1.0)
+            )
     return shares
 
 
@@ -1092,7 +1260,9 @@ def _share_of_rest(system: _System, step: _Step, slopes: Array, errors: Array) -
     Satterthwaite: JCGM 100, G.4).
     """
     size = slopes.shape[-1]
-    variance = np.einsum("kij,jl,kil->ki", slopes, _without_rest(system, step)[:size, :size], slopes)
+    variance = np.einsum(
+        "kij,jl,kil->ki", slopes, _without_rest(system, step)[:size, :size], slopes
+    )
     return np.asarray(np.clip(1.0 - variance / np.maximum(errors**2, 1e-300), 0.0, 1.0))
 
 
@@ -1105,7 +1275,12 @@ class _Stray:
 
 
 def _free_group_by_group(
-    problem: ModelErrorProblem, state: _State, system: _System, fit_step: _Step, slopes: Array, errors: Array
+    problem: ModelErrorProblem,
+    state: _State,
+    system: _System,
+    fit_step: _Step,
+    slopes: Array,
+    errors: Array,
 ) -> tuple[str, float, dict[str, _Stray]]:
     """Set each group of doubts free in turn: which would explain most of the rest, and which doubts leave their priors.
 
@@ -1116,7 +1291,11 @@ def _free_group_by_group(
 
     def rest(step: _Step) -> float:
         """Energy of the unexplained part over that of the noise, mean of the channels."""
-        return float(np.mean([step.energy[n] / (_length(system, n) * fit_step.noise[n]) for n in problem.names]))
+        return float(
+            np.mean(
+                [step.energy[n] / (_length(system, n) * fit_step.noise[n]) for n in problem.names]
+            )
+        )
 
     now = best = rest(fit_step)
     name, strays = "", dict[str, _Stray]()
@@ -1175,9 +1354,14 @@ def _contradictions(
         low, high = _hull(both)
         tested = bench[path]
         half = 0.0 if tested.interval is None else 0.5 * (tested.interval[1] - tested.interval[0])
-        apart, allowed = abs(0.5 * (low + high) - tested.value), float(np.hypot(0.5 * (high - low), half))
+        apart, allowed = (
+            abs(0.5 * (low + high) - tested.value),
+            float(np.hypot(0.5 * (high - low), half)),
+        )
         if apart > allowed:
-            contradictions[path] = f"{apart / max(allowed, 1e-300):.1f} times what both intervals allow"
+            contradictions[path] = (
+                f"{apart / max(allowed, 1e-300):.1f} times what both intervals allow"
+            )
     return contradictions
 
 
@@ -1211,7 +1395,10 @@ def _one_sided(fit: ModelErrorFit) -> list[Finding]:
     the fitted coefficient, and rebound softer; the finding's value is the difference of both.
     """
     problem = fit.problem
-    knotted, coefficient = problem.richer.damper_covariance_root(), problem.richer.rig.parameters().get(_LINE)
+    knotted, coefficient = (
+        problem.richer.damper_covariance_root(),
+        problem.richer.rig.parameters().get(_LINE),
+    )
     if knotted is None or coefficient is None:
         return []
     places, root = list(knotted[0]), knotted[1]
@@ -1228,7 +1415,15 @@ def _one_sided(fit: ModelErrorFit) -> list[Finding]:
     firm, soft = ("bump", "rebound") if more > 0.0 else ("rebound", "bump")
     firmer, softer = line + abs(more), max(line - abs(more), 0.0)
     return [
-        finding("identify.one_sided", "strut.damper", 2.0 * more, firm=firm, soft=soft, firmer=firmer, softer=softer)
+        finding(
+            "identify.one_sided",
+            "strut.damper",
+            2.0 * more,
+            firm=firm,
+            soft=soft,
+            firmer=firmer,
+            softer=softer,
+        )
     ]
 
 
@@ -1259,14 +1454,20 @@ def _findings(
     for path, by in contradicted.items():
         findings.append(finding("identify.bench_contradicted", path, by=by))
     for name, stray in strays.items():
-        drawn = [item.path for item, draw in zip(problem.free, stray.draws, strict=True) if draw > _DRAWN]
+        drawn = [
+            item.path for item, draw in zip(problem.free, stray.draws, strict=True) if draw > _DRAWN
+        ]
         if len(drawn) == len(problem.free):
             outcome = finding("identify.none_identified", "")
         else:
             code = "identify.not_identified" if drawn else "identify.none_depends"
             outcome = finding(code, "", names=", ".join(drawn))
         doubted = nuisances[name]
-        numbers: dict[str, Any] = {"deviations": abs(stray.to), "group": doubted.group, "outcome": outcome}
+        numbers: dict[str, Any] = {
+            "deviations": abs(stray.to),
+            "group": doubted.group,
+            "outcome": outcome,
+        }
         if doubted.group in _STATED and doubted.unit == "1":
             share = stray.to * doubted.deviation
             code = "identify.wants_to_be_lower" if share < 0.0 else "identify.wants_to_be_higher"
@@ -1295,7 +1496,11 @@ def _ride_extent(prepared: Prepared, fitted: Mapping[str, float]) -> RideExtent:
         return solution.outputs[names.index(name)] if name in names else np.zeros(1)
 
     velocity = float(np.max(np.abs(output("strut.velocity"))))
-    return RideExtent(float(output("strut.deflection")[0]), float(output("tyre.deflection")[0]), max(velocity, 1e-3))
+    return RideExtent(
+        float(output("strut.deflection")[0]),
+        float(output("tyre.deflection")[0]),
+        max(velocity, 1e-3),
+    )
 
 
 # what draws predict -----------------------------------------------------------------------------------------------
@@ -1304,12 +1509,18 @@ def _ride_extent(prepared: Prepared, fitted: Mapping[str, float]) -> RideExtent:
 class DrawnRun:
     """A trial, fitted or not, simulated with the extended model for draws of its unknowns."""
 
-    def __init__(self, fit: ModelErrorFit, problem: ModelErrorProblem, place: int, fitted: int | None) -> None:
+    def __init__(
+        self, fit: ModelErrorFit, problem: ModelErrorProblem, place: int, fitted: int | None
+    ) -> None:
         self.fit, self.problem, self.run, self.fitted = fit, problem, problem.runs[place], fitted
         self.channels, self.rate = self.run.channels, self.run.prepared.rate
         self.units = {output.name: output.unit for output in self.run.compiled.facts.outputs}
-        state = self._state(fit.state.theta, np.zeros(len(fit.step.step) - len(fit.problem.free)), None)
-        solution = self.run.simulate(self.run.compiled, self.run.numbers(state), problem.inputs(state, 0))
+        state = self._state(
+            fit.state.theta, np.zeros(len(fit.step.step) - len(fit.problem.free)), None
+        )
+        solution = self.run.simulate(
+            self.run.compiled, self.run.numbers(state), problem.inputs(state, 0)
+        )
         self.run.beside = self.run.forces(States.of(self.run.compiled, solution))
 
     def _state(self, theta: Array, step: Array, rng: np.random.Generator | None) -> _State:
@@ -1376,7 +1587,11 @@ def candidate_information(
     problem = fit.problem.with_trial(trial, settings)
     p, q = len(problem.free), len(fit.problem.nuisances)
     xi = np.zeros(len(problem.nuisances))
-    places = {i: fit.problem.place[n.name] for i, n in enumerate(problem.nuisances) if n.name in fit.problem.place}
+    places = {
+        i: fit.problem.place[n.name]
+        for i, n in enumerate(problem.nuisances)
+        if n.name in fit.problem.place
+    }
     for i, place in places.items():
         xi[i] = fit.state.xi[place]
     state = _State(fit.state.theta, xi, np.zeros((1, len(problem.own))), np.zeros(1))
@@ -1388,9 +1603,13 @@ def candidate_information(
     for block in blocks:
         moved = (
             block.residual
-            - problem.runs[0].channels[[c.name for c in problem.runs[0].channels].index(block.channel)].measured
+            - problem.runs[0]
+            .channels[[c.name for c in problem.runs[0].channels].index(block.channel)]
+            .measured
         )
-        variance = noise[block.channel] + rest[block.channel] * float(np.sum((moved - moved[0]) ** 2))
+        variance = noise[block.channel] + rest[block.channel] * float(
+            np.sum((moved - moved[0]) ** 2)
+        )
         information = information + system.normal[block.channel][0] / variance
     others = [i for i in range(len(information)) if i not in shared]
     whole = information[np.ix_(shared, shared)]

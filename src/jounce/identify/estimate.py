@@ -48,10 +48,14 @@ def student_factor(degrees_of_freedom: float, *, level: float = 0.95) -> float:
     from scipy.special import ndtri, stdtrit
 
     tail = 0.5 + level / 2.0
-    return float(ndtri(tail) if math.isinf(degrees_of_freedom) else stdtrit(degrees_of_freedom, tail))
+    return float(
+        ndtri(tail) if math.isinf(degrees_of_freedom) else stdtrit(degrees_of_freedom, tail)
+    )
 
 
-def estimate(value: float, standard_error: float | None, degrees_of_freedom: float = math.inf) -> Estimate:
+def estimate(
+    value: float, standard_error: float | None, degrees_of_freedom: float = math.inf
+) -> Estimate:
     """Make an estimate with its 95 % Student interval, symmetric about ``value``.
 
     Without a finite standard error, or with less than one degree of freedom, it has no interval.
@@ -71,7 +75,11 @@ def at_least_zero(given: Estimate) -> Estimate:
     >>> at_least_zero(Estimate(-1.0, 1.0, (-3.0, 1.0)))
     Estimate(value=0.0, standard_error=1.0, interval=(0.0, 1.0))
     """
-    interval = None if given.interval is None else (max(0.0, given.interval[0]), max(0.0, given.interval[1]))
+    interval = (
+        None
+        if given.interval is None
+        else (max(0.0, given.interval[0]), max(0.0, given.interval[1]))
+    )
     return Estimate(max(0.0, given.value), given.standard_error, interval)
 
 
@@ -106,7 +114,9 @@ def combine(estimates: Sequence[Estimate]) -> Estimate:
     errors = np.array([item.standard_error or 0.0 for item in estimates])
     freedom = len(values) - 1
     if np.any(errors <= 0.0):
-        return estimate(float(values.mean()), float(values.std(ddof=1)) / math.sqrt(len(values)), freedom)
+        return estimate(
+            float(values.mean()), float(values.std(ddof=1)) / math.sqrt(len(values)), freedom
+        )
     weight = errors**-2.0
     mean = float(np.average(values, weights=weight))
     excess = float(weight @ (values - mean) ** 2) - freedom
@@ -133,7 +143,10 @@ class Uncertainty:
     def estimates(self, values: Array) -> tuple[Estimate, ...]:
         """One estimate per parameter."""
         errors = np.sqrt(np.maximum(np.diag(self.covariance), 0.0))
-        return tuple(estimate(float(v), float(e), self.degrees_of_freedom) for v, e in zip(values, errors, strict=True))
+        return tuple(
+            estimate(float(v), float(e), self.degrees_of_freedom)
+            for v, e in zip(values, errors, strict=True)
+        )
 
     def propagate(self, value: float, gradient: Array) -> Estimate:
         """Estimate of a quantity computed from the parameters (first-order propagation)."""
@@ -181,7 +194,9 @@ def uncertainty(jacobian: Array, residual: Array) -> Uncertainty:
     time = correlation_time(residual)
     covariance = classical
     if time > 1.0:
-        covariance = _not_below(inverse @ _long_run(scaled * residual[:, None], time) @ inverse, classical)
+        covariance = _not_below(
+            inverse @ _long_run(scaled * residual[:, None], time) @ inverse, classical
+        )
         covariance = covariance * count / max(count - parameters * time, 1.0)
     freedom = max(count / time - parameters, 1.0)
     return Uncertainty(covariance / np.outer(scale, scale), freedom, time)

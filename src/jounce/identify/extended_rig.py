@@ -22,7 +22,12 @@ from jounce.parts.dampers import DamperLaw, SampledPoint
 from jounce.parts.elements import Friction
 from jounce.parts.rig import unit_of, unknown_path
 
-_KNOTS = (0.03, 0.12, 0.35, 1.0)  # of the largest strut velocity: where the damper's law may bend, either way
+_KNOTS = (
+    0.03,
+    0.12,
+    0.35,
+    1.0,
+)  # of the largest strut velocity: where the damper's law may bend, either way
 _KNEE = 0.1  # of the largest strut velocity: below it velocities count by their difference, above by their ratio
 _LEAST = 1e-3  # of the largest doubt of the damper's forces: one side may be fitted to nothing
 _STIFFENS = 0.5  # of its doubt: tyres stiffen with deflection as a rule
@@ -102,7 +107,9 @@ class ExtendedRig:
         """Paths of the extended rig that change with fitted parameters and nuisances."""
         return tuple(self.numbers(self.values, {}, np.zeros(len(self.nuisances))))
 
-    def plain(self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array) -> dict[str, float]:
+    def plain(
+        self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array
+    ) -> dict[str, float]:
         """Parameters of the rig by path, with uncertain masses, angle and friction."""
         p = {**values, **fitted}
         for i, path in self._shares.items():
@@ -114,17 +121,35 @@ class ExtendedRig:
             p[path] = p.get(path, usual) * math.exp(self.nuisances[i].deviation * xi[i])
         return p
 
-    def numbers(self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array) -> dict[str, float]:
+    def numbers(
+        self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array
+    ) -> dict[str, float]:
         """Parameters of the extended rig by path, from those of a set-up, fitted ones and nuisances."""
         p = self.plain(values, fitted, xi)
-        moving = (*self.free, *self._shares.values(), *self._added.values(), *self._factors.values())
+        moving = (
+            *self.free,
+            *self._shares.values(),
+            *self._added.values(),
+            *self._factors.values(),
+        )
         gone = self._absent_paths()
         out = {path: p[path] for path in moving if path not in gone}
         if self._knots is not None:
             force = self.damper_force(p, xi, self._knots)
-            out.update({f"strut.damper.force[{i}]": float(f) for i, f in enumerate(force) if self._knots[i] != 0.0})
+            out.update(
+                {
+                    f"strut.damper.force[{i}]": float(f)
+                    for i, f in enumerate(force)
+                    if self._knots[i] != 0.0
+                }
+            )
         for part, places in self._curved.items():
-            out.update({f"{part}.curve.coefficients[{i}]": c for i, c in enumerate(self.curve(part, p, xi, places))})
+            out.update(
+                {
+                    f"{part}.curve.coefficients[{i}]": c
+                    for i, c in enumerate(self.curve(part, p, xi, places))
+                }
+            )
         return out
 
     def damper_force(self, p: Mapping[str, float], xi: Array, velocity: Array) -> Array:
@@ -145,16 +170,23 @@ class ExtendedRig:
         bends[self._knots != 0.0] = root @ xi[list(places)]
         return np.asarray(force + _straight(velocity, self._knots, bends))
 
-    def curve(self, part: str, p: Mapping[str, float], xi: Array, places: tuple[int, ...]) -> list[float]:
+    def curve(
+        self, part: str, p: Mapping[str, float], xi: Array, places: tuple[int, ...]
+    ) -> list[float]:
         """Coefficients of spring or tyre, whose tangent at the static deflection is the rig's rate or stiffness."""
-        rate, rest = p[_RATES[part]], {"strut.spring": self.extent.strut, "tyre": self.extent.tyre}[part]
+        rate, rest = (
+            p[_RATES[part]],
+            {"strut.spring": self.extent.strut, "tyre": self.extent.tyre}[part],
+        )
         bends = [self.nuisances[i].mean + self.nuisances[i].deviation * xi[i] for i in places]
         square = rate * bends[0] / (2.0 * rest)
         cube = rate * bends[1] / (3.0 * rest**2) if len(bends) > 1 else 0.0
         coefficients = [rate - 2.0 * square * rest - 3.0 * cube * rest**2, square]
         return [*coefficients, cube] if len(bends) > 1 else coefficients
 
-    def elastic_force(self, part: str, p: Mapping[str, float], xi: Array, deflection: Array) -> Array:
+    def elastic_force(
+        self, part: str, p: Mapping[str, float], xi: Array, deflection: Array
+    ) -> Array:
         """Force in N of spring or tyre at deflections (m), without preload."""
         if part not in self._curved:
             return p.get(_RATES[part], 0.0) * deflection
@@ -163,7 +195,9 @@ class ExtendedRig:
 
     # what may be off ------------------------------------------------------------------------------------------------
 
-    def _add(self, name: str, group: str, deviation: float, *, unit: str = "1", mean: float = 0.0) -> int | None:
+    def _add(
+        self, name: str, group: str, deviation: float, *, unit: str = "1", mean: float = 0.0
+    ) -> int | None:
         if deviation <= 0.0:
             return None
         self.nuisances.append(Nuisance(name, group, unit, mean, deviation))
@@ -188,7 +222,12 @@ class ExtendedRig:
 
     def _others(self, used: Sequence[str]) -> None:
         angle = "strut.angle"
-        if angle in self.values and angle in used and angle not in self.free and angle not in self.doubt.values:
+        if (
+            angle in self.values
+            and angle in used
+            and angle not in self.free
+            and angle not in self.doubt.values
+        ):
             i = self._add(angle, "angle", self.doubt.angle, unit="rad")
             if i is not None:
                 self._added[i] = angle
@@ -197,7 +236,9 @@ class ExtendedRig:
             if path in self._shares.values() or path in self.free or path in self._absent_paths():
                 continue
             if path not in used:
-                raise DescriptionError("not a number of the equations", where=f"doubt.values: {path}")
+                raise DescriptionError(
+                    "not a number of the equations", where=f"doubt.values: {path}"
+                )
             i = self._add(path, "values", share)
             if i is not None:
                 self._shares[i] = path
@@ -213,14 +254,18 @@ class ExtendedRig:
         positive = np.array(_KNOTS) * self.extent.velocity
         knots = np.concatenate([-positive[::-1], [0.0], positive])
         moving = knots[knots != 0.0]
-        scale = self.doubt.damper_shape * np.abs(self.damper_force(self.values, np.zeros(0), moving))
+        scale = self.doubt.damper_shape * np.abs(
+            self.damper_force(self.values, np.zeros(0), moving)
+        )
         scale = scale + self.doubt.damper_force
         if not np.any(scale):
             return  # a damper fitted to nothing, of which a share is nothing
         scale = np.maximum(scale, _LEAST * np.max(scale))
         at = np.arcsinh(moving / (_KNEE * self.extent.velocity))
         apart = math.sqrt(3.0) * np.abs(at[:, None] - at)
-        root = np.linalg.cholesky((1.0 + apart) * np.exp(-apart) * np.outer(scale, scale) + 1e-9 * np.diag(scale**2))
+        root = np.linalg.cholesky(
+            (1.0 + apart) * np.exp(-apart) * np.outer(scale, scale) + 1e-9 * np.diag(scale**2)
+        )
         places = [
             self._add(f"damper force at {v:+.2g} m/s", "damper_shape", float(s), unit="N")
             for v, s in zip(moving, scale, strict=True)
@@ -235,7 +280,10 @@ class ExtendedRig:
         if not self.has_laws:
             return ["dampers", "friction", "springs", "tyres"]
         laws = [] if self._knots is not None or self.doubt.damper_shape <= 0.0 else ["damper"]
-        return [*laws, *(["tyre"] if "tyre" not in self._curved and self.doubt.tyre_curvature > 0.0 else [])]
+        return [
+            *laws,
+            *(["tyre"] if "tyre" not in self._curved and self.doubt.tyre_curvature > 0.0 else []),
+        ]
 
     def damper_covariance_root(self) -> tuple[tuple[int, ...], Array] | None:
         """Places of the damper's forces among the nuisances, and the root of their prior covariance, N."""
@@ -256,7 +304,9 @@ class ExtendedRig:
                     self._added[i] = f"{path}.force"
             if f"{path}.regularisation_velocity" not in self.free:
                 deviation = self.doubt.friction_onset * _ONSET
-                i = self._add(f"{path}.regularisation_velocity", "friction_onset", deviation, unit="ln")
+                i = self._add(
+                    f"{path}.regularisation_velocity", "friction_onset", deviation, unit="ln"
+                )
                 if i is not None:
                     self._factors[i] = f"{path}.regularisation_velocity"
             if path.startswith("guide") and f"{path}.force" in self.free:
@@ -264,7 +314,9 @@ class ExtendedRig:
 
     def _presliding(self, path: str, table: dict[str, Any]) -> None:
         """Let a share of the guide's friction build up over travel, and doubt share and distance."""
-        i = self._add(f"{path}.presliding", "guide_presliding", self.doubt.guide_presliding, mean=_MIDDLE)
+        i = self._add(
+            f"{path}.presliding", "guide_presliding", self.doubt.guide_presliding, mean=_MIDDLE
+        )
         if i is None:
             return
         self._added[i] = f"{path}.presliding"
@@ -285,11 +337,20 @@ class ExtendedRig:
 
     def _springs(self) -> None:
         doubt = self.doubt
-        if isinstance(self.rig, QuarterCar) and "strut.spring.rate" in self.values and self.extent.strut > 0.0:
+        if (
+            isinstance(self.rig, QuarterCar)
+            and "strut.spring.rate" in self.values
+            and self.extent.strut > 0.0
+        ):
             self._bend("strut.spring", "spring_curvature", [(0.0, doubt.spring_curvature)], "rate")
         if "tyre.stiffness" in self.values and self.extent.tyre > 0.0:
             share = doubt.tyre_curvature
-            self._bend("tyre", "tyre_curvature", [(_STIFFENS * share, share), (0.0, 0.1 * share)], "stiffness")
+            self._bend(
+                "tyre",
+                "tyre_curvature",
+                [(_STIFFENS * share, share), (0.0, 0.1 * share)],
+                "stiffness",
+            )
 
     def _bend(self, part: str, group: str, bends: list[tuple[float, float]], law: str) -> None:
         names = ("curvature", "change of curvature")
@@ -312,10 +373,14 @@ class ExtendedRig:
     def _absent_paths(self) -> set[str]:
         """Paths of the rig that the richer one does not have."""
         gone = {
-            f"{part}.{law}" for part, law in (("strut.spring", "rate"), ("tyre", "stiffness")) if part in self._curved
+            f"{part}.{law}"
+            for part, law in (("strut.spring", "rate"), ("tyre", "stiffness"))
+            if part in self._curved
         }
         names = ("coefficient", "bump_coefficient", "rebound_coefficient")
-        return gone | ({f"strut.damper.{name}" for name in names} if self._knots is not None else set())
+        return gone | (
+            {f"strut.damper.{name}" for name in names} if self._knots is not None else set()
+        )
 
 
 def own_doubt(rig: Rig, path: str, given: object, where: str) -> float:
@@ -326,13 +391,21 @@ def own_doubt(rig: Rig, path: str, given: object, where: str) -> float:
     try:
         share = to_si(given, "1", where=place)
     except DescriptionError:
-        share = to_si(given, unit_of(rig, path), where=place) / abs(values[path]) if values[path] else 0.0
+        share = (
+            to_si(given, unit_of(rig, path), where=place) / abs(values[path])
+            if values[path]
+            else 0.0
+        )
     if share < 0.0:
-        raise DescriptionError("an uncertainty below zero", where=place, found=given, allowed="0 or more")
+        raise DescriptionError(
+            "an uncertainty below zero", where=place, found=given, allowed="0 or more"
+        )
     return share
 
 
-def _merge(richer: dict[str, Any], plain: dict[str, Any], own: set[str], prefix: str = "") -> dict[str, Any]:
+def _merge(
+    richer: dict[str, Any], plain: dict[str, Any], own: set[str], prefix: str = ""
+) -> dict[str, Any]:
     """Values of ``plain`` in the shape of ``richer``; tables in ``own`` and what ``plain`` lacks are the richer's."""
     merged = {}
     for key, value in richer.items():
@@ -350,5 +423,9 @@ def _merge(richer: dict[str, Any], plain: dict[str, Any], own: set[str], prefix:
 def _straight(x: Array, knots: Array, values: Array) -> Array:
     """Straight lines through points, going on beyond the ends."""
     inside = np.interp(x, knots, values)
-    first, last = ((values[i + 1] - values[i]) / (knots[i + 1] - knots[i]) for i in (0, len(knots) - 2))
-    return np.asarray(inside + np.minimum(x - knots[0], 0.0) * first + np.maximum(x - knots[-1], 0.0) * last)
+    first, last = (
+        (values[i + 1] - values[i]) / (knots[i + 1] - knots[i]) for i in (0, len(knots) - 2)
+    )
+    return np.asarray(
+        inside + np.minimum(x - knots[0], 0.0) * first + np.maximum(x - knots[-1], 0.0) * last
+    )

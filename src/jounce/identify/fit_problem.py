@@ -94,7 +94,9 @@ class FitTrial(Shown):
     def rig_without(self) -> Rig:
         """The rig without nuisances."""
         values = self.rig.parameters()
-        return self.rig.with_changes({path: values[path] - more for path, more in self.added.items()})
+        return self.rig.with_changes(
+            {path: values[path] - more for path, more in self.added.items()}
+        )
 
     def in_motion(self, offset: Mapping[str, float]) -> FitTrial:
         """Return the trial started away from equilibrium (SI by state): no sensor shows its zero then."""
@@ -228,23 +230,33 @@ class Prepared:
         if offset is None:  # reduced corners start at rest
             solution = with_slopes(rig, trial, numbers, signals, self.times, tolerance, free)
         if solution is None:
-            solution = solve(self.compiled, p, signals, self.times, tolerance=tolerance, offset=offset)
+            solution = solve(
+                self.compiled, p, signals, self.times, tolerance=tolerance, offset=offset
+            )
         if solution.status is not Status.COMPLETED:
-            raise SimulationError("the simulation diverged", where=self.source.name, found=solution.status.help)
+            raise SimulationError(
+                "the simulation diverged", where=self.source.name, found=solution.status.help
+            )
         return solution
 
     def tracks(self) -> list[Segments]:
         """Inputs of the model against time (s)."""
-        return excitation(self.compiled.facts, self.source.rig, self.source.trial, self.compiled.free)
+        return excitation(
+            self.compiled.facts, self.source.rig, self.source.trial, self.compiled.free
+        )
 
     def road(self, channel: Channel) -> Array:
         """Height of the road (m) below the first wheel at the instants of a channel."""
         first = next(i for i, name in enumerate(self.compiled.facts.tracks) if is_road(name))
-        return np.asarray(self.tracks()[first].evaluate(self.times)[0][len(self.times) - len(channel.measured) :])
+        return np.asarray(
+            self.tracks()[first].evaluate(self.times)[0][len(self.times) - len(channel.measured) :]
+        )
 
     def table(self, channel: Channel, solution: Solution) -> Array:
         """Simulated reading of a channel and, beside it, its derivatives by the free parameters; a row a sample."""
-        table = np.vstack([solution.outputs[channel.column], *solution.output_slopes[channel.column]]).T
+        table = np.vstack(
+            [solution.outputs[channel.column], *solution.output_slopes[channel.column]]
+        ).T
         if channel.datum == "rest":
             table = table - table[0]  # the run starts at rest
         table = table[len(self.times) - self.uniform :]
@@ -252,7 +264,9 @@ class Prepared:
             table = filter_signals(table, self.rate, channel.sensor, where=channel.name)
         table = table[len(table) - len(channel.measured) :]
         table[:, 0] += channel.bias
-        return table if channel.sensor is None else cut_to_range(channel.name, channel.sensor, table)
+        return (
+            table if channel.sensor is None else cut_to_range(channel.name, channel.sensor, table)
+        )
 
 
 @dataclass(frozen=True)
@@ -315,7 +329,11 @@ class UpdateProblem:
         nuisances: Sequence[Unknown] = (),
     ) -> None:
         self.free, self.settings, self.nuisances = tuple(free), settings, tuple(nuisances)
-        self.tolerance, self.align, self.lag_bound = settings.tolerance, settings.fits_lags, settings.lag_bound
+        self.tolerance, self.align, self.lag_bound = (
+            settings.tolerance,
+            settings.fits_lags,
+            settings.lag_bound,
+        )
         self.trials = tuple(prepare_trial(trial, self.free, settings) for trial in trials)
         self.evaluations = 0
         count = sum(len(c.measured) for trial in self.trials for c in trial.channels)
@@ -332,7 +350,11 @@ class UpdateProblem:
     def coarser(self, tolerance: float) -> UpdateProblem:
         """The same problem with coarser simulations, and its own count."""
         problem = copy(self)
-        problem.tolerance, problem.evaluations, problem._last = max(tolerance, self.tolerance), 0, None
+        problem.tolerance, problem.evaluations, problem._last = (
+            max(tolerance, self.tolerance),
+            0,
+            None,
+        )
         return problem
 
     @property
@@ -343,11 +365,17 @@ class UpdateProblem:
     @property
     def data_energy(self) -> float:
         """Weighted sum of squares of the measured signals."""
-        return sum(float(np.sum((c.weight * c.measured) ** 2)) for trial in self.trials for c in trial.channels)
+        return sum(
+            float(np.sum((c.weight * c.measured) ** 2))
+            for trial in self.trials
+            for c in trial.channels
+        )
 
     def values(self, scaled: Array) -> Array:
         """Parameter values (SI) at scaled coordinates; those of the nuisances behind them are not given."""
-        return np.array([free.value(s) for free, s in zip(self.free, scaled[: len(self.free)], strict=True)])
+        return np.array(
+            [free.value(s) for free, s in zip(self.free, scaled[: len(self.free)], strict=True)]
+        )
 
     def residuals(self, scaled: Array) -> Residuals:
         """Evaluate residuals and Jacobian with respect to the scaled unknowns."""
@@ -386,7 +414,9 @@ class UpdateProblem:
         values = self.values(scaled)
         vectors, jacobians, slopes, blocks, groups, lags, at = [], [], [], [], [], [], 0
         for trial in self.trials:
-            scales = np.array([f.half_range * factor for f, factor in zip(self.free, trial.factors, strict=True)])
+            scales = np.array(
+                [f.half_range * factor for f, factor in zip(self.free, trial.factors, strict=True)]
+            )
             tables = self._tables(trial, values, scaled[len(self.free) :])
             scales = np.concatenate([scales, np.ones(len(self.nuisances))])
             lag, aligned = self._align(trial, tables)
@@ -410,9 +440,15 @@ class UpdateProblem:
 
     def speed_slope(self, scaled: Array) -> Array:
         """Derivative of the residuals by the logarithm of the speed of all trials, with the lags kept."""
-        return self.slope(scaled, lambda trial, more: replace(trial, trial=trial.trial.at_speed(1.0 + more)), _ASIDE)
+        return self.slope(
+            scaled,
+            lambda trial, more: replace(trial, trial=trial.trial.at_speed(1.0 + more)),
+            _ASIDE,
+        )
 
-    def slope(self, scaled: Array, change: Callable[[FitTrial, float], FitTrial | None], step: float) -> Array:
+    def slope(
+        self, scaled: Array, change: Callable[[FitTrial, float], FitTrial | None], step: float
+    ) -> Array:
         """Derivative of the residuals by a change of the trials, with the lags kept.
 
         ``change`` gives a trial with so much more (``step`` to either side), or None where it does not concern it.
@@ -444,7 +480,10 @@ class UpdateProblem:
             source = trial.source
             for nuisance, place in zip(self.nuisances, at, strict=True):
                 source = nuisance.apply_to(source, nuisance.free.value(place))
-            channels = [replace(channel, sensor=source.sensors.get(channel.name)) for channel in trial.channels]
+            channels = [
+                replace(channel, sensor=source.sensors.get(channel.name))
+                for channel in trial.channels
+            ]
             moved = replace(trial, source=source) if self.nuisances else trial
             run = (source.trial.speed, *source.offset.values())
             if run not in solutions:
@@ -452,22 +491,37 @@ class UpdateProblem:
             return [moved.table(channel, solutions[run]) for channel in channels]
 
         readings = tables(scaled)
-        for nuisance, aside in zip(self.nuisances, _ASIDE * np.eye(len(self.nuisances)), strict=True):
+        for nuisance, aside in zip(
+            self.nuisances, _ASIDE * np.eye(len(self.nuisances)), strict=True
+        ):
             if nuisance.concerns(trial.source):
                 above, below = tables(scaled + aside), tables(scaled - aside)
-                slopes = [(high[:, :1] - low[:, :1]) / (2.0 * _ASIDE) for high, low in zip(above, below, strict=True)]
+                slopes = [
+                    (high[:, :1] - low[:, :1]) / (2.0 * _ASIDE)
+                    for high, low in zip(above, below, strict=True)
+                ]
             else:
                 slopes = [np.zeros((len(table), 1)) for table in readings]
-            readings = [np.hstack([table, slope]) for table, slope in zip(readings, slopes, strict=True)]
+            readings = [
+                np.hstack([table, slope]) for table, slope in zip(readings, slopes, strict=True)
+            ]
         return readings
 
-    def _align(self, trial: Prepared, tables: list[Array]) -> tuple[float, list[tuple[Array, Array]]]:
+    def _align(
+        self, trial: Prepared, tables: list[Array]
+    ) -> tuple[float, list[tuple[Array, Array]]]:
         """Lag of a trial's recording, and each channel's table there with the slope by the lag (0 where held)."""
         both = list(zip(trial.channels, tables, strict=True))
         if not self.align:
             return 0.0, [channel.offset(table, np.zeros(len(table))) for channel, table in both]
         shifted = [
-            Shifted.of(channel.measured, table, channel.weight, trial.rate, offset=channel.datum == "free offset")
+            Shifted.of(
+                channel.measured,
+                table,
+                channel.weight,
+                trial.rate,
+                offset=channel.datum == "free offset",
+            )
             for channel, table in both
         ]
         lag = best_lag(shifted, self.lag_bound)
@@ -476,7 +530,9 @@ class UpdateProblem:
         return lag, [channel.offset(table, free * slope) for channel, (table, slope) in aligned]
 
 
-def readings(trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6) -> dict[str, tuple[Array, Array, Array]]:
+def readings(
+    trial: FitTrial, *, lag: float = 0.0, tolerance: float = 1e-6
+) -> dict[str, tuple[Array, Array, Array]]:
     """Simulate a trial with its rig's own values and read it through its sensors.
 
     Gives channel to (time in s, measured, simulated), in the channel's SI unit; ``lag`` (s) is that of the recording
@@ -500,7 +556,11 @@ class Simulated:
         signals = {}
         for channel in prepared.channels:
             shifted = shift_signals(prepared.table(channel, self.solution), prepared.rate, lag)
-            signals[channel.name] = time, channel.measured, channel.offset(shifted, np.zeros(len(shifted)))[0][:, 0]
+            signals[channel.name] = (
+                time,
+                channel.measured,
+                channel.offset(shifted, np.zeros(len(shifted)))[0][:, 0],
+            )
         return signals
 
     def outputs(self, lag: float = 0.0) -> dict[str, Array]:
@@ -512,16 +572,23 @@ class Simulated:
         times = self.prepared.times
         at = times[-len(self.trial.measured["time"]) :] - lag
         names = self.prepared.compiled.output_names
-        return {name: np.interp(at, times, output) for name, output in zip(names, self.solution.outputs, strict=True)}
+        return {
+            name: np.interp(at, times, output)
+            for name, output in zip(names, self.solution.outputs, strict=True)
+        }
 
 
-def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: UpdateSettings) -> Prepared:
+def prepare_trial(
+    trial: FitTrial, free: Sequence[FreeParameter], settings: UpdateSettings
+) -> Prepared:
     """Compile a trial's model with the free parameters, prepare its channels, and refuse incomparable ones."""
     paths = tuple(item.path for item in free)
     compiled = compile_rig(trial.rig, paths, actuator=force_actuator(trial.trial))
     names, weights = settings.channels, settings.weights
     _check_channels(compiled.output_names, names, weights)
-    given = ("command", "actuator.force") if trial.trial.actuator_force is not None else ()  # inputs, not answers
+    given = (
+        ("command", "actuator.force") if trial.trial.actuator_force is not None else ()
+    )  # inputs, not answers
     common = [
         name
         for name in compiled.output_names
@@ -540,7 +607,10 @@ def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: Upda
     time = trial.measured["time"].to_numpy()
     if len(time) < _FEWEST:
         raise FitError(
-            "too few samples", where=trial.name, found=len(time), allowed=Phrase("at least {fewest}", fewest=_FEWEST)
+            "too few samples",
+            where=trial.name,
+            found=len(time),
+            allowed=Phrase("at least {fewest}", fewest=_FEWEST),
         )
     rate = 1.0 / float(np.median(np.diff(time)))
     times, uniform = _from_rest(time, rate)
@@ -549,7 +619,9 @@ def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: Upda
             "the recording ends before the obstacle pass does",
             where=trial.name,
             found=f"{time[-1]:.4g} s",
-            allowed=Phrase("at least {obstacle_end:.4g} s", obstacle_end=trial.trial.obstacle_end()),
+            allowed=Phrase(
+                "at least {obstacle_end:.4g} s", obstacle_end=trial.trial.obstacle_end()
+            ),
             hint="Check speed and start, or record longer.",
         )
     channels = [_channel(trial, compiled, name, weights) for name in common]
@@ -562,7 +634,12 @@ def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: Upda
         )
     offsets = np.array([trial.added.get(item.path, 0.0) for item in free])
     plain = np.array([values[item.path] for item in free]) - offsets
-    factors = np.array([value / item.initial if item.initial else 1.0 for value, item in zip(plain, free, strict=True)])
+    factors = np.array(
+        [
+            value / item.initial if item.initial else 1.0
+            for value, item in zip(plain, free, strict=True)
+        ]
+    )
     return Prepared(
         trial,
         compiled,
@@ -576,7 +653,9 @@ def prepare_trial(trial: FitTrial, free: Sequence[FreeParameter], settings: Upda
     )
 
 
-def _check_channels(known: Sequence[str], names: Sequence[str] | None, weights: str | Mapping[str, float]) -> None:
+def _check_channels(
+    known: Sequence[str], names: Sequence[str] | None, weights: str | Mapping[str, float]
+) -> None:
     """Refuse channels that the model does not have, and weights that are none: they would be ignored without a word."""
     given = {} if isinstance(weights, str) else weights
     for what, chosen in (("channels", names or ()), ("weights", given)):
@@ -585,7 +664,9 @@ def _check_channels(known: Sequence[str], names: Sequence[str] | None, weights: 
                 raise unknown(name, known, what="channel", where=what)
     for name, weight in given.items():
         if not (np.isfinite(weight) and weight >= 0.0):
-            raise FitError("not a weight", where=f"weights: {name}", found=weight, allowed="0 or more")
+            raise FitError(
+                "not a weight", where=f"weights: {name}", found=weight, allowed="0 or more"
+            )
 
 
 def _from_rest(time: Array, rate: float) -> tuple[Array, int]:
@@ -597,14 +678,18 @@ def _from_rest(time: Array, rate: float) -> tuple[Array, int]:
     return (uniform if uniform[0] == 0.0 else np.concatenate([[0.0], uniform])), len(uniform)
 
 
-def _channel(trial: FitTrial, compiled: Compiled, name: str, weights: str | Mapping[str, float]) -> Channel:
+def _channel(
+    trial: FitTrial, compiled: Compiled, name: str, weights: str | Mapping[str, float]
+) -> Channel:
     column, sensor = compiled.output_names.index(name), trial.sensors.get(name)
     measured = np.asarray(trial.measured[name].to_numpy(), dtype=float)
     frozen = frozen_samples(measured)
     if frozen.any():
         at = np.arange(len(measured))
         measured = np.interp(at, at[~frozen], measured[~frozen])
-    bias = 0.0 if sensor is None else bias_of(sensor, compiled.facts.outputs[column].unit, where=name)
+    bias = (
+        0.0 if sensor is None else bias_of(sensor, compiled.facts.outputs[column].unit, where=name)
+    )
     datum = (sensor and sensor.datum) or "undeformed"
     weight = _weight(weights, name, measured)
     held = frozen if frozen.any() else None
@@ -618,10 +703,14 @@ def _weight(weights: str | Mapping[str, float], name: str, measured: Array) -> f
     if weights == "normalised":
         spread = float(np.std(measured))
         if spread == 0.0:
-            raise FitError("the channel is constant and cannot be normalised", where=name, hint="Leave it out.")
+            raise FitError(
+                "the channel is constant and cannot be normalised", where=name, hint="Leave it out."
+            )
         return float(1.0 / (spread * np.sqrt(len(measured))))
     if isinstance(weights, str):
-        raise FitError("unknown weighting", found=weights, allowed="printed, normalised, or {channel: weight}")
+        raise FitError(
+            "unknown weighting", found=weights, allowed="printed, normalised, or {channel: weight}"
+        )
     return float(np.sqrt(weights.get(name, 0.0)))
 
 
@@ -631,7 +720,9 @@ def _weight(weights: str | Mapping[str, float], name: str, measured: Array) -> f
 Bounds = str | float | Sequence[str | float]
 
 
-def free_parameters(rig: Rig, free: Mapping[str, Bounds], *, where: str = "") -> tuple[FreeParameter, ...]:
+def free_parameters(
+    rig: Rig, free: Mapping[str, Bounds], *, where: str = ""
+) -> tuple[FreeParameter, ...]:
     """Read the free parameters and their bounds against a rig's values, SI; bounds must not exclude the start."""
     check_free(rig, free, where=where)
     values = rig.parameters()
@@ -655,7 +746,9 @@ def check_free(rig: Rig, free: Mapping[str, Bounds], *, where: str = "", more: i
     """Refuse no free parameters (``more`` counts those checked elsewhere), unknown paths and unreadable bounds."""
     if not free and not more:
         raise FitError(
-            "no free parameter", where=where, hint='Name at least one, e.g. free = {"strut.spring.rate" = "10 %"}.'
+            "no free parameter",
+            where=where,
+            hint='Name at least one, e.g. free = {"strut.spring.rate" = "10 %"}.',
         )
     values = rig.parameters()
     for path, bounds in free.items():
@@ -670,17 +763,27 @@ def _range(bounds: Bounds, initial: float, unit: str, place: str) -> tuple[float
         return _absolute(bounds, unit, place)
     share = to_si(bounds, "1", where=place)
     if share <= 0.0:
-        raise FitError("the range must be above zero", where=place, found=bounds, allowed='e.g. "10 %"')
+        raise FitError(
+            "the range must be above zero", where=place, found=bounds, allowed='e.g. "10 %"'
+        )
     if initial == 0.0:
-        raise FitError("a relative range of a zero start value", where=place, allowed="[lower, upper] with units")
+        raise FitError(
+            "a relative range of a zero start value",
+            where=place,
+            allowed="[lower, upper] with units",
+        )
     lower, upper = sorted((initial * (1.0 - share), initial * (1.0 + share)))
     return lower, upper
 
 
 def _absolute(bounds: object, unit: str, place: str) -> tuple[float, float]:
     if not isinstance(bounds, Sequence) or len(bounds) != 2:
-        raise FitError("not a pair of bounds", where=place, found=bounds, allowed='"10 %" or [lower, upper]')
+        raise FitError(
+            "not a pair of bounds", where=place, found=bounds, allowed='"10 %" or [lower, upper]'
+        )
     lower, upper = (to_si(value, unit, where=place) for value in bounds)
     if lower >= upper:
-        raise DescriptionError("the lower bound must lie below the upper", where=place, found=list(bounds))
+        raise DescriptionError(
+            "the lower bound must lie below the upper", where=place, found=list(bounds)
+        )
     return lower, upper

@@ -23,7 +23,9 @@ from jounce.identify.signs import ForcePositive, StrokePositive, sign_of
 Branch = Literal["loading", "unloading", "both"]
 Zero = Literal["first-contact", "none"]
 
-_FREE_TRAVEL_SHARE = 0.03  # free travel shorter than this share of the stroke is taken as curvature, not as a gap
+_FREE_TRAVEL_SHARE = (
+    0.03  # free travel shorter than this share of the stroke is taken as curvature, not as a gap
+)
 _FORCE_THRESHOLD = 0.002  # of the largest force: contact, where the noise is smaller
 _TENSION = 0.1  # of the compression: what goes farther the other way is pulled on purpose
 _CYCLE = 0.1  # of the stroke: a deflection that comes back so far and grows again begins another load cycle
@@ -84,14 +86,20 @@ class ForceDeflectionTrial(Shown):
                 hint="Remove the incomplete rows.",
             )
         if len(deflection) < 3:
-            raise FitError("too few points", where=self.name, found=len(deflection), allowed="at least 3")
+            raise FitError(
+                "too few points", where=self.name, found=len(deflection), allowed="at least 3"
+            )
         if np.ptp(deflection) == 0.0:
             raise FitError(
-                Phrase("the {deflection_word} never changes", deflection_word=Phrase(motion.deflection_word)),
+                Phrase(
+                    "the {deflection_word} never changes",
+                    deflection_word=Phrase(motion.deflection_word),
+                ),
                 where=self.name,
                 found=f"{deflection[0]:g} {motion.deflection} throughout",
                 hint=Phrase(
-                    "Is the column the imposed {deflection_word}?", deflection_word=Phrase(motion.deflection_word)
+                    "Is the column the imposed {deflection_word}?",
+                    deflection_word=Phrase(motion.deflection_word),
                 ),
             )
         return deflection, force
@@ -115,12 +123,18 @@ class SeatedTrial:
     def branch(self, which: Branch) -> tuple[Array, Array]:
         """Deflection [m or rad] and force [N or N m] of the loading, the unloading or both branches, in time."""
         back = int(np.flatnonzero(self.deflection == self.deflection[self.turn])[-1])
-        part = {"loading": slice(0, self.turn + 1), "unloading": slice(back, None), "both": slice(None)}[which]
+        part = {
+            "loading": slice(0, self.turn + 1),
+            "unloading": slice(back, None),
+            "both": slice(None),
+        }[which]
         return self.deflection[part], self.force[part]
 
     def is_two_sided(self) -> bool:
         """Whether the trial goes well into both tension and compression, about its zero."""
-        return all(-_TENSION * column.max() > column.min() for column in (self.deflection, self.force))
+        return all(
+            -_TENSION * column.max() > column.min() for column in (self.deflection, self.force)
+        )
 
     def has_unloading(self) -> bool:
         """Tell whether the trial comes back to less than half of its largest deflection."""
@@ -145,10 +159,14 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
     motion = MOTIONS[trial.motion]
     begin, end, first = _farthest_cycle(deflection, trial.name, findings)
     if zero == "first-contact":
-        shift, offset, start = _first_contact(deflection[:first], force[:first], motion, trial.name, findings)
+        shift, offset, start = _first_contact(
+            deflection[:first], force[:first], motion, trial.name, findings
+        )
     part = slice(max(begin, start), end)
     deflection, force = deflection[part] - shift, force[part] - offset
-    seated = SeatedTrial(trial.name, deflection, force, int(np.argmax(deflection)), (shift, offset), motion)
+    seated = SeatedTrial(
+        trial.name, deflection, force, int(np.argmax(deflection)), (shift, offset), motion
+    )
     if deflection[seated.turn] > _FARTHEST[motion.name]:
         findings.append(
             finding(
@@ -160,11 +178,19 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
             )
         )
     findings += _slip(seated) or _falls(seated)
-    back = float((np.maximum.accumulate(deflection[: seated.turn + 1]) - deflection[: seated.turn + 1]).max())
-    if back > 0.02 * float(np.ptp(deflection)):  # a choice: lower names noise, higher hides a return
+    back = float(
+        (np.maximum.accumulate(deflection[: seated.turn + 1]) - deflection[: seated.turn + 1]).max()
+    )
+    if back > 0.02 * float(
+        np.ptp(deflection)
+    ):  # a choice: lower names noise, higher hides a return
         findings.append(
             finding(
-                "identify.deflection_reverses", trial.name, back, word=motion.deflection_word, back=motion.say(back)
+                "identify.deflection_reverses",
+                trial.name,
+                back,
+                word=motion.deflection_word,
+                back=motion.say(back),
             )
         )
     findings += [*_out_of_range(seated), *_drift(seated)]
@@ -182,7 +208,11 @@ def _compression_positive(
 
     def note_reversal(word: str, stated: str | None, key: str, code: str) -> None:
         if stated is None:
-            code = "identify.sign_reversed" if motion.name == "translation" else "identify.sign_of_loading_reversed"
+            code = (
+                "identify.sign_reversed"
+                if motion.name == "translation"
+                else "identify.sign_of_loading_reversed"
+            )
         findings.append(finding(code, trial.name, word=word, key=key, stated=stated))
 
     deflection = sign_of(trial.stroke_positive, "stroke", where=trial.name) * deflection
@@ -191,13 +221,21 @@ def _compression_positive(
     if -away.min() > away.max():
         deflection = -deflection
         note_reversal(
-            motion.deflection_word, trial.stroke_positive, "stroke_positive", "identify.stated_stroke_reversed"
+            motion.deflection_word,
+            trial.stroke_positive,
+            "stroke_positive",
+            "identify.stated_stroke_reversed",
         )
     turn = int(np.argmax(deflection))
     loading = slice(0, max(turn, 1) + 1)
     if np.polyfit(deflection[loading] - deflection[0], force[loading], 1)[0] < 0.0:
         force = -force
-        note_reversal(motion.force_word, trial.force_positive, "force_positive", "identify.stated_force_reversed")
+        note_reversal(
+            motion.force_word,
+            trial.force_positive,
+            "force_positive",
+            "identify.stated_force_reversed",
+        )
     return deflection, force
 
 
@@ -210,7 +248,14 @@ def _farthest_cycle(deflection: Array, name: str, findings: list[Finding]) -> tu
     begin += int(np.flatnonzero(deflection[begin : top + 1] == deflection[begin])[-1])
     end = min((turn + 1 for turn in turns if turn > top), default=len(deflection))
     findings.append(
-        finding("identify.several_cycles", name, len(turns) - 1, turns=len(turns) - 1, begin=begin + 1, end=end)
+        finding(
+            "identify.several_cycles",
+            name,
+            len(turns) - 1,
+            turns=len(turns) - 1,
+            begin=begin + 1,
+            end=end,
+        )
     )
     return begin, end, turns[2] + 1
 
@@ -243,10 +288,24 @@ def _first_contact(
             )
         )
         return contact, offset, last + 1
-    if force[0] < 0.0 and force.min() < -_TENSION * force.max() and deflection.min() < -_TENSION * deflection.max():
-        findings.append(finding("identify.zeros_recorded", name, force[0], pulled=motion.pulled, pushed=motion.pushed))
+    if (
+        force[0] < 0.0
+        and force.min() < -_TENSION * force.max()
+        and deflection.min() < -_TENSION * deflection.max()
+    ):
+        findings.append(
+            finding(
+                "identify.zeros_recorded",
+                name,
+                force[0],
+                pulled=motion.pulled,
+                pushed=motion.pushed,
+            )
+        )
         return 0.0, 0.0, 0
-    if abs(force[0]) > 0.02 * largest:  # a choice: noise of the tests reaches a third of it, and higher hides a preload
+    if (
+        abs(force[0]) > 0.02 * largest
+    ):  # a choice: noise of the tests reaches a third of it, and higher hides a preload
         findings.append(
             finding(
                 "identify.starts_loaded",
@@ -278,7 +337,9 @@ def _is_free_travel(deflection: Array, force: Array, last: int, turn: int) -> bo
 def _falls(trial: SeatedTrial) -> list[Finding]:
     """A force that falls while the deflection grows."""
     deflection, force = trial.branch("loading")
-    below = force[deflection < (1.0 - _TOP) * deflection.max()]  # nearer to the top noise mixes both branches
+    below = force[
+        deflection < (1.0 - _TOP) * deflection.max()
+    ]  # nearer to the top noise mixes both branches
     drop = float((np.maximum.accumulate(below) - below).max(initial=0.0))
     if drop <= 0.03 * float(np.ptp(force)):  # a choice: noise of the tests reaches a third of it
         return []
@@ -311,12 +372,22 @@ def _slip(trial: SeatedTrial) -> list[Finding]:
         return float(np.sum((f - matrix @ factors) ** 2)), factors
 
     places = np.linspace(0.1, 0.9, 81)
-    bent = min([misfit(x**2, x**3)[0], *(misfit(np.maximum(x - place, 0.0))[0] for place in places)])
-    tried = [(*misfit(np.clip((x - place) / width, 0.0, 1.0)), place) for place in places for width in _SLIDES]
+    bent = min(
+        [misfit(x**2, x**3)[0], *(misfit(np.maximum(x - place, 0.0))[0] for place in places)]
+    )
+    tried = [
+        (*misfit(np.clip((x - place) / width, 0.0, 1.0)), place)
+        for place in places
+        for width in _SLIDES
+    ]
     # A step must stand out of the noise by three standard deviations, as well as of the range.
     slid, (_, slope, step), place = min(tried, key=lambda attempt: attempt[0])
     lost, noise = -float(step), math.sqrt(slid / len(x))
-    if slid > _SLIPPED * bent or lost < max(_LEAST_SLIP * float(np.ptp(f)), 3.0 * noise) or slope <= 0.0:
+    if (
+        slid > _SLIPPED * bent
+        or lost < max(_LEAST_SLIP * float(np.ptp(f)), 3.0 * noise)
+        or slope <= 0.0
+    ):
         return []
     stroke, motion = float(np.ptp(deflection)), trial.motion
     rate, begin = float(slope) / stroke, float(deflection[0]) + place * stroke
@@ -336,11 +407,16 @@ def _slip(trial: SeatedTrial) -> list[Finding]:
     ]
 
 
-_FEWEST_SLIP, _SLIDES = 15, (0.01, 0.03, 0.08)  # points; shares of the stroke over which a grip slides
+_FEWEST_SLIP, _SLIDES = (
+    15,
+    (0.01, 0.03, 0.08),
+)  # points; shares of the stroke over which a grip slides
 _SLIPPED, _LEAST_SLIP = 0.4, 0.01  # of what a cubic or a kink leaves, and of the range of the force
 _TOP = 0.02  # of the largest deflection: so near to the top or to the start counts as there
 _FLAT = 0.05  # of the stroke over which the force may stay at its largest value
-_ON_THE_WAY = 0.75  # of the force that is missing at the end: what hysteresis would have taken in mid-stroke
+_ON_THE_WAY = (
+    0.75  # of the force that is missing at the end: what hysteresis would have taken in mid-stroke
+)
 _NO_DRIFT = 0.02  # of the largest force by which it may differ where a trial ends as it began
 
 
@@ -374,7 +450,10 @@ def _drift(trial: SeatedTrial) -> list[Finding]:
     deflection, force, stroke = trial.deflection, trial.force, float(np.ptp(trial.deflection))
     end = deflection[trial.turn :]
     back = trial.turn + int(np.argmin(np.abs(end - deflection[0])))
-    if abs(float(deflection[back] - deflection[0])) > _TOP * stroke or len(force) - trial.turn < _FEWEST_FLAT:
+    if (
+        abs(float(deflection[back] - deflection[0])) > _TOP * stroke
+        or len(force) - trial.turn < _FEWEST_FLAT
+    ):
         return []
     slope = float(np.ptp(force)) / stroke
     unit, rate = unit_in_words(trial.motion.force), unit_in_words(trial.motion.stiffness)
@@ -383,7 +462,10 @@ def _drift(trial: SeatedTrial) -> list[Finding]:
     if abs(gained) < _NO_DRIFT * float(force.max()):
         return []
     if gained < 0.0:  # hysteresis is widest on the way, a drift at the end
-        up, down = _sort_by_deflection(*trial.branch("loading")), _sort_by_deflection(*trial.branch("unloading"))
+        up, down = (
+            _sort_by_deflection(*trial.branch("loading")),
+            _sort_by_deflection(*trial.branch("unloading")),
+        )
         middle = 0.5 * float(deflection.min() + deflection.max())
         if float(np.interp(middle, *up) - np.interp(middle, *down)) > -_ON_THE_WAY * gained:
             return []
@@ -421,7 +503,10 @@ def hysteresis(trial: SeatedTrial) -> tuple[float | None, float | None]:
     """
     if not trial.has_unloading():
         return None, None
-    up, down = _sort_by_deflection(*trial.branch("loading")), _sort_by_deflection(*trial.branch("unloading"))
+    up, down = (
+        _sort_by_deflection(*trial.branch("loading")),
+        _sort_by_deflection(*trial.branch("unloading")),
+    )
     low, high = max(up[0][0], down[0][0]), min(up[0][-1], down[0][-1])
     grid = np.union1d(np.union1d(up[0], down[0]), [low, high])
     grid = grid[(grid >= low) & (grid <= high)]

@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 from jounce.core.types import Array
 from jounce.identify.motion import Quantity, order_of
 
-_MOST_HALF_CYCLES = 5000  # bounds time and memory while a search tries frequencies that are far too high
+_MOST_HALF_CYCLES = (
+    5000  # bounds time and memory while a search tries frequencies that are far too high
+)
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,11 @@ def turning_points(parameters: DecayParameters, count: int) -> Array:
     """
     q = parameters.half_cycle_ratio
     points = [parameters.release_deflection]
-    while len(points) <= count and abs(points[-1]) > parameters.friction_deflection and points[-1] != 0.0:
+    while (
+        len(points) <= count
+        and abs(points[-1]) > parameters.friction_deflection
+        and points[-1] != 0.0
+    ):
         shifted = parameters.friction_deflection * math.copysign(1.0, points[-1])
         points.append(shifted - q * (points[-1] - shifted))
     return np.array(points)
@@ -100,7 +106,9 @@ def _swings(time: Array, parameters: DecayParameters) -> _Swings:
     points = turning_points(parameters, halves)
     last = len(points) - 1
     which = np.clip(np.floor(since * damped / math.pi), 0.0, last).astype(int)
-    moving = (since >= 0.0) & ((which < last) | (abs(points[last]) > parameters.friction_deflection))
+    moving = (since >= 0.0) & (
+        (which < last) | (abs(points[last]) > parameters.friction_deflection)
+    )
     return _Swings(points, which, moving, np.where(moving, since - which * (math.pi / damped), 0.0))
 
 
@@ -172,12 +180,20 @@ def decay_slopes(time: Array, parameters: DecayParameters, quantity: Quantity) -
     at_start = 1.0 if order == 0 else 0.0
     slopes = np.ones((len(time), 6))
     slopes[:, 0] = swing * (order * value + (swings.local + reached) * rate) / omega
-    slopes[:, 1] = by_ratio[which] * value + swing * (shape.by_ratio(order) - rate * reached * ratio / shape.root**2)
+    slopes[:, 1] = by_ratio[which] * value + swing * (
+        shape.by_ratio(order) - rate * reached * ratio / shape.root**2
+    )
     slopes[:, 2] = (by_friction - side)[which] * value + at_start * side[which]
     slopes[:, 4] = -swing * rate
     slopes[:, 5] = by_release[which] * value
     still = ~swings.moving
-    for column, of_point in ((0, None), (1, by_ratio), (2, by_friction), (4, None), (5, by_release)):
+    for column, of_point in (
+        (0, None),
+        (1, by_ratio),
+        (2, by_friction),
+        (4, None),
+        (5, by_release),
+    ):
         slopes[still, column] = 0.0 if of_point is None else at_start * of_point[which[still]]
     return slopes
 
@@ -191,14 +207,24 @@ def _slopes_of_points(points: Array, parameters: DecayParameters) -> tuple[Array
         side = math.copysign(1.0, point)
         by_ratio.append(-q * by_ratio[-1] - slope_of_q * (point - friction * side))
         by_friction.append((1.0 + q) * side - q * by_friction[-1])
-    return np.array(by_ratio), np.array(by_friction), np.asarray((-q) ** np.arange(len(points)), dtype=np.float64)
+    return (
+        np.array(by_ratio),
+        np.array(by_friction),
+        np.asarray((-q) ** np.arange(len(points)), dtype=np.float64),
+    )
 
 
 def _drag_response(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
     from jounce.identify.decay_path import drag_path  # loads machine code
 
     since = np.ascontiguousarray(time - parameters.release_time)
-    names = ("angular_frequency", "damping_ratio", "friction_deflection", "quadratic_drag", "release_deflection")
+    names = (
+        "angular_frequency",
+        "damping_ratio",
+        "friction_deflection",
+        "quadratic_drag",
+        "release_deflection",
+    )
     path = drag_path(since, *(float(getattr(parameters, name)) for name in names))
     response: Array = path[order_of(quantity)] + parameters.offset
     return response

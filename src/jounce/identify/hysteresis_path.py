@@ -16,7 +16,9 @@ _RANGES = {"rate": (0.0, 1e30), "sigma": (0.5, 1e6), "exponent": (1.0, 1e3), "st
 _BEYOND = 0.01  # slopes by differences at a bound look a little beyond it
 
 
-def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: float, start: float) -> Array:
+def bouc_wen_path(
+    displacement: Array, rate: float, sigma: float, exponent: float, start: float
+) -> Array:
     """Follow ``z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n)`` along a path of displacements.
 
     The law does not depend on time, only on the path; between two samples the motion is taken as one-way, and the path
@@ -58,16 +60,24 @@ def bouc_wen_path(displacement: Array, rate: float, sigma: float, exponent: floa
     path = as_samples(displacement, "m", where="displacement", error=DescriptionError)
     if path.ndim != 1 or not np.all(np.isfinite(path)):
         raise DescriptionError(
-            "not a path", where="displacement", found=f"shape {path.shape}", allowed="finite numbers of shape (n,)"
+            "not a path",
+            where="displacement",
+            found=f"shape {path.shape}",
+            allowed="finite numbers of shape (n,)",
         )
     rate, sigma, exponent, start = (
         as_number(value, "1/m" if name == "rate" else "1", where=name)
         for name, value in zip(_RANGES, (rate, sigma, exponent, start), strict=True)
     )
-    for name, value, (least, most) in zip(_RANGES, (rate, sigma, exponent, start), _RANGES.values(), strict=True):
+    for name, value, (least, most) in zip(
+        _RANGES, (rate, sigma, exponent, start), _RANGES.values(), strict=True
+    ):
         if not least - _BEYOND <= value <= most + _BEYOND:
             raise DescriptionError(
-                "out of range", where=name, found=value, allowed=Phrase("{least:g} to {most:g}", least=least, most=most)
+                "out of range",
+                where=name,
+                found=value,
+                allowed=Phrase("{least:g} to {most:g}", least=least, most=most),
             )
     state = np.empty(len(path))
     _follow(path, rate, sigma, exponent, start, state)

@@ -33,17 +33,23 @@ class Shifted:
     offset: bool = False
 
     @classmethod
-    def of(cls, measured: Array, table: Array, weight: float, rate: float, *, offset: bool = False) -> Shifted:
+    def of(
+        cls, measured: Array, table: Array, weight: float, rate: float, *, offset: bool = False
+    ) -> Shifted:
         """Lay a cubic spline through every column."""
         from scipy.interpolate import CubicSpline
 
-        return cls(measured, CubicSpline(np.arange(len(table), dtype=float), table), weight, rate, offset)
+        return cls(
+            measured, CubicSpline(np.arange(len(table), dtype=float), table), weight, rate, offset
+        )
 
     def at(self, lag: float) -> tuple[Array, Array]:
         """Table at a lag (s), shape (n, 1 + k), and the derivative of the reading by the lag, shape (n,), per s."""
         wanted = np.arange(len(self.measured)) - lag * self.rate
         read = np.clip(wanted, 0.0, len(self.measured) - 1.0)
-        return np.asarray(self.table(read)), -self.rate * np.where(read == wanted, self._reading(read, 1), 0.0)
+        return np.asarray(self.table(read)), -self.rate * np.where(
+            read == wanted, self._reading(read, 1), 0.0
+        )
 
     def pull(self, lag: float) -> tuple[float, float]:
         """First and second derivative by the lag (in samples) of half the weighted sum of squares."""
@@ -54,7 +60,9 @@ class Shifted:
         slope, bend = (np.where(inside, self._reading(read, order), 0.0) for order in (1, 2))
         if self.offset:
             residual, slope = residual - residual.mean(), slope - slope.mean()
-        return self.weight**2 * float(residual @ slope), self.weight**2 * float(slope @ slope - residual @ bend)
+        return self.weight**2 * float(residual @ slope), self.weight**2 * float(
+            slope @ slope - residual @ bend
+        )
 
     def misfit(self, reach: int) -> Array:
         """Weighted sum of squares at whole samples of lag from ``-reach`` to ``reach``, less a constant."""
@@ -66,7 +74,9 @@ class Shifted:
         square = energy - 2.0 * correlate(reading, seen, mode="valid", method="fft")
         if self.offset:
             square -= (seen.sum() - total) ** 2 / len(seen)
-        return np.asarray(self.weight**2 * square[::-1])  # the window from sample i on is that of lag reach - i
+        return np.asarray(
+            self.weight**2 * square[::-1]
+        )  # the window from sample i on is that of lag reach - i
 
     def _reading(self, at: Array, order: int) -> Array:
         from scipy.interpolate import PPoly
@@ -92,7 +102,9 @@ def best_lag(channels: Sequence[Shifted], bound: float) -> float:
     low, high = max(coarse - 2.0 / rate, -bound), min(coarse + 2.0 / rate, bound)
     lag = coarse
     for _ in range(_STEPS):
-        slope, bend = (sum(parts) for parts in zip(*(channel.pull(lag) for channel in channels), strict=True))
+        slope, bend = (
+            sum(parts) for parts in zip(*(channel.pull(lag) for channel in channels), strict=True)
+        )
         low, high = (lag, high) if slope < 0.0 else (low, lag)
         newton = lag - slope / bend / rate if bend > 0.0 else np.inf
         last, lag = lag, newton if low <= newton <= high else 0.5 * (low + high)

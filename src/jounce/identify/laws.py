@@ -53,14 +53,18 @@ class States:
     def join(cls, all_of: Sequence[States], every: int = 1) -> States:
         """Rides one after another, every so many samples."""
         names = ("time", "strut", "velocity", "tyre", "tyre_rate", "body")
-        return cls(*(np.concatenate([getattr(ride, name)[::every] for ride in all_of]) for name in names))
+        return cls(
+            *(np.concatenate([getattr(ride, name)[::every] for ride in all_of]) for name in names)
+        )
 
     def sliding(self, velocity: Array, over: float = SLIDING_OVER) -> Array:
         """Share of a presliding force between -1 and 1 after Dahl: it builds up over travel (m), at any velocity."""
         moved = 0.5 * (velocity[1:] + velocity[:-1]) * np.diff(self.time)
         left, ends = np.exp(-np.abs(moved) / over), np.sign(moved)
         z, now = [0.0], 0.0
-        for end, share in zip(ends.tolist(), left.tolist(), strict=True):  # plain floats: arrays take ten times as long
+        for end, share in zip(
+            ends.tolist(), left.tolist(), strict=True
+        ):  # plain floats: arrays take ten times as long
             now = end + (now - end) * share if end else now
             z.append(now)
         return np.array(z)
@@ -82,7 +86,9 @@ class Laws:
         self._plain = richer.rig.parameters()
         self._inverse: dict[str, Array] = {}
 
-    def readings(self, path: str, p: Mapping[str, float], xi: Array, presliding: float) -> tuple[float, float]:
+    def readings(
+        self, path: str, p: Mapping[str, float], xi: Array, presliding: float
+    ) -> tuple[float, float]:
         """Component and effective value of a parameter, SI; ``p`` are the rig's numbers with those fitted.
 
         ``presliding`` (N) builds up in the strut.
@@ -95,14 +101,22 @@ class Laws:
         if path.endswith("friction.force") and path.startswith("guide"):
             return self._guide(path, p)
         if path in ("strut.spring.rate", "strut.friction.force") or path in self._sides():
-            component, effective = self._strut_components(p, xi, presliding), self._strut(p, xi, presliding)
+            component, effective = (
+                self._strut_components(p, xi, presliding),
+                self._strut(p, xi, presliding),
+            )
             return component[path], effective.get(path, component[path])
         return p[path], p[path]
 
-    def _strut_components(self, p: Mapping[str, float], xi: Array, presliding: float) -> dict[str, float]:
+    def _strut_components(
+        self, p: Mapping[str, float], xi: Array, presliding: float
+    ) -> dict[str, float]:
         force = self.richer.damper_force(p, xi, self.seen.velocity)
         return {
-            **{path: float(v @ force / (v @ v)) if np.any(v) else p[path] for path, v in self._sides().items()},
+            **{
+                path: float(v @ force / (v @ v)) if np.any(v) else p[path]
+                for path, v in self._sides().items()
+            },
             "strut.spring.rate": p.get("strut.spring.rate", 0.0),
             "strut.friction.force": p.get("strut.friction.force", 0.0) + presliding,
         }
@@ -119,8 +133,14 @@ class Laws:
         """Line, damper and friction nearest to the strut's force; friction that is not fitted stays as described."""
         x, v = self.seen.strut, self.seen.velocity
         onset = p.get("strut.friction.regularisation_velocity", ONSET_VELOCITY)
-        force = self.richer.elastic_force("strut.spring", p, xi, x) + self.richer.damper_force(p, xi, v)
-        force = force + p.get("strut.friction.force", 0.0) * np.tanh(v / onset) + presliding * self.sliding
+        force = self.richer.elastic_force("strut.spring", p, xi, x) + self.richer.damper_force(
+            p, xi, v
+        )
+        force = (
+            force
+            + p.get("strut.friction.force", 0.0) * np.tanh(v / onset)
+            + presliding * self.sliding
+        )
         columns = {"": np.ones(len(v)), "strut.spring.rate": x, **self._sides()}
         turned = np.tanh(v / self._nominal("strut.friction"))
         if "strut.friction.force" in self.richer.free:
@@ -128,12 +148,19 @@ class Laws:
         else:
             force = force - self._plain.get("strut.friction.force", 0.0) * turned
         columns = {name: column for name, column in columns.items() if np.any(column)}
-        return dict(zip(columns, self._nearest("strut", list(columns.values()), force).tolist(), strict=True))
+        return dict(
+            zip(
+                columns, self._nearest("strut", list(columns.values()), force).tolist(), strict=True
+            )
+        )
 
     def _tyre(self, p: Mapping[str, float], xi: Array) -> tuple[float, float]:
         touching = self.seen.tyre > 0.0
         d, rate = self.seen.tyre[touching], self.seen.tyre_rate[touching]
-        force = self.richer.elastic_force("tyre", p, xi, d) + p.get("tyre.damping_coefficient", 0.0) * rate
+        force = (
+            self.richer.elastic_force("tyre", p, xi, d)
+            + p.get("tyre.damping_coefficient", 0.0) * rate
+        )
         _, stiffness, damping = self._nearest("tyre", [np.ones(len(d)), d, rate], force)
         return float(stiffness), float(damping)
 
@@ -143,7 +170,9 @@ class Laws:
         law = np.tanh(u / p.get(f"{place}.regularisation_velocity", ONSET_VELOCITY))
         share = p.get(f"{place}.presliding", 0.0)
         if share:
-            law = law + share * (self._guide_built_up(p.get(f"{place}.presliding_distance", SLIDING_OVER)) - law)
+            law = law + share * (
+                self._guide_built_up(p.get(f"{place}.presliding_distance", SLIDING_OVER)) - law
+            )
         column = np.tanh(u / self._nominal(place))
         return p[path], float(self._nearest(place, [column], p[path] * law)[0])
 

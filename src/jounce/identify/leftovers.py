@@ -19,9 +19,17 @@ from jounce.recordings.quality import clipped_share
 from jounce.recordings.schema import channel_unit
 
 _DELAY, _SCALE, _DRIFT = 0.35, 0.5, 0.5  # of what is left: a fault that explains so much is told
-_SAMPLES, _GAIN, _RANGE = 0.3, 0.05, 0.01  # in samples, of 1, of the range of the record: smaller faults do no harm
+_SAMPLES, _GAIN, _RANGE = (
+    0.3,
+    0.05,
+    0.01,
+)  # in samples, of 1, of the range of the record: smaller faults do no harm
 _CLIPPED = 1e-3  # of the samples at the limits of a sensor
-_LOUD, _ALIKE, _MATTERS = 2.0, 4.0, 0.01  # times the noise, samples of correlation, of the variance of the record
+_LOUD, _ALIKE, _MATTERS = (
+    2.0,
+    4.0,
+    0.01,
+)  # times the noise, samples of correlation, of the variance of the record
 
 
 @dataclass(frozen=True)
@@ -49,7 +57,9 @@ class LeftOver:
         return np.asarray(self.read - self.read.mean())
 
 
-def faults(channel: str, parts: Sequence[LeftOver], longest: float, *, is_aligned: bool) -> list[Finding]:
+def faults(
+    channel: str, parts: Sequence[LeftOver], longest: float, *, is_aligned: bool
+) -> list[Finding]:
     """Name the fault of a channel's records that would explain most of the residual, in all trials together.
 
     ``longest`` is the largest delay looked for (s). With ``is_aligned`` each trial has a lag already, so a delay is
@@ -57,7 +67,11 @@ def faults(channel: str, parts: Sequence[LeftOver], longest: float, *, is_aligne
     """
     left = sum(float(part.rest @ part.rest) for part in parts)
     trials = _some([part.trial for part in parts])
-    if left <= 0.0 or len(parts[0].read) < _FEWEST or any(np.ptp(part.read) == 0.0 for part in parts):
+    if (
+        left <= 0.0
+        or len(parts[0].read) < _FEWEST
+        or any(np.ptp(part.read) == 0.0 for part in parts)
+    ):
         return []
     clipped = max(clipped_share(part.measured) for part in parts)
     if clipped > _CLIPPED:
@@ -81,16 +95,22 @@ def _some(names: Sequence[str]) -> str:
     return ", ".join(names[:4]) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
 
 
-def _scale(channel: str, parts: Sequence[LeftOver], left: float, trials: str) -> tuple[float, Finding] | None:
+def _scale(
+    channel: str, parts: Sequence[LeftOver], left: float, trials: str
+) -> tuple[float, Finding] | None:
     size = sum(float(part.shape @ part.shape) for part in parts)
     more = sum(float(part.rest @ part.shape) for part in parts) / size
     share = more**2 * size / left
     if share < _SCALE or abs(more) < _GAIN:
         return None
-    return share, finding("identify.gain_off", channel, 1.0 + more, factor=1.0 + more, trials=trials, share=share)
+    return share, finding(
+        "identify.gain_off", channel, 1.0 + more, factor=1.0 + more, trials=trials, share=share
+    )
 
 
-def _drift(channel: str, parts: Sequence[LeftOver], left: float, trials: str) -> tuple[float, Finding] | None:
+def _drift(
+    channel: str, parts: Sequence[LeftOver], left: float, trials: str
+) -> tuple[float, Finding] | None:
     shares, rises = 0.0, []
     for part in parts:
         place = np.linspace(-0.5, 0.5, len(part.rest))
@@ -101,15 +121,29 @@ def _drift(channel: str, parts: Sequence[LeftOver], left: float, trials: str) ->
     if shares / left < _DRIFT or abs(rise) < _RANGE * reach:
         return None
     return shares / left, finding(
-        "identify.drift", channel, rise, rise=rise, unit=channel_unit(channel), trials=trials, share=shares / left
+        "identify.drift",
+        channel,
+        rise,
+        rise=rise,
+        unit=channel_unit(channel),
+        trials=trials,
+        share=shares / left,
     )
 
 
 def _delay(
-    channel: str, parts: Sequence[LeftOver], left: float, trials: str, longest: float, *, is_aligned: bool
+    channel: str,
+    parts: Sequence[LeftOver],
+    left: float,
+    trials: str,
+    longest: float,
+    *,
+    is_aligned: bool,
 ) -> tuple[float, Finding] | None:
     rate = min(part.rate for part in parts)
-    beside = [Shifted.of(part.measured, part.read[:, None], 1.0, part.rate, offset=True) for part in parts]
+    beside = [
+        Shifted.of(part.measured, part.read[:, None], 1.0, part.rate, offset=True) for part in parts
+    ]
     is_alike = len({(len(part.read), part.rate) for part in parts}) == 1
     lag = (
         best_lag(beside, longest)
@@ -137,7 +171,11 @@ def beyond_noise(parts: Sequence[LeftOver]) -> float | None:
     noises = [noise_of(part.measured) if part.noise is None else part.noise for part in parts]
     noise = float(np.sqrt(np.mean(np.square(noises))))
     rest = float(np.sqrt(np.mean(np.concatenate([part.rest for part in parts]) ** 2)))
-    size = float(np.sqrt(np.mean(np.concatenate([part.measured - part.measured.mean() for part in parts]) ** 2)))
+    size = float(
+        np.sqrt(
+            np.mean(np.concatenate([part.measured - part.measured.mean() for part in parts]) ** 2)
+        )
+    )
     alike = float(np.median([correlation_time(part.rest) for part in parts]))
     if rest < _LOUD * noise or alike < _ALIKE or rest**2 < _MATTERS * size**2:
         return None

@@ -20,7 +20,10 @@ from jounce.core.errors import FitError
 from jounce.core.optional import require
 from jounce.core.types import Array
 
-_DEGREES = ((4, 4), (10, 3))  # up to how many unknowns, and of which degree first; more unknowns have squares only
+_DEGREES = (
+    (4, 4),
+    (10, 3),
+)  # up to how many unknowns, and of which degree first; more unknowns have squares only
 _HIGHEST = 4  # degree; with values and slopes, ten unknowns need 137 points
 _ROWS = 1.5  # equations a coefficient, so that some are left to judge the polynomial by
 _CHECKS = 16  # draws that are evaluated exactly
@@ -30,7 +33,10 @@ _GOOD = 0.3  # standard deviation of the error of the log density: weights of dr
 _OUTSIDE = 1e-5  # share of a Gaussian that lies farther out than the polynomial is used
 _FREEDOM = 7.0  # of the proposals' t distribution
 _STRETCH = 0.2  # share of steps that follow the shape of the ensemble instead
-_ENSEMBLES, _WALKERS = 4, 16  # independent chains, by which convergence is judged; walkers of each, or more
+_ENSEMBLES, _WALKERS = (
+    4,
+    16,
+)  # independent chains, by which convergence is judged; walkers of each, or more
 
 Exact = Callable[[Array], "tuple[float, Array, float] | None"]
 """Log density at some unknowns, its slopes, and a part to be added whose slopes are not known; None: no such thing."""
@@ -46,7 +52,11 @@ class Polynomial:
     @staticmethod
     def terms(count: int, degree: int) -> NDArray[np.int64]:
         """Powers of all terms up to a degree."""
-        chosen = [term for d in range(degree + 1) for term in combinations_with_replacement(range(count), d)]
+        chosen = [
+            term
+            for d in range(degree + 1)
+            for term in combinations_with_replacement(range(count), d)
+        ]
         return np.array([[term.count(i) for i in range(count)] for term in chosen], dtype=np.int64)
 
     @staticmethod
@@ -66,7 +76,9 @@ class Polynomial:
         return Polynomial.rows(lower, u) * powers[:, i]
 
     @classmethod
-    def through(cls, degree: int, u: Array, values: Array, slopes: Array | None = None) -> Polynomial:
+    def through(
+        cls, degree: int, u: Array, values: Array, slopes: Array | None = None
+    ) -> Polynomial:
         """Least squares through values and, where given, slopes (n, variables) at points (n, variables)."""
         powers = cls.terms(u.shape[1], degree)
         weight = _weights(u)
@@ -137,7 +149,9 @@ class Region:
     def fold(self, u: Array) -> Array:
         """Points beyond a bound mirrored at it, so that they lie inside."""
         x = self.unknowns(u)
-        x = np.where(x < self.lower, 2.0 * self.lower - x, np.where(x > self.upper, 2.0 * self.upper - x, x))
+        x = np.where(
+            x < self.lower, 2.0 * self.lower - x, np.where(x > self.upper, 2.0 * self.upper - x, x)
+        )
         return self.whiten(np.clip(x, self.lower, self.upper))
 
 
@@ -171,12 +185,18 @@ def fit_log_density(exact: Exact, region: Region, seed: int) -> LogDensity:
         nonlocal tried
         tried += len(places)
         both = [(u, exact(x)) for u, x in zip(places, region.unknowns(places), strict=True)]
-        return [(u, point[0], region.root.T @ point[1], point[2]) for u, point in both if point is not None]
+        return [
+            (u, point[0], region.root.T @ point[1], point[2])
+            for u, point in both
+            if point is not None
+        ]
 
     points += evaluate(_design(region, max(_points_for(count, first), 2 * count + 4), rng))
     for left in range(_ROUNDS - 1, -1, -1):
         if len(points) < _points_for(count, 2):
-            raise FitError("too few of the points around the estimate can be simulated", where="posterior")
+            raise FitError(
+                "too few of the points around the estimate can be simulated", where="posterior"
+            )
         polynomial, unsure = _through(points)
         density = LogDensity(region, polynomial, math.nan, tried)
         fresh = sample(density, 4 * _ENSEMBLES * _WALKERS, int(rng.integers(2**31)))[0][:, -1]
@@ -191,8 +211,12 @@ def fit_log_density(exact: Exact, region: Region, seed: int) -> LogDensity:
         if error < _GOOD or not left:
             break
         lacking = _points_for(count, _HIGHEST) - len(points)
-        points += evaluate(_design(region, 1 + 2 * count + min(max(lacking, 0), len(points)), rng)[1 + 2 * count :])
-    return LogDensity(region, _through(points)[0], error, tried)  # the draws that were checked count, too
+        points += evaluate(
+            _design(region, 1 + 2 * count + min(max(lacking, 0), len(points)), rng)[1 + 2 * count :]
+        )
+    return LogDensity(
+        region, _through(points)[0], error, tried
+    )  # the draws that were checked count, too
 
 
 def _points_for(count: int, degree: int) -> int:
@@ -220,14 +244,18 @@ def _through(points: Sequence[_Point]) -> tuple[Polynomial, Callable[[Array], tu
     degree, scatter = _predicting(degrees, u, more)
     trend = Polynomial.through(degree, u, more)
     whole = polynomial.coefficients.copy()
-    whole[: len(trend.coefficients)] += trend.coefficients  # terms stand in the order of their degrees
+    whole[: len(trend.coefficients)] += (
+        trend.coefficients
+    )  # terms stand in the order of their degrees
     held = np.linalg.pinv(_weights(u)[:, None] * Polynomial.rows(trend.powers, u))
     return Polynomial(polynomial.powers, whole), lambda at: (
         trend(at), scatter * np.linalg.norm(Polynomial.rows(trend.powers, at) @ held, axis=1)
     )  # fmt: skip
 
 
-def _predicting(degrees: Sequence[int], u: Array, values: Array, slopes: Array | None = None) -> tuple[int, float]:
+def _predicting(
+    degrees: Sequence[int], u: Array, values: Array, slopes: Array | None = None
+) -> tuple[int, float]:
     """Degree that predicts values at points left out best, and by how much these are off (weighted rms)."""
     fold = np.arange(len(u)) % _FOLDS
     errors = []
@@ -269,11 +297,16 @@ def sample(density: LogDensity, count: int, seed: int) -> tuple[Array, float]:
     chains, accepted = [], []
     for k in range(_ENSEMBLES):
         rng = np.random.default_rng([seed, k])
-        moves = [(emcee.moves.MHMove(_independent), 1.0 - _STRETCH), (emcee.moves.StretchMove(), _STRETCH)]
+        moves = [
+            (emcee.moves.MHMove(_independent), 1.0 - _STRETCH),
+            (emcee.moves.StretchMove(), _STRETCH),
+        ]
         sampler = emcee.EnsembleSampler(walkers, size, density, moves=moves, vectorize=True)
         state = emcee.State(_start_points(density, walkers, rng))
         sampler.random_state = np.random.RandomState(int(rng.integers(2**31))).get_state()
-        warm = sampler.run_mcmc(state, max(50, steps // 10), skip_initial_state_check=True, store=False)
+        warm = sampler.run_mcmc(
+            state, max(50, steps // 10), skip_initial_state_check=True, store=False
+        )
         sampler.run_mcmc(warm, steps, skip_initial_state_check=True)
         chains.append(np.swapaxes(sampler.get_chain(), 0, 1))
         accepted.append(float(np.mean(sampler.acceptance_fraction)))
@@ -336,7 +369,10 @@ def profile(density: LogDensity, i: int, count: int = 61) -> tuple[Array, Array]
     region = density.region
     spread = float(np.sqrt((region.root @ region.root.T)[i, i]))
     reach = min(4.0, region.radius) * spread
-    low, high = max(region.lower[i], region.centre[i] - reach), min(region.upper[i], region.centre[i] + reach)
+    low, high = (
+        max(region.lower[i], region.centre[i] - reach),
+        min(region.upper[i], region.centre[i] + reach),
+    )
     values = np.linspace(low, high, count)
     others = [j for j in range(len(region.centre)) if j != i]
     cov = region.root @ region.root.T
@@ -360,7 +396,12 @@ def _better(density: LogDensity, candidate: Array, other: Array, value: float, i
 
 
 def _climb(
-    density: LogDensity, begin: Array, value: float, i: int, others: list[int], minimize: Callable[..., object]
+    density: LogDensity,
+    begin: Array,
+    value: float,
+    i: int,
+    others: list[int],
+    minimize: Callable[..., object],
 ) -> tuple[Array, float]:
     """Where the density is greatest with unknown ``i`` held, and its logarithm there."""
     x = begin.copy()
@@ -380,6 +421,8 @@ def _climb(
         (max(-3.0, (region.lower[j] - begin[j]) / s), min(3.0, (region.upper[j] - begin[j]) / s))
         for j, s in zip(others, scale, strict=True)
     ]
-    result: object = minimize(negative_density, np.zeros(len(others)), jac=True, method="L-BFGS-B", bounds=bounds)
+    result: object = minimize(
+        negative_density, np.zeros(len(others)), jac=True, method="L-BFGS-B", bounds=bounds
+    )
     height = -negative_density(np.asarray(result.x))[0]  # type: ignore[attr-defined]
     return x.copy(), height

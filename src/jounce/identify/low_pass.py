@@ -6,7 +6,10 @@ import numpy as np
 
 from jounce.core.types import Array
 
-_FALL, _STEADY = 25.0, 6.0  # power of the noise over that at the top: all in all, and two octaves below it
+_FALL, _STEADY = (
+    25.0,
+    6.0,
+)  # power of the noise over that at the top: all in all, and two octaves below it
 _EXACT = 1e-6  # of the range: no noise at all
 _ROUNDING = 4.0  # times the power of rounding: no noise is left there
 _MORE = 1.5  # times the power of a record: a low pass leaves half at its corner, and the fit makes up for some
@@ -27,12 +30,19 @@ def low_pass_corner(
         return None
     count = len(residual)
     window = np.hanning(count)
-    spectrum = np.abs(np.fft.rfft(window * (residual - residual.mean()))) ** 2 * 2.0 / (rate * float(window @ window))
+    spectrum = (
+        np.abs(np.fft.rfft(window * (residual - residual.mean()))) ** 2
+        * 2.0
+        / (rate * float(window @ window))
+    )
     at = np.fft.rfftfreq(count, 1.0 / rate)
     between = np.abs(at / frequency - np.round(at / frequency)) > _HARMONIC
     powers, top = [], 0.48 * rate
     # Below three times the frequency the motion leaves no lines for noise.
-    while top > 3.0 * frequency and np.count_nonzero(inside := between & (at > 0.5 * top) & (at <= top)) >= 3:
+    while (
+        top > 3.0 * frequency
+        and np.count_nonzero(inside := between & (at > 0.5 * top) & (at <= top)) >= 3
+    ):
         powers.append(float(np.quantile(spectrum[inside], 0.25)))
         top *= 0.5
     if len(powers) < _LEAST:
@@ -53,9 +63,15 @@ def smoother_corner(signal: Array, response: Array, rate: float, *, near: float)
     A response with dry friction has corners, a record behind a low pass has none. Both are sampled at ``rate`` (Hz).
     """
     window = np.hanning(len(signal))
-    measured, fitted = (np.abs(np.fft.rfft(window * (record - record.mean()))) ** 2 for record in (signal, response))
+    measured, fitted = (
+        np.abs(np.fft.rfft(window * (record - record.mean()))) ** 2 for record in (signal, response)
+    )
     at = np.fft.rfftfreq(len(signal), 1.0 / rate)
-    corner, top, lacks = None, 0.48 * rate, _STEADY  # noise makes a record richer than its response, never poorer
+    corner, top, lacks = (
+        None,
+        0.48 * rate,
+        _STEADY,
+    )  # noise makes a record richer than its response, never poorer
     while np.count_nonzero(inside := (at > 0.5 * top) & (at <= top)) >= _LEAST:
         if float(np.median(fitted[inside])) <= lacks * float(np.median(measured[inside])):
             break

@@ -117,7 +117,9 @@ class NextTrials(Plain, Shown):
         return "\n".join([*lines, f"one after the other: {best}", *map(str, self.findings)])
 
 
-def next_trials(found: Posterior | Basis, candidates: Sequence[Candidate], *, count: int = 3) -> NextTrials:
+def next_trials(
+    found: Posterior | Basis, candidates: Sequence[Candidate], *, count: int = 3
+) -> NextTrials:
     """Rank trials by the information that they are expected to give about the parameters of a posterior.
 
     Parameters
@@ -175,7 +177,9 @@ def next_trials(found: Posterior | Basis, candidates: Sequence[Candidate], *, co
     def gain_of(name: str, known: Array) -> CandidateGain:
         before, after = judge.covariance(known), judge.covariance(known + informations[name])
         gain = 0.5 * float(np.linalg.slogdet(before)[1] - np.linalg.slogdet(after)[1])
-        return CandidateGain(name, gain, dict(zip(paths, np.sqrt(np.diag(after)).tolist(), strict=True)))
+        return CandidateGain(
+            name, gain, dict(zip(paths, np.sqrt(np.diag(after)).tolist(), strict=True))
+        )
 
     every = sorted((gain_of(name, start) for name in informations), key=lambda judged: -judged.gain)
     series, known = [], start
@@ -199,7 +203,9 @@ def _simulated_recording(candidate: Candidate, basis: Basis) -> FitTrial:
     names = [str(name) for name in fitted.measured.data_vars]
     run = simulate(candidate.rig, candidate.trial, output_step=step, tolerance=1e-5)
     sensors = {**fitted.sensors, **candidate.sensors}
-    return FitTrial(candidate.name, candidate.rig, candidate.trial, run[[n for n in names if n in run]], sensors)
+    return FitTrial(
+        candidate.name, candidate.rig, candidate.trial, run[[n for n in names if n in run]], sensors
+    )
 
 
 class _NoiseOnly:
@@ -237,7 +243,9 @@ class _NoiseOnly:
             rows.append(table[:, 1:] * scales / basis.residual[channel.name])
             slopes.append(slope / basis.residual[channel.name])
         if not rows:
-            raise FitError("none of the fitted channels", where=trial.name, allowed=", ".join(basis.residual))
+            raise FitError(
+                "none of the fitted channels", where=trial.name, allowed=", ".join(basis.residual)
+            )
         jacobian = np.vstack(rows)
         if basis.settings.fits_lags:
             project_out(jacobian, np.concatenate(slopes))
@@ -253,7 +261,9 @@ class _WithDoubt:
         self.fit = basis.calibration
         self.read = readings_of(self.fit)
         size = self.read.slopes.shape[-1]
-        self.start: Array = np.asarray(np.linalg.inv(self.fit.step.covariance[:size, :size]), dtype=float)
+        self.start: Array = np.asarray(
+            np.linalg.inv(self.fit.step.covariance[:size, :size]), dtype=float
+        )
         self.noise = self.fit.step.noise
         self.rest = {name: share / OBSERVATIONS for name, share in self.fit.rest.items()}
 
@@ -264,4 +274,6 @@ class _WithDoubt:
 
     def information(self, candidate: Candidate) -> Array:
         """Information that a trial adds; the unexplained part grows with the signal, as in the fitted trials."""
-        return candidate_information(self.fit, _simulated_recording(candidate, self.basis), self.noise, self.rest)
+        return candidate_information(
+            self.fit, _simulated_recording(candidate, self.basis), self.noise, self.rest
+        )

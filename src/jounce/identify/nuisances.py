@@ -51,7 +51,11 @@ class SearchedNuisance:
     def width(self) -> float:
         """Deviation that its bounds allow (1): a share of the speed, the logarithm of a corner."""
         free = self.free
-        return free.half_range / free.initial if self.name == SPEED else 0.5 * math.log(free.upper / free.lower)
+        return (
+            free.half_range / free.initial
+            if self.name == SPEED
+            else 0.5 * math.log(free.upper / free.lower)
+        )
 
     @property
     def is_inverse(self) -> bool:
@@ -111,7 +115,10 @@ class SearchedStart:
         """The trial started at this distance from equilibrium."""
         if not self.concerns(trial):
             return trial
-        offset = {state: trial.offset.get(state, 0.0) + amplitude * value for state, value in self.shape.items()}
+        offset = {
+            state: trial.offset.get(state, 0.0) + amplitude * value
+            for state, value in self.shape.items()
+        }
         return replace(trial, offset=offset)
 
 
@@ -137,13 +144,19 @@ def _starts_of(given: Any, trials: Sequence[FitTrial], place: str) -> list[Searc
     """Amplitudes of each trial's vibrations, within plus and minus what is given (m)."""
     largest = to_si(given, "m", where=place)
     if largest <= 0.0:
-        raise FitError("not an amplitude", where=place, found=given, allowed='a length above zero, e.g. "2 mm"')
+        raise FitError(
+            "not an amplitude", where=place, found=given, allowed='a length above zero, e.g. "2 mm"'
+        )
     starts = []
     for trial in filter(begins_unknown, trials):
         for motion in start_motions(trial):
             for way, shape in (("displaced", motion.displaced), ("moving", motion.moving)):
                 name = f"{trial.name}: {START}, {motion.frequency:.3g} Hz {way}"
-                starts.append(SearchedStart(name, trial.name, shape, FreeParameter(name, 0.0, -largest, largest)))
+                starts.append(
+                    SearchedStart(
+                        name, trial.name, shape, FreeParameter(name, 0.0, -largest, largest)
+                    )
+                )
     if not starts:
         raise FitError(
             "no trial begins where its start could be seen",
@@ -167,7 +180,9 @@ def nuisances_of(
     Corners start in the middle of their bounds until a better start is known.
     """
     channels = [str(name) for name in trials[0].measured.data_vars]
-    rate = min(1.0 / float(np.median(np.diff(trial.measured["time"].to_numpy()))) for trial in trials)
+    rate = min(
+        1.0 / float(np.median(np.diff(trial.measured["time"].to_numpy()))) for trial in trials
+    )
     nuisances: list[SearchedNuisance | SearchedStart] = []
     for name, bounds in given.items():
         place = f"{where}: {name}"
@@ -184,10 +199,15 @@ def nuisances_of(
         channel = name.removesuffix(LOW_PASS)
         if not name.endswith(LOW_PASS) or channel not in channels:
             raise unknown(
-                name, [SPEED, START, *(f"{known}{LOW_PASS}" for known in channels)], what="nuisance", where=where
+                name,
+                [SPEED, START, *(f"{known}{LOW_PASS}" for known in channels)],
+                what="nuisance",
+                where=where,
             )
         if not isinstance(bounds, Sequence) or isinstance(bounds, str) or len(bounds) != 2:
-            raise FitError("not a pair of bounds", where=place, found=bounds, allowed='["20 Hz", "400 Hz"]')
+            raise FitError(
+                "not a pair of bounds", where=place, found=bounds, allowed='["20 Hz", "400 Hz"]'
+            )
         low, high = (to_si(value, "Hz", where=place) for value in bounds)
         high = min(high, FASTEST * rate)
         if not 0.0 < low < high:
@@ -196,9 +216,13 @@ def nuisances_of(
                 fastest=FASTEST * rate,
                 second_fastest=FASTEST,
             )
-            raise FitError("no corners between the bounds", where=place, found=list(bounds), allowed=allowed)
+            raise FitError(
+                "no corners between the bounds", where=place, found=list(bounds), allowed=allowed
+            )
         nuisances.append(
-            SearchedNuisance(name, FreeParameter(name, 0.5 * (1.0 / low + 1.0 / high), 1.0 / high, 1.0 / low))
+            SearchedNuisance(
+                name, FreeParameter(name, 0.5 * (1.0 / low + 1.0 / high), 1.0 / high, 1.0 / low)
+            )
         )
     return tuple(nuisances)
 
@@ -208,10 +232,14 @@ def _speeds(bounds: Any, speed: float, place: str) -> tuple[float, float]:
     if isinstance(bounds, str | int | float):
         share = to_si(bounds, "1", where=place)
         if not 0.0 < share < 1.0:
-            raise FitError("not a share of the speed", where=place, found=bounds, allowed='e.g. "5 %"')
+            raise FitError(
+                "not a share of the speed", where=place, found=bounds, allowed='e.g. "5 %"'
+            )
         return speed * (1.0 - share), speed * (1.0 + share)
     if not isinstance(bounds, Sequence) or len(bounds) != 2:
-        raise FitError("not a range of speeds", where=place, found=bounds, allowed='"5 %" or [lower, upper]')
+        raise FitError(
+            "not a range of speeds", where=place, found=bounds, allowed='"5 %" or [lower, upper]'
+        )
     lower, upper = (to_si(value, "m/s", where=place) for value in bounds)
     if not 0.0 < lower < speed < upper:
         raise FitError(

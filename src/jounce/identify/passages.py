@@ -173,7 +173,11 @@ def find_passages(
     time = np.asarray(data["time"].to_numpy(), dtype=float)
     step = float(time[-1] - time[0]) / (len(time) - 1)
     expected = _response(rig, road, velocity, step, sensors or {})
-    names = [str(c) for c in data.data_vars if c in expected.signals and (channels is None or c in channels)]
+    names = [
+        str(c)
+        for c in data.data_vars
+        if c in expected.signals and (channels is None or c in channels)
+    ]
     if not names:
         raise FitError(
             "the recording holds no channel that the model gives",
@@ -202,7 +206,9 @@ def find_passages(
             ),
             hint="Check speed, obstacle, columns and units; is it the record of another trial?",
         )
-        error.sought = _sought(data, names, sign * signs, expected, best, step, float(sign * like[best]))
+        error.sought = _sought(
+            data, names, sign * signs, expected, best, step, float(sign * like[best])
+        )
         raise error
     onset = sign * _likeness(recorded, expected.window(names, expected.onset), ahead)[0]
     samples = None if expected.period is None else expected.period / step
@@ -214,11 +220,17 @@ def find_passages(
     findings = _sign_findings(sign * signs, names, name)
     if road.recurrence is None:
         others = _repeated_meetings(onset, like * sign * power, int(at[0]), expected.length)
-        again = (time[0] + step * (others - ahead + _fractions(onset, others)) + expected.lead).tolist()
+        again = (
+            time[0] + step * (others - ahead + _fractions(onset, others)) + expected.lead
+        ).tolist()
         if again:
             listed = ", ".join(f"{instant:.3g} s" for instant in sorted([*again, times[0]]))
-            findings.append(finding("identify.met_again", name, float(len(again) + 1), times=listed))
-        return Passages((float(times[0]),), values, velocity, again=tuple(again), findings=tuple(findings))
+            findings.append(
+                finding("identify.met_again", name, float(len(again) + 1), times=listed)
+            )
+        return Passages(
+            (float(times[0]),), values, velocity, again=tuple(again), findings=tuple(findings)
+        )
     if len(times) > 2:
         behind = _another_obstacle(onset, power, at, expected, names) * step * velocity
         if behind > 0.0:
@@ -265,7 +277,9 @@ def _first(road: Road) -> float:
     return road.end() - road.start
 
 
-def _response(rig: Rig, road: Road, speed: float, step: float, sensors: Mapping[str, Sensor]) -> _Expected:
+def _response(
+    rig: Rig, road: Road, speed: float, step: float, sensors: Mapping[str, Sensor]
+) -> _Expected:
     length = road.end() - road.start
     if road.recurrence is not None:
         trial, begin = running_trial(rig, road, speed)
@@ -274,16 +288,24 @@ def _response(rig: Rig, road: Road, speed: float, step: float, sensors: Mapping[
     else:
         lead, period, begin = 0.02, None, 0.0
         span = lead + length / speed + _AFTER
-        trial = Trial(road=road.model_copy(update={"start": lead * speed}), speed=speed, duration=span)
+        trial = Trial(
+            road=road.model_copy(update={"start": lead * speed}), speed=speed, duration=span
+        )
     run = solve(rig, trial, RunSettings(step, 1e-4))
     first = int(np.searchsorted(run.time, begin - 0.5 * step))
     signals = {}
     for name, (values, _, _) in run.channels.items():
-        seen = filter_signals(values, 1.0 / step, sensors[name], where=name) if name in sensors else values
+        seen = (
+            filter_signals(values, 1.0 / step, sensors[name], where=name)
+            if name in sensors
+            else values
+        )
         signals[name] = seen[first:]
     onset = min(lead + _first(road) / speed + _ONSET, span)
     last = (length - _first(road)) / speed
-    return _Expected(signals, lead, round(span / step), round(onset / step), round(last / step), period)
+    return _Expected(
+        signals, lead, round(span / step), round(onset / step), round(last / step), period
+    )
 
 
 # finding --------------------------------------------------------------------------------------------------------------
@@ -338,7 +360,9 @@ def _peaks(like: Array, power: Array, step: float, period: float | None) -> tupl
     if period is None:
         return np.array([best]), sign
     padded = np.concatenate([[-1.0], score, [-1.0]])
-    at, _ = find_peaks(padded, height=_SHARE * score[best], distance=max(1, round(_APART * period / step)))
+    at, _ = find_peaks(
+        padded, height=_SHARE * score[best], distance=max(1, round(_APART * period / step))
+    )
     at = at - 1
     return at[sign * like[at] >= _LIKE * _SHARE], sign
 
@@ -348,7 +372,13 @@ _SHARE = 0.6
 
 
 def _sought(
-    data: xr.Dataset, names: Sequence[str], signs: Array, expected: _Expected, best: int, step: float, likeness: float
+    data: xr.Dataset,
+    names: Sequence[str],
+    signs: Array,
+    expected: _Expected,
+    best: int,
+    step: float,
+    likeness: float,
 ) -> Sought:
     """The model's response where the record is most like it, each channel about its mean and with the likelier sign."""
     begin = float(data["time"][0]) + best * step - expected.lead
@@ -357,7 +387,11 @@ def _sought(
     for name, sign in zip(names, signs, strict=True):
         values = sign * expected.signals[name][:count]
         middle = float(data[name].mean()) - float(values.mean())
-        channels[name] = values + middle, str(data[name].attrs["units"]), str(data[name].attrs.get("long_name", ""))
+        channels[name] = (
+            values + middle,
+            str(data[name].attrs["units"]),
+            str(data[name].attrs.get("long_name", "")),
+        )
     clock = begin + step * np.arange(count)
     return Sought(data[list(names)], recording_of(clock, channels, attributes={}), likeness)
 
@@ -369,10 +403,16 @@ def _repeated_meetings(onset: Array, score: Array, at: int, length: int) -> np.n
     padded = np.concatenate([[-1.0], score, [-1.0]])
     peaks = find_peaks(padded, height=_SHARE * score.max(), distance=length)[0] - 1
     surest = np.array([_argmax_near(onset, int(i), length // 2) for i in peaks], dtype=int)
-    return surest[(onset[surest] >= _CLEAR) & (np.abs(surest - at) > length)] if len(surest) else surest
+    return (
+        surest[(onset[surest] >= _CLEAR) & (np.abs(surest - at) > length)]
+        if len(surest)
+        else surest
+    )
 
 
-def _another_obstacle(onset: Array, power: Array, at: np.ndarray, expected: _Expected, names: Sequence[str]) -> int:
+def _another_obstacle(
+    onset: Array, power: Array, at: np.ndarray, expected: _Expected, names: Sequence[str]
+) -> int:
     """Samples from the start of an obstacle to another one that every loop holds beside those of the road; 0: none.
 
     Wheel and body swing on and look like another obstacle a little; how much the model's own loop tells.
@@ -397,7 +437,9 @@ _MORE_ALIKE = 0.3
 """How much more a place of the loop is like the onset than the same place of the model's loop, to be an obstacle."""
 
 
-def _at_onset(onset: Array, whole: Array, at: np.ndarray, reach: int, near: int, period: float | None) -> np.ndarray:
+def _at_onset(
+    onset: Array, whole: Array, at: np.ndarray, reach: int, near: int, period: float | None
+) -> np.ndarray:
     """Move passages to where the record begins to look like the response to the first obstacle, evenly apart.
 
     What follows in a train depends too much on masses and damping. From the surest passage on, the next ones are looked
@@ -455,7 +497,10 @@ def _signs(recorded: Array, window: Array, ahead: int) -> Array:
 
     A channel is reversed only where it clearly is the response upside down: one that shows little keeps its sign.
     """
-    each = [_likeness(row[None, :], wanted[None, :], ahead) for row, wanted in zip(recorded, window, strict=True)]
+    each = [
+        _likeness(row[None, :], wanted[None, :], ahead)
+        for row, wanted in zip(recorded, window, strict=True)
+    ]
     best = int(np.argmax(sum(np.abs(like) * power**2 for like, power in each)))
     return np.array([-1.0 if like[best] < -_LIKE else 1.0 for like, _ in each])
 
@@ -478,7 +523,9 @@ def _average_loops(
     """Speed, average and scatter of a record with several passages."""
     periods = np.diff(times)
     usual = float(np.median(periods))
-    whole = np.maximum(np.round(periods / usual), 1.0)  # a passage between them may not have been recognised
+    whole = np.maximum(
+        np.round(periods / usual), 1.0
+    )  # a passage between them may not have been recognised
     period = float((times[-1] - times[0]) / whole.sum())
     speed = belt / period
     if abs(speed / stated - 1.0) > _SLIPS:
@@ -494,13 +541,18 @@ def _average_loops(
     odd = tuple(int(begun[k]) + 1 for k in np.flatnonzero(~chosen))
     if odd:
         listed = ", ".join(map(str, odd))
-        is_alternating = len(odd) > 2 and set(np.diff(odd)) == {2} and len(odd) >= (len(loops) - 1) // 2
+        is_alternating = (
+            len(odd) > 2 and set(np.diff(odd)) == {2} and len(odd) >= (len(loops) - 1) // 2
+        )
         code = "identify.alternating_passages" if is_alternating else "identify.odd_passages"
         findings.append(finding(code, where, float(len(odd)), odd=listed, count=len(times)))
     mean, scatter = loops[chosen].mean(axis=0), loops[chosen].std(axis=0, ddof=1)
     size = np.sqrt(np.mean((mean - mean.mean(axis=1, keepdims=True)) ** 2, axis=1))
     spread = np.sqrt(np.mean(scatter**2, axis=1))
-    repeat = {name: float(s / m) if m > 0.0 else math.inf for name, s, m in zip(names, spread, size, strict=True)}
+    repeat = {
+        name: float(s / m) if m > 0.0 else math.inf
+        for name, s, m in zip(names, spread, size, strict=True)
+    }
     return Passages(
         tuple(map(float, times)),
         likeness,

@@ -28,7 +28,14 @@ from jounce.identify.densities import Basis, DoubtDensity, NoiseDensity
 from jounce.identify.discrepancy import FEWEST_TRIALS, noise_variance, readings_of
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of
-from jounce.identify.fit_problem import Channel, FitTrial, FreeParameter, Residuals, UpdateProblem, free_parameters
+from jounce.identify.fit_problem import (
+    Channel,
+    FitTrial,
+    FreeParameter,
+    Residuals,
+    UpdateProblem,
+    free_parameters,
+)
 from jounce.identify.log_density import (
     Convergence,
     LogDensity,
@@ -47,7 +54,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-_FEWEST, _MOST = 1000, 10_000_000  # draws: 25 lie beyond each end of a 95 % interval; 80 MB for each parameter
+_FEWEST, _MOST = (
+    1000,
+    10_000_000,
+)  # draws: 25 lie beyond each end of a 95 % interval; 80 MB for each parameter
 HALF_DROP = 1.920729410347062
 """Of the log likelihood at the ends of a 95 % interval: chi^2 of one freedom over two."""
 MOST_R_HAT, FEWEST_DRAWS = 1.01, 400.0
@@ -129,7 +139,9 @@ class LikelihoodProfile(Shown):
             for k in side:
                 if self.log_likelihood[k] < -HALF_DROP:
                     pair = sorted((k, before), key=lambda i: self.log_likelihood[i])
-                    ends.append(float(np.interp(-HALF_DROP, self.log_likelihood[pair], self.values[pair])))
+                    ends.append(
+                        float(np.interp(-HALF_DROP, self.log_likelihood[pair], self.values[pair]))
+                    )
                     break
                 before = k
         return (ends[0], ends[1]) if len(ends) == 2 else None
@@ -213,7 +225,10 @@ class UpdatedDensity:
 
 
 def update_with_density(
-    trials: Sequence[FitTrial], free: Mapping[str, Any], settings: UpdateSettings, progress: Progress
+    trials: Sequence[FitTrial],
+    free: Mapping[str, Any],
+    settings: UpdateSettings,
+    progress: Progress,
 ) -> UpdatedDensity:
     """Update a model, and return the density of its parameters with its basis."""
     name, doubt = settings.name, settings.doubts
@@ -227,7 +242,9 @@ def update_with_density(
     if doubt is not None and len(trials) >= FEWEST_TRIALS:
         if calibration is None:
             why = next(item.message for item in update.findings if item.place == "intervals")
-            raise FitError("model error cannot be included", where=name, found=why, hint="Leave out doubt.")
+            raise FitError(
+                "model error cannot be included", where=name, found=why, hint="Leave out doubt."
+            )
         calibration.problem.tolerance = _TOLERANCE
         density: NoiseDensity | DoubtDensity = DoubtDensity(calibration)
         basis = Basis(tuple(trials), limits, calibration, density.covariance, values, settings)
@@ -235,7 +252,11 @@ def update_with_density(
         if doubt is not None:
             findings.append(
                 finding(
-                    "identify.posterior_of_noise", "posterior", len(trials), fewest=FEWEST_TRIALS, trials=len(trials)
+                    "identify.posterior_of_noise",
+                    "posterior",
+                    len(trials),
+                    fewest=FEWEST_TRIALS,
+                    trials=len(trials),
                 )
             )
         problem = UpdateProblem(trials, limits, settings)
@@ -332,7 +353,9 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     """
     trials = [trials] if isinstance(trials, FitTrial) else trials
     predict = [predict] if isinstance(predict, FitTrial) else predict
-    settings = UpdateSettings(name, method, weights, channels, align, starts=starts, doubt=doubt, bench=bench)
+    settings = UpdateSettings(
+        name, method, weights, channels, align, starts=starts, doubt=doubt, bench=bench
+    )
     return posterior_with(
         trials, free, settings, draws=draws, seed=seed, predict=predict, predicted_with=predicted_with,
         progress=progress,
@@ -356,13 +379,17 @@ def posterior_with(
     progress(Phrase("{name}: {draws} draws", name=name, draws=draws))
     units = {item.path: result_unit_of(basis.trials[0].rig, item.path) for item in limits}
     sampled = _sample_and_describe(name, density, table, limits, units, draws, seed, update)
-    result = replace(sampled, update=update, basis=basis, findings=(*at.findings, *sampled.findings))
+    result = replace(
+        sampled, update=update, basis=basis, findings=(*at.findings, *sampled.findings)
+    )
     if not chosen:
         return result
     progress(Phrase("{name}: what it predicts for {count} trials", name=name, count=len(chosen)))
     predictions = bands_of(density, basis, result.samples, chosen, predicted_with, seed)
     return replace(
-        result, predictions=predictions, findings=(*result.findings, *_missed_predictions(result, predictions))
+        result,
+        predictions=predictions,
+        findings=(*result.findings, *_missed_predictions(result, predictions)),
     )
 
 
@@ -429,7 +456,9 @@ def posterior_of(
         -np.ones(len(limits)), np.ones(len(limits)), np.full(len(limits), -np.inf),
     )  # fmt: skip
     table = fit_log_density(density, density.region, seed)
-    return _sample_and_describe(name, density, table, limits, dict.fromkeys(free, ""), draws, seed, None)
+    return _sample_and_describe(
+        name, density, table, limits, dict.fromkeys(free, ""), draws, seed, None
+    )
 
 
 @dataclass(frozen=True)
@@ -446,18 +475,28 @@ class _Given:
             vector, jacobian = (np.asarray(part, dtype=float) for part in self.function(values))
         except TypeError:
             allowed = "residuals, shape (n,), and their derivatives, shape (n, m)"
-            raise FitError("the function returns something else", where="residuals", allowed=allowed) from None
+            raise FitError(
+                "the function returns something else", where="residuals", allowed=allowed
+            ) from None
         whole = slice(0, len(vector))
-        direct = jacobian.reshape(len(vector), -1) * np.array([item.half_range for item in self.free])
+        direct = jacobian.reshape(len(vector), -1) * np.array(
+            [item.half_range for item in self.free]
+        )
         return Residuals(vector, direct, np.zeros(len(vector)), (whole,), (whole,), np.zeros(1))
 
 
 def _check_counts(draws: int, predicted_with: int, seed: int) -> None:
     check_seed(seed, FitError)
-    for where, given, low, high in (("draws", draws, _FEWEST, _MOST), ("predicted_with", predicted_with, 2, 10_000)):
+    for where, given, low, high in (
+        ("draws", draws, _FEWEST, _MOST),
+        ("predicted_with", predicted_with, 2, 10_000),
+    ):
         if not (is_whole(given) and low <= given <= high):
             raise FitError(
-                "not a number of draws", where=where, found=given, allowed=Phrase("{low} to {high}", low=low, high=high)
+                "not a number of draws",
+                where=where,
+                found=given,
+                allowed=Phrase("{low} to {high}", low=low, high=high),
             )
 
 
@@ -466,21 +505,27 @@ def _check_names(trials: Sequence[FitTrial], where: str) -> None:
     names = [trial.name for trial in trials]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise FitError("two trials of one name", where=where, found=twice, hint="Give each its own name.")
+        raise FitError(
+            "two trials of one name", where=where, found=twice, hint="Give each its own name."
+        )
 
 
 def _noise_level(channel: Channel, residual: Array) -> float:
     return max(noise_variance(residual), (channel.noise or 0.0) ** 2)
 
 
-def _levels_of(problem: UpdateProblem, best: Array, power: Callable[[Channel, Array], float]) -> dict[str, float]:
+def _levels_of(
+    problem: UpdateProblem, best: Array, power: Callable[[Channel, Array], float]
+) -> dict[str, float]:
     """Standard deviation (SI) by channel, from a power of the residuals."""
     powers: dict[str, list[float]] = {}
     residuals = problem.residuals(best)
     channels = [channel for trial in problem.trials for channel in trial.channels]
     for channel, block in zip(channels, residuals.blocks, strict=True):
         if channel.weight > 0.0:
-            powers.setdefault(channel.name, []).append(power(channel, residuals.vector[block] / channel.weight))
+            powers.setdefault(channel.name, []).append(
+                power(channel, residuals.vector[block] / channel.weight)
+            )
     return {name: float(np.sqrt(np.mean(values))) for name, values in powers.items()}
 
 
@@ -500,10 +545,16 @@ def _sample_and_describe(
     if isinstance(density, DoubtDensity):
         columns = _readings(density, x, free, seed) | columns
     data = {
-        name: (("chain", "draw"), column.reshape(chains, each), {"units": units[name.rpartition(" of ")[2]]})
+        name: (
+            ("chain", "draw"),
+            column.reshape(chains, each),
+            {"units": units[name.rpartition(" of ")[2]]},
+        )
         for name, column in columns.items()
     }
-    samples = xr.Dataset(data, {"chain": np.arange(chains), "draw": np.arange(each)}, {"seed": seed, "update": name})
+    samples = xr.Dataset(
+        data, {"chain": np.arange(chains), "draw": np.arange(each)}, {"seed": seed, "update": name}
+    )
     errors = np.sqrt(np.diag(density.covariance))
     profiles, parameters = {}, {}
     for i, item in enumerate(free):
@@ -540,7 +591,9 @@ def _sample_and_describe(
     )  # fmt: skip
 
 
-def _readings(density: DoubtDensity, x: Array, free: Sequence[FreeParameter], seed: int) -> dict[str, Array]:
+def _readings(
+    density: DoubtDensity, x: Array, free: Sequence[FreeParameter], seed: int
+) -> dict[str, Array]:
     """Draws of what a test machine gives of each part, and of the model's law over the ride, SI.
 
     The unexplained rest is known from as many trials only: deviations have the tails of Student's t distribution.
@@ -561,12 +614,17 @@ def _readings(density: DoubtDensity, x: Array, free: Sequence[FreeParameter], se
             tails = np.sqrt(freedom / chi2.ppf(level, freedom)) if freedom < 1e4 else 1.0
             centre = float(np.mean(moved[:, i]))
             values = read.values[k, i] + centre + tails * (moved[:, i] - centre)
-            columns[f"{kind} of {item.path}"] = np.maximum(values, 0.0) if item.lower >= 0.0 else values
+            columns[f"{kind} of {item.path}"] = (
+                np.maximum(values, 0.0) if item.lower >= 0.0 else values
+            )
     return columns
 
 
 def _weak(
-    parameters: Mapping[str, PosteriorParameter], error: float, free: Sequence[FreeParameter], counted: str
+    parameters: Mapping[str, PosteriorParameter],
+    error: float,
+    free: Sequence[FreeParameter],
+    counted: str,
 ) -> list[Finding]:
     findings = []
     if error > MOST_ERROR:
@@ -586,15 +644,25 @@ def _weak(
     for item in free if counted == "noise only" else ():
         low, high = parameters[item.path].interval
         # A fiftieth of its interval: a bound there cuts off draws.
-        near = [end for end, at in ((low, item.lower), (high, item.upper)) if abs(end - at) < 0.02 * (high - low)]
+        near = [
+            end
+            for end, at in ((low, item.lower), (high, item.upper))
+            if abs(end - at) < 0.02 * (high - low)
+        ]
         if near:
             findings.append(finding("identify.draws_at_bound", item.path, near[0]))
     return findings
 
 
-def _missed_predictions(posterior: Posterior, predictions: Mapping[str, Mapping[str, PredictionBand]]) -> list[Finding]:
+def _missed_predictions(
+    posterior: Posterior, predictions: Mapping[str, Mapping[str, PredictionBand]]
+) -> list[Finding]:
     """Say where much lies outside of what was predicted."""
-    every = [(band.inside, f"{t}, {c}") for t, channels in predictions.items() for c, band in channels.items()]
+    every = [
+        (band.inside, f"{t}, {c}")
+        for t, channels in predictions.items()
+        for c, band in channels.items()
+    ]
     missed = sorted(entry for entry in every if entry[0] < _LITTLE)
     if not missed:
         return []

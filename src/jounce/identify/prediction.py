@@ -78,7 +78,9 @@ def bands_of(
     law = law[rows]
     fitted = {trial.name for trial in basis.trials}
     if isinstance(density, DoubtDensity):
-        scaled = np.array([[item.scale(v) for item, v in zip(free, row, strict=True)] for row in law])
+        scaled = np.array(
+            [[item.scale(v) for item, v in zip(free, row, strict=True)] for row in law]
+        )
         curves = _richer(density, trials, scaled, seed, basis.settings)
     else:
         curves = [_plain(trial, free, law, basis.settings) for trial in trials]
@@ -92,7 +94,9 @@ def bands_of(
             level = _moving(mean - mean[0], time)
             whole = np.sqrt(spread**2 + noise.get(name, 0.0) ** 2 + rest.get(name, 0.0) * level**2)
             inside = float(np.mean(np.abs(measured - mean) <= _TWO_SIDED * whole))
-            band = PredictionBand(time, measured, mean, spread, whole, inside, trial.name in fitted, unit)
+            band = PredictionBand(
+                time, measured, mean, spread, whole, inside, trial.name in fitted, unit
+            )
             bands.setdefault(trial.name, {})[name] = band
     return bands
 
@@ -101,7 +105,9 @@ _Curves = list[tuple[Channel, Array, str]]
 """Channels, what was simulated of each for every draw (draws, samples), and units."""
 
 
-def _plain(trial: FitTrial, free: Sequence[FreeParameter], law: Array, settings: UpdateSettings) -> _Curves:
+def _plain(
+    trial: FitTrial, free: Sequence[FreeParameter], law: Array, settings: UpdateSettings
+) -> _Curves:
     """Simulate a trial for each draw."""
     prepared = prepare_trial(trial, free, settings)
     names = prepared.compiled.facts.parameters
@@ -117,11 +123,17 @@ def _plain(trial: FitTrial, free: Sequence[FreeParameter], law: Array, settings:
             table = run.table(channel, solution)
             tables[channel.name].append(channel.offset(table, np.zeros(len(table)))[0][:, 0])
     units = {output.name: output.unit for output in prepared.compiled.facts.outputs}
-    return _lay_over_recording(prepared.channels, tables, units, prepared.rate, align=settings.fits_lags)
+    return _lay_over_recording(
+        prepared.channels, tables, units, prepared.rate, align=settings.fits_lags
+    )
 
 
 def _richer(
-    density: DoubtDensity, trials: Sequence[FitTrial], scaled: Array, seed: int, settings: UpdateSettings
+    density: DoubtDensity,
+    trials: Sequence[FitTrial],
+    scaled: Array,
+    seed: int,
+    settings: UpdateSettings,
 ) -> list[_Curves]:
     """The same with what may be wrong of model and measurement drawn, too."""
     doubts = density.doubts(scaled, seed)
@@ -132,7 +144,9 @@ def _richer(
         for x, step in zip(scaled, doubts, strict=True):
             for name, table in run.draw(x, step, rng).items():
                 tables.setdefault(name, []).append(table)
-        curves.append(_lay_over_recording(run.channels, tables, run.units, run.rate, align=settings.fits_lags))
+        curves.append(
+            _lay_over_recording(run.channels, tables, run.units, run.rate, align=settings.fits_lags)
+        )
     return curves
 
 
@@ -145,10 +159,18 @@ def _lay_over_recording(
     if align:
         most = max(channels, key=lambda channel: float(np.std(channel.measured)))
         late = float(estimate_lag(laid[most.name].mean(axis=0), most.measured, rate))
-        laid = {name: np.array(shift_signals(table.T, rate, late).T) for name, table in laid.items()}
+        laid = {
+            name: np.array(shift_signals(table.T, rate, late).T) for name, table in laid.items()
+        }
         for k in range(len(laid[most.name])):
             shifted = [
-                Shifted.of(c.measured, laid[c.name][k][:, None], c.weight, rate, offset=c.datum == "free offset")
+                Shifted.of(
+                    c.measured,
+                    laid[c.name][k][:, None],
+                    c.weight,
+                    rate,
+                    offset=c.datum == "free offset",
+                )
                 for c in channels
             ]
             lag = best_lag(shifted, _APART)
@@ -157,7 +179,9 @@ def _lay_over_recording(
     return [(channel, laid[channel.name], units[channel.name]) for channel in channels]
 
 
-def _levels(basis: Basis, density: NoiseDensity | DoubtDensity) -> tuple[Mapping[str, float], dict[str, float]]:
+def _levels(
+    basis: Basis, density: NoiseDensity | DoubtDensity
+) -> tuple[Mapping[str, float], dict[str, float]]:
     """Noise of each channel (SI), and what nothing explains as a share (1) of the power of the signal."""
     if not isinstance(density, DoubtDensity):
         return basis.noise, {}
@@ -168,5 +192,8 @@ def _levels(basis: Basis, density: NoiseDensity | DoubtDensity) -> tuple[Mapping
 def _moving(signal: Array, time: Array) -> Array:
     """Root mean square of a signal around each instant; near its ends of what there is."""
     width = max(1, min(round(_AROUND / max(float(np.median(np.diff(time))), 1e-9)), len(signal)))
-    total, count = (np.convolve(values, np.ones(width), mode="same") for values in (signal**2, np.ones(len(signal))))
+    total, count = (
+        np.convolve(values, np.ones(width), mode="same")
+        for values in (signal**2, np.ones(len(signal)))
+    )
     return np.asarray(np.sqrt(total / count))

@@ -58,20 +58,30 @@ def search_from_starts(
         return _until_two_agree(problem, start, method, seed)
     points = [start, *_spread(problem.size, starts - 1, seed)]
     if starts >= _MANY:
-        ends = sorted((end for _, end in _rough_ends(problem, points[1:])), key=lambda end: end.objective)
+        ends = sorted(
+            (end for _, end in _rough_ends(problem, points[1:])), key=lambda end: end.objective
+        )
         points = [start, *(end.scaled for end in _each_once(ends)[:_FINISHED])]
-    ends = sorted((minimise(problem, point, method) for point in points), key=lambda end: end.objective)
+    ends = sorted(
+        (minimise(problem, point, method) for point in points), key=lambda end: end.objective
+    )
     return SearchOutcome(ends[0], tuple(_each_once(ends)[1:]), starts, is_confirmed=True)
 
 
-_MANY, _FINISHED = 12, 4  # starts from which on they are sifted, and how many of the best are searched to their end
+_MANY, _FINISHED = (
+    12,
+    4,
+)  # starts from which on they are sifted, and how many of the best are searched to their end
 _FEWEST, _MOST = 4, 8
 """Starts of a search that ends by itself.
 
 A start that two thirds of all would not share with the truth is noticed by one of three others in 19 of 20 cases.
 """
 _AS_GOOD = 1.05  # times the objective of the best, both roughly: a search that ends there has found as good a place
-_COARSE, _LOOSE = 1e-5, 0.03  # relative error of displacements, and of the objective, while going down roughly
+_COARSE, _LOOSE = (
+    1e-5,
+    0.03,
+)  # relative error of displacements, and of the objective, while going down roughly
 
 
 def _until_two_agree(problem: UpdateProblem, start: Array, method: str, seed: int) -> SearchOutcome:
@@ -91,7 +101,11 @@ def _until_two_agree(problem: UpdateProblem, start: Array, method: str, seed: in
             best = min(best, finished, key=lambda end: end.objective)
         if tried >= _FEWEST and agreements > 1:
             break
-    apart = [end for end in _each_once(sorted(others, key=lambda end: end.objective)) if not _is_near(end, best)]
+    apart = [
+        end
+        for end in _each_once(sorted(others, key=lambda end: end.objective))
+        if not _is_near(end, best)
+    ]
     return SearchOutcome(best, tuple(apart), tried, is_confirmed=agreements > 1)
 
 
@@ -121,7 +135,9 @@ def minimise(problem: UpdateProblem, start: Array, method: str) -> Optimum:
     x, iterations = _METHODS[method](problem, start)
     x = np.clip(x, -1.0, 1.0)
     objective, _ = problem.objective(x)
-    return Optimum(x, objective, iterations, problem.evaluations - before, is_stationary(problem, x))
+    return Optimum(
+        x, objective, iterations, problem.evaluations - before, is_stationary(problem, x)
+    )
 
 
 def is_stationary(problem: UpdateProblem, x: Array) -> bool:
@@ -137,7 +153,9 @@ def is_stationary(problem: UpdateProblem, x: Array) -> bool:
     return bool(gain <= _SMALL_GAIN * objective or objective <= _PERFECT * problem.data_energy)
 
 
-def _rough_ends(problem: UpdateProblem, points: list[Array]) -> Iterator[tuple[UpdateProblem, Optimum]]:
+def _rough_ends(
+    problem: UpdateProblem, points: list[Array]
+) -> Iterator[tuple[UpdateProblem, Optimum]]:
     """Go down from each point with simulations of little effort: the problem that is simulated so, and where it ends.
 
     A point that cannot be simulated is none.
@@ -164,7 +182,16 @@ def _rough_ends(problem: UpdateProblem, points: list[Array]) -> Iterator[tuple[U
             gtol=1e-12, max_nfev=12,
         )  # fmt: skip
         problem.evaluations += rough.evaluations - before
-        yield rough, Optimum(result.x, 2.0 * float(result.cost), int(result.njev), int(result.nfev), converged=True)
+        yield (
+            rough,
+            Optimum(
+                result.x,
+                2.0 * float(result.cost),
+                int(result.njev),
+                int(result.nfev),
+                converged=True,
+            ),
+        )
 
 
 def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
@@ -191,7 +218,9 @@ def _bfgs(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
 def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
     from scipy.optimize import least_squares
 
-    inside = np.clip(np.where(np.abs(start) < 1e-6, 0.0, start), -_BOUND, _BOUND)  # SciPy's first radius is |start|
+    inside = np.clip(
+        np.where(np.abs(start) < 1e-6, 0.0, start), -_BOUND, _BOUND
+    )  # SciPy's first radius is |start|
     count = len(problem.residuals(inside).vector)
 
     def vector(x: Array) -> Array:

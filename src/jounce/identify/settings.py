@@ -55,11 +55,20 @@ class UpdateSettings:
         if self.method not in METHODS:
             raise FitError("unknown method", found=self.method, allowed=", ".join(METHODS))
         if self.align not in (None, "lag"):
-            raise FitError("unknown alignment", where=self.name, found=self.align, allowed='none, or "lag"')
+            raise FitError(
+                "unknown alignment", where=self.name, found=self.align, allowed='none, or "lag"'
+            )
         if self.starts is not None and self.starts < 1:
-            raise FitError("not a number of starts", where=self.name, found=self.starts, allowed="1 or more")
+            raise FitError(
+                "not a number of starts", where=self.name, found=self.starts, allowed="1 or more"
+            )
         if not (np.isfinite(self.lag_bound) and self.lag_bound > 0.0):
-            raise FitError("not a largest lag", where=self.name, found=f"{self.lag_bound} s", allowed="above 0 s")
+            raise FitError(
+                "not a largest lag",
+                where=self.name,
+                found=f"{self.lag_bound} s",
+                allowed="above 0 s",
+            )
         object.__setattr__(self, "tolerance", RunSettings(tolerance=self.tolerance).tolerance)
         object.__setattr__(self, "doubts", None if self.doubt is None else doubts_of(self.doubt))
 

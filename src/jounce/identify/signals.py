@@ -24,7 +24,9 @@ def quantum_of(x: Array) -> float:
     """Step of the values of a signal, its unit; 0 where they are not quantised."""
     values = np.unique(x)
     gaps = np.diff(values[np.append(True, np.diff(values) > 1e-9 * max(float(np.ptp(x)), 1e-300))])
-    if len(gaps) < 2 or len(gaps) > 0.5 * len(x):  # hardly a value comes twice: not quantised, or too finely to matter
+    if len(gaps) < 2 or len(gaps) > 0.5 * len(
+        x
+    ):  # hardly a value comes twice: not quantised, or too finely to matter
         return 0.0
     counts = gaps / gaps.min()
     # Gaps are multiples of the step but for the digits of a file; without steps they are off by a half.
@@ -68,7 +70,9 @@ def count_lost_samples(time: Array, signal: Array) -> int:
     side = np.sign(middle)
     sizes = side * beside
     least, most = sizes.min(axis=0), sizes.max(axis=0)
-    least_step = max(_CLEAR * max(noise_of(signal), quantum_of(signal)), 1e-9 * float(np.ptp(signal)))
+    least_step = max(
+        _CLEAR * max(noise_of(signal), quantum_of(signal)), 1e-9 * float(np.ptp(signal))
+    )
     jumps = (least * step > least_step) & (most < _LIKE * least) & (side * middle > _TORN * most)
     return int(np.count_nonzero(jumps))
 

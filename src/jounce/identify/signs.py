@@ -69,7 +69,9 @@ _FORCES = ("force", "load")
 
 
 def compression_positive(
-    recording: xr.Dataset, stroke_positive: StrokePositive | None, force_positive: ForcePositive | None
+    recording: xr.Dataset,
+    stroke_positive: StrokePositive | None,
+    force_positive: ForcePositive | None,
 ) -> xr.Dataset:
     """Return a recording with deflections, strokes, travels and forces positive in compression, reversed as stated."""
     signs = dict.fromkeys(_STROKES, sign_of(stroke_positive, "stroke"))
@@ -109,7 +111,9 @@ def likeness(measured: Array, simulated: Array, most: int) -> float:
 
 def turned_channel(name: str, like: float, trials: list[str]) -> Finding:
     """Report a channel whose sign is opposite to the model's."""
-    return finding("identify.channel_turned", name, like, trials=", ".join(trials), correlation=like)
+    return finding(
+        "identify.channel_turned", name, like, trials=", ".join(trials), correlation=like
+    )
 
 
 def closed_part(stroke: Array) -> slice:
@@ -162,7 +166,9 @@ def damper_signs(
     rest = static_force(x, v, f)
     gas = _sign(rest, f)
     unlike = _unlike(v, f, rest.value if gas else 0.0) or rest.value < -_PULLS * float(np.ptp(f))
-    chosen = _Choice(stated, stroke_positive is not None, force_positive is not None, gas, rest.value, unlike)
+    chosen = _Choice(
+        stated, stroke_positive is not None, force_positive is not None, gas, rest.value, unlike
+    )
     return (chosen.dissipating if work > 0.0 else chosen.reverse_one)(add)
 
 
@@ -229,14 +235,22 @@ def static_force(stroke: Array, velocity: Array, force: Array) -> Estimate:
             break
     x, v = stroke[slow] / float(np.ptp(stroke)), velocity[slow] / peak
     centre = 0.5 * float(stroke.max() + stroke.min()) / float(np.ptp(stroke))
-    columns = [np.ones_like(v), x - centre, np.maximum(v, 0.0), np.minimum(v, 0.0), np.tanh(v / 0.01)]
+    columns = [
+        np.ones_like(v),
+        x - centre,
+        np.maximum(v, 0.0),
+        np.minimum(v, 0.0),
+        np.tanh(v / 0.01),
+    ]
     coefficients, _, spread = linear_least_squares(np.column_stack(columns), force[slow])
     return spread.estimates(coefficients)[0]
 
 
 def _sign(rest: Estimate, force: Array) -> int:
     """Sign of a force at rest, 0 where it may be none."""
-    if abs(rest.value) < _SMALL * float(np.ptp(force)) or (rest.interval is not None and rest.has(0.0)):
+    if abs(rest.value) < _SMALL * float(np.ptp(force)) or (
+        rest.interval is not None and rest.has(0.0)
+    ):
         return 0
     return 1 if rest.value > 0.0 else -1
 

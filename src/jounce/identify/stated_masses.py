@@ -35,13 +35,19 @@ def stated_masses(rig: Rig, free: Sequence[str]) -> dict[str, float]:
     """Masses (kg) of the equations that are not fitted, by path."""
     used = compile_rig(rig).facts.parameters
     values = rig.parameters()
-    return {path: values[path] for path in used if path.endswith("mass") and path not in free and values[path] > 0.0}
+    return {
+        path: values[path]
+        for path in used
+        if path.endswith("mass") and path not in free and values[path] > 0.0
+    }
 
 
 def static_load(rig: Rig, numbers: Mapping[str, float]) -> float:
     """Wheel load (N) at rest of a rig of one wheel: it carries all masses, since guides take no vertical force."""
     used = compile_rig(rig).facts.parameters
-    return numbers["gravity"] * sum(value for path, value in numbers.items() if path.endswith("mass") and path in used)
+    return numbers["gravity"] * sum(
+        value for path, value in numbers.items() if path.endswith("mass") and path in used
+    )
 
 
 def loads_held_against_masses(trials: Sequence[FitTrial]) -> list[Finding]:
@@ -86,7 +92,10 @@ def preferred_masses(problem: UpdateProblem, scaled: Array) -> list[Finding]:
     masses = stated_masses(rig, [item.path for item in problem.free])
     if len(masses) < 2:
         return []
-    more = [FreeParameter(path, mass, (1.0 - _RANGE) * mass, (1.0 + _RANGE) * mass) for path, mass in masses.items()]
+    more = [
+        FreeParameter(path, mass, (1.0 - _RANGE) * mass, (1.0 + _RANGE) * mass)
+        for path, mass in masses.items()
+    ]
     count = len(problem.free)
     wider = UpdateProblem(
         [item.source for item in problem.trials],
@@ -112,12 +121,23 @@ def preferred_masses(problem: UpdateProblem, scaled: Array) -> list[Finding]:
         return []
     values = dict(zip(masses, wider.values(x)[count:], strict=True))
     scale = sum(masses.values()) / sum(values.values())
-    listed = ", ".join(f"{path} {scale * value:.4g} kg for {masses[path]:.4g}" for path, value in values.items())
-    return [finding("identify.other_masses", "masses", after / before, share=after / before, masses=listed)]
+    listed = ", ".join(
+        f"{path} {scale * value:.4g} kg for {masses[path]:.4g}" for path, value in values.items()
+    )
+    return [
+        finding(
+            "identify.other_masses", "masses", after / before, share=after / before, masses=listed
+        )
+    ]
 
 
 def scale_of_masses(
-    free: Sequence[str], channels: Sequence[str], doubt: float, known: Collection[str], *, is_weighed: bool = False
+    free: Sequence[str],
+    channels: Sequence[str],
+    doubt: float,
+    known: Collection[str],
+    *,
+    is_weighed: bool = False,
 ) -> list[Finding]:
     """Report that, without a measured force, the stated masses set the scale of all rates.
 
@@ -127,22 +147,35 @@ def scale_of_masses(
     if is_weighed:
         return []
     by_mass = [path for path in free if path.endswith(_BY_MASS)]
-    if any(channel_unit(name) == "N" for name in channels) or not by_mass or any(path in known for path in by_mass):
+    if (
+        any(channel_unit(name) == "N" for name in channels)
+        or not by_mass
+        or any(path in known for path in by_mass)
+    ):
         return []
     if any(path.endswith("mass") for path in free):
         return [finding("identify.scale_unknown", "masses")]
-    return [finding("identify.scale_of_masses", "masses", doubt, names=", ".join(by_mass), doubt=doubt)]
+    return [
+        finding("identify.scale_of_masses", "masses", doubt, names=", ".join(by_mass), doubt=doubt)
+    ]
 
 
 def off_together(
-    updated: Mapping[str, float], bench: Mapping[str, Estimate], contradicted: Collection[str], angle: float
+    updated: Mapping[str, float],
+    bench: Mapping[str, Estimate],
+    contradicted: Collection[str],
+    angle: float,
 ) -> list[Finding]:
     """Report the masses or strut angle that would explain rates that all differ from their bench values by one factor.
 
     ``updated`` are values of the update by path, ``bench`` those of component tests (both SI), ``contradicted`` the
     paths for which the two disagree; ``angle`` is the stated strut angle in rad.
     """
-    tested = [path for path in updated if path in bench and path.endswith(_BY_MASS) and bench[path].value > 0.0]
+    tested = [
+        path
+        for path in updated
+        if path in bench and path.endswith(_BY_MASS) and bench[path].value > 0.0
+    ]
     off = [path for path in tested if path in contradicted]
     rates = [path for path in tested if path.endswith(_RATES)]
     if len(off) < 2 or not set(rates) <= set(off):
@@ -156,7 +189,16 @@ def off_together(
     cosine = math.sqrt(factor) * math.cos(angle)
     if all(path.startswith("strut.") for path in off) and cosine < 1.0:
         lean = math.acos(cosine)
-        return [finding("identify.masses_or_angle_off", "masses", factor, factors=listed, excess=excess, angle=lean)]
+        return [
+            finding(
+                "identify.masses_or_angle_off",
+                "masses",
+                factor,
+                factors=listed,
+                excess=excess,
+                angle=lean,
+            )
+        ]
     return [finding("identify.masses_off", "masses", factor, factors=listed, excess=excess)]
 
 

@@ -75,7 +75,9 @@ class FittedCurve:
         """Give the force [N] at deflections of the trials [m], same shape."""
         x = as_samples(deflection, "m", where="deflection") - self.origin
         if self.kind == "polynomial":
-            return np.asarray(self.preload + x * np.polynomial.polynomial.polyval(x, self.coefficients))
+            return np.asarray(
+                self.preload + x * np.polynomial.polynomial.polyval(x, self.coefficients)
+            )
         if self.kind == "power":
             a, b = self.coefficients
             return np.asarray(a * np.maximum(x, 0.0) ** b)
@@ -86,7 +88,9 @@ class FittedCurve:
         x = as_samples(deflection, "m", where="deflection") - self.origin
         if self.kind == "polynomial":
             powers = np.arange(1, len(self.coefficients) + 1)
-            return np.asarray(np.polynomial.polynomial.polyval(x, np.array(self.coefficients) * powers))
+            return np.asarray(
+                np.polynomial.polynomial.polyval(x, np.array(self.coefficients) * powers)
+            )
         if self.kind == "power":
             a, b = self.coefficients
             return np.asarray(a * b * np.maximum(x, 1e-12) ** (b - 1.0))
@@ -119,7 +123,11 @@ class FittedCurve:
         if self.kind == "table":
             return {"kind": "table", "deflection": list(self.deflection), "force": list(self.force)}
         deflection = limit * np.linspace(0.0, 1.0, 41) ** 2
-        return {"kind": "table", "deflection": deflection.tolist(), "force": self(deflection).tolist()}
+        return {
+            "kind": "table",
+            "deflection": deflection.tolist(),
+            "force": self(deflection).tolist(),
+        }
 
 
 @dataclass(frozen=True)
@@ -132,7 +140,9 @@ class CurveFit:
     uncertainty: Uncertainty | None
 
 
-def fit_curve(deflection: Array, force: Array, *, law: Law, degree: int, intercept: str, where: str) -> CurveFit:
+def fit_curve(
+    deflection: Array, force: Array, *, law: Law, degree: int, intercept: str, where: str
+) -> CurveFit:
     """Fit one law to one set of points (deflection, force, both (n,), SI); ``where`` names it in errors."""
     needed = {"linear": 2, "polynomial": degree, "power": 2, "monotone-spline": 4}[law]
     if len(np.unique(deflection)) <= needed:
@@ -148,7 +158,12 @@ def fit_curve(deflection: Array, force: Array, *, law: Law, degree: int, interce
     if law == "polynomial":
         powers = np.arange(1, degree + 1)
         coefficients, residual, spread = linear_least_squares(deflection[:, None] ** powers, force)
-        return CurveFit(FittedCurve("polynomial", tuple(map(float, coefficients))), coefficients, residual, spread)
+        return CurveFit(
+            FittedCurve("polynomial", tuple(map(float, coefficients))),
+            coefficients,
+            residual,
+            spread,
+        )
     return _power(deflection, force, where) if law == "power" else _monotone(deflection, force)
 
 
@@ -165,7 +180,12 @@ def _linear(deflection: Array, force: Array, intercept: str, where: str) -> Curv
         )
     preload = level if intercept == "keep" else 0.0
     origin = -level / slope if intercept == "shift" else 0.0
-    return CurveFit(FittedCurve("polynomial", (slope,), preload=preload, origin=origin), coefficients, residual, spread)
+    return CurveFit(
+        FittedCurve("polynomial", (slope,), preload=preload, origin=origin),
+        coefficients,
+        residual,
+        spread,
+    )
 
 
 def _power(deflection: Array, force: Array, where: str) -> CurveFit:
@@ -173,22 +193,35 @@ def _power(deflection: Array, force: Array, where: str) -> CurveFit:
 
     use = (deflection > 0.0) & (force > 0.0)
     if np.count_nonzero(use) < 3:
-        raise FitError("a power law needs at least three points with positive deflection and force", where=where)
+        raise FitError(
+            "a power law needs at least three points with positive deflection and force",
+            where=where,
+        )
     reach, top = float(deflection[use].max()), float(force[use].max())
     x, y = np.maximum(deflection, 0.0) / reach, force / top
     exponent, level = np.polyfit(np.log(x[use]), np.log(y[use]), 1)
     solution = least_squares(
-        lambda p: p[0] * x ** p[1] - y, [np.exp(level), max(exponent, 0.05)], bounds=([0.0, 0.02], [np.inf, 20.0])
+        lambda p: p[0] * x ** p[1] - y,
+        [np.exp(level), max(exponent, 0.05)],
+        bounds=([0.0, 0.02], [np.inf, 20.0]),
     )
     exponent = float(solution.x[1])
     scale = top / reach**exponent
     a = float(solution.x[0]) * scale
     # d(a, b)/d(scaled a, b): a = scaled * top / reach^b
     transform = np.array([[1.0 / scale, 0.0], [0.0, 1.0]])
-    jacobian = top * solution.jac @ np.array([[1.0, solution.x[0] * np.log(reach)], [0.0, 1.0]]) @ transform
+    jacobian = (
+        top
+        * solution.jac
+        @ np.array([[1.0, solution.x[0] * np.log(reach)], [0.0, 1.0]])
+        @ transform
+    )
     residual = -top * solution.fun
     return CurveFit(
-        FittedCurve("power", (a, exponent)), np.array([a, exponent]), residual, uncertainty(jacobian, residual)
+        FittedCurve("power", (a, exponent)),
+        np.array([a, exponent]),
+        residual,
+        uncertainty(jacobian, residual),
     )
 
 
@@ -228,7 +261,9 @@ def _increasing(values: Array, weights: Array) -> Array:
             value_b, weight_b, count_b = blocks.pop()
             value_a, weight_a, count_a = blocks.pop()
             total = weight_a + weight_b
-            blocks.append([(value_a * weight_a + value_b * weight_b) / total, total, count_a + count_b])
+            blocks.append(
+                [(value_a * weight_a + value_b * weight_b) / total, total, count_a + count_b]
+            )
     return np.concatenate([np.full(int(count), value) for value, _, count in blocks])
 
 
@@ -236,7 +271,11 @@ def _increasing(values: Array, weights: Array) -> Array:
 
 
 Intercept = Literal["drop", "shift", "keep"]
-INTERCEPTS: dict[Intercept, str] = {"drop": "dropped", "shift": "deflection offset", "keep": "kept as preload"}
+INTERCEPTS: dict[Intercept, str] = {
+    "drop": "dropped",
+    "shift": "deflection offset",
+    "keep": "kept as preload",
+}
 _RATE, _FORCE, _DEFLECTION = in_motion("stiffness"), in_motion("force"), in_motion("deflection")
 
 
@@ -312,7 +351,10 @@ class StiffnessResult(Shown):
     motion: MotionName
     law: Annotated[Law, Shows("law")]
     stiffness: Annotated[Estimate, Shows("stiffness", _RATE)]
-    intercept: Annotated[Estimate | None, Shows(lambda fit: f"intercept ({INTERCEPTS[fit.intercept_choice]})", _FORCE)]
+    intercept: Annotated[
+        Estimate | None,
+        Shows(lambda fit: f"intercept ({INTERCEPTS[fit.intercept_choice]})", _FORCE),
+    ]
     intercept_choice: Intercept
     zero: Zero
     branch: Annotated[Branch, Shows("branches fitted")]
@@ -324,8 +366,12 @@ class StiffnessResult(Shown):
     repeatability: Annotated[float | None, Shows("standard deviation between trials", _RATE)]
     loss_factor: Annotated[float | None, Shows("loss factor", "1")]
     hysteresis_energy: Annotated[float | None, Shows("energy dissipated per cycle", "J")]
-    operating_deflection: Annotated[float | None, Shows("deflection at the static load", _DEFLECTION)]
-    tangent_stiffness: Annotated[Estimate | None, Shows("local stiffness at the static operating point", _RATE)]
+    operating_deflection: Annotated[
+        float | None, Shows("deflection at the static load", _DEFLECTION)
+    ]
+    tangent_stiffness: Annotated[
+        Estimate | None, Shows("local stiffness at the static operating point", _RATE)
+    ]
     trials: Annotated[tuple[TrialStiffness, ...], Shows("Trials")]
     findings: tuple[Finding, ...]
 
@@ -427,7 +473,10 @@ def fit_stiffness(
         seated.append(seated_trial)
         findings += notes
     findings += _copies(seated)
-    points = [_points_to_fit(seated_trial, branch, discard_below, law, findings) for seated_trial in seated]
+    points = [
+        _points_to_fit(seated_trial, branch, discard_below, law, findings)
+        for seated_trial in seated
+    ]
     x, force = (np.concatenate(column) for column in zip(*points, strict=True))
     pooled = fit_curve(x, force, law=law, degree=degree, intercept=intercept, where="all trials")
     alone = [
@@ -437,14 +486,20 @@ def fit_stiffness(
     low, reach = float(x.min()), float(x.max())
     operating, tangent = None, None
     if operating_force is not None:
-        operating, tangent = _operating_point(seated, pooled.curve, operating_force, (low, reach), motion, findings)
+        operating, tangent = _operating_point(
+            seated, pooled.curve, operating_force, (low, reach), motion, findings
+        )
     at = operating if operating is not None else 0.5 * (low + reach)
     rows = []
     for seated_trial, fit in zip(seated, alone, strict=True):
         energy, loss = hysteresis(seated_trial)
         rms = float(np.sqrt(np.mean(fit.residual**2)))
         estimates = _stiffness(fit, at), _intercept(fit)
-        rows.append(TrialStiffness(seated_trial.name, *estimates, loss, energy, rms, len(fit.residual), motion.name))
+        rows.append(
+            TrialStiffness(
+                seated_trial.name, *estimates, loss, energy, rms, len(fit.residual), motion.name
+            )
+        )
     line = _intercept(pooled)
     findings += _no_spring(_stiffness(pooled, at).value, motion)
     findings += _advice(pooled, x, force, law, line if intercept == "keep" else None, rows, motion)
@@ -453,11 +508,15 @@ def fit_stiffness(
     own = _stiffness(pooled, at)
     stiffness = mean_of_replicates(values, value=own.value) if several else own
     if law in _DEGREES:
-        stiffness, lack = _with_law(stiffness, x, force, at, degree if law == "polynomial" else _DEGREES[law], motion)
+        stiffness, lack = _with_law(
+            stiffness, x, force, at, degree if law == "polynomial" else _DEGREES[law], motion
+        )
         findings += lack
     if line is not None and several:
         line = mean_of_replicates([float(fit.parameters[-1]) for fit in alone], value=line.value)
-    losses = [(row.loss_factor, row.hysteresis_energy) for row in rows if row.loss_factor is not None]
+    losses = [
+        (row.loss_factor, row.hysteresis_energy) for row in rows if row.loss_factor is not None
+    ]
     return StiffnessResult(
         motion=motion.name,
         law=law,
@@ -489,7 +548,10 @@ def _motion_of(trials: Sequence[ForceDeflectionTrial]) -> MeasuredMotion:
         if trial.motion not in MOTIONS:
             raise unknown(str(trial.motion), MOTIONS, what="motion", where=trial.name)
     if len(motions := {trial.motion for trial in trials}) > 1:
-        raise FitError("trials of forces and of torques are not fitted together", found=", ".join(sorted(motions)))
+        raise FitError(
+            "trials of forces and of torques are not fitted together",
+            found=", ".join(sorted(motions)),
+        )
     return MOTIONS[trials[0].motion]
 
 
@@ -514,7 +576,10 @@ def _check(
         raise FitError("unusable degree of the polynomial", found=degree, allowed="1 to 9")
     if not (np.isfinite(discard_below) and discard_below >= 0.0):
         raise FitError(
-            Phrase("discard_below is no {deflection_word}", deflection_word=Phrase(motion.deflection_word)),
+            Phrase(
+                "discard_below is no {deflection_word}",
+                deflection_word=Phrase(motion.deflection_word),
+            ),
             found=f"{discard_below} {motion.deflection}",
             allowed=Phrase("0 {deflection} or more", deflection=motion.deflection),
         )
@@ -549,7 +614,9 @@ def _points_to_fit(
     use = (np.abs(deflection) if has_both else deflection) >= discard_below
     beyond = np.count_nonzero(deflection < -_AT_ZERO * float(np.ptp(trial.deflection)))
     if beyond and not has_both:
-        findings.append(finding("identify.points_below_zero", trial.name, beyond, points=beyond, all=len(use)))
+        findings.append(
+            finding("identify.points_below_zero", trial.name, beyond, points=beyond, all=len(use))
+        )
     if float(trial.deflection.max()) <= _AT_ZERO * float(np.ptp(trial.deflection)):
         raise FitError(
             "the trial ends at its zero instead of beginning there",
@@ -561,7 +628,9 @@ def _points_to_fit(
         )
     if np.count_nonzero(use) < 2:
         raise FitError(
-            "discarding leaves nothing to fit" if discard_below > 0.0 else "the branch holds too few points",
+            "discarding leaves nothing to fit"
+            if discard_below > 0.0
+            else "the branch holds too few points",
             where=trial.name,
             found=f"{np.count_nonzero(use)} of {len(use)} points at or beyond {trial.motion.say(discard_below, 6)}; "
             f"the {branch} branch reaches {trial.motion.say(float(deflection.max()), 4)}",
@@ -655,9 +724,13 @@ def _operating_point(
         above = np.flatnonzero(f >= force)
         if not len(above) or above[0] == 0:
             continue
-        here = float(np.interp(force, f[above[0] - 1 : above[0] + 1], x[above[0] - 1 : above[0] + 1]))
+        here = float(
+            np.interp(force, f[above[0] - 1 : above[0] + 1], x[above[0] - 1 : above[0] + 1])
+        )
         deflections.append(here)
-        slope = _slope_at(x - here, f, max(0.03 * reach, 2.5 * float(np.median(np.abs(np.diff(x))))))
+        slope = _slope_at(
+            x - here, f, max(0.03 * reach, 2.5 * float(np.median(np.abs(np.diff(x)))))
+        )
         slopes += [] if slope is None else [slope]
     at = float(np.mean(deflections)) if deflections else curve.deflection_at(force, 10.0 * reach)
     tangent = mean_of_replicates(slopes) if slopes else None
@@ -670,9 +743,17 @@ def _operating_point(
         }[at is None, tangent is not None]
         slope = tangent.value if tangent else None
         where = None if at is None else motion.say(at)
-        names: dict[str, Any] = {"name": motion.force_word, "unit": unit_in_words(motion.force), "rate": rate}
+        names: dict[str, Any] = {
+            "name": motion.force_word,
+            "unit": unit_in_words(motion.force),
+            "rate": rate,
+        }
         ends: dict[str, Any] = {"low": motion.say(low), "high": motion.say(reach)}
-        findings.append(finding(code, "operating point", at, force=force, at=where, slope=slope, **names, **ends))
+        findings.append(
+            finding(
+                code, "operating point", at, force=force, at=where, slope=slope, **names, **ends
+            )
+        )
     return at, tangent
 
 
@@ -722,10 +803,14 @@ def _advice(
         add("identify.few_points", few.name, few.points, points=few.points)
     if law == "linear" and len(np.unique(x)) > 3:
         u = (x - x.mean()) / float(np.ptp(x))
-        coefficients, _, spread = linear_least_squares(np.column_stack([u**2, u, np.ones_like(u)]), force)
+        coefficients, _, spread = linear_least_squares(
+            np.column_stack([u**2, u, np.ones_like(u)]), force
+        )
         bend = spread.estimates(coefficients)[0]
         share = 2.0 * bend.value / coefficients[1]  # change of slope over the range / mean slope
-        if bend.interval and not bend.has(0.0) and abs(share) > 0.03:  # a choice: 1.5 % to either side
+        if (
+            bend.interval and not bend.has(0.0) and abs(share) > 0.03
+        ):  # a choice: 1.5 % to either side
             add("identify.not_linear", "linear law", share, change=share)
         sides = [x < 0.0, x > 0.0]
         if all(len(np.unique(x[side])) > 4 for side in sides):
@@ -735,7 +820,13 @@ def _advice(
                 names = {"tension": motion.pulled, "compression": motion.pushed}
                 add("identify.slopes_differ", "linear law", pushed - pulled, **both, **names)
     if preload is not None and preload.value < 0.0:
-        add("identify.intercept", "intercept", preload.value, value=preload.value, unit=unit_in_words(motion.force))
+        add(
+            "identify.intercept",
+            "intercept",
+            preload.value,
+            value=preload.value,
+            unit=unit_in_words(motion.force),
+        )
     slopes = pooled.curve.tangent(np.linspace(x.min(), x.max(), 200))
     if law != "monotone-spline" and float(slopes.min()) <= 0.0:
         add("identify.curve_falls", "curve")
@@ -781,7 +872,9 @@ def _coefficients(pooled: CurveFit, alone: list[CurveFit]) -> tuple[Estimate, ..
     if len(alone) == 1 and pooled.uncertainty is not None:
         return pooled.uncertainty.estimates(pooled.parameters)[:count]
     return tuple(
-        mean_of_replicates([float(fit.parameters[i]) for fit in alone], value=float(pooled.parameters[i]))
+        mean_of_replicates(
+            [float(fit.parameters[i]) for fit in alone], value=float(pooled.parameters[i])
+        )
         for i in range(count)
     )
 
@@ -823,7 +916,9 @@ class PressureStiffness(Shown):
         are extended, with a warning; a single one is returned unchanged. Pressures that are not positive are refused.
         """
         if not (math.isfinite(pressure) and pressure > 0.0):
-            raise FitError("not an inflation pressure", found=f"{pressure} Pa", allowed="above 0 Pa")
+            raise FitError(
+                "not an inflation pressure", found=f"{pressure} Pa", allowed="above 0 Pa"
+            )
         p = np.array(self.pressures)
         findings = []
         if not p[0] <= pressure <= p[-1]:
@@ -846,14 +941,21 @@ class PressureStiffness(Shown):
 
 def _blend(low: Estimate, high: Estimate, share: float) -> Estimate:
     value = (1.0 - share) * low.value + share * high.value
-    if low.standard_error is None or high.standard_error is None or low.interval is None or high.interval is None:
+    if (
+        low.standard_error is None
+        or high.standard_error is None
+        or low.interval is None
+        or high.interval is None
+    ):
         return Estimate(value)
 
     def combine_errors(a: float, b: float) -> float:
         return math.hypot((1.0 - share) * a, share * b)
 
     half = combine_errors(low.value - low.interval[0], high.value - high.interval[0])
-    return Estimate(value, combine_errors(low.standard_error, high.standard_error), (value - half, value + half))
+    return Estimate(
+        value, combine_errors(low.standard_error, high.standard_error), (value - half, value + half)
+    )
 
 
 def stiffness_against_pressure(points: Sequence[tuple[float, Estimate]]) -> PressureStiffness:
@@ -868,15 +970,22 @@ def stiffness_against_pressure(points: Sequence[tuple[float, Estimate]]) -> Pres
     if not points:
         raise FitError("no stiffness at any pressure", allowed="at least one pressure")
     ordered = sorted(points, key=lambda point: point[0])
-    p, k = np.array([point[0] for point in ordered]), np.array([point[1].value for point in ordered])
+    p, k = (
+        np.array([point[0] for point in ordered]),
+        np.array([point[1].value for point in ordered]),
+    )
     if not (np.all(np.isfinite(p)) and p[0] > 0.0):
         raise FitError("not an inflation pressure", found=f"{p[0]} Pa", allowed="above 0 Pa")
     if np.any(np.diff(p) == 0.0):
         raise FitError(
-            "a pressure is given twice", found=f"{p[np.argmin(np.diff(p))]:g} Pa", hint="Fit its trials together."
+            "a pressure is given twice",
+            found=f"{p[np.argmin(np.diff(p))]:g} Pa",
+            hint="Fit its trials together.",
         )
     if not (np.all(np.isfinite(k)) and np.all(k > 0.0)):
-        raise FitError("a stiffness is not positive", found=f"{k.min():g} N/m", allowed="above 0 N/m")
+        raise FitError(
+            "a stiffness is not positive", found=f"{k.min():g} N/m", allowed="above 0 N/m"
+        )
     line = np.polyfit(p, k, 1) if len(p) > 1 else None
     exponent = float(np.polyfit(np.log(p), np.log(k), 1)[0]) if len(p) > 1 else None
     findings: list[Finding] = []

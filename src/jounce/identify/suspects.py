@@ -21,11 +21,16 @@ from jounce.recordings.sensors import Sensor, filter_signals
 from jounce.recordings.signals import shift_signals
 
 _EXPLAINS = 0.35  # of what is left: what explains so much is told
-ALIKE = 0.8  # of what one fault leaves: where another leaves more than that, they cannot be told apart
+ALIKE = (
+    0.8  # of what one fault leaves: where another leaves more than that, they cannot be told apart
+)
 _CORNERS = 12  # that are tried, the neighbours 40 or 52 % apart
 _SLIGHT = 0.003  # of the speed: smaller errors do no harm
 _COUPLED = (0.1, 10.0)  # Hz: corners of high passes
-_AHEAD, _AHEAD_STEP = 0.04, 0.005  # s by which a sensor may see the road before or after the wheel does
+_AHEAD, _AHEAD_STEP = (
+    0.04,
+    0.005,
+)  # s by which a sensor may see the road before or after the wheel does
 _WHOLE = (0.7, 1.3)  # times the road's height: more or less of it is no distance to the road
 _SEEN = 1e-10  # of the largest singular value
 _MATTERS = 1e-4  # of the energy of the records: less is not worth a word
@@ -60,7 +65,10 @@ class WeightedResiduals:
         """
         if self.size < _MATTERS * self.energy:
             return 0.0, 0.0
-        beside, left = (column - self.fitted_space @ (self.fitted_space.T @ column) for column in (slope, self.vector))
+        beside, left = (
+            column - self.fitted_space @ (self.fitted_space.T @ column)
+            for column in (slope, self.vector)
+        )
         length, pull = float(beside @ beside), float(beside @ left)
         if length <= 0.0:
             return 0.0, 0.0
@@ -94,15 +102,26 @@ def low_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] 
     if rest.size < _MATTERS * rest.energy:
         return None
     rate = rest.rate_of(channel)
-    corner, after = _best_corner(rest, channel, "low_pass", np.geomspace(0.01 * rate, 0.4 * rate, _CORNERS))
+    corner, after = _best_corner(
+        rest, channel, "low_pass", np.geomspace(0.01 * rate, 0.4 * rate, _CORNERS)
+    )
     share = 1.0 - after / rest.size
-    late = {delay: _residual_after_delay(rest, channel, delay) for delay in np.linspace(0.0, 20.0, 11) / rate}
+    late = {
+        delay: _residual_after_delay(rest, channel, delay)
+        for delay in np.linspace(0.0, 20.0, 11) / rate
+    }
     delay = min(late, key=lambda candidate: late[candidate])
     if share < _EXPLAINS or late[delay] < ALIKE * after:
         return None
-    code = "identify.behind_low_pass" if after < ALIKE * late[delay] else "identify.behind_low_pass_or_late"
+    code = (
+        "identify.behind_low_pass"
+        if after < ALIKE * late[delay]
+        else "identify.behind_low_pass_or_late"
+    )
     numbers = {"share": share, "delay": delay, "low": 0.5 * corner, "high": 2.0 * corner}
-    return share, finding(code, channel, corner, corner=corner, name=f"{channel}{LOW_PASS}", **numbers)
+    return share, finding(
+        code, channel, corner, corner=corner, name=f"{channel}{LOW_PASS}", **numbers
+    )
 
 
 def high_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] | None:
@@ -116,17 +135,25 @@ def high_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding]
     return share, finding("identify.behind_high_pass", channel, corner, corner=corner, share=share)
 
 
-def _best_corner(rest: WeightedResiduals, channel: str, kind: str, corners: Array) -> tuple[float, float]:
+def _best_corner(
+    rest: WeightedResiduals, channel: str, kind: str, corners: Array
+) -> tuple[float, float]:
     """Corner (Hz) of a filter of this kind that leaves least, and what it leaves."""
 
     def residual_with(corner: float) -> float:
         sensor = Sensor.model_validate({kind: float(corner)})
-        return _residual_after_change(rest, [channel], lambda table, rate: filter_signals(table, rate, sensor))
+        return _residual_after_change(
+            rest, [channel], lambda table, rate: filter_signals(table, rate, sensor)
+        )
 
     misfits = {float(corner): residual_with(corner) for corner in corners}
     best = min(misfits, key=lambda candidate: misfits[candidate])
     near = best * np.geomspace(0.75, 1.33, 7)
-    misfits |= {float(corner): residual_with(corner) for corner in near if corner < FASTEST * rest.rate_of(channel)}
+    misfits |= {
+        float(corner): residual_with(corner)
+        for corner in near
+        if corner < FASTEST * rest.rate_of(channel)
+    }
     best = min(misfits, key=lambda candidate: misfits[candidate])
     return best, misfits[best]
 
@@ -137,7 +164,9 @@ def late_share(rest: WeightedResiduals) -> float:
 
     def residual_with(samples: float) -> float:
         return _residual_after_change(
-            rest, rest.readings, lambda table, rate_of: shift_signals(table, rate_of, samples / rate)
+            rest,
+            rest.readings,
+            lambda table, rate_of: shift_signals(table, rate_of, samples / rate),
         )
 
     coarse = {float(samples): residual_with(float(samples)) for samples in range(-10, 21, 2)}
@@ -149,16 +178,22 @@ def late_share(rest: WeightedResiduals) -> float:
 def _residual_after_change(rest: WeightedResiduals, channels: Iterable[str], change: Any) -> float:
     """What is left when the readings of channels are changed by a linear map, after a step of what was fitted."""
     changes = []
-    for rows, weight, reading, rate, is_free in (entry for channel in channels for entry in rest.readings[channel]):
+    for rows, weight, reading, rate, is_free in (
+        entry for channel in channels for entry in rest.readings[channel]
+    ):
         own = rest.jacobian[rows]
         both = change(np.column_stack([reading, own[:, own.any(axis=0)]]), rate)
         moved = weight * (reading - both[:, 0])
-        changes.append((rows, rest.vector[rows] + moved - (moved.mean() if is_free else 0.0), both[:, 1:]))
+        changes.append(
+            (rows, rest.vector[rows] + moved - (moved.mean() if is_free else 0.0), both[:, 1:])
+        )
     return rest.after(changes)
 
 
 def _residual_after_delay(rest: WeightedResiduals, channel: str, delay: float) -> float:
-    return _residual_after_change(rest, [channel], lambda table, rate: shift_signals(table, rate, delay))
+    return _residual_after_change(
+        rest, [channel], lambda table, rate: shift_signals(table, rate, delay)
+    )
 
 
 def speed_in(rest: WeightedResiduals, slope: Array) -> tuple[float, Finding] | None:
@@ -176,7 +211,10 @@ def start_in(rest: WeightedResiduals, slopes: Array) -> tuple[float, Finding] | 
     """
     if not slopes.size or rest.size < _MATTERS * rest.energy:
         return None
-    beside, left = (column - rest.fitted_space @ (rest.fitted_space.T @ column) for column in (slopes, rest.vector))
+    beside, left = (
+        column - rest.fitted_space @ (rest.fitted_space.T @ column)
+        for column in (slopes, rest.vector)
+    )
     amplitudes = np.linalg.lstsq(beside, -left, rcond=_SEEN)[0]
     after = left + beside @ amplitudes
     share = 1.0 - float(after @ after) / rest.size
@@ -184,7 +222,12 @@ def start_in(rest: WeightedResiduals, slopes: Array) -> tuple[float, Finding] | 
         return None
     largest = float(np.max(np.abs(amplitudes)))
     return share, finding(
-        "identify.begins_in_motion", START, largest, size=largest, wide=math.ceil(4e3 * largest), share=share
+        "identify.begins_in_motion",
+        START,
+        largest,
+        size=largest,
+        wide=math.ceil(4e3 * largest),
+        share=share,
     )
 
 
@@ -198,9 +241,13 @@ def _start_slopes(problem: UpdateProblem, scaled: Array) -> Array:
         for motion in start_motions(source):
             for shape in (motion.displaced, motion.moving):
 
-                def begun(trial: FitTrial, size: float, name: str = source.name, shape: Any = shape) -> FitTrial | None:
+                def begun(
+                    trial: FitTrial, size: float, name: str = source.name, shape: Any = shape
+                ) -> FitTrial | None:
                     return (
-                        trial.in_motion({state: size * v for state, v in shape.items()}) if trial.name == name else None
+                        trial.in_motion({state: size * v for state, v in shape.items()})
+                        if trial.name == name
+                        else None
                     )
 
                 columns.append(problem.slope(scaled, begun, _SHIFTED))
@@ -256,7 +303,9 @@ def suspects(
     rest = WeightedResiduals(residuals.vector, whole, readings, problem.data_energy)
     freed = {entry.name for entry in problem.nuisances}
     passes = [(channel.name, channel.sensor) for _, channel in both if channel.sensor is not None]
-    low = {name for name, sensor in passes if sensor.low_pass is not None} | {f.removesuffix(LOW_PASS) for f in freed}
+    low = {name for name, sensor in passes if sensor.low_pass is not None} | {
+        f.removesuffix(LOW_PASS) for f in freed
+    }
     high = {name for name, sensor in passes if sensor.high_pass is not None}
     causes = [low_pass_in(rest, name) for name in loud if name not in low]
     causes += [high_pass_in(rest, name) for name in loud if name not in high]
@@ -266,7 +315,11 @@ def suspects(
     if not any(START in name for name in freed):
         causes.append(start_in(rest, _start_slopes(problem, scaled)))
     if all(trial.road is not None for trial in trials):
-        causes += [road_in(rest, name, _roads(problem, residuals, name)) for name in loud if name.endswith(HEIGHT)]
+        causes += [
+            road_in(rest, name, _roads(problem, residuals, name))
+            for name in loud
+            if name.endswith(HEIGHT)
+        ]
     likely = sorted((entry for entry in causes if entry is not None), key=lambda entry: -entry[0])
     if likely and not problem.align:
         late = late_share(rest)
@@ -282,11 +335,15 @@ def _roads(problem: UpdateProblem, residuals: Residuals, channel: str) -> list[t
         if recorded.name == channel:
             lag = residuals.lags[problem.trials.index(trial)]
             height = shift_signals(trial.road(recorded)[:, None], trial.rate, lag)[:, 0]
-            heights.append((rows, height - (height.mean() if recorded.datum == "free offset" else 0.0)))
+            heights.append(
+                (rows, height - (height.mean() if recorded.datum == "free offset" else 0.0))
+            )
     return heights
 
 
 HEIGHT = ".z"
 """Last letters of a channel that counts from the ground."""
 _AS_LIKELY = 0.1  # of what is left: a fault that explains less than the best by more is not told
-CLEARLY = 0.6  # of what is left: a fault that explains so much leaves no question for the other channels
+CLEARLY = (
+    0.6  # of what is left: a fault that explains so much leaves no question for the other channels
+)

@@ -19,11 +19,16 @@ _FEWEST = 3  # trials, below which nothing tells which of them is wrong
 _CONTRADICTS = 0.5  # of what the others leave: so much less without a trial is no chance
 _MATTERS = 0.01  # of a value: less is not worth a word
 _EXPLAINS = 0.5  # of what a trial leaves with the values of the others
-_MORE, _LITTLE = 9.0, 1e-3  # times the mean square that others leave; of the signal's: 3 % of its size
+_MORE, _LITTLE = (
+    9.0,
+    1e-3,
+)  # times the mean square that others leave; of the signal's: 3 % of its size
 _SWAPPED = 0.5  # by which the correlations of two exchanged channels are larger, in sum
 
 
-def disagreeing(problem: UpdateProblem, residuals: Residuals, scaled: Array, free: NDArray[np.bool_]) -> list[Finding]:
+def disagreeing(
+    problem: UpdateProblem, residuals: Residuals, scaled: Array, free: NDArray[np.bool_]
+) -> list[Finding]:
     """Name the trial without which the others agree much better, and how far it moves the values.
 
     ``residuals`` are those at the optimum ``scaled``; ``free`` tells which unknowns lie inside their bounds.
@@ -46,10 +51,15 @@ def disagreeing(problem: UpdateProblem, residuals: Residuals, scaled: Array, fre
     worst = int(np.argmax(gains))
     half = np.array([item.half_range for item in problem.free])
     values, known = problem.values(scaled), np.flatnonzero(free[: len(half)])
-    moved = {problem.free[i].path: steps[worst][k] * half[i] / (values[i] or half[i]) for k, i in enumerate(known)}
+    moved = {
+        problem.free[i].path: steps[worst][k] * half[i] / (values[i] or half[i])
+        for k, i in enumerate(known)
+    }
     if gains[worst] < _CONTRADICTS or not moved or max(map(abs, moved.values())) < _MATTERS:
         return []
-    shifts = ", ".join(f"{path} {100.0 * share:+.2g} %" for path, share in moved.items() if abs(share) > _MATTERS)
+    shifts = ", ".join(
+        f"{path} {100.0 * share:+.2g} %" for path, share in moved.items() if abs(share) > _MATTERS
+    )
     findings = [
         finding(
             "identify.trial_disagrees",
@@ -106,9 +116,15 @@ def exchanged_channels(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
         if channel_unit(first) != channel_unit(other):
             continue
         pairs = {part.trial: part for part in left[other]}
-        trials = [part.trial for part in left[first] if part.trial in pairs and _look_swapped(part, pairs[part.trial])]
+        trials = [
+            part.trial
+            for part in left[first]
+            if part.trial in pairs and _look_swapped(part, pairs[part.trial])
+        ]
         if trials:
-            findings.append(finding("identify.channels_exchanged", first, other=other, trials=", ".join(trials)))
+            findings.append(
+                finding("identify.channels_exchanged", first, other=other, trials=", ".join(trials))
+            )
     return findings
 
 
@@ -116,7 +132,10 @@ def _look_swapped(first: LeftOver, other: LeftOver) -> bool:
     if len(first.measured) != len(other.measured):
         return False
     straight = _alike(first.measured, first.read) + _alike(other.measured, other.read)
-    return _alike(first.measured, other.read) + _alike(other.measured, first.read) > straight + _SWAPPED
+    return (
+        _alike(first.measured, other.read) + _alike(other.measured, first.read)
+        > straight + _SWAPPED
+    )
 
 
 def _alike(first: Array, other: Array) -> float:

@@ -49,7 +49,9 @@ def averaged_trial(trial: FitTrial, passages: Passages) -> FitTrial:
     if passages.loop is None or road is None or road.recurrence is None:
         raise FitError("no loop of a belt was found", where=trial.name)
     driven, begin = running_trial(trial.rig, road, passages.speed)
-    loop = passages.loop.assign_coords(time=("time", passages.loop["time"].to_numpy() + begin, {"units": "s"}))
+    loop = passages.loop.assign_coords(
+        time=("time", passages.loop["time"].to_numpy() + begin, {"units": "s"})
+    )
     return replace(trial, trial=driven, measured=loop, noise=passages.noise)
 
 
@@ -65,7 +67,13 @@ def trial_on_running_belt(trial: FitTrial, passages: Passages) -> FitTrial:
     period = road.recurrence / passages.speed
     time = np.asarray(trial.measured["time"].to_numpy(), dtype=float)
     shift = begin + LEAD * period - passages.times[0]
-    if time[0] + shift < 0.0:  # what was met before is longer ago than the loops that are run before
+    if (
+        time[0] + shift < 0.0
+    ):  # what was met before is longer ago than the loops that are run before
         shift += period * math.ceil(-(time[0] + shift) / period)
-    shifted = trial.measured.assign_coords(time=("time", time + shift, trial.measured["time"].attrs))
-    return replace(trial, trial=driven.with_fields(duration=float(time[-1] + shift)), measured=shifted)
+    shifted = trial.measured.assign_coords(
+        time=("time", time + shift, trial.measured["time"].attrs)
+    )
+    return replace(
+        trial, trial=driven.with_fields(duration=float(time[-1] + shift)), measured=shifted
+    )

@@ -15,10 +15,22 @@ from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.datum import with_datums
-from jounce.identify.discrepancy import FEWEST_TRIALS, Discrepancy, ModelErrorFit, discrepancy_of, fit_model_error
+from jounce.identify.discrepancy import (
+    FEWEST_TRIALS,
+    Discrepancy,
+    ModelErrorFit,
+    discrepancy_of,
+    fit_model_error,
+)
 from jounce.identify.doubt import Doubt
 from jounce.identify.estimate import Estimate, correlation_of, r_squared
-from jounce.identify.fit_problem import FitTrial, FreeParameter, Residuals, UpdateProblem, free_parameters
+from jounce.identify.fit_problem import (
+    FitTrial,
+    FreeParameter,
+    Residuals,
+    UpdateProblem,
+    free_parameters,
+)
 from jounce.identify.leftovers import LeftOver, beyond_noise, faults
 from jounce.identify.nuisances import (
     SPEED,
@@ -67,7 +79,9 @@ def identifiability(jacobian: Array, names: tuple[str, ...]) -> Identifiability:
     norms = np.linalg.norm(jacobian, axis=0)
     singular = np.linalg.svd(np.linalg.qr(jacobian, mode="r"), compute_uv=False)
     rank = int(np.sum(singular > _WEAK * singular[0])) if singular[0] > 0.0 else 0
-    correlation = correlation_of(np.asarray(np.linalg.pinv(jacobian.T @ jacobian, hermitian=True), dtype=float))
+    correlation = correlation_of(
+        np.asarray(np.linalg.pinv(jacobian.T @ jacobian, hermitian=True), dtype=float)
+    )
     findings = [
         finding("identify.insensitive", name, 0.0)
         for name, norm in zip(names, norms, strict=True)
@@ -123,7 +137,9 @@ def robust_covariance(vector: Array, jacobian: Array, blocks: tuple[slice, ...])
             continue
         rows = jacobian[block][:, touched] * level[:, None]
         kernel = np.concatenate([correlation[::-1], [1.0], correlation])
-        meat[np.ix_(touched, touched)] += rows.T @ oaconvolve(rows, kernel[:, None], mode="same", axes=0)
+        meat[np.ix_(touched, touched)] += rows.T @ oaconvolve(
+            rows, kernel[:, None], mode="same", axes=0
+        )
     meat = 0.5 * (meat + meat.T)
     return np.asarray(bread @ meat @ bread * (count / max(count - unknowns, 1)))
 
@@ -237,14 +253,19 @@ class UpdateResult(Shown):
     identifiability: Identifiability
     findings: tuple[Finding, ...] = field(default_factory=tuple)
     discrepancy: Discrepancy | None = None
-    nuisances: Annotated[dict[str, UpdatedParameter], Shows("Nuisances")] = field(default_factory=dict)
+    nuisances: Annotated[dict[str, UpdatedParameter], Shows("Nuisances")] = field(
+        default_factory=dict
+    )
     offsets: dict[str, dict[str, float]] = field(default_factory=dict)
 
     @property
     def parts(self) -> Annotated[dict[str, Estimate], Shows(", as the part has it", _units)]:
         """Path to the component value whose interval includes model error, SI; empty without one."""
         laws = {} if self.discrepancy is None else self.discrepancy.parameters
-        return {path: Estimate(law.value, 0.5 * law.half_width, law.interval) for path, law in laws.items()}
+        return {
+            path: Estimate(law.value, 0.5 * law.half_width, law.interval)
+            for path, law in laws.items()
+        }
 
     def values(self) -> dict[str, float]:
         """Fitted values by path, SI."""
@@ -340,7 +361,18 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     """
     trials = [trials] if isinstance(trials, FitTrial) else trials
     settings = UpdateSettings(
-        name, method, weights, channels, align, lag_bound, starts, seed, tolerance, doubt, nuisances, bench
+        name,
+        method,
+        weights,
+        channels,
+        align,
+        lag_bound,
+        starts,
+        seed,
+        tolerance,
+        doubt,
+        nuisances,
+        bench,
     )
     return run_update(trials, free, settings)[0]
 
@@ -351,7 +383,11 @@ def run_update(
     """Like :func:`update_model`, but also return the final state of the extended model if model error is included."""
     name, doubt, align = settings.name, settings.doubts, settings.fits_lags
     if not trials:
-        raise FitError("no trial to fit", where=name, hint='Mark trials with use = "fit" or name their numbers.')
+        raise FitError(
+            "no trial to fit",
+            where=name,
+            hint='Mark trials with use = "fit" or name their numbers.',
+        )
     ranges, priors = bounds_and_priors(trials[0].rig_without, free, name)
     if priors and doubt is None:
         raise FitError(
@@ -361,12 +397,16 @@ def run_update(
         )
     bounds = free_parameters(trials[0].rig_without, ranges, where=name)
     if START in (settings.nuisances or {}) or (doubt is not None and doubt.start > 0.0):
-        trials = [trial.in_motion(trial.offset) if begins_unknown(trial) else trial for trial in trials]
+        trials = [
+            trial.in_motion(trial.offset) if begins_unknown(trial) else trial for trial in trials
+        ]
     trials, datums = with_datums(trials, settings.channels)
     datums += loads_held_against_masses(trials)
     unknowns = nuisances_of(settings.nuisances or {}, trials, f"{name}: nuisances")
     problem = UpdateProblem(trials, bounds, settings, unknowns)
-    start = np.array([item.scale(item.initial) for item in (*bounds, *(nuisance.free for nuisance in unknowns))])
+    start = np.array(
+        [item.scale(item.initial) for item in (*bounds, *(nuisance.free for nuisance in unknowns))]
+    )
     names = (
         *(item.path for item in bounds),
         *(nuisance.name for nuisance in unknowns),
@@ -378,11 +418,21 @@ def run_update(
     starts = 1 if settings.starts is None and doubt is None else settings.starts
     search = search_from_starts(problem, start, settings.method, settings.seed, starts=starts)
     best = search.best
-    findings = [*datums, *known.findings, *_stall(name, best, before), *_other_minima(name, problem, search)]
+    findings = [
+        *datums,
+        *known.findings,
+        *_stall(name, best, before),
+        *_other_minima(name, problem, search),
+    ]
     findings += _common_factors(problem)
     residuals = problem.residuals(best.scaled)
     left = _residuals_by_channel(problem, residuals)
-    findings += [*swapped, *_unexplained_channels(problem, residuals), *_copies(problem), *_frozen(problem)]
+    findings += [
+        *swapped,
+        *_unexplained_channels(problem, residuals),
+        *_copies(problem),
+        *_frozen(problem),
+    ]
     at_bound = np.abs(best.scaled) > AT_BOUND
     findings += disagreeing(problem, residuals, best.scaled, ~at_bound) or unlike(left)
     whole = _whole(problem, best.scaled)
@@ -393,17 +443,25 @@ def run_update(
     if loud:
         findings += preferred_masses(problem, best.scaled)
     for channel, parts in left.items():
-        if not any(finding.place in (channel, SPEED) or share > CLEARLY for share, finding in suspected):
+        if not any(
+            finding.place in (channel, SPEED) or share > CLEARLY for share, finding in suspected
+        ):
             findings += faults(channel, parts, settings.lag_bound, is_aligned=align)
     inner = np.atleast_1d(whole.any(axis=0))
     inner[: len(at_bound)] &= ~at_bound
     covariance = np.zeros((len(inner), len(inner)))
     if inner.any():
-        covariance[np.ix_(inner, inner)] = robust_covariance(residuals.vector, whole[:, inner], residuals.blocks)
+        covariance[np.ix_(inner, inner)] = robust_covariance(
+            residuals.vector, whole[:, inner], residuals.blocks
+        )
     parameters = {}
     for i, (item, fitted) in enumerate(zip(problem.free, problem.values(best.scaled), strict=True)):
         value = float(fitted)
-        error = None if at_bound[i] or covariance[i, i] <= 0.0 else float(np.sqrt(covariance[i, i])) * item.half_range
+        error = (
+            None
+            if at_bound[i] or covariance[i, i] <= 0.0
+            else float(np.sqrt(covariance[i, i])) * item.half_range
+        )
         interval = None if error is None else (value - 1.96 * error, value + 1.96 * error)
         parameters[item.path] = UpdatedParameter(
             item.initial,
@@ -428,20 +486,31 @@ def run_update(
         )
     }
     findings += _of_nuisances(found_beside)
-    lags = dict(zip((t.source.name for t in problem.trials), residuals.lags.tolist(), strict=True)) if align else {}
+    lags = (
+        dict(zip((t.source.name for t in problem.trials), residuals.lags.tolist(), strict=True))
+        if align
+        else {}
+    )
     correlations = correlation_of(covariance)
     alike = _correlated_pairs(names[: problem.size], correlations)
     at_start = [item for item in known.findings if any(item.place == pair.place for pair in alike)]
-    findings = [*alike, *_far_masses(trials[0].rig, parameters), *(item for item in findings if item not in at_start)]
+    findings = [
+        *alike,
+        *_far_masses(trials[0].rig, parameters),
+        *(item for item in findings if item not in at_start),
+    ]
     discrepancy = calibration = None
     for nuisance, scaled in zip(unknowns, best.scaled[len(bounds) :], strict=True):
         trials = [nuisance.apply_to(trial, nuisance.free.value(scaled)) for trial in trials]
     if doubt is not None:
         values = {path: parameter.value for path, parameter in parameters.items()}
         found_beside_of = {
-            START if isinstance(nuisance, SearchedStart) else nuisance.name: nuisance.width for nuisance in unknowns
+            START if isinstance(nuisance, SearchedStart) else nuisance.name: nuisance.width
+            for nuisance in unknowns
         }
-        calibration, more = _with_doubt(trials, bounds, values, settings, lags, priors, found_beside_of)
+        calibration, more = _with_doubt(
+            trials, bounds, values, settings, lags, priors, found_beside_of
+        )
         if calibration is not None:
             discrepancy = discrepancy_of(calibration, settings.bench or {})
             more = list(discrepancy.findings)
@@ -476,7 +545,9 @@ def _beside(
     error = None if is_bound or variance <= 0.0 else float(np.sqrt(variance)) * free.half_range
     ends = None if error is None else (value - 1.96 * error, value + 1.96 * error)
     if not nuisance.is_inverse:
-        return UpdatedParameter(free.initial, value, error, ends, free.lower, free.upper, is_bound, nuisance.unit)
+        return UpdatedParameter(
+            free.initial, value, error, ends, free.lower, free.upper, is_bound, nuisance.unit
+        )
     interval = None if ends is None else (1.0 / max(ends[1], 1e-12), 1.0 / max(ends[0], 1e-12))
     return UpdatedParameter(
         1.0 / free.initial, 1.0 / value, None if error is None else error / value**2, interval,
@@ -490,7 +561,11 @@ def _of_nuisances(nuisances: Mapping[str, UpdatedParameter]) -> list[Finding]:
     starts = {name: parameter for name, parameter in nuisances.items() if f": {START}, " in name}
     if starts:
         name, largest = max(starts.items(), key=lambda item: abs(item[1].value))
-        findings.append(finding("identify.starts_found", START, largest.value, value=abs(largest.value), which=name))
+        findings.append(
+            finding(
+                "identify.starts_found", START, largest.value, value=abs(largest.value), which=name
+            )
+        )
     for name, parameter in nuisances.items():
         low, high = parameter.interval or (None, None)
         if parameter.at_bound:
@@ -498,9 +573,17 @@ def _of_nuisances(nuisances: Mapping[str, UpdatedParameter]) -> list[Finding]:
         elif name in starts:
             continue
         elif name == SPEED:
-            code = "identify.speed_found" if parameter.interval is None else "identify.speed_found_within"
+            code = (
+                "identify.speed_found"
+                if parameter.interval is None
+                else "identify.speed_found_within"
+            )
         else:
-            code = "identify.low_pass_found" if parameter.interval is None else "identify.low_pass_found_within"
+            code = (
+                "identify.low_pass_found"
+                if parameter.interval is None
+                else "identify.low_pass_found_within"
+            )
         excess = parameter.value / parameter.initial - 1.0 if parameter.initial else 0.0
         findings.append(
             finding(
@@ -528,7 +611,15 @@ def _correlated_pairs(names: Sequence[str], correlation: Array) -> list[Finding]
         for j in range(i):
             value = float(correlation[i, j])
             if abs(value) > _CORRELATED:
-                findings.append(finding("identify.strongly_correlated", name, value, other=names[j], correlation=value))
+                findings.append(
+                    finding(
+                        "identify.strongly_correlated",
+                        name,
+                        value,
+                        other=names[j],
+                        correlation=value,
+                    )
+                )
     return findings
 
 
@@ -554,14 +645,27 @@ def bounds_and_priors(
         if not isinstance(given, Mapping):
             continue
         where = f"{name}: {path}"
-        if set(given) != {"bounds", "prior"} or not isinstance(given["prior"], Sequence) or len(given["prior"]) != 2:
+        if (
+            set(given) != {"bounds", "prior"}
+            or not isinstance(given["prior"], Sequence)
+            or len(given["prior"]) != 2
+        ):
             allowed = '{bounds = "10 %", prior = [mean, standard deviation]}'
-            raise FitError("not bounds with a prior", where=where, found=dict(given), allowed=allowed)
+            raise FitError(
+                "not bounds with a prior", where=where, found=dict(given), allowed=allowed
+            )
         ranges[path] = given["bounds"]
         if path in rig.parameters():
-            mean, deviation = (to_si(value, unit_of(rig, path), where=where) for value in given["prior"])
+            mean, deviation = (
+                to_si(value, unit_of(rig, path), where=where) for value in given["prior"]
+            )
             if deviation <= 0.0:
-                raise FitError("not a standard deviation", where=where, found=given["prior"][1], allowed="above 0")
+                raise FitError(
+                    "not a standard deviation",
+                    where=where,
+                    found=given["prior"][1],
+                    allowed="above 0",
+                )
             priors[path] = mean, deviation
     return ranges, priors
 
@@ -588,7 +692,9 @@ def _with_doubt(
             )
         ]
     try:
-        return fit_model_error(trials, free, values, settings, lags=lags, priors=priors, found_beside=found_beside), []
+        return fit_model_error(
+            trials, free, values, settings, lags=lags, priors=priors, found_beside=found_beside
+        ), []
     except SimulationError as error:
         return None, [finding("identify.noise_only", "intervals", error=error)]
 
@@ -615,7 +721,9 @@ def _other_minima(name: str, problem: UpdateProblem, search: SearchOutcome) -> l
     """Say where else the search ended, and that it nearly was the answer where it fits nearly as well."""
     best, findings = search.best, []
     if not search.is_confirmed:
-        findings.append(finding("identify.best_fit_once", name, search.starts, others=search.starts - 1))
+        findings.append(
+            finding("identify.best_fit_once", name, search.starts, others=search.starts - 1)
+        )
     if not search.others:
         return findings
     other = search.others[0]
@@ -631,12 +739,26 @@ def _other_minima(name: str, problem: UpdateProblem, search: SearchOutcome) -> l
         return [
             *findings,
             finding(
-                "identify.other_fit_as_good", name, ratio, count=count, starts=search.starts, values=values, ratio=ratio
+                "identify.other_fit_as_good",
+                name,
+                ratio,
+                count=count,
+                starts=search.starts,
+                values=values,
+                ratio=ratio,
             ),
         ]
     return [
         *findings,
-        finding("identify.other_fit_worse", name, ratio, count=count, starts=search.starts, values=values, ratio=ratio),
+        finding(
+            "identify.other_fit_worse",
+            name,
+            ratio,
+            count=count,
+            starts=search.starts,
+            values=values,
+            ratio=ratio,
+        ),
     ]
 
 
@@ -664,11 +786,15 @@ def _unexplained_channels(problem: UpdateProblem, residuals: Residuals) -> list[
         least = min(shares.values())
         code = "identify.explains_little_of_more" if len(shares) > 4 else "identify.explains_little"
         trials = ", ".join(list(shares)[:4])
-        findings.append(finding(code, name, least, trials=trials, more=len(shares) - 4, least=least))
+        findings.append(
+            finding(code, name, least, trials=trials, more=len(shares) - 4, least=least)
+        )
     return findings
 
 
-def _residuals_by_channel(problem: UpdateProblem, residuals: Residuals) -> dict[str, list[LeftOver]]:
+def _residuals_by_channel(
+    problem: UpdateProblem, residuals: Residuals
+) -> dict[str, list[LeftOver]]:
     """Residuals of each channel that counts, by trial, with the recordings shifted by their lags."""
     both = [(trial, channel) for trial in problem.trials for channel in trial.channels]
     left = dict[str, list[LeftOver]]()
@@ -682,7 +808,9 @@ def _residuals_by_channel(problem: UpdateProblem, residuals: Residuals) -> dict[
 
 def _beyond_noise(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
     """Say that intervals of the noise are not those of the values, where something else is left of a record."""
-    loud = {name: times for name, parts in left.items() if (times := beyond_noise(parts)) is not None}
+    loud = {
+        name: times for name, parts in left.items() if (times := beyond_noise(parts)) is not None
+    }
     if not loud:
         return []
     channels = ", ".join(f"{name} ({min(times, 99.0):.2g} times)" for name, times in loud.items())
@@ -695,7 +823,9 @@ def _copies(problem: UpdateProblem) -> list[Finding]:
     for trial in problem.trials:
         record = tuple(channel.measured.tobytes() for channel in trial.channels)
         if record in first:
-            findings.append(finding("identify.copy_of_trial", trial.source.name, other=first[record]))
+            findings.append(
+                finding("identify.copy_of_trial", trial.source.name, other=first[record])
+            )
         first.setdefault(record, trial.source.name)
     return findings
 
@@ -706,8 +836,13 @@ def _frozen(problem: UpdateProblem) -> list[Finding]:
     for trial in problem.trials:
         for channel in trial.channels:
             if channel.frozen is not None:
-                trials.setdefault(channel.name, []).append(f"{trial.source.name} ({channel.frozen.sum()} samples)")
-    return [finding("identify.frozen_left_out", name, trials=", ".join(where)) for name, where in trials.items()]
+                trials.setdefault(channel.name, []).append(
+                    f"{trial.source.name} ({channel.frozen.sum()} samples)"
+                )
+    return [
+        finding("identify.frozen_left_out", name, trials=", ".join(where))
+        for name, where in trials.items()
+    ]
 
 
 def _common_factors(problem: UpdateProblem) -> list[Finding]:
@@ -715,5 +850,7 @@ def _common_factors(problem: UpdateProblem) -> list[Finding]:
     for i, free in enumerate(problem.free):
         factors = [trial.factors[i] for trial in problem.trials]
         if max(factors) - min(factors) > 1e-9:
-            findings.append(finding("identify.common_factor", free.path, max(factors) / min(factors)))
+            findings.append(
+                finding("identify.common_factor", free.path, max(factors) / min(factors))
+            )
     return findings

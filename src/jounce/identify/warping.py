@@ -22,7 +22,10 @@ from jounce.core.types import Array
 from jounce.kernel.call import Loop
 
 Indices = NDArray[np.int64]
-_BLOCK, _SHORT = 128, 20_000  # from four times as many samples on, fewer stores: fresh memory takes long, too
+_BLOCK, _SHORT = (
+    128,
+    20_000,
+)  # from four times as many samples on, fewer stores: fresh memory takes long, too
 _WIDE = 512  # a band from which a narrower one may save time
 _NARROW = 16  # times as narrow is that which gives some path
 _THIN = 16  # samples that become one where it is tried
@@ -57,7 +60,9 @@ def warping_path(
     band = max(int(radius), 0)
     if narrow is None:
         narrow = band // _NARROW if band > _WIDE and _pays(x, backwards, band) else -1
-    path, _ = _follow(x, backwards, band, min(narrow, band), _BLOCK * max(math.isqrt(x.size // _SHORT), 1))
+    path, _ = _follow(
+        x, backwards, band, min(narrow, band), _BLOCK * max(math.isqrt(x.size // _SHORT), 1)
+    )
     return path[0].copy(), path[1].copy()
 
 
@@ -68,7 +73,10 @@ def _follow(
     n = x.size
     path = np.empty((2, 2 * n - 1), dtype=np.int64)
     width = 2 * (band // 2 + 2) + 1
-    costs, stores = np.empty((2, width)), _fresh(((2 * n - 3) // block + 1 if n > 1 else 0, 2, width))
+    costs, stores = (
+        np.empty((2, width)),
+        _fresh(((2 * n - 3) // block + 1 if n > 1 else 0, 2, width)),
+    )
     if unused is not None:
         stores.fill(unused)
     directions = np.empty((block, 2 * (block // 2 + 2) + 1), dtype=np.int64)
@@ -92,7 +100,9 @@ def _pays(x: Array, backwards: Array, band: int) -> bool:
     """Whether a path from a narrower band would save time, by how much of the band thinned signals use."""
     spare = x.size % _THIN
     first, second = x[: x.size - spare], backwards[spare:]
-    thin = [np.ascontiguousarray(signal.reshape(-1, _THIN).mean(axis=1)) for signal in (first, second)]
+    thin = [
+        np.ascontiguousarray(signal.reshape(-1, _THIN).mean(axis=1)) for signal in (first, second)
+    ]
     small = band // _THIN
     _, stores = _follow(thin[0], thin[1], small, small // _NARROW, 2 * _BLOCK // _THIN, np.nan)
     return bool(np.isfinite(stores).mean() < _USED)

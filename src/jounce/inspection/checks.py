@@ -23,34 +23,64 @@ FORCE_UNITS = {
 LENGTH_UNITS = {1.0 / 25.4: "inches", 0.001: "metres", 0.1: "centimetres", 1000.0: "micrometres"}
 """Value as written over value in N, or over that in mm; without a name: the load is in another unit."""
 
-_RIGID_BAND = (7.0, 24.0)  # Hz: between the end of the band (6 Hz) and the hold (25 Hz), where every sweep passes
+_RIGID_BAND = (
+    7.0,
+    24.0,
+)  # Hz: between the end of the band (6 Hz) and the hold (25 Hz), where every sweep passes
 _RIGID_SPREAD = 1.3
 """Ratio of large to small strokes beyond which no plate is rigid.
 
 Simulated on the shipped testers with 1 % noise, an Audi A6 gives 1.00 on rigid plates; on sprung ones 1.7 to 1.9
 with its dampers, 2.9 to 4.2 with 30 % of them and 4.6 to 7.9 with 5 %.
 """
-_FEWEST_STROKES = 12  # turns, so that one odd turn is neither the tenth nor the ninetieth percentile
-_SPRUNG_SPREAD, _COMPRESSED = 1.1, 1.5  # strokes on a spring vary by more, forces compress it by less
+_FEWEST_STROKES = (
+    12  # turns, so that one odd turn is neither the tenth nor the ninetieth percentile
+)
+_SPRUNG_SPREAD, _COMPRESSED = (
+    1.1,
+    1.5,
+)  # strokes on a spring vary by more, forces compress it by less
 _NEAR = 0.06  # share by which a ratio may miss a unit's; daN and kgf are 2 % apart, and the nearer counts
-_KILO, _NEAR_KILO = 0.001, 0.5  # kN over N, and how far off it may be: no other unit is within a factor of ten
-_WEIGHT_WARNING, _WEIGHT_PROBLEM = 0.02, 0.08  # an error of the load is one of the adhesion, as large
+_KILO, _NEAR_KILO = (
+    0.001,
+    0.5,
+)  # kN over N, and how far off it may be: no other unit is within a factor of ten
+_WEIGHT_WARNING, _WEIGHT_PROBLEM = (
+    0.02,
+    0.08,
+)  # an error of the load is one of the adhesion, as large
 _LEAST_LOAD, _GREATEST_LOAD = 300.0, 30e3  # N: 30 kg and 3 t on one wheel
-_CLIPPED_SHARE = 0.01  # of the samples: limits that a steady sine touches for so long cut 0.05 % of it
+_CLIPPED_SHARE = (
+    0.01  # of the samples: limits that a steady sine touches for so long cut 0.05 % of it
+)
 _DROPOUT = 8e-3  # s: a fifth of the shortest turn, at 25 Hz
 _SLOWEST_SAMPLING = 200.0  # Hz: eight samples a turn at 25 Hz
 _SHORTEST = 2.0  # s: half of what the fastest sweep allowed (3 Hz/s) takes from 18 to 6 Hz
 _SWING = 1.0  # s: about one swing of a body
-_COARSE = 0.05  # of the static load, of the stroke: rounding to such steps is noise of 1.4 % of them
+_COARSE = (
+    0.05  # of the static load, of the stroke: rounding to such steps is noise of 1.4 % of them
+)
 _SLOW_BANDS = (1.5, 4.0), (4.0, 7.0)  # Hz: the second where the first has too few turns
-_MIDDLE_BAND, _FAST_BAND = (8.0, 14.0), (20.0, 40.0)  # Hz: about wheel hop, where filters do nothing; about the hold
+_MIDDLE_BAND, _FAST_BAND = (
+    (8.0, 14.0),
+    (20.0, 40.0),
+)  # Hz: about wheel hop, where filters do nothing; about the hold
 _FEWEST_IN_BAND = 2.0  # turns
 _FALLEN, _RISEN = 0.96, 0.975
 """Stroke over that of the middle band (1), which a low pass of second order at 45 Hz leaves at the hold of 25 Hz, and a
 high pass of first order at 0.6 Hz in the slowest band."""
-_EXCITER_BANDS, _EXCITER_OFF = ((1.5, 4.0), (3.0, 8.0)), 0.05  # Hz; an error of the stroke is one of the amplification
-_TURNS_OF_MEAN, _FREQUENCY_OFF = 10, 0.04  # turns of which the mean counts, since noise moves single crossings
-_STILL, _STILL_OF_LOAD = 0.5, 0.03  # standard deviation of a force while its plate moves, over that while it stands; 1
+_EXCITER_BANDS, _EXCITER_OFF = (
+    ((1.5, 4.0), (3.0, 8.0)),
+    0.05,
+)  # Hz; an error of the stroke is one of the amplification
+_TURNS_OF_MEAN, _FREQUENCY_OFF = (
+    10,
+    0.04,
+)  # turns of which the mean counts, since noise moves single crossings
+_STILL, _STILL_OF_LOAD = (
+    0.5,
+    0.03,
+)  # standard deviation of a force while its plate moves, over that while it stands; 1
 
 
 def check_finite(channels: Mapping[str, Array], time: Array) -> list[Finding]:
@@ -71,7 +101,11 @@ def check_tester(name: str, tester: Tester | None) -> list[Finding]:
         return []
     own_name, kind = _find_shipped(name)
     if kind and kind != tester.kind:
-        return [problem("tester", "other_kind", name=name, kind=kind, tester=tester.name, own=tester.kind)]
+        return [
+            problem(
+                "tester", "other_kind", name=name, kind=kind, tester=tester.name, own=tester.kind
+            )
+        ]
     if tester.name in (name, own_name):
         return []
     return [remark("tester", "note", "other_tester", name=name, tester=tester.name)]
@@ -100,7 +134,9 @@ def check_rigid(strokes: Array, frequency: Array, place: str) -> list[Finding]:
     return [problem(place, "not_rigid", high / max(low, 1e-12), low=1e3 * low, high=1e3 * high)]
 
 
-def check_sprung(strokes: Array, frequency: Array, signals: WheelSignals, tester: Tester) -> list[Finding]:
+def check_sprung(
+    strokes: Array, frequency: Array, signals: WheelSignals, tester: Tester
+) -> list[Finding]:
     """Report a rigid plate: on the tester's spring, such strokes (n,) in m could not make the measured forces.
 
     The spring is between the exciter and the plate, so no force compresses it by more than both of them move.
@@ -124,7 +160,9 @@ def check_even_stroke(signals: WheelSignals, turns: Turns) -> list[Finding]:
     place, findings = f"{signals.wheel}.plate.z", []
     fast = _amplitude(signals.height, signals.time, turns, _FAST_BAND)
     slow = [_amplitude(signals.height, signals.time, turns, band) for band in _SLOW_BANDS]
-    slowest = next((size for size in slow if size is not None), None)  # a high pass leaves the slowest turns too small
+    slowest = next(
+        (size for size in slow if size is not None), None
+    )  # a high pass leaves the slowest turns too small
     for code, size, least in (("stroke_falls", fast, _FALLEN), ("stroke_rises", slowest, _RISEN)):
         if size is not None and size < least * middle:
             words = {"stroke": 2e3 * size, "middle": 2e3 * middle}
@@ -141,7 +179,9 @@ def check_exciter(
     """
     findings, place = [], f"{signals.wheel}.plate.z"
     within = slice(*np.searchsorted(signals.time, span))
-    sizes = (_amplitude(exciter[within], signals.time[within], turns, band) for band in _EXCITER_BANDS)
+    sizes = (
+        _amplitude(exciter[within], signals.time[within], turns, band) for band in _EXCITER_BANDS
+    )
     shares = [2.0 * size / tester.stroke for size in sizes if size is not None]
     farthest = max(shares, key=lambda share: abs(share - 1.0), default=1.0)
     if abs(farthest - 1.0) > _EXCITER_OFF and not tester.plate_damping_coefficient:
@@ -150,14 +190,18 @@ def check_exciter(
     times = turns.crossing[::2]
     times = times[(times >= span[0]) & (times <= span[1])]
     programme = max(tester.programme.start_frequency, tester.programme.end_frequency)
-    fastest = _TURNS_OF_MEAN / float(np.min(times[_TURNS_OF_MEAN:] - times[:-_TURNS_OF_MEAN], initial=np.inf))
+    fastest = _TURNS_OF_MEAN / float(
+        np.min(times[_TURNS_OF_MEAN:] - times[:-_TURNS_OF_MEAN], initial=np.inf)
+    )
     if fastest > 0.0 and abs(fastest / programme - 1.0) > _FREQUENCY_OFF:
         words = {"frequency": fastest, "expected": programme}
         findings.append(warning(place, "frequency_off", fastest / programme, **words))
     return findings
 
 
-def _amplitude(height: Array | None, time: Array, turns: Turns, band: tuple[float, float]) -> float | None:
+def _amplitude(
+    height: Array | None, time: Array, turns: Turns, band: tuple[float, float]
+) -> float | None:
     """Amplitude (m) of a height (n,) in m at the frequency of the turns while that is within a band (Hz), on time (s).
 
     None where the height is not known, or makes too few turns there.
@@ -180,9 +224,16 @@ def check_resolution(signals: WheelSignals, raw: Array, load: float) -> list[Fin
     findings = []
     for name, code, values, whole in (
         ("force", "force_coarse", raw, load),
-        ("z", "height_coarse", signals.height, 0.0 if signals.height is None else float(np.ptp(signals.height))),
+        (
+            "z",
+            "height_coarse",
+            signals.height,
+            0.0 if signals.height is None else float(np.ptp(signals.height)),
+        ),
     ):
-        step = float(np.diff(np.unique(values)).min(initial=np.inf)) if values is not None else np.inf
+        step = (
+            float(np.diff(np.unique(values)).min(initial=np.inf)) if values is not None else np.inf
+        )
         if np.isfinite(step) and step > _COARSE * whole:
             shown = 1e3 * step if name == "z" else step
             findings.append(warning(f"{signals.wheel}.plate.{name}", code, step, step=shown))
@@ -196,10 +247,14 @@ def check_together(raw: Array, moving: tuple[int, int], load: float, wheel: str)
     """
     inside, outside = raw[slice(*moving)], np.concatenate([raw[: moving[0]], raw[moving[1] :]])
     # A fifth of the time of the motion says how the force of a standing plate scatters.
-    if outside.size < 0.2 * inside.size or np.std(inside) >= min(_STILL * np.std(outside), _STILL_OF_LOAD * load):
+    if outside.size < 0.2 * inside.size or np.std(inside) >= min(
+        _STILL * np.std(outside), _STILL_OF_LOAD * load
+    ):
         return []
     words = {"moves": float(np.std(outside)), "still": float(np.std(inside))}
-    return [problem(f"{wheel}.plate.force", "force_elsewhere", words["still"] / words["moves"], **words)]
+    return [
+        problem(f"{wheel}.plate.force", "force_elsewhere", words["still"] / words["moves"], **words)
+    ]
 
 
 def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> list[Finding]:
@@ -223,7 +278,9 @@ def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> l
         return _rigid_stroke(place, ratio, stroke, tester)
     # Above its resonance a plate on a spring moves less than its exciter; at it, without a damper, many times as much.
     if not 0.15 < ratio < 30.0:
-        return [problem(place, "stroke_unit", stroke, stroke=1e3 * stroke, expected=1e3 * tester.stroke)]
+        return [
+            problem(place, "stroke_unit", stroke, stroke=1e3 * stroke, expected=1e3 * tester.stroke)
+        ]
     return []
 
 
@@ -235,7 +292,11 @@ def _rigid_stroke(place: str, ratio: float, stroke: float, tester: Tester) -> li
     if not 0.7 < ratio < 1.4:  # of a stroke of 6 mm, below 4.2 or above 8.4 mm: another tester
         return [problem(place, "stroke_wrong", ratio, **words)]
     if abs(stroke - tester.stroke) > tester.limits.stroke_tolerance:
-        return [warning(place, "stroke_off", ratio, allowed=1e3 * tester.limits.stroke_tolerance, **words)]
+        return [
+            warning(
+                place, "stroke_off", ratio, allowed=1e3 * tester.limits.stroke_tolerance, **words
+            )
+        ]
     return []
 
 
@@ -245,7 +306,11 @@ def check_load(signals: WheelSignals, measured: float, tester: Tester | None) ->
     load = signals.static_load
     if load is None:
         if not _LEAST_LOAD < measured < _GREATEST_LOAD:
-            return [problem(f"{signals.wheel}.plate.force", "no_wheel_load", measured, measured=measured)]
+            return [
+                problem(
+                    f"{signals.wheel}.plate.force", "no_wheel_load", measured, measured=measured
+                )
+            ]
         return [
             *_range(place, measured, tester),
             warning(place, "load_from_signal", measured, measured=measured),
@@ -295,10 +360,16 @@ def check_pair(loads: Mapping[str, float | None], measured: Mapping[str, float])
         return []
     left, right = loads["left"], loads["right"]
     # Sides that were swapped fit crosswise within what a load may be off without a warning, and not as they are.
-    if left is None or right is None or max(_off(measured[side], loads[side]) for side in loads) < 0.03:
+    if (
+        left is None
+        or right is None
+        or max(_off(measured[side], loads[side]) for side in loads) < 0.03
+    ):
         return []
     if max(_off(measured["left"], right), _off(measured["right"], left)) < _WEIGHT_WARNING:
-        return [problem("left, right", "sides_swapped", left_load=left, right_load=right, **measured)]
+        return [
+            problem("left, right", "sides_swapped", left_load=left, right_load=right, **measured)
+        ]
     if all(
         _unit_of(measured[side] / load) is not None or _is_turned(measured[side], load)
         for side, load in (("left", left), ("right", right))
@@ -331,7 +402,9 @@ def check_clipping(force: Array, load: float, place: str) -> list[Finding]:
     """Look for a saturated force (N): flat pieces at its largest or smallest value, lift-off apart."""
     findings = []
     for limit, name in ((float(force.max()), "upper"), (float(force.min()), "lower")):
-        if name == "lower" and abs(limit) < 0.05 * load:  # a wheel that lifts off, with an error of the zero
+        if (
+            name == "lower" and abs(limit) < 0.05 * load
+        ):  # a wheel that lifts off, with an error of the zero
             continue
         flat = force == limit
         count = int(np.count_nonzero(flat))
@@ -340,7 +413,9 @@ def check_clipping(force: Array, load: float, place: str) -> list[Finding]:
         jumps = np.abs(np.diff(force))
         entered = jumps[flat[1:] != flat[:-1]]
         # A flat piece that is entered by single steps of the resolution is the turn of a signal.
-        if entered.size == 0 or float(np.median(entered)) <= 1.5 * float(np.min(jumps[jumps > 0.0], initial=np.inf)):
+        if entered.size == 0 or float(np.median(entered)) <= 1.5 * float(
+            np.min(jumps[jumps > 0.0], initial=np.inf)
+        ):
             continue
         share = count / force.size
         words = {"limit": limit, "percent": 100.0 * share}
@@ -409,17 +484,27 @@ def _means(values: Array, time: Array, length: float) -> Array:
     return np.asarray((sums[ends[whole]] - sums[whole]) / (ends[whole] - whole))
 
 
-def check_wandering(mean: Array, frequency: Array, load: float, wheel: str, *, hops: bool = False) -> list[Finding]:
+def check_wandering(
+    mean: Array, frequency: Array, load: float, wheel: str, *, hops: bool = False
+) -> list[Finding]:
     """Look for a wheel that slips: mean force (N) of turns (their frequency in Hz) that stays off the load (N).
 
     The mean is taken over a swing of the body; for a wheel that hops, whose body is thrown about, over the whole test.
     """
-    known = np.isfinite(mean) & (frequency > 6.0)  # Hz: slower turns are few, and swings of the body
+    known = np.isfinite(mean) & (
+        frequency > 6.0
+    )  # Hz: slower turns are few, and swings of the body
     if np.count_nonzero(known) < 12:
         return []
-    smooth = _means(mean[known] / load - 1.0, np.cumsum(1.0 / frequency[known]), np.inf if hops else _SWING)
+    smooth = _means(
+        mean[known] / load - 1.0, np.cumsum(1.0 / frequency[known]), np.inf if hops else _SWING
+    )
     drift = float(smooth[int(np.argmax(np.abs(smooth)))])
     # Adhesion is the least force over the load: it is wrong by about as much. A fifth is a problem.
     if abs(drift) < 0.05:
         return []
-    return [(problem if abs(drift) > 0.2 else warning)(f"{wheel}.plate.force", "slips", drift, percent=100.0 * drift)]
+    return [
+        (problem if abs(drift) > 0.2 else warning)(
+            f"{wheel}.plate.force", "slips", drift, percent=100.0 * drift
+        )
+    ]

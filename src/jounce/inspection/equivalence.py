@@ -57,7 +57,9 @@ class Factor:
 
 def usual_factors(points: int = 28) -> tuple[Factor, ...]:
     """Tyre stiffness 140 to 300 kN/m, sprung mass 0.5 to 1.5 times the nominal one, strut friction up to 200 N."""
-    rates, shares, forces = (_space_evenly(*ends, points) for ends in ((140e3, 300e3), (0.5, 1.5), (0.0, 200.0)))
+    rates, shares, forces = (
+        _space_evenly(*ends, points) for ends in ((140e3, 300e3), (0.5, 1.5), (0.0, 200.0))
+    )
     return (
         Factor("tyre_stiffness", "tyre stiffness [kN/m]", 1e-3, rates, _of_tyre),
         Factor("load", "sprung mass / nominal sprung mass [–]", 1.0, shares, _of_load),
@@ -87,7 +89,9 @@ class Disagreement:
     worn: int  # cars with a worn damper
     rejected_sound: int  # how many sound ones the method rejects
     passed_worn: int  # how many worn ones it passes
-    rejected_at: tuple[float, float] | None  # range of the factor (SI) in which sound ones are rejected
+    rejected_at: (
+        tuple[float, float] | None
+    )  # range of the factor (SI) in which sound ones are rejected
     passed_at: tuple[float, float] | None  # range of the factor (SI) in which worn ones pass
 
 
@@ -147,11 +151,18 @@ class Equivalence(Shown):
             name: {
                 "wear": plane["wear"].to_numpy(),
                 name: plane[name].to_numpy(),
-                **{str(quantity): values.to_numpy() for quantity, values in plane.data_vars.items()},
+                **{
+                    str(quantity): values.to_numpy() for quantity, values in plane.data_vars.items()
+                },
             }
             for name, plane in self.planes.items()
         }
-        plain = {"limits": self.limits, "tests": self.tests, "sound_up_to": SOUND, "worn_from": WORN}
+        plain = {
+            "limits": self.limits,
+            "tests": self.tests,
+            "sound_up_to": SOUND,
+            "worn_from": WORN,
+        }
         plain |= {"rejected_below": self.edges}
         return plain_table({**plain, "planes": planes, "disagreements": self.disagreements})
 
@@ -169,7 +180,9 @@ class Equivalence(Shown):
 def study_equivalence(
     rig: AnyRig,
     *,
-    points: Annotated[int, Count("Number of values of each varied quantity.", least=2, most=200)] = 28,
+    points: Annotated[
+        int, Count("Number of values of each varied quantity.", least=2, most=200)
+    ] = 28,
     limits: Annotated[str | None, File("A limits file in place of the shipped limits.")] = None,
     progress: Callable[[str], None] = lambda _: None,
 ) -> Equivalence:
@@ -203,14 +216,19 @@ def study_equivalence(
     """
     if not 2 <= points <= _MOST_POINTS:
         raise DescriptionError(
-            "out of range", where="points", found=points, allowed=Phrase("2 to {most_points}", most_points=_MOST_POINTS)
+            "out of range",
+            where="points",
+            found=points,
+            allowed=Phrase("2 to {most_points}", most_points=_MOST_POINTS),
         )
     return compare_tests(
         as_rig(rig),  # type: ignore[arg-type]
         factors=usual_factors(points),
         limits=load_limits(limits),
         workers=processors(),
-        progress=lambda share: progress(Stage("testing: {percent:.0f} %", share=share, percent=100.0 * share)),
+        progress=lambda share: progress(
+            Stage("testing: {percent:.0f} %", share=share, percent=100.0 * share)
+        ),
     )
 
 
@@ -262,23 +280,38 @@ def compare_tests(
     (4, 2)
     """
     if not isinstance(rig, QuarterCar):
-        raise SimulationError("the study varies quarter cars", where="rig", found=type(rig).__name__)
+        raise SimulationError(
+            "the study varies quarter cars", where="rig", found=type(rig).__name__
+        )
     shares = np.asarray(_space_evenly(0.0, 0.95, 24) if wear is None else wear, dtype=float)
     chosen = tuple(usual_factors() if factors is None else factors)
     if not shares.size:
-        raise DescriptionError("nothing to test", where="wear", allowed="shares of the damper that are lost, 0 to 1")
+        raise DescriptionError(
+            "nothing to test", where="wear", allowed="shares of the damper that are lost, 0 to 1"
+        )
     used = limits or load_limits()
     places = [(factor, j) for factor in chosen for j in range(len(factor.values))]
-    columns = [(rig.with_changes(factor.changes(rig, factor.values[j])), shares) for factor, j in places]
+    columns = [
+        (rig.with_changes(factor.changes(rig, factor.values[j])), shares) for factor, j in places
+    ]
     size = {factor.name: (len(shares), len(factor.values)) for factor in chosen}
-    tables = {name: {quantity: np.full(shape, np.nan) for quantity in METHODS.values()} for name, shape in size.items()}
-    for done, ((factor, j), column) in enumerate(zip(places, _test_columns(columns, workers), strict=True), 1):
+    tables = {
+        name: {quantity: np.full(shape, np.nan) for quantity in METHODS.values()}
+        for name, shape in size.items()
+    }
+    for done, ((factor, j), column) in enumerate(
+        zip(places, _test_columns(columns, workers), strict=True), 1
+    ):
         for quantity, values in column.items():
             tables[factor.name][quantity][:, j] = values
         progress(done / len(places))
     planes = {factor.name: _plane(factor, shares, tables[factor.name], used) for factor in chosen}
-    disagreements = tuple(row for factor in chosen for row in _disagreements(factor, planes[factor.name]))
-    return Equivalence(planes, disagreements, chosen, used.label, len(columns) * len(shares), _edges(used))
+    disagreements = tuple(
+        row for factor in chosen for row in _disagreements(factor, planes[factor.name])
+    )
+    return Equivalence(
+        planes, disagreements, chosen, used.label, len(columns) * len(shares), _edges(used)
+    )
 
 
 def _first_rejected(wear: Array, fails: NDArray[np.bool_], values: Array, edge: float) -> float:
@@ -296,12 +329,18 @@ def _edges(limits: Limits) -> dict[str, float]:
     edges: dict[str, float] = {}
     for method in METHODS:
         bands = limits.methods[method].bands if method in limits.methods else ()
-        ends = [low.end for low, high in pairwise(bands) if low.verdict == "fail" and high.verdict != "fail"]
+        ends = [
+            low.end
+            for low, high in pairwise(bands)
+            if low.verdict == "fail" and high.verdict != "fail"
+        ]
         edges |= {method: ends[0]} if ends else {}
     return edges
 
 
-def _test_columns(columns: Sequence[tuple[QuarterCar, Array]], workers: int) -> Iterator[dict[str, Array]]:
+def _test_columns(
+    columns: Sequence[tuple[QuarterCar, Array]], workers: int
+) -> Iterator[dict[str, Array]]:
     """Test all columns, in their order."""
     workers = min(workers, sum(len(shares) for _, shares in columns) // _TESTS_OF_A_PROCESS)
     if workers <= 1:
@@ -323,9 +362,15 @@ def _column(column: tuple[QuarterCar, Array]) -> dict[str, Array]:
     results = {quantity: np.full(len(shares), np.nan) for quantity in METHODS.values()}
     for i, share in enumerate(shares):
         car = wear_dampers(rig, float(share))
-        wheel = evaluate(simulate_test(car, rigid, truth=False), rigid, methods=["eusama", "egea"]).wheels[0]
+        wheel = evaluate(
+            simulate_test(car, rigid, truth=False), rigid, methods=["eusama", "egea"]
+        ).wheels[0]
         mode = wheel_mode(_without_friction(car), sprung, on="road")
-        values = (wheel.adhesion, wheel.phase_angle_min_deg, None if mode is None else mode.damping_ratio)
+        values = (
+            wheel.adhesion,
+            wheel.phase_angle_min_deg,
+            None if mode is None else mode.damping_ratio,
+        )
         for quantity, value in zip(METHODS.values(), values, strict=True):
             results[quantity][i] = np.nan if value is None else value
     return results
@@ -362,7 +407,11 @@ def _disagreements(factor: Factor, plane: xr.Dataset) -> list[Disagreement]:
         verdict = plane[f"{method}_verdict"].to_numpy()
         rejected, passed = verdict[sound] == "fail", verdict[worn_out] == "pass"
         counts = (int(rejected.size), int(passed.size), int(rejected.sum()), int(passed.sum()))
-        rows.append(Disagreement(factor.name, method, *counts, _range(values, rejected), _range(values, passed)))
+        rows.append(
+            Disagreement(
+                factor.name, method, *counts, _range(values, rejected), _range(values, passed)
+            )
+        )
     return rows
 
 

@@ -39,7 +39,9 @@ if TYPE_CHECKING:
 
 _MARGIN = 0.5  # s kept before and after the plate's motion
 _SLOWEST = 0.3  # Hz of the tacho, below which the drive stands
-_AS_MUCH = 0.5  # of the shaking of the plate that is named: so much is no car that shakes the other one
+_AS_MUCH = (
+    0.5  # of the shaking of the plate that is named: so much is no car that shakes the other one
+)
 _STANDING = 0.1e-3  # m: exciters of the shipped testers move by 6 mm or more
 _EXCITER = 0.3  # of the stroke: the height of an exciter is found from forces, whose noise is in it
 
@@ -120,7 +122,11 @@ def evaluate(
     named = checks.check_tester(str(facts.get("tester", "")), tester)
     general = [*notes, *clock, *named]
     unfit = [finding for finding in (*clock, *gaps, *named) if finding.severity == "problem"]
-    wheels = [_unfit(side, about) for side in sides if (about := [item for item in unfit if _concerns(item, side)])]
+    wheels = [
+        _unfit(side, about)
+        for side in sides
+        if (about := [item for item in unfit if _concerns(item, side)])
+    ]
     sound = tuple(side for side in sides if all(wheel.wheel != side for wheel in wheels))
     wheels += _evaluate_wheels(dataset, sound, facts, task) if sound else []
     wheels += _without_force(record, facts)
@@ -139,7 +145,9 @@ def tested_wheels(record: xr.Dataset, facts: Mapping[str, Any]) -> tuple[str, ..
     if order not in sides or len(sides) == 1:
         return sides
     shaken = {side: _shaking(record, side) for side in sides}
-    return tuple(side for side in sides if side == order or shaken[side] > _AS_MUCH * shaken[str(order)])
+    return tuple(
+        side for side in sides if side == order or shaken[side] > _AS_MUCH * shaken[str(order)]
+    )
 
 
 def _without_force(record: xr.Dataset, facts: Mapping[str, Any]) -> list[WheelResult]:
@@ -149,7 +157,9 @@ def _without_force(record: xr.Dataset, facts: Mapping[str, Any]) -> list[WheelRe
     for side in (order,) if order in SIDES else SIDES:
         force, height = f"{side}.{FORCE}", f"{side}.{HEIGHT}"
         if force not in record and height in record and _shaking(record, str(side)) > _STANDING:
-            lost.append(_unfit(str(side), [problem(force, "force_missing", found=height, force=force)]))
+            lost.append(
+                _unfit(str(side), [problem(force, "force_missing", found=height, force=force)])
+            )
     return lost
 
 
@@ -173,10 +183,14 @@ def require_gradable(inspection: Inspection, where: str = "record") -> None:
     for wheel in inspection.wheels:
         for finding in wheel.findings:
             if finding.severity == "problem":
-                raise RecordingError(finding.message.removesuffix("."), where=f"{where}: {finding.place}")
+                raise RecordingError(
+                    finding.message.removesuffix("."), where=f"{where}: {finding.place}"
+                )
 
 
-def _task(tester: Tester | None, vehicle: Any, methods: Iterable[str] | None, axle: str) -> _RecordTask:
+def _task(
+    tester: Tester | None, vehicle: Any, methods: Iterable[str] | None, axle: str
+) -> _RecordTask:
     rigid = tester is None or tester.kind == "rigid-plate"
     possible = methods_on("rigid-plate" if tester is None else tester.kind)
     chosen = tuple(methods) if methods is not None else possible
@@ -184,8 +198,14 @@ def _task(tester: Tester | None, vehicle: Any, methods: Iterable[str] | None, ax
         if method not in possible:
             plate = "rigid" if rigid else "sprung"
             choices = METHODS if method not in METHODS else possible
-            raise unknown(method, choices, what="method" if method not in METHODS else f"method of a {plate} plate")
-    return _RecordTask(tester, None if vehicle is None else wheel_load(vehicle, axle), chosen, rigid)
+            raise unknown(
+                method,
+                choices,
+                what="method" if method not in METHODS else f"method of a {plate} plate",
+            )
+    return _RecordTask(
+        tester, None if vehicle is None else wheel_load(vehicle, axle), chosen, rigid
+    )
 
 
 def wheel_load(vehicle: Any, axle: str = "") -> float | None:
@@ -197,11 +217,16 @@ def wheel_load(vehicle: Any, axle: str = "") -> float | None:
     >>> [round(wheel_load(load("audi-a6-full-car"), axle)) for axle in ("front", "rear")]
     [4909, 3969]
     """
-    masses = [getattr(getattr(vehicle, part, None), "mass", None) for part in ("sprung", "unsprung")]
+    masses = [
+        getattr(getattr(vehicle, part, None), "mass", None) for part in ("sprung", "unsprung")
+    ]
     known = [float(mass) for mass in masses if mass is not None]
     if len(known) == 2:
         return GRAVITY * sum(known)
-    here, there = (getattr(vehicle, part, None) for part in (axle, {"front": "rear", "rear": "front"}.get(axle, "")))
+    here, there = (
+        getattr(vehicle, part, None)
+        for part in (axle, {"front": "rear", "rear": "front"}.get(axle, ""))
+    )
     if not all(hasattr(place, "unsprung_mass") for place in (here, there)):
         return None
     share = there.distance / (here.distance + there.distance)  # type: ignore[union-attr]
@@ -214,9 +239,13 @@ def _concerns(finding: Finding, side: str) -> bool:
 
 def _unfit(wheel: str, findings: list[Finding], load: float | None = None) -> WheelResult:
     problems = [item for item in findings if item.severity == "problem"]
-    reasons, german = (tuple(sentence_of(item, language) for item in problems) for language in ("en", "de"))
+    reasons, german = (
+        tuple(sentence_of(item, language) for item in problems) for language in ("en", "de")
+    )
     said = {"reasons": german}
-    return WheelResult(wheel, static_load=load, findings=tuple(findings), reasons=reasons, german=said)
+    return WheelResult(
+        wheel, static_load=load, findings=tuple(findings), reasons=reasons, german=said
+    )
 
 
 def _evaluate_wheels(
@@ -224,17 +253,30 @@ def _evaluate_wheels(
 ) -> list[WheelResult]:
     signals = {side: signals_of(record, side, task.tester) for side in sides}
     stroke = task.tester.stroke if task.tester is not None else 6e-3
-    heights, share = {side: wheel.height for side, wheel in signals.items()}, 0.15 if task.rigid else 0.05
-    if not task.rigid and any(spring_against_height(wheel, task.tester) < -SWINGS for wheel in signals.values()):
-        heights, share = {side: exciter_height(wheel, task.tester) for side, wheel in signals.items()}, _EXCITER
+    heights, share = (
+        {side: wheel.height for side, wheel in signals.items()},
+        0.15 if task.rigid else 0.05,
+    )
+    if not task.rigid and any(
+        spring_against_height(wheel, task.tester) < -SWINGS for wheel in signals.values()
+    ):
+        heights, share = (
+            {side: exciter_height(wheel, task.tester) for side, wheel in signals.items()},
+            _EXCITER,
+        )
     beside = {side: next((heights[name] for name in sides if name != side), None) for side in sides}
-    moving = {side: _moving(wheel, heights[side], share * stroke, beside[side]) for side, wheel in signals.items()}
+    moving = {
+        side: _moving(wheel, heights[side], share * stroke, beside[side])
+        for side, wheel in signals.items()
+    }
     measured = {}
     for side, wheel in signals.items():
         span, other = moving[side], next((moving[name] for name in sides if name != side), None)
         if span is not None:
             still = standstill_force(wheel, span, other)
-            measured[side] = float(np.mean(wheel.force[span[0] : span[1]])) if still is None else still
+            measured[side] = (
+                float(np.mean(wheel.force[span[0] : span[1]])) if still is None else still
+            )
     pair = checks.check_pair({side: wheel.static_load for side, wheel in signals.items()}, measured)
     pair += checks.check_order(str(facts.get("wheel_order", "")), moving)
     results = []
@@ -242,11 +284,15 @@ def _evaluate_wheels(
         pair = pair if side == sides[0] or _is_unfit(pair) else []
         other = next((moving[name] for name in sides if name != side), None)
         raw = np.asarray(record[f"{side}.{FORCE}"].values, dtype=float)
-        results.append(_evaluate_wheel(wheel, raw, moving[side], other, measured.get(side), pair, facts, task))
+        results.append(
+            _evaluate_wheel(wheel, raw, moving[side], other, measured.get(side), pair, facts, task)
+        )
     return results
 
 
-def _moving(signals: WheelSignals, height: Array | None, least: float, other: Array | None) -> tuple[int, int] | None:
+def _moving(
+    signals: WheelSignals, height: Array | None, least: float, other: Array | None
+) -> tuple[int, int] | None:
     if height is not None:
         return moving_part(height, signals.sample_rate, least, other)
     if signals.tacho is None:
@@ -266,7 +312,10 @@ def _evaluate_wheel(
     task: _RecordTask,
 ) -> WheelResult:
     wheel, tester = signals.wheel, task.tester
-    findings = [*checks.check_columns(signals, raw, tester), *checks.check_sampling(signals, tester)]
+    findings = [
+        *checks.check_columns(signals, raw, tester),
+        *checks.check_sampling(signals, tester),
+    ]
     if signals.height is None and signals.tacho is None:
         names = {"height": f"{wheel}.{HEIGHT}", "tacho": f"{wheel}.{TACHO}"}
         findings.append(problem(f"{wheel}.{FORCE}", "no_frequency", **names))
@@ -281,12 +330,16 @@ def _evaluate_wheel(
     findings += checks.check_together(raw, span, load, wheel)
     findings += checks.check_resolution(signals, raw, load)
     step = 1.0 / signals.sample_rate
-    findings += checks.check_other_plate(wheel, span, other, step, str(facts.get("wheel_order", "")))
+    findings += checks.check_other_plate(
+        wheel, span, other, step, str(facts.get("wheel_order", ""))
+    )
     findings += _vehicle_findings(load, task.vehicle_load, wheel)
     margin = round(_MARGIN * signals.sample_rate)
     cut = signals.part(max(span[0] - margin, 0), min(span[1] + margin, raw.size))
     sweep, about = find_sweep(cut, tester, rigid=task.rigid)
-    findings += [problem(f"{wheel}.{HEIGHT}", "upside_down")] if _swings_upside_down(cut, tester) else about
+    findings += (
+        [problem(f"{wheel}.{HEIGHT}", "upside_down")] if _swings_upside_down(cut, tester) else about
+    )
     if _is_unfit(findings) or sweep is None:
         return _unfit(wheel, findings, load)
     result = _on_rigid_plate if task.rigid else _on_sprung_plate
@@ -297,7 +350,10 @@ def _swings_upside_down(signals: WheelSignals, tester: Tester | None) -> bool:
     """Whether a plate that swings more than its exciter is pushed away by its spring, and not back."""
     if signals.height is None or tester is None or tester.plate_spring_rate is None:
         return False
-    return float(np.ptp(signals.height)) > tester.stroke and spring_against_height(signals, tester) > SWINGS
+    return (
+        float(np.ptp(signals.height)) > tester.stroke
+        and spring_against_height(signals, tester) > SWINGS
+    )
 
 
 def _is_unfit(findings: list[Finding]) -> bool:
@@ -307,7 +363,11 @@ def _is_unfit(findings: list[Finding]) -> bool:
 def _vehicle_findings(load: float, expected: float | None, wheel: str) -> list[Finding]:
     if expected is None or abs(load / expected - 1.0) < 0.15:  # 75 kg on an Audi A6's front wheel
         return []
-    return [warning(f"{wheel}.static_load", "other_vehicle", load / expected, load=load, expected=expected)]
+    return [
+        warning(
+            f"{wheel}.static_load", "other_vehicle", load / expected, load=load, expected=expected
+        )
+    ]
 
 
 def _on_rigid_plate(
@@ -320,7 +380,9 @@ def _on_rigid_plate(
         findings += uneven or checks.check_even_stroke(signals, sweep.turns)
     analysis, about = analyse(signals, sweep, load)
     findings += about
-    swing = np.nan_to_num(analysis.modelled[:, 5] - load)  # a body that is not damped swings for long
+    swing = np.nan_to_num(
+        analysis.modelled[:, 5] - load
+    )  # a body that is not damped swings for long
     steady = analysis.measured[:, 5] - swing
     hops = bool(analysis.lifted.any())
     if hops:  # landings carry what the wheel does not in the air: all of it counts
@@ -334,7 +396,10 @@ def _on_rigid_plate(
         return _unfit(wheel, findings, load)
     if test.adhesion.lift_off:
         findings.append(warning(f"{wheel}.{FORCE}", "lift_off", 0.0))
-    known = {"lift_off": test.adhesion.lift_off, "resonance_frequency_hz": test.adhesion.frequency_hz}
+    known = {
+        "lift_off": test.adhesion.lift_off,
+        "resonance_frequency_hz": test.adhesion.frequency_hz,
+    }
     curves = WheelCurves(
         analysis.top,
         analysis.frequency,
@@ -348,7 +413,9 @@ def _on_rigid_plate(
 
 def _mean_by_turn(signals: WheelSignals, top: Array) -> Array:
     """Mean force (N) from the top of each turn (n,) in s to the next; NaN for the last."""
-    at = np.clip(np.round((top - signals.time[0]) * signals.sample_rate).astype(int), 0, signals.force.size)
+    at = np.clip(
+        np.round((top - signals.time[0]) * signals.sample_rate).astype(int), 0, signals.force.size
+    )
     sums = np.concatenate([[0.0], np.cumsum(signals.force)])
     return np.append((sums[at[1:]] - sums[at[:-1]]) / np.maximum(np.diff(at), 1), np.nan)
 
@@ -390,7 +457,11 @@ def _on_sprung_plate(
 
 
 def _by_methods(
-    test: WheelTest, known: dict[str, Any], findings: list[Finding], curves: WheelCurves, chosen: Iterable[str]
+    test: WheelTest,
+    known: dict[str, Any],
+    findings: list[Finding],
+    curves: WheelCurves,
+    chosen: Iterable[str],
 ) -> WheelResult:
     """Combine the results of the chosen methods with the values that are known without them."""
     halves: dict[str, float | None] = {}
@@ -398,13 +469,23 @@ def _by_methods(
     for key, method in METHODS.items():
         if key in chosen:
             result = method.evaluate(test)
-            known, halves, findings = known | result.values, halves | result.half_widths, findings + result.findings
+            known, halves, findings = (
+                known | result.values,
+                halves | result.half_widths,
+                findings + result.findings,
+            )
             unreliable |= dict.fromkeys(result.unreliable)
-            curves = curves if result.phase_deg is None else replace(curves, phase_deg=result.phase_deg)
+            curves = (
+                curves if result.phase_deg is None else replace(curves, phase_deg=result.phase_deg)
+            )
     return WheelResult(
         wheel=test.signals.wheel,
         static_load=test.load,
-        uncertainty={key: float(half) for key, half in halves.items() if half is not None and np.isfinite(half)},
+        uncertainty={
+            key: float(half)
+            for key, half in halves.items()
+            if half is not None and np.isfinite(half)
+        },
         unreliable=tuple(unreliable),
         corner=None if test.fit is None else test.fit.corner,
         findings=tuple(findings),

@@ -28,7 +28,9 @@ class Remark(Finding):
     words: Mapping[str, Any] = field(default_factory=dict)
 
 
-def remark(place: str, severity: Severity, code: str, value: float | None = None, /, **words: Any) -> Remark:
+def remark(
+    place: str, severity: Severity, code: str, value: float | None = None, /, **words: Any
+) -> Remark:
     """Make a finding of a code; its message is English.
 
     Examples

@@ -31,16 +31,23 @@ class Difference:
     absolute: float  # |first - second|, same unit
     # |first - second| / max(first, second) (1), values below 0 taken as 0; None where the greater one is not above 0
     relative: float | None
-    uncertainty: float | None  # half width of the 95 % interval of the absolute difference, same unit
+    uncertainty: (
+        float | None
+    )  # half width of the 95 % interval of the absolute difference, same unit
     smaller: str  # which wheel has the smaller value; empty for equal values
-    relative_uncertainty: float | None = None  # half width of the 95 % interval of the relative difference (1)
+    relative_uncertainty: float | None = (
+        None  # half width of the 95 % interval of the relative difference (1)
+    )
     place: str = ""  # side of the car, for front and rear
     bands: dict[str, VerdictBand] = field(default_factory=dict)  # by name of the limit
     unreliable: tuple[str, ...] = ()  # wheels or axles whose value is unreliable: no band then
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values and, by the name of the limit, label and verdict."""
-        grade = {name: {"label": band.label, "verdict": band.verdict} for name, band in self.bands.items()}
+        grade = {
+            name: {"label": band.label, "verdict": band.verdict}
+            for name, band in self.bands.items()
+        }
         return {
             "absolute": self.absolute,
             "relative": self.relative,
@@ -67,7 +74,11 @@ def difference_of(
     a, b = first.value(quantity), second.value(quantity)
     if a is None or b is None or not (math.isfinite(a) and math.isfinite(b)):
         return None
-    doubted = tuple(name for name, wheel in zip(places, (first, second), strict=True) if quantity in wheel.unreliable)
+    doubted = tuple(
+        name
+        for name, wheel in zip(places, (first, second), strict=True)
+        if quantity in wheel.unreliable
+    )
     halves = [wheel.uncertainty.get(quantity) for wheel in (first, second)]
     half = math.hypot(*halves) if None not in halves else None  # type: ignore[arg-type]
     gap, greatest, least = abs(a - b), max(a, b), max(min(a, b), 0.0)
@@ -79,7 +90,9 @@ def difference_of(
         of_least, of_greatest = halves if a < b else halves[::-1]
         relative = math.hypot(of_least, of_greatest * least / greatest) / greatest  # type: ignore[arg-type, operator]
     share = 1.0 - least / greatest
-    return Difference(quantity, a, b, gap, share, half, smaller, relative, place, unreliable=doubted)
+    return Difference(
+        quantity, a, b, gap, share, half, smaller, relative, place, unreliable=doubted
+    )
 
 
 def grade_differences(
@@ -120,7 +133,9 @@ def grade_differences(
                 "across": across, "definition": criterion.definition,
             }  # fmt: skip
             reasons.append(Reason("difference" if sure is band else "may_be", sure.verdict, values))
-    return tuple(graded.values()), sorted(reasons, key=lambda reason: {"fail": 0, "advise": 1}.get(reason.verdict, 2))
+    return tuple(graded.values()), sorted(
+        reasons, key=lambda reason: {"fail": 0, "advise": 1}.get(reason.verdict, 2)
+    )
 
 
 USUAL_TYRE = 200e3
@@ -147,10 +162,17 @@ def _of_adhesion(wheel: WheelResult, limits: Limits) -> list[Reason]:
     limit = limits.methods["eusama"].passing_from()
     if wheel.lift_off or wheel.adhesion == 0.0:
         reasons.append(Reason("lifted"))
-    elif wheel.adhesion is not None and wheel.static_load is not None and limit is not None and limit < 1.0:
+    elif (
+        wheel.adhesion is not None
+        and wheel.static_load is not None
+        and limit is not None
+        and limit < 1.0
+    ):
         force = (1.0 - wheel.adhesion) * wheel.static_load
         values = {"force": force, "load": wheel.static_load, "needed": force / (1.0 - limit)}
-        reasons.append(Reason("mass", "", {**values, "limit": limit, "criterion": limits.methods["eusama"]}))
+        reasons.append(
+            Reason("mass", "", {**values, "limit": limit, "criterion": limits.methods["eusama"]})
+        )
     return reasons + _of_tyre(wheel)
 
 
@@ -166,9 +188,15 @@ def _of_tyre(wheel: WheelResult) -> list[Reason]:
     stiffness = wheel.corner.tyre_stiffness
     if abs(stiffness / USUAL_TYRE - 1.0) < _ALIKE:
         return []
-    usual = steady_state(replace(wheel.corner, tyre_stiffness=USUAL_TYRE), wheel.static_load, amplitude=amplitude)
+    usual = steady_state(
+        replace(wheel.corner, tyre_stiffness=USUAL_TYRE), wheel.static_load, amplitude=amplitude
+    )
     values = {"usual": 1e-3 * USUAL_TYRE, "stiffness": 1e-3 * stiffness}
-    return [Reason("tyre", "", {**values, "adhesion": usual.adhesion, "phase": usual.phase_angle_min_deg})]
+    return [
+        Reason(
+            "tyre", "", {**values, "adhesion": usual.adhesion, "phase": usual.phase_angle_min_deg}
+        )
+    ]
 
 
 _SIDES = ("left", "right")
@@ -215,9 +243,13 @@ class GradedInspection(Shown):
     deciding: tuple[str, ...]
 
     def __str__(self) -> str:
-        reasons = [f"{grade.wheel}: {reason.text()}" for grade in self.grades for reason in grade.reasons]
+        reasons = [
+            f"{grade.wheel}: {reason.text()}" for grade in self.grades for reason in grade.reasons
+        ]
         reasons += [f"axle: {reason.text()}" for reason in self.reasons]
-        return "\n".join([str(wheel_table(f"{self.axle or 'axle'}: {self.verdict}", self.wheels)), *reasons])
+        return "\n".join(
+            [str(wheel_table(f"{self.axle or 'axle'}: {self.verdict}", self.wheels)), *reasons]
+        )
 
     @property
     def wheels(self) -> tuple[WheelResult, ...]:
@@ -273,8 +305,14 @@ class VehicleGrade:
         """Plain JSON object about the vehicle as a whole."""
         sides: dict[str, dict[str, Any]] = {}
         for difference in self.differences:
-            sides.setdefault(difference.place, {})[difference.quantity] = to_plain(difference.to_dict())
-        return {"verdict": self.verdict, "reasons": [reason.text() for reason in self.reasons], "differences": sides}
+            sides.setdefault(difference.place, {})[difference.quantity] = to_plain(
+                difference.to_dict()
+            )
+        return {
+            "verdict": self.verdict,
+            "reasons": [reason.text() for reason in self.reasons],
+            "differences": sides,
+        }
 
 
 def _about(limits: Limits) -> dict[str, str]:
@@ -339,7 +377,9 @@ def grade(
             raise unknown(method, METHODS, what="method")
     counted = None if deciding is None else tuple(deciding)
     grades = tuple(_grade_wheel(wheel, inspection, chosen, counted) for wheel in inspection.wheels)
-    firm = [method for method in METHODS if method in chosen.methods and chosen.methods[method].verified]
+    firm = [
+        method for method in METHODS if method in chosen.methods and chosen.methods[method].verified
+    ]
     used = (
         counted
         if counted is not None
@@ -379,7 +419,12 @@ def _with_grades(
         for wheel, wheel_grade in zip(inspection.wheels, grades, strict=True)
     )
     by_quantity = {difference.quantity: difference.to_dict() for difference in differences}
-    axle = {**inspection.axle, "differences": by_quantity, "verdict": verdict, "reasons": list(sentences_of(reasons))}
+    axle = {
+        **inspection.axle,
+        "differences": by_quantity,
+        "verdict": verdict,
+        "reasons": list(sentences_of(reasons)),
+    }
     axle["german"] = {"reasons": list(sentences_of(reasons, "de"))}
     return replace(inspection, wheels=wheels, axle=axle)
 
@@ -395,7 +440,10 @@ def _grade_wheel(
     unfit = [item for item in (*wheel.findings, *inspection.findings) if item.severity == "problem"]
     if unfit:
         by_message = {item.message: item for item in reversed(unfit)}
-        reasons_ = tuple(Reason("finding", NOT_GRADED, {"finding": item}) for item in reversed(by_message.values()))
+        reasons_ = tuple(
+            Reason("finding", NOT_GRADED, {"finding": item})
+            for item in reversed(by_message.values())
+        )
         return WheelGrade(wheel.wheel, {}, NOT_GRADED, reasons_)
     bands: dict[str, VerdictBand] = {}
     reasons: dict[str, list[Reason]] = {}
@@ -406,10 +454,16 @@ def _grade_wheel(
     firm = {method: band for method, band in bands.items() if limits.methods[method].verified}
     used = deciding if deciding is not None else tuple(firm)
     conditions = [condition for condition in _conditions(wheel, limits, used) if bands]
-    failed = () if any(m in firm for m in used) else tuple(m for m, band in firm.items() if band.verdict == "fail")
+    failed = (
+        ()
+        if any(m in firm for m in used)
+        else tuple(m for m, band in firm.items() if band.verdict == "fail")
+    )
     if failed:
         conditions.append(Reason("counts", "fail", {"methods": failed}))
-    verdict = worst([*(firm[m].verdict if m in firm else NOT_GRADED for m in used), *_verdicts(conditions)])
+    verdict = worst(
+        [*(firm[m].verdict if m in firm else NOT_GRADED for m in used), *_verdicts(conditions)]
+    )
     order = sorted(reasons, key=lambda m: (m not in used, -_severity(bands.get(m))))
     listed = [reason for method in order for reason in reasons[method]] + conditions
     if any(method not in used for method in bands) and any(method in firm for method in used):
@@ -425,7 +479,9 @@ def _verdicts(reasons: Iterable[Reason]) -> list[str]:
     return [reason.verdict for reason in reasons if reason.verdict]
 
 
-def _by_method(wheel: WheelResult, method: str, limits: Limits) -> tuple[VerdictBand | None, list[Reason]]:
+def _by_method(
+    wheel: WheelResult, method: str, limits: Limits
+) -> tuple[VerdictBand | None, list[Reason]]:
     """Band of a wheel by one method, and the reasons."""
     criterion = limits.methods.get(method)
     if criterion is None:
@@ -461,7 +517,11 @@ def near_edges(criterion: Criterion, value: float, half: float | None, method: s
         return []
     low, high = value - half, value + half
     return [
-        Reason("near", "", {"criterion": criterion, "method": method, "low": low, "high": high, "limit": edge})
+        Reason(
+            "near",
+            "",
+            {"criterion": criterion, "method": method, "low": low, "high": high, "limit": edge},
+        )
         for edge in criterion.edges()
         if low < edge <= high
     ]
@@ -471,12 +531,21 @@ def _conditions(wheel: WheelResult, limits: Limits, used: Sequence[str]) -> list
     """Conditions of the used methods that fail, or may fail."""
     reasons = []
     for condition in limits.conditions.values():
-        value, needed = wheel.value(condition.quantity), [method for method in condition.methods if method in used]
+        value, needed = (
+            wheel.value(condition.quantity),
+            [method for method in condition.methods if method in used],
+        )
         if value is None or not needed:
             continue
         band, half = condition.band_of(value), wheel.uncertainty.get(condition.quantity)
         if band is not None and band.verdict != "pass":
-            values = {"criterion": condition, "value": value, "half": half, "band": band, "verdict": band.verdict}
+            values = {
+                "criterion": condition,
+                "value": value,
+                "half": half,
+                "band": band,
+                "verdict": band.verdict,
+            }
             reasons.append(Reason("condition", band.verdict, values))
         reasons += near_edges(condition, value, half, needed[0])
     return reasons
@@ -504,7 +573,11 @@ def _axle_reasons(grades: tuple[WheelGrade, ...]) -> list[Reason]:
     tested = {wheel_grade.wheel for wheel_grade in grades}
     missing = [Reason("one_wheel", "", {"missing": side}) for side in _SIDES if side not in tested]
     return missing + [
-        Reason("wheel", wheel_grade.verdict, {"wheel": wheel_grade.wheel, "verdict": wheel_grade.verdict})
+        Reason(
+            "wheel",
+            wheel_grade.verdict,
+            {"wheel": wheel_grade.wheel, "verdict": wheel_grade.verdict},
+        )
         for wheel_grade in grades
     ]
 
@@ -530,15 +603,23 @@ def grade_vehicle(axles: Sequence[GradedInspection]) -> VehicleGrade:
     ordered = sorted(axles, key=lambda axle: axle.axle)  # front, rear
     for first, second in combinations(ordered, 2):
         _check_pair(first, second)
-    reasons = [Reason("axle", axle.verdict, {"axle": axle.axle, "verdict": axle.verdict}) for axle in ordered]
+    reasons = [
+        Reason("axle", axle.verdict, {"axle": axle.axle, "verdict": axle.verdict})
+        for axle in ordered
+    ]
     differences: list[Difference] = []
     verdicts = [axle.verdict for axle in ordered]
     if len(ordered) == 2:
         for side in _SIDES:
-            pair = [[wheel for wheel in axle.wheels if wheel.wheel == side and wheel.is_gradable] for axle in ordered]
+            pair = [
+                [wheel for wheel in axle.wheels if wheel.wheel == side and wheel.is_gradable]
+                for axle in ordered
+            ]
             if all(pair):
                 side_differences = differences_of(pair[0][0], pair[1][0], ("front", "rear"), side)
-                graded, about = grade_differences(side_differences, ordered[0].limits, ordered[0].deciding, "axles")
+                graded, about = grade_differences(
+                    side_differences, ordered[0].limits, ordered[0].deciding, "axles"
+                )
                 differences += graded
                 reasons += about
                 verdicts += _verdicts(about)
@@ -552,6 +633,11 @@ def _check_pair(first: GradedInspection, second: GradedInspection) -> None:
             where="axle", found="none", allowed="front, rear", hint='Write a line # axle = "front" before the columns.',
         )  # fmt: skip
     if first.axle == second.axle:
-        raise RecordingError("two records of the same axle", where="axle", found=first.axle, allowed="one of each axle")
+        raise RecordingError(
+            "two records of the same axle",
+            where="axle",
+            found=first.axle,
+            allowed="one of each axle",
+        )
     if first.limits.digest != second.limits.digest:
         raise RecordingError("the axles were graded by different limits", where="limits")

@@ -127,7 +127,9 @@ class Criterion(Description):
             if math.isclose(low.end, high.start, rel_tol=1e-9):
                 continue
             what, ends = (
-                ("a gap", (low.end, high.start)) if low.end < high.start else ("an overlap", (high.start, low.end))
+                ("a gap", (low.end, high.start))
+                if low.end < high.start
+                else ("an overlap", (high.start, low.end))
             )
             names = f"{low.label!r} and {high.label!r}"
             text = Phrase(
@@ -137,7 +139,10 @@ class Criterion(Description):
                 second_limit_text=self._limit_text(ends[1]),
                 names=names,
             )
-            raise error_at(("bands", i), Phrase("{text}; each band must begin where the one before it ends", text=text))
+            raise error_at(
+                ("bands", i),
+                Phrase("{text}; each band must begin where the one before it ends", text=text),
+            )
         return self
 
     def _limit_text(self, value: float) -> str:
@@ -223,7 +228,11 @@ class DifferenceCriterion(Condition):
 
     @classmethod
     def _unit(cls, table: dict[str, Any]) -> str:
-        return "1" if table.get("definition", "relative") == "relative" else QUANTITIES[table["quantity"]].si
+        return (
+            "1"
+            if table.get("definition", "relative") == "relative"
+            else QUANTITIES[table["quantity"]].si
+        )
 
 
 class Limits(Description):
@@ -255,13 +264,19 @@ class Limits(Description):
         for name in self.methods:
             if name not in METHODS:
                 hint = nearest(name, METHODS)
-                raise error_at(("methods", name), "unknown method", allowed=", ".join(METHODS), hint=hint)
+                raise error_at(
+                    ("methods", name), "unknown method", allowed=", ".join(METHODS), hint=hint
+                )
         for group in ("conditions", "differences"):
             for name, criterion in getattr(self, group).items():
                 for i, method in enumerate(criterion.methods):
                     if method not in self.methods:
-                        what = Phrase("no limits of a method {name} in this file", name=show_value(method))
-                        raise error_at((group, name, "methods", i), what, allowed=", ".join(self.methods))
+                        what = Phrase(
+                            "no limits of a method {name} in this file", name=show_value(method)
+                        )
+                        raise error_at(
+                            (group, name, "methods", i), what, allowed=", ".join(self.methods)
+                        )
         return self
 
     @property
@@ -302,6 +317,10 @@ def load_limits(name: str | Path | None = None) -> Limits:
     >>> [limits.methods["eusama"].band_of(share).label for share in (0.0, 0.2, 0.399, 0.6, 1.0)]
     ['bad', 'insufficient', 'insufficient', 'good', 'good']
     """
-    path = shipped_limits() if name is None or (str(name) == SHIPPED and not Path(name).exists()) else Path(name)
+    path = (
+        shipped_limits()
+        if name is None or (str(name) == SHIPPED and not Path(name).exists())
+        else Path(name)
+    )
     limits, _ = read_description(Limits, path, SCHEMA)
     return limits if limits.name else limits.model_copy(update={"name": path.stem})

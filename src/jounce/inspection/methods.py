@@ -40,8 +40,12 @@ from jounce.testers.plates import RIGIDITY, RIGIDITY_FREQUENCY, phase_angle, tyr
 _ADHESION_LENGTH, _PHASE_LENGTH = 1.2, 2.0  # Hz over which what the model misses may change
 _NEAR = 4.0  # Hz around the least force: turns farther away say less than 1 % of what the model misses there
 _END = 0.05  # Hz: so near to an end of the band, or to a turn with lift-off, is there
-_BESIDE = 2.0  # Hz beyond the band that the curve is smoothed with: the length over which it may change
-_TOLERANCE = 1.0  # Hz by which a hold may miss the 25 Hz for which EGEA's constants of the rigidity are made
+_BESIDE = (
+    2.0  # Hz beyond the band that the curve is smoothed with: the length over which it may change
+)
+_TOLERANCE = (
+    1.0  # Hz by which a hold may miss the 25 Hz for which EGEA's constants of the rigidity are made
+)
 _FEWEST_TURNS = 6  # of the hold: a quarter of a second
 _LOWEST, _HIGHEST, _POINTS = 1.5, 15.0, 541  # Hz, in steps of 0.025 Hz
 _FEWEST_EXTREMES = 4  # turning points: three swings, two ratios of them
@@ -57,7 +61,9 @@ class WheelTest:
     signals: WheelSignals  # of the part in which the plate moves
     sweep: Sweep  # turns of the plate
     load: float  # static load, N
-    tester: Tester | None  # on which it was made; None for a rigid plate of which nothing else is known
+    tester: (
+        Tester | None
+    )  # on which it was made; None for a rigid plate of which nothing else is known
     fit: ResponseFit | None  # quarter car fitted to it
     analysis: Analysis | None = None  # forces of every turn; on a rigid plate only
 
@@ -81,7 +87,9 @@ class MethodResult:
     half_widths: dict[str, float | None] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)  # what weakens them
     phase_deg: Array | None = None  # phase angle of every turn in degrees, for the curves
-    unreliable: tuple[str, ...] = ()  # keys of values that may be far off, which no interval of theirs says
+    unreliable: tuple[
+        str, ...
+    ] = ()  # keys of values that may be far off, which no interval of theirs says
 
 
 @dataclass(frozen=True)
@@ -108,7 +116,9 @@ class Adhesion:
     adhesion: float  # least over static force (1); 0 with lift-off
     frequency_hz: float  # where the force is least, Hz
     lift_off: bool  # whether the tyre left the plate
-    relative_force_amplitude: float  # static less least force over static force (1); with lift-off greatest less static
+    relative_force_amplitude: (
+        float  # static less least force over static force (1); with lift-off greatest less static
+    )
     half_width: float | None  # of the 95 % intervals of both (1); None where it is not known
 
 
@@ -128,9 +138,17 @@ def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
     if analysis.fit is not None and np.isfinite(modelled).any():
         near |= np.abs(analysis.frequency - analysis.frequency[int(np.nanargmin(modelled))]) < _NEAR
     curve = corrected_curve(
-        analysis.frequency[near], least[near], modelled[near], np.ones(int(np.count_nonzero(near))), _ADHESION_LENGTH
+        analysis.frequency[near],
+        least[near],
+        modelled[near],
+        np.ones(int(np.count_nonzero(near))),
+        _ADHESION_LENGTH,
     )
-    at, force, error = curve.lowest() if curve.value.size else (analysis.frequency[lowest], least[lowest], math.nan)
+    at, force, error = (
+        curve.lowest()
+        if curve.value.size
+        else (analysis.frequency[lowest], least[lowest], math.nan)
+    )
     fit = analysis.fit
     if fit is not None:
         spread = fit.spread_at(at, np.abs)
@@ -168,7 +186,10 @@ def _eusama(test: WheelTest) -> MethodResult:
         "adhesion_frequency_hz": minimum.frequency_hz,
         "relative_force_amplitude": minimum.relative_force_amplitude,
     }
-    result.half_widths |= {"adhesion": minimum.half_width, "relative_force_amplitude": minimum.half_width}
+    result.half_widths |= {
+        "adhesion": minimum.half_width,
+        "relative_force_amplitude": minimum.half_width,
+    }
     return result
 
 
@@ -195,7 +216,9 @@ def phase_angles(analysis: Analysis, rows: Array) -> Array:
     return np.asarray(360.0 * analysis.turn_frequency * (reference - analysis.top))
 
 
-def find_phase_minimum(analysis: Analysis, band: tuple[float, float]) -> tuple[PhaseMinimum | None, Array]:
+def find_phase_minimum(
+    analysis: Analysis, band: tuple[float, float]
+) -> tuple[PhaseMinimum | None, Array]:
     """Find the least phase angle within a band (Hz, ends included), and the angles of the turns (n,) in degrees.
 
     In the band and a little beside it the angles are those of the curve whose least value is given; elsewhere those of
@@ -204,19 +227,29 @@ def find_phase_minimum(analysis: Analysis, band: tuple[float, float]) -> tuple[P
     measured = phase_angles(analysis, analysis.measured)
     frequency = analysis.turn_frequency
     if analysis.fit is None:
-        modelled = np.full(measured.size, float(np.nanmedian(measured)) if np.isfinite(measured).any() else 0.0)
+        modelled = np.full(
+            measured.size, float(np.nanmedian(measured)) if np.isfinite(measured).any() else 0.0
+        )
         spread = 1.0 / np.maximum(analysis.measured[:, 6], 1.0)
     else:
         modelled = phase_angles(analysis, analysis.modelled)
-        swing = np.where(np.isfinite(analysis.modelled[:, 6]), analysis.modelled[:, 6], analysis.measured[:, 6])
+        swing = np.where(
+            np.isfinite(analysis.modelled[:, 6]), analysis.modelled[:, 6], analysis.measured[:, 6]
+        )
         spread = 1.0 / np.maximum(swing, 1.0)
     inside = (frequency > band[0] - _BESIDE) & (frequency < band[1] + _BESIDE)
     steady = inside & ~analysis.lifted
-    curve = corrected_curve(frequency[steady], measured[steady], modelled[steady], spread[steady], _PHASE_LENGTH)
+    curve = corrected_curve(
+        frequency[steady], measured[steady], modelled[steady], spread[steady], _PHASE_LENGTH
+    )
     hops = frequency[inside & analysis.lifted]
-    unknown = frequency[inside & (analysis.lifted | ~np.isfinite(measured)) & np.isfinite(frequency)]
+    unknown = frequency[
+        inside & (analysis.lifted | ~np.isfinite(measured)) & np.isfinite(frequency)
+    ]
     if unknown.size and analysis.fit is not None:
-        curve = curve.with_turns(unknown, np.degrees(phase_angle(force_response(analysis.fit.corner, unknown))))
+        curve = curve.with_turns(
+            unknown, np.degrees(phase_angle(force_response(analysis.fit.corner, unknown)))
+        )
     minimum, angles = curve.least(*band), curve.at(frequency, measured)
     if minimum is None:
         return None, angles
@@ -238,7 +271,9 @@ class Rigidity:
     force_amplitude: float
 
 
-def find_rigidity(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Rigidity | None, list[Finding]]:
+def find_rigidity(
+    signals: WheelSignals, sweep: Sweep, load: float
+) -> tuple[Rigidity | None, list[Finding]]:
     """Find the rigidity of a tyre under a static load (N); None without plate height or a hold at 25 Hz."""
     place = f"{signals.wheel}.tyre"
     if signals.height is None:
@@ -248,7 +283,9 @@ def find_rigidity(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Rig
     top = turns.top[sweep.hold]
     count = min(sweep.hold.stop - sweep.hold.start, 25)
     if count < _FEWEST_TURNS or abs(sweep.highest - RIGIDITY_FREQUENCY) > _TOLERANCE:
-        return None, [warning(place, "no_rigidity_hold", count=count, frequency=float(np.median(held)))]
+        return None, [
+            warning(place, "no_rigidity_hold", count=count, frequency=float(np.median(held)))
+        ]
     begin, end = top[-count], top[-1]
     rate, start = signals.sample_rate, float(signals.time[0])
     cut = slice(max(round((begin - start) * rate), 0), round((end - start) * rate))
@@ -258,7 +295,9 @@ def find_rigidity(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Rig
     stroke = 2.0 * abs(complex(np.mean((height - height.mean()) * wave)))
     rest = force - 2.0 * np.real(np.mean(force * wave) * np.conj(wave)) - force.mean()
     error = float(np.std(rest)) * np.sqrt(2.0 / force.size)
-    return Rigidity(tyre_rigidity(amplitude, stroke), NORMAL_95 * RIGIDITY[0] * error / stroke, amplitude), []
+    return Rigidity(
+        tyre_rigidity(amplitude, stroke), NORMAL_95 * RIGIDITY[0] * error / stroke, amplitude
+    ), []
 
 
 def rigidity_findings(value: float, tester: Tester | None, place: str) -> list[Finding]:
@@ -275,7 +314,10 @@ def _egea(test: WheelTest) -> MethodResult:
     result, wheel, analysis = _eusama(test), test.signals.wheel, test.analysis
     tyre, result.findings = find_rigidity(test.signals, test.sweep, test.load)
     if tyre is not None:
-        result.values["tyre_rigidity"], result.half_widths["tyre_rigidity"] = tyre.rigidity, tyre.half_width
+        result.values["tyre_rigidity"], result.half_widths["tyre_rigidity"] = (
+            tyre.rigidity,
+            tyre.half_width,
+        )
         result.findings += rigidity_findings(tyre.rigidity, test.tester, f"{wheel}.tyre")
     if test.signals.height is None or analysis is None:
         result.findings.append(warning(f"{wheel}.plate.z", "no_height_no_phase"))
@@ -283,14 +325,23 @@ def _egea(test: WheelTest) -> MethodResult:
     band = band_of(test.tester)
     if test.fit is not None and (delay := test.fit.delay) != 0.0:
         code = "force_late" if delay > 0.0 else "force_early"
-        result.findings.append(warning(f"{wheel}.plate.force", code, delay, milliseconds=1e3 * abs(delay)))
+        result.findings.append(
+            warning(f"{wheel}.plate.force", code, delay, milliseconds=1e3 * abs(delay))
+        )
         return result
     minimum, result.phase_deg = find_phase_minimum(analysis, band)
     if minimum is None:
-        result.findings.append(warning(f"{wheel}.phase", "phase_not_covered", low=band[0], high=band[1]))
+        result.findings.append(
+            warning(f"{wheel}.phase", "phase_not_covered", low=band[0], high=band[1])
+        )
         return result
-    result.values |= {"phase_angle_min_deg": minimum.angle_deg, "phase_frequency_hz": minimum.frequency_hz}
-    if analysis.lifted.any():  # how the wheel swings on after it depends on chance, which noise and fit do not show
+    result.values |= {
+        "phase_angle_min_deg": minimum.angle_deg,
+        "phase_frequency_hz": minimum.frequency_hz,
+    }
+    if (
+        analysis.lifted.any()
+    ):  # how the wheel swings on after it depends on chance, which noise and fit do not show
         result.unreliable = ("phase_angle_min_deg", "phase_frequency_hz")
         result.findings.append(warning(f"{wheel}.phase", "phase_after_lift_off"))
     else:
@@ -329,7 +380,9 @@ def theta_by_fit(fit: ResponseFit, tester: Tester | None) -> Theta:
         if tester is None or tester.plate_spring_rate is None:
             return on_road(corner)
         damping = tester.plate_damping_coefficient or 0.0
-        return wheel_damping(rig_poles(corner, tester.plate_mass, tester.plate_spring_rate, damping))[0]
+        return wheel_damping(
+            rig_poles(corner, tester.plate_mass, tester.plate_spring_rate, damping)
+        )[0]
 
     road, half = on_road(fit.corner), NORMAL_95 * fit.spread(on_road)
     if tester is None or tester.plate_spring_rate is None:
@@ -359,8 +412,12 @@ def half_power(frequency: Array, amplitude: Array) -> float | None:
 def plate_gain(corner: LinearQuarterCar, tester: Tester, frequency: Array) -> Array:
     """Height of a sprung plate over that of the exciter (1), frequencies (n,) in Hz."""
     s = 2j * np.pi * np.asarray(frequency, dtype=float)
-    spring = float(tester.plate_spring_rate or 0.0) + float(tester.plate_damping_coefficient or 0.0) * s
-    return np.asarray(abs(spring / (tester.plate_mass * s * s + spring + force_response(corner, frequency))))
+    spring = (
+        float(tester.plate_spring_rate or 0.0) + float(tester.plate_damping_coefficient or 0.0) * s
+    )
+    return np.asarray(
+        abs(spring / (tester.plate_mass * s * s + spring + force_response(corner, frequency)))
+    )
 
 
 def theta_by_amplification(gain: float, corner: LinearQuarterCar, tester: Tester) -> float | None:
@@ -382,7 +439,9 @@ def theta_by_amplification(gain: float, corner: LinearQuarterCar, tester: Tester
         return None
     fitted = replace(corner, damping_coefficient=math.exp(brentq(miss, low, high, xtol=1e-6)))
     damping = tester.plate_damping_coefficient or 0.0
-    return wheel_damping(rig_poles(fitted, tester.plate_mass, float(tester.plate_spring_rate or 0.0), damping))[0]
+    return wheel_damping(
+        rig_poles(fitted, tester.plate_mass, float(tester.plate_spring_rate or 0.0), damping)
+    )[0]
 
 
 def theta_by_decay(height: Array, sample_rate: float) -> tuple[float, float] | None:
@@ -399,7 +458,10 @@ def theta_by_decay(height: Array, sample_rate: float) -> tuple[float, float] | N
     turns = np.flatnonzero((slope[:-1] > 0.0) != (slope[1:] > 0.0)) + 1
     if turns.size < _FEWEST_EXTREMES:
         return None
-    floor = max(5e-3 * float(np.max(np.abs(away))), 4.0 * float(np.std(away[-max(round(0.1 * sample_rate), 3) :])))
+    floor = max(
+        5e-3 * float(np.max(np.abs(away))),
+        4.0 * float(np.std(away[-max(round(0.1 * sample_rate), 3) :])),
+    )
     turns = turns[np.abs(away[turns]) > floor]
     even = _even_turns(turns, away)
     if even.size < _FEWEST_EXTREMES:
@@ -420,7 +482,10 @@ def _even_turns(turns: NDArray[np.intp], away: Array) -> NDArray[np.intp]:
         if len(even) > 1 and abs((even[-1] - at) / (even[-2] - even[-1]) - 1.0) > _EVEN:
             break
         # Decrements scatter more than times: noise moves the height of a small swing, and hardly its turn.
-        if len(even) > 1 and abs(math.log(-then / now) / math.log(-now / away[even[-2]]) - 1.0) > 3.0 * _EVEN:
+        if (
+            len(even) > 1
+            and abs(math.log(-then / now) / math.log(-now / away[even[-2]]) - 1.0) > 3.0 * _EVEN
+        ):
             break
         even.append(int(at))
     return np.array(even[::-1], dtype=np.intp)
@@ -431,15 +496,24 @@ def _theta(test: WheelTest) -> MethodResult:
     result, wheel = _of_fit(test), test.signals.wheel
     if test.fit is not None:
         theta = theta_by_fit(test.fit, test.tester)
-        result.values |= {"theta_rig": theta.rig, "theta_road": theta.road, "theta_methods": {"fit": theta.rig}}
-        result.half_widths |= {"theta_rig": theta.rig_half_width, "theta_road": theta.road_half_width}
+        result.values |= {
+            "theta_rig": theta.rig,
+            "theta_road": theta.road,
+            "theta_methods": {"fit": theta.rig},
+        }
+        result.half_widths |= {
+            "theta_rig": theta.rig_half_width,
+            "theta_road": theta.road_half_width,
+        }
         if theta.road <= theta.road_half_width:
             result.findings.append(warning(f"{wheel}.theta", "undamped", theta.road))
         if theta.road >= 1.0:
             result.findings.append(warning(f"{wheel}.theta", "overdamped", theta.road))
         if test.analysis is None and (delay := test.fit.delay) != 0.0:
             words = {"milliseconds": 1e3 * abs(delay)}
-            result.findings.append(warning(f"{wheel}.plate.force", "channels_apart", delay, **words))
+            result.findings.append(
+                warning(f"{wheel}.plate.force", "channels_apart", delay, **words)
+            )
     height, strokes, tester = test.signals.height, test.strokes, test.tester
     if test.analysis is not None or tester is None or height is None or strokes is None:
         return result
@@ -450,12 +524,16 @@ def _theta(test: WheelTest) -> MethodResult:
     result.values["theta_methods"] = {
         "fit": result.values.get("theta_rig"),
         "half_power": half_power(frequency[above], strokes[above]),
-        "amplification": theta_by_amplification(gain, test.fit.corner, tester) if test.fit is not None else None,
+        "amplification": theta_by_amplification(gain, test.fit.corner, tester)
+        if test.fit is not None
+        else None,
         "free_decay": decay[0] if decay is not None else None,
     }
     guessed = [name.replace("_", " ") for name in tester.estimated if name.startswith("plate_")]
     if guessed:
-        result.findings.append(remark(f"{wheel}.theta", "note", "plate_estimated", names=", ".join(guessed)))
+        result.findings.append(
+            remark(f"{wheel}.theta", "note", "plate_estimated", names=", ".join(guessed))
+        )
     return result
 
 
@@ -478,7 +556,10 @@ def stroke_by_turn(height: Array | None, time: Array, turns: Turns) -> Array | N
     if starts.size <= count:
         starts = np.append(starts, height.size - 1)
     starts = starts[: count + 1]
-    high, low = np.maximum.reduceat(height, starts)[:count], np.minimum.reduceat(height, starts)[:count]
+    high, low = (
+        np.maximum.reduceat(height, starts)[:count],
+        np.minimum.reduceat(height, starts)[:count],
+    )
     return np.asarray(high - low)
 
 

@@ -88,7 +88,8 @@ class WheelQuantity:
             return "–"
         decimals = self.decimals
         while decimals < _MOST_DECIMALS and any(
-            value != limit and self._write_number(value, decimals) == self._write_number(limit, decimals)
+            value != limit
+            and self._write_number(value, decimals) == self._write_number(limit, decimals)
             for limit in apart_from
         ):
             decimals += 1

@@ -100,18 +100,35 @@ def road_poles(corner: LinearQuarterCar) -> Complex:
 
 def road_polynomial(corner: LinearQuarterCar) -> Array:
     """Characteristic polynomial with the plate at rest, highest power first, SI."""
-    ms, mu, k, c = corner.sprung_mass, corner.unsprung_mass, corner.spring_rate, corner.damping_coefficient
+    ms, mu, k, c = (
+        corner.sprung_mass,
+        corner.unsprung_mass,
+        corner.spring_rate,
+        corner.damping_coefficient,
+    )
     kt, ct = corner.tyre_stiffness, corner.tyre_damping_coefficient
-    return np.array([ms * mu, ms * (c + ct) + mu * c, ms * (k + kt) + mu * k + c * ct, c * kt + k * ct, k * kt])
+    return np.array(
+        [ms * mu, ms * (c + ct) + mu * c, ms * (k + kt) + mu * k + c * ct, c * kt + k * ct, k * kt]
+    )
 
 
 def rig_poles(
-    corner: LinearQuarterCar, plate_mass: float, spring_rate: float, damping_coefficient: float = 0.0
+    corner: LinearQuarterCar,
+    plate_mass: float,
+    spring_rate: float,
+    damping_coefficient: float = 0.0,
 ) -> Complex:
     """Poles on a sprung plate (kg, N/m, N s/m) whose exciter is at rest, 1/s."""
-    ms, mu, k, c = corner.sprung_mass, corner.unsprung_mass, corner.spring_rate, corner.damping_coefficient
+    ms, mu, k, c = (
+        corner.sprung_mass,
+        corner.unsprung_mass,
+        corner.spring_rate,
+        corner.damping_coefficient,
+    )
     tyre = np.array([corner.tyre_damping_coefficient, corner.tyre_stiffness])
-    free = np.array([ms * mu, (ms + mu) * c, (ms + mu) * k, 0.0, 0.0])  # the car on a tyre without stiffness
+    free = np.array(
+        [ms * mu, (ms + mu) * c, (ms + mu) * k, 0.0, 0.0]
+    )  # the car on a tyre without stiffness
     plate = np.array([plate_mass, damping_coefficient, spring_rate])
     alone = np.convolve(road_polynomial(corner), plate)
     together = np.convolve(tyre, free)
@@ -153,7 +170,9 @@ def body_damping(poles: Complex) -> float:
     return 1.0 if abs(slowest.imag) <= 1e-6 * abs(slowest) else float(-slowest.real / abs(slowest))
 
 
-TRANSIENT = 5  # powers of s from 0 to 4 over the characteristic polynomial, which is of fourth order
+TRANSIENT = (
+    5  # powers of s from 0 to 4 over the characteristic polynomial, which is of fourth order
+)
 _equations = Loop("quarter_car")
 
 
@@ -172,7 +191,9 @@ def normal_equations(
     slopes, falls = np.empty((_FREE, 2 * n)), np.empty((_FREE, 2 * n))
     normal, right = np.empty((_FREE, _FREE)), np.empty(_FREE)
     bins = (np.ascontiguousarray(values) for values in (speed, height, force))
-    _equations(np.ascontiguousarray(parameters), *bins, basis, transient, slopes, falls, gap, normal, right)
+    _equations(
+        np.ascontiguousarray(parameters), *bins, basis, transient, slopes, falls, gap, normal, right
+    )
     return float(gap @ gap), normal, right, gap[:n] + 1j * gap[n:]
 
 
@@ -181,20 +202,37 @@ _TIED = np.eye(_FREE, 5)
 _TIED[5, 0] = -1.0  # sprung and unsprung mass together carry the static load
 _SUM = np.array([1.0, 0.0, 0.0, 0.0, 0.0, 1.0])
 _SCALE = np.array([1.0, 1e3, 10.0, 1e3, 50.0, 10.0])  # least sizes by which steps are judged, SI
-_MASS_SPREAD = 0.2  # of what the plate carries: in a car the mass that acts on a wheel differs from it
-_MOST_STEPS, _MORE_STEPS = 40, 12  # with the masses tied to the load, and from there with all six numbers
-_ROUGH_STEP, _SMALLEST_STEP = 2e-2, 1e-4  # relative changes that end these two searches: the first is only a start
+_MASS_SPREAD = (
+    0.2  # of what the plate carries: in a car the mass that acts on a wheel differs from it
+)
+_MOST_STEPS, _MORE_STEPS = (
+    40,
+    12,
+)  # with the masses tied to the load, and from there with all six numbers
+_ROUGH_STEP, _SMALLEST_STEP = (
+    2e-2,
+    1e-4,
+)  # relative changes that end these two searches: the first is only a start
 _FEWEST_BINS = 24  # spectral lines: 48 numbers for six of a quarter car and those of the transient
 _GRADIENT_STEP = 1e-5  # relative
 _START_LINES = 60  # spectral lines by which starts are compared
 POOR, _TRIED = 0.97, 6
 """Share of the force (1) below which more starts are tried and a fit is doubted, and how many: dampers with bends leave
 0.98."""
-_SHARES, _RATIOS = (0.05, 0.08, 0.12, 0.18), (0.005, 0.05, 0.2)  # of starts: unsprung masses, damping ratios
-_STIFFNESSES, _RATES = (8e4, 1.2e5, 1.7e5, 2.4e5, 3.4e5), (30.0, 65.0, 150.0, 400.0, 1100.0)  # N/m, N/m for each kg
+_SHARES, _RATIOS = (
+    (0.05, 0.08, 0.12, 0.18),
+    (0.005, 0.05, 0.2),
+)  # of starts: unsprung masses, damping ratios
+_STIFFNESSES, _RATES = (
+    (8e4, 1.2e5, 1.7e5, 2.4e5, 3.4e5),
+    (30.0, 65.0, 150.0, 400.0, 1100.0),
+)  # N/m, N/m for each kg
 TYRES = (5e4, 1.2e6)
 """Stiffnesses that a tyre may have, N/m."""
-_TYRE_DAMPING, _TYRE_DAMPING_SPREAD = 50.0, 60.0  # N s/m: what a record with little to say falls back on
+_TYRE_DAMPING, _TYRE_DAMPING_SPREAD = (
+    50.0,
+    60.0,
+)  # N s/m: what a record with little to say falls back on
 
 
 @dataclass(frozen=True)
@@ -229,7 +267,9 @@ class ResponseFit:
 
         The quantity is asked for several responses (m,) at once.
         """
-        return self._spread(quantity(responses(self._near, np.array([2j * np.pi * frequency]))[:, 0]))
+        return self._spread(
+            quantity(responses(self._near, np.array([2j * np.pi * frequency]))[:, 0])
+        )
 
     @cached_property
     def _near(self) -> Array:
@@ -264,7 +304,9 @@ def stretch_of(height: Array, force: Array, sample_rate: float, low: float, high
     return Stretch(s, spectra[0, lines], spectra[1, lines], count)
 
 
-def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str = "wheel") -> ResponseFit:
+def fit_response(
+    stretches: Sequence[Stretch], static_load: float, *, where: str = "wheel"
+) -> ResponseFit:
     """Fit a quarter car to sections of one record without lift-off; the static load (N) is its weight.
 
     A least-squares estimate with its covariance. The mass that acts on the wheel is expected within 20 % of what the
@@ -274,15 +316,21 @@ def fit_response(stretches: Sequence[Stretch], static_load: float, *, where: str
     """
     bins = sum(stretch.s.size for stretch in stretches)
     if bins < _FEWEST_BINS:
-        raise FitError("too little signal to fit a quarter car to", where=where, found=f"{bins} spectral lines")
+        raise FitError(
+            "too little signal to fit a quarter car to", where=where, found=f"{bins} spectral lines"
+        )
     mass = static_load / GRAVITY
     scale = 1.0 / math.sqrt(sum(stretch.samples for stretch in stretches) / len(stretches))
     parts = [
-        Stretch(stretch.s, stretch.height * scale, stretch.force * scale, stretch.samples) for stretch in stretches
+        Stretch(stretch.s, stretch.height * scale, stretch.force * scale, stretch.samples)
+        for stretch in stretches
     ]
     fit = _fit_from(parts, _start(parts, mass), mass)
     if _merit(fit) < POOR:
-        fit = max([fit, *(_fit_from(parts, start, mass) for start in _more_starts(parts, mass))], key=_merit)
+        fit = max(
+            [fit, *(_fit_from(parts, start, mass) for start in _more_starts(parts, mass))],
+            key=_merit,
+        )
     return fit
 
 
@@ -333,7 +381,9 @@ def _release_masses(parts: Sequence[Stretch], here: Array, mass: float) -> Respo
     known, _ = _prior_equations(here, mass, cost / freedom)
     size = np.sqrt(np.diag(normal + known))
     size = np.where(size > 0.0, size, 1.0)
-    covariance = np.linalg.pinv((normal + known) / np.outer(size, size), rcond=1e-15, hermitian=True)
+    covariance = np.linalg.pinv(
+        (normal + known) / np.outer(size, size), rcond=1e-15, hermitian=True
+    )
     power = sum(float(np.sum(np.abs(stretch.force) ** 2)) for stretch in parts)
     return ResponseFit(
         corner=_corner(here),
@@ -355,7 +405,10 @@ def _prior_equations(here: Array, mass: float, variance: float) -> tuple[Array, 
 
 def _surprise(here: Array, mass: float, variance: float) -> float:
     """Sum of squares by which parameters miss the prior."""
-    gap = (mass - float(_SUM @ here)) / (_MASS_SPREAD * mass), (_TYRE_DAMPING - here[4]) / _TYRE_DAMPING_SPREAD
+    gap = (
+        (mass - float(_SUM @ here)) / (_MASS_SPREAD * mass),
+        (_TYRE_DAMPING - here[4]) / _TYRE_DAMPING_SPREAD,
+    )
     return variance * float(gap[0] ** 2 + gap[1] ** 2)
 
 
@@ -380,29 +433,46 @@ def delay_of(fit: ResponseFit, stretches: Sequence[Stretch], plate_mass: float =
         speed = stretch.s.imag
         gap = normal_equations(here, speed, height, force)[3]
         near = [normal_equations(place, speed, height, force)[3] for place in here + np.diag(steps)]
-        earlier = force + _PER_MILLISECOND * stretch.s * (force + plate_mass * stretch.s**2 * height)
+        earlier = force + _PER_MILLISECOND * stretch.s * (
+            force + plate_mass * stretch.s**2 * height
+        )
         left.append(gap)
-        slopes.append(np.stack([(other - gap) / step for other, step in zip(near, steps, strict=True)], axis=1))
-        by_delay.append((normal_equations(here, speed, height, earlier)[3] - gap) / _PER_MILLISECOND)
+        slopes.append(
+            np.stack(
+                [(other - gap) / step for other, step in zip(near, steps, strict=True)], axis=1
+            )
+        )
+        by_delay.append(
+            (normal_equations(here, speed, height, earlier)[3] - gap) / _PER_MILLISECOND
+        )
     rest, of_delay = (_both_parts(np.concatenate(parts)) for parts in (left, by_delay))
     rows = np.concatenate(slopes)
     held = np.concatenate([rows.real, rows.imag])
     held /= np.linalg.norm(held, axis=0)
-    rest, of_delay = (part - held @ np.linalg.lstsq(held, part, rcond=1e-12)[0] for part in (rest, of_delay))
+    rest, of_delay = (
+        part - held @ np.linalg.lstsq(held, part, rcond=1e-12)[0] for part in (rest, of_delay)
+    )
     power = float(of_delay @ of_delay)
     delay = -float(of_delay @ rest) / power
     after = rest + delay * of_delay
     error = math.sqrt(float(after @ after) / rest.size / power)
     gain = 1.0 - float(after @ after) / max(float(rest @ rest), 1e-300)
     loss = fit.corner.tyre_damping_coefficient
-    drives = -loss > _DRIVES * fit.corner.tyre_stiffness and -loss > _SURELY * math.sqrt(float(fit.covariance[4, 4]))
-    sure = abs(delay) > max(_SMALL_DELAY, _SURELY * error) and (gain > _OF_LEFT or (drives and delay > 0.0))
+    drives = -loss > _DRIVES * fit.corner.tyre_stiffness and -loss > _SURELY * math.sqrt(
+        float(fit.covariance[4, 4])
+    )
+    sure = abs(delay) > max(_SMALL_DELAY, _SURELY * error) and (
+        gain > _OF_LEFT or (drives and delay > 0.0)
+    )
     return delay if sure else 0.0
 
 
 _DELAY_STEP, _PER_MILLISECOND = 1e-4, 1e-3  # relative, and s: steps of differences
 _SMALL_DELAY = 0.8e-3  # s: turns the phase angle by 3 degrees at 10 Hz
-_OF_LEFT, _SURELY = 0.45, 3.0  # share of what is left (1): dry friction and bends give a third; standard errors
+_OF_LEFT, _SURELY = (
+    0.45,
+    3.0,
+)  # share of what is left (1): dry friction and bends give a third; standard errors
 _DRIVES = 0.5e-3  # s: negative damping of a tyre over its stiffness
 
 
@@ -436,7 +506,9 @@ def _start(parts: Sequence[Stretch], mass: float) -> Array:
     for stretch in parts:
         few = slice(None, None, max(stretch.s.size // _START_LINES, 1))
         misfit += np.sum(
-            np.abs(stretch.force[few] - responses(candidates, stretch.s[few]) * stretch.height[few]) ** 2, axis=1
+            np.abs(stretch.force[few] - responses(candidates, stretch.s[few]) * stretch.height[few])
+            ** 2,
+            axis=1,
         )
     return np.asarray(candidates[int(np.argmin(misfit))])
 
@@ -458,7 +530,11 @@ def _tyre_stiffness(parts: Sequence[Stretch]) -> float:
     # A start: the highest 15 % are enough lines, and nearest to a wheel at rest.
     top = highest.s.imag > 0.85 * highest.s[-1].imag
     drive = float(np.sum(np.abs(highest.height[top]) ** 2))
-    gain = abs(complex(np.sum(highest.force[top] * np.conj(highest.height[top])))) / drive if drive > 0.0 else 2e5
+    gain = (
+        abs(complex(np.sum(highest.force[top] * np.conj(highest.height[top])))) / drive
+        if drive > 0.0
+        else 2e5
+    )
     return min(max(0.8 * gain, 6e4), 8e5)
 
 
@@ -466,7 +542,9 @@ def _system(parts: Sequence[Stretch], parameters: Array) -> tuple[float, Array, 
     """Sum of squares, normal matrix and right side for the six parameters; the transients are projected out."""
     cost, normal, right = 0.0, np.zeros((_FREE, _FREE)), np.zeros(_FREE)
     for stretch in parts:
-        squares, of_part, pull, _ = normal_equations(parameters, stretch.s.imag, stretch.height, stretch.force)
+        squares, of_part, pull, _ = normal_equations(
+            parameters, stretch.s.imag, stretch.height, stretch.force
+        )
         cost += squares
         normal += of_part
         right += pull
@@ -482,7 +560,9 @@ def _solve(normal: Array, right: Array, damping: float) -> Array:
 
 def predicted_force(fit: ResponseFit, stretch: Stretch) -> Complex:
     """Dynamic force (N) in the bins of a section, with the best-fitting transients."""
-    left = normal_equations(_parameters(fit.corner), stretch.s.imag, stretch.height, stretch.force)[3]
+    left = normal_equations(_parameters(fit.corner), stretch.s.imag, stretch.height, stretch.force)[
+        3
+    ]
     return np.asarray(stretch.force - left)
 
 
@@ -556,12 +636,16 @@ def steady_state(
     >>> round(100.0 * found.adhesion, 2), round(found.phase_angle_min_deg, 2), round(found.phase_frequency_hz, 2)
     (60.25, 57.27, 7.76)
     """
-    force: Response = partial(force_response, response) if isinstance(response, LinearQuarterCar) else response
+    force: Response = (
+        partial(force_response, response) if isinstance(response, LinearQuarterCar) else response
+    )
     own = response.static_load if isinstance(response, LinearQuarterCar) else 0.0
     load = own if static_load is None else static_load
 
     def answer(frequency: Array) -> SteadyResponse:
-        return SteadyResponse(frequency, force(frequency), np.ones(frequency.size, complex), load, amplitude)
+        return SteadyResponse(
+            frequency, force(frequency), np.ones(frequency.size, complex), load, amplitude
+        )
 
     adhesion, peak = least_adhesion(answer, highest)
     angle, at = least(lambda f: answer(f).phase_angle, *band)
@@ -573,5 +657,7 @@ def steady_state(
         phase_frequency_hz=at,
         phase_at_end=min(at - band[0], band[1] - at) < _AT_END,
         relative_force_amplitude=1.0 - adhesion,
-        tyre_rigidity=tyre_rigidity(float(answer(np.array([highest])).force_amplitude[0]), amplitude),
+        tyre_rigidity=tyre_rigidity(
+            float(answer(np.array([highest])).force_amplitude[0]), amplitude
+        ),
     )

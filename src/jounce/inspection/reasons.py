@@ -83,7 +83,9 @@ _SENTENCES = {
         "{methods} decides; other grades are for information.",
         "{methods} entscheidet; weitere Einstufungen dienen der Information.",
     ),
-    "disagree": Sentence("the methods disagree: {grades}.", "Die Verfahren widersprechen sich: {grades}."),
+    "disagree": Sentence(
+        "the methods disagree: {grades}.", "Die Verfahren widersprechen sich: {grades}."
+    ),
     "mass": Sentence(
         "adhesion depends on the load: the force varies by {force} N about {load} N; with the same damper a wheel "
         "that carries {needed} N would reach the limit of {limit}. Phase angle and damping ratio hardly depend on the "
@@ -129,7 +131,10 @@ AXLES = {
     "rear": Sentence("rear", "Hinterachse"),
     "": Sentence("only", "Achse"),
 }
-_ACROSS = {"wheels": Sentence("left to right", "links zu rechts"), "axles": Sentence("front to rear", "vorn zu hinten")}
+_ACROSS = {
+    "wheels": Sentence("left to right", "links zu rechts"),
+    "axles": Sentence("front to rear", "vorn zu hinten"),
+}
 _DEFINITIONS = {
     "relative": Sentence("relative to the greater value", "bezogen auf den größeren Wert"),
     "absolute": Sentence("absolute", "absolut"),
@@ -166,7 +171,13 @@ class Reason:
 def _word(name: str, value: Any, language: Language) -> str:
     if name in _WRITTEN:
         return _WRITTEN[name](value, language)
-    tables = {"wheel": SIDES, "missing": SIDES, "axle": AXLES, "across": _ACROSS, "definition": _DEFINITIONS}
+    tables = {
+        "wheel": SIDES,
+        "missing": SIDES,
+        "axle": AXLES,
+        "across": _ACROSS,
+        "definition": _DEFINITIONS,
+    }
     if name in tables:
         return tables[name][value].in_language(language) if value in tables[name] else str(value)
     return f"{value:.0f}" if isinstance(value, float) else str(value)
@@ -177,11 +188,16 @@ def _methods(value: Any, _: Language) -> str:
 
 
 def _grades(value: Any, language: Language) -> str:
-    shown = (f"{METHODS[m].name} {band.words(language)} ({verdict_words(band.verdict, language)})" for m, band in value)
+    shown = (
+        f"{METHODS[m].name} {band.words(language)} ({verdict_words(band.verdict, language)})"
+        for m, band in value
+    )
     return "; ".join(shown)
 
 
-def _criterion_words(criterion: Criterion, values: Mapping[str, Any], language: Language) -> dict[str, str]:
+def _criterion_words(
+    criterion: Criterion, values: Mapping[str, Any], language: Language
+) -> dict[str, str]:
     kind = criterion.kind
     words = {"quantity": QUANTITIES[criterion.quantity].words(language)}
     for name in ("low", "high"):
@@ -197,7 +213,9 @@ def _criterion_words(criterion: Criterion, values: Mapping[str, Any], language: 
     return words
 
 
-def with_uncertainty(criterion: Criterion, value: float, half: float | None, language: Language = "en") -> str:
+def with_uncertainty(
+    criterion: Criterion, value: float, half: float | None, language: Language = "en"
+) -> str:
     """Write a value with the half width of its 95 % interval, ``34.1 % ± 0.8 %``; both in the criterion's unit."""
     kind = criterion.kind
     text = kind.text(value, language, apart_from=criterion.edges())
@@ -209,7 +227,10 @@ def range_words(criterion: Criterion, band: VerdictBand, language: Language = "e
     kind, place = criterion.kind, 0 if language == "en" else 1
     parts = []
     if band.start > float("-inf"):
-        before = next((lower for lower in criterion.bands if lower.end_included and lower.end == band.start), None)
+        before = next(
+            (lower for lower in criterion.bands if lower.end_included and lower.end == band.start),
+            None,
+        )
         first = ("above", "über") if before is not None else ("from", "ab")
         parts.append(f"{first[place]} {kind.limit_text(band.start, language)}")
     if band.end < float("inf"):

@@ -43,7 +43,10 @@ TEXTS = (
 )
 """What it says about the whole record."""
 _ORDERS = {"left, right", "right, left", "left", "right", "together"}
-_LONGEST_TEXT, _LARGEST_NAME = 2000, 1e15  # characters; a number that is a name, written with all its digits
+_LONGEST_TEXT, _LARGEST_NAME = (
+    2000,
+    1e15,
+)  # characters; a number that is a name, written with all its digits
 
 
 def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Dataset, list[Finding]]:
@@ -105,7 +108,9 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
 
 def _check_units(findings: Iterable[Finding], file: Path) -> None:
     """Refuse plate heights and forces that the reader left out because they have no unit."""
-    said = [str(item.numbers["labels"]) for item in findings if item.code == "recordings.without_unit"]
+    said = [
+        str(item.numbers["labels"]) for item in findings if item.code == "recordings.without_unit"
+    ]
     for name in (f"{side}.{what}" for side in SIDES for what in (HEIGHT, FORCE)):
         if any(f"{name} = " in text for text in said):
             where, allowed = f"{file}: column {name!r}", "a header such as 'left.plate.z [mm]'"
@@ -126,7 +131,9 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
         except tomllib.TOMLDecodeError as error:
             raise toml_error(error, str(beside)) from None
         except UnicodeDecodeError as error:
-            raise DescriptionError(Phrase("not valid TOML: {error}", error=str(error)), where=str(beside)) from None
+            raise DescriptionError(
+                Phrase("not valid TOML: {error}", error=str(error)), where=str(beside)
+            ) from None
     if file.is_file() and reader_of(file).name == "csv":
         for line in read_comments_csv(file):
             if "=" not in line:
@@ -142,11 +149,17 @@ def flat_facts(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
     """Give the facts of a header's tables by their dotted names: ``{"left": {"static_load": "4 kN"}}`` and the like."""
     flat: dict[str, Any] = {}
     for key, value in table.items():
-        flat |= flat_facts(value, f"{before}{key}.") if isinstance(value, Mapping) else {f"{before}{key}": value}
+        flat |= (
+            flat_facts(value, f"{before}{key}.")
+            if isinstance(value, Mapping)
+            else {f"{before}{key}": value}
+        )
     return flat
 
 
-def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict[str, Any], list[Finding]]:
+def read_facts(
+    facts: Mapping[str, Any], *, where: str = "record"
+) -> tuple[dict[str, Any], list[Finding]]:
     """Check what a header says (see ``NUMBERS`` and ``TEXTS``) and put its numbers, text with a unit or SI, in SI.
 
     Gives the facts, and a warning for each key that is not known; it is kept. Raises DescriptionError for a value with
@@ -170,7 +183,9 @@ def read_facts(facts: Mapping[str, Any], *, where: str = "record") -> tuple[dict
             if key not in TEXTS and key not in ("schema", "jounce", "source", "Conventions"):
                 near = nearest_name(key, known)
                 code = "unknown_key_near" if near else "unknown_key"
-                findings.append(remark(where, "warning" if near else "note", code, key=key, near=near))
+                findings.append(
+                    remark(where, "warning" if near else "note", code, key=key, near=near)
+                )
     return checked, findings
 
 
@@ -179,10 +194,14 @@ def _text(value: object, where: str) -> str:
     plain = value.item() if isinstance(value, np.generic) else value
     if isinstance(plain, (datetime.date, datetime.time)):
         return plain.isoformat()
-    is_number = isinstance(plain, (int, float)) and abs(plain) < _LARGEST_NAME  # NaN is not below it
+    is_number = (
+        isinstance(plain, (int, float)) and abs(plain) < _LARGEST_NAME
+    )  # NaN is not below it
     text = str(plain) if is_number or isinstance(plain, str) else None
     if text is None or len(text) > _LONGEST_TEXT or "\0" in text:
-        allowed = Phrase("text of at most {longest_text} characters, a date", longest_text=_LONGEST_TEXT)
+        allowed = Phrase(
+            "text of at most {longest_text} characters, a date", longest_text=_LONGEST_TEXT
+        )
         raise DescriptionError("not a text", where=where, found=value, allowed=allowed)
     return text
 
@@ -217,12 +236,18 @@ def _number(value: object, si: str, where: str) -> float:
     except DescriptionError as error:
         raise _unit_error(error) if si == "N" else error from None
     if number < 0.0 or (si != "kg" and number == 0.0):
-        raise DescriptionError("out of range", where=where, found=f"{number:g} {si}", allowed="above 0")
+        raise DescriptionError(
+            "out of range", where=where, found=f"{number:g} {si}", allowed="above 0"
+        )
     return number
 
 
 def _order(value: object, where: str) -> str:
-    words = [str(word).strip() for word in value] if isinstance(value, (list, tuple)) else str(value).split(",")
+    words = (
+        [str(word).strip() for word in value]
+        if isinstance(value, (list, tuple))
+        else str(value).split(",")
+    )
     order = ", ".join(word.strip() for word in words)
     if order not in _ORDERS:
         raise DescriptionError(
@@ -236,7 +261,9 @@ def _order(value: object, where: str) -> str:
 
 def _axle(value: object, where: str) -> str:
     if str(value) not in ("front", "rear"):
-        raise DescriptionError("unknown axle", where=f"{where}: axle", found=str(value), allowed="front, rear")
+        raise DescriptionError(
+            "unknown axle", where=f"{where}: axle", found=str(value), allowed="front, rear"
+        )
     return str(value)
 
 
@@ -246,8 +273,12 @@ def _unit_error(error: DescriptionError) -> DescriptionError:
     unit = str(error.found or "")
     hint = error.hint
     if unit in words and "convert" in error.allowed:
-        hint = Phrase("{unit!r} is a mass; write {words!r} for the force.", unit=unit, words=words[unit])
-    return DescriptionError(error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint)
+        hint = Phrase(
+            "{unit!r} is a mass; write {words!r} for the force.", unit=unit, words=words[unit]
+        )
+    return DescriptionError(
+        error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint
+    )
 
 
 def _column_error(error: RecordingError) -> RecordingError:
@@ -255,12 +286,16 @@ def _column_error(error: RecordingError) -> RecordingError:
     if not error.what.startswith("no column"):
         return error
     hint = 'Tell its name in the tester file, [columns]: time = "Zeit [s]", "left.plate.z" = "s_left [mm]", ...'
-    return RecordingError(error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint)
+    return RecordingError(
+        error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint
+    )
 
 
 def is_simulated(facts: Mapping[str, Any]) -> bool:
     """Whether a record is marked as simulated, in its header or in the comment of older ones."""
-    return bool(facts.get("simulated")) or str(facts.get("comment", "")).startswith("simulated, seed")
+    return bool(facts.get("simulated")) or str(facts.get("comment", "")).startswith(
+        "simulated, seed"
+    )
 
 
 def with_facts(
@@ -272,7 +307,9 @@ def with_facts(
     DescriptionError for a date that is none.
     """
     if "date" in given and not _is_day(given["date"]):
-        raise DescriptionError("not a date", where="date", found=given["date"], allowed="e.g. 2026-11-21")
+        raise DescriptionError(
+            "not a date", where="date", found=given["date"], allowed="e.g. 2026-11-21"
+        )
     findings: list[Finding] = [
         remark(where, "warning", "overruled", key=key, header=str(record.attrs[key]), given=text)
         for key, text in given.items()

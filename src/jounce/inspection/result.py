@@ -188,11 +188,18 @@ def wheel_table(title: str, wheels: Sequence[WheelResult]) -> TextTable:
         if any(wheel.value(name) is not None for wheel in wheels)
     ]
     if any(wheel.lift_off for wheel in wheels):
-        rows.append(("tyre leaves the plate", *("yes" if wheel.lift_off else "no" for wheel in wheels)))
+        rows.append(
+            ("tyre leaves the plate", *("yes" if wheel.lift_off else "no" for wheel in wheels))
+        )
     methods = dict.fromkeys(method for wheel in wheels for method in wheel.grade)
-    rows += [(f"grade {method}", *(wheel.grade.get(method, "–") for wheel in wheels)) for method in methods]
+    rows += [
+        (f"grade {method}", *(wheel.grade.get(method, "–") for wheel in wheels))
+        for method in methods
+    ]
     rows.append(("verdict", *(wheel.verdict for wheel in wheels)))
-    return TextTable(title, ("", *(wheel.wheel for wheel in wheels)), rows, tuple(range(len(wheels) + 1)))
+    return TextTable(
+        title, ("", *(wheel.wheel for wheel in wheels)), rows, tuple(range(len(wheels) + 1))
+    )
 
 
 def _with_half(wheel: WheelResult, number: WheelQuantity) -> str:
@@ -227,7 +234,10 @@ class Inspection(Plain):
 
     def __str__(self) -> str:
         title = str(self.axle.get("axle", ""))
-        findings = [*self.findings, *(finding for wheel in self.wheels for finding in wheel.findings)]
+        findings = [
+            *self.findings,
+            *(finding for wheel in self.wheels for finding in wheel.findings),
+        ]
         return "\n".join([str(wheel_table(title, self.wheels)), *map(str, findings)])
 
     def wheel(self, name: str) -> WheelResult:

@@ -52,13 +52,21 @@ def rig_under_test_in_python(rig: str, changes: Mapping[str, Any] | None = None)
 def chosen_tester(
     method: Annotated[str | None, _METHOD] = None,
     tester: Annotated[
-        str | None, Mark("A tester file, or the name of a shipped one; by default one for the method.")
+        str | None,
+        Mark("A tester file, or the name of a shipped one; by default one for the method."),
     ] = None,
     stroke: Annotated[
         float | None,
-        Number('Stroke of the exciter, peak to peak: "6 mm".', unit="m", is_positive=True, most=_LONGEST_STROKE),
+        Number(
+            'Stroke of the exciter, peak to peak: "6 mm".',
+            unit="m",
+            is_positive=True,
+            most=_LONGEST_STROKE,
+        ),
     ] = None,
-    sweep_rate: Annotated[float | None, Number('Rate of the sweep: "2.5 Hz/s".', unit="Hz/s", is_positive=True)] = None,
+    sweep_rate: Annotated[
+        float | None, Number('Rate of the sweep: "2.5 Hz/s".', unit="Hz/s", is_positive=True)
+    ] = None,
     changes: Annotated[Mapping[str, Any] | None, CHANGES] = None,
 ) -> Tester:
     """Load a tester, or the one for a method, and change its values.
@@ -96,13 +104,19 @@ def python_of_tester(
 
 
 def _of_rig(changes: Mapping[str, Any] | None) -> dict[str, Any]:
-    return {path: value for path, value in (changes or {}).items() if not path.startswith(_OF_TESTER)}
+    return {
+        path: value for path, value in (changes or {}).items() if not path.startswith(_OF_TESTER)
+    }
 
 
-def _of_tester(stroke: float | None, sweep_rate: float | None, changes: Mapping[str, Any] | None) -> dict[str, Any]:
+def _of_tester(
+    stroke: float | None, sweep_rate: float | None, changes: Mapping[str, Any] | None
+) -> dict[str, Any]:
     given = {"stroke": stroke, "programme.sweep_rate": sweep_rate}
     more = {
-        path.removeprefix(_OF_TESTER): value for path, value in (changes or {}).items() if path not in _of_rig(changes)
+        path.removeprefix(_OF_TESTER): value
+        for path, value in (changes or {}).items()
+        if path not in _of_rig(changes)
     }
     return {**more, **{path: value for path, value in given.items() if value is not None}}
 
@@ -111,7 +125,9 @@ def check_record(*, out: Path | None, steady: bool, wear: str | None, **_: Any) 
     """Refuse a file for a record where there is none, or more than one."""
     if out is not None and (steady or _is_range(wear)):
         what = "steady states have no record" if steady else "a record holds a single test"
-        raise OutputError(what, where=f"--out {out}", hint="Leave out --steady, and give a single --wear.")
+        raise OutputError(
+            what, where=f"--out {out}", hint="Leave out --steady, and give a single --wear."
+        )
 
 
 def _is_range(wear: str | float | None) -> bool:
@@ -165,7 +181,9 @@ class InspectedRig(Shown):
         wheels = [self._wheel(test) for test in self.tests]
         if not self.is_range:
             return {**wheels[0], **about}
-        worn_wheels = [{"wear": lost, **wheel} for lost, wheel in zip(self.wear, wheels, strict=True)]
+        worn_wheels = [
+            {"wear": lost, **wheel} for lost, wheel in zip(self.wear, wheels, strict=True)
+        ]
         return {**about, "wear": list(self.wear), "wheels": worn_wheels}
 
     def _wheel(self, test: SimulatedInspection) -> dict[str, Any]:
@@ -199,20 +217,31 @@ def inspect_rig(  # noqa: PLR0913 - each is an option
     ],
     tester: Annotated[
         Tester | str | Path,
-        MadeBy("jounce.inspection.rig_inspection:chosen_tester", "jounce.inspection.rig_inspection:python_of_tester"),
+        MadeBy(
+            "jounce.inspection.rig_inspection:chosen_tester",
+            "jounce.inspection.rig_inspection:python_of_tester",
+        ),
     ],
     *,
     method: Annotated[str | None, _METHOD] = None,
     steady: Annotated[bool, Switch("Steady states instead of a sweep.")] = False,
-    wear: Annotated[str | float | None, Mark("Loss of damping, as a share: one number, or FIRST:LAST:STEP.")] = None,
+    wear: Annotated[
+        str | float | None, Mark("Loss of damping, as a share: one number, or FIRST:LAST:STEP.")
+    ] = None,
     wheel: Annotated[
         Literal["left", "right", "both"],
-        Mark("left or right: the wheel to test, and its plate; both: both wheels of an axle in turn."),
+        Mark(
+            "left or right: the wheel to test, and its plate; both: both wheels of an axle in turn."
+        ),
     ] = "left",
     axle: Annotated[Literal["front", "rear"], Mark("Axle of a vehicle: front or rear.")] = "front",
-    noise: Annotated[float, Number('Standard deviation of the force noise, relative to the static load: "1 %".')] = 0.0,
+    noise: Annotated[
+        float, Number('Standard deviation of the force noise, relative to the static load: "1 %".')
+    ] = 0.0,
     seed: Annotated[int, Count("Seed of the noise.", least=0)] = 0,
-    truth: Annotated[bool, Switch("Include channels in the record that no tester measures (truth.*).")] = False,
+    truth: Annotated[
+        bool, Switch("Include channels in the record that no tester measures (truth.*).")
+    ] = False,
     vehicle: Annotated[str, File("Its name in the record.")] = "",
     progress: Callable[[str], None] = lambda _: None,
 ) -> InspectedRig:
@@ -273,22 +302,42 @@ def inspect_rig(  # noqa: PLR0913 - each is an option
     stood, plates = load(rig) if isinstance(rig, str | Path) else rig, as_tester(tester)
     wears = [0.0] if wear is None else sweep_wear(str(wear))
     if wheel == "both" and (steady or len(wears) > 1):
-        what = "steady states need a single wheel" if steady else "a range of wear needs a single wheel"
+        what = (
+            "steady states need a single wheel"
+            if steady
+            else "a range of wear needs a single wheel"
+        )
         raise DescriptionError(what, where="wheel", found=wheel, allowed="left, right")
     name = Path(vehicle).stem if vehicle.endswith(".toml") else vehicle
-    more: dict[str, Any] = {"method": method, "axle": axle, "noise": noise, "seed": seed, "vehicle": name}
+    more: dict[str, Any] = {
+        "method": method,
+        "axle": axle,
+        "noise": noise,
+        "seed": seed,
+        "vehicle": name,
+    }
     decides = method or plates.method
     if wheel == "both":
-        graded, measured = simulate_axle(wear_dampers(stood, wears[0]) if wears[0] else stood, plates, **more)
-        return InspectedRig(plates, decides, steady, (wears[0],), (), graded, measurable(measured, truth=truth))
+        graded, measured = simulate_axle(
+            wear_dampers(stood, wears[0]) if wears[0] else stood, plates, **more
+        )
+        return InspectedRig(
+            plates, decides, steady, (wears[0],), (), graded, measurable(measured, truth=truth)
+        )
     tests = []
     for number, lost in enumerate(wears, 1):
-        progress(progress_through("testing {which} of {count}", number, len(wears)) if len(wears) > 1 else "testing")
+        progress(
+            progress_through("testing {which} of {count}", number, len(wears))
+            if len(wears) > 1
+            else "testing"
+        )
         changed = wear_dampers(stood, lost) if lost else stood
         tests.append(simulate_inspection(changed, plates, steady=steady, wheel=wheel, **more))
     first = None if _is_range(wear) else tests[0].record
     record = None if first is None else measurable(first, truth=truth)
-    return InspectedRig(plates, decides, steady, tuple(wears), tuple(tests), None, record, _is_range(wear))
+    return InspectedRig(
+        plates, decides, steady, tuple(wears), tuple(tests), None, record, _is_range(wear)
+    )
 
 
 def measurable(record: xr.Dataset, *, truth: bool) -> xr.Dataset:

@@ -28,7 +28,10 @@ At 1 kHz they err by 0.02 % at 25 Hz and by 0.2 % at 40 Hz, with a 22nd of the n
 neighbouring samples have.
 """
 _BLOCK_TIME = 0.1  # s: a turn at 10 Hz; of swings of a body little more than 2 % is left about a line through it
-_OF_OTHER, _IDLE = 0.6, 0.2  # of the other plate's shaking and of the least stroke: what a plate gets through the car
+_OF_OTHER, _IDLE = (
+    0.6,
+    0.2,
+)  # of the other plate's shaking and of the least stroke: what a plate gets through the car
 _STANDSTILL, _LONG_STANDSTILL = 0.2, 2.0  # s that a plate must stand before its test, or after it
 _STANDS = 0.1  # standard deviation over mean of a force that is no swing's
 
@@ -114,7 +117,9 @@ def plate_acceleration(height: Array, sample_rate: float) -> Array:
     >>> bool(abs(plate_acceleration(wave, 1000.0) / (2 * np.pi * 25.0) ** 2 + wave)[50:-50].max() < 5e-6)
     True
     """
-    samples = max(2 * round(0.5 * (_ACCELERATION_TIME * sample_rate - 1.0)) + 1, _ACCELERATION_ORDER + 2)
+    samples = max(
+        2 * round(0.5 * (_ACCELERATION_TIME * sample_rate - 1.0)) + 1, _ACCELERATION_ORDER + 2
+    )
     samples += 1 - samples % 2
     if height.size <= samples:
         return np.zeros_like(height)
@@ -153,7 +158,9 @@ def signals_of(record: xr.Dataset, wheel: str, tester: Tester | None) -> WheelSi
         rate = (time.size - 1) / float(time[-1] - time[0])
         force = force - mass * plate_acceleration(height, rate)
     tacho = _channel(record, f"{wheel}.{TACHO}")
-    return WheelSignals(wheel, time, force, height, tacho, None if load is None else float(load), mass)
+    return WheelSignals(
+        wheel, time, force, height, tacho, None if load is None else float(load), mass
+    )
 
 
 def plate_mass_of(facts: dict[str, Any], wheel: str, tester: Tester | None) -> float:
@@ -170,7 +177,9 @@ def _channel(record: xr.Dataset, name: str) -> Array | None:
     return np.asarray(record[name].values, dtype=float) if name in record.data_vars else None
 
 
-def moving_part(values: Array, sample_rate: float, least: float, other: Array | None = None) -> tuple[int, int] | None:
+def moving_part(
+    values: Array, sample_rate: float, least: float, other: Array | None = None
+) -> tuple[int, int] | None:
     """First and last sample between which a plate moves, by blocks of 0.1 s; None where it stands still.
 
     A block counts when the stroke (m) in it is above ``least`` m. The shape of the signals is (n,), their rate in Hz.
@@ -182,7 +191,9 @@ def moving_part(values: Array, sample_rate: float, least: float, other: Array | 
     stroke = _strokes(values, size)
     moving = stroke > least
     if other is not None and bool(np.any(moving & (_strokes(other, size) > least))):
-        blocks = _greatest_part(_bends(values, size) - _OF_OTHER * _bends(other, size) - _IDLE * least)
+        blocks = _greatest_part(
+            _bends(values, size) - _OF_OTHER * _bends(other, size) - _IDLE * least
+        )
     else:
         blocks = np.flatnonzero(moving)
     if blocks.size == 0:
@@ -222,7 +233,9 @@ def _greatest_part(gains: Array) -> NDArray[np.intp]:
     return np.arange(int(np.argmin(sums[: last + 1])), last)
 
 
-def standstill_force(signals: WheelSignals, moving: tuple[int, int], other: tuple[int, int] | None) -> float | None:
+def standstill_force(
+    signals: WheelSignals, moving: tuple[int, int], other: tuple[int, int] | None
+) -> float | None:
     """Median force (N) before the plate moves or, failing that, after; None where it stands still too short.
 
     A wheel that swings on after the plate has stopped does not stand: its force means nothing but over whole swings.
@@ -239,7 +252,9 @@ def standstill_force(signals: WheelSignals, moving: tuple[int, int], other: tupl
     return float(np.median(after)) if np.std(after) < _STANDS * abs(np.mean(after)) else None
 
 
-def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: str = "") -> PlateCalibration:
+def calibrate_plate(
+    record: xr.Dataset, tester: Tester | None = None, *, wheel: str = ""
+) -> PlateCalibration:
     """Find the effective mass of a plate from a run without a wheel on it.
 
     Parameters
@@ -278,7 +293,9 @@ def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: 
     height, force = (_channel(record, f"{side}.{name}") for name in (HEIGHT, FORCE))
     if height is None or force is None:
         raise RecordingError(
-            "a calibration needs plate height and force", where=side, found=", ".join(map(str, record.data_vars))
+            "a calibration needs plate height and force",
+            where=side,
+            found=", ".join(map(str, record.data_vars)),
         )
     time = np.asarray(record["time"].values, dtype=float)
     rate = (time.size - 1) / float(time[-1] - time[0])
@@ -298,7 +315,9 @@ def calibrate_plate(record: xr.Dataset, tester: Tester | None = None, *, wheel: 
     )
 
 
-def _residual_per_hz(time: Array, height: Array, residual: Array, tester: Tester | None, where: str) -> float:
+def _residual_per_hz(
+    time: Array, height: Array, residual: Array, tester: Tester | None, where: str
+) -> float:
     """Greatest amplitude of the residual at the plate's frequency over that frequency, N/Hz, by half seconds."""
     middle = 0.5 * float(height.max() + height.min())
     turns = find_turns(time, height, middle, 0.5 * float(np.ptp(height)))
@@ -337,7 +356,9 @@ class Turns:
         return np.asarray(self.angle(time, 1) / (2.0 * np.pi))
 
 
-def middle_crossings(time: Array, height: Array, middle: float, amplitude: float) -> tuple[Array, bool]:
+def middle_crossings(
+    time: Array, height: Array, middle: float, amplitude: float
+) -> tuple[Array, bool]:
     """Find when (s) a height (m) passes its ``middle`` (m), and whether the first time is upwards.
 
     Excursions under 0.3 of the amplitude (m) do not count.

@@ -145,12 +145,16 @@ def simulate_inspection(
     record = None
     if steady:
         methods = methods_on(tester.kind) if tester.kind == "rigid-plate" else (deciding,)
-        inspection = Inspection((_steady_wheel(stood, tester, wheel, road, on_rig),), methods=methods)
+        inspection = Inspection(
+            (_steady_wheel(stood, tester, wheel, road, on_rig),), methods=methods
+        )
     else:
         about = {"axle": axle, "vehicle": vehicle}
         record = simulate_test(stood, tester, wheel=wheel, noise=noise, seed=seed, about=about)
         inspection = evaluate(_of_wheel(record, wheel), tester)
-        inspection = replace(inspection, wheels=tuple(item for item in inspection.wheels if item.wheel == wheel))
+        inspection = replace(
+            inspection, wheels=tuple(item for item in inspection.wheels if item.wheel == wheel)
+        )
         inspection = _with_findings(inspection, stood, tester)
     graded = grade(inspection, deciding=[deciding])
     return SimulatedInspection(graded.wheels[0], record, road, on_rig)
@@ -209,7 +213,10 @@ def simulate_axle(
     stood = on_plates(rig, axle)
     if not isinstance(stood, FrontViewAxle):
         raise SimulationError(
-            "one wheel stands on one plate", where="wheel", found="both", allowed="left, right; or an axle of a vehicle"
+            "one wheel stands on one plate",
+            where="wheel",
+            found="both",
+            allowed="left, right; or an axle of a vehicle",
         )
     about = {"axle": axle, "vehicle": vehicle}
     record = simulate_test(stood, tester, noise=noise, seed=seed, about=about)
@@ -233,11 +240,15 @@ def _with_findings(inspection: Inspection, rig: Rig, tester: Tester) -> Inspecti
     """Add findings that follow from the description and that the evaluation lacks."""
     wheel = inspection.wheels[0]
     known = {item.place.rpartition(".")[2] for item in wheel.findings}
-    new = [item for item in findings_of_test(rig, tester) if item.place.rpartition(".")[2] not in known]
+    new = [
+        item for item in findings_of_test(rig, tester) if item.place.rpartition(".")[2] not in known
+    ]
     return replace(inspection, wheels=(replace(wheel, findings=(*wheel.findings, *new)),))
 
 
-def _steady_wheel(rig: Rig, tester: Tester, wheel: str, road: float | None, on_rig: float | None) -> WheelResult:
+def _steady_wheel(
+    rig: Rig, tester: Tester, wheel: str, road: float | None, on_rig: float | None
+) -> WheelResult:
     findings = findings_of_test(rig, tester)
     load = float(steady_response(rig, tester, [RIGIDITY_FREQUENCY], wheel=wheel).static_load)
     values: dict[str, Any] = {"theta_road": road, "theta_rig": on_rig}
@@ -249,11 +260,22 @@ def _steady_wheel(rig: Rig, tester: Tester, wheel: str, road: float | None, on_r
         values |= steady
         findings += _end_finding(values["phase_frequency_hz"], tester, wheel)
         findings += rigidity_findings(values["tyre_rigidity"], tester, f"{wheel}.tyre_rigidity")
-    uncertainty = dict.fromkeys((key for key, value in values.items() if isinstance(value, float)), 0.0)
+    uncertainty = dict.fromkeys(
+        (key for key, value in values.items() if isinstance(value, float)), 0.0
+    )
     uncertainty |= {key: _RESOLUTION for key in uncertainty if key.endswith("_hz")}
-    poles = np.linalg.eigvals(linear_rig_on_tester(rig_on_tester(rig, tester, blocked=True)).A).astype(complex)
+    poles = np.linalg.eigvals(
+        linear_rig_on_tester(rig_on_tester(rig, tester, blocked=True)).A
+    ).astype(complex)
     more = {"body_damping_ratio": body_damping(poles)}
-    return WheelResult(wheel, static_load=load, uncertainty=uncertainty, findings=tuple(findings), more=more, **values)
+    return WheelResult(
+        wheel,
+        static_load=load,
+        uncertainty=uncertainty,
+        findings=tuple(findings),
+        more=more,
+        **values,
+    )
 
 
 def _is_linear(rig: Rig) -> bool:
@@ -261,8 +283,14 @@ def _is_linear(rig: Rig) -> bool:
     if not isinstance(rig, QuarterCar):
         return False
     strut = rig.strut
-    laws = strut.spring.rate is not None and isinstance(strut.damper, LinearDamper) and rig.tyre.stiffness is not None
-    return laws and strut.friction is None and strut.bump_stop is None and rig.guide.friction is None
+    laws = (
+        strut.spring.rate is not None
+        and isinstance(strut.damper, LinearDamper)
+        and rig.tyre.stiffness is not None
+    )
+    return (
+        laws and strut.friction is None and strut.bump_stop is None and rig.guide.friction is None
+    )
 
 
 def _closed_form_values(rig: Rig, tester: Tester, wheel: str) -> dict[str, Any] | None:
@@ -271,7 +299,9 @@ def _closed_form_values(rig: Rig, tester: Tester, wheel: str) -> dict[str, Any] 
     if adhesion <= 0.0:
         return None
     phase, there = least_phase_angle(rig, tester, wheel=wheel)
-    force = float(steady_response(rig, tester, [RIGIDITY_FREQUENCY], wheel=wheel).force_amplitude[0])
+    force = float(
+        steady_response(rig, tester, [RIGIDITY_FREQUENCY], wheel=wheel).force_amplitude[0]
+    )
     return {
         "adhesion": adhesion,
         "adhesion_frequency_hz": at,
@@ -303,7 +333,9 @@ def _swept(rig: Rig, tester: Tester, wheel: str) -> tuple[dict[str, Any], list[F
     restless = [state.frequency for state in sweep.states if not state.settled]
     if restless:
         span = {"low": min(restless), "high": max(restless)}
-        findings.append(warning(f"{wheel}.steady_states", "not_periodic", float(len(restless)), **span))
+        findings.append(
+            warning(f"{wheel}.steady_states", "not_periodic", float(len(restless)), **span)
+        )
     return values, findings
 
 
@@ -335,9 +367,17 @@ def sweep_wear(text: str) -> list[float]:
     good = len(numbers) in (1, 3) and all(np.isfinite(number) for number in numbers)
     if good and len(numbers) == 3:
         first, last, step = numbers
-        good = step > 0.0 and last >= first and (last - first) / step < 1e4  # each is a simulated test
-        numbers = [round(first + i * step, 12) for i in range(round((last - first) / step + 1e-9) + 1)] if good else []
+        good = (
+            step > 0.0 and last >= first and (last - first) / step < 1e4
+        )  # each is a simulated test
+        numbers = (
+            [round(first + i * step, 12) for i in range(round((last - first) / step + 1e-9) + 1)]
+            if good
+            else []
+        )
         numbers = [number for number in numbers if number <= last + 1e-9]
     if not good or not numbers or min(numbers) < 0.0 or max(numbers) > 1.0:
-        raise SimulationError("not a range of wear", where="wear", found=text, allowed="FIRST:LAST:STEP within 0 to 1")
+        raise SimulationError(
+            "not a range of wear", where="wear", found=text, allowed="FIRST:LAST:STEP within 0 to 1"
+        )
     return numbers

@@ -32,10 +32,17 @@ _SLOW_TIME, _PASSES = 0.25, 2
 
 Twice leaves 1 % of a swing at 1 Hz, 13 % at 2 Hz, and all from 4 Hz on.
 """
-_RESONANCE, _BELOW_RESONANCE = 7.0, 5.0  # Hz: a sweep must get below the first; falls below the second count
+_RESONANCE, _BELOW_RESONANCE = (
+    7.0,
+    5.0,
+)  # Hz: a sweep must get below the first; falls below the second count
 _LASTING = 5  # turns beyond these frequencies: fewer are no sweep
 _QUIET_SHARE = 0.12  # an eighth: see ``turns_of``
-_SLOWEST_TURN, _ODD_TURN, _FAST_CHANGE = 5.0, 0.06, 0.3  # Hz, shares by which turns differ: from neighbours, over two
+_SLOWEST_TURN, _ODD_TURN, _FAST_CHANGE = (
+    5.0,
+    0.06,
+    0.3,
+)  # Hz, shares by which turns differ: from neighbours, over two
 SWINGS = 0.5
 """Correlation of a plate's spring force with its height, beyond which the plate swings on its spring.
 
@@ -65,20 +72,27 @@ class Sweep:
         return float(max(self.turns.top[self.hold][0], self.turns.top[self.first] - _WAIT))
 
 
-def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> tuple[Sweep | None, list[Finding]]:
+def find_sweep(
+    signals: WheelSignals, tester: Tester | None, *, rigid: bool
+) -> tuple[Sweep | None, list[Finding]]:
     """Find turns and sweep of a test, with findings; None with the reason if there is no sweep.
 
     The signals reach from shortly before to shortly after the plate moves. On a rigid plate the frequency must fall
     through the tester's band (18 to 6 Hz); a sprung plate may be swept either way.
     """
     turns = turns_of(signals, None if rigid else tester)
-    place = f"{signals.wheel}.plate.z" if signals.height is not None else f"{signals.wheel}.plate.frequency"
+    place = (
+        f"{signals.wheel}.plate.z"
+        if signals.height is not None
+        else f"{signals.wheel}.plate.frequency"
+    )
     if turns is None:
         return None, [problem(place, "few_turns", fewest=FEWEST_TURNS)]
     low, high = band_of(tester)
     if not rigid:
         exciter = exciter_height(signals, tester)
-        driven = None if exciter is None else find_turns(signals.time, exciter, 0.0, 0.5 * tester.stroke)  # type: ignore[union-attr]
+        amplitude = 0.5 * tester.stroke  # type: ignore[union-attr]
+        driven = None if exciter is None else find_turns(signals.time, exciter, 0.0, amplitude)
         whole = _whole_sweep(driven or turns)
         swings = spring_against_height(signals, tester) < -SWINGS
         findings = _sprung_findings(whole, place)
@@ -107,7 +121,9 @@ def find_sweep(signals: WheelSignals, tester: Tester | None, *, rigid: bool) -> 
     first = int(np.flatnonzero(frequency >= HIGHEST_SHARE * top)[-1])
     last = first + int(np.argmin(frequency[first:]))
     begun = first
-    while begun > 0 and frequency[begun - 1] > 0.97 * top:  # a little lower than its end, so that noise cuts no hold
+    while (
+        begun > 0 and frequency[begun - 1] > 0.97 * top
+    ):  # a little lower than its end, so that noise cuts no hold
         begun -= 1
     rate = _rate(turns.top[first : last + 1], frequency[first : last + 1], low, high)
     sweep = Sweep(turns, first, last, slice(begun, first + 1), rate)
@@ -129,16 +145,25 @@ def _missing_rows(turns: Turns, place: str) -> list[Finding]:
     if away.max(initial=0.0) < _ODD_TURN:
         return []
     at = int(np.argmax(away))
-    words = {"time": float(times[at + 1]), "turn": 1e3 * float(lengths[at + 1]), "usual": 1e3 * float(usual[at])}
+    words = {
+        "time": float(times[at + 1]),
+        "turn": 1e3 * float(lengths[at + 1]),
+        "usual": 1e3 * float(usual[at]),
+    }
     return [problem(place, "rows_missing", float(away[at]), **words)]
 
 
 def _sprung_findings(sweep: Sweep, place: str) -> list[Finding]:
     """Check that the sweep of a sprung plate passes the wheel's resonance exactly once."""
     frequency, top = sweep.turns.frequency, sweep.highest
-    middle = np.median(np.lib.stride_tricks.sliding_window_view(np.pad(frequency, 2, mode="edge"), 5), axis=1)
+    middle = np.median(
+        np.lib.stride_tricks.sliding_window_view(np.pad(frequency, 2, mode="edge"), 5), axis=1
+    )
     low = min(_BELOW_RESONANCE, 0.4 * top)
-    falls, rises = (_falls(_lasting(series, 0.75 * top, low), 0.75 * top, low) for series in (middle, middle[::-1]))
+    falls, rises = (
+        _falls(_lasting(series, 0.75 * top, low), 0.75 * top, low)
+        for series in (middle, middle[::-1])
+    )
     if falls > 1:
         return [problem(place, "several_sweeps", float(falls), count=falls)]
     lowest = float(middle.min())
@@ -164,7 +189,9 @@ def _whole_sweep(turns: Turns) -> Sweep:
     top = float(np.percentile(frequency, 95.0))
     at_top = np.flatnonzero(frequency >= HIGHEST_SHARE * top)
     rate = _rate(turns.top, frequency, 0.5 * top, top)
-    return Sweep(turns, int(at_top[-1]), frequency.size - 1, slice(int(at_top[0]), int(at_top[-1]) + 1), rate)
+    return Sweep(
+        turns, int(at_top[-1]), frequency.size - 1, slice(int(at_top[0]), int(at_top[-1]) + 1), rate
+    )
 
 
 def turns_of(signals: WheelSignals, tester: Tester | None = None) -> Turns | None:
@@ -181,7 +208,9 @@ def turns_of(signals: WheelSignals, tester: Tester | None = None) -> Turns | Non
         quick = signals.height
         for _ in range(_PASSES):
             quick = quick - _slow_part(quick, signals.sample_rate)
-        return find_turns(signals.time, quick, 0.0, _QUIET_SHARE * min(amplitude, 0.5 * tester.stroke))
+        return find_turns(
+            signals.time, quick, 0.0, _QUIET_SHARE * min(amplitude, 0.5 * tester.stroke)
+        )
     if signals.tacho is None:
         return None
     steps = 0.5 * (signals.tacho[1:] + signals.tacho[:-1]) * np.diff(signals.time)
@@ -250,8 +279,12 @@ def _rate(time: Array, frequency: Array, low: float, high: float) -> float:
 def _sweep_findings(sweep: Sweep, tester: Tester | None, place: str) -> list[Finding]:
     findings = []
     most, least = limits_of(tester).sweep_rate_max, limits_of(tester).sweep_time_min
-    if sweep.sweep_rate > 1.02 * most:  # 2 % more, and below less time, is how well both are read from turns
-        findings.append(warning(place, "sweep_fast", sweep.sweep_rate, rate=sweep.sweep_rate, most=most))
+    if (
+        sweep.sweep_rate > 1.02 * most
+    ):  # 2 % more, and below less time, is how well both are read from turns
+        findings.append(
+            warning(place, "sweep_fast", sweep.sweep_rate, rate=sweep.sweep_rate, most=most)
+        )
     top = sweep.turns.top
     length = float(top[sweep.last] - top[sweep.first])
     # A record that ends above 2 Hz does not tell how long the sweep was.
@@ -261,7 +294,10 @@ def _sweep_findings(sweep: Sweep, tester: Tester | None, place: str) -> list[Fin
 
 
 _ONE_TURN = 0.25  # share by which a turn may last longer or shorter than its frequency says
-_BESIDE, _BACK = 0.15, 1.02  # share of the median of five turns, and times the slowest before: noise of crossings
+_BESIDE, _BACK = (
+    0.15,
+    1.02,
+)  # share of the median of five turns, and times the slowest before: noise of crossings
 _FEWEST_TURNS = 5  # as many as the median takes
 
 

@@ -85,12 +85,32 @@ def force_in_periods(
     least (N); NaN where the record does not reach or the least force lies at the window's end.
     """
     taps, half = prototype()
-    block, places, at = (np.ascontiguousarray(values, dtype=np.float64) for values in (signals, tops, frequencies))
+    block, places, at = (
+        np.ascontiguousarray(values, dtype=np.float64) for values in (signals, tops, frequencies)
+    )
     forces = np.full((len(block), len(places), len(FIELDS)), np.nan)
     longest = rate / at.min()
-    smooth, room = np.empty(int(longest * (window[1] - window[0] + 1.2)) + 8), int(half * longest) + 2
+    smooth, room = (
+        np.empty(int(longest * (window[1] - window[0] + 1.2)) + 8),
+        int(half * longest) + 2,
+    )
     weight, wave, bell = np.empty(2 * room), np.empty(room), np.empty(room)
-    _find(block, rate, start, places, at, level, taps, half, *window, smooth, weight, wave, bell, forces)
+    _find(
+        block,
+        rate,
+        start,
+        places,
+        at,
+        level,
+        taps,
+        half,
+        *window,
+        smooth,
+        weight,
+        wave,
+        bell,
+        forces,
+    )
     return forces
 
 
@@ -115,7 +135,9 @@ class FrequencyCurve:
         order = np.argsort(both, kind="stable")
         order = order[np.diff(both[order], prepend=-1.0) > 1e-6]
         unknown = np.concatenate([self.error, np.zeros(frequency.size)])
-        return FrequencyCurve(both[order], np.concatenate([self.value, value])[order], unknown[order])
+        return FrequencyCurve(
+            both[order], np.concatenate([self.value, value])[order], unknown[order]
+        )
 
     def at(self, frequency: Array, otherwise: Array) -> Array:
         """Give the curve at frequencies (Hz), and ``otherwise`` where it does not reach to; unit of the quantity."""
@@ -148,7 +170,9 @@ class FrequencyCurve:
         return float(grid[at]), float(values[at]), float(np.interp(grid[at], f, self.error))
 
 
-def corrected_curve(frequency: Array, measured: Array, modelled: Array, spread: Array, length: float) -> FrequencyCurve:
+def corrected_curve(
+    frequency: Array, measured: Array, modelled: Array, spread: Array, length: float
+) -> FrequencyCurve:
     """Correct a modelled curve by a measured one; frequencies in Hz in any order, NaN where not known.
 
     ``spread`` says how the noise of the measured values goes from one to the other, its size does not matter; what the
@@ -156,7 +180,9 @@ def corrected_curve(frequency: Array, measured: Array, modelled: Array, spread: 
     """
     known = np.isfinite(measured) & np.isfinite(modelled) & (spread > 0.0)
     order = np.argsort(frequency[known], kind="stable")
-    f, y, base, wide = _merge_turns(*(values[known][order] for values in (frequency, measured, modelled, spread)))
+    f, y, base, wide = _merge_turns(
+        *(values[known][order] for values in (frequency, measured, modelled, spread))
+    )
     if f.size < _FEWEST:
         return FrequencyCurve(f, y, np.full(f.size, np.nan))
     gap = y - base
@@ -218,7 +244,10 @@ _SHORTEST_STRETCH = 0.8  # s: spectral lines of shorter ones are farther apart t
 _WINDOW = (-0.12, 0.63)
 """Periods after the top of the plate within which its least force is looked for: phase angles of -43 to 227 degrees."""
 _WHOLE_TURN = (-0.1, 1.1)  # without a height, where the turn begins is not known
-_UNDAMPED, _OWN = 0.05, 0.2  # damping ratio, and the share by which lift-off moves the wheel's natural frequency
+_UNDAMPED, _OWN = (
+    0.05,
+    0.2,
+)  # damping ratio, and the share by which lift-off moves the wheel's natural frequency
 _HIGHEST_OF_BODY = 2.5  # Hz; it heaves, pitches and rolls upon the other wheels, too
 
 
@@ -233,7 +262,9 @@ class Analysis:
     turn_frequency: Array  # (n,): one over the time to the next top, Hz
     measured: Array  # (n, 7): see ``force_in_periods``
     modelled: Array  # (n, 7): the same of the model, NaN where the tyre lifts off
-    lifted: NDArray[np.bool_]  # (n,): turns in which the tyre leaves the plate, or which are not yet over it
+    lifted: NDArray[
+        np.bool_
+    ]  # (n,): turns in which the tyre leaves the plate, or which are not yet over it
     amplitude: float  # of the plate, m; NaN where it is not known
 
 
@@ -247,7 +278,9 @@ def find_lift_off(force: Array, load: float, sample_rate: float) -> NDArray[np.b
     return low
 
 
-def stretches_between(lifted: NDArray[np.bool_], first: int, last: int, sample_rate: float) -> list[tuple[int, int]]:
+def stretches_between(
+    lifted: NDArray[np.bool_], first: int, last: int, sample_rate: float
+) -> list[tuple[int, int]]:
     """Samples (from, up to) between ``first`` and ``last`` without lift-off that are long enough to be fitted (Hz)."""
     if not lifted[first:last].any():
         return [(first, last)]
@@ -270,7 +303,9 @@ def analyse(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Analysis,
     if signals.height is not None:
         first = max(round((sweep.begin - start) * rate), 0)
         end = min(round((float(sweep.turns.crossing[-1]) + 0.3 - start) * rate), signals.force.size)
-        fit, findings = fit_test(signals, stretches_between(lifted, first, end, rate), load, sweep.highest, model)
+        fit, findings = fit_test(
+            signals, stretches_between(lifted, first, end, rate), load, sweep.highest, model
+        )
     turns = sweep.turns
     span = slice(sweep.hold.start, sweep.last + 1)
     used = (turns.frequency[span] >= LOWEST_TURN) & (turns.top[span] >= sweep.begin - 1e-9)
@@ -279,14 +314,20 @@ def analyse(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Analysis,
     window = _WINDOW if signals.height is not None else _WHOLE_TURN
     rows = np.stack([signals.force, np.where(np.isfinite(model), model, load)])
     both = force_in_periods(rows, rate, start, top, frequency, load, window)
-    off = _turns_hit(lifted | ~np.isfinite(model) if fit is not None else lifted, top, frequency, rate, start)
+    off = _turns_hit(
+        lifted | ~np.isfinite(model) if fit is not None else lifted, top, frequency, rate, start
+    )
     both[1, off] = np.nan
     amplitude = 0.5 * float(np.ptp(signals.height)) if signals.height is not None else np.nan
     touched = _turns_hit(lifted, top, frequency, rate, start)
-    return Analysis(load, fit, top, frequency, 1.0 / following, both[0], both[1], touched, amplitude), findings
+    return Analysis(
+        load, fit, top, frequency, 1.0 / following, both[0], both[1], touched, amplitude
+    ), findings
 
 
-def _turns_hit(flags: NDArray[np.bool_], top: Array, frequency: Array, rate: float, start: float) -> NDArray[np.bool_]:
+def _turns_hit(
+    flags: NDArray[np.bool_], top: Array, frequency: Array, rate: float, start: float
+) -> NDArray[np.bool_]:
     """Turns (n,) with a flagged sample between half a turn before and 1.2 turns after their top."""
     counts = np.concatenate([[0], np.cumsum(flags)])
     low = np.clip(((top - 0.5 / frequency - start) * rate).astype(int), 0, flags.size)
@@ -313,7 +354,8 @@ def fit_test(
         return None, []
     high = min(1.08 * highest, HIGHEST_FIT)
     stretches = [
-        stretch_of(height[a:b], signals.force[a:b] - load, signals.sample_rate, LOWEST_FIT, high) for a, b in parts
+        stretch_of(height[a:b], signals.force[a:b] - load, signals.sample_rate, LOWEST_FIT, high)
+        for a, b in parts
     ]
     try:
         fit = fit_response(stretches, load, where=place)
@@ -322,9 +364,15 @@ def fit_test(
     strange = not TYRES[0] < fit.corner.tyre_stiffness < TYRES[1]
     doubtful = strange or fit.explained < 0.9  # a height with the wrong sign is worth another fit
     # Turned over, the height must explain more than half of what it leaves now.
-    if doubtful and not upright and _upside_down(signals, parts, load, high) > 0.5 * (1.0 + fit.explained):
+    if (
+        doubtful
+        and not upright
+        and _upside_down(signals, parts, load, high) > 0.5 * (1.0 + fit.explained)
+    ):
         return None, [problem(f"{signals.wheel}.plate.z", "upside_down", fit.explained)]
-    if strange or fit.explained < 0.3:  # a car without dampers, which is more than a quarter car, leaves 0.75
+    if (
+        strange or fit.explained < 0.3
+    ):  # a car without dampers, which is more than a quarter car, leaves 0.75
         stiffness = fit.corner.tyre_stiffness
         return None, [problem(place, "no_wheel", stiffness, stiffness=1e-3 * stiffness)]
     fit = replace(fit, delay=delay_of(fit, stretches, signals.plate_mass))
@@ -340,17 +388,25 @@ def fit_test(
     return fit, _doubts(fit, stretches, left, signals, load)
 
 
-def _upside_down(signals: WheelSignals, parts: list[tuple[int, int]], load: float, high: float) -> float:
+def _upside_down(
+    signals: WheelSignals, parts: list[tuple[int, int]], load: float, high: float
+) -> float:
     """Share (1) of the force that is explained when the height is turned over."""
     height = np.zeros(0) if signals.height is None else -signals.height
     inertia = signals.plate_mass * plate_acceleration(height, signals.sample_rate)
     force = signals.force - 2.0 * inertia - load  # it had been taken off with the wrong sign
-    turned = [stretch_of(height[a:b], force[a:b], signals.sample_rate, LOWEST_FIT, high) for a, b in parts]
+    turned = [
+        stretch_of(height[a:b], force[a:b], signals.sample_rate, LOWEST_FIT, high) for a, b in parts
+    ]
     return fit_response(turned, load).explained
 
 
 def _doubts(
-    fit: ResponseFit, stretches: list[Stretch], left: list[Complex], signals: WheelSignals, load: float
+    fit: ResponseFit,
+    stretches: list[Stretch],
+    left: list[Complex],
+    signals: WheelSignals,
+    load: float,
 ) -> list[Finding]:
     place = f"{signals.wheel}.plate.force"
     findings = []
@@ -363,7 +419,9 @@ def _doubts(
         if size[at] > 0.01 * load and size[at] > 12.0 * float(np.median(size)):
             frequency = float(stretch.s[at].imag / (2.0 * np.pi))
             code = "swings_on" if _is_own(frequency, fit.corner) else "vibrates"
-            findings.append(warning(place, code, frequency, frequency=frequency, force=float(size[at])))
+            findings.append(
+                warning(place, code, frequency, frequency=frequency, force=float(size[at]))
+            )
     return findings
 
 

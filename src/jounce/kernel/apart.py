@@ -23,7 +23,9 @@ _wanted: list[bool] = []
 def compiling_apart() -> Iterator[None]:
     """Compile in children within the block, if the system can fork processes."""
     # Of forks beside threads. It is no danger here: none of them is in the compiler.
-    warnings.filterwarnings("ignore", category=DeprecationWarning, module=bytes_from_fork.__module__)
+    warnings.filterwarnings(
+        "ignore", category=DeprecationWarning, module=bytes_from_fork.__module__
+    )
     _wanted.append(True)
     try:
         yield

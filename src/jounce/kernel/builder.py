@@ -46,27 +46,39 @@ class Builder(ir.IRBuilder):  # type: ignore[misc]
         words = " ".join((operation, *flags))
         return self._write(x.type, f"{words} {x.type} {x.get_reference()}, {y.get_reference()}")
 
-    def fadd(self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:  # noqa: ARG002
+    def fadd(
+        self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()
+    ) -> ir.Value:
         """Sum."""
         return self._binary("fadd", lhs, rhs, flags)
 
-    def fsub(self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:  # noqa: ARG002
+    def fsub(
+        self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()
+    ) -> ir.Value:
         """Difference."""
         return self._binary("fsub", lhs, rhs, flags)
 
-    def fmul(self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:  # noqa: ARG002
+    def fmul(
+        self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()
+    ) -> ir.Value:
         """Product."""
         return self._binary("fmul", lhs, rhs, flags)
 
-    def fdiv(self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:  # noqa: ARG002
+    def fdiv(
+        self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()
+    ) -> ir.Value:
         """Quotient."""
         return self._binary("fdiv", lhs, rhs, flags)
 
-    def fneg(self, arg: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:  # noqa: ARG002
+    def fneg(self, arg: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:
         """Negative."""
-        return self._write(arg.type, f"{' '.join(('fneg', *flags))} {arg.type} {arg.get_reference()}")
+        return self._write(
+            arg.type, f"{' '.join(('fneg', *flags))} {arg.type} {arg.get_reference()}"
+        )
 
-    def gep(self, ptr: ir.Value, indices: Sequence[ir.Value], *more: Any, **options: Any) -> ir.Value:
+    def gep(
+        self, ptr: ir.Value, indices: Sequence[ir.Value], *more: Any, **options: Any
+    ) -> ir.Value:
         """Address offset by a number of elements."""
         if len(indices) != 1 or more or options:
             return super().gep(ptr, indices, *more, **options)
@@ -74,16 +86,20 @@ class Builder(ir.IRBuilder):  # type: ignore[misc]
         text = f"{ptr.type} {ptr.get_reference()}, {index.type} {index.get_reference()}"
         return self._write(ptr.type, f"getelementptr {ptr.type.pointee}, {text}")
 
-    def bitcast(self, value: ir.Value, typ: ir.Type, name: str = "") -> ir.Value:  # noqa: ARG002
+    def bitcast(self, value: ir.Value, typ: ir.Type, name: str = "") -> ir.Value:
         """Value reinterpreted as another type."""
         if value.type == typ:
             return value
         return self._write(typ, f"bitcast {value.type} {value.get_reference()} to {typ}")
 
-    def load(self, ptr: ir.Value, name: str = "", align: int | None = None, typ: ir.Type | None = None) -> ir.Value:  # noqa: ARG002
+    def load(
+        self, ptr: ir.Value, name: str = "", align: int | None = None, typ: ir.Type | None = None
+    ) -> ir.Value:
         """Load from an address."""
         kind = ptr.type.pointee if typ is None else typ
-        return self._write(kind, f"load {kind}, {ptr.type} {ptr.get_reference()}{_alignment(align)}")
+        return self._write(
+            kind, f"load {kind}, {ptr.type} {ptr.get_reference()}{_alignment(align)}"
+        )
 
     def store(self, value: ir.Value, ptr: ir.Value, align: int | None = None) -> ir.Value:
         """Store to an address."""
@@ -94,12 +110,14 @@ class Builder(ir.IRBuilder):  # type: ignore[misc]
         self._insert(line)
         return line
 
-    def extract_element(self, vector: ir.Value, idx: ir.Value, name: str = "") -> ir.Value:  # noqa: ARG002
+    def extract_element(self, vector: ir.Value, idx: ir.Value, name: str = "") -> ir.Value:
         """Extract a lane."""
         text = f"{vector.type} {vector.get_reference()}, {idx.type} {idx.get_reference()}"
         return self._write(vector.type.element, f"extractelement {text}")
 
-    def insert_element(self, vector: ir.Value, value: ir.Value, idx: ir.Value, name: str = "") -> ir.Value:  # noqa: ARG002
+    def insert_element(
+        self, vector: ir.Value, value: ir.Value, idx: ir.Value, name: str = ""
+    ) -> ir.Value:
         """Replace a lane."""
         parts = ", ".join(f"{part.type} {part.get_reference()}" for part in (vector, value, idx))
         return self._write(vector.type, f"insertelement {parts}")

@@ -64,7 +64,11 @@ def cache_folder() -> Path:
         return Path(shared) / "jounce"
     if sys.platform == "win32":
         local = Path(os.environ.get("LOCALAPPDATA", ""))
-        return (local if local.is_absolute() else Path.home() / "AppData" / "Local") / "jounce" / "Cache"
+        return (
+            (local if local.is_absolute() else Path.home() / "AppData" / "Local")
+            / "jounce"
+            / "Cache"
+        )
     return Path.home() / ("Library/Caches" if sys.platform == "darwin" else ".cache") / "jounce"
 
 
@@ -74,7 +78,9 @@ def why_not_kept() -> str:
         folder = cache_folder()
     except RuntimeError:
         return (
-            "JOUNCE_CACHE_DIR is no absolute path" if os.environ.get("JOUNCE_CACHE_DIR") else "no home folder is known"
+            "JOUNCE_CACHE_DIR is no absolute path"
+            if os.environ.get("JOUNCE_CACHE_DIR")
+            else "no home folder is known"
         )
     try:
         read_own(folder / "none")
@@ -83,12 +89,18 @@ def why_not_kept() -> str:
     except OSError:
         pass
     existing = next(str(parent) for parent in (folder, *folder.parents) if os.path.lexists(parent))
-    return "" if Path(existing).is_dir() and os.access(existing, os.W_OK | os.X_OK) else f"{existing} cannot be written"
+    return (
+        ""
+        if Path(existing).is_dir() and os.access(existing, os.W_OK | os.X_OK)
+        else f"{existing} cannot be written"
+    )
 
 
 @cache
 def _tell_relative(given: str) -> None:
-    _LOG.warning("JOUNCE_CACHE_DIR is not an absolute path: %s; no native code is kept", ascii(given))
+    _LOG.warning(
+        "JOUNCE_CACHE_DIR is not an absolute path: %s; no native code is kept", ascii(given)
+    )
 
 
 def recall(key: str) -> bytes | None:

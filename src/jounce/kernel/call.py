@@ -30,7 +30,16 @@ from jounce.core.sources import digest_of
 from jounce.core.turns import once
 from jounce.core.waiting import report_work
 from jounce.kernel.cache import join, keep, key_here, read_sealed, recall, split, write_sealed
-from jounce.kernel.loops import BUILT, ENTRY, FAILED, PLATFORMS, SOURCES, Platform, key_of, this_platform
+from jounce.kernel.loops import (
+    BUILT,
+    ENTRY,
+    FAILED,
+    PLATFORMS,
+    SOURCES,
+    Platform,
+    key_of,
+    this_platform,
+)
 from jounce.kernel.machine import IN_LLVM, MachineCode, features, machine_code, this_machine
 
 PYTHON = (
@@ -78,7 +87,10 @@ class Loop:
     @once
     def _load(self) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
         if not objects_are_known():
-            _LOG.warning("this build of Python is not known to the loops of jounce: Numba compiles %r here", self.name)
+            _LOG.warning(
+                "this build of Python is not known to the loops of jounce: Numba compiles %r here",
+                self.name,
+            )
             return {}, _by_numba(self.name)
         return _load(self.name, _HERE if self.here else this_platform())
 
@@ -100,7 +112,11 @@ class Loop:
 
 def _describe(value: Any) -> str:
     if type(value) is not np.ndarray:
-        return f"{type(value).__name__} of {len(value)}" if isinstance(value, tuple) else type(value).__name__
+        return (
+            f"{type(value).__name__} of {len(value)}"
+            if isinstance(value, tuple)
+            else type(value).__name__
+        )
     flags = value.flags
     order = "C" if flags.c_contiguous else "F" if flags.f_contiguous else "neither C nor F"
     return f"{value.dtype.str}, {value.ndim} dimensions, order {order}{'' if flags.aligned else ', unaligned'}"
@@ -110,7 +126,9 @@ def _describe(value: Any) -> str:
 def _facts() -> Any:
     """Facts of this interpreter that the code needs: array type, offset of its fields, type numbers."""
     kinds = (np.float64, np.int64, np.complex128)
-    return (ctypes.c_int64 * 5)(id(np.ndarray), object.__basicsize__, *(np.dtype(kind).num for kind in kinds))
+    return (ctypes.c_int64 * 5)(
+        id(np.ndarray), object.__basicsize__, *(np.dtype(kind).num for kind in kinds)
+    )
 
 
 @cache
@@ -128,10 +146,17 @@ def objects_are_known() -> bool:
     def at(offset: int, kind: Any) -> Any:
         return kind.from_address(id(array) + head + offset).value
 
-    fields = (at(-8, ctypes.c_int64), at(0, ctypes.c_int64), at(8, ctypes.c_int32), at(40, ctypes.c_int64))
+    fields = (
+        at(-8, ctypes.c_int64),
+        at(0, ctypes.c_int64),
+        at(8, ctypes.c_int32),
+        at(40, ctypes.c_int64),
+    )
     if fields != (id(np.ndarray), array.__array_interface__["data"][0], 2, id(array.dtype)):
         return False
-    shape, strides = ((ctypes.c_int64 * 2).from_address(at(offset, ctypes.c_int64)) for offset in (16, 24))
+    shape, strides = (
+        (ctypes.c_int64 * 2).from_address(at(offset, ctypes.c_int64)) for offset in (16, 24)
+    )
     kind = (ctypes.c_char.from_address(id(array.dtype) + head + 10).value, array.dtype.num)
     number = ctypes.c_int32.from_address(id(array.dtype) + head + 12).value
     flags = at(48, ctypes.c_int32)
@@ -158,13 +183,17 @@ def _load(name: str, platform: str) -> tuple[Head, Callable[[tuple[Any, ...]], i
     except JounceError:  # Numba is missing
         raise
     except Exception as error:  # noqa: BLE001 - LLVM raises RuntimeError, ValueError and OSError here
-        _LOG.warning("the code of the loop %r cannot be loaded here (%s): Numba compiles it", name, error)
+        _LOG.warning(
+            "the code of the loop %r cannot be loaded here (%s): Numba compiles it", name, error
+        )
         return {}, _by_numba(name)
 
 
 def _ready(content: bytes) -> tuple[Head, Callable[[tuple[Any, ...]], int]]:
     for symbol in PYTHON:
-        llvm.add_symbol(symbol, ctypes.cast(getattr(ctypes.pythonapi, symbol), ctypes.c_void_p).value)
+        llvm.add_symbol(
+            symbol, ctypes.cast(getattr(ctypes.pythonapi, symbol), ctypes.c_void_p).value
+        )
     head, code = split(content)
     address, facts = MachineCode([code], (ENTRY,)).address[ENTRY], _facts()
     function, place = _PROTOTYPE(address), ctypes.addressof(facts)
@@ -218,7 +247,10 @@ def bitcode_from_sources(name: str) -> bytes:
     from jounce.kernel.loops.build import bitcode_of
 
     _LOG.warning("compiling the loop %r (once; 2 to 30 s)", name)
-    with report_work(Phrase("compiling the loop {name!r} (once on this machine)", name=name)), IN_LLVM:
+    with (
+        report_work(Phrase("compiling the loop {name!r} (once on this machine)", name=name)),
+        IN_LLVM,
+    ):
         content = bitcode_of(name)
     write_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*SOURCES)), content)
     return content
@@ -244,7 +276,9 @@ def object_for(bitcode: bytes, platform: Platform | None = None) -> bytes:
     machine = this_machine()
     if platform is not None:
         # On Windows llvmlite itself sets ELF.
-        triple = platform.triple.removesuffix("-elf") if sys.platform == "win32" else platform.triple
+        triple = (
+            platform.triple.removesuffix("-elf") if sys.platform == "win32" else platform.triple
+        )
         target = llvm.Target.from_triple(triple)
         machine = target.create_target_machine(cpu=platform.processor, opt=3, jit=True)
     head, code = split(bitcode)

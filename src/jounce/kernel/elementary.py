@@ -13,7 +13,9 @@ from llvmlite import ir
 Call = Callable[[str, Sequence[ir.Value]], ir.Value]
 """Calls an LLVM intrinsic on vectors by its short name."""
 
-_FUSED = ("contract",)  # products may be fused into sums, but not reordered: the argument reduction relies on rounding
+_FUSED = (
+    "contract",
+)  # products may be fused into sums, but not reordered: the argument reduction relies on rounding
 # A quarter of a turn in parts (fdlibm, e_rem_pio2.c). The first two have 33 bits: their products with counts up to 2^20
 # are exact, whether the processor fuses them into the difference or not.
 _QUARTER = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624879595063154e-21)
@@ -62,7 +64,11 @@ class _Arithmetic:
 
     def of(self, value: ir.Value | float) -> ir.Value:
         """Broadcast a number to a vector."""
-        return ir.Constant(self._kind, [value] * self._kind.count) if isinstance(value, float) else value
+        return (
+            ir.Constant(self._kind, [value] * self._kind.count)
+            if isinstance(value, float)
+            else value
+        )
 
     def add(self, x: ir.Value | float, y: ir.Value | float) -> ir.Value:
         return self._b.fadd(self.of(x), self.of(y), flags=_FUSED)
@@ -92,12 +98,16 @@ def sine_and_cosine(b: ir.IRBuilder, call: Call, x: ir.Value) -> tuple[ir.Value,
     sine = of.add(angle, of.multiply(of.multiply(angle, square), of.polynomial(square, _SINE)))
     curved = of.multiply(of.multiply(square, square), of.polynomial(square, _COSINE))
     cosine = of.add(of.subtract(1.0, of.multiply(square, 0.5)), curved)
-    within = of.subtract(quarters, of.multiply(call("floor", [of.multiply(quarters, 0.25)]), 4.0))  # 0, 1, 2, 3
+    within = of.subtract(
+        quarters, of.multiply(call("floor", [of.multiply(quarters, 0.25)]), 4.0)
+    )  # 0, 1, 2, 3
     first, second, third = (b.fcmp_ordered("==", within, of.of(float(k))) for k in (1, 2, 3))
     crossed = b.or_(first, third)
     unsigned = b.select(crossed, cosine, sine), b.select(crossed, sine, cosine)
     negative = b.or_(second, third), b.or_(first, second)
-    return tuple(b.select(turn, b.fneg(value), value) for turn, value in zip(negative, unsigned, strict=True))
+    return tuple(
+        b.select(turn, b.fneg(value), value) for turn, value in zip(negative, unsigned, strict=True)
+    )
 
 
 def angle_of(b: ir.IRBuilder, call: Call, y: ir.Value, x: ir.Value) -> ir.Value:

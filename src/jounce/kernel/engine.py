@@ -22,14 +22,26 @@ class Status(Enum):
     """How a run ended; ``help`` explains it to the user."""
 
     COMPLETED = (0, "the run reached its end")
-    NOT_FINITE = (1, "the solution is no longer a finite number: the model is unstable or an input is extreme")
-    STEP_TOO_SMALL = (2, "the step fell below what time can resolve: the model is too stiff or jumps without a switch")
+    NOT_FINITE = (
+        1,
+        "the solution is no longer a finite number: the model is unstable or an input is extreme",
+    )
+    STEP_TOO_SMALL = (
+        2,
+        "the step fell below what time can resolve: the model is too stiff or jumps without a switch",
+    )
     TOO_MANY_STEPS = (
         3,
         "the step budget is used up: shorten the run, loosen the tolerance or soften the stiffest part",
     )
-    CHATTER = (4, "contact switches on and off without time passing: add tyre damping or soften the law")
-    LOOP_OPENED = (5, "the loops of the mechanism cannot be closed any more: it has reached the end of its travel")
+    CHATTER = (
+        4,
+        "contact switches on and off without time passing: add tyre damping or soften the law",
+    )
+    LOOP_OPENED = (
+        5,
+        "the loops of the mechanism cannot be closed any more: it has reached the end of its travel",
+    )
     LOCKED_UP = (
         6,
         "the mechanism is in a singular configuration: its joints do not determine how it moves on (lock-up or flip)",
@@ -59,7 +71,11 @@ class Status(Enum):
 
 
 # Compiled loops take constants, not members of an enumeration.
-COMPLETED, NOT_FINITE, STEP_TOO_SMALL = Status.COMPLETED.code, Status.NOT_FINITE.code, Status.STEP_TOO_SMALL.code
+COMPLETED, NOT_FINITE, STEP_TOO_SMALL = (
+    Status.COMPLETED.code,
+    Status.NOT_FINITE.code,
+    Status.STEP_TOO_SMALL.code,
+)
 TOO_MANY_STEPS, CHATTER = Status.TOO_MANY_STEPS.code, Status.CHATTER.code
 LOOP_OPENED, LOCKED_UP = Status.LOOP_OPENED.code, Status.LOCKED_UP.code
 DIVERGED, NO_COMMAND = Status.DIVERGED.code, Status.NO_COMMAND.code
@@ -101,7 +117,9 @@ def flatten(signals: list[Segments]) -> Tracks:
         start=np.concatenate([signal.edges[:-1] for signal in signals]),
         stop=np.concatenate([signal.edges[1:] for signal in signals]),
         kind=np.concatenate([signal.kind for signal in signals], dtype=np.int64),
-        coefficients=np.ascontiguousarray(np.concatenate([signal.coefficients for signal in signals])),
+        coefficients=np.ascontiguousarray(
+            np.concatenate([signal.coefficients for signal in signals])
+        ),
         rate=np.array([signal.rate for signal in signals]),
     )
 
@@ -233,7 +251,12 @@ class Feedback(NamedTuple):
     instants: Integers
 
 
-_ROW, _COLUMN, _FLAT, _NUMBERS = np.zeros((1, 0)), np.zeros((0, 1)), np.zeros(0), np.zeros(0, dtype=np.int64)
+_ROW, _COLUMN, _FLAT, _NUMBERS = (
+    np.zeros((1, 0)),
+    np.zeros((0, 1)),
+    np.zeros(0),
+    np.zeros(0, dtype=np.int64),
+)
 NO_FEEDBACK = Feedback(
     0, 1.0, _NUMBERS, _NUMBERS, _FLAT, _NONE, _FLAT, _FLAT, _ROW, _FLAT, _ROW, _FLAT, _COLUMN, _COLUMN, _COLUMN,
     _NUMBERS,
@@ -267,7 +290,9 @@ def feedback(
     return Feedback(law, period, pieces, select, offset, noise, bound, p, *scratch)
 
 
-_PROTOTYPE = ctypes.CFUNCTYPE(None)  # what a law is given lies in arrays that it has; arguments would be made objects
+_PROTOTYPE = ctypes.CFUNCTYPE(
+    None
+)  # what a law is given lies in arrays that it has; arguments would be made objects
 
 
 class Callback:

@@ -55,14 +55,25 @@ _LIBRARY = {
     "OP_EXPM1": "expm1",
     "OP_HYPOT": "hypot",
 }
-if llvm.llvm_version_info[0] >= 20:  # loops with intrinsics can be vectorised, those with library calls cannot
+if (
+    llvm.llvm_version_info[0] >= 20
+):  # loops with intrinsics can be vectorised, those with library calls cannot
     for _name in ("TAN", "TANH", "SINH", "COSH", "ASIN", "ACOS", "ATAN", "ATAN2"):
         _INTRINSICS[f"OP_{_name}"] = _LIBRARY.pop(f"OP_{_name}")
 _COMPARISONS = {"OP_LT": "<", "OP_LE": "<=", "OP_EQ": "==", "OP_NE": "!="}
 _SIDE_BY_SIDE = {"ASSIGN", "ADD", "SUB", "MUL", "DIV", "SQ", "TWICE", "NEG"}
 _WIDE = {"SQRT", "FABS", "FMIN", "FMAX"}
 _ANGULAR = {"SIN", "COS", "ASIN", "ACOS", "ATAN", "ATAN2"}
-_LINEAR = {"OP_ASSIGN", "OP_ADD", "OP_SUB", "OP_MUL", "OP_DIV", "OP_NEG", "OP_TWICE", "OP_IF_ELSE_ZERO"}
+_LINEAR = {
+    "OP_ASSIGN",
+    "OP_ADD",
+    "OP_SUB",
+    "OP_MUL",
+    "OP_DIV",
+    "OP_NEG",
+    "OP_TWICE",
+    "OP_IF_ELSE_ZERO",
+}
 _DIRECT: dict[str, Callable[..., ir.Value]] = {
     "OP_ASSIGN": lambda _, x: x,
     "OP_ADD": lambda b, x, y: b.fadd(x, y, flags=_FAST),
@@ -100,7 +111,9 @@ class Lanes:
     def place(self, argument: int, element: int) -> tuple[int, bool]:
         """Return the index of an element in its array, and whether it is a lane."""
         first = self.first[argument]
-        return (element, False) if element < first else (first + (element - first) * self.count, True)
+        return (
+            (element, False) if element < first else (first + (element - first) * self.count, True)
+        )
 
 
 @dataclass(frozen=True)
@@ -136,7 +149,9 @@ class Lowering:
         A function called ``seldom`` is cut into blocks: compile time grows faster than linearly with block length.
         """
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
-        builder = _Blocks(native.append_basic_block()) if seldom else Builder(native.append_basic_block())
+        builder = (
+            _Blocks(native.append_basic_block()) if seldom else Builder(native.append_basic_block())
+        )
         if isinstance(function, Packed):
 
             def point(argument: int, element: int) -> ir.Value:
@@ -146,7 +161,11 @@ class Lowering:
             builder.ret_void()
             return
         wide_in = (0, 0, 0, 0, 0) if isinstance(function, Wide) else (1 << 62,) * 5
-        lanes = function if isinstance(function, Lanes) else Lanes(_graph_of(function), _count_of(function), wide_in)
+        lanes = (
+            function
+            if isinstance(function, Lanes)
+            else Lanes(_graph_of(function), _count_of(function), wide_in)
+        )
         vector = ir.VectorType(_DOUBLE, lanes.count).as_pointer()
 
         def at(argument: int, element: int) -> ir.Value:
@@ -181,13 +200,17 @@ class Lowering:
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5 + [_INDEX] * 3)
         builder = Builder(native.append_basic_block("entry"))
         with builder.if_then(builder.icmp_signed("<", _INDEX(0), native.args[7])):
-            if isinstance(function, Wide) or (isinstance(function, ca.Function) and function.n_instructions() > _SMALL):
+            if isinstance(function, Wide) or (
+                isinstance(function, ca.Function) and function.n_instructions() > _SMALL
+            ):
                 self._in_vectors(builder, native, function)
             else:
                 self._one_by_one(builder, native, function)
         builder.ret_void()
 
-    def _one_by_one(self, builder: ir.IRBuilder, native: ir.Function, function: ca.Function | Packed) -> None:
+    def _one_by_one(
+        self, builder: ir.IRBuilder, native: ir.Function, function: ca.Function | Packed
+    ) -> None:
         first, count = native.args[6:]
         with _loop(builder, first, builder.add(first, count)) as sample:
 
@@ -204,7 +227,9 @@ class Lowering:
                     store=lambda value, element: builder.store(value, place(4, element)),
                 )
 
-    def _in_vectors(self, builder: ir.IRBuilder, native: ir.Function, function: ca.Function | Wide) -> None:
+    def _in_vectors(
+        self, builder: ir.IRBuilder, native: ir.Function, function: ca.Function | Wide
+    ) -> None:
         """Emit all samples of each system in vectors, the last of which ends with the last sample.
 
         Fewer samples than a vector holds are copied to a buffer of one vector, on which the function calls itself.
@@ -214,18 +239,29 @@ class Lowering:
         vector, size = ir.VectorType(_DOUBLE, width).as_pointer(), _INDEX(width)
         with builder.if_else(builder.icmp_signed("<", count, size)) as (few, enough):
             with few:
-                rows = {0: graph.numel_in(0) * wide, 1: graph.numel_in(1), 4: graph.numel_out(0) * wide}
+                rows = {
+                    0: graph.numel_in(0) * wide,
+                    1: graph.numel_in(1),
+                    4: graph.numel_out(0) * wide,
+                }
                 self._padded_call(builder, native, rows, width)
             with enough:
                 last = builder.sub(builder.add(first, count), size)
                 vectors = builder.udiv(builder.add(count, _INDEX(width - 1)), size)
-                with _loop(builder, _INDEX(0), _INDEX(wide)) as system, _loop(builder, _INDEX(0), vectors) as k:
+                with (
+                    _loop(builder, _INDEX(0), _INDEX(wide)) as system,
+                    _loop(builder, _INDEX(0), vectors) as k,
+                ):
                     sample = builder.add(first, builder.mul(k, size))
                     sample = builder.select(builder.icmp_signed("<", sample, last), sample, last)
 
                     def load(argument: int, element: int) -> ir.Value:
-                        place = self._sample(builder, native, (argument, element), wide, system, sample)
-                        return builder.load(builder.bitcast(place, vector) if argument < 2 else place, align=8)
+                        place = self._sample(
+                            builder, native, (argument, element), wide, system, sample
+                        )
+                        return builder.load(
+                            builder.bitcast(place, vector) if argument < 2 else place, align=8
+                        )
 
                     def store(value: ir.Value, element: int) -> None:
                         place = self._sample(builder, native, (4, element), wide, system, sample)
@@ -233,23 +269,37 @@ class Lowering:
 
                     self._body(builder, graph, load, store, self._each)
 
-    def _padded_call(self, builder: ir.IRBuilder, native: ir.Function, rows: dict[int, int], width: int) -> None:
+    def _padded_call(
+        self, builder: ir.IRBuilder, native: ir.Function, rows: dict[int, int], width: int
+    ) -> None:
         """Emit a call of a function for one whole vector of samples, filled up with copies of the first sample."""
         x, u, p, m, out, total, first, count = native.args
         size = _INDEX(width)
         with builder.goto_entry_block():  # allocated once, not in a loop
-            buffers = {i: builder.alloca(_DOUBLE, max(length, 1) * width) for i, length in rows.items()}
+            buffers = {
+                i: builder.alloca(_DOUBLE, max(length, 1) * width) for i, length in rows.items()
+            }
 
-        def copy(argument: int, to: ir.Value, step: ir.Value, of: ir.Value, step_of: ir.Value) -> None:
+        def copy(
+            argument: int, to: ir.Value, step: ir.Value, of: ir.Value, step_of: ir.Value
+        ) -> None:
             builder.call(self._copy, [to, step, of, step_of, _INDEX(rows[argument])])
 
         with _loop(builder, _INDEX(0), size) as k:
-            sample = builder.add(first, builder.select(builder.icmp_signed("<", k, count), k, _INDEX(0)))
+            sample = builder.add(
+                first, builder.select(builder.icmp_signed("<", k, count), k, _INDEX(0))
+            )
             for i, array in ((0, x), (1, u)):
                 copy(i, builder.gep(buffers[i], [k]), size, builder.gep(array, [sample]), total)
         builder.call(native, [buffers[0], buffers[1], p, m, buffers[4], size, _INDEX(0), size])
         with _loop(builder, _INDEX(0), count) as k:
-            copy(4, builder.gep(out, [builder.add(first, k)]), total, builder.gep(buffers[4], [k]), size)
+            copy(
+                4,
+                builder.gep(out, [builder.add(first, k)]),
+                total,
+                builder.gep(buffers[4], [k]),
+                size,
+            )
 
     @cached_property
     def _copy(self) -> ir.Function:
@@ -261,7 +311,10 @@ class Lowering:
         native.attributes.add("noinline")
         to, step, of, step_of, count = native.args
         builder = Builder(native.append_basic_block())
-        with builder.if_then(builder.icmp_signed("<", _INDEX(0), count)), _loop(builder, _INDEX(0), count) as k:
+        with (
+            builder.if_then(builder.icmp_signed("<", _INDEX(0), count)),
+            _loop(builder, _INDEX(0), count) as k,
+        ):
             value = builder.load(builder.gep(of, [builder.mul(k, step_of)]))
             builder.store(value, builder.gep(to, [builder.mul(k, step)]))
         builder.ret_void()
@@ -285,7 +338,13 @@ class Lowering:
         return builder.gep(native.args[argument], [own])
 
     def add_wide(
-        self, name: str, function: ca.Function, count: int, total: int | None = None, *, inlined: bool = False
+        self,
+        name: str,
+        function: ca.Function,
+        count: int,
+        total: int | None = None,
+        *,
+        inlined: bool = False,
     ) -> None:
         """Append ``void name(x, u, p, m, out)`` for the first ``count`` of ``total`` samples (or all), in vectors.
 
@@ -295,9 +354,14 @@ class Lowering:
         where it is called, and computes few samples one by one.
         """
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5, inlined=inlined)
-        width, rows = 1 if inlined and count <= _FEW else vector_width(), count if total is None else total
+        width, rows = (
+            1 if inlined and count <= _FEW else vector_width(),
+            count if total is None else total,
+        )
         kind = (ir.VectorType(_DOUBLE, width) if width > 1 else _DOUBLE).as_pointer()
-        entry, loop, leave = (native.append_basic_block(part) for part in ("entry", "loop", "leave"))
+        entry, loop, leave = (
+            native.append_basic_block(part) for part in ("entry", "loop", "leave")
+        )
         Builder(entry).branch(loop)
         builder = Builder(loop)
         first = builder.phi(_INDEX)
@@ -330,7 +394,9 @@ class Lowering:
         samples. Every output is a sum.
         """
         native = self.declare(name, [_DOUBLE.as_pointer()] * 5)
-        entry, loop, leave = (native.append_basic_block(part) for part in ("entry", "loop", "leave"))
+        entry, loop, leave = (
+            native.append_basic_block(part) for part in ("entry", "loop", "leave")
+        )
         Builder(entry).branch(loop)
         builder = Builder(loop)
         sample = builder.phi(_INDEX)
@@ -364,7 +430,11 @@ class Lowering:
         builder.ret_void()
 
     def _side_by_side(
-        self, builder: ir.IRBuilder, packed: Packed, p: ir.Value, place: Callable[[int, int], ir.Value]
+        self,
+        builder: ir.IRBuilder,
+        packed: Packed,
+        p: ir.Value,
+        place: Callable[[int, int], ir.Value],
     ) -> None:
         """Emit the body of a function with parts side by side; ``place`` gives the address of an element."""
         self._cache = {}
@@ -392,7 +462,9 @@ class Lowering:
         kind = x[0].type
         full = f"llvm.{name}.v{kind.count}f64"
         if full not in self._externals:
-            self._externals[full] = ir.Function(self.module, ir.FunctionType(kind, [kind] * len(x)), full)
+            self._externals[full] = ir.Function(
+                self.module, ir.FunctionType(kind, [kind] * len(x)), full
+            )
         return b.call(self._externals[full], x)
 
     def _angular(self, b: ir.IRBuilder, name: str, x: list[ir.Value]) -> ir.Value:
@@ -483,7 +555,9 @@ class Lowering:
 
     def _call(self, b: ir.IRBuilder, name: str, x: list[ir.Value]) -> ir.Value:
         if name not in self._externals:
-            self._externals[name] = ir.Function(self.module, ir.FunctionType(_DOUBLE, [_DOUBLE] * len(x)), name)
+            self._externals[name] = ir.Function(
+                self.module, ir.FunctionType(_DOUBLE, [_DOUBLE] * len(x)), name
+            )
         return b.call(self._externals[name], x)
 
     def _store(self, b: ir.IRBuilder, value: ir.Value, pointer: ir.Value) -> None:
@@ -573,7 +647,9 @@ class _Native:
 
     def load_wide(self, offset: int, count: int) -> ir.Value:
         pointer = self.builder.gep(self.p, [_INDEX(offset)])
-        return self.builder.load(self.builder.bitcast(pointer, ir.VectorType(_DOUBLE, count).as_pointer()), align=8)
+        return self.builder.load(
+            self.builder.bitcast(pointer, ir.VectorType(_DOUBLE, count).as_pointer()), align=8
+        )
 
     def scalar(self, operation: str, values: list[ir.Value]) -> ir.Value:
         return self.lowering._operation(self.builder, operation, values)

@@ -39,7 +39,9 @@ class MachineCode:
             for code in objects:
                 engine.add_object_file(llvm.ObjectFileRef.from_data(code))
             engine.finalize_object()
-            self.address = {name: Address(engine.get_function_address(name), engine) for name in names}
+            self.address = {
+                name: Address(engine.get_function_address(name), engine) for name in names
+            }
         if not all(self.address.values()):
             raise ValueError("the object lacks a function")
 
@@ -76,7 +78,15 @@ def this_machine(level: int = 3) -> Any:
     )
 
 
-LEVEL_3 = ("avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe")  # Intel from 2013 on, AMD from 2015 on
+LEVEL_3 = (
+    "avx2",
+    "bmi",
+    "bmi2",
+    "f16c",
+    "fma",
+    "lzcnt",
+    "movbe",
+)  # Intel from 2013 on, AMD from 2015 on
 LEVELS: dict[str, tuple[str, ...]] = {
     "x86-64": (),
     "x86-64-v2": ("cx16", "popcnt", "sse4.2", "ssse3"),
@@ -112,14 +122,22 @@ def levels() -> list[str]:
     """Return the levels that this processor reaches."""
     available = _instructions()
     known = LEVELS if llvm.get_process_triple().startswith("x86_64") else {}
-    return [name for name, needs in known.items() if all(available.get(feature, False) for feature in needs)]
+    return [
+        name
+        for name, needs in known.items()
+        if all(available.get(feature, False) for feature in needs)
+    ]
 
 
 @cache
 def features() -> dict[str, bool]:
     """Instruction sets by name with whether code may use them; empty if LLVM does not know the processor."""
     available = _instructions()
-    return dict.fromkeys(LEVELS[processor()], True) if os.environ.get("JOUNCE_PROCESSOR") else available
+    return (
+        dict.fromkeys(LEVELS[processor()], True)
+        if os.environ.get("JOUNCE_PROCESSOR")
+        else available
+    )
 
 
 def _instructions() -> dict[str, bool]:

@@ -26,7 +26,9 @@ if TYPE_CHECKING:
     from jounce.kernel.lowering import AnyFunction, Lowering
 
 MANY = ("output", "project_many", "switch_many")
-SELDOM = frozenset({"slopes", "switch_slope", "derived", "derived_lanes", "constraint", "constraint_s"})
+SELDOM = frozenset(
+    {"slopes", "switch_slope", "derived", "derived_lanes", "constraint", "constraint_s"}
+)
 """Functions called a few times per run: compiled without optimisation, which takes longer than it saves."""
 
 
@@ -57,14 +59,20 @@ class Source:
 class Native(MachineCode):
     """Native code of a model; ``address[name]`` is the address of the function of that name."""
 
-    def evaluate(self, name: str, shape: tuple[int, ...], *inputs: NDArray[np.float64]) -> NDArray[np.float64]:
+    def evaluate(
+        self, name: str, shape: tuple[int, ...], *inputs: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
         """Call one function ``f(x, u, p, m)`` from Python; matrices come column-major, as CasADi stores them."""
         out = np.empty(math.prod(shape))
         address = self.address[name]
         try:
             _evaluate(address, *inputs, out)
         except TypeError:  # an argument is no contiguous array of doubles
-            _evaluate(address, *(np.ascontiguousarray(value, dtype=np.float64).ravel() for value in inputs), out)
+            _evaluate(
+                address,
+                *(np.ascontiguousarray(value, dtype=np.float64).ravel() for value in inputs),
+                out,
+            )
         return out if len(shape) == 1 else out.reshape(shape, order="F")
 
 
@@ -80,7 +88,11 @@ def compile_functions(functions: Mapping[str, AnyFunction], step: AnyStep | None
 
     digest = hashlib.sha256(repr(step).encode())
     for name, function in functions.items():
-        graph, form = (function, "()") if isinstance(function, ca.Function) else (function.function, function.form)
+        graph, form = (
+            (function, "()")
+            if isinstance(function, ca.Function)
+            else (function.function, function.form)
+        )
         digest.update(f"\n{name} {form}\n{graph.serialize()}".encode())
     return code_from_cache(digest.hexdigest(), lambda: Source(functions, step))[0]
 
@@ -98,7 +110,10 @@ def code_from_cache(identity: str, make: Callable[[], Source]) -> tuple[Native, 
             return _load(cached)
     why = why_not_kept()
     once = Phrase("in every process: {why}", why=why) if why else Phrase("once on this machine")
-    with report_work(Phrase("compiling the model ({once})", once=once)), _without_garbage_collection():
+    with (
+        report_work(Phrase("compiling the model ({once})", once=once)),
+        _without_garbage_collection(),
+    ):
         content = compile_in_child(lambda: _compile_entry(make)) or _compile_entry(make)
         keep(key, content)
     return _load(content)
@@ -110,7 +125,11 @@ def _compile_entry(make: Callable[[], Source]) -> bytes:
     The entry holds object files: loading takes a millisecond, compiling the same functions takes seconds.
     """
     source = make()
-    names = [*source.functions, *_singles(source.functions), *(source.step.names if source.step else ())]
+    names = [
+        *source.functions,
+        *_singles(source.functions),
+        *(source.step.names if source.step else ()),
+    ]
     with IN_LLVM:
         objects = _emit(source.functions, source.step)
     head = {"names": names, "notes": source.notes, "sizes": [len(code) for code in objects]}
@@ -140,14 +159,19 @@ def _load(content: bytes) -> tuple[Native, str]:
 
 
 def _singles(functions: Mapping[str, object]) -> dict[str, str]:
-    return {name: many for name, many in SINGLE.items() if many in functions and name not in functions}
+    return {
+        name: many for name, many in SINGLE.items() if many in functions and name not in functions
+    }
 
 
 def _emit(functions: Mapping[str, AnyFunction], step: AnyStep | None = None) -> list[bytes]:
     """Compile the objects: one of the functions that a run calls often, one of those in ``SELDOM``."""
     from jounce.kernel.lowering import Lowering
 
-    often, seldom = Lowering(), Lowering()  # two modules: the optimisation level holds for a whole module
+    often, seldom = (
+        Lowering(),
+        Lowering(),
+    )  # two modules: the optimisation level holds for a whole module
     for name, function in functions.items():
         if name in SELDOM:
             seldom.add(name, function, seldom=True)

@@ -88,7 +88,9 @@ class Packed:
 class Graph:
     """Nodes of a function with their shapes and parts; ``results`` are those of its output, by element."""
 
-    def __init__(self, function: ca.Function, parts: Parts, labels: Sequence[Sequence[tuple[str, int]]]) -> None:
+    def __init__(
+        self, function: ca.Function, parts: Parts, labels: Sequence[Sequence[tuple[str, int]]]
+    ) -> None:
         self.parts, self.nodes, self.results = parts, list[Node](), dict[int, int]()
         work: dict[int, int] = {}
         for k in range(function.n_instructions()):
@@ -108,7 +110,10 @@ class Graph:
         self.shapes, self.masks = [-1] * len(self.nodes), [SHARED] * len(self.nodes)
         self._known: dict[Any, int] = {}
         self._mixed = set[int]()
-        self._numbers, self._sums = set[int](), set[int]()  # nodes treated as scalars, and sums over parts
+        self._numbers, self._sums = (
+            set[int](),
+            set[int](),
+        )  # nodes treated as scalars, and sums over parts
         for i, node in enumerate(self.nodes):
             if node.operation == "OP_CONST":
                 self._call(i, ("constant", node.leaf), SHARED)
@@ -149,7 +154,11 @@ class Graph:
 
     def _gather(self) -> None:
         """Find the nodes of each shape by part, and the groups whose parts all have it."""
-        shapes, masks, count = np.array(self.shapes, int), np.array(self.masks, int), len(self._known)
+        shapes, masks, count = (
+            np.array(self.shapes, int),
+            np.array(self.masks, int),
+            len(self._known),
+        )
         own = np.flatnonzero(masks != SHARED)
         present = np.zeros(count, dtype=int)
         np.bitwise_or.at(present, shapes[own], masks[own])
@@ -204,7 +213,9 @@ class Graph:
         if self.masks[node] == SHARED:
             return None
         own = self._complete[self.shapes[node]] & self.masks[node]
-        return next((group for group in self.parts.groups if any(own >> i & 1 for i in group)), None)
+        return next(
+            (group for group in self.parts.groups if any(own >> i & 1 for i in group)), None
+        )
 
     def is_mixed(self, node: int) -> bool:
         """Return whether a node combines several parts of an assembly."""
@@ -223,7 +234,10 @@ class Graph:
             for shape, group in [(self.shapes[i], self.group_of(i))]
             if group is not None
         )
-        return [tuple(self.nodes[i].leaf[1] for i in self.lanes(shape, group)) for shape, group in leaves]
+        return [
+            tuple(self.nodes[i].leaf[1] for i in self.lanes(shape, group))
+            for shape, group in leaves
+        ]
 
 
 class Writer(Protocol):
@@ -303,7 +317,9 @@ class Emission:
         """Return the operands of the vector whose first lane is the node ``first``."""
         graph = self._graph
         return [
-            ("spread", i, len(group)) if graph.masks[i] == SHARED else ("vector", graph.shapes[i], group)
+            ("spread", i, len(group))
+            if graph.masks[i] == SHARED
+            else ("vector", graph.shapes[i], group)
             for i in graph.nodes[first].operands
         ]
 

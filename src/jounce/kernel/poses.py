@@ -73,7 +73,9 @@ def space_for(walk: Walk, outputs: int) -> tuple[Found, Work]:
         np.full(count, NOT_TRIED, dtype=np.int64),
         np.zeros(count),
     )
-    work = Work(np.zeros((4, size)), np.zeros(tracks), np.zeros((1, size * (1 + tracks) + 1)), np.zeros(1))
+    work = Work(
+        np.zeros((4, size)), np.zeros(tracks), np.zeros((1, size * (1 + tracks) + 1)), np.zeros(1)
+    )
     return results, work
 
 

@@ -6,7 +6,13 @@ from jounce.kinematics.catalogue import CATALOGUE, Quantity
 from jounce.kinematics.clearances import Rim, Solid, clearances, link_lengths
 from jounce.kinematics.compliances import compliance
 from jounce.kinematics.effort import steering_effort
-from jounce.kinematics.load_cases import LOAD_CASES, LoadCase, LoadedAxle, load_case_table, load_cases
+from jounce.kinematics.load_cases import (
+    LOAD_CASES,
+    LoadCase,
+    LoadedAxle,
+    load_case_table,
+    load_cases,
+)
 from jounce.kinematics.loads import ContactLoad, pickup_loads
 from jounce.kinematics.sweeps import AxleLayout, sweep_path, sweep_rack, sweep_travel, write_sweep
 from jounce.kinematics.variants import sweep_variants

@@ -24,12 +24,16 @@ class Ends:
     third: tuple[Array, Array] | None
 
     @classmethod
-    def of(cls, model: KinematicModel, rig: Corner, states: tuple[Array, Array, Array], side: float) -> Ends:
+    def of(
+        cls, model: KinematicModel, rig: Corner, states: tuple[Array, Array, Array], side: float
+    ) -> Ends:
         """Ends on a side (1 left, -1 right) at poses, inputs and numbers; NaN without a pose."""
         poses, inputs, numbers = states
         count = poses.shape[1]
         each = np.tile(numbers[:, None], (1, count))
-        values = model.functions["across"].map(count)(poses, inputs, each, np.zeros((1, count))).full()
+        values = (
+            model.functions["across"].map(count)(poses, inputs, each, np.zeros((1, count))).full()
+        )
         parts = list(values.reshape(-1, 3, count).transpose(0, 2, 1) * [1.0, side, 1.0])
         bar = (parts.pop(0), parts.pop(0)) if _is_t_bar(rig) else None
         return cls(bar, (parts[0], parts[1]) if parts else None)
@@ -102,14 +106,22 @@ def _is_t_bar(rig: Corner) -> bool:
     return rig.anti_roll_bar is not None and rig.anti_roll_bar.kind == "t"
 
 
-def _bar(connection: Connection, stiffness: Array, left: ConnectedWheel, right: ConnectedWheel, way: float) -> None:
+def _bar(
+    connection: Connection,
+    stiffness: Array,
+    left: ConnectedWheel,
+    right: ConnectedWheel,
+    way: float,
+) -> None:
     """U-bar (way -1) or Z-bar (1): it twists by the difference, or by the sum, of both ends."""
     angles = [wheel.rows["anti_roll_bar_angle"] for wheel in (left, right)]
     twist = angles[1] + way * angles[0]
     torque = stiffness * twist
     for i, (wheel, sign) in enumerate(((left, way), (right, 1.0))):
         connection.turns.append(sign * torque)
-        connection.forces[i] = connection.forces[i] + sign * torque * wheel.rows["anti_roll_bar_motion_ratio"]
+        connection.forces[i] = (
+            connection.forces[i] + sign * torque * wheel.rows["anti_roll_bar_motion_ratio"]
+        )
     _add_bar(connection, twist, torque)
 
 
@@ -119,20 +131,27 @@ def _add_bar(connection: Connection, twist: Array, torque: Array) -> None:
     connection.add("anti_roll_bar_torque", torque, "N*m", "torque in the anti-roll bar", sign)
 
 
-def _t_bar(connection: Connection, stiffness: Array, left: ConnectedWheel, right: ConnectedWheel) -> None:
+def _t_bar(
+    connection: Connection, stiffness: Array, left: ConnectedWheel, right: ConnectedWheel
+) -> None:
     """T-bar: both ends hinge it alike; their difference twists its stem."""
     pivot, sides = left.point("arb_pivot"), (left, right)
     stem = left.point("arb_axis") - pivot
     arms, link_ends = (
-        np.stack([wheel_.point(f"arb_{name}") - pivot for wheel_ in sides], axis=1) for name in ("arm_end", "link_end")
+        np.stack([wheel_.point(f"arb_{name}") - pivot for wheel_ in sides], axis=1)
+        for name in ("arm_end", "link_end")
     )
     bars = [wheel.ends.bar for wheel in sides if wheel.ends and wheel.ends.bar]
     ends, rates = [end - pivot for end, _ in bars], [rate for _, rate in bars]
     count = len(ends[0])
     each = [np.tile(part, (1, count)) for part in (stem[:, None], arms, link_ends)]
-    parts = t_bar_function().map(count)(*each, np.stack(ends, axis=2).transpose(1, 0, 2).reshape(3, 2 * count))
+    parts = t_bar_function().map(count)(
+        *each, np.stack(ends, axis=2).transpose(1, 0, 2).reshape(3, 2 * count)
+    )
     hinge, twist = (part.full()[0] for part in parts[:2])
-    tips, directions = (part.full().reshape(3, count, 2).transpose(2, 1, 0) for part in parts[2:4])  # (2, n, 3)
+    tips, directions = (
+        part.full().reshape(3, count, 2).transpose(2, 1, 0) for part in parts[2:4]
+    )  # (2, n, 3)
     levers = parts[4].full().reshape(2, count, 2).transpose(1, 2, 0)  # (n, motion, link)
     torque = stiffness * twist
     reached = np.isfinite(levers).all(axis=(1, 2)) & np.isfinite(twist)
@@ -144,8 +163,16 @@ def _t_bar(connection: Connection, stiffness: Array, left: ConnectedWheel, right
         connection.links.append(np.asarray(pulls[:, i], dtype=np.float64))
         connection.arm_ends.append(pivot + tips[i])
     stem_direction = np.stack([np.cos(hinge), np.zeros(count), np.sin(hinge)], axis=1)
-    connection.stem_end = pivot + stem[0] * stem_direction * [1.0, 1.0, -1.0] + stem[2] * stem_direction[:, ::-1]
-    connection.add("anti_roll_bar_hinge_angle", hinge, "rad", "turn of the T-bar about its hinge", "positive: about +y")
+    connection.stem_end = (
+        pivot + stem[0] * stem_direction * [1.0, 1.0, -1.0] + stem[2] * stem_direction[:, ::-1]
+    )
+    connection.add(
+        "anti_roll_bar_hinge_angle",
+        hinge,
+        "rad",
+        "turn of the T-bar about its hinge",
+        "positive: about +y",
+    )
     _add_bar(connection, twist, torque)
 
 
@@ -164,17 +191,25 @@ def _third(
     ends = [wheel.point("third_spring_end") for wheel in wheels]
     design, mirrored = float(np.linalg.norm(ends[0] - ends[1])), 2.0 * abs(float(ends[0][1]))
     assert rig.third_spring is not None
-    effective_length = length if rig.third_spring.spring.free_length is not None else length + (mirrored - design)
+    effective_length = (
+        length if rig.third_spring.spring.free_length is not None else length + (mirrored - design)
+    )
     each = np.tile(numbers[:, None], (1, len(length)))
-    spring, still = model.functions["third_force"].map(len(length))(each, effective_length[None, :]).full()
+    spring, still = (
+        model.functions["third_force"].map(len(length))(each, effective_length[None, :]).full()
+    )
     force = spring + still
     connection.forces[0] = connection.forces[0] - force * _dot(outward, left_rate)
     connection.forces[1] = connection.forces[1] + force * _dot(outward, right_rate)
     connection.third = force, outward
-    connection.add("third_spring_length", length, "m", "length of the third spring", "never negative")
+    connection.add(
+        "third_spring_length", length, "m", "length of the third spring", "never negative"
+    )
     text = "compression of the third spring from design"
     connection.add("third_spring_deflection", design - length, "m", text, "positive: compression")
-    connection.add("third_spring_force", spring, "N", "force of the third spring", "positive: compression")
+    connection.add(
+        "third_spring_force", spring, "N", "force of the third spring", "positive: compression"
+    )
 
 
 def _dot(a: Array, b: Array) -> Array:

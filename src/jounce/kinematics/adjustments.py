@@ -84,7 +84,9 @@ def _preload(rig: Corner) -> float:
         return spring.preload or 0.0
     if spring.rate is None:
         raise DescriptionError(
-            "a spring curve has no single preload", where="strut.spring", hint="Set its free_length."
+            "a spring curve has no single preload",
+            where="strut.spring",
+            hint="Set its free_length.",
         )
     return spring.rate * (spring.free_length - rig.hardpoints.length("spring"))
 
@@ -143,7 +145,13 @@ SETTINGS: dict[str, Adjustable] = {
         ),
         *(
             Adjustable(
-                f"link_{i}_length", "m", -0.010, 0.010, f"lengthening of link {i}", _SHIMS, fits=_has("link_1_inner")
+                f"link_{i}_length",
+                "m",
+                -0.010,
+                0.010,
+                f"lengthening of link {i}",
+                _SHIMS,
+                fits=_has("link_1_inner"),
             )
             for i in range(1, 6)
         ),
@@ -198,9 +206,26 @@ SETTINGS: dict[str, Adjustable] = {
             _SHIMS,
             fits=lambda rig: isinstance(rig, McPherson),
         ),
-        Adjustable("pushrod_length", "m", -0.010, 0.010, "lengthening of the push rod", _SHIMS, fits=has_rocker),
-        Adjustable("camber_wedge", "rad", -_FIVE, _FIVE, "tilt of the wheel on the upright, top outward", _ESTIMATED),
-        Adjustable("toe_wedge", "rad", -_TOE, _TOE, "turn of the wheel on the upright, toe-in", _ESTIMATED),
+        Adjustable(
+            "pushrod_length",
+            "m",
+            -0.010,
+            0.010,
+            "lengthening of the push rod",
+            _SHIMS,
+            fits=has_rocker,
+        ),
+        Adjustable(
+            "camber_wedge",
+            "rad",
+            -_FIVE,
+            _FIVE,
+            "tilt of the wheel on the upright, top outward",
+            _ESTIMATED,
+        ),
+        Adjustable(
+            "toe_wedge", "rad", -_TOE, _TOE, "turn of the wheel on the upright, toe-in", _ESTIMATED
+        ),
         Adjustable(
             "short_upper_arm",
             "m",
@@ -247,7 +272,11 @@ def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
 
 def adjustables(rig: Rig) -> dict[str, Adjustable]:
     """Adjustments that a rig has, by name; none without hardpoints."""
-    return {item.name: item for item in SETTINGS.values() if item.fits(rig)} if isinstance(rig, Corner) else {}
+    return (
+        {item.name: item for item in SETTINGS.values() if item.fits(rig)}
+        if isinstance(rig, Corner)
+        else {}
+    )
 
 
 def write_setting(value: float, unit: str) -> str:
@@ -340,7 +369,9 @@ def _foot(front: Array, rear: Array, ball: Array) -> tuple[Array, Array, Array]:
 
 def _change_linkage(rig: C, values: Mapping[str, float]) -> C:
     """Apply the changes of the linkage, if any."""
-    geometry = [name for name in values if name.endswith(("_length", "_support")) or name in _OTHER_GEOMETRY]
+    geometry = [
+        name for name in values if name.endswith(("_length", "_support")) or name in _OTHER_GEOMETRY
+    ]
     if not any(values[name] != SETTINGS[name].base(rig) for name in geometry):
         return rig
     inner: dict[str, Array] = {}
@@ -363,12 +394,18 @@ def _change_linkage(rig: C, values: Mapping[str, float]) -> C:
             lengths[name] = length + values[f"{link}_length"]
     if "camber_plate" in values:
         outward = np.array([0.0, rig.sign * values["camber_plate"], 0.0])
-        tops = {f"{element}_top" for element in ("strut", "spring", "damper")} & rig.hardpoints.given().keys()
+        tops = {
+            f"{element}_top" for element in ("strut", "spring", "damper")
+        } & rig.hardpoints.given().keys()
         inner |= {name: getattr(rig.hardpoints, name) + outward for name in tops}
     shims = (
-        {name: -values["camber_shim"] * spin_axis(rig) for name in _shim_joints(rig)} if "camber_shim" in values else {}
+        {name: -values["camber_shim"] * spin_axis(rig) for name in _shim_joints(rig)}
+        if "camber_shim" in values
+        else {}
     )
-    changes = Changes({k: triple(v) for k, v in inner.items()}, lengths, shims, values.get("pushrod_length", 0.0))
+    changes = Changes(
+        {k: triple(v) for k, v in inner.items()}, lengths, shims, values.get("pushrod_length", 0.0)
+    )
     return refit(rig, changes)
 
 

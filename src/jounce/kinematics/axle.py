@@ -56,7 +56,9 @@ _ODD = {  # rows that change sign when mirrored in y
     "instant_centre_y",
 }
 _INNER_MORE = "positive: inner wheel steers more"
-_OUTER_MORE = "positive: outer wheel steers more than Ackermann geometry asks, towards parallel steering"
+_OUTER_MORE = (
+    "positive: outer wheel steers more than Ackermann geometry asks, towards parallel steering"
+)
 _BEND = 1e-4  # rad: step of the only difference, taken of an exact slope: 1e-8 of truncation, 1e-12 of rounding
 
 
@@ -142,13 +144,17 @@ class Ground:
     def normal(self) -> Array:
         """Unit vector out of the road, shape (n, 3)."""
         level, ahead = np.cos(self.pitch), np.zeros_like(self.roll) - np.sin(self.pitch)
-        return np.stack([ahead, self.side * np.sin(self.roll) * level, np.cos(self.roll) * level], axis=1)
+        return np.stack(
+            [ahead, self.side * np.sin(self.roll) * level, np.cos(self.roll) * level], axis=1
+        )
 
     @property
     def normal_slope(self) -> Array:
         """Derivative of the normal with roll, shape (n, 3)."""
         level, zero = np.cos(self.pitch), np.zeros_like(self.roll)
-        return np.stack([zero, self.side * np.cos(self.roll) * level, -np.sin(self.roll) * level], axis=1)
+        return np.stack(
+            [zero, self.side * np.cos(self.roll) * level, -np.sin(self.roll) * level], axis=1
+        )
 
     @property
     def toe_out(self) -> Array:
@@ -172,7 +178,9 @@ class Ground:
     @property
     def jacking(self) -> Array:
         """Outward motion of the wheel's point at the contact point over its rise, of a left wheel, body axes [1]."""
-        velocity = self.wheel.centre_slope + np.cross(self.wheel.turn_slope, self.contact - self.wheel.centre)
+        velocity = self.wheel.centre_slope + np.cross(
+            self.wheel.turn_slope, self.contact - self.wheel.centre
+        )
         return np.asarray(velocity[:, 1] / velocity[:, 2])
 
     @property
@@ -184,13 +192,17 @@ class Ground:
     def height_by_travel(self) -> Array:
         """Derivative of that height along travel."""
         tilt = self.wheel.radius * self.lean / np.sqrt(1.0 - self.lean**2)
-        return _dot(self.wheel.centre_slope, self.normal) + tilt * _dot(self.wheel.axis_slope, self.normal)
+        return _dot(self.wheel.centre_slope, self.normal) + tilt * _dot(
+            self.wheel.axis_slope, self.normal
+        )
 
     @property
     def height_by_roll(self) -> Array:
         """Derivative of that height with roll, m/rad."""
         tilt = self.wheel.radius * self.lean / np.sqrt(1.0 - self.lean**2)
-        return _dot(self.wheel.centre, self.normal_slope) + tilt * _dot(self.wheel.axis, self.normal_slope)
+        return _dot(self.wheel.centre, self.normal_slope) + tilt * _dot(
+            self.wheel.axis, self.normal_slope
+        )
 
 
 def _dot(a: Array, b: Array) -> Array:
@@ -224,7 +236,9 @@ class TwoWheelAxle:
         self._numbers, self._directions = _by_side(numbers), _by_side(directions)
         self._values = {side: self.of(side).parameters() for side in (1.0, -1.0)}
         for side, own in self._numbers.items():
-            self._values[side] |= dict(zip(kinematic_model(self.of(side)).parameters, own.tolist(), strict=True))
+            self._values[side] |= dict(
+                zip(kinematic_model(self.of(side)).parameters, own.tolist(), strict=True)
+            )
         self.radius = self.number("wheel.radius")
 
     def number(self, path: str) -> float:
@@ -242,13 +256,23 @@ class TwoWheelAxle:
         travel, numbers = np.asarray(travel, dtype=float), self._numbers.get(side)
         if travel.ndim and rack_of_wheel.ndim:
             finite = np.flatnonzero(np.isfinite(travel + rack_of_wheel))
-            sweep = path_sweep(rig, travel[finite], rack_of_wheel[finite], numbers)[0] if len(finite) else None
+            sweep = (
+                path_sweep(rig, travel[finite], rack_of_wheel[finite], numbers)[0]
+                if len(finite)
+                else None
+            )
             count = len(travel)
         else:
-            swept, fixed = (travel, rack_of_wheel) if rack_of_wheel.ndim == 0 else (rack_of_wheel, travel)
+            swept, fixed = (
+                (travel, rack_of_wheel) if rack_of_wheel.ndim == 0 else (rack_of_wheel, travel)
+            )
             order = np.argsort(swept)
             finite, count = order[np.isfinite(swept[order])], len(swept)
-            pair = (swept[finite], float(fixed)) if rack_of_wheel.ndim == 0 else (float(fixed), swept[finite])
+            pair = (
+                (swept[finite], float(fixed))
+                if rack_of_wheel.ndim == 0
+                else (float(fixed), swept[finite])
+            )
             sweep = prepare_sweep(rig, *pair) if len(finite) else None
             if sweep is not None and numbers is not None:
                 sweep.walk.p[:] = numbers
@@ -270,7 +294,9 @@ class TwoWheelAxle:
             self._ends(sweep, side, finite, count),
         )
 
-    def _ends(self, sweep: PreparedSweep, side: float, finite: NDArray[np.intp], count: int) -> Ends | None:
+    def _ends(
+        self, sweep: PreparedSweep, side: float, finite: NDArray[np.intp], count: int
+    ) -> Ends | None:
         """Ends of the connections to the other wheel, at the poses of a sweep."""
         if "across" not in sweep.model.functions:
             return None
@@ -293,11 +319,18 @@ class TwoWheelAxle:
         return connect(self.rig, model, numbers, left_wheel, right_wheel)
 
     def _slopes_of(
-        self, sweep: PreparedSweep, side: float, names: list[str], finite: NDArray[np.intp], count: int
+        self,
+        sweep: PreparedSweep,
+        side: float,
+        names: list[str],
+        finite: NDArray[np.intp],
+        count: int,
     ) -> dict[str, Array]:
         """Slopes of the rows of a sweep, each (directions, poses), in the axes of a left wheel."""
         tangents = Tangents(sweep, self._directions[side]).run()
-        ordered = sweep.in_place(tangents.reshape(-1, tangents.shape[2]), sweep.found.outcome == REACHED)
+        ordered = sweep.in_place(
+            tangents.reshape(-1, tangents.shape[2]), sweep.found.outcome == REACHED
+        )
         slopes = np.full((*tangents.shape[:2], count), np.nan)
         slopes[:, :, finite] = ordered.reshape(*tangents.shape[:2], -1)
         return self._flip(dict(zip(names, slopes, strict=True)), self.of(side))
@@ -391,7 +424,9 @@ def roll_axle(axle: TwoWheelAxle, angles: Array, rack: float) -> AxleVariables:
 def check_roll(angles: Array, name: str) -> None:
     """Refuse roll angles at which wheels cannot stand on a road."""
     if np.max(np.abs(angles)) > _STEEPEST:
-        raise DescriptionError("too steep", where=name, found=f"{np.max(np.abs(angles)):g} rad", allowed="1.2 rad")
+        raise DescriptionError(
+            "too steep", where=name, found=f"{np.max(np.abs(angles)):g} rad", allowed="1.2 rad"
+        )
 
 
 def roll_rows(axle: TwoWheelAxle, left: Ground, right: Ground, bend: Array) -> AxleVariables:
@@ -403,9 +438,23 @@ def roll_rows(axle: TwoWheelAxle, left: Ground, right: Ground, bend: Array) -> A
     for wheel, name, travel in ((left, "left", -gain), (right, "right", gain)):
         variables.add_wheel(axle, wheel.wheel, name, wheel.side)
         seen = wheel.wheel.rows_seen_from(wheel.side)
-        variables.add(f"{name}.camber_to_ground", -np.arcsin(wheel.lean), "rad", "camber angle to the road", outward)
-        variables.add(f"{name}.roll_steer", travel * seen["bump_steer"], "1", "roll steer", "positive: about +z")
-        variables.add(f"{name}.roll_camber", travel * seen["camber_gain"], "1", "roll camber", outward)
+        variables.add(
+            f"{name}.camber_to_ground",
+            -np.arcsin(wheel.lean),
+            "rad",
+            "camber angle to the road",
+            outward,
+        )
+        variables.add(
+            f"{name}.roll_steer",
+            travel * seen["bump_steer"],
+            "1",
+            "roll steer",
+            "positive: about +z",
+        )
+        variables.add(
+            f"{name}.roll_camber", travel * seen["camber_gain"], "1", "roll camber", outward
+        )
         if "caster_gain" in seen:
             text, sign = "roll caster: caster angle over roll angle", "positive: top moves rearward"
             variables.add(f"{name}.roll_caster", travel * seen["caster_gain"], "1", text, sign)
@@ -416,7 +465,9 @@ def roll_rows(axle: TwoWheelAxle, left: Ground, right: Ground, bend: Array) -> A
 
 def _gain(left: Ground, right: Ground) -> Array:
     """Derivative of the right wheel's travel by roll, m/rad."""
-    return (left.height_by_roll - right.height_by_roll) / (left.height_by_travel + right.height_by_travel)
+    return (left.height_by_roll - right.height_by_roll) / (
+        left.height_by_travel + right.height_by_travel
+    )
 
 
 def _bend(axle: TwoWheelAxle, roll: Array, rack: float) -> Array:
@@ -430,22 +481,37 @@ def add_axle_rows(variables: AxleVariables, left: Ground, right: Ground) -> None
     left_point, right_point = left.contact * [1.0, 1.0, 1.0], right.contact * [1.0, -1.0, 1.0]
     roll = left.roll
     at_left, at_right = _across(left_point, roll), _across(right_point, roll)
-    variables.add("track", at_left - at_right, "m", "track: distance of the contact points", "never negative")
+    variables.add(
+        "track", at_left - at_right, "m", "track: distance of the contact points", "never negative"
+    )
     left_slope, right_slope = left.jacking, right.jacking
     with np.errstate(divide="ignore", invalid="ignore"):
         apart = right_point - left_point
         along = (apart[:, 2] - apart[:, 1] * right_slope) / (left_slope + right_slope)
-        centre = np.stack([left_point[:, 0], left_point[:, 1] - along, left_point[:, 2] + along * left_slope], axis=1)
+        centre = np.stack(
+            [left_point[:, 0], left_point[:, 1] - along, left_point[:, 2] + along * left_slope],
+            axis=1,
+        )
         height = _dot(centre, left.normal) - left.height
-        variables.add("roll_centre_height", height, "m", "roll centre height above the road", "positive: up")
+        variables.add(
+            "roll_centre_height", height, "m", "roll centre height above the road", "positive: up"
+        )
         offset = _across(centre, roll) - 0.5 * (at_left + at_right)
-        variables.add("roll_centre_y", offset, "m", "roll centre, lateral distance from mid-track", "positive: left")
+        variables.add(
+            "roll_centre_y",
+            offset,
+            "m",
+            "roll centre, lateral distance from mid-track",
+            "positive: left",
+        )
 
 
 _AGAINST = "positive: against the roll"
 
 
-def _add_roll_moments(variables: AxleVariables, axle: TwoWheelAxle, wheels: tuple[Ground, Ground], bend: Array) -> None:
+def _add_roll_moments(
+    variables: AxleVariables, axle: TwoWheelAxle, wheels: tuple[Ground, Ground], bend: Array
+) -> None:
     """Moments of springs and connections, and the roll stiffness of the springs."""
     left, right = (ground.wheel for ground in wheels)
     forces = "wheel_force" in left.rows and "wheel_force" in right.rows
@@ -456,15 +522,24 @@ def _add_roll_moments(variables: AxleVariables, axle: TwoWheelAxle, wheels: tupl
     stiffness = right.rows["wheel_rate"] + left.rows["wheel_rate"]
     connection = axle.connection(left, right)
     moment = force * gain + (connection.forces[1] - connection.forces[0]) * gain
-    variables.add("roll_moment", moment, "N*m", "moment of springs and anti-roll bar on the body", _AGAINST)
+    variables.add(
+        "roll_moment", moment, "N*m", "moment of springs and anti-roll bar on the body", _AGAINST
+    )
     for name, (value, unit, text, sign) in connection.rows.items():
         variables.add(name, value, unit, text, sign)
     springs = stiffness * gain**2 + force * bend
-    variables.add("roll_stiffness_springs", springs, "N*m/rad", "roll stiffness of the springs", _AGAINST)
+    variables.add(
+        "roll_stiffness_springs", springs, "N*m/rad", "roll stiffness of the springs", _AGAINST
+    )
 
 
 def _add_roll_stiffness(
-    variables: AxleVariables, axle: TwoWheelAxle, roll: Array, rack: float, wheels: tuple[Ground, Ground], bend: Array
+    variables: AxleVariables,
+    axle: TwoWheelAxle,
+    roll: Array,
+    rack: float,
+    wheels: tuple[Ground, Ground],
+    bend: Array,
 ) -> None:
     """Roll stiffness of the connections, of all springs, and with the tyres."""
     left, right = (ground.wheel for ground in wheels)
@@ -486,11 +561,19 @@ def _add_roll_stiffness(
     total = springs + bar
     text = "roll stiffness of anti-roll bar and third spring"
     variables.add("roll_stiffness_bar", bar, "N*m/rad", text, _AGAINST)
-    variables.add("roll_stiffness", total, "N*m/rad", "roll stiffness of springs and anti-roll bar", _AGAINST)
+    variables.add(
+        "roll_stiffness", total, "N*m/rad", "roll stiffness of springs and anti-roll bar", _AGAINST
+    )
     if "tyre_stiffness" in left.rows:
-        tyres = 0.25 * (left.rows["tyre_stiffness"] + right.rows["tyre_stiffness"]) * variables.values["track"] ** 2
+        tyres = (
+            0.25
+            * (left.rows["tyre_stiffness"] + right.rows["tyre_stiffness"])
+            * variables.values["track"] ** 2
+        )
         text = "roll stiffness of springs and anti-roll bar in series with the tyres"
-        variables.add("roll_stiffness_total", total * tyres / (total + tyres), "N*m/rad", text, _AGAINST)
+        variables.add(
+            "roll_stiffness_total", total * tyres / (total + tyres), "N*m/rad", text, _AGAINST
+        )
 
 
 def _connected_moment(axle: TwoWheelAxle, roll: Array, rack: float) -> Array:
@@ -517,7 +600,9 @@ class AxleVariables(SweepVariables):
         """Add the catalogue of one wheel in ground axes."""
         rows = wheel.rows_seen_from(side)
         for row in axle.rows_of(side):
-            self.add(f"{name}.{row.name}", rows[row.name], row.unit, f"{name}: {row.long_name}", row.sign)
+            self.add(
+                f"{name}.{row.name}", rows[row.name], row.unit, f"{name}: {row.long_name}", row.sign
+            )
 
     def dataset(self, reached: NDArray[np.bool_], axle: TwoWheelAxle, corner: Corner) -> xr.Dataset:
         """Dataset of the poses that both wheels reach."""
@@ -592,7 +677,9 @@ def steering_rows(
     axle: TwoWheelAxle, left: WheelRows, right: WheelRows, racks: Array, vehicle: AxleLayout | None
 ) -> AxleVariables:
     """Rows of a steered axle at each rack travel (m)."""
-    variables = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
+    variables = AxleVariables(
+        "rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)"
+    )
     variables.add_wheel(axle, left, "left", 1.0)
     variables.add_wheel(axle, right, "right", -1.0)
     add_steering(variables, left, right, vehicle, axle)
@@ -601,14 +688,26 @@ def steering_rows(
 
 
 def add_steering(
-    variables: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout | None, axle: TwoWheelAxle
+    variables: AxleVariables,
+    left: WheelRows,
+    right: WheelRows,
+    vehicle: AxleLayout | None,
+    axle: TwoWheelAxle,
 ) -> None:
     """Add steer angles of both wheels and, with a vehicle, those of the turn."""
     left_steer, right_steer = left.rows["steer"], -right.rows["steer"]
     mean = 0.5 * (left_steer + right_steer)
-    difference = left_steer - right_steer  # in left turns both angles are positive, and the inner wheel is the left one
+    difference = (
+        left_steer - right_steer
+    )  # in left turns both angles are positive, and the inner wheel is the left one
     track = left.rows["contact_point_y"] + right.rows["contact_point_y"]
-    variables.add("mean_steer", mean, "rad", "mean steer angle of both wheels", "positive: about +z, a left turn")
+    variables.add(
+        "mean_steer",
+        mean,
+        "rad",
+        "mean steer angle of both wheels",
+        "positive: about +z, a left turn",
+    )
     variables.add(
         "steer_difference",
         difference,
@@ -617,7 +716,9 @@ def add_steering(
         "positive: toe-out",
     )
     if "track" not in variables.values:
-        variables.add("track", track, "m", "track: distance of the contact points", "never negative")
+        variables.add(
+            "track", track, "m", "track: distance of the contact points", "never negative"
+        )
     if vehicle is not None:
         _add_turn(variables, left, right, vehicle, axle)
 
@@ -632,18 +733,31 @@ def handwheel_rows(
     at = handwheel_angle(steering, racks)
     rack_slope = rack_travel(steering, at)[1]
     angle = pinion_angle(steering, at)[0]
-    to_left, mean = "positive: to the left", 0.5 * (left.rows["steer_gain"] + right.rows["steer_gain"])
+    to_left, mean = (
+        "positive: to the left",
+        0.5 * (left.rows["steer_gain"] + right.rows["steer_gain"]),
+    )
     variables.add("handwheel_angle", at, "rad", "angle of the handwheel", to_left)
     variables.add("pinion_angle", angle, "rad", "angle of the pinion", to_left)
     text = "C-factor: travel of the rack over one turn of the handwheel, here"
     sign = "positive: a turn to the left moves the rack to the left"
     variables.add("c_factor", 2.0 * np.pi * rack_slope, "m", text, sign)
     text = "steering ratio: turn of the handwheel over the mean turn of the wheels"
-    variables.add("steering_ratio", 1.0 / (rack_slope * mean), "1", text, "positive: the wheels follow the handwheel")
+    variables.add(
+        "steering_ratio",
+        1.0 / (rack_slope * mean),
+        "1",
+        text,
+        "positive: the wheels follow the handwheel",
+    )
 
 
 def _add_turn(
-    variables: AxleVariables, left: WheelRows, right: WheelRows, vehicle: AxleLayout, axle: TwoWheelAxle
+    variables: AxleVariables,
+    left: WheelRows,
+    right: WheelRows,
+    vehicle: AxleLayout,
+    axle: TwoWheelAxle,
 ) -> None:
     """Ackermann and turning circle, from the normals through the contact points and the line of the rear axle.
 
@@ -670,9 +784,23 @@ def _add_turn(
         kerb = 2.0 * np.hypot(middle - part("contact_point_y", False, -1.0), outer_ahead)
     ideal, error = (np.where(is_turn, value, np.nan) for value in (ideal, outer_steer - ideal))
     to_it = "positive: into the turn"
-    variables.add("ackermann", share, "1", "steer difference over that of Ackermann geometry", _INNER_MORE)
-    variables.add("ideal_outer_steer", ideal, "rad", "steer angle of the outer wheel by Ackermann geometry", to_it)
-    variables.add("ackermann_error", error, "rad", "steer angle of the outer wheel minus the ideal one", _OUTER_MORE)
+    variables.add(
+        "ackermann", share, "1", "steer difference over that of Ackermann geometry", _INNER_MORE
+    )
+    variables.add(
+        "ideal_outer_steer",
+        ideal,
+        "rad",
+        "steer angle of the outer wheel by Ackermann geometry",
+        to_it,
+    )
+    variables.add(
+        "ackermann_error",
+        error,
+        "rad",
+        "steer angle of the outer wheel minus the ideal one",
+        _OUTER_MORE,
+    )
     variables.add(
         "turning_radius",
         np.where(to_left, middle, -middle),
@@ -681,11 +809,17 @@ def _add_turn(
         "positive: left",
     )
     width = 0.0 if axle.rig.wheel.width is None else float(axle.rig.wheel.width)
-    text = "turn diameter between kerbs, of the outer wheel's contact point" + (" and half its width" if width else "")
+    text = "turn diameter between kerbs, of the outer wheel's contact point" + (
+        " and half its width" if width else ""
+    )
     variables.add("turn_diameter_kerbs", kerb + width, "m", text, "never negative")
     if vehicle.front_overhang is not None and vehicle.body_width is not None:
         front = vehicle.wheelbase + vehicle.front_overhang
         walls = 2.0 * np.hypot(middle + 0.5 * vehicle.body_width, front)
         variables.add(
-            "turn_diameter_walls", walls, "m", "turn diameter between walls, of the body's corner", "never negative"
+            "turn_diameter_walls",
+            walls,
+            "m",
+            "turn diameter between walls, of the body's corner",
+            "never negative",
         )

@@ -44,10 +44,15 @@ class AxleLoads(Plain):
     def to_dict(self) -> dict[str, Any]:
         """Give every force with its unit, by case and wheel, SI."""
         forces = {
-            str(name): {"units": str(variable.attrs["units"]), "values": variable.to_numpy().tolist()}
+            str(name): {
+                "units": str(variable.attrs["units"]),
+                "values": variable.to_numpy().tolist(),
+            }
             for name, variable in self.data.data_vars.items()
         }
-        names = {f"{name}s": list(map(str, self.data[name].to_numpy())) for name in ("case", "wheel")}
+        names = {
+            f"{name}s": list(map(str, self.data[name].to_numpy())) for name in ("case", "wheel")
+        }
         return {**names, "forces": forces, "findings": to_plain(self.findings)}
 
     def table(self) -> str:
@@ -59,7 +64,9 @@ def named_cases(
     case: Annotated[
         Sequence[str] | None,
         Texts(
-            "A case, accelerations in g: " + _CASE + ", lateral=1.5 (to the left), vertical=3 (times the weight). "
+            "A case, accelerations in g: "
+            + _CASE
+            + ", lateral=1.5 (to the left), vertical=3 (times the weight). "
             "Repeat it. By default: static, 1 g of braking, 1 g of cornering, a bump of 3 g, 0.7 g of both.",
             "NAME: NAME=G ...",
         ),
@@ -72,10 +79,15 @@ def named_cases(
         name = name.strip()
         if not (colon and name and rest.strip()):
             raise DescriptionError(
-                "not a load case", where="--case", found=text, allowed=Phrase("NAME: NAME=G, e.g. {case}", case=_CASE)
+                "not a load case",
+                where="--case",
+                found=text,
+                allowed=Phrase("NAME: NAME=G, e.g. {case}", case=_CASE),
             )
         if name in cases:
-            raise DescriptionError(Phrase("{name!r} is given twice", name=name), where="--case", found=text)
+            raise DescriptionError(
+                Phrase("{name!r} is given twice", name=name), where="--case", found=text
+            )
         given = pairs(rest.replace(",", " ").split(), "--case", _CASE)
         cases[name] = LoadCase.from_table({key: bare_number(value) for key, value in given.items()},
                                           where=f"--case {name}")  # fmt: skip
@@ -89,7 +101,10 @@ def cases_in_python(case: Sequence[str] | None = None) -> str:
     "{'braking': {'longitudinal': -1.2}}"
     """
     cases = named_cases(case)
-    return repr(cases and {name: load_case.model_dump(exclude_unset=True) for name, load_case in cases.items()})
+    return repr(
+        cases
+        and {name: load_case.model_dump(exclude_unset=True) for name, load_case in cases.items()}
+    )
 
 
 @operation(
@@ -117,7 +132,10 @@ def load_axle(
     ],
     cases: Annotated[
         Mapping[str, LoadCase | Mapping[str, float]] | None,
-        MadeBy("jounce.kinematics.axle_loads:named_cases", "jounce.kinematics.axle_loads:cases_in_python"),
+        MadeBy(
+            "jounce.kinematics.axle_loads:named_cases",
+            "jounce.kinematics.axle_loads:cases_in_python",
+        ),
     ] = None,
 ) -> AxleLoads:
     """Give the forces in links, joints and pickup points of both wheels of an axle for load cases of the car.

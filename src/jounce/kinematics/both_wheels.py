@@ -28,7 +28,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _ITERATIONS, _LEVEL = 60, 1e-12  # m: rounding of a height
-_STEP = 0.03  # m of travel in one iteration: two of them span the usual travel, so none overshoots it
+_STEP = (
+    0.03  # m of travel in one iteration: two of them span the usual travel, so none overshoots it
+)
 
 
 def sweep_axle(
@@ -106,7 +108,11 @@ def sweep_axle(
         "rack travel": (rack, "m"),
         "handwheel": (handwheel, "rad"),
     }
-    read = {name: path_values(value, name, unit) for name, (value, unit) in given.items() if value is not None}
+    read = {
+        name: path_values(value, name, unit)
+        for name, (value, unit) in given.items()
+        if value is not None
+    }
     travelled, placed = ({name for name in names if name in read} for names in (_TRAVELS, _PLACES))
     if travelled and placed:
         raise DescriptionError(
@@ -116,13 +122,17 @@ def sweep_axle(
             allowed="left and right travel, or heave and roll",
         )
     if "rack travel" in read and "handwheel" in read:
-        raise DescriptionError("a rack travel and an angle of the handwheel", where="handwheel", hint="Give one.")
+        raise DescriptionError(
+            "a rack travel and an angle of the handwheel", where="handwheel", hint="Give one."
+        )
     check_roll(read.get("roll", np.zeros(1)), "roll")
     check_roll(read.get("pitch", np.zeros(1)), "pitch")
     counts = {len(values) for values in read.values() if len(values) > 1}
     if len(counts) > 1:
         counts_text = ", ".join(f"{name}: {len(values)}" for name, values in read.items())
-        raise DescriptionError("different numbers of values", where="sweep of an axle", found=counts_text)
+        raise DescriptionError(
+            "different numbers of values", where="sweep of an axle", found=counts_text
+        )
     count = max(counts, default=1)
     at = {name: np.broadcast_to(read.get(name, np.zeros(1)), (count,)).copy() for name in given}
     if handwheel is not None:
@@ -152,12 +162,18 @@ def _pair(rig: Rig, right: Rig | None) -> tuple[Corner, Corner | None]:
 def check_pair_of_corners(left: Corner, right: Corner, where: str = "right") -> None:
     """Refuse corners that are not the two sides of one axle."""
     if right.side != "right":
-        raise DescriptionError("not a right corner", where=where, found=f'side = "{right.side}"', allowed='"right"')
+        raise DescriptionError(
+            "not a right corner", where=where, found=f'side = "{right.side}"', allowed='"right"'
+        )
     for name in ("anti_roll_bar", "third_spring"):
         left_end, right_end = getattr(left, name), getattr(right, name)
-        if (left_end is None) != (right_end is None) or getattr(left_end, "kind", "") != getattr(right_end, "kind", ""):
+        if (left_end is None) != (right_end is None) or getattr(left_end, "kind", "") != getattr(
+            right_end, "kind", ""
+        ):
             raise DescriptionError(
-                "both corners of an axle need their end of it", where=name, allowed="a table in both files, or in none"
+                "both corners of an axle need their end of it",
+                where=name,
+                allowed="a table in both files, or in none",
             )
 
 
@@ -174,7 +190,8 @@ class _Middle:
     def __init__(self, axle: TwoWheelAxle) -> None:
         at = [axle.wheel(side, np.zeros(1), 0.0) for side in (1.0, -1.0)]
         x, z = (
-            np.mean([float(wheel.rows[f"{of}"][0]) for wheel in at]) for of in ("wheel_centre_x", "contact_point_z")
+            np.mean([float(wheel.rows[f"{of}"][0]) for wheel in at])
+            for of in ("wheel_centre_x", "contact_point_z")
         )
         self.place = np.array([x, 0.0, z])
 
@@ -191,7 +208,9 @@ def _on_road(axle: TwoWheelAxle, at: dict[str, Array]) -> _Pose:
         half_track = abs(float(axle.of(side).hardpoints.wheel_centre[1]))
         travel = -at["heave"] - side * half_track * np.tan(at["roll"])
         for _ in range(_ITERATIONS):
-            ground = Ground(axle.wheel(side, travel, at["rack travel"]), at["roll"], side, at["pitch"])
+            ground = Ground(
+                axle.wheel(side, travel, at["rack travel"]), at["roll"], side, at["pitch"]
+            )
             gap = ground.height - (middle.height(ground) - at["heave"])
             if np.nanmax(np.abs(gap), initial=0.0) < _LEVEL:
                 break
@@ -203,11 +222,15 @@ def _on_road(axle: TwoWheelAxle, at: dict[str, Array]) -> _Pose:
 def _on_wheels(axle: TwoWheelAxle, at: dict[str, Array]) -> _Pose:
     """Place the road under both wheels."""
     wheels = [
-        axle.wheel(side, at[f"{name} travel"], at["rack travel"]) for side, name in ((1.0, "left"), (-1.0, "right"))
+        axle.wheel(side, at[f"{name} travel"], at["rack travel"])
+        for side, name in ((1.0, "left"), (-1.0, "right"))
     ]
     roll = np.zeros_like(at["roll"])
     for _ in range(_ITERATIONS):
-        left, right = (Ground(wheel, roll, side, at["pitch"]) for wheel, side in zip(wheels, (1.0, -1.0), strict=True))
+        left, right = (
+            Ground(wheel, roll, side, at["pitch"])
+            for wheel, side in zip(wheels, (1.0, -1.0), strict=True)
+        )
         off = left.height - right.height
         if np.nanmax(np.abs(off), initial=0.0) < _LEVEL:
             break
@@ -215,7 +238,9 @@ def _on_wheels(axle: TwoWheelAxle, at: dict[str, Array]) -> _Pose:
     return _Pose(left, right, _Middle(axle).height(left) - left.height)
 
 
-def _dataset(axle: TwoWheelAxle, pose: _Pose, at: dict[str, Array], vehicle: AxleLayout | None) -> xr.Dataset:
+def _dataset(
+    axle: TwoWheelAxle, pose: _Pose, at: dict[str, Array], vehicle: AxleLayout | None
+) -> xr.Dataset:
     left, right = pose.left, pose.right
     reached = np.isfinite(left.height + right.height)
     if not reached.any():
@@ -226,16 +251,34 @@ def _dataset(axle: TwoWheelAxle, pose: _Pose, at: dict[str, Array], vehicle: Axl
         variables.add_wheel(axle, ground.wheel, name, ground.side)
         lean, heading = ground.lean, ground.side * ground.toe_out
         variables.add(
-            f"{name}.camber_to_ground", -np.arcsin(lean), "rad", "camber angle to the road", "positive: top outward"
+            f"{name}.camber_to_ground",
+            -np.arcsin(lean),
+            "rad",
+            "camber angle to the road",
+            "positive: top outward",
         )
         text = "steer angle along the road, against the body's x axis seen from above it"
-        variables.add(f"{name}.steer_to_ground", heading, "rad", text, "positive: about +z, a left turn")
+        variables.add(
+            f"{name}.steer_to_ground", heading, "rad", text, "positive: about +z, a left turn"
+        )
     up, left_up = "positive: the body rises", "positive: about +x, left side up"
     variables.add(
-        "heave", np.where(reached, pose.heave, np.nan), "m", "rise of the body above the road, middle of the axle", up
+        "heave",
+        np.where(reached, pose.heave, np.nan),
+        "m",
+        "rise of the body above the road, middle of the axle",
+        up,
     )
-    variables.add("roll_angle", np.where(reached, left.roll, np.nan), "rad", "roll angle of the body", left_up)
-    variables.add("pitch_angle", at["pitch"], "rad", "pitch angle of the body", "positive: about +y, nose down")
+    variables.add(
+        "roll_angle", np.where(reached, left.roll, np.nan), "rad", "roll angle of the body", left_up
+    )
+    variables.add(
+        "pitch_angle",
+        at["pitch"],
+        "rad",
+        "pitch angle of the body",
+        "positive: about +y, nose down",
+    )
     add_axle_rows(variables, left, right)
     add_steering(variables, left.wheel, right.wheel, vehicle, axle)
     handwheel_rows(variables, axle, at["rack travel"], left.wheel, right.wheel)
@@ -243,14 +286,23 @@ def _dataset(axle: TwoWheelAxle, pose: _Pose, at: dict[str, Array], vehicle: Axl
     return variables.dataset(np.ones(count, dtype=bool), axle, axle.rig)
 
 
-def _add_forces(variables: AxleVariables, axle: TwoWheelAxle, left: WheelRows, right: WheelRows) -> None:
+def _add_forces(
+    variables: AxleVariables, axle: TwoWheelAxle, left: WheelRows, right: WheelRows
+) -> None:
     """Forces of all springs at both wheel centres, and the connections."""
     connection = axle.connection(left, right)
     for name, (value, unit, text, sign) in connection.rows.items():
         variables.add(name, value, unit, text, sign)
-    for name, wheel, force in (("left", left, connection.forces[0]), ("right", right, connection.forces[1])):
+    for name, wheel, force in (
+        ("left", left, connection.forces[0]),
+        ("right", right, connection.forces[1]),
+    ):
         if "wheel_force" in wheel.rows:
             text = f"{name}: force of all springs at the wheel centre"
             variables.add(
-                f"{name}.axle_force", wheel.rows["wheel_force"] + force, "N", text, "positive: pushes the wheel down"
+                f"{name}.axle_force",
+                wheel.rows["wheel_force"] + force,
+                "N",
+                text,
+                "positive: pushes the wheel down",
             )

@@ -104,7 +104,9 @@ def _lateral(view: CornerView) -> ca.SX:
 
 
 def _wheel_force(view: CornerView) -> ca.SX:
-    strut = (view.springs.force + view.stops.force) * view.motion_ratio + view.still_damper.force * view.damper_ratio
+    strut = (
+        view.springs.force + view.stops.force
+    ) * view.motion_ratio + view.still_damper.force * view.damper_ratio
     return strut + _torsion_force(view, ca.SX(1.0))
 
 
@@ -148,13 +150,17 @@ def _wheel_rate(view: CornerView) -> ca.SX:
 
 def _wheel_rate_spring(view: CornerView) -> ca.SX:
     unit = ca.SX(1.0)
-    elastic = _stiffness(view) * view.motion_ratio**2 + _still_damper_rate(view, unit, preload=False)
+    elastic = _stiffness(view) * view.motion_ratio**2 + _still_damper_rate(
+        view, unit, preload=False
+    )
     return elastic + _torsion_rate(view, unit, preload=False)
 
 
 def _contact_rate_spring(view: CornerView) -> ca.SX:
     rise = view.patch[2]
-    elastic = _stiffness(view) * view.contact_ratio**2 + _still_damper_rate(view, rise, preload=False)
+    elastic = _stiffness(view) * view.contact_ratio**2 + _still_damper_rate(
+        view, rise, preload=False
+    )
     return elastic + _torsion_rate(view, rise, preload=False)
 
 

@@ -58,13 +58,19 @@ class ClearanceStudy(Plain):
     @property
     def least(self) -> dict[str, dict[str, float]]:
         """Least distance of each pair, and travel and rack travel at which it is, m."""
-        return {} if self.data is None else {str(name): _least(self.data, str(name)) for name in self.data.data_vars}
+        return (
+            {}
+            if self.data is None
+            else {str(name): _least(self.data, str(name)) for name in self.data.data_vars}
+        )
 
     @property
     def findings(self) -> tuple[Finding, ...]:
         """Pairs that overlap."""
         return tuple(
-            finding("kinematics.bodies_overlap", name, least["clearance"], overlap=-least["clearance"])
+            finding(
+                "kinematics.bodies_overlap", name, least["clearance"], overlap=-least["clearance"]
+            )
             for name, least in self.least.items()
             if least["clearance"] < 0.0
         )
@@ -96,9 +102,13 @@ def named_pairs(
         name, colon, rest = text.partition(":")
         name, bodies = name.strip(), rest.split(",")
         if not (colon and name) or len(bodies) != 2:
-            raise DescriptionError("not two bodies", where="--between", found=text, allowed=_ALLOWED)
+            raise DescriptionError(
+                "not two bodies", where="--between", found=text, allowed=_ALLOWED
+            )
         if name in named:
-            raise DescriptionError(Phrase("{name!r} is given twice", name=name), where="--between", found=text)
+            raise DescriptionError(
+                Phrase("{name!r} is given twice", name=name), where="--between", found=text
+            )
         where = f"--between {name}"
         named[name] = (_body(bodies[0].strip(), where), _body(bodies[1].strip(), where))
     return named
@@ -110,7 +120,10 @@ def pairs_in_python(between: Sequence[str] | None = None) -> str:
     >>> pairs_in_python(["points: a, b 8 mm"])
     "{'points': (jn.Solid(points=('a',), places=(), radius=0.0), jn.Solid(points=('b',), places=(), radius=0.008))}"
     """
-    pairs = (f"{name!r}: (jn.{first!r}, jn.{second!r})" for name, (first, second) in named_pairs(between).items())
+    pairs = (
+        f"{name!r}: (jn.{first!r}, jn.{second!r})"
+        for name, (first, second) in named_pairs(between).items()
+    )
     return f"{{{', '.join(pairs)}}}"
 
 
@@ -119,7 +132,9 @@ def check_between(between: Sequence[str] | None, **given: object) -> None:
     for option in () if between else ("out", "figure", "travel", "rack"):
         if given[option] is not None:
             allowed = f"--between {_ALLOWED}"
-            raise DescriptionError("no distances are asked for", where=f"--{option}", allowed=allowed)
+            raise DescriptionError(
+                "no distances are asked for", where=f"--{option}", allowed=allowed
+            )
 
 
 @operation(
@@ -138,7 +153,10 @@ def study_clearances(
     rig: AnyRig,
     pairs: Annotated[
         Mapping[str, Sequence[Shape]] | None,
-        MadeBy("jounce.kinematics.clearance_study:named_pairs", "jounce.kinematics.clearance_study:pairs_in_python"),
+        MadeBy(
+            "jounce.kinematics.clearance_study:named_pairs",
+            "jounce.kinematics.clearance_study:pairs_in_python",
+        ),
     ] = None,
     travel: Annotated[Values | None, TRAVEL] = None,
     rack: Annotated[Values | None, RACK] = None,
@@ -182,7 +200,10 @@ def study_clearances(
 def _body(text: str, where: str) -> Solid | Rim:
     rim = _RIM.fullmatch(text)
     if rim is not None:
-        sizes = {name: quantity(value, "m", where, most=_WIDEST) for name, value in rim.groupdict().items()}
+        sizes = {
+            name: quantity(value, "m", where, most=_WIDEST)
+            for name, value in rim.groupdict().items()
+        }
         return Rim.from_table(sizes, where=where)
     points, _, radius = text.partition(" ")
     names = [name.strip() for name in points.split("-")]
@@ -197,4 +218,7 @@ def _least(data: xr.Dataset, name: str) -> dict[str, float]:
     values = data[name]
     at = np.unravel_index(int(np.nanargmin(values.to_numpy())), values.shape)
     place = values[dict(zip(values.dims, at, strict=True))]
-    return {"clearance": float(place), **{along: float(place[along]) for along in ("wheel_travel", "rack_travel")}}
+    return {
+        "clearance": float(place),
+        **{along: float(place[along]) for along in ("wheel_travel", "rack_travel")},
+    }

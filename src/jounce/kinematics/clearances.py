@@ -17,7 +17,14 @@ from jounce.core.types import Array
 from jounce.core.units import Length, NonNegativeLength, PositiveLength
 from jounce.kernel.poses import REACHED
 from jounce.kinematics.model import check_corner
-from jounce.kinematics.sweeps import PreparedSweep, Values, ends_text, no_pose, path_sweep, prepare_sweep
+from jounce.kinematics.sweeps import (
+    PreparedSweep,
+    Values,
+    ends_text,
+    no_pose,
+    path_sweep,
+    prepare_sweep,
+)
 from jounce.kinematics.tangents import Tangents
 from jounce.parts import Corner, Rig
 from jounce.parts.bodies import Point, distance
@@ -45,7 +52,9 @@ class Solid(Description):
     @model_validator(mode="after")
     def _has_points(self) -> Self:
         if bool(self.points) == bool(self.places):
-            raise ValueError("give points (one hardpoint, or several along a bar), or places on the body")
+            raise ValueError(
+                "give points (one hardpoint, or several along a bar), or places on the body"
+            )
         return self
 
 
@@ -78,7 +87,10 @@ class Rim(Description):
 
 
 Shape: TypeAlias = Solid | Rim
-_SAMPLES, _ROUNDS = 33, 7  # each round narrows 16 times, to 1e-9 of a length: slopes need the exact place
+_SAMPLES, _ROUNDS = (
+    33,
+    7,
+)  # each round narrows 16 times, to 1e-9 of a length: slopes need the exact place
 _ANGLES = ("camber", "steer")
 _POINT = 1e-12  # m: a shorter bar is a sphere
 
@@ -138,7 +150,11 @@ def clearances(
     for name, (first, second) in pairs.items():
         gaps = posed.distance(first, second)[0]
         attributes = {"units": "m", "long_name": f"clearance: {name}", "sign": "positive: apart"}
-        variables[name] = (("wheel_travel", "rack_travel"), gaps.reshape(sweep.layout.shape), attributes)
+        variables[name] = (
+            ("wheel_travel", "rack_travel"),
+            gaps.reshape(sweep.layout.shape),
+            attributes,
+        )
     at = [np.unique(sweep.layout.targets[:, i]) for i in (0, 1)]
     ends = sweep.ends() if not np.isfinite(rows["wheel_travel"]).all() else []
     facts = {"model": str(getattr(rig, "model", "")), "stopped": ends_text(ends)}
@@ -153,7 +169,9 @@ def check_pair(rig: Corner, pair: Sequence[Shape], where: str) -> None:
     """Refuse anything but a pair of bodies of this corner."""
     given = rig.hardpoints.given()
     if len(pair) != 2 or all(isinstance(shape, Rim) for shape in pair):
-        raise DescriptionError("not a pair of bodies", where=where, allowed="two bars, or a bar and a rim")
+        raise DescriptionError(
+            "not a pair of bodies", where=where, allowed="two bars, or a bar and a rim"
+        )
     for shape in pair:
         for point in shape.points if isinstance(shape, Solid) else ():
             if point not in given:
@@ -188,7 +206,11 @@ class PosedCorner:
         ``tangents``).
         """
         sweep, values = path_sweep(rig, *poses, numbers)
-        rows = {row.name: value for row, value in zip(sweep.model.rows, values, strict=True) if row.name in _ANGLES}
+        rows = {
+            row.name: value
+            for row, value in zip(sweep.model.rows, values, strict=True)
+            if row.name in _ANGLES
+        }
         required = {"wheel_centre", *names}
         places, axis = _places(sweep, required), _axis(rig, rows)
         if directions is None:
@@ -197,7 +219,9 @@ class PosedCorner:
         reached = sweep.found.outcome == REACHED
         ordered = sweep.in_place(slopes.reshape(-1, slopes.shape[2]), reached).reshape(slopes.shape)
         at = {name: 3 * i for i, name in enumerate(sweep.model.point_names)}
-        positions = {name: np.moveaxis(ordered[at[name] : at[name] + 3], 0, -1) for name in required}
+        positions = {
+            name: np.moveaxis(ordered[at[name] : at[name] + 3], 0, -1) for name in required
+        }
         return cls(places, axis, positions, _axis_slope(rig, rows, ordered[-2], ordered[-1]))
 
     def distance(self, first: Shape, second: Shape) -> tuple[Array, Array | None]:
@@ -212,7 +236,9 @@ class PosedCorner:
             gaps = [self._to_rim(first, bar) for bar in self._bars(second)]
             radii = second.radius
         else:
-            gaps = [self._between(bar, rod) for bar in self._bars(first) for rod in self._bars(second)]
+            gaps = [
+                self._between(bar, rod) for bar in self._bars(first) for rod in self._bars(second)
+            ]
             radii = first.radius + second.radius
         distances = np.array([distance for distance, _ in gaps])
         nearest = np.argmin(np.nan_to_num(distances, nan=np.inf), axis=0)
@@ -220,23 +246,35 @@ class PosedCorner:
         if self.turned is None:
             return np.asarray(distances[nearest, poses] - radii), None
         slopes = np.array([slope() for _, slope in gaps])
-        return np.asarray(distances[nearest, poses] - radii), np.asarray(slopes[nearest, :, poses].T)
+        return np.asarray(distances[nearest, poses] - radii), np.asarray(
+            slopes[nearest, :, poses].T
+        )
 
     def _bars(self, solid: Solid) -> list[_Bar]:
         """Straight pieces of a bar; a single piece without length for a sphere."""
         if solid.places:
             like = next(iter(self.places.values()))
-            ends = [(np.broadcast_to(np.array(place), like.shape), np.zeros((1, 1, 3))) for place in solid.places]
+            ends = [
+                (np.broadcast_to(np.array(place), like.shape), np.zeros((1, 1, 3)))
+                for place in solid.places
+            ]
         else:
-            ends = [(self.places[name], self.moved.get(name, np.zeros((1, 1, 3)))) for name in solid.points]
-        return [_Bar(a, b, u, v) for (a, u), (b, v) in pairwise(ends if len(ends) > 1 else ends * 2)]
+            ends = [
+                (self.places[name], self.moved.get(name, np.zeros((1, 1, 3))))
+                for name in solid.points
+            ]
+        return [
+            _Bar(a, b, u, v) for (a, u), (b, v) in pairwise(ends if len(ends) > 1 else ends * 2)
+        ]
 
     def _between(self, first: _Bar, second: _Bar) -> _Gap:
         """Distance of two pieces: between the feet of the common normal, or at ends."""
         s, t = _feet(first, second)
         gap = first.at(s) - second.at(t)
         distance = np.linalg.norm(gap, axis=1)
-        return distance, lambda: _over(np.einsum("ni,kni->kn", gap, first.slopes_at(s) - second.slopes_at(t)), distance)
+        return distance, lambda: _over(
+            np.einsum("ni,kni->kn", gap, first.slopes_at(s) - second.slopes_at(t)), distance
+        )
 
     def _to_rim(self, rim: Rim, bar: _Bar) -> _Gap:
         """Distance of a piece from the rim's cylinder."""
@@ -251,8 +289,12 @@ class PosedCorner:
         def slope() -> Array:
             assert self.turned is not None
             offset = bar.slopes_at(share) - self.moved["wheel_centre"]
-            along_slope = np.einsum("ni,kni->kn", axis, offset) + np.einsum("ni,kni->kn", place, self.turned)
-            radius_slope = _over(np.einsum("ni,kni->kn", place, offset) - along * along_slope, radius)
+            along_slope = np.einsum("ni,kni->kn", axis, offset) + np.einsum(
+                "ni,kni->kn", place, self.turned
+            )
+            radius_slope = _over(
+                np.einsum("ni,kni->kn", place, offset) - along * along_slope, radius
+            )
             return _over((radius - rim.radius) * radius_slope + beyond * along_slope, distance)
 
         return distance, slope
@@ -314,14 +356,23 @@ def link_lengths(rig: Rig) -> dict[str, float]:
     corner = check_corner(rig)
     points = corner.hardpoints.given()
     ends = [(inner, outer) for outer, inner in corner.hardpoints.rods]
-    ends += [("pushrod_inner", "pushrod_outer"), ("strut_bottom", "strut_top"), ("arb_arm_end", "arb_link_end")]
-    return {f"{a} - {b}": distance(points[a], points[b]) for a, b in ends if a in points and b in points}
+    ends += [
+        ("pushrod_inner", "pushrod_outer"),
+        ("strut_bottom", "strut_top"),
+        ("arb_arm_end", "arb_link_end"),
+    ]
+    return {
+        f"{a} - {b}": distance(points[a], points[b]) for a, b in ends if a in points and b in points
+    }
 
 
 def _places(sweep: PreparedSweep, names: Collection[str]) -> dict[str, Array]:
     """Places of points, shape (poses, 3), m."""
     coordinates = sweep.points()
-    return {name: np.stack([coordinates[f"{name}.{axis}"].ravel() for axis in "xyz"], axis=1) for name in names}
+    return {
+        name: np.stack([coordinates[f"{name}.{axis}"].ravel() for axis in "xyz"], axis=1)
+        for name in names
+    }
 
 
 def _axis(rig: Corner, rows: dict[str, Array]) -> Array:
@@ -329,22 +380,32 @@ def _axis(rig: Corner, rows: dict[str, Array]) -> Array:
     camber, steer = rows["camber"].ravel(), rows["steer"].ravel()
     side = rig.sign
     level = np.cos(camber)
-    return np.stack([-side * np.sin(steer) * level, side * np.cos(steer) * level, -np.sin(camber)], axis=1)
+    return np.stack(
+        [-side * np.sin(steer) * level, side * np.cos(steer) * level, -np.sin(camber)], axis=1
+    )
 
 
-def _axis_slope(rig: Corner, rows: dict[str, Array], camber_slope: Array, steer_slope: Array) -> Array:
+def _axis_slope(
+    rig: Corner, rows: dict[str, Array], camber_slope: Array, steer_slope: Array
+) -> Array:
     """Slope of the axis along directions, (directions, poses, 3)."""
     camber, steer = rows["camber"].ravel(), rows["steer"].ravel()
     side = rig.sign
-    x = side * (np.sin(steer) * np.sin(camber) * camber_slope - np.cos(steer) * np.cos(camber) * steer_slope)
-    y = -side * (np.cos(steer) * np.sin(camber) * camber_slope + np.sin(steer) * np.cos(camber) * steer_slope)
+    x = side * (
+        np.sin(steer) * np.sin(camber) * camber_slope - np.cos(steer) * np.cos(camber) * steer_slope
+    )
+    y = -side * (
+        np.cos(steer) * np.sin(camber) * camber_slope + np.sin(steer) * np.cos(camber) * steer_slope
+    )
     return np.stack([x, y, -np.cos(camber) * camber_slope], axis=-1)
 
 
 def _feet(first: _Bar, second: _Bar) -> tuple[Array, Array]:
     """Positions on two pieces, as shares of their lengths, at which they are nearest."""
     u, v, w = first.b - first.a, second.b - second.a, first.a - second.a
-    uu, uv, vv, uw, vw = (np.sum(x * y, axis=1) for x, y in ((u, u), (u, v), (v, v), (u, w), (v, w)))
+    uu, uv, vv, uw, vw = (
+        np.sum(x * y, axis=1) for x, y in ((u, u), (u, v), (v, v), (u, w), (v, w))
+    )
     skew = uu * vv - uv**2
     with np.errstate(divide="ignore", invalid="ignore"):
         s = np.where(skew > _POINT * uu * vv, (uv * vw - vv * uw) / skew, 0.0)
@@ -361,7 +422,9 @@ def _nearest_to_rim(rim: Rim, bar: _Bar, centre: Array, axis: Array) -> Array:
     share = np.linspace(0.0, 1.0, _SAMPLES)[None, :] * np.ones((len(bar.a), 1))
     step = 1.0 / (_SAMPLES - 1)
     for _ in range(_ROUNDS):
-        places = bar.a[:, None, :] + share[:, :, None] * (bar.b - bar.a)[:, None, :] - centre[:, None, :]
+        places = (
+            bar.a[:, None, :] + share[:, :, None] * (bar.b - bar.a)[:, None, :] - centre[:, None, :]
+        )
         along = np.einsum("nki,ni->nk", places, axis)
         out = np.sqrt(np.maximum(np.sum(places**2, axis=2) - along**2, 0.0)) - rim.radius
         past = np.maximum(np.maximum(rim.inner - along, along - rim.outer), 0.0)

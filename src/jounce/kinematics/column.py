@@ -38,7 +38,9 @@ def _behind(pin: Array, bend: float) -> Array:
     """Angle after a joint, tan(after) = cos(bend) tan(pin), on the same turn as the pin."""
     turns = np.round(pin / np.pi)
     remainder = pin - np.pi * turns
-    return np.asarray(np.pi * turns + np.arctan2(np.cos(bend) * np.sin(remainder), np.cos(remainder)))
+    return np.asarray(
+        np.pi * turns + np.arctan2(np.cos(bend) * np.sin(remainder), np.cos(remainder))
+    )
 
 
 def _joints(column: SteeringColumn) -> list[_Joint]:
@@ -55,10 +57,17 @@ def _joints(column: SteeringColumn) -> list[_Joint]:
         else:  # no plane: any direction across will do
             normal = np.cross(first, np.eye(3)[int(np.argmin(np.abs(first)))])
             normal = normal / np.linalg.norm(normal)
-        if across is not None:  # after a joint the pin is a quarter turn ahead; the next yoke is turned by the phase
+        if (
+            across is not None
+        ):  # after a joint the pin is a quarter turn ahead; the next yoke is turned by the phase
             between = float(np.arctan2(np.cross(across, normal) @ first, across @ normal))
             before = joints[-1]
-            pin = float(_behind(np.asarray(before.pin), before.bend)) + 0.5 * np.pi + float(column.phase) - between
+            pin = (
+                float(_behind(np.asarray(before.pin), before.bend))
+                + 0.5 * np.pi
+                + float(column.phase)
+                - between
+            )
         joints.append(_Joint(float(np.arctan2(size, first @ second)), pin))
         across = normal
     return joints
@@ -100,8 +109,12 @@ def handwheel_angle(steering: Steering, rack: Array) -> Array:
     for _ in range(_ITERATIONS):
         angle, slope = pinion_angle(steering, angle_of_wheel)
         step = (pinion - angle) / slope
-        angle_of_wheel = angle_of_wheel + np.clip(step, -0.3, 0.3)  # rad: within a period (pi) of the joints' waves
+        angle_of_wheel = angle_of_wheel + np.clip(
+            step, -0.3, 0.3
+        )  # rad: within a period (pi) of the joints' waves
         size = max(1.0, float(np.nanmax(np.abs(angle_of_wheel), initial=0.0)))
         if np.nanmax(np.abs(step), initial=0.0) < _CLOSED * size:
             return np.asarray(angle_of_wheel)
-    raise SimulationError("the angle of the handwheel was not found", hint="Are the joints of the column too steep?")
+    raise SimulationError(
+        "the angle of the handwheel was not found", hint="Are the joints of the column too steep?"
+    )

@@ -129,16 +129,22 @@ def compliance(
     corner.require("spring", what="compliance")
     load = load or ContactLoad()
     if load.vertical_force:
-        raise DescriptionError("the ground gives the vertical force", where="vertical_force", found=load.vertical_force)
+        raise DescriptionError(
+            "the ground gives the vertical force", where="vertical_force", found=load.vertical_force
+        )
     travels = sweep_values(travel, "wheel travel")
     ground = _ground(corner, travels, rack)
-    states = [_yields(corner, float(height), float(at), load) for height, at in zip(*ground, strict=True)]
+    states = [
+        _yields(corner, float(height), float(at), load) for height, at in zip(*ground, strict=True)
+    ]
     return _dataset(corner, travels, states)
 
 
 def _has_bushings(rig: Corner) -> bool:
     bushings = getattr(rig, "bushings", None)
-    return bushings is not None and any(getattr(bushings, name) is not None for name in type(bushings).model_fields)
+    return bushings is not None and any(
+        getattr(bushings, name) is not None for name in type(bushings).model_fields
+    )
 
 
 def _ground(rig: Corner, travel: Array, rack: float | None) -> tuple[Array, Array]:
@@ -189,7 +195,9 @@ def _functions(statics: Statics, loads: ca.SX, angles: ca.SX, rates: ca.SX) -> E
         statics.parameters,
         np.array(statics.start, dtype=float),
         (v.shape[0], multipliers.shape[0]),
-        ca.Function("equations", [q, multipliers, p], [equations, matrix, ca.jacobian(equations, loads)]),
+        ca.Function(
+            "equations", [q, multipliers, p], [equations, matrix, ca.jacobian(equations, loads)]
+        ),
         ca.Function("moved", [q, displacement], [statics.moved(displacement)]),
         ca.Function("seen", [q, p], [angles, ca.jacobian(rates, v)]),
     )
@@ -198,8 +206,15 @@ def _functions(statics: Statics, loads: ca.SX, angles: ca.SX, rates: ca.SX) -> E
 def _yields(rig: Corner, ground: float, rack: float, load: ContactLoad) -> tuple[Array, Array]:
     """Angles at equilibrium, shape (3,), and slopes of the quantities along the loads, shape (quantities, loads)."""
     model = _elastic_model(rig)
-    longitudinal, forward = ("braking", -1.0) if load.through == "contact_point" else ("driving", 1.0)
-    given = {"ground": ground, "rack": rack, "lateral": load.lateral_force, "aligning": load.aligning_torque}
+    longitudinal, forward = (
+        ("braking", -1.0) if load.through == "contact_point" else ("driving", 1.0)
+    )
+    given = {
+        "ground": ground,
+        "rack": rack,
+        "lateral": load.lateral_force,
+        "aligning": load.aligning_torque,
+    }
     given[longitudinal] = forward * load.longitudinal_force
     numbers = {**rig.parameters(), **{f"compliance.{name}": 0.0 for name in LOADS}}
     numbers |= {f"compliance.{name}": value for name, value in given.items()}
@@ -218,13 +233,18 @@ def _equilibrium(model: ElasticModel, p: Array) -> tuple[Array, Array]:
         residual, matrix, _ = (part.full() for part in model.equations(q, multipliers, p))
         step = _solve(matrix, -residual)[:, 0]
         displacement = step[: model.sizes[0]]
-        q, multipliers = model.moved(q, displacement).full()[:, 0], multipliers + step[model.sizes[0] :]
+        q, multipliers = (
+            model.moved(q, displacement).full()[:, 0],
+            multipliers + step[model.sizes[0] :],
+        )
         if not np.all(np.isfinite(q)):
             break
         if np.max(np.abs(displacement)) < _SETTLED:
             return q, multipliers
     raise SimulationError(
-        "no equilibrium on the bushings was found", where="bushings", hint="Check their stiffnesses and the spring."
+        "no equilibrium on the bushings was found",
+        where="bushings",
+        hint="Check their stiffnesses and the spring.",
     )
 
 
@@ -254,7 +274,16 @@ def _dataset(rig: Corner, travel: Array, states: list[tuple[Array, Array]]) -> x
     }
     for j, (load, (per, words)) in enumerate(LOADS.items()):
         for k, (name, (unit, what)) in enumerate(QUANTITIES.items()):
-            text = {"units": f"{unit}/{per}" if per == "N" else f"{unit}/({per})", "long_name": f"{what}, per {words}"}
+            text = {
+                "units": f"{unit}/{per}" if per == "N" else f"{unit}/({per})",
+                "long_name": f"{what}, per {words}",
+            }
             variables[f"{load}.{name}"] = ("wheel_travel", slopes[:, k, j], text)
-    at = {"wheel_travel": ("wheel_travel", travel, {"units": "m", "long_name": "vertical travel of the wheel centre"})}
+    at = {
+        "wheel_travel": (
+            "wheel_travel",
+            travel,
+            {"units": "m", "long_name": "vertical travel of the wheel centre"},
+        )
+    }
     return xr.Dataset(variables, at, {"model": str(getattr(rig, "model", "")), "side": rig.side})

@@ -65,24 +65,40 @@ def steering_effort(
     check_rack(corner)
     corner = corner if corner.side == "left" else corner.mirrored()
     height = to_si(travel, "m", where="wheel travel")
-    variables = AxleVariables("rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)")
+    variables = AxleVariables(
+        "rack_travel", racks, "m", "travel of the steering rack", "positive: to the left (+y)"
+    )
     axle, to_left = TwoWheelAxle(corner), "positive: to the left"
     sides = ((corner, left), (corner.mirrored(), right))
     forces = [_rack_force(axle, side, load, racks, height) for side, load in sides]
     total = forces[0] + forces[1]
     variables.add("rack_force", total, "N", "force of both wheels on the rack", to_left)
     for name, force in zip(("left", "right"), forces, strict=True):
-        variables.add(f"{name}.rack_force", force, "N", f"{name}: force of the wheel on the rack", to_left)
+        variables.add(
+            f"{name}.rack_force", force, "N", f"{name}: force of the wheel on the rack", to_left
+        )
     steering = getattr(corner, "steering", None)
     if steering is not None and steering.rack_ratio is not None:
         slope = rack_travel(steering, handwheel_angle(steering, racks))[1]
-        variables.add("pinion_torque", -total * steering.rack_ratio, "N*m", "torque that holds the pinion", to_left)
-        variables.add("handwheel_torque", -total * slope, "N*m", "torque that holds the handwheel", to_left)
-        handwheel_rows(variables, axle, racks, *(axle.wheel(sign, height, racks) for sign in (1.0, -1.0)))
+        variables.add(
+            "pinion_torque",
+            -total * steering.rack_ratio,
+            "N*m",
+            "torque that holds the pinion",
+            to_left,
+        )
+        variables.add(
+            "handwheel_torque", -total * slope, "N*m", "torque that holds the handwheel", to_left
+        )
+        handwheel_rows(
+            variables, axle, racks, *(axle.wheel(sign, height, racks) for sign in (1.0, -1.0))
+        )
     return variables.dataset(np.isfinite(total), axle, corner)
 
 
-def _rack_force(axle: TwoWheelAxle, rig: Corner, load: ContactLoad, racks: Array, travel: float) -> Array:
+def _rack_force(
+    axle: TwoWheelAxle, rig: Corner, load: ContactLoad, racks: Array, travel: float
+) -> Array:
     """Force of a wheel on the rack, N, to the left; NaN at unreachable rack travels, which the axle records."""
     sweep = prepare_sweep(rig, travel, racks)
     rows, joints = balance_poses(sweep, load)

@@ -17,7 +17,14 @@ from jounce.core.text import guard_formula
 from jounce.core.types import Array
 from jounce.core.units import Mass, Unit
 from jounce.kinematics.axle import TwoWheelAxle
-from jounce.kinematics.loads import ContactLoad, Joints, balance_poses, pickup_loads, single_forces, vector_forces
+from jounce.kinematics.loads import (
+    ContactLoad,
+    Joints,
+    balance_poses,
+    pickup_loads,
+    single_forces,
+    vector_forces,
+)
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import CarLength, prepare_sweep
 from jounce.mechanics.contact import towards_road
@@ -128,11 +135,19 @@ def solved_cases(
     corner = check_corner(rig)
     chosen = LOAD_CASES if cases is None else cases
     if not chosen:
-        raise DescriptionError("no load case", where="cases", allowed="a name and its accelerations")
-    read = {name: case if isinstance(case, LoadCase) else LoadCase(**case) for name, case in chosen.items()}
+        raise DescriptionError(
+            "no load case", where="cases", allowed="a name and its accelerations"
+        )
+    read = {
+        name: case if isinstance(case, LoadCase) else LoadCase(**case)
+        for name, case in chosen.items()
+    }
     left = corner if corner.side == "left" else corner.mirrored()
     right, rack = left.mirrored(), _rack_travel(left)
-    sides = {"left": left, "right": right.with_changes({"steering.rack_travel": rack}) if rack else right}
+    sides = {
+        "left": left,
+        "right": right.with_changes({"steering.rack_travel": rack}) if rack else right,
+    }
     is_connected = left.anti_roll_bar is not None or left.third_spring is not None
     forces, notes = [], []
     for name, case in read.items():
@@ -145,10 +160,17 @@ def solved_cases(
                 _equilibrium(side, load, f"{name}, {wheel} wheel")
                 for (wheel, side), load in zip(sides.items(), loads, strict=True)
             ]
-            travels, findings = (stands[0][0], stands[1][0]), [note for _, more in stands for note in more]
+            travels, findings = (
+                (stands[0][0], stands[1][0]),
+                [note for _, more in stands for note in more],
+            )
         notes += findings
         pairs = zip(
-            sides.values(), loads, travels, from_across(left, travels) if is_connected else (None, None), strict=True
+            sides.values(),
+            loads,
+            travels,
+            from_across(left, travels) if is_connected else (None, None),
+            strict=True,
         )
         forces.append([_of_wheel(*pair) for pair in pairs])
     units = {name: unit for name, (_, unit, _) in forces[0][0].items()}
@@ -208,7 +230,11 @@ def _tips(car: LoadedAxle, case: LoadCase, name: str) -> list[Finding]:
     lifted = car.axle if axle < 0.0 else {"front": "rear", "rear": "front"}[car.axle]
     return [
         finding(
-            "kinematics.car_tips", name, min(axle, total - axle), end=f"{lifted} axle", load=min(axle, total - axle)
+            "kinematics.car_tips",
+            name,
+            min(axle, total - axle),
+            end=f"{lifted} axle",
+            load=min(axle, total - axle),
         )
     ]
 
@@ -231,9 +257,16 @@ class FromAcross:
 def from_across(left: Corner, travels: tuple[float, float]) -> list[FromAcross]:
     """Effects of anti-roll bar and third spring on each wheel of an axle."""
     axle, rack = TwoWheelAxle(left), np.full(1, _rack_travel(left))
-    wheels = [axle.wheel(side, np.full(1, travel), rack) for side, travel in zip((1.0, -1.0), travels, strict=True)]
+    wheels = [
+        axle.wheel(side, np.full(1, travel), rack)
+        for side, travel in zip((1.0, -1.0), travels, strict=True)
+    ]
     connection = axle.connection(*wheels)
-    third = None if connection.third is None else (float(connection.third[0][0]), connection.third[1][0])
+    third = (
+        None
+        if connection.third is None
+        else (float(connection.third[0][0]), connection.third[1][0])
+    )
     return [
         FromAcross(
             turn=float(connection.turns[i][0]) if connection.turns else None,
@@ -260,7 +293,11 @@ def _of_wheel(
         _put_across(joints, across)
     unknowns = joints.balance.solve()
     forces = {
-        name: (float(getattr(load, name)), "N", f"{name.replace('_', ' ')} of the road on the wheel")
+        name: (
+            float(getattr(load, name)),
+            "N",
+            f"{name.replace('_', ' ')} of the road on the wheel",
+        )
         for name in ("longitudinal_force", "lateral_force", "vertical_force")
     }
     forces["wheel_travel"] = travel, "m", "vertical travel of the wheel centre, bump positive"
@@ -284,13 +321,20 @@ def _put_across(joints: Joints, across: FromAcross) -> None:
         if tension is None:
             lever = np.cross(bar_axis(rig), end - points["arb_pivot"][0])
             tension = float((across.turn or 0.0) / (link @ lever))
-        joints.push(rig.anti_roll_bar.on, -tension * link[None, :], ("arb_link_end", "arb_arm_end", "arb_pivot"))
+        joints.push(
+            rig.anti_roll_bar.on,
+            -tension * link[None, :],
+            ("arb_link_end", "arb_arm_end", "arb_pivot"),
+        )
         text = "link of the anti-roll bar: axial force, tension positive"
         joints.given["anti_roll_bar_link.axial_force"] = np.full(1, tension), text
     if rig.third_spring is not None and across.third is not None:
         force, push = across.third
         joints.push(rig.third_spring.on, push[None, :], ("third_spring_end",))
-        joints.given["third_spring.force"] = np.full(1, force), "force of the third spring, compression positive"
+        joints.given["third_spring.force"] = (
+            np.full(1, force),
+            "force of the third spring, compression positive",
+        )
 
 
 def bar_axis(rig: Corner) -> Array:
@@ -302,7 +346,12 @@ def bar_axis(rig: Corner) -> Array:
     return np.asarray(along / np.linalg.norm(along) * (-1.0 if along[1] < 0.0 else 1.0))
 
 
-_NEWTON, _CLOSE, _FARTHEST, _STEP = 60, 1e-9, 0.1, 0.01  # iterations; N over N; m of travel; m in one step
+_NEWTON, _CLOSE, _FARTHEST, _STEP = (
+    60,
+    1e-9,
+    0.1,
+    0.01,
+)  # iterations; N over N; m of travel; m in one step
 _DIFFERENCE = 1e-6  # m: of slopes that only set the direction of steps
 
 
@@ -311,7 +360,10 @@ def _together(
 ) -> tuple[tuple[float, float], list[Finding]]:
     """Travels (m) of both wheels at which all springs carry both loads, or come nearest."""
     axle, rack = TwoWheelAxle(rig), np.full(3, _rack_travel(rig))
-    size = sum(abs(load.vertical_force) + abs(load.lateral_force) + abs(load.longitudinal_force) for load in loads)
+    size = sum(
+        abs(load.vertical_force) + abs(load.lateral_force) + abs(load.longitudinal_force)
+        for load in loads
+    )
     travel, step, share = np.zeros(2), np.zeros(2), 1.0
     best, least = travel, np.inf
     for _ in range(_NEWTON):
@@ -341,7 +393,12 @@ def _together(
         step = step * min(1.0, _STEP / max(float(np.max(np.abs(step))), _CLOSE))
         travel = np.clip(best + step, -_FARTHEST, _FARTHEST)
     return (float(best[0]), float(best[1])), [
-        finding("kinematics.springs_cannot_carry", name, least if np.isfinite(least) else None, travel=_FARTHEST)
+        finding(
+            "kinematics.springs_cannot_carry",
+            name,
+            least if np.isfinite(least) else None,
+            travel=_FARTHEST,
+        )
     ]
 
 
@@ -370,7 +427,9 @@ def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, lis
         required = pickup_loads(rig, load, travel)
         if "spring" in rig.without:  # a torsion bar carries it; along the strut only stops push
             strut = own["stop_force"] * own["motion_ratio"] / own["torsion_bar_motion_ratio"]
-            return np.asarray((own["torsion_bar_torque"] + strut)[:, 0] - required["torsion_bar.torque"])
+            return np.asarray(
+                (own["torsion_bar_torque"] + strut)[:, 0] - required["torsion_bar.torque"]
+            )
         force = (own["spring_force"] + own["stop_force"])[:, 0]
         return np.asarray(force - required["spring.force"].to_numpy())
 
@@ -382,7 +441,11 @@ def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, lis
             nearest = float(travels[np.nanargmax(np.where(excess > 0.0, -excess, excess))])
             return nearest, [
                 finding(
-                    "kinematics.spring_cannot_carry", where, load.vertical_force, travel=_TRAVELS[-1], nearest=nearest
+                    "kinematics.spring_cannot_carry",
+                    where,
+                    load.vertical_force,
+                    travel=_TRAVELS[-1],
+                    nearest=nearest,
                 )
             ]
         i = int(crossed[np.argmin(np.abs(travels[crossed]))])
@@ -415,15 +478,21 @@ def load_case_table(loads: xr.Dataset, quantities: Sequence[str] | None = None) 
     'case,wheel,longitudinal_force [N'
     """
     if not {"case", "wheel"} <= set(loads.coords):
-        raise DescriptionError("no load cases", where="found", allowed="what jn.load_cases(...) gives")
+        raise DescriptionError(
+            "no load cases", where="found", allowed="what jn.load_cases(...) gives"
+        )
     names = list(map(str, quantities or loads.data_vars))
     for name in names:
         if name not in loads.data_vars:
             raise unknown(name, map(str, loads.data_vars), what="quantity", where="quantities")
-    rows = [",".join(["case", "wheel", *(f"{name} [{loads[name].attrs['units']}]" for name in names)])]
+    rows = [
+        ",".join(["case", "wheel", *(f"{name} [{loads[name].attrs['units']}]" for name in names)])
+    ]
     for case in loads["case"].to_numpy():
         for wheel in loads["wheel"].to_numpy():
             forces: Any = loads.sel(case=case, wheel=wheel)
             label = guard_formula(str(case).replace('"', "'"))
-            rows.append(",".join([f'"{label}"', str(wheel), *(repr(float(forces[name])) for name in names)]))
+            rows.append(
+                ",".join([f'"{label}"', str(wheel), *(repr(float(forces[name])) for name in names)])
+            )
     return "\n".join([*rows, ""])

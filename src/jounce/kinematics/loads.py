@@ -52,7 +52,9 @@ class PartBalance:
 
     def along(self, inner: str, outer: str, direction: Array, at: Array) -> int:
         """Add an unknown force along a direction, shape (n, 3), at a point; return its index among the unknowns."""
-        self._columns.append(self._wrench(inner, direction, at) - self._wrench(outer, direction, at))
+        self._columns.append(
+            self._wrench(inner, direction, at) - self._wrench(outer, direction, at)
+        )
         return len(self._columns) - 1
 
     def about(self, inner: str, outer: str, direction: Array) -> int:
@@ -157,7 +159,10 @@ class Joints:
         unknown = self.balance.along(*parts, -along, self.points[inner])
         self.report(inner, [(-along, unknown)])
         self.report(outer, [(-along, unknown)])
-        self.scalars[f"{name}.axial_force"] = unknown, f"{name.replace('_', ' ')}: axial force, tension positive"
+        self.scalars[f"{name}.axial_force"] = (
+            unknown,
+            f"{name.replace('_', ' ')}: axial force, tension positive",
+        )
 
     def torsion_bar(self, torque: Array) -> None:
         """Torsion bar on its axis: it carries the load without a coil spring, else it has its law's torque (N m)."""
@@ -183,14 +188,20 @@ class Joints:
     def ends(self, element: str) -> list[str]:
         """Hardpoints of the ``"spring"`` or ``"damper"``, from the wheel to the body."""
         own = [f"{element}_{end}" for end in ("bottom", "top")]
-        return [name if name in self.points else f"strut_{name.removeprefix(element + '_')}" for name in own]
+        return [
+            name if name in self.points else f"strut_{name.removeprefix(element + '_')}"
+            for name in own
+        ]
 
     def still_damper(self, force: Array) -> None:
         """Damper with a force at rest (N), from its gas."""
         bottom, top = self.ends("damper")
         along = _unit(self.points[top] - self.points[bottom])
         self.push(self.rig.strut.on, -force[:, None] * along, (bottom, top))
-        self.given["damper.force"] = force, "force of the damper at rest, compression positive: of its law"
+        self.given["damper.force"] = (
+            force,
+            "force of the damper at rest, compression positive: of its law",
+        )
 
     def spring(self) -> None:
         """Spring between the body and the part with the strut's lower end."""
@@ -201,7 +212,10 @@ class Joints:
         unknown = self.balance.along(BODY, self.rig.strut.on, along, self.points[names[1]])
         for name in names:
             self.report(name, [(along, unknown)])
-        self.scalars["spring.force"] = unknown, "spring force that the load requires, compression positive"
+        self.scalars["spring.force"] = (
+            unknown,
+            "spring force that the load requires, compression positive",
+        )
 
     def rocker(self) -> None:
         """Rocker on its pivot, pushed by its rod; its bearing carries three forces and two torques."""
@@ -212,11 +226,16 @@ class Joints:
         for normal in _across(_unit(end - pivot)):
             self.balance.about(BODY, "rocker", normal)
         self.rod(
-            "pushrod", "pushrod_inner", "pushrod_outer", ("rocker", getattr(self.rig.strut, "pushrod_on", "upright"))
+            "pushrod",
+            "pushrod_inner",
+            "pushrod_outer",
+            ("rocker", getattr(self.rig.strut, "pushrod_on", "upright")),
         )
 
 
-def pickup_loads(rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: float | None = None) -> xr.Dataset:
+def pickup_loads(
+    rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: float | None = None
+) -> xr.Dataset:
     """Forces at all hardpoints of a corner for a load at its contact patch.
 
     Parts are rigid and massless, joints frictionless. The force of the spring follows from the load. Two pickups on one
@@ -272,18 +291,27 @@ def balance_poses(sweep: PreparedSweep, load: ContactLoad) -> tuple[dict[str, Ar
         raise no_pose(sweep.ends())
     places = sweep.points()
     names = sweep.model.point_names
-    points = {name: np.stack([places[f"{name}.{axis}"].ravel()[reached] for axis in "xyz"], axis=1) for name in names}
+    points = {
+        name: np.stack([places[f"{name}.{axis}"].ravel()[reached] for axis in "xyz"], axis=1)
+        for name in names
+    }
     rows = {name: value[reached] for name, value in rows.items()}
     return rows, _balance_corner(sweep.rig, points, load, rows)
 
 
-def _balance_corner(rig: Corner, points: dict[str, Array], load: ContactLoad, rows: dict[str, Array]) -> Joints:
+def _balance_corner(
+    rig: Corner, points: dict[str, Array], load: ContactLoad, rows: dict[str, Array]
+) -> Joints:
     """Balance the parts of a corner."""
     rig.require("strut", what="what the joints carry")
     model = str(getattr(rig, "model", ""))
     parts, build = _TEMPLATES[model]
     extra = ("rocker",) if getattr(rig.hardpoints, "rocker_pivot", None) is not None else ()
-    links = tuple(name for name in _LINKS if model == "five-link" and getattr(rig.bodies, name, None) is not None)
+    links = tuple(
+        name
+        for name in _LINKS
+        if model == "five-link" and getattr(rig.bodies, name, None) is not None
+    )
     poses = len(points["contact_point"])
     joints = Joints(rig, points, PartBalance((*parts, *extra, *links), poses))
     build(joints)
@@ -308,7 +336,9 @@ def bump_axis(rig: Corner, body: str) -> Array:
     axis = (second - first) / np.linalg.norm(second - first)
     motion = np.cross(axis, tip - first)
     if body == "rocker":
-        rod = np.array(rig.hardpoints.at("pushrod_inner")) - np.array(rig.hardpoints.at("pushrod_outer"))
+        rod = np.array(rig.hardpoints.at("pushrod_inner")) - np.array(
+            rig.hardpoints.at("pushrod_outer")
+        )
         return np.asarray(axis * np.where((rod @ motion) * rod[2] < 0.0, -1.0, 1.0))
     return np.asarray(axis * np.where(motion[2] < 0.0, -1.0, 1.0))
 
@@ -383,7 +413,13 @@ def _dataset(sweep: PreparedSweep, joints: Joints, travel: Array, unknowns: Arra
             variables[f"{name}.f{axis}"] = ("wheel_travel", force[:, k], _attributes(text, name))
     for name, value, text in single_forces(joints, unknowns):
         variables[name] = ("wheel_travel", value, _attributes(text, name))
-    at = {"wheel_travel": ("wheel_travel", travel, {"units": "m", "long_name": "vertical travel of the wheel centre"})}
+    at = {
+        "wheel_travel": (
+            "wheel_travel",
+            travel,
+            {"units": "m", "long_name": "vertical travel of the wheel centre"},
+        )
+    }
     ends = sweep.ends() if len(travel) < len(sweep.layout.place) else []
     facts = {
         "model": str(getattr(joints.rig, "model", "")),

@@ -74,9 +74,14 @@ class KinematicModel:
     @once
     def place_tangents(self) -> Native:
         """The same for ``points``, followed by camber and steer, which give the rotation of the wheel's axis."""
-        angles = [next(i for i, row in enumerate(self.rows) if row.name == name) for name in ("camber", "steer")]
+        angles = [
+            next(i for i, row in enumerate(self.rows) if row.name == name)
+            for name in ("camber", "steer")
+        ]
         return self._compile_slopes(
-            lambda *at: ca.vertcat(self.functions["points"](*at), self.functions["output"](*at)[angles])
+            lambda *at: ca.vertcat(
+                self.functions["points"](*at), self.functions["output"](*at)[angles]
+            )
         )
 
     def _compile_slopes(self, values: Callable[..., ca.SX]) -> Native:
@@ -85,8 +90,12 @@ class KinematicModel:
         change = ca.SX.sym("change", inputs.shape[0])
         opened = ca.jtimes(self.functions["closure"](q, u, p, m), inputs, change)
         displacement = self.functions["yielding"](q, u, p, m, opened)
-        slopes = ca.jtimes(values(q, u, p, m), ca.vertcat(q, inputs), ca.vertcat(displacement, change))
-        function = ca.Function("output", [ca.vertcat(q, change), u, p, m], [ca.cse(ca.densify(slopes))])
+        slopes = ca.jtimes(
+            values(q, u, p, m), ca.vertcat(q, inputs), ca.vertcat(displacement, change)
+        )
+        function = ca.Function(
+            "output", [ca.vertcat(q, change), u, p, m], [ca.cse(ca.densify(slopes))]
+        )
         return compile_functions({"output": function})
 
     @property
@@ -115,7 +124,9 @@ def check_corner(rig: Rig) -> Corner:
         return rig
     is_car = isinstance(rig, FullCar3D)
     raise DescriptionError(
-        "only one corner can be swept at a time, not a whole car" if is_car else "a lumped rig has no kinematics",
+        "only one corner can be swept at a time, not a whole car"
+        if is_car
+        else "a lumped rig has no kinematics",
         where=getattr(rig, "name", None) or "rig",
         found=f'model = "{getattr(rig, "model", type(rig).__name__)}"',
         allowed="a rig with hardpoints: double-wishbone, mcpherson, five-link, trailing-arm",
@@ -135,7 +146,9 @@ def check_rack(rig: Corner, allowed: str = "a corner with a tie rod") -> None:
     """Refuse a corner whose wheel is not moved by a rack."""
     if not has_rack(rig):
         model = f'model = "{getattr(rig, "model", "")}"'
-        raise DescriptionError("no rack moves this wheel", where="rack travel", found=model, allowed=allowed)
+        raise DescriptionError(
+            "no rack moves this wheel", where="rack travel", found=model, allowed=allowed
+        )
 
 
 def _build(rig: Corner) -> KinematicModel:
@@ -146,7 +159,9 @@ def _build(rig: Corner) -> KinematicModel:
     height = linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]")
     mechanism.condition("wheel_travel", height - tracks[0].value)
     driven = DrivenMechanism(mechanism, tracks)
-    view = CornerView(mechanism, linkage, tracks[0], rack, driven.along(1) if rack is not None else None)
+    view = CornerView(
+        mechanism, linkage, tracks[0], rack, driven.along(1) if rack is not None else None
+    )
     rows = quantities(view)
     places = _places(view)
     expressions = {
@@ -161,7 +176,9 @@ def _build(rig: Corner) -> KinematicModel:
         expressions["across"] = driven.accelerated(view.across)
     length = ca.SX.sym("length")
     if has_third_spring:
-        expressions["third_force"] = ca.vertcat(third_law(linkage, length), still_third_law(linkage, length))
+        expressions["third_force"] = ca.vertcat(
+            third_law(linkage, length), still_third_law(linkage, length)
+        )
     parameters = _occurring(mechanism, expressions)
     arguments = [
         driven.statics.q,
@@ -170,7 +187,10 @@ def _build(rig: Corner) -> KinematicModel:
         ca.SX.sym("m", 1),
     ]
     law = expressions.pop("third_force", None)
-    functions = {name: ca.Function(name, arguments, [ca.cse(ca.densify(part))]) for name, part in expressions.items()}
+    functions = {
+        name: ca.Function(name, arguments, [ca.cse(ca.densify(part))])
+        for name, part in expressions.items()
+    }
     if law is not None:
         functions["third_force"] = ca.Function("third_force", [arguments[2], length], [law])
     opened = ca.SX.sym("opened", driven.statics.constraint.shape[0])
@@ -189,18 +209,27 @@ def _build(rig: Corner) -> KinematicModel:
 
 def _occurring(mechanism: Quasistatic, expressions: dict[str, ca.SX]) -> dict[str, ca.SX]:
     """Parameters of the description that occur in the expressions, so no masses."""
-    used = {symbol.name() for symbol in ca.symvar(ca.vertcat(*(ca.vec(part) for part in expressions.values())))}
+    used = {
+        symbol.name()
+        for symbol in ca.symvar(ca.vertcat(*(ca.vec(part) for part in expressions.values())))
+    }
     return {path: symbol for path, symbol in mechanism.parameter_symbols().items() if path in used}
 
 
 def _places(view: CornerView) -> list[tuple[str, ca.SX]]:
     """Places of all hardpoints of the description and of the contact point, ground axes, m."""
     linkage = view.linkage
-    names = [name for name in type(linkage.rig.hardpoints).model_fields if getattr(linkage.rig.hardpoints, name)]
+    names = [
+        name
+        for name in type(linkage.rig.hardpoints).model_fields
+        if getattr(linkage.rig.hardpoints, name)
+    ]
     own = view.bar_points if linkage.rig.anti_roll_bar is not None else {}
     places = []
     for name in names:
         owner, place = linkage.owners.get(name), linkage.hardpoint(name)
-        places.append((name, own.get(name, place if owner is None else owner.frame.point(place).value)))
+        places.append(
+            (name, own.get(name, place if owner is None else owner.frame.point(place).value))
+        )
     mirror = ca.SX([1.0, view.side, 1.0])
     return [*places, ("contact_point", mirror * view.contact)]

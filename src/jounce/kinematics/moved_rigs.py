@@ -27,8 +27,13 @@ def rigs_along(rig: Corner, travels: Sequence[float]) -> list[Corner]:
     if sweep.sizes["wheel_travel"] < len(travels):
         raise DescriptionError("out of reach", where="wheel travel", found=sweep.attrs["stopped"])
     names = rig.hardpoints.given()
+
+    def place(name: str, i: int) -> tuple[float, float, float]:
+        x, y, z = (float(sweep[f"{name}.{axis}"][i]) for axis in "xyz")
+        return x, y, z
+
     return [
-        rig_with_hardpoints(rig, {name: tuple(float(sweep[f"{name}.{axis}"][i]) for axis in "xyz") for name in names})  # type: ignore[misc]
+        rig_with_hardpoints(rig, {name: place(name, i) for name in names})
         for i in range(len(travels))
     ]
 
@@ -63,7 +68,9 @@ def rig_with_hardpoints(rig: C, places: Mapping[str, Triple], upright: Motion | 
     table["wheel"] |= {"camber": camber, "toe": toe}
     if rig.has_strut:
         _keep_spring(table["strut"], _length(before, "spring"), _length(after, "spring"))
-        _keep_damper(table["strut"].get("damper", {}), _length(before, "damper"), _length(after, "damper"))
+        _keep_damper(
+            table["strut"].get("damper", {}), _length(before, "damper"), _length(after, "damper")
+        )
     if rig.third_spring is not None:
         lengths = [2.0 * abs(points["third_spring_end"][1]) for points in (before, after)]
         _keep_spring(table["third_spring"], *lengths)
@@ -79,7 +86,8 @@ def spin_axis(rig: Corner) -> Array:
     """Axis of the wheel at design, pointing outboard, shape (3,)."""
     camber, toe = rig.wheel.camber, rig.wheel.toe
     return np.array(
-        [np.sin(toe) * np.cos(camber), rig.sign * np.cos(toe) * np.cos(camber), -np.sin(camber)], dtype=float
+        [np.sin(toe) * np.cos(camber), rig.sign * np.cos(toe) * np.cos(camber), -np.sin(camber)],
+        dtype=float,
     )
 
 
@@ -116,15 +124,25 @@ def _body_motion(
     rig: Corner, body: str, before: Mapping[str, Triple], after: Mapping[str, Triple]
 ) -> tuple[Array, Array]:
     names = [name for name in BODY_POINTS.get(body, rig.hardpoints.outer) if name in before]
-    if body in ("upright", "wheel", "strut"):  # the sliding part of a McPherson turns with the upright
-        names = [name for name in (*rig.hardpoints.outer, "arm_inner", "arm_outer") if name in before]
-    turn, shift = rigid_motion(np.array([before[n] for n in names]), np.array([after[n] for n in names]))
+    if body in (
+        "upright",
+        "wheel",
+        "strut",
+    ):  # the sliding part of a McPherson turns with the upright
+        names = [
+            name for name in (*rig.hardpoints.outer, "arm_inner", "arm_outer") if name in before
+        ]
+    turn, shift = rigid_motion(
+        np.array([before[n] for n in names]), np.array([after[n] for n in names])
+    )
     if body == "strut":  # and hangs on the car's body
         shift = np.array(after["strut_top"]) - turn @ np.array(before["strut_top"])
     return turn, shift
 
 
-def _turn_about_axis(rig: Corner, body: str, before: Mapping[str, Triple], after: Mapping[str, Triple]) -> float:
+def _turn_about_axis(
+    rig: Corner, body: str, before: Mapping[str, Triple], after: Mapping[str, Triple]
+) -> float:
     """Turn (rad) of an arm, or the rocker, about its axis, positive in bump."""
     levers = []
     for points in (before, after):
@@ -135,7 +153,9 @@ def _turn_about_axis(rig: Corner, body: str, before: Mapping[str, Triple], after
 
 
 def _length(points: Mapping[str, Triple], element: str) -> float:
-    bottom, top = (points.get(f"{element}_{end}", points[f"strut_{end}"]) for end in ("bottom", "top"))
+    bottom, top = (
+        points.get(f"{element}_{end}", points[f"strut_{end}"]) for end in ("bottom", "top")
+    )
     return distance(bottom, top)
 
 

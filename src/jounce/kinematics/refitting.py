@@ -42,12 +42,16 @@ class Changes:
 def refit(rig: C, changes: Changes) -> C:
     """Return the rig reassembled with some changes; an ``AssemblyError`` if they do not fit together."""
     given = rig.hardpoints.given()
-    shimmed = dict(given) | {name: triple(np.array(given[name]) + shift) for name, shift in changes.shims.items()}
+    shimmed = dict(given) | {
+        name: triple(np.array(given[name]) + shift) for name, shift in changes.shims.items()
+    }
     places: dict[str, Triple] = {**shimmed, **changes.inner}
     if rods(rig):
         places |= _upright_places(rig, places, changes.lengths)
         outer = _outer(rig)
-        turn, shift = rigid_motion(*(np.array([points[name] for name in outer]) for points in (shimmed, places)))
+        turn, shift = rigid_motion(
+            *(np.array([points[name] for name in outer]) for points in (shimmed, places))
+        )
         carried = points_on(rig, "upright")
     else:
         turn, shift = _arm_motion(given, places)
@@ -84,12 +88,19 @@ def points_on(rig: Corner, body: str) -> list[str]:
     names = []
     if rig.strut.on == body:
         names += ["strut_bottom", "spring_bottom", "damper_bottom"]
-    for name, element in (("arb_link_end", rig.anti_roll_bar), ("third_spring_end", rig.third_spring)):
+    for name, element in (
+        ("arb_link_end", rig.anti_roll_bar),
+        ("third_spring_end", rig.third_spring),
+    ):
         if element is not None and element.on == body:
             names.append(name)
     if has_rocker(rig) and getattr(rig.strut, "pushrod_on", "upright") == body:
         names.append("pushrod_outer")
-    return [name for name in names if getattr(rig.hardpoints, name) is not None and name not in rig.hardpoints.outer]
+    return [
+        name
+        for name in names
+        if getattr(rig.hardpoints, name) is not None and name not in rig.hardpoints.outer
+    ]
 
 
 def triple(place: Array) -> Triple:
@@ -132,7 +143,9 @@ def _upright_on_rods(kind: type[Hardpoints]) -> tuple[Model, ca.Function, dict[s
     return model, ca.Function("places", [model.x, model.p], [ca.horzcat(*places)]), mechanism.values
 
 
-def _upright_places(rig: Corner, places: Mapping[str, Triple], lengths: Mapping[str, float]) -> dict[str, Triple]:
+def _upright_places(
+    rig: Corner, places: Mapping[str, Triple], lengths: Mapping[str, float]
+) -> dict[str, Triple]:
     """Places of the upright's points where all rods fit and the wheel centre keeps its height."""
     model, function, known = _upright_on_rods(type(rig.hardpoints))
     values = {**known, "height": places["wheel_centre"][2]}
@@ -143,8 +156,12 @@ def _upright_places(rig: Corner, places: Mapping[str, Triple], lengths: Mapping[
     if isinstance(rig.hardpoints, McPhersonHardpoints):
         vectors["strut_top"] = places["strut_top"]
         line = np.subtract(rig.hardpoints.strut_top, rig.hardpoints.strut_bottom)
-        vectors |= {f"across_{k}": triple(row) for k, row in enumerate(np.linalg.svd(line[None, :])[2][1:])}
-    values |= {f"{name}[{i}]": value for name, vector in vectors.items() for i, value in enumerate(vector)}
+        vectors |= {
+            f"across_{k}": triple(row) for k, row in enumerate(np.linalg.svd(line[None, :])[2][1:])
+        }
+    values |= {
+        f"{name}[{i}]": value for name, vector in vectors.items() for i, value in enumerate(vector)
+    }
     p = np.array([values[path] for path in model.parameters])
     try:
         pose = assemble(model, p, np.zeros(model.u.shape[0]))
@@ -170,7 +187,9 @@ def _arm_motion(before: Mapping[str, Triple], after: Mapping[str, Triple]) -> tu
     height = before["wheel_centre"][2] - middle[2] - along[2]
     angle = _least_angle(float((away - along)[2]), float(np.cross(axis, away)[2]), float(height))
     if angle is None:
-        raise AssemblyError("the arm does not reach the height of its wheel centre", where="hardpoints.arm_inner")
+        raise AssemblyError(
+            "the arm does not reach the height of its wheel centre", where="hardpoints.arm_inner"
+        )
     about = np.array([_turn(direction, axis, angle) for direction in np.eye(3)]).T
     return about @ turn, middle + about @ (shift - middle)
 
@@ -179,13 +198,19 @@ def _arm_motion(before: Mapping[str, Triple], after: Mapping[str, Triple]) -> tu
 
 
 def _carry_points(
-    rig: Corner, body: str, names: tuple[str, ...], before: Mapping[str, Triple], after: Mapping[str, Triple]
+    rig: Corner,
+    body: str,
+    names: tuple[str, ...],
+    before: Mapping[str, Triple],
+    after: Mapping[str, Triple],
 ) -> dict[str, Triple]:
     """Points on an arm or a link: they turn with it and keep their distance from its outer end."""
     own = points_on(rig, body)
     if not own:
         return {}
-    turn, _ = rigid_motion(*(np.array([points[name] for name in names]) for points in (before, after)))
+    turn, _ = rigid_motion(
+        *(np.array([points[name] for name in names]) for points in (before, after))
+    )
     old, new = (np.array(points[names[-1]]) for points in (before, after))
     return {name: triple(new + turn @ (np.array(before[name]) - old)) for name in own}
 
@@ -194,20 +219,31 @@ def _rocker_places(
     rig: Corner, before: Mapping[str, Triple], after: Mapping[str, Triple], longer: float
 ) -> dict[str, Triple]:
     """Places of the rocker's points where the push rod fits."""
-    pivot, end, inner = (np.array(before[name]) for name in ("rocker_pivot", "rocker_axis", "pushrod_inner"))
+    pivot, end, inner = (
+        np.array(before[name]) for name in ("rocker_pivot", "rocker_axis", "pushrod_inner")
+    )
     length = distance(before["pushrod_outer"], before["pushrod_inner"]) + longer
     turn = _turn_to(inner - pivot, end - pivot, np.array(after["pushrod_outer"]) - pivot, length)
     if turn is None:
         change = f"{1e3 * longer:.4g} mm"
-        raise AssemblyError("rocker and push rod cannot be assembled", where="pushrod_length", found=change)
+        raise AssemblyError(
+            "rocker and push rod cannot be assembled", where="pushrod_length", found=change
+        )
     names = ("pushrod_inner", *points_on(rig, "rocker"))
-    return {name: triple(pivot + _turn(np.array(before[name]) - pivot, end - pivot, turn)) for name in names}
+    return {
+        name: triple(pivot + _turn(np.array(before[name]) - pivot, end - pivot, turn))
+        for name in names
+    }
 
 
-def _bar_places(rig: Corner, before: Mapping[str, Triple], after: Mapping[str, Triple]) -> dict[str, Triple]:
+def _bar_places(
+    rig: Corner, before: Mapping[str, Triple], after: Mapping[str, Triple]
+) -> dict[str, Triple]:
     """Places of the anti-roll bar's arm (and a T-bar's stem) where its link keeps its length."""
     bar = rig.anti_roll_bar
-    pivot, arm_end, link_end = (np.array(before[f"arb_{name}"]) for name in ("pivot", "arm_end", "link_end"))
+    pivot, arm_end, link_end = (
+        np.array(before[f"arb_{name}"]) for name in ("pivot", "arm_end", "link_end")
+    )
     stem = bar is not None and bar.kind == "t"
     axis = np.array([0.0, 1.0, 0.0])
     if "arb_axis" in before and not stem:
@@ -215,9 +251,13 @@ def _bar_places(rig: Corner, before: Mapping[str, Triple], after: Mapping[str, T
     length = float(np.linalg.norm(link_end - arm_end))
     turn = _turn_to(arm_end - pivot, axis, np.array(after["arb_link_end"]) - pivot, length)
     if turn is None:
-        raise AssemblyError("the link of the anti-roll bar does not reach its arm", where="hardpoints.arb_arm_end")
+        raise AssemblyError(
+            "the link of the anti-roll bar does not reach its arm", where="hardpoints.arb_arm_end"
+        )
     names = ("arb_arm_end", *(("arb_axis",) if stem else ()))
-    return {name: triple(pivot + _turn(np.array(before[name]) - pivot, axis, turn)) for name in names}
+    return {
+        name: triple(pivot + _turn(np.array(before[name]) - pivot, axis, turn)) for name in names
+    }
 
 
 def _turn_to(arm: Array, axis: Array, end: Array, length: float) -> float | None:

@@ -19,7 +19,10 @@ from jounce.parts.options import AnyRig
 _LOAD = 'lateral_force="2 kN"'
 BothLoads: TypeAlias = Annotated[
     tuple[ContactLoad, ContactLoad],
-    MadeBy("jounce.kinematics.steering_loads:both_loads", "jounce.kinematics.steering_loads:loads_in_python"),
+    MadeBy(
+        "jounce.kinematics.steering_loads:both_loads",
+        "jounce.kinematics.steering_loads:loads_in_python",
+    ),
 ]
 """Loads of the road on the left and the right wheel."""
 
@@ -35,23 +38,31 @@ def both_loads(
         ),
     ] = None,
     left: Annotated[
-        dict[str, str] | None, Pairs("What differs on the left wheel, as --load.", "NAME=VALUE", _LOAD)
+        dict[str, str] | None,
+        Pairs("What differs on the left wheel, as --load.", "NAME=VALUE", _LOAD),
     ] = None,
     right: Annotated[
-        dict[str, str] | None, Pairs("What differs on the right wheel, as --load.", "NAME=VALUE", _LOAD)
+        dict[str, str] | None,
+        Pairs("What differs on the right wheel, as --load.", "NAME=VALUE", _LOAD),
     ] = None,
 ) -> tuple[ContactLoad, ContactLoad]:
     """Build the loads on both wheels."""
     shared = load or {}
-    return _load({**shared, **(left or {})}, "--left"), _load({**shared, **(right or {})}, "--right")
+    return _load({**shared, **(left or {})}, "--left"), _load(
+        {**shared, **(right or {})}, "--right"
+    )
 
 
 def _load(given: dict[str, str], option: str) -> ContactLoad:
     if not given:
         raise DescriptionError(
-            "no load from the road", where=option, allowed=Phrase("--load {load}, or --left and --right", load=_LOAD)
+            "no load from the road",
+            where=option,
+            allowed=Phrase("--load {load}, or --left and --right", load=_LOAD),
         )
-    return ContactLoad.from_table(bare_numbers(ContactLoad, given, f"{option} {{}}".format), where=option)
+    return ContactLoad.from_table(
+        bare_numbers(ContactLoad, given, f"{option} {{}}".format), where=option
+    )
 
 
 def loads_in_python(**options: Any) -> str:
@@ -83,7 +94,9 @@ def sweep_steering_effort(
     rig: AnyRig,
     loads: BothLoads,
     rack: Annotated[Values, RACK] = 0.0,
-    travel: Annotated[float | str, Number("Travel of both wheels, bump positive.", "TRAVEL", "m")] = 0.0,
+    travel: Annotated[
+        float | str, Number("Travel of both wheels, bump positive.", "TRAVEL", "m")
+    ] = 0.0,
 ) -> Swept:
     """Give the force on the rack and the torque at the handwheel that loads of the road on both wheels ask for.
 

@@ -58,7 +58,9 @@ def text_range(text: str, unit: str, where: str) -> Array:
     """Read ``"first:last:step"``, or one value, into SI; the last value is included if the steps meet it."""
     parts = [part.strip() for part in text.split(":")]
     if len(parts) not in (1, 3) or not all(parts):
-        raise DescriptionError("not a range", where=where, found=text, allowed='"first:last:step", or one value')
+        raise DescriptionError(
+            "not a range", where=where, found=text, allowed='"first:last:step", or one value'
+        )
     numbers = [_quantity(part, unit, where) for part in parts]
     if len(numbers) == 1:
         refuse_metres(np.array(numbers), where, unit, text)
@@ -66,7 +68,9 @@ def text_range(text: str, unit: str, where: str) -> Array:
     first, last, step = numbers
     if step == 0.0 or last == first:
         wrong = "not a step" if step == 0.0 else "the range is empty"
-        raise DescriptionError(wrong, where=where, found=text, allowed="first:last:step, or one value")
+        raise DescriptionError(
+            wrong, where=where, found=text, allowed="first:last:step, or one value"
+        )
     if (last - first) * step < 0.0:
         raise DescriptionError(
             "the step leads away from the last value",
@@ -114,9 +118,13 @@ def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
         return text_range(values, unit, name)
     checked = as_values(values, unit, where=name)
     if not checked.size:
-        raise DescriptionError("not a list of values", where=name, found="nothing", allowed="one value or more")
+        raise DescriptionError(
+            "not a list of values", where=name, found="nothing", allowed="one value or more"
+        )
     if not np.all(np.isfinite(checked)):
-        raise DescriptionError("not a finite number", where=name, found=checked[~np.isfinite(checked)][0])
+        raise DescriptionError(
+            "not a finite number", where=name, found=checked[~np.isfinite(checked)][0]
+        )
     refuse_metres(checked, name, unit)
     steps = np.diff(checked)
     turns = np.flatnonzero((steps == 0.0) | (steps * steps[:1] < 0.0))
@@ -158,13 +166,20 @@ def grid(travel: Array, rack: Array) -> Grid:
         before += [c if parent == 0 else first + parent for parent in parents[1:]]
     pairs = np.array(np.meshgrid(travel, rack, indexing="ij")).reshape(2, -1).T
     order = np.array(place, dtype=np.intp)
-    return Grid((len(travel), len(rack)), order, np.ascontiguousarray(pairs[order]), np.array(before, dtype=np.int64))
+    return Grid(
+        (len(travel), len(rack)),
+        order,
+        np.ascontiguousarray(pairs[order]),
+        np.array(before, dtype=np.int64),
+    )
 
 
 def path_grid(travel: Array, rack: Array, *, chained: bool = True) -> Grid:
     """Plan a walk along pairs of travel and rack, each from the previous one, or all from the design pose."""
     count = len(travel)
-    before = np.arange(-1, count - 1, dtype=np.int64) if chained else np.full(count, -1, dtype=np.int64)
+    before = (
+        np.arange(-1, count - 1, dtype=np.int64) if chained else np.full(count, -1, dtype=np.int64)
+    )
     pairs = np.ascontiguousarray(np.stack([travel, rack], axis=1))
     return Grid((count, 1), np.arange(count, dtype=np.intp), pairs, before)
 
@@ -261,22 +276,35 @@ def shares(vehicle: AxleLayout, contact: Array, centre: Array) -> dict[str, Arra
     return dict(zip(vehicle.effects, values, strict=False))
 
 
-def moves_per_g(vehicle: AxleLayout, rows: Mapping[str, Array], taken: Mapping[str, Array]) -> dict[str, Array]:
+def moves_per_g(
+    vehicle: AxleLayout, rows: Mapping[str, Array], taken: Mapping[str, Array]
+) -> dict[str, Array]:
     """Displacement of the body (m) above this axle at 1 g of braking, and of driving, by springs and tyres."""
     if vehicle.mass is None or "wheel_rate_contact" not in rows:
         return {}
-    transfer = 0.5 * vehicle.mass * GRAVITY * vehicle.centre_of_mass_height / vehicle.wheelbase  # N, of a wheel
+    transfer = (
+        0.5 * vehicle.mass * GRAVITY * vehicle.centre_of_mass_height / vehicle.wheelbase
+    )  # N, of a wheel
     rate = rows["wheel_rate_contact"]
-    if "heave_rate" in rows:  # springs that act when both wheels move alike are known at the wheel centre
-        force, at_centre = (rows[f"heave_{name}"] - rows[f"wheel_{name}"] for name in ("force", "rate"))
-        rise = rows["motion_ratio"] / rows["motion_ratio_contact"]  # of the patch for one of the wheel centre
+    if (
+        "heave_rate" in rows
+    ):  # springs that act when both wheels move alike are known at the wheel centre
+        force, at_centre = (
+            rows[f"heave_{name}"] - rows[f"wheel_{name}"] for name in ("force", "rate")
+        )
+        rise = (
+            rows["motion_ratio"] / rows["motion_ratio_contact"]
+        )  # of the patch for one of the wheel centre
         growth = rows["motion_ratio_gradient"] - rise**2 * rows["motion_ratio_contact_gradient"]
         rate = rate + (at_centre - force * growth / rows["motion_ratio"]) / rise**2
     tyre = transfer / rows["tyre_stiffness"] if "tyre_stiffness" in rows else 0.0
     shares_of: list[Array | float] = [taken[name] for name in vehicle.effects]
     shares_of += [0.0] * (2 - len(shares_of))
     names = _PER_G[vehicle.axle]
-    return {name: transfer * (1.0 - share) / rate + tyre for name, share in zip(names, shares_of, strict=True)}
+    return {
+        name: transfer * (1.0 - share) / rate + tyre
+        for name, share in zip(names, shares_of, strict=True)
+    }
 
 
 # ends of travel -------------------------------------------------------------------------------------------------------
@@ -304,7 +332,9 @@ class End:
             at += f", rack travel {1e3 * self.rack:.4g} mm"
             wanted += f", {1e3 * self.wanted_rack:.4g} mm"
         held = (
-            f"; {' and '.join(self.joints)} {'are' if len(self.joints) > 1 else 'is'} stretched" if self.joints else ""
+            f"; {' and '.join(self.joints)} {'are' if len(self.joints) > 1 else 'is'} stretched"
+            if self.joints
+            else ""
         )
         return f"the mechanism reaches the end of its travel {at}, on the way to {wanted}{held}"
 
@@ -318,7 +348,9 @@ def ends_text(ends: Sequence[End]) -> str:
 def no_pose(ends: Sequence[End]) -> SimulationError:
     """Build the error for a sweep without any pose."""
     why = f": {ends[0]}" if ends else ""
-    return SimulationError(Phrase("no pose of the sweep can be reached{why}", why=why), hint="Sweep a smaller range.")
+    return SimulationError(
+        Phrase("no pose of the sweep can be reached{why}", why=why), hint="Sweep a smaller range."
+    )
 
 
 def ends_of_travel(model: KinematicModel, walk: Walk, layout: Grid, poses: Found) -> list[End]:
@@ -329,13 +361,19 @@ def ends_of_travel(model: KinematicModel, walk: Walk, layout: Grid, poses: Found
         start = layout.targets[j] if j >= 0 else np.zeros(2)
         last = start + poses.share[i] * (layout.targets[i] - start)
         first = len(ends) < _MOST_ENDS
-        joints = _holding(model, walk, poses, int(i), start + _JUST_BEFORE * (last - start)) if first else ()
+        joints = (
+            _holding(model, walk, poses, int(i), start + _JUST_BEFORE * (last - start))
+            if first
+            else ()
+        )
         wanted = layout.targets[i]
         ends.append(End(float(last[0]), float(last[1]), float(wanted[0]), float(wanted[1]), joints))
     return ends
 
 
-def _holding(model: KinematicModel, walk: Walk, poses: Found, i: int, last: Array) -> tuple[str, ...]:
+def _holding(
+    model: KinematicModel, walk: Walk, poses: Found, i: int, last: Array
+) -> tuple[str, ...]:
     """Joints with the largest forces just before the end of travel."""
     j = int(walk.before[i])
     tracks = walk.targets.shape[1]
@@ -384,7 +422,9 @@ def toggle_findings(sweep: PreparedSweep) -> list[Finding]:
         return []
     size, names = len(sweep.walk.start), [row.name for row in sweep.model.rows]
     speeds = {
-        ("kinematics.parts_toggle", _TRACKS[t]): np.max(np.abs(poses.slopes[t * size : (t + 1) * size]), axis=0)
+        ("kinematics.parts_toggle", _TRACKS[t]): np.max(
+            np.abs(poses.slopes[t * size : (t + 1) * size]), axis=0
+        )
         for t in range(tracks)
     }
     if "motion_ratio" in names:
@@ -397,7 +437,9 @@ def toggle_findings(sweep: PreparedSweep) -> list[Finding]:
             if near.any():
                 i = int(np.flatnonzero(near)[np.argmin(distance[near])])
                 travel, rack = sweep.layout.targets[i]
-                at = f"wheel travel {1e3 * travel:.4g} mm" + (f", rack travel {1e3 * rack:.4g} mm" if rack else "")
+                at = f"wheel travel {1e3 * travel:.4g} mm" + (
+                    f", rack travel {1e3 * rack:.4g} mm" if rack else ""
+                )
                 share = float(speed[i] / speed[0])
                 findings.append(finding(code, at, share, ratio=share, track=track))
     return findings
@@ -459,7 +501,9 @@ def prepare_sweep(rig: Rig, travel: Values, rack: Values | None = None) -> Prepa
     (3, 1)
     """
     corner = check_corner(rig)
-    layout = grid(sweep_values(travel, "wheel travel"), sweep_values(_rack_of(corner, rack), "rack travel"))
+    layout = grid(
+        sweep_values(travel, "wheel travel"), sweep_values(_rack_of(corner, rack), "rack travel")
+    )
     return _prepare(corner, layout)
 
 
@@ -549,7 +593,12 @@ def sweep_travel(
 
 
 def sweep_rack(
-    rig: Rig, rack: Values, travel: float | str = 0.0, *, vehicle: AxleLayout | None = None, points: bool = False
+    rig: Rig,
+    rack: Values,
+    travel: float | str = 0.0,
+    *,
+    vehicle: AxleLayout | None = None,
+    points: bool = False,
 ) -> xr.Dataset:
     """Sweep the steering rack of a corner with the wheel centre at one height.
 
@@ -586,7 +635,13 @@ def sweep_rack(
     True
     """
     check_rack(check_corner(rig))
-    return _swept(prepare_sweep(rig, to_si(travel, "m", where="wheel travel"), rack), True, False, vehicle, points)
+    return _swept(
+        prepare_sweep(rig, to_si(travel, "m", where="wheel travel"), rack),
+        True,
+        False,
+        vehicle,
+        points,
+    )
 
 
 def sweep_path(
@@ -634,7 +689,10 @@ def sweep_path(
     import xarray as xr
 
     corner = check_corner(rig)
-    pair = [path_values(values, name) for values, name in ((travel, "wheel travel"), (rack, "rack travel"))]
+    pair = [
+        path_values(values, name)
+        for values, name in ((travel, "wheel travel"), (rack, "rack travel"))
+    ]
     if np.any(pair[1] != 0.0):
         check_rack(corner, "0, or a corner with a tie rod")
     if len({len(values) for values in pair if len(values) > 1}) > 1:
@@ -656,13 +714,22 @@ def sweep_path(
     }
     axes: list[_Axis] = [("pose", "pose", np.arange(len(both[0]), dtype=float).tobytes(), ())]
     for name, values in zip(("wheel_travel", "rack_travel"), both, strict=True):
-        axes.append((name, "pose", values.tobytes(), (("units", "m"), ("long_name", name.replace("_", " ")))))
+        axes.append(
+            (
+                name,
+                "pose",
+                values.tobytes(),
+                (("units", "m"), ("long_name", name.replace("_", " "))),
+            )
+        )
     facts = facts_of(corner, corner.side, variables_by_name.values["wheel_travel"], ends)
     facts["findings"] = "; ".join(map(str, toggle_findings(sweep)))
     return dataset(variables, _axes(*axes), facts)
 
 
-def path_sweep(corner: Corner, travel: Array, rack: Array, numbers: Array | None = None) -> tuple[PreparedSweep, Array]:
+def path_sweep(
+    corner: Corner, travel: Array, rack: Array, numbers: Array | None = None
+) -> tuple[PreparedSweep, Array]:
     """Run a sweep along pairs (m); return it with its quantities, shape (rows, n, 1); ``numbers`` as in the model."""
     for chained in (True, False):  # pairs after one out of reach are reached from design
         sweep = _prepare(corner, path_grid(travel, rack, chained=chained))
@@ -693,16 +760,26 @@ def path_values(values: Values, name: str, unit: str = "m") -> Array:
 
 
 def _add_further(
-    variables: SweepVariables, sweep: PreparedSweep, vehicle: AxleLayout | None, *, points: bool, keep: Any
+    variables: SweepVariables,
+    sweep: PreparedSweep,
+    vehicle: AxleLayout | None,
+    *,
+    points: bool,
+    keep: Any,
 ) -> None:
     """Add optional variables: shares of load transfer, coordinates of points."""
     if vehicle is not None:
-        slopes = (variables.values["contact_patch_recession"], variables.values["wheel_centre_recession"])
+        slopes = (
+            variables.values["contact_patch_recession"],
+            variables.values["wheel_centre_recession"],
+        )
         taken = shares(vehicle, *slopes)
         for name, share in taken.items():
             variables.add(name, share, "1", _ANTI_EFFECTS[vehicle.axle, name], _ANTI_SIGN)
         for (name, move), when in zip(
-            moves_per_g(vehicle, variables.values, taken).items(), ("braking", "driving"), strict=False
+            moves_per_g(vehicle, variables.values, taken).items(),
+            ("braking", "driving"),
+            strict=False,
         ):
             direction = _MOVES[name.partition("_")[0]]
             text = f"{direction} of the body above this axle at 1 g of {when}, springs and tyres together"
@@ -713,7 +790,11 @@ def _add_further(
 
 
 def _swept(
-    sweep: PreparedSweep, along_rack: bool, along_travel: bool, vehicle: AxleLayout | None, points: bool
+    sweep: PreparedSweep,
+    along_rack: bool,
+    along_travel: bool,
+    vehicle: AxleLayout | None,
+    points: bool,
 ) -> xr.Dataset:
     """Run a sweep and put its quantities on their grid; a fixed dimension becomes a scalar coordinate."""
     import xarray as xr
@@ -760,7 +841,9 @@ def _axes(*coordinates: _Axis) -> xr.Dataset:
     for name, along, content, attributes in coordinates:
         values = np.frombuffer(content).copy()
         values = values.astype(int) if name == "pose" else values
-        coordinates_of[name] = xr.Variable(along or (), values if along else values[0], dict(attributes))
+        coordinates_of[name] = xr.Variable(
+            along or (), values if along else values[0], dict(attributes)
+        )
     return xr.Dataset(coords=coordinates_of)
 
 
@@ -771,7 +854,9 @@ class SweepVariables:
         self.values: dict[str, Array] = {}
         self.attributes: dict[str, dict[str, str]] = {}
 
-    def add(self, name: str, value: Array, unit: str, long_name: str, sign: str, clause: str = "") -> None:
+    def add(
+        self, name: str, value: Array, unit: str, long_name: str, sign: str, clause: str = ""
+    ) -> None:
         """Add a variable; ``sign`` is the meaning of a positive value."""
         self.values[name] = value
         self.attributes[name] = {"units": unit, "long_name": long_name, "sign": sign}
@@ -828,8 +913,14 @@ def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> 
 
 
 def _write_netcdf(sweep: xr.Dataset, file: Path) -> None:
-    listed = {str(key): value for key, value in sweep.attrs.items() if isinstance(value, (list, tuple))}
-    numbers = {key: np.array(value) for key, value in listed.items() if all(isinstance(x, float) for x in value)}
+    listed = {
+        str(key): value for key, value in sweep.attrs.items() if isinstance(value, (list, tuple))
+    }
+    numbers = {
+        key: np.array(value)
+        for key, value in listed.items()
+        if all(isinstance(x, float) for x in value)
+    }
     file.write_bytes(netcdf_of(sweep.assign_attrs(numbers)))
 
 
@@ -839,7 +930,10 @@ def _write_csv(sweep: xr.Dataset, file: Path) -> None:
     sizes = {str(name): size for name, size in sweep.sizes.items()}
     columns = [_on_grid(sweep[name].variable, sizes) for name in names]
     header = ",".join(f"{name} [{sweep[name].attrs.get('units', '1')}]" for name in names)
-    rows = (",".join(repr(value) if np.isfinite(value) else "" for value in row) for row in zip(*columns, strict=True))
+    rows = (
+        ",".join(repr(value) if np.isfinite(value) else "" for value in row)
+        for row in zip(*columns, strict=True)
+    )
     file.write_bytes(("\n".join([header, *rows]) + "\n").encode())
 
 

@@ -17,7 +17,14 @@ from jounce.core.serialise import Plain
 from jounce.kinematics.axle import sweep_roll, sweep_steering
 from jounce.kinematics.both_wheels import sweep_axle
 from jounce.kinematics.options import RACK, TRAVEL
-from jounce.kinematics.sweeps import AxleLayout, Values, sweep_path, sweep_rack, sweep_travel, sweep_values
+from jounce.kinematics.sweeps import (
+    AxleLayout,
+    Values,
+    sweep_path,
+    sweep_rack,
+    sweep_travel,
+    sweep_values,
+)
 from jounce.parts import Rig, as_rig
 from jounce.parts.options import AnyRig
 
@@ -72,7 +79,10 @@ def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
         values = variable.to_numpy()
         if name in sweep.coords and name not in sweep.dims:
             values = np.broadcast_to(values, shape)
-        quantities[name] = {"units": str(variable.attrs.get("units", "1")), "values": values.tolist()}
+        quantities[name] = {
+            "units": str(variable.attrs.get("units", "1")),
+            "values": values.tolist(),
+        }
     return quantities
 
 
@@ -92,27 +102,46 @@ def sweep_kinematics(  # noqa: PLR0913 - each is a coordinate of its own
     travel: Annotated[Values | None, TRAVEL] = None,
     rack: Annotated[Values | None, RACK] = None,
     roll: Annotated[
-        Values | None, Mark('Instead of --travel: body roll over an axle, "-4 deg:4 deg:1 deg".', "RANGE")
+        Values | None,
+        Mark('Instead of --travel: body roll over an axle, "-4 deg:4 deg:1 deg".', "RANGE"),
     ] = None,
     *,
-    axle: Annotated[bool, Switch("With --rack only: both wheels of an axle, and Ackermann percentage.")] = False,
+    axle: Annotated[
+        bool, Switch("With --rack only: both wheels of an axle, and Ackermann percentage.")
+    ] = False,
     right: Annotated[
         Rig | str | Path | None,
-        File("The right corner of an axle that is no mirror image of the left one.", "RIG", shipped=("parts",)),
+        File(
+            "The right corner of an axle that is no mirror image of the left one.",
+            "RIG",
+            shipped=("parts",),
+        ),
     ] = None,
     left_travel: Annotated[
         Values | None,
-        Mark("Travel of the left wheel of an axle, pose by pose; --right-travel likewise.", "RANGE"),
+        Mark(
+            "Travel of the left wheel of an axle, pose by pose; --right-travel likewise.", "RANGE"
+        ),
     ] = None,
-    right_travel: Annotated[Values | None, Mark("Travel of the right wheel, pose by pose.", "RANGE")] = None,
+    right_travel: Annotated[
+        Values | None, Mark("Travel of the right wheel, pose by pose.", "RANGE")
+    ] = None,
     heave: Annotated[
         Values | None,
-        Mark("Rise of the body above the road, pose by pose, together with --roll and --pitch.", "RANGE"),
+        Mark(
+            "Rise of the body above the road, pose by pose, together with --roll and --pitch.",
+            "RANGE",
+        ),
     ] = None,
-    pitch: Annotated[Values | None, Mark("Pitch of the body, nose down positive, pose by pose.", "RANGE")] = None,
+    pitch: Annotated[
+        Values | None, Mark("Pitch of the body, nose down positive, pose by pose.", "RANGE")
+    ] = None,
     handwheel: Annotated[
         Values | None,
-        Mark('Angle of the handwheel, to the left positive, in place of --rack: "-90 deg:90 deg:15 deg".', "RANGE"),
+        Mark(
+            'Angle of the handwheel, to the left positive, in place of --rack: "-90 deg:90 deg:15 deg".',
+            "RANGE",
+        ),
     ] = None,
     poses: Annotated[
         Path | str | None,
@@ -132,7 +161,9 @@ def sweep_kinematics(  # noqa: PLR0913 - each is a coordinate of its own
             "jounce.kinematics.sweeps:AxleLayout",
         ),
     ] = None,
-    points: Annotated[bool, Switch("With --travel or --rack: include the positions of all hardpoints.")] = False,
+    points: Annotated[
+        bool, Switch("With --travel or --rack: include the positions of all hardpoints.")
+    ] = False,
 ) -> Swept:
     """Sweep a suspension and list its kinematic quantities: camber, toe, roll centre, wheel rate and more.
 
@@ -183,7 +214,12 @@ def sweep_kinematics(  # noqa: PLR0913 - each is a coordinate of its own
     """
     rig = as_rig(rig)
     other = None if right is None else as_rig(right)
-    of_axle = {"left_travel": left_travel, "right_travel": right_travel, "heave": heave, "pitch": pitch}
+    of_axle = {
+        "left_travel": left_travel,
+        "right_travel": right_travel,
+        "heave": heave,
+        "pitch": pitch,
+    }
     of_axle |= {"handwheel": handwheel}
     given = {name: values for name, values in of_axle.items() if values is not None}
     if poses is not None:
@@ -193,19 +229,28 @@ def sweep_kinematics(  # noqa: PLR0913 - each is a coordinate of its own
         return Swept(rig, _sweep_poses(rig, other, Path(poses), vehicle, points=points))
     if other is not None or given:
         _refuse_beside({"travel": travel is not None, "axle": axle, "points": points})
-        more = {name: values for name, values in (("roll", roll), ("rack", rack)) if values is not None}
+        more = {
+            name: values for name, values in (("roll", roll), ("rack", rack)) if values is not None
+        }
         read = {name: sweep_values(values, name, OF_AXLE[name]) if isinstance(values, str) else values
                 for name, values in (given | more).items()}  # fmt: skip
         return Swept(rig, sweep_axle(rig, right=other, vehicle=vehicle, **read))
     if roll is not None or axle:
         if points:
-            raise DescriptionError("a sweep of an axle has no hardpoints", where="points", hint="Leave it out.")
+            raise DescriptionError(
+                "a sweep of an axle has no hardpoints", where="points", hint="Leave it out."
+            )
         return Swept(rig, _sweep_axle(rig, travel, rack, roll, vehicle))
     return Swept(rig, _sweep_wheel(rig, travel, rack, vehicle, points=points))
 
 
 def _sweep_wheel(
-    rig: Rig, travel: Values | None, rack: Values | None, vehicle: AxleLayout | None, *, points: bool
+    rig: Rig,
+    travel: Values | None,
+    rack: Values | None,
+    vehicle: AxleLayout | None,
+    *,
+    points: bool,
 ) -> xr.Dataset:
     steered = None if rack is None else sweep_values(rack, "rack")
     if travel is None:
@@ -224,11 +269,17 @@ def _refuse_beside(given: Mapping[str, bool]) -> None:
     """Refuse arguments that single poses do not take."""
     for name, is_given in given.items():
         if is_given:
-            hint = "Of an axle use --left-travel and --right-travel." if name == "travel" else "Leave it out."
+            hint = (
+                "Of an axle use --left-travel and --right-travel."
+                if name == "travel"
+                else "Leave it out."
+            )
             raise DescriptionError("poses one by one do not take it", where=name, hint=hint)
 
 
-def _sweep_poses(rig: Rig, right: Rig | None, file: Path, vehicle: AxleLayout | None, *, points: bool) -> xr.Dataset:
+def _sweep_poses(
+    rig: Rig, right: Rig | None, file: Path, vehicle: AxleLayout | None, *, points: bool
+) -> xr.Dataset:
     """Sweep the poses of a file, of a wheel or of an axle."""
     table = read_columns_csv(file)
     names = set(table.names)
@@ -237,7 +288,10 @@ def _sweep_poses(rig: Rig, right: Rig | None, file: Path, vehicle: AxleLayout | 
     if not names & units.keys() or (of_axle and "travel" in names):
         allowed = f"columns {', '.join(OF_WHEEL)} of a wheel, or {', '.join(OF_AXLE)} of an axle"
         raise DescriptionError(
-            "no poses of a wheel or of an axle", where=str(file), found=", ".join(table.names), allowed=allowed
+            "no poses of a wheel or of an axle",
+            where=str(file),
+            found=", ".join(table.names),
+            allowed=allowed,
         )
     values = {name: table[name].in_si(unit) for name, unit in units.items() if name in names}
     if of_axle:
@@ -248,20 +302,30 @@ def _sweep_poses(rig: Rig, right: Rig | None, file: Path, vehicle: AxleLayout | 
 
 
 def _sweep_axle(
-    rig: Rig, travel: Values | None, rack: Values | None, roll: Values | None, vehicle: AxleLayout | None
+    rig: Rig,
+    travel: Values | None,
+    rack: Values | None,
+    roll: Values | None,
+    vehicle: AxleLayout | None,
 ) -> xr.Dataset:
     if roll is None:
         if rack is None:
-            raise DescriptionError("nothing to sweep", where="axle", allowed='--rack "-20 mm:20 mm:5 mm", or --roll')
+            raise DescriptionError(
+                "nothing to sweep", where="axle", allowed='--rack "-20 mm:20 mm:5 mm", or --roll'
+            )
         lifted = 0.0 if travel is None else _single(travel, "travel", "with --axle")
         return sweep_steering(rig, sweep_values(rack, "rack"), lifted, vehicle=vehicle)
     if travel is not None:
         raise DescriptionError(
-            "a roll sweep sets the wheel travel itself", where="travel", hint="Leave out --travel or --roll."
+            "a roll sweep sets the wheel travel itself",
+            where="travel",
+            hint="Leave out --travel or --roll.",
         )
     if vehicle is not None:
         raise DescriptionError(
-            "a roll sweep has no anti-dive percentages", where="vehicle", hint="Leave it out, or sweep --travel."
+            "a roll sweep has no anti-dive percentages",
+            where="vehicle",
+            hint="Leave it out, or sweep --travel.",
         )
     at = 0.0 if rack is None else _single(rack, "rack", "with --roll")
     return sweep_roll(rig, sweep_values(roll, "roll", "rad"), at)
@@ -271,6 +335,8 @@ def _single(values: Values, name: str, why: str) -> float:
     read = sweep_values(values, name)
     if len(read) > 1:
         raise DescriptionError(
-            Phrase("only a single value can be used {why}", why=why), where=name, found=f"{len(read)} values"
+            Phrase("only a single value can be used {why}", why=why),
+            where=name,
+            found=f"{len(read)} values",
         )
     return float(read[0])

@@ -43,5 +43,7 @@ class Tangents:
         self._states[:size] = poses.poses[:, None, :]
         inputs = np.ascontiguousarray(np.tile(poses.inputs, (1, self.count)))
         arrays = (self._states, inputs, walk.p, np.zeros(1), self._out)
-        self._evaluate(*(array.__array_interface__["data"][0] for array in arrays), samples, 0, samples)
+        self._evaluate(
+            *(array.__array_interface__["data"][0] for array in arrays), samples, 0, samples
+        )
         return np.where(poses.outcome == REACHED, self._out, np.nan)

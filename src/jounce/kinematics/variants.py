@@ -93,16 +93,26 @@ def sweep_variants(
     """
     corner = check_corner(rig)
     if roll is not None and (travel is not None or axle):
-        raise DescriptionError("a roll sweep sets the wheel travel itself", where="roll", hint="Leave out the others.")
+        raise DescriptionError(
+            "a roll sweep sets the wheel travel itself", where="roll", hint="Leave out the others."
+        )
     if vehicle is not None and not axle:
-        raise DescriptionError("needs a steered axle", where="vehicle", hint="Add axle=True, or leave it out.")
+        raise DescriptionError(
+            "needs a steered axle", where="vehicle", hint="Add axle=True, or leave it out."
+        )
     if roll is not None or axle:
-        return _of_axle(corner, changes, 0.0 if travel is None else travel, rack, roll, vehicle, quantities)
+        return _of_axle(
+            corner, changes, 0.0 if travel is None else travel, rack, roll, vehicle, quantities
+        )
     return _of_wheel(corner, changes, 0.0 if travel is None else travel, rack, quantities)
 
 
 def _of_wheel(
-    rig: Corner, changes: Changes, travel: Values, rack: Values | None, quantities: Sequence[str] | None
+    rig: Corner,
+    changes: Changes,
+    travel: Values,
+    rack: Values | None,
+    quantities: Sequence[str] | None,
 ) -> xr.Dataset:
     import xarray as xr
 
@@ -143,11 +153,16 @@ def _of_axle(
     import xarray as xr
 
     parameters, columns = _parameters(prepare_sweep(rig, 0.0), rig, changes)
-    lifted, steered = _one(travel, "wheel travel"), None if rack is None else sweep_values(rack, "rack travel")
+    lifted, steered = (
+        _one(travel, "wheel travel"),
+        None if rack is None else sweep_values(rack, "rack travel"),
+    )
     if roll is None:
         check_rack(rig)
         if steered is None:
-            raise DescriptionError("nothing to sweep", where="rack", allowed='"-20 mm:20 mm:5 mm", or roll')
+            raise DescriptionError(
+                "nothing to sweep", where="rack", allowed='"-20 mm:20 mm:5 mm", or roll'
+            )
         at = steered
     else:
         at = sweep_values(roll, "roll", "rad")
@@ -158,14 +173,18 @@ def _of_axle(
         axle = TwoWheelAxle(rig, numbers)
         if roll is not None:
             return roll_axle(axle, at, rack_of_roll)
-        return steering_rows(axle, axle.wheel(1.0, lifted, at), axle.wheel(-1.0, lifted, at), at, vehicle)
+        return steering_rows(
+            axle, axle.wheel(1.0, lifted, at), axle.wheel(-1.0, lifted, at), at, vehicle
+        )
 
     first = of(kinematic_model(rig).parameter_values(rig))
     names = list(first.values) if quantities is None else list(quantities)
     for name in names:
         if name not in first.values:
             hint = nearest(name, list(first.values))
-            raise DescriptionError("no such quantity", where=name, allowed=", ".join(first.values), hint=hint)
+            raise DescriptionError(
+                "no such quantity", where=name, allowed=", ".join(first.values), hint=hint
+            )
     _refuse_many(len(parameters) * len(at) * len(names))
     out = np.full((len(names), len(parameters), len(at)), np.nan)
     reached = np.zeros(len(parameters), dtype=np.int64)
@@ -175,7 +194,9 @@ def _of_axle(
         except SimulationError:  # this variant reaches no pose
             continue
         out[:, k] = [axle_variables.values[name] for name in names]
-        both = axle_variables.values["left.wheel_travel"] + axle_variables.values["right.wheel_travel"]
+        both = (
+            axle_variables.values["left.wheel_travel"] + axle_variables.values["right.wheel_travel"]
+        )
         reached[k] = int(np.isfinite(both).sum())
     variables = {
         name: xr.Variable(("variant", first.along), value, first.attributes[name])
@@ -196,7 +217,9 @@ def _together(
     import xarray as xr
 
     for path, column in columns.items():
-        coordinates[path] = xr.Variable(("variant",), column, {"units": unit_of(rig, path), "long_name": path})
+        coordinates[path] = xr.Variable(
+            ("variant",), column, {"units": unit_of(rig, path), "long_name": path}
+        )
     result = xr.Dataset(variables, coordinates, {"model": str(getattr(rig, "model", ""))})
     return result.assign(reached=("variant", reached, {"units": "1", "long_name": "poses"}))
 
@@ -206,7 +229,9 @@ def _one(values: Values, name: str) -> float:
     if isinstance(values, str) or np.ndim(np.asarray(values, dtype=object)):
         read = sweep_values(values, name)
         if len(read) > 1:
-            raise DescriptionError("only a single value can be used here", where=name, found=f"{len(read)} values")
+            raise DescriptionError(
+                "only a single value can be used here", where=name, found=f"{len(read)} values"
+            )
         return float(read[0])
     return to_si(values, "m", where=name)
 
@@ -216,7 +241,9 @@ def _refuse_many(count: int) -> None:
         raise DescriptionError("too many results", where="changes, travel, quantities", found=count)
 
 
-def _parameters(sweep: PreparedSweep, rig: Corner, changes: Changes) -> tuple[Array, dict[str, Array]]:
+def _parameters(
+    sweep: PreparedSweep, rig: Corner, changes: Changes
+) -> tuple[Array, dict[str, Array]]:
     """Numbers of all variants, shape (k, parameters), and the changed columns by path."""
     columns = _read_changes(sweep.model, rig, changes)
     parameters = np.tile(sweep.walk.p, (len(next(iter(columns.values()))), 1))
@@ -228,7 +255,9 @@ def _parameters(sweep: PreparedSweep, rig: Corner, changes: Changes) -> tuple[Ar
 def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, Array]:
     changes = by_path(changes)
     if not changes:
-        raise DescriptionError("no variants", where="changes", allowed="path of a number to its values")
+        raise DescriptionError(
+            "no variants", where="changes", allowed="path of a number to its values"
+        )
     known = rig.parameters()
     columns: dict[str, Array] = {}
     for path, values in changes.items():
@@ -237,7 +266,9 @@ def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[
             raise unknown_path(path, known)
         if parts[0] not in model.parameters:
             raise DescriptionError(
-                "does not enter the kinematics", where=path, hint=nearest(path, model.parameters) or "Leave it out."
+                "does not enter the kinematics",
+                where=path,
+                hint=nearest(path, model.parameters) or "Leave it out.",
             )
         where = f"changes: {path}"
         if len(parts) == 1:
@@ -246,7 +277,9 @@ def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[
             read = _places(values, where)
         for part, column in zip(parts, read, strict=True):
             if column.ndim != 1 or not len(column) or not np.all(np.isfinite(column)):
-                raise DescriptionError("not a list of finite numbers", where=where, found=str(values)[:60])
+                raise DescriptionError(
+                    "not a list of finite numbers", where=where, found=str(values)[:60]
+                )
             far = float(np.max(np.abs(column)))
             if part.startswith("hardpoints.") and far > LARGE:
                 raise DescriptionError(
@@ -257,11 +290,15 @@ def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[
                     hint='Millimetres meant? Write "65 mm", or divide by 1000.',
                 )
             if part in columns:
-                raise DescriptionError("given twice, as a point and as one of its numbers", where=f"changes: {part}")
+                raise DescriptionError(
+                    "given twice, as a point and as one of its numbers", where=f"changes: {part}"
+                )
             columns[part] = column
     lengths = {len(column) for column in columns.values()}
     if len(lengths) > 1:
-        raise DescriptionError("the changes have different lengths", where="changes", found=sorted(lengths))
+        raise DescriptionError(
+            "the changes have different lengths", where="changes", found=sorted(lengths)
+        )
     return columns
 
 
@@ -272,7 +309,9 @@ def _places(given: object, where: str) -> list[Array]:
     else:
         rows = list(np.atleast_2d(as_samples(given, "m", where=where, error=DescriptionError)))
     if not rows or {row.shape for row in rows} != {(3,)}:
-        raise DescriptionError("not a list of places", where=where, found=str(given)[:60], allowed="[[x, y, z], ...]")
+        raise DescriptionError(
+            "not a list of places", where=where, found=str(given)[:60], allowed="[[x, y, z], ...]"
+        )
     return list(np.array(rows).T)
 
 
@@ -281,5 +320,7 @@ def _choose_rows(model: KinematicModel, quantities: Sequence[str] | None) -> NDA
     for name in quantities or ():
         if name not in names:
             hint = nearest(name, names)
-            raise DescriptionError("no such quantity", where=name, allowed=", ".join(names), hint=hint)
+            raise DescriptionError(
+                "no such quantity", where=name, allowed=", ".join(names), hint=hint
+            )
     return np.array([names.index(name) for name in quantities or names], dtype=np.int64)

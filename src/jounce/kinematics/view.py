@@ -110,7 +110,9 @@ def steering_screw(rack: ScrewMotion, travel: ScrewMotion) -> ScrewMotion:
     steep, level, flat = a * mixed - b * square, a * free - c * square, b * free - c * mixed
     first = _smaller_root(2.0 * level, flat, ca.fmax(4.0 * (level**2 - steep * flat), 0.0))
     second = -2.0 * level / steep - first
-    first_pitch, second_pitch = (rack.with_share(share, travel).pitch ** 2 for share in (first, second))
+    first_pitch, second_pitch = (
+        rack.with_share(share, travel).pitch ** 2 for share in (first, second)
+    )
     least = ca.if_else(second_pitch < first_pitch, second, first)
     return rack.with_share(ca.if_else(under >= 0.0, pure, least), travel)
 
@@ -123,7 +125,9 @@ def caster_of(axis: Axis) -> ca.SX:
 def _slope_at_rest(force: ca.SX, velocity: ca.SX) -> ca.SX:
     """Slope of a damper's force at rest, the mean of both directions."""
     slope = ca.jacobian(force, velocity)
-    return 0.5 * (ca.substitute(slope, velocity, ca.SX(-_TINY)) + ca.substitute(slope, velocity, ca.SX(_TINY)))
+    return 0.5 * (
+        ca.substitute(slope, velocity, ca.SX(-_TINY)) + ca.substitute(slope, velocity, ca.SX(_TINY))
+    )
 
 
 def _angle(first: ca.SX, second: ca.SX) -> ca.SX:
@@ -302,7 +306,9 @@ class CornerView:
 
     def _damper_force(self, line: Line, velocity: ca.SX) -> ca.SX:
         law = self.linkage.rig.strut.damper
-        return damper_force(self.mechanism, law, "strut.damper", line.deflection, velocity, length=line.length)
+        return damper_force(
+            self.mechanism, law, "strut.damper", line.deflection, velocity, length=line.length
+        )
 
     @cached_property
     def motion_ratio(self) -> ca.SX:
@@ -351,7 +357,10 @@ class CornerView:
         hardpoint, angle, axis = self.linkage.hardpoint, self.bar_angle, bar_axis(self.linkage)
         pivot = hardpoint("arb_pivot")
         arm = hardpoint("arb_arm_end") - pivot
-        points = {"arb_arm_end": pivot + rotate(arm, axis, angle), "arb_link_end": link_end(self.linkage).value}
+        points = {
+            "arb_arm_end": pivot + rotate(arm, axis, angle),
+            "arb_link_end": link_end(self.linkage).value,
+        }
         if self._is_t_bar:
             stem = hardpoint("arb_axis") - pivot
             points["arb_axis"] = pivot + self._stem * ca.sqrt(ca.dot(stem, stem))
@@ -461,7 +470,10 @@ class CornerView:
     def _along_third(self, law: Callable[[ca.SX], ca.SX]) -> Elastic:
         length = ca.SX.sym("third length")
         force = ca.SX(law(length))
-        parts = (ca.substitute(part, length, self.third_length) for part in (force, -ca.jacobian(force, length)))
+        parts = (
+            ca.substitute(part, length, self.third_length)
+            for part in (force, -ca.jacobian(force, length))
+        )
         return Elastic(*parts)
 
     @cached_property
@@ -469,18 +481,24 @@ class CornerView:
         """Slope of the third damper's force at rest (N s/m), the mean of both directions."""
         velocity = ca.SX.sym("third velocity")
         design = 2.0 * self.side * self.linkage.hardpoint("third_spring_end")[1]
-        return _slope_at_rest(third_damper_law(self.linkage, design - self.third_length, velocity), velocity)
+        return _slope_at_rest(
+            third_damper_law(self.linkage, design - self.third_length, velocity), velocity
+        )
 
     @cached_property
     def pushrod_angle(self) -> ca.SX:
         """Angle between the push rod and the rocker's arm to it, rad."""
-        return self._at_rocker(self._place("pushrod_inner") - self._place("pushrod_outer"), "pushrod_inner")
+        return self._at_rocker(
+            self._place("pushrod_inner") - self._place("pushrod_outer"), "pushrod_inner"
+        )
 
     @cached_property
     def strut_angle(self) -> ca.SX:
         """Angle between the spring and the rocker's arm to it, rad."""
         spring = self.spring
-        return self._at_rocker(spring.bottom.value - spring.top.value, "strut_bottom", spring.bottom.value)
+        return self._at_rocker(
+            spring.bottom.value - spring.top.value, "strut_bottom", spring.bottom.value
+        )
 
     def _at_rocker(self, line: ca.SX, name: str, place: ca.SX | None = None) -> ca.SX:
         pivot = self._place("rocker_pivot")
@@ -497,7 +515,9 @@ class CornerView:
         length = ca.SX.sym("length")
         force = law(self.linkage, replace(line, length=length))
         stiffness = -ca.jacobian(force, length)
-        return Elastic(*(ca.substitute(part, length, line.length) for part in (ca.SX(force), stiffness)))
+        return Elastic(
+            *(ca.substitute(part, length, line.length) for part in (ca.SX(force), stiffness))
+        )
 
     def _reflect(self, moving: Moving) -> Moving:
         mirror = self._mirror

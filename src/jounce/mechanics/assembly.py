@@ -21,10 +21,15 @@ from jounce.mechanics.model import Model
 _ITERATIONS = 100  # of damped Newton steps, at most: rough poses are far from closed
 _ALSO_OPEN = 0.05  # share of the widest gap from which a joint is named beside it; a choice
 _CLOSED = 1e-12  # m or rad: rounding of places of a few metres
-_HELD = (0.0, 1e-3)  # compliance of a given coordinate relative to the others: fixed, otherwise stiff
+_HELD = (
+    0.0,
+    1e-3,
+)  # compliance of a given coordinate relative to the others: fixed, otherwise stiff
 _DEPENDENT = 1e-9  # singular value of the loop equations, relative to the largest, below which one is redundant
 _NO_SLOPE = 1e-12  # m, 1: slope of an equation without effect in this pose
-_FIRM = 1e-2  # singular value above which equations without their redundant ones are well conditioned
+_FIRM = (
+    1e-2  # singular value above which equations without their redundant ones are well conditioned
+)
 _PART = 1e-6  # share of an equation in a dependence from which it is named
 _NUDGE = 1e-3  # m or rad: a singular pose differs from equations that are redundant everywhere by this much motion
 _MOVED = 1e-9  # m or rad, beyond which a change of a coordinate is reported
@@ -97,7 +102,9 @@ class Evaluator:
 
     def at(self, x: Array) -> tuple[Array, Array, Array, Array]:
         """Residual, its slope by the speeds, coordinates' rates by the speeds, and what the inputs' rates make."""
-        value, slope, kinematics, drift = (part.full() for part in self._functions(x, self.u, self.p))
+        value, slope, kinematics, drift = (
+            part.full() for part in self._functions(x, self.u, self.p)
+        )
         return value[:, 0], slope, kinematics, drift[:, 0]
 
     def move(self, x: Array, displacement: Array) -> Array:
@@ -176,7 +183,12 @@ def _normalise(model: Model, x: Array) -> None:
     for joint, i in model.quaternions.items():
         length = np.linalg.norm(x[i : i + 4])
         if not length > 0.0:
-            raise AssemblyError("no orientation", where=joint, found="a quaternion of zeros", allowed="e0 to e3 of it")
+            raise AssemblyError(
+                "no orientation",
+                where=joint,
+                found="a quaternion of zeros",
+                allowed="e0 to e3 of it",
+            )
         x[i : i + 4] /= length
 
 
@@ -238,7 +250,10 @@ def removable(
     scaled = slope / np.maximum(np.linalg.norm(slope, axis=1), 1e-300)[:, None]
     for dropped in known:
         remaining = np.array([name not in dropped for name in model.constraints])
-        if np.sum(remaining) + len(groups) == len(remaining) and np.linalg.svd(scaled[remaining])[1][-1] > _FIRM:
+        if (
+            np.sum(remaining) + len(groups) == len(remaining)
+            and np.linalg.svd(scaled[remaining])[1][-1] > _FIRM
+        ):
             return dropped
     if _is_singular_here_only(evaluator, x, len(groups)):
         raise _singular(groups)
@@ -255,7 +270,9 @@ def refuse_singular(model: Model, x: Array, u: Array, p: Array) -> None:
         raise _singular(groups)
 
 
-def _closed_near(evaluator: Evaluator, first: Array, given: Mapping[str, float]) -> tuple[Array, tuple[Array, ...]]:
+def _closed_near(
+    evaluator: Evaluator, first: Array, given: Mapping[str, float]
+) -> tuple[Array, tuple[Array, ...]]:
     """Close the loops with the given coordinates fixed or, if impossible, slightly changed; return also compliances."""
     weights = tuple(_weights(evaluator.model, given, held) for held in _HELD)
     try:
@@ -268,7 +285,9 @@ def _weights(model: Model, given: Mapping[str, float], held: float) -> Array:
     """Compliance of the motion of each speed; ``held`` for given coordinates and speeds."""
     n_q, n_v = model.facts.counts
     weights = np.ones(n_v)
-    slope = ca.Function("slope", [model.x], [ca.jacobian(model.rate[:n_q], model.x[n_q : n_q + n_v])])
+    slope = ca.Function(
+        "slope", [model.x], [ca.jacobian(model.rate[:n_q], model.x[n_q : n_q + n_v])]
+    )
     pattern = np.abs(slope(np.ones(model.x.shape[0])).full()) > 0.0
     for name in given:
         if name in model.coordinates:
@@ -306,18 +325,26 @@ def _refuse_undefined(model: Model, value: Array, slope: Array) -> None:
     """Refuse loop equations that are no numbers, such as those with an axis that a parameter made zero."""
     broken = ~(np.isfinite(value) & np.all(np.isfinite(slope), axis=1))
     if np.any(broken):
-        joints = dict.fromkeys(equation.joint for equation, no in zip(model.equations, broken, strict=True) if no)
+        joints = dict.fromkeys(
+            equation.joint for equation, no in zip(model.equations, broken, strict=True) if no
+        )
         hint = "Check the axes and places of the joints around its loop, and the motions."
-        raise AssemblyError("the loop cannot be computed", where=", ".join(joints), found="not a number", hint=hint)
+        raise AssemblyError(
+            "the loop cannot be computed", where=", ".join(joints), found="not a number", hint=hint
+        )
 
 
 def _open(model: Model, value: Array) -> AssemblyError:
     """Error that names the open loops, the widest first."""
     order = np.argsort(-np.abs(value))
-    worst = [model.equations[i] for i in order if abs(value[i]) > _ALSO_OPEN * abs(value[order[0]])][:6]
+    worst = [
+        model.equations[i] for i in order if abs(value[i]) > _ALSO_OPEN * abs(value[order[0]])
+    ][:6]
     joints = list(dict.fromkeys(equation.joint for equation in worst))
     pairs = list(zip(model.equations, value, strict=True))
-    shown = [_gap(joint, [(e.unit, float(x)) for e, x in pairs if e.joint == joint]) for joint in joints]
+    shown = [
+        _gap(joint, [(e.unit, float(x)) for e, x in pairs if e.joint == joint]) for joint in joints
+    ]
     return AssemblyError(
         "the mechanism cannot be assembled",
         where=", ".join(joints),
@@ -329,13 +356,17 @@ def _open(model: Model, value: Array) -> AssemblyError:
 
 def _gap(joint: str, rows: list[tuple[str, float]]) -> str:
     """Gap of an open joint, by units and values: a distance, else an angle, else the residual of its equation."""
-    place, turn = (float(np.linalg.norm([value for own, value in rows if own == unit])) for unit in ("m", "rad"))
+    place, turn = (
+        float(np.linalg.norm([value for own, value in rows if own == unit]))
+        for unit in ("m", "rad")
+    )
     if place > _ALSO_OPEN * turn:  # m, rad
         return f"{joint} stays open by {place:.4g} m"
     if turn > 0.0:
         return f"{joint} stays askew by {np.degrees(np.arcsin(min(turn, 1.0))):.4g} degrees"
     return (
-        f"{joint} misses its condition by {abs(rows[0][1]):.4g} (a rod by that half of the square of its length, m^2)"
+        f"{joint} misses its condition by {abs(rows[0][1]):.4g} (a rod by that half of the "
+        "square of its length, m^2)"
     )
 
 
@@ -374,7 +405,9 @@ def _explain(evaluator: Evaluator, pose: Array, groups: _Groups) -> None:
     if _is_singular_here_only(evaluator, pose, len(groups)):
         raise _singular(groups)
     loops, joints = evaluator.model.loops, _joints_of(groups)
-    around = dict.fromkeys(other for group in groups for equation in group for other in loops.get(equation.joint, ()))
+    around = dict.fromkeys(
+        other for group in groups for equation in group for other in loops.get(equation.joint, ())
+    )
     place = f" in the loop of {', '.join(around)}" if around else ""
     listed = "; ".join(", ".join(equation.name for equation in group) for group in groups)
     raise AssemblyError(
@@ -396,7 +429,11 @@ def _singular(groups: _Groups) -> AssemblyError:
 
 def _joints_of(groups: _Groups) -> list[str]:
     """Joints of each group of equations, once."""
-    return list(dict.fromkeys(", ".join(dict.fromkeys(equation.joint for equation in group)) for group in groups))
+    return list(
+        dict.fromkeys(
+            ", ".join(dict.fromkeys(equation.joint for equation in group)) for group in groups
+        )
+    )
 
 
 def _count(groups: _Groups, what: str) -> str:
@@ -409,7 +446,9 @@ def _is_singular_here_only(evaluator: Evaluator, pose: Array, count: int) -> boo
     for motion in motions_left(slope).T:
         for way in (_NUDGE, -_NUDGE):
             try:
-                near = close_loops(evaluator, evaluator.move(pose, way * motion), np.ones(len(motion)))
+                near = close_loops(
+                    evaluator, evaluator.move(pose, way * motion), np.ones(len(motion))
+                )
             except AssemblyError:
                 return True
             if np.linalg.norm(near - pose) < 0.1 * _NUDGE:
@@ -420,7 +459,9 @@ def _is_singular_here_only(evaluator: Evaluator, pose: Array, count: int) -> boo
     return False
 
 
-def _with_speeds(evaluator: Evaluator, pose: Array, slope: Array, drift: Array, weights: tuple[Array, ...]) -> Array:
+def _with_speeds(
+    evaluator: Evaluator, pose: Array, slope: Array, drift: Array, weights: tuple[Array, ...]
+) -> Array:
     """Speeds that keep the loops closed, with the given ones unchanged if possible."""
     n_q, n_v = evaluator.n_q, evaluator.n_v
     driven = pose.copy()
@@ -428,18 +469,26 @@ def _with_speeds(evaluator: Evaluator, pose: Array, slope: Array, drift: Array, 
     for each in weights:
         change = each * np.linalg.lstsq(slope * each, slope @ speeds + drift, rcond=1e-12)[0]
         driven[n_q : n_q + n_v] = speeds - change
-        if np.max(np.abs(slope @ driven[n_q : n_q + n_v] + drift)) < _KEPT * max(1.0, float(np.max(np.abs(speeds)))):
+        if np.max(np.abs(slope @ driven[n_q : n_q + n_v] + drift)) < _KEPT * max(
+            1.0, float(np.max(np.abs(speeds)))
+        ):
             break
     return driven
 
 
-def _displacements(model: Model, before: Array, after: Array, given: Iterable[str]) -> tuple[Displacement, ...]:
+def _displacements(
+    model: Model, before: Array, after: Array, given: Iterable[str]
+) -> tuple[Displacement, ...]:
     """Coordinates and given speeds that changed."""
     shown = {*model.coordinates, *given}
-    each = [Displacement(name, float(a), float(b)) for name, a, b in zip(model.states, before, after, strict=True)]
+    each = [
+        Displacement(name, float(a), float(b))
+        for name, a, b in zip(model.states, before, after, strict=True)
+    ]
     return tuple(
         displacement
         for displacement in each
         if displacement.coordinate in shown
-        and abs(displacement.before - displacement.after) > _MOVED * max(1.0, abs(displacement.before))
+        and abs(displacement.before - displacement.after)
+        > _MOVED * max(1.0, abs(displacement.before))
     )

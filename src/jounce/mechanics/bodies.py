@@ -63,16 +63,21 @@ class BodyFrames:
         constants = (symbol for symbol, _ in self.collection.constants.values())
         parameters = [*self.collection.parameters.values(), *constants]
         known = {symbol.element_hash() for symbol in parameters}
-        moving = [symbol.name() for symbol in ca.symvar(expression) if symbol.element_hash() not in known]
+        moving = [
+            symbol.name() for symbol in ca.symvar(expression) if symbol.element_hash() not in known
+        ]
         if moving:
             symbols, allowed = (
                 f"an expression of {', '.join(moving)}",
                 "numbers, and expressions of this mechanism's parameters",
             )
             hint = (
-                "What moves is not described by a place in the design pose: give what moves there a body and a joint."
+                "What moves is not described by a place in the design pose: give what moves there a "
+                "body and a joint."
             )
-            raise AssemblyError("not a number", where=where, found=symbols, allowed=allowed, hint=hint)
+            raise AssemblyError(
+                "not a number", where=where, found=symbols, allowed=allowed, hint=hint
+            )
         return expression
 
     def name(self, body: Body, design: ca.SX, moving: Moving, *, is_point: bool) -> Moving:
@@ -81,7 +86,9 @@ class BodyFrames:
             return moving
         symbol = ca.SX.sym(f"{body.name} {'point' if is_point else 'direction'}", 3)
         named = Named(body, design, symbol, ca.densify(moving.value), is_point)
-        self.named.update({part.element_hash(): (named, i) for i, part in enumerate(ca.vertsplit(symbol))})
+        self.named.update(
+            {part.element_hash(): (named, i) for i, part in enumerate(ca.vertsplit(symbol))}
+        )
         return replace(moving, value=symbol)
 
     def occurring(self, expression: ca.SX) -> list[Named]:
@@ -133,7 +140,9 @@ class Body:
     def frame(self) -> Frame:
         """Its frame, with its origin at its joint."""
         if not self.is_placed:
-            raise AssemblyError("the body hangs on nothing yet", where=self.name, hint="Give its joint first.")
+            raise AssemblyError(
+                "the body hangs on nothing yet", where=self.name, hint="Give its joint first."
+            )
         return self.poses.frames[self.name]
 
     @property
@@ -165,16 +174,23 @@ class Body:
         return self.carrier.spin(self.frame.orientation)
 
 
-def tensor_elements(path: str, inertia: Sequence[float | str] | NDArray[np.float64]) -> list[float | str]:
+def tensor_elements(
+    path: str, inertia: Sequence[float | str] | NDArray[np.float64]
+) -> list[float | str]:
     """Elements xx, yy, zz, xy, xz, yz of a tensor given as three or six of them or as a matrix."""
     elements = np.asarray(inertia, dtype=object)
     if elements.shape == (3, 3):
         tensor = np.array([[to_si(part, "kg*m^2", where=path) for part in row] for row in elements])
         if not np.allclose(tensor, tensor.T, rtol=1e-9, atol=1e-12 * float(np.max(np.abs(tensor)))):
             raise AssemblyError("not a tensor of inertia", where=path, found="not symmetric")
-        elements = np.array([tensor[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))])
+        elements = np.array(
+            [tensor[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+        )
     if elements.shape not in ((3,), (6,)):
-        count, allowed = f"{elements.size} numbers", "xx, yy, zz, or also xy, xz, yz, or a symmetric (3, 3) tensor"
+        count, allowed = (
+            f"{elements.size} numbers",
+            "xx, yy, zz, or also xy, xz, yz, or a symmetric (3, 3) tensor",
+        )
         raise AssemblyError("not a tensor of inertia", where=path, found=count, allowed=allowed)
     return [*elements, *[0.0] * (6 - len(elements))]
 
@@ -197,7 +213,12 @@ class RigidMass:
         swept = ca.horzsplit(-skew(self._moment) @ angular)
         turned = ca.horzcat(*(rotate(column) if column.nnz() else column for column in swept))
         coupling = linear.T @ turned
-        return self._mass * (linear.T @ linear) + coupling + coupling.T + angular.T @ (self._tensor @ angular)
+        return (
+            self._mass * (linear.T @ linear)
+            + coupling
+            + coupling.T
+            + angular.T @ (self._tensor @ angular)
+        )
 
     def bias(self, v: ca.SX) -> ca.SX:
         """Generalised inertial force at constant speeds."""

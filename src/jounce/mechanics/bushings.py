@@ -66,7 +66,8 @@ class ElasticJoint(Between):
         twist = -self.rotational_stiffness * rotation - self.rotational_damping * (turning @ spin)
         torque = turning.T @ twist
         energy = 0.5 * (
-            ca.dot(displacement, self.stiffness * displacement) + ca.dot(rotation, self.rotational_stiffness * rotation)
+            ca.dot(displacement, self.stiffness * displacement)
+            + ca.dot(rotation, self.rotational_stiffness * rotation)
         )
         power = -ca.dot(force, rate) - ca.dot(torque, spin)
         outward = first.orientation.rotate
@@ -126,7 +127,11 @@ class SlidingBushing(Between):
         gap = apart - slid * along
         rate = system.rate_of(gap)
         force = -self.stiffness * gap - self.damping * rate
-        return Action(((rate, force),), self.pair(fixed.value, own.rotate(force)), shown=(force, -ca.dot(force, rate)))
+        return Action(
+            ((rate, force),),
+            self.pair(fixed.value, own.rotate(force)),
+            shown=(force, -ca.dot(force, rate)),
+        )
 
 
 def add_bushing(
@@ -172,7 +177,9 @@ def add_bushing(
     >>> soft = add_bushing(mount, "mount", mount.ground, engine, (0.0, 0.0, -0.2), (1e5, 1e5, 3e5))
     >>> mount.output("mount.force", soft.force[2], "N", "force of the mount on the engine, up positive")
     """
-    law = ElasticJoint(name, first, second, at, stiffness, damping, rotational_stiffness, rotational_damping)
+    law = ElasticJoint(
+        name, first, second, at, stiffness, damping, rotational_stiffness, rotational_damping
+    )
     return Deflection(*mechanism.act(law).shown)
 
 
@@ -205,7 +212,9 @@ def add_elastic_rod(
     stiffness, damping : sequence of float, shape (3,)
         Of the bushing along the axes of the design pose, N/m and N s/m.
     """
-    tension, power = mechanism.act(ElasticRod(name, first, second, at, second_at, stiffness, damping)).shown
+    tension, power = mechanism.act(
+        ElasticRod(name, first, second, at, second_at, stiffness, damping)
+    ).shown
     return tension, power
 
 

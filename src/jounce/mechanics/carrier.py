@@ -81,14 +81,20 @@ class MovingCarrier(Carrier):
     def spin_bias(self, orientation: Orientation) -> ca.SX:
         """Angular acceleration of an orientation at constant speeds, rad/s^2, in these axes."""
         seen = orientation.ground_spin
-        return self.turning_bias + ca.cross(self.turning, seen) + orientation.rotate(orientation.spin_bias)
+        return (
+            self.turning_bias
+            + ca.cross(self.turning, seen)
+            + orientation.rotate(orientation.spin_bias)
+        )
 
     @cached_property
     def steady(self) -> ca.SX:
         """Matrix from an arm to its acceleration at constant speeds, 1/s^2."""
         return skew(self.turning_bias) + skew(self.turning) @ skew(self.turning)
 
-    def matrix(self, v: ca.SX, total: ca.SX, moment: ca.SX, tensor: ca.SX, push: ca.SX, twist: ca.SX) -> ca.SX:
+    def matrix(
+        self, v: ca.SX, total: ca.SX, moment: ca.SX, tensor: ca.SX, push: ca.SX, twist: ca.SX
+    ) -> ca.SX:
         """Mass matrix of the bodies in these axes: mass, first moment and inertia about their origin.
 
         ``push`` and ``twist`` are the momenta that each speed makes in these axes, linear and about their origin.
@@ -96,7 +102,9 @@ class MovingCarrier(Carrier):
         linear, angular = ca.jacobian(self.rate, v), ca.jacobian(self.turning, v)
         swept = skew(moment)
         coupling = linear.T @ push + angular.T @ twist
-        own = linear.T @ (total * linear - swept @ angular) + angular.T @ (swept @ linear + tensor @ angular)
+        own = linear.T @ (total * linear - swept @ angular) + angular.T @ (
+            swept @ linear + tensor @ angular
+        )
         return coupling + coupling.T + own
 
     def force(self, v: ca.SX, push: ca.SX, twist: ca.SX) -> ca.SX:
@@ -131,7 +139,10 @@ class CarriedMasses:
         total, alone, moment, tensor = ca.SX(0.0), ca.SX(size, size), ca.SX(3, 1), ca.SX(3, 3)
         push, twist = ca.SX(3, size), ca.SX(3, size)  # momenta of the motions in these axes
         for mass, arm, turned in zip(self._masses, self._arms, self._tensors, strict=True):
-            shift, turn = ca.jacobian(mass.centre.rate, v), ca.jacobian(mass.orientation.ground_spin, v)
+            shift, turn = (
+                ca.jacobian(mass.centre.rate, v),
+                ca.jacobian(mass.orientation.ground_spin, v),
+            )
             weighed = mass.mass * arm
             alone += mass.alone.matrix(v)
             push += mass.mass * shift
@@ -146,9 +157,13 @@ class CarriedMasses:
         carrier, result = self._carrier, ca.SX(v.shape[0], 1)
         push, twist = ca.SX(3, 1), ca.SX(3, 1)
         for mass, arm, tensor in zip(self._masses, self._arms, self._tensors, strict=True):
-            force, torque = mass.mass * carrier.acceleration(mass.centre), self._torque(mass, tensor)
+            force, torque = (
+                mass.mass * carrier.acceleration(mass.centre),
+                self._torque(mass, tensor),
+            )
             result += (
-                ca.jacobian(mass.centre.rate, v).T @ force + ca.jacobian(mass.orientation.ground_spin, v).T @ torque
+                ca.jacobian(mass.centre.rate, v).T @ force
+                + ca.jacobian(mass.orientation.ground_spin, v).T @ torque
             )
             push, twist = push + force, twist + ca.cross(arm, force) + torque
         return result + carrier.force(v, push, twist)
@@ -198,14 +213,21 @@ class TravellingMasses:
         """Mass matrix for the speeds ``v``."""
         along = ca.jacobian(self.rate, v)
         push, twist = self.momentum.value @ along, self.angular_momentum.value @ along
-        carried = self.carrier.matrix(v, self.mass, self.moment.value, self.tensor.value, push, twist)
+        carried = self.carrier.matrix(
+            v, self.mass, self.moment.value, self.tensor.value, push, twist
+        )
         return self.inertia.value * (along.T @ along) + carried
 
     def bias(self, v: ca.SX) -> ca.SX:
         """Generalised inertial force at constant speeds, less that of the field."""
         carrier, rate = self.carrier, self.rate
         start, turning, bent = carrier.start, carrier.turning, carrier.turning_bias
-        moment, momentum, angular, tensor = self.moment, self.momentum, self.angular_momentum, self.tensor
+        moment, momentum, angular, tensor = (
+            self.moment,
+            self.momentum,
+            self.angular_momentum,
+            self.tensor,
+        )
         push = self.mass * start + carrier.steady @ moment.value
         push += rate * (2.0 * ca.cross(turning, momentum.value) + rate * momentum.slope)
         spinning = tensor.value @ turning + rate * angular.value

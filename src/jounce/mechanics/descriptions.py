@@ -48,7 +48,9 @@ class Numbers(Protocol):
         """Unit vector along three numbers."""
 
 
-def quantity(unit: str, default: Any = MISSING, *, above: float | None = None, at_least: float | None = None) -> Any:
+def quantity(
+    unit: str, default: Any = MISSING, *, above: float | None = None, at_least: float | None = None
+) -> Any:
     """Declare a field that is a number in ``unit``, with its limits.
 
     ``{length}`` and ``{force}`` in the unit are filled in by the description.
@@ -95,10 +97,16 @@ class NamedPart:
         symbols: dict[str, Any] = {}
         for each in fields(self):
             value, read = getattr(self, each.name), each.metadata.get("read")
-            if read and not isinstance(value, Track) and (value is not None or each.default is MISSING):
+            if (
+                read
+                and not isinstance(value, Track)
+                and (value is not None or each.default is MISSING)
+            ):
                 path, unit = f"{self.name}.{each.name}", self._unit(each.metadata)
                 symbols[each.name] = (
-                    numbers.direction(path, value) if read == "direction" else getattr(numbers, read)(path, value, unit)
+                    numbers.direction(path, value)
+                    if read == "direction"
+                    else getattr(numbers, read)(path, value, unit)
                 )
         return replace(self, **symbols)
 
@@ -130,7 +138,9 @@ class NamedPart:
             value, key = getattr(self, each.name), each.name
             if value is None and key in defaults:
                 value = defaults[key]
-                result["as_designed"] = [*(name for name in defaults if getattr(self, name) is None)]
+                result["as_designed"] = [
+                    *(name for name in defaults if getattr(self, name) is None)
+                ]
             if key == "name":
                 continue
             if isinstance(value, Body):

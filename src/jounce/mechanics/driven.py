@@ -85,9 +85,14 @@ class DrivenMechanism:
         self.statics = mechanism.statics()
         self.gradient = ca.jacobian(self.statics.constraint_rate, self.statics.v)
         if self.gradient.shape[0] != self.gradient.shape[1]:
-            raise AssemblyError("as many motions as drives are needed", found=f"{self.gradient.shape}")
+            raise AssemblyError(
+                "as many motions as drives are needed", found=f"{self.gradient.shape}"
+            )
         self._normal = Ldl(self.gradient @ self.gradient.T)
-        self._rates = [-self._solve(self._still(which)(self.statics.constraint_rate)) for which in range(len(tracks))]
+        self._rates = [
+            -self._solve(self._still(which)(self.statics.constraint_rate))
+            for which in range(len(tracks))
+        ]
 
     def along(self, which: int) -> Callable[[ca.SX], ca.SX]:
         """Return the substitution of all rates by those of a unit rate of one track at constant track rates."""
@@ -116,7 +121,9 @@ class DrivenMechanism:
     def follow(self, expression: ca.SX, numbers: ca.SX, change: ca.SX) -> ca.SX:
         """Change of an expression of the coordinates along a change of tracks and numbers; the loops stay closed."""
         displacement = self.yielding(ca.jtimes(self.statics.constraint, numbers, change))
-        return ca.jtimes(expression, ca.vertcat(self.statics.q, numbers), ca.vertcat(displacement, change))
+        return ca.jtimes(
+            expression, ca.vertcat(self.statics.q, numbers), ca.vertcat(displacement, change)
+        )
 
     def yielding(self, opened: ca.SX) -> ca.SX:
         """Slopes of the coordinates that close the loops again, for a rate at which something else opens them."""
@@ -131,11 +138,17 @@ class DrivenMechanism:
 
     def _substitution(self, which: int, speeds: ca.SX) -> Callable[[ca.SX], ca.SX]:
         tracks = self.tracks
-        symbols = [self.statics.v, *(track.rate for track in tracks), *(track.acceleration for track in tracks)]
+        symbols = [
+            self.statics.v,
+            *(track.rate for track in tracks),
+            *(track.acceleration for track in tracks),
+        ]
         rates = [ca.SX(float(k == which)) for k in range(len(tracks))]
         values = [ca.densify(speeds), *rates, *(ca.SX(0.0) for _ in tracks)]
 
         def substitute(expression: ca.SX) -> ca.SX:
-            return ca.substitute(ca.densify(expression), ca.vertcat(*symbols), ca.densify(ca.vertcat(*values)))
+            return ca.substitute(
+                ca.densify(expression), ca.vertcat(*symbols), ca.densify(ca.vertcat(*values))
+            )
 
         return substitute

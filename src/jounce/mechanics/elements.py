@@ -38,7 +38,9 @@ def curve_force(system: System, curve: Curve, path: str, deflection: ca.SX) -> c
         loaded = system.switch(f"{path} loaded", deflection)
         positive = ca.fmax(deflection, 1e-300)
         exponent = system.parameter(f"{path}.exponent")
-        return loaded * system.parameter(f"{path}.coefficient") * ca.exp(exponent * ca.log(positive))
+        return (
+            loaded * system.parameter(f"{path}.coefficient") * ca.exp(exponent * ca.log(positive))
+        )
     assert isinstance(curve, TableCurve)
     return table_force(system, path, "deflection", len(curve.deflection), deflection)
 
@@ -51,7 +53,9 @@ def table_force(system: System, path: str, variable: str, points: int, x: ca.SX)
     force = forces[0] + slopes[0] * (x - knots[0])
     for i in range(1, points - 1):
         beyond = x - knots[i]
-        force += system.switch(f"{path}.{variable}[{i}]", beyond) * (slopes[i] - slopes[i - 1]) * beyond
+        force += (
+            system.switch(f"{path}.{variable}[{i}]", beyond) * (slopes[i] - slopes[i - 1]) * beyond
+        )
     return force
 
 
@@ -76,7 +80,11 @@ class ModelPoint:
 
     def number(self, name: str) -> ca.SX:
         """Return the parameter."""
-        return self.system.parameter(f"{self.path}.{name}") if self.numbers is None else self.numbers(name)
+        return (
+            self.system.parameter(f"{self.path}.{name}")
+            if self.numbers is None
+            else self.numbers(name)
+        )
 
     def switch(self, name: str, x: ca.SX) -> ca.SX:
         """Return a mode symbol: steps land where ``x`` changes its sign."""
@@ -115,7 +123,9 @@ def damper_force(
     return damper.evaluate(ModelPoint(system, path, deflection, velocity, length, number))
 
 
-def damper_map_force(system: System, damper: MapDamper, path: str, length: ca.SX, velocity: ca.SX) -> ca.SX:
+def damper_map_force(
+    system: System, damper: MapDamper, path: str, length: ca.SX, velocity: ca.SX
+) -> ca.SX:
     """Damper force (N) of a map over length (m) and velocity (m/s): bilinear, extrapolated linearly in velocity.
 
     Each piece of the grid is a product of hinge functions, so that steps land on its lines.
@@ -125,20 +135,29 @@ def damper_map_force(system: System, damper: MapDamper, path: str, length: ca.SX
     speeds = [system.parameter(f"{path}.velocity[{j}]") for j in range(columns)]
     past = [system.switch(f"{path}.length[{i}]", length - places[i]) for i in range(rows)]
     share = [past[0] * (length - places[0]) - past[1] * (length - places[1])]
-    share += [past[i] * (length - places[i]) - past[i + 1] * (length - places[i + 1]) for i in range(1, rows - 1)]
+    share += [
+        past[i] * (length - places[i]) - past[i + 1] * (length - places[i + 1])
+        for i in range(1, rows - 1)
+    ]
     share = [part / (places[i + 1] - places[i]) for i, part in enumerate(share)]
-    over = [system.switch(f"{path}.velocity[{j}]", velocity - speeds[j]) for j in range(1, columns - 1)]
+    over = [
+        system.switch(f"{path}.velocity[{j}]", velocity - speeds[j]) for j in range(1, columns - 1)
+    ]
 
     def along(i: int) -> ca.SX:
         forces = [system.parameter(f"{path}.force[{i}][{j}]") for j in range(columns)]
-        slopes = [(forces[j + 1] - forces[j]) / (speeds[j + 1] - speeds[j]) for j in range(columns - 1)]
+        slopes = [
+            (forces[j + 1] - forces[j]) / (speeds[j + 1] - speeds[j]) for j in range(columns - 1)
+        ]
         force = forces[0] + slopes[0] * (velocity - speeds[0])
         for j in range(1, columns - 1):
             force += over[j - 1] * (slopes[j] - slopes[j - 1]) * (velocity - speeds[j])
         return force
 
     curves = [along(i) for i in range(rows)]
-    return curves[0] + sum((share[i] * (curves[i + 1] - curves[i]) for i in range(rows - 1)), ca.SX(0.0))
+    return curves[0] + sum(
+        (share[i] * (curves[i + 1] - curves[i]) for i in range(rows - 1)), ca.SX(0.0)
+    )
 
 
 def tyre_force(
@@ -160,7 +179,9 @@ def tyre_force(
     if law is not None:
         force = law(force, deflection > 0.0 if tyre.lift_off else ca.SX(1.0))
     if tyre.lift_off:
-        force *= system.switch("tyre contact", ca.fmin(force, _contact_stiffness(system, tyre) * deflection))
+        force *= system.switch(
+            "tyre contact", ca.fmin(force, _contact_stiffness(system, tyre) * deflection)
+        )
     return force
 
 
@@ -176,7 +197,8 @@ def _contact_stiffness(system: System, tyre: Tyre) -> ca.SX:
     last = len(curve.deflection) - 1
     rise = system.parameter(f"tyre.curve.force[{last}]") - system.parameter("tyre.curve.force[0]")
     return ca.fabs(rise) / (
-        system.parameter(f"tyre.curve.deflection[{last}]") - system.parameter("tyre.curve.deflection[0]")
+        system.parameter(f"tyre.curve.deflection[{last}]")
+        - system.parameter("tyre.curve.deflection[0]")
     )
 
 
@@ -193,7 +215,9 @@ def friction_force(system: System, friction: Friction | None, path: str, velocit
     if friction.presliding is not None:
         built_up = system.internal_state(f"{path} built up")
         forward = 2.0 * system.switch(f"{path} forward", velocity) - 1.0
-        rate = (velocity - forward * velocity * built_up) / system.parameter(f"{path}.presliding_distance")
+        rate = (velocity - forward * velocity * built_up) / system.parameter(
+            f"{path}.presliding_distance"
+        )
         system.set_internal_rate(f"{path} built up", rate)
         sliding += system.parameter(f"{path}.presliding") * (built_up - sliding)
     return system.parameter(f"{path}.force") * sliding
@@ -205,4 +229,8 @@ def bump_stop_force(system: System, stop: BumpStop | None, path: str, deflection
         return ca.SX(0)
     depth = deflection - system.parameter(f"{path}.gap")
     touching = system.switch(f"{path} touching", depth)
-    return touching * depth * (system.parameter(f"{path}.rate") + system.parameter(f"{path}.progression") * depth**2)
+    return (
+        touching
+        * depth
+        * (system.parameter(f"{path}.rate") + system.parameter(f"{path}.progression") * depth**2)
+    )

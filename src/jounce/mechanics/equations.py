@@ -77,20 +77,32 @@ class Collection:
     accelerations: dict[str, ca.SX] = field(default_factory=dict)  # by the names of their speeds
     units: dict[str, str] = field(default_factory=dict)  # of coordinates and speeds
     rates: list[ca.SX] = field(default_factory=list)  # of the coordinates, in groups
-    quaternions: dict[str, int] = field(default_factory=dict)  # joint to the first of four coordinates
+    quaternions: dict[str, int] = field(
+        default_factory=dict
+    )  # joint to the first of four coordinates
     start: dict[str, float] = field(default_factory=dict)  # coordinates in the design pose
-    internal: dict[str, tuple[ca.SX, ca.SX | None]] = field(default_factory=dict)  # first-order states and rates
+    internal: dict[str, tuple[ca.SX, ca.SX | None]] = field(
+        default_factory=dict
+    )  # first-order states and rates
     tracks: dict[str, Track] = field(default_factory=dict)
     parameters: dict[str, ca.SX] = field(default_factory=dict)
-    switches: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)  # modes, and what decides them by its sign
+    switches: dict[str, tuple[ca.SX, ca.SX]] = field(
+        default_factory=dict
+    )  # modes, and what decides them by its sign
     inertias: list[InertialTerms] = field(default_factory=list)
-    loads: list[tuple[ca.SX, ca.SX]] = field(default_factory=list)  # rates, and forces that do power on them
+    loads: list[tuple[ca.SX, ca.SX]] = field(
+        default_factory=list
+    )  # rates, and forces that do power on them
     constraints: list[Constraint] = field(default_factory=list)
     outputs: dict[Output, ca.SX] = field(default_factory=dict)
-    constants: dict[str, tuple[ca.SX, float]] = field(default_factory=dict)  # symbols that stand for numbers
+    constants: dict[str, tuple[ca.SX, float]] = field(
+        default_factory=dict
+    )  # symbols that stand for numbers
     shared: tuple[str, ...] = ()  # speeds of a body that carries several suspensions
     alike: Alike | None = None  # parts that are built alike
-    loops: dict[str, tuple[str, ...]] = field(default_factory=dict)  # joint that closes to all around, itself first
+    loops: dict[str, tuple[str, ...]] = field(
+        default_factory=dict
+    )  # joint that closes to all around, itself first
 
     def copy(self) -> Collection:
         """Return a collection of the same things, to which more can be added."""
@@ -119,15 +131,23 @@ class Collection:
         """Time derivative of an expression of coordinates and tracks."""
         tracks = self.tracks.values()
         values = ca.vertcat(*self.coordinates.values(), *(track.value for track in tracks))
-        return ca.jtimes(expression, values, ca.vertcat(*self.rates, *(track.rate for track in tracks)))
+        return ca.jtimes(
+            expression, values, ca.vertcat(*self.rates, *(track.rate for track in tracks))
+        )
 
     def bias_of(self, rate: ca.SX) -> ca.SX:
         """Time derivative of a rate at constant speeds."""
         tracks = self.tracks.values()
         moving = ca.vertcat(
-            *self.coordinates.values(), *(track.value for track in tracks), *(track.rate for track in tracks)
+            *self.coordinates.values(),
+            *(track.value for track in tracks),
+            *(track.rate for track in tracks),
         )
-        rates = ca.vertcat(*self.rates, *(track.rate for track in tracks), *(track.acceleration for track in tracks))
+        rates = ca.vertcat(
+            *self.rates,
+            *(track.rate for track in tracks),
+            *(track.acceleration for track in tracks),
+        )
         return ca.jtimes(rate, moving, rates)
 
     def accelerated(self, rate: ca.SX) -> ca.SX:
@@ -137,7 +157,9 @@ class Collection:
     def force_on(self, v: ca.SX) -> ca.SX:
         """Generalised force of all loads on the speeds ``v``."""
         load = ca.SX(v.shape[0], 1)
-        together: dict[tuple[int, ...], tuple[ca.SX, ca.SX]] = {}  # forces on one point are added first
+        together: dict[
+            tuple[int, ...], tuple[ca.SX, ca.SX]
+        ] = {}  # forces on one point are added first
         for rate, magnitude in self.loads:
             key = tuple(element.element_hash() for element in ca.vertsplit(ca.densify(rate)))
             _, before = together.get(key, (rate, ca.SX(0.0)))
@@ -148,13 +170,18 @@ class Collection:
 
     def constraint(self, dropped: frozenset[str] = frozenset()) -> Constraint:
         """All loop equations in one, without those named."""
-        equations = [equation for constraint in self.constraints for equation in constraint.equations]
+        equations = [
+            equation for constraint in self.constraints for equation in constraint.equations
+        ]
         remaining = [i for i, equation in enumerate(equations) if equation.name not in dropped]
         if not remaining:
             return Constraint((), *[ca.SX(0, 1)] * 4)
-        columns = zip(*((c.value, c.rate, c.bias, c.multipliers) for c in self.constraints), strict=True)
+        columns = zip(
+            *((c.value, c.rate, c.bias, c.multipliers) for c in self.constraints), strict=True
+        )
         return Constraint(
-            tuple(equations[i] for i in remaining), *(ca.vertcat(*column)[remaining] for column in columns)
+            tuple(equations[i] for i in remaining),
+            *(ca.vertcat(*column)[remaining] for column in columns),
         )
 
     def displace(self, displacement: ca.SX) -> ca.SX:
@@ -173,13 +200,22 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
     internal_rates = [slope for _, slope in collection.internal.values() if slope is not None]
     if len(internal_rates) < len(collection.internal):
         names = ", ".join(name for name, (_, slope) in collection.internal.items() if slope is None)
-        raise AssemblyError("an internal state has no rate", where=names, hint="Call set_internal_rate.")
+        raise AssemblyError(
+            "an internal state has no rate", where=names, hint="Call set_internal_rate."
+        )
     q, v, a = collection.q, collection.v, collection.a
     internal = ca.vertcat(*(symbol for symbol, _ in collection.internal.values()))
     constraint = collection.constraint(dropped)
     shared = [list(collection.speeds).index(name) for name in collection.shared]
-    solved = solve(v, collection.inertias, collection.force_on(v), constraint, collection.displace, shared)
-    gone = [c.multipliers[i] for c in collection.constraints for i, e in enumerate(c.equations) if e.name in dropped]
+    solved = solve(
+        v, collection.inertias, collection.force_on(v), constraint, collection.displace, shared
+    )
+    gone = [
+        c.multipliers[i]
+        for c in collection.constraints
+        for i, e in enumerate(c.equations)
+        if e.name in dropped
+    ]
     lacking = ca.SX(len(gone), 1)  # dropped equations carry no force
     unknown = ca.vertcat(a, constraint.multipliers, *gone)
     solution = ca.densify(ca.vertcat(solved.acceleration, solved.multipliers, lacking))
@@ -199,9 +235,17 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
     order = 3 if collection.tracks and ca.depends_on(ca.vertcat(rate, output), accelerations) else 2
     projection = ca.SX(0, 1)  # no loops, no drift
     if constraint.equations or collection.quaternions:
-        left = ca.sqrt(ca.dot(constraint.value, constraint.value)) if constraint.equations else ca.SX(0.0)
-        projection = ca.vertcat(solved.coordinates, solved.speeds, internal, left, solved.conditioning)
-    inputs = (ca.vertcat(t.value, t.rate, t.acceleration)[:order] for t in collection.tracks.values())
+        left = (
+            ca.sqrt(ca.dot(constraint.value, constraint.value))
+            if constraint.equations
+            else ca.SX(0.0)
+        )
+        projection = ca.vertcat(
+            solved.coordinates, solved.speeds, internal, left, solved.conditioning
+        )
+    inputs = (
+        ca.vertcat(t.value, t.rate, t.acceleration)[:order] for t in collection.tracks.values()
+    )
     model = Model(
         coordinates=tuple(collection.coordinates),
         speeds=tuple(collection.speeds),
@@ -214,7 +258,9 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
         outputs=tuple(collection.outputs),
         start=tuple(collection.start.values()),
         loops=collection.loops,
-        units=tuple(collection.units[name] for name in (*collection.coordinates, *collection.speeds)),
+        units=tuple(
+            collection.units[name] for name in (*collection.coordinates, *collection.speeds)
+        ),
         quaternions=collection.quaternions,
         equations=constraint.equations,
         x=ca.vertcat(q, v, internal),
@@ -284,13 +330,17 @@ def solve(
         move(-correction(constraint.value)),
         v - correction(constraint.rate),
         loops.conditioning(),
-        residual=lambda a, m: ca.vertcat(force - matrix @ a + gradient.T @ m, gradient @ a + constraint.bias),
+        residual=lambda a, m: ca.vertcat(
+            force - matrix @ a + gradient.T @ m, gradient @ a + constraint.bias
+        ),
         answer=lambda change: ca.vertcat(*loops.balance(change[:size], change[size:])),
         correction=correction,
     )
 
 
-def _solve_unconstrained(v: ca.SX, matrix: ca.SX, force: ca.SX, move: Callable[[ca.SX], ca.SX]) -> Solved:
+def _solve_unconstrained(
+    v: ca.SX, matrix: ca.SX, force: ca.SX, move: Callable[[ca.SX], ca.SX]
+) -> Solved:
     """Accelerations without loops."""
     mass, size = Ldl(matrix), v.shape[0]
     return Solved(
@@ -327,7 +377,10 @@ class _LoopFactors:
 
     def conditioning(self) -> ca.SX:
         """How far from singular the constraints are: 1 independent, 0 singular."""
-        shares = [pivot / entry for pivot, entry in zip(self._reduced.pivots, _diagonal(self._matrix), strict=True)]
+        shares = [
+            pivot / entry
+            for pivot, entry in zip(self._reduced.pivots, _diagonal(self._matrix), strict=True)
+        ]
         worst = shares[0]
         for share in shares[1:]:
             worst = ca.fmin(worst, share)
@@ -337,12 +390,18 @@ class _LoopFactors:
 class _Block:
     """Loops and speeds that only the shared speeds connect to others; ``follow`` and ``react`` are their responses."""
 
-    def __init__(self, matrix: ca.SX, gradient: ca.SX, speeds: list[int], rows: list[int], shared: list[int]) -> None:
+    def __init__(
+        self, matrix: ca.SX, gradient: ca.SX, speeds: list[int], rows: list[int], shared: list[int]
+    ) -> None:
         self.speeds, self.rows = speeds, rows
         own = gradient[rows, speeds]
-        self.loops = _LoopFactors(matrix[speeds, speeds], own) if rows else _Free(matrix[speeds, speeds])
+        self.loops = (
+            _LoopFactors(matrix[speeds, speeds], own) if rows else _Free(matrix[speeds, speeds])
+        )
         self._coupling, self._pull = matrix[speeds, shared], gradient[rows, shared]
-        columns = [self.loops.balance(-self._coupling[:, j], self._pull[:, j]) for j in range(len(shared))]
+        columns = [
+            self.loops.balance(-self._coupling[:, j], self._pull[:, j]) for j in range(len(shared))
+        ]
         self.follow: ca.SX
         self.react: ca.SX
         self.follow, self.react = (ca.horzcat(*parts) for parts in zip(*columns, strict=True))
@@ -383,7 +442,10 @@ class _SharedLoops:
     def __init__(self, matrix: ca.SX, gradient: ca.SX, shared: Sequence[int]) -> None:
         self._shared, self._size = list(shared), matrix.shape[0]
         inner = [i for i in range(matrix.shape[0]) if i not in shared]
-        self._blocks = [_Block(matrix, gradient, *rows, self._shared) for rows in _blocks(matrix, gradient, inner)]
+        self._blocks = [
+            _Block(matrix, gradient, *rows, self._shared)
+            for rows in _blocks(matrix, gradient, inner)
+        ]
         effective = matrix[self._shared, self._shared]
         for block in self._blocks:
             effective -= block.share
@@ -391,7 +453,9 @@ class _SharedLoops:
 
     def balance(self, applied: ca.SX, bias: ca.SX) -> tuple[ca.SX, ca.SX]:
         """Accelerations and multipliers."""
-        alone = [block.loops.balance(applied[block.speeds], bias[block.rows]) for block in self._blocks]
+        alone = [
+            block.loops.balance(applied[block.speeds], bias[block.rows]) for block in self._blocks
+        ]
         force = applied[self._shared]
         for block, terms in zip(self._blocks, alone, strict=True):
             force += block.pull(*terms)
@@ -418,7 +482,9 @@ class _SharedLoops:
         return worst
 
 
-def _blocks(matrix: ca.SX, gradient: ca.SX, inner: Sequence[int]) -> list[tuple[list[int], list[int]]]:
+def _blocks(
+    matrix: ca.SX, gradient: ca.SX, inner: Sequence[int]
+) -> list[tuple[list[int], list[int]]]:
     """Speeds and rows of the constraints that hang together, among the ``inner`` speeds."""
     block = {i: i for i in inner}
 

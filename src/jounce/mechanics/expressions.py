@@ -18,10 +18,14 @@ def check_name(name: object, where: str = "") -> str:
         return name
     named = getattr(name, "name", None)
     hint = (
-        Phrase("Give the name, {named!r}.", named=named) if isinstance(named, str) and not isinstance(name, str) else ""
+        Phrase("Give the name, {named!r}.", named=named)
+        if isinstance(named, str) and not isinstance(name, str)
+        else ""
     )
     text = name if isinstance(name, str) else type(name).__name__
-    raise AssemblyError("not a name", where=where, found=text, allowed="text without blanks around it", hint=hint)
+    raise AssemblyError(
+        "not a name", where=where, found=text, allowed="text without blanks around it", hint=hint
+    )
 
 
 def expression_of(value: object, where: str, unit: str = "1") -> ca.SX:
@@ -30,21 +34,28 @@ def expression_of(value: object, where: str, unit: str = "1") -> ca.SX:
         return ca.SX(value)
     if isinstance(value, str | Real):
         return ca.SX(to_si(value, unit, where=where))
-    if isinstance(value, list | tuple | np.ndarray) and len(np.shape(np.asarray(value, dtype=object))) == 1:
+    if (
+        isinstance(value, list | tuple | np.ndarray)
+        and len(np.shape(np.asarray(value, dtype=object))) == 1
+    ):
         return ca.vertcat(*(expression_of(part, where, unit) for part in value))
     allowed = (
         Phrase("numbers in {unit} or with their unit, or expressions of casadi.SX", unit=unit)
         if unit != "1"
         else "casadi.SX"
     )
-    raise AssemblyError("not an expression", where=where, found=type(value).__name__, allowed=allowed)
+    raise AssemblyError(
+        "not an expression", where=where, found=type(value).__name__, allowed=allowed
+    )
 
 
 def vector_of(value: object, where: str, unit: str = "m") -> ca.SX:
     """Three expressions, numbers (SI) or texts with a unit, as an expression."""
     vector = expression_of(value, where, unit)
     if vector.shape != (3, 1):
-        raise AssemblyError("not a vector", where=where, found=f"{vector.numel()} numbers", allowed="three: x, y, z")
+        raise AssemblyError(
+            "not a vector", where=where, found=f"{vector.numel()} numbers", allowed="three: x, y, z"
+        )
     return vector
 
 

@@ -31,7 +31,9 @@ class Moving:
         return Moving(
             ca.dot(self.value, other.value),
             ca.dot(self.rate, other.value) + ca.dot(self.value, other.rate),
-            ca.dot(self.bias, other.value) + 2.0 * ca.dot(self.rate, other.rate) + ca.dot(self.value, other.bias),
+            ca.dot(self.bias, other.value)
+            + 2.0 * ca.dot(self.rate, other.rate)
+            + ca.dot(self.value, other.bias),
         )
 
     def scaled(self, factor: Moving) -> Moving:
@@ -140,10 +142,16 @@ class AxisRotation(Orientation):
     def turned(self, tensor: ca.SX) -> ca.SX:
         """Turn a symmetric tensor of the frame into ground axes: constants with sine, cosine and their products."""
         p, q, k = self._shares
-        still, level, cross = p @ tensor @ p.T + q @ tensor @ q.T, k @ tensor @ k.T - q @ tensor @ q.T, k @ tensor @ q.T
+        still, level, cross = (
+            p @ tensor @ p.T + q @ tensor @ q.T,
+            k @ tensor @ k.T - q @ tensor @ q.T,
+            k @ tensor @ q.T,
+        )
         straight, sideways = p @ tensor @ q.T, p @ tensor @ k.T
         result = symmetric(still) + self.sine**2 * symmetric(level)
-        result += self.cosine * symmetric(straight + straight.T) + self.sine * symmetric(sideways + sideways.T)
+        result += self.cosine * symmetric(straight + straight.T) + self.sine * symmetric(
+            sideways + sideways.T
+        )
         return result + self.sine * self.cosine * symmetric(cross + cross.T)
 
     @property
@@ -231,13 +239,18 @@ class Frame:
         """The same frame with its origin elsewhere."""
         return replace(self, design=design, origin=self.point(design))
 
-    def translated(self, axis: ca.SX, distance: ca.SX, speed: ca.SX, acceleration: ca.SX | float = 0.0) -> Frame:
+    def translated(
+        self, axis: ca.SX, distance: ca.SX, speed: ca.SX, acceleration: ca.SX | float = 0.0
+    ) -> Frame:
         """A frame that slides along an axis of this one; ``acceleration`` is a prescribed one."""
         along = self.orientation.moving(axis)
         origin = Moving(
             self.origin.value + along.value * distance,
             self.origin.rate + along.rate * distance + along.value * speed,
-            self.origin.bias + along.bias * distance + 2.0 * along.rate * speed + along.value * acceleration,
+            self.origin.bias
+            + along.bias * distance
+            + 2.0 * along.rate * speed
+            + along.value * acceleration,
         )
         return replace(self, origin=origin)
 

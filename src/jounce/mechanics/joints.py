@@ -105,7 +105,12 @@ class Joint(NamedPart):
         return self.first.frame.direction(axis).value
 
     def _push(self, axis: ca.SX, at: ca.SX) -> Effort:
-        return Effort(self.second, self.first, force=self._along(axis), point=self.second.frame.point(at).value)
+        return Effort(
+            self.second,
+            self.first,
+            force=self._along(axis),
+            point=self.second.frame.point(at).value,
+        )
 
     def _twist(self, along: ca.SX) -> Effort:
         return Effort(self.second, self.first, torque=along)
@@ -152,7 +157,12 @@ class Prismatic(Joint):
         """Its equations."""
         normal, other = normals(self.axis)
         sleeve = [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis)]
-        return [*sleeve, _square("twist", self.first.frame.direction(normal), self.second.frame.direction(other))]
+        return [
+            *sleeve,
+            _square(
+                "twist", self.first.frame.direction(normal), self.second.frame.direction(other)
+            ),
+        ]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
         """Wrenches of unit forces along its coordinates."""
@@ -198,7 +208,10 @@ class Cylindrical(Joint):
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
         """Frame of the body that hangs."""
-        along, (slide, turn), (speed, spin) = sign * self.axis, *(ca.vertsplit(part) for part in (motion.q, motion.v))
+        along, (slide, turn), (speed, spin) = (
+            sign * self.axis,
+            *(ca.vertsplit(part) for part in (motion.q, motion.v)),
+        )
         return parent.at(self.at).translated(along, slide, speed).turned(along, turn, spin)
 
     def rows(self) -> list[ClosingEquation]:
@@ -229,22 +242,38 @@ class Screw(Joint):
         super().check(known)
         if known("pitch") == 0.0:
             hint = "Without pitch it is a revolute joint; a negative one is a left-hand thread."
-            raise AssemblyError("a screw without pitch", where=self.name, found="0 m a turn", hint=hint)
+            raise AssemblyError(
+                "a screw without pitch", where=self.name, found="0 m a turn", hint=hint
+            )
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
         """Frame of the body that hangs."""
         along, lead = sign * self.axis, self.pitch / _TURN
-        return parent.at(self.at).translated(along, lead * motion.q, lead * motion.v).turned(along, motion.q, motion.v)
+        return (
+            parent.at(self.at)
+            .translated(along, lead * motion.q, lead * motion.v)
+            .turned(along, motion.q, motion.v)
+        )
 
     def rows(self) -> list[ClosingEquation]:
         """A sleeve, and a mark on the second body that stays on the thread however many turns that makes."""
         first, second = self.first.frame, self.second.frame
         across, sideways = (first.direction(normal) for normal in normals(self.axis))
-        mark, axis, foot = second.direction(normals(self.axis)[0]), first.direction(self.axis), second.point(self.at)
+        mark, axis, foot = (
+            second.direction(normals(self.axis)[0]),
+            first.direction(self.axis),
+            second.point(self.at),
+        )
         slide = (foot - first.point(self.at)).dot(axis)
-        turn = Moving(*(part * (_TURN / self.pitch) for part in (slide.value, slide.rate, slide.bias)))
-        thread = sideways.scaled(turn.cosine) - across.scaled(turn.sine)  # across the mark where turn and slide agree
-        climb = -ca.dot(mark.value, across.scaled(turn.cosine).value + sideways.scaled(turn.sine).value)
+        turn = Moving(
+            *(part * (_TURN / self.pitch) for part in (slide.value, slide.rate, slide.bias))
+        )
+        thread = sideways.scaled(turn.cosine) - across.scaled(
+            turn.sine
+        )  # across the mark where turn and slide agree
+        climb = -ca.dot(
+            mark.value, across.scaled(turn.cosine).value + sideways.scaled(turn.sine).value
+        )
         lead = ClosingEquation(
             "lead",
             "rad",
@@ -289,9 +318,14 @@ class Universal(Joint):
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
         """Frame of the body that hangs."""
-        turns = [(sign * axis, motion.q[i], motion.v[i]) for i, axis in enumerate((self.axis, self.second_axis))]
+        turns = [
+            (sign * axis, motion.q[i], motion.v[i])
+            for i, axis in enumerate((self.axis, self.second_axis))
+        ]
         frame = parent.at(self.at)
-        for turn in turns if sign > 0.0 else turns[::-1]:  # in reverse order from the second body to the first
+        for turn in (
+            turns if sign > 0.0 else turns[::-1]
+        ):  # in reverse order from the second body to the first
             frame = frame.turned(*turn)
         return frame
 
@@ -363,7 +397,11 @@ class Link(Joint):
         return [
             ClosingEquation("along", "m", level, force=axis.value, point=ball),
             ClosingEquation(
-                "length", "m^2", _half_square(reach, ca.dot(design, design)), force=reach.value, point=ball
+                "length",
+                "m^2",
+                _half_square(reach, ca.dot(design, design)),
+                force=reach.value,
+                point=ball,
             ),
         ]
 
@@ -465,7 +503,13 @@ class Rod(Joint):
         if known("length") <= 0.0:
             hint = "Use coincident() to keep two points in one place."
             length = f"{known('length'):g} m"
-            raise AssemblyError("a rod without length", where=self.name, found=length, allowed="above 0 m", hint=hint)
+            raise AssemblyError(
+                "a rod without length",
+                where=self.name,
+                found=length,
+                allowed="above 0 m",
+                hint=hint,
+            )
 
     @property
     def _squared_length(self) -> ca.SX:
@@ -477,7 +521,13 @@ class Rod(Joint):
         other = self.second.frame.point(self.second_at)
         reach = other - self.first.frame.point(self.at)
         return [
-            ClosingEquation("", "m^2", _half_square(reach, self._squared_length), force=reach.value, point=other.value)
+            ClosingEquation(
+                "",
+                "m^2",
+                _half_square(reach, self._squared_length),
+                force=reach.value,
+                point=other.value,
+            )
         ]
 
     def shown(self, multipliers: ca.SX) -> ca.SX:
@@ -517,7 +567,13 @@ class Perpendicular(Joint):
 
     def rows(self) -> list[ClosingEquation]:
         """Its equations."""
-        return [_square("", self.first.frame.direction(self.axis), self.second.frame.direction(self.second_axis))]
+        return [
+            _square(
+                "",
+                self.first.frame.direction(self.axis),
+                self.second.frame.direction(self.second_axis),
+            )
+        ]
 
 
 @dataclass(frozen=True, eq=False)
@@ -545,7 +601,11 @@ def _point_to_point(joint: Joint, at: ca.SX, second_at: ca.SX) -> list[ClosingEq
     gap = other - joint.first.frame.point(at)
     return [
         ClosingEquation(
-            axis, "m", Moving(gap.value[i], gap.rate[i], gap.bias[i]), force=ca.SX.eye(3)[:, i], point=other.value
+            axis,
+            "m",
+            Moving(gap.value[i], gap.rate[i], gap.bias[i]),
+            force=ca.SX.eye(3)[:, i],
+            point=other.value,
         )
         for i, axis in enumerate("xyz")
     ]
@@ -566,12 +626,16 @@ def _parallel(joint: Joint, axis: ca.SX) -> list[ClosingEquation]:
     """A direction of both bodies in parallel."""
     other = joint.second.frame.direction(axis)
     across = [joint.first.frame.direction(normal) for normal in normals(axis)]
-    return [_square(tag, normal, other) for tag, normal in zip(("tilt", "tilt_2"), across, strict=True)]
+    return [
+        _square(tag, normal, other) for tag, normal in zip(("tilt", "tilt_2"), across, strict=True)
+    ]
 
 
 def _square(tag: str, first: Moving, second: Moving) -> ClosingEquation:
     """A direction of the first body at right angles to one of the second."""
-    return ClosingEquation(tag, "rad", first.dot(second), torque=ca.cross(second.value, first.value))
+    return ClosingEquation(
+        tag, "rad", first.dot(second), torque=ca.cross(second.value, first.value)
+    )
 
 
 def _half_square(reach: Moving, squared: ca.SX) -> Moving:

@@ -25,8 +25,14 @@ class Ldl:
                     self._lower[i, j] = entry / self.pivots[j]
 
     def _inner(self, i: int, j: int) -> ca.SX:
-        shared = (k for k in range(j) if self._lower.sparsity().has_nz(i, k) and self._lower.sparsity().has_nz(j, k))
-        return sum((self._lower[i, k] * self._lower[j, k] * self.pivots[k] for k in shared), ca.SX(1, 1))
+        shared = (
+            k
+            for k in range(j)
+            if self._lower.sparsity().has_nz(i, k) and self._lower.sparsity().has_nz(j, k)
+        )
+        return sum(
+            (self._lower[i, k] * self._lower[j, k] * self.pivots[k] for k in shared), ca.SX(1, 1)
+        )
 
     def forward(self, rhs: ca.SX) -> ca.SX:
         """Return ``L^-1 rhs`` (in the factor's own order of rows)."""
@@ -39,7 +45,11 @@ class Ldl:
 
     def scale(self, rows: ca.SX) -> ca.SX:
         """Return ``D^-1 rows``."""
-        return ca.vertcat(*(rows[i, :] / self.pivots[i] for i in range(self.size))) if self.size else rows
+        return (
+            ca.vertcat(*(rows[i, :] / self.pivots[i] for i in range(self.size)))
+            if self.size
+            else rows
+        )
 
     def backward(self, rows: ca.SX) -> ca.SX:
         """Return ``L^-T rows`` in the order of the matrix."""

@@ -16,7 +16,18 @@ from jounce.mechanics.expressions import text_of
 from jounce.mechanics.structure import Structure
 
 _ELEMENTS = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
-_NO_NUMBERS = {"name", "kind", "units", "first", "second", "body", "carries", "coordinates", "speeds", "loop"}
+_NO_NUMBERS = {
+    "name",
+    "kind",
+    "units",
+    "first",
+    "second",
+    "body",
+    "carries",
+    "coordinates",
+    "speeds",
+    "loop",
+}
 _NO_NUMBERS |= {"equations", "tracks", "bodies", "frame", "positive", "as_designed", "joint"}
 _LONGEST = 160  # characters of a law that a line shows
 
@@ -26,11 +37,18 @@ class Reading:
 
     def __init__(self, mechanism: Structure, values: Mapping[str, float]) -> None:
         self._mechanism, collection = mechanism, mechanism.collection
-        self._parameters = {symbol.element_hash(): path for path, symbol in collection.parameters.items()}
-        given = {path: (symbol, values[path]) for path, symbol in collection.parameters.items() if path in values}
+        self._parameters = {
+            symbol.element_hash(): path for path, symbol in collection.parameters.items()
+        }
+        given = {
+            path: (symbol, values[path])
+            for path, symbol in collection.parameters.items()
+            if path in values
+        }
         self._values = values
         self._numbers = {
-            symbol.element_hash(): (symbol, value) for symbol, value in (given | collection.constants).values()
+            symbol.element_hash(): (symbol, value)
+            for symbol, value in (given | collection.constants).values()
         }
 
     def value(self, path: str) -> float | None:
@@ -45,7 +63,9 @@ class Reading:
         if len(pairs) < len(given):
             return None
         symbols = ca.vertcat(*(symbol for symbol, _ in pairs))
-        result = ca.Function("numbers", [symbols], [ca.densify(expression)])([value for _, value in pairs])
+        result = ca.Function("numbers", [symbols], [ca.densify(expression)])(
+            [value for _, value in pairs]
+        )
         return np.asarray(result.full(), dtype=np.float64).squeeze()
 
     def numbers_of(self, description: NamedPart) -> Known:
@@ -57,7 +77,11 @@ class Reading:
             if not isinstance(value, ca.SX):
                 return np.array(np.nan)
             result = self.numbers(value)
-            return np.full(value.numel() if value.numel() > 1 else (), np.nan) if result is None else result
+            return (
+                np.full(value.numel() if value.numel() > 1 else (), np.nan)
+                if result is None
+                else result
+            )
 
         return value_of
 
@@ -77,14 +101,18 @@ class Reading:
         for named in self._mechanism.poses.occurring(expression):
             place = self.numbers(named.design)
             parts = ca.vertsplit(named.design)
-            shown = ", ".join(map(text_of, parts) if place is None else (f"{part:.6g}" for part in place))
+            shown = ", ".join(
+                map(text_of, parts) if place is None else (f"{part:.6g}" for part in place)
+            )
             whole = f"{named.body.name}.{'point' if named.is_point else 'direction'}({shown})"
             symbols = ca.vertcat(*(ca.SX.sym(f"{whole}.{axis}") for axis in "xyz"))
             expression = ca.substitute(expression, named.symbol, symbols)
         paths = [self._parameters.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
         units = self._mechanism.units
         parameters: dict[str, Plain] = {
-            path: {"value": self.value(path), "unit": units.get(path, "")} for path in paths if path is not None
+            path: {"value": self.value(path), "unit": units.get(path, "")}
+            for path in paths
+            if path is not None
         }
         texts: list[Plain] = [text_of(part) for part in ca.vertsplit(expression)]
         return {"expression": texts[0] if len(texts) == 1 else texts, "parameters": parameters}
@@ -92,7 +120,9 @@ class Reading:
     def ratios(self, expression: ca.SX) -> dict[str, Plain] | None:
         """Coefficients of a linear expression by coordinate and track; None if it is not linear in them."""
         collection = self._mechanism.collection
-        every = {name: track.value for name, track in collection.tracks.items()} | collection.coordinates
+        every = {
+            name: track.value for name, track in collection.tracks.items()
+        } | collection.coordinates
         within = {symbol.element_hash() for symbol in ca.symvar(expression)}
         result: dict[str, Plain] = {}
         for name, symbol in every.items():
@@ -104,7 +134,9 @@ class Reading:
         return None if self._mechanism.poses.occurring(expression) else result
 
 
-def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable[NamedPart]) -> dict[str, Any]:
+def as_data(
+    mechanism: Structure, values: Mapping[str, float], watched: Iterable[NamedPart]
+) -> dict[str, Any]:
     """Bodies, joints, loops, conditions, loads, tracks and watched outputs (see :meth:`Mechanism.to_dict`)."""
     collection, loops, read = mechanism.collection, mechanism.loops(), Reading(mechanism, values)
     write = read.write
@@ -112,12 +144,21 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
     def acts_on(symbols: ca.SX) -> dict[str, Plain]:
         names = [symbol.name() for symbol in ca.symvar(symbols)]
         bodies = dict.fromkeys(named.body.name for named in mechanism.poses.occurring(symbols))
-        each = (("coordinates", collection.coordinates), ("tracks", collection.tracks), ("bodies", bodies))
-        return {key: [name for name in listed if name in names or key == "bodies"] for key, listed in each}
+        each = (
+            ("coordinates", collection.coordinates),
+            ("tracks", collection.tracks),
+            ("bodies", bodies),
+        )
+        return {
+            key: [name for name in listed if name in names or key == "bodies"]
+            for key, listed in each
+        }
 
     return {
         "gravity": write(mechanism.gravity),
-        "bodies": [_body(body, write) for body in mechanism.bodies.values() if body is not mechanism.ground],
+        "bodies": [
+            _body(body, write) for body in mechanism.bodies.values() if body is not mechanism.ground
+        ],
         "joints": [
             hung.joint.to_plain(write)
             | {
@@ -151,23 +192,29 @@ def as_data(mechanism: Structure, values: Mapping[str, float], watched: Iterable
             for condition, _ in mechanism.conditions.values()
         ],
         "loads": [
-            load.to_plain(write) | acts_on(ca.vertcat(*(expression for expression, _ in action.along)))
+            load.to_plain(write)
+            | acts_on(ca.vertcat(*(expression for expression, _ in action.along)))
             if action.along
             else load.to_plain(write)
             for load, action in mechanism.loads
         ],
         "tracks": list(collection.tracks),
-        "switches": [{"name": name, "above_zero": read.law(when)} for name, (_, when) in collection.switches.items()],
+        "switches": [
+            {"name": name, "above_zero": read.law(when)}
+            for name, (_, when) in collection.switches.items()
+        ],
         "internal_states": [
             {"name": name, "rate": None if rate is None else read.law(rate)}
             for name, (_, rate) in collection.internal.items()
         ],
         "parameters": {
-            path: {"value": read.value(path), "unit": mechanism.units.get(path, "")} for path in collection.parameters
+            path: {"value": read.value(path), "unit": mechanism.units.get(path, "")}
+            for path in collection.parameters
         },
         "watched": [watch.to_plain(write) for watch in watched],
         "outputs": [
-            {"name": output.name, "unit": output.unit, "long_name": output.long_name} for output in collection.outputs
+            {"name": output.name, "unit": output.unit, "long_name": output.long_name}
+            for output in collection.outputs
         ],
     }
 
@@ -181,7 +228,9 @@ def _body(body: Body, write: Write) -> dict[str, Plain]:
         inertia = ca.vertcat(*(properties.inertia[i, j] for i, j in _ELEMENTS.values()))
         elements = write(inertia)
         result |= {"mass": write(properties.mass), "centre_of_mass": write(properties.centre)}
-        result["inertia"] = dict(zip(_ELEMENTS, elements, strict=True)) if isinstance(elements, list) else None
+        result["inertia"] = (
+            dict(zip(_ELEMENTS, elements, strict=True)) if isinstance(elements, list) else None
+        )
     return result
 
 
@@ -195,7 +244,10 @@ def as_text(listed: Mapping[str, Any]) -> str:
     for body in listed["bodies"]:
         if "mass" in body:
             elements = body["inertia"] or {}
-            inertia = ", ".join(f"{name} {_format_value(value)}" for name, value in elements.items()) or "not known"
+            inertia = (
+                ", ".join(f"{name} {_format_value(value)}" for name, value in elements.items())
+                or "not known"
+            )
             bodies.append(
                 f"{body['name']}: mass {_format_value(body['mass'])} kg, "
                 f"centre of mass {_format_value(body['centre_of_mass'])} m, "
@@ -217,7 +269,13 @@ def as_text(listed: Mapping[str, Any]) -> str:
         for entry in listed["conditions"]
     ]
     loads = [_line(entry) for entry in listed["loads"]]
-    parts = {"bodies": bodies, "joints": joints, "loops closed by": closures, "conditions": conditions, "loads": loads}
+    parts = {
+        "bodies": bodies,
+        "joints": joints,
+        "loops closed by": closures,
+        "conditions": conditions,
+        "loads": loads,
+    }
     parts["tracks"] = listed["tracks"]
     parts["switches"] = [
         f"{entry['name']}: 1 where {_format_value(entry['above_zero'])} > 0{_with(entry['above_zero'])}"
@@ -229,14 +287,20 @@ def as_text(listed: Mapping[str, Any]) -> str:
     ]
     parts["watched"] = [f"{entry['name']}: {entry['kind']}" for entry in listed["watched"]]
     return "\n".join(
-        line for name, lines in parts.items() if lines for line in (name, *(f"  {entry}" for entry in lines))
+        line
+        for name, lines in parts.items()
+        if lines
+        for line in (name, *(f"  {entry}" for entry in lines))
     )
 
 
 def _line(entry: Mapping[str, Any]) -> str:
     """Name, kind, bodies, numbers and laws."""
     ends = " - ".join(entry[end] for end in ("first", "second", "body", "joint") if end in entry)
-    units = {name: "" if unit == "1" else f" {unit.replace('*', ' ')}" for name, unit in entry["units"].items()}
+    units = {
+        name: "" if unit == "1" else f" {unit.replace('*', ' ')}"
+        for name, unit in entry["units"].items()
+    }
     numbers = [
         f"{name.replace('_', ' ')} {_format_value(value)}{units.get(name, '')}"
         + (" as designed" if name in entry.get("as_designed", ()) else "")
@@ -250,7 +314,9 @@ def _line(entry: Mapping[str, Any]) -> str:
 
 
 def _names(entry: Mapping[str, Any]) -> str:
-    return ", ".join(name for part in ("coordinates", "bodies", "tracks") for name in entry.get(part, ()))
+    return ", ".join(
+        name for part in ("coordinates", "bodies", "tracks") for name in entry.get(part, ())
+    )
 
 
 def _law(entry: Mapping[str, Any]) -> dict[str, Any]:
@@ -272,7 +338,11 @@ def _format_value(value: Plain) -> str:
         return "not known"
     if isinstance(value, dict):
         text = _format_value(value["expression"])
-        return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}... ({len(text)} characters, whole in to_dict)"
+        return (
+            text
+            if len(text) <= _LONGEST
+            else f"{text[:_LONGEST]}... ({len(text)} characters, whole in to_dict)"
+        )
     if isinstance(value, list):
         return f"({', '.join(_format_value(part) for part in value)})"
     return f"{value:.6g}" if isinstance(value, float) else str(value)

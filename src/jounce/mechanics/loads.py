@@ -41,8 +41,12 @@ class Action:
 
     power: tuple[tuple[ca.SX, ca.SX], ...] = ()  # rates, and forces that do power on them
     wrenches: tuple[Wrench, ...] = ()  # what it is on bodies
-    along: tuple[tuple[ca.SX, ca.SX], ...] = ()  # expressions, and forces along them that are not among the wrenches
-    efforts: tuple[tuple[ca.SX, ca.SX], ...] = ()  # rates, and forces on them that act on coordinates
+    along: tuple[
+        tuple[ca.SX, ca.SX], ...
+    ] = ()  # expressions, and forces along them that are not among the wrenches
+    efforts: tuple[
+        tuple[ca.SX, ca.SX], ...
+    ] = ()  # rates, and forces on them that act on coordinates
     stored: tuple[ca.SX, ...] = ()  # energies, J
     lost: tuple[ca.SX, ...] = ()  # powers, W
     shown: tuple[ca.SX, ...] = ()  # what the maker of the load gets
@@ -101,7 +105,9 @@ class GeneralForce(ForceElement):
 
     def action(self, system: System) -> Action:
         """Effects of the load."""
-        return Action(((system.rate_of(self.along), self.magnitude),), along=((self.along, self.magnitude),))
+        return Action(
+            ((system.rate_of(self.along), self.magnitude),), along=((self.along, self.magnitude),)
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,7 +138,10 @@ class Between(ForceElement):
         along = reach.value / length_of(reach.value)
         power = (ca.dot(along, reach.rate), force)
         ends = ((self.first, first, -1.0), (self.second, second, 1.0))
-        return Action((power,), tuple(Wrench(body, sign * force * along, end.value) for body, end, sign in ends))
+        return Action(
+            (power,),
+            tuple(Wrench(body, sign * force * along, end.value) for body, end, sign in ends),
+        )
 
     def pair(self, place: ca.SX, force: ca.SX, torque: ca.SX = _NONE) -> tuple[Wrench, ...]:
         """Force and torque on the second body (ground axes) and their opposites on the first, at one place."""
@@ -167,7 +176,9 @@ class ForceBetween(Between):
     def action(self, system: System) -> Action:  # noqa: ARG002
         """Effects of the load."""
         frame = self.first.frame
-        carried = frame.origin.rate + ca.cross(frame.orientation.ground_spin, self.at.value - frame.origin.value)
+        carried = frame.origin.rate + ca.cross(
+            frame.orientation.ground_spin, self.at.value - frame.origin.value
+        )
         return Action(((self.at.rate - carried, self.force),), self.pair(self.at.value, self.force))
 
 
@@ -186,7 +197,9 @@ class SpringDamper(Between):
 
     def defaults(self) -> dict[str, ca.SX]:
         """By default the spring is unloaded as designed."""
-        return {} if self.force is not None else {"free_length": length_of(self.second_at - self.at)}
+        return (
+            {} if self.force is not None else {"free_length": length_of(self.second_at - self.at)}
+        )
 
     def action(self, system: System) -> Action:
         """Return length (m) and force (N) to the maker."""
@@ -199,7 +212,9 @@ class SpringDamper(Between):
         rate = ca.dot(reach.value, reach.rate) / length
         free = self.defaults()["free_length"] if self.free_length is None else self.free_length
         force, stored, lost = _spring_and_damper(self.stiffness, length - free, self.damping, rate)
-        return _with(self.apart(first, second, force), stored=stored, lost=lost, shown=(length, force))
+        return _with(
+            self.apart(first, second, force), stored=stored, lost=lost, shown=(length, force)
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -220,8 +235,16 @@ class RotationalSpringDamper(ForceElement):
         rate, torque = system.rate_of(self.angle), self.torque
         if torque is not None:
             return Action(((rate, torque),), along=((self.angle, torque),), shown=(torque,))
-        torque, stored, lost = _spring_and_damper(self.stiffness, self.angle - self.free_angle, self.damping, rate)
-        return Action(((rate, torque),), along=((self.angle, torque),), stored=stored, lost=lost, shown=(torque,))
+        torque, stored, lost = _spring_and_damper(
+            self.stiffness, self.angle - self.free_angle, self.damping, rate
+        )
+        return Action(
+            ((rate, torque),),
+            along=((self.angle, torque),),
+            stored=stored,
+            lost=lost,
+            shown=(torque,),
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -235,10 +258,14 @@ class OnCoordinate(ForceElement):
         """Return N and m, or N m and rad."""
         return _units_along(self.length)
 
-    def acts(self, system: System, force: ca.SX, stored: tuple[ca.SX, ...], lost: tuple[ca.SX, ...]) -> Action:
+    def acts(
+        self, system: System, force: ca.SX, stored: tuple[ca.SX, ...], lost: tuple[ca.SX, ...]
+    ) -> Action:
         """Let a force act along the coordinate."""
         along = ((self.coordinate, force),)
-        return Action(((system.rate_of(self.coordinate), force),), (), along, (), stored, lost, (force,))
+        return Action(
+            ((system.rate_of(self.coordinate), force),), (), along, (), stored, lost, (force,)
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -255,10 +282,17 @@ class Stop(OnCoordinate):
         """Refuse a stop that is never touched, or touched at both ends at once."""
         super().check(known)
         if self.lower is None and self.upper is None:
-            raise AssemblyError("a stop without limits", where=self.name, hint="Give lower, upper, or both.")
+            raise AssemblyError(
+                "a stop without limits", where=self.name, hint="Give lower, upper, or both."
+            )
         if self.lower is not None and self.upper is not None and known("lower") > known("upper"):
-            limits, allowed = f"{known('lower'):g} to {known('upper'):g} {self.length}", "lower at most upper"
-            raise AssemblyError("the limits of a stop are crossed", where=self.name, found=limits, allowed=allowed)
+            limits, allowed = (
+                f"{known('lower'):g} to {known('upper'):g} {self.length}",
+                "lower at most upper",
+            )
+            raise AssemblyError(
+                "the limits of a stop are crossed", where=self.name, found=limits, allowed=allowed
+            )
 
     def action(self, system: System) -> Action:
         """Return its force (N or N m) to the maker."""
@@ -269,7 +303,9 @@ class Stop(OnCoordinate):
             depth = sign * (end - self.coordinate)
             rate = system.rate_of(depth)
             touched = system.switch(f"{self.name} {tag} touched", depth)
-            pushing = system.switch(f"{self.name} {tag} pushing", self.stiffness * depth + self.damping * rate)
+            pushing = system.switch(
+                f"{self.name} {tag} pushing", self.stiffness * depth + self.damping * rate
+            )
             stored.append(touched * 0.5 * self.stiffness * depth**2)
             push = pushing * (self.stiffness * depth + self.damping * rate)
             lost.append(touched * rate * (push - self.stiffness * depth))
@@ -289,7 +325,9 @@ class CoordinateFriction(OnCoordinate):
         """Return its force (N or N m) to the maker."""
         rate = system.rate_of(self.coordinate)
         sharp = rate / self.regularisation_rate
-        system.switch(f"{self.name} sliding", ca.fabs(sharp) - _SLIDING)  # steps land on both sides of the layer
+        system.switch(
+            f"{self.name} sliding", ca.fabs(sharp) - _SLIDING
+        )  # steps land on both sides of the layer
         drag = -self.force * ca.tanh(sharp)
         return self.acts(system, drag, (), (-drag * rate,))
 
@@ -316,7 +354,11 @@ def length_of(vector: ca.SX) -> ca.SX:
 
 
 def _with(
-    action: Action, *, stored: tuple[ca.SX, ...] = (), lost: tuple[ca.SX, ...] = (), shown: tuple[ca.SX, ...] = ()
+    action: Action,
+    *,
+    stored: tuple[ca.SX, ...] = (),
+    lost: tuple[ca.SX, ...] = (),
+    shown: tuple[ca.SX, ...] = (),
 ) -> Action:
     return Action(action.power, action.wrenches, stored=stored, lost=lost, shown=shown)
 

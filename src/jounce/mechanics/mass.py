@@ -21,7 +21,9 @@ from jounce.core.units import to_si
 
 Number = float | str
 """A number in SI, or text with a unit."""
-_TRIANGLE = 1e-6  # share of the largest moment by which rounding may violate the triangle inequality
+_TRIANGLE = (
+    1e-6  # share of the largest moment by which rounding may violate the triangle inequality
+)
 
 
 @dataclass(frozen=True)
@@ -93,7 +95,9 @@ def sphere(density: Number, radius: Number, centre: Sequence[Number]) -> SolidMa
     return SolidMass(float(mass), _place(centre, "centre"), 0.4 * mass * r * r * np.eye(3))
 
 
-def cylinder(density: Number, radius: Number, start: Sequence[Number], end: Sequence[Number]) -> SolidMass:
+def cylinder(
+    density: Number, radius: Number, start: Sequence[Number], end: Sequence[Number]
+) -> SolidMass:
     """Return the mass properties of a round bar between two points.
 
     Parameters
@@ -114,7 +118,11 @@ def cylinder(density: Number, radius: Number, start: Sequence[Number], end: Sequ
 
 
 def tube(
-    density: Number, inner_radius: Number, outer_radius: Number, start: Sequence[Number], end: Sequence[Number]
+    density: Number,
+    inner_radius: Number,
+    outer_radius: Number,
+    start: Sequence[Number],
+    end: Sequence[Number],
 ) -> SolidMass:
     """Return the mass properties of a tube between two points.
 
@@ -137,11 +145,16 @@ def tube(
     AssemblyError
         If a size is not positive or the inner radius is not below the outer one.
     """
-    rho, outer = _positive(density, "kg/m^3", "density"), _positive(outer_radius, "m", "outer radius")
+    rho, outer = (
+        _positive(density, "kg/m^3", "density"),
+        _positive(outer_radius, "m", "outer radius"),
+    )
     inner = to_si(inner_radius, "m", where="inner radius")
     if not 0.0 <= inner < outer:
         raise AssemblyError(
-            "not an inner radius", found=f"{inner:g} m", allowed=Phrase("0 to below {outer:g} m", outer=outer)
+            "not an inner radius",
+            found=f"{inner:g} m",
+            allowed=Phrase("0 to below {outer:g} m", outer=outer),
         )
     first, last = _place(start, "start"), _place(end, "end")
     length = _positive(float(np.linalg.norm(last - first)), "m", "distance of the ends")
@@ -153,7 +166,9 @@ def tube(
     return SolidMass(float(mass), 0.5 * (first + last), inertia)
 
 
-def mesh(density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], scale: float = 1.0) -> SolidMass:
+def mesh(
+    density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], scale: float = 1.0
+) -> SolidMass:
     """Return the mass properties of a closed triangle mesh, by the library trimesh (extra ``mesh``).
 
     Parameters
@@ -190,7 +205,9 @@ def mesh(density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], sca
         )
     rho, unit = _positive(density, "kg/m^3", "density"), _positive(scale, "m", "scale")
     inertia = np.asarray(result.moment_inertia) * rho * unit**5
-    return SolidMass(float(result.volume * rho * unit**3), np.asarray(result.center_mass) * unit, inertia)
+    return SolidMass(
+        float(result.volume * rho * unit**3), np.asarray(result.center_mass) * unit, inertia
+    )
 
 
 def _read(trimesh: ModuleType, file: Path) -> Any:
@@ -200,7 +217,9 @@ def _read(trimesh: ModuleType, file: Path) -> Any:
         result = trimesh.load(str(file), force="mesh")
     except Exception as error:  # the readers of many formats raise what they like
         hint = "Take STL, OBJ or PLY."
-        raise AssemblyError("not a surface that can be read", where=str(file), found=str(error), hint=hint) from error
+        raise AssemblyError(
+            "not a surface that can be read", where=str(file), found=str(error), hint=hint
+        ) from error
     if not isinstance(result, trimesh.Trimesh) or not len(result.faces):
         raise AssemblyError("no surface in the file", where=str(file), found="no faces")
     return result
@@ -247,7 +266,11 @@ def check_inertia(name: str, mass: float, inertia: Array) -> None:
         raise AssemblyError("not a mass", where=name, found=f"{mass:g} kg", allowed="above 0 kg")
     moments = np.linalg.eigvalsh(inertia)
     slack = _TRIANGLE * max(moments[2], 1e-300)
-    if not np.all(np.isfinite(inertia)) or moments[0] < -slack or moments[2] > moments[0] + moments[1] + slack:
+    if (
+        not np.all(np.isfinite(inertia))
+        or moments[0] < -slack
+        or moments[2] > moments[0] + moments[1] + slack
+    ):
         shown = ", ".join(f"{moment:.6g}" for moment in moments)
         raise AssemblyError(
             "impossible inertia",
@@ -261,13 +284,17 @@ def check_inertia(name: str, mass: float, inertia: Array) -> None:
 def _positive(value: Number, unit: str, what: str) -> float:
     number = to_si(value, unit, where=what)
     if not number > 0.0:
-        raise AssemblyError(Phrase("not a {what}", what=what), found=f"{number:g} {unit}", allowed="above 0")
+        raise AssemblyError(
+            Phrase("not a {what}", what=what), found=f"{number:g} {unit}", allowed="above 0"
+        )
     return number
 
 
 def _three(values: Sequence[Number], what: str) -> Sequence[Number]:
     if len(values) != 3:
-        raise AssemblyError("not a vector", where=what, found=f"{len(values)} numbers", allowed="three: x, y, z")
+        raise AssemblyError(
+            "not a vector", where=what, found=f"{len(values)} numbers", allowed="three: x, y, z"
+        )
     return values
 
 

@@ -24,7 +24,14 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.mechanics import joints, listing, loads, outputs
 from jounce.mechanics.assembly import assemble, refuse_singular, removable
-from jounce.mechanics.bodies import Body, BodyFrames, BodyPoint, MassProperties, RigidMass, tensor_elements
+from jounce.mechanics.bodies import (
+    Body,
+    BodyFrames,
+    BodyPoint,
+    MassProperties,
+    RigidMass,
+    tensor_elements,
+)
 from jounce.mechanics.carrier import Carried, CarriedMasses, MovingCarrier
 from jounce.mechanics.descriptions import NamedPart, Number, Vector
 from jounce.mechanics.equations import Collection, Track, form
@@ -88,7 +95,9 @@ class Mechanism(Structure):
         """Return the parameter at ``path`` with a value of its own (SI ``unit``); an expression is taken unchanged."""
         if isinstance(value, ca.SX):
             if value.shape != (1, 1):
-                raise AssemblyError("not a number", where=path, found=f"{value.numel()} expressions", allowed="one")
+                raise AssemblyError(
+                    "not a number", where=path, found=f"{value.numel()} expressions", allowed="one"
+                )
             return self.poses.require_still(value, path)
         placed = self._scope[1] + check_name(path, "parameter")
         if placed in self.values:
@@ -101,20 +110,36 @@ class Mechanism(Structure):
     @all_or_nothing
     def vector(self, path: str, value: Vector, unit: str = "m") -> ca.SX:
         """Return three parameters ``path[0]`` to ``path[2]`` with values of their own (SI ``unit``)."""
-        shape = value.shape if isinstance(value, ca.SX) else (np.size(np.asarray(value, dtype=object)), 1)
+        shape = (
+            value.shape
+            if isinstance(value, ca.SX)
+            else (np.size(np.asarray(value, dtype=object)), 1)
+        )
         if shape != (3, 1):
-            raise AssemblyError("not a vector", where=path, found=f"{shape[0]} numbers", allowed="three: x, y, z")
+            raise AssemblyError(
+                "not a vector", where=path, found=f"{shape[0]} numbers", allowed="three: x, y, z"
+            )
         if isinstance(value, ca.SX):
             return self.poses.require_still(value, path)
-        return ca.vertcat(*(self.number(f"{path}[{i}]", part, unit) for i, part in enumerate(value)))
+        return ca.vertcat(
+            *(self.number(f"{path}[{i}]", part, unit) for i, part in enumerate(value))
+        )
 
     @all_or_nothing
     def direction(self, path: str, value: Vector) -> ca.SX:
         """Return the unit vector along three numbers."""
         if not isinstance(value, ca.SX):
-            parts = [to_si(part, "1", where=path) for part in np.atleast_1d(np.asarray(value, dtype=object)).ravel()]
+            parts = [
+                to_si(part, "1", where=path)
+                for part in np.atleast_1d(np.asarray(value, dtype=object)).ravel()
+            ]
             if len(parts) == 3 and not any(parts):
-                raise AssemblyError("an axis without direction", where=path, found=tuple(parts), allowed="not all zero")
+                raise AssemblyError(
+                    "an axis without direction",
+                    where=path,
+                    found=tuple(parts),
+                    allowed="not all zero",
+                )
         return unit(self.vector(path, value, "1"))
 
     # bodies ----------------------------------------------------------------------------------------------------
@@ -150,33 +175,44 @@ class Mechanism(Structure):
         properties = None
         if mass is not None:
             if centre_of_mass is None:
-                raise AssemblyError("a mass without its place", where=name, hint="Give centre_of_mass.")
+                raise AssemblyError(
+                    "a mass without its place", where=name, hint="Give centre_of_mass."
+                )
             properties = MassProperties(
                 self.number(f"{name}.mass", mass, "kg"),
                 self.vector(f"{name}.centre_of_mass", centre_of_mass),
                 self._tensor(f"{name}.inertia", inertia),
             )
             numbers = [
-                listing.Reading(self, self.values).numbers(part) for part in (properties.mass, properties.inertia)
+                listing.Reading(self, self.values).numbers(part)
+                for part in (properties.mass, properties.inertia)
             ]
             if numbers[0] is not None and numbers[1] is not None:
                 check_inertia(placed, float(numbers[0]), numbers[1])
         elif inertia is not None or centre_of_mass is not None:
-            raise AssemblyError("a centre of mass or an inertia without a mass", where=name, hint="Give mass.")
+            raise AssemblyError(
+                "a centre of mass or an inertia without a mass", where=name, hint="Give mass."
+            )
         self.bodies[placed] = Body(placed, self.poses, properties)
         return self.bodies[placed]
 
-    def _tensor(self, path: str, inertia: Sequence[float | str] | NDArray[np.float64] | ca.SX | None) -> ca.SX:
+    def _tensor(
+        self, path: str, inertia: Sequence[float | str] | NDArray[np.float64] | ca.SX | None
+    ) -> ca.SX:
         if inertia is None:
             return ca.SX(3, 3)
         if isinstance(inertia, ca.SX):
             if inertia.shape != (3, 3):
                 shape, allowed = f"shape {inertia.shape}", "a symmetric (3, 3) tensor"
-                raise AssemblyError("not a tensor of inertia", where=path, found=shape, allowed=allowed)
+                raise AssemblyError(
+                    "not a tensor of inertia", where=path, found=shape, allowed=allowed
+                )
             return self.poses.require_still(inertia, path)
         names, elements = ("xx", "yy", "zz", "xy", "xz", "yz"), tensor_elements(path, inertia)
         pairs = zip(names, elements, strict=True)
-        xx, yy, zz, xy, xz, yz = (self.number(f"{path}.{name}", value, "kg*m^2") for name, value in pairs)
+        xx, yy, zz, xy, xz, yz = (
+            self.number(f"{path}.{name}", value, "kg*m^2") for name, value in pairs
+        )
         return ca.vertcat(ca.horzcat(xx, xy, xz), ca.horzcat(xy, yy, yz), ca.horzcat(xz, yz, zz))
 
     @all_or_nothing
@@ -229,8 +265,13 @@ class Mechanism(Structure):
         if not joint.hangs:
             self._require_placed(name, first, second)
         elif not (first.is_placed or second.is_placed):
-            names, hint = f"{first.name}, {second.name}", "Give the joints in an order that starts at the ground."
-            raise AssemblyError("neither body hangs on anything yet", where=name, found=names, hint=hint)
+            names, hint = (
+                f"{first.name}, {second.name}",
+                "Give the joints in an order that starts at the ground.",
+            )
+            raise AssemblyError(
+                "neither body hangs on anything yet", where=name, found=names, hint=hint
+            )
         self._refuse_apart(name, first, second)
         closes = first.is_placed and second.is_placed
         if closes and not joint.closes:
@@ -252,15 +293,25 @@ class Mechanism(Structure):
         parent, child, sign = joint.first, joint.second, 1
         if child.is_placed:
             parent, child, sign = child, parent, -1
-        names, units = [f"{name}.{tag}" for tag, _ in joint.coordinates], [unit for _, unit in joint.coordinates]
-        q, v = self.coordinates(names, [f"{text} rate" for text in names], units=units) if names else (_EMPTY, _EMPTY)
+        names, units = (
+            [f"{name}.{tag}" for tag, _ in joint.coordinates],
+            [unit for _, unit in joint.coordinates],
+        )
+        q, v = (
+            self.coordinates(names, [f"{text} rate" for text in names], units=units)
+            if names
+            else (_EMPTY, _EMPTY)
+        )
         e, w = self.quaternion(name) if joint.has_quaternion else (_EMPTY, _EMPTY)
         motion = JointCoordinates(q, v, e, w)
         self.poses.frames[child.name] = joint.hang(parent.frame, motion, sign)
         coordinates, quaternion = (
-            tuple(symbol.name() for symbol in ca.vertsplit(part)) if part.numel() else () for part in (q, e)
+            tuple(symbol.name() for symbol in ca.vertsplit(part)) if part.numel() else ()
+            for part in (q, e)
         )
-        speeds = tuple(symbol.name() for part in (v, w) if part.numel() for symbol in ca.vertsplit(part))
+        speeds = tuple(
+            symbol.name() for part in (v, w) if part.numel() for symbol in ca.vertsplit(part)
+        )
         if (given := len(joint.efforts(child, self.ground))) != len(speeds):
             allowed = f"{len(speeds)}, one for each speed: {', '.join(speeds)}"
             raise AssemblyError(
@@ -269,7 +320,9 @@ class Mechanism(Structure):
                 found=given,
                 allowed=allowed,
             )
-        self.hanging[joint.name] = HangingJoint(joint, parent, child, motion, coordinates, quaternion, speeds)
+        self.hanging[joint.name] = HangingJoint(
+            joint, parent, child, motion, coordinates, quaternion, speeds
+        )
         self._refuse_clashes()
         return ca.vertcat(q, e)
 
@@ -277,9 +330,13 @@ class Mechanism(Structure):
         """Close a loop between two placed bodies."""
         rows = tuple(joint.rows())
         equations = [
-            Equation(f"{joint.name}.{row.tag}" if row.tag else joint.name, joint.name, row.unit) for row in rows
+            Equation(f"{joint.name}.{row.tag}" if row.tag else joint.name, joint.name, row.unit)
+            for row in rows
         ]
-        columns = zip(*((row.residual.value, row.residual.rate, row.residual.bias) for row in rows), strict=True)
+        columns = zip(
+            *((row.residual.value, row.residual.rate, row.residual.bias) for row in rows),
+            strict=True,
+        )
         multipliers = self.constrain(equations, *(ca.vertcat(*column) for column in columns))
         self.closing[joint.name] = Closing(joint, rows, multipliers)
         return joint.shown(multipliers)
@@ -288,7 +345,9 @@ class Mechanism(Structure):
         """Weld two bodies together."""
         self.add(joints.Fixed(name, parent, child))
 
-    def prismatic(self, name: str, parent: Body, child: Body, axis: Vector, at: Vector = _NONE) -> ca.SX:
+    def prismatic(
+        self, name: str, parent: Body, child: Body, axis: Vector, at: Vector = _NONE
+    ) -> ca.SX:
         """Let a body slide along an axis; return the distance (m), positive if the child moves along ``axis``."""
         return self.add(joints.Prismatic(name, parent, child, at, axis))
 
@@ -300,11 +359,15 @@ class Mechanism(Structure):
         """Let a body slide along an axis and turn about it; return distance (m) and angle (rad)."""
         return self.add(joints.Cylindrical(name, parent, child, at, axis))
 
-    def screw(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, pitch: Number) -> ca.SX:
+    def screw(
+        self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, pitch: Number
+    ) -> ca.SX:
         """Let a body turn on a thread; return the angle (rad). A turn is ``pitch`` (m, not 0) along ``axis``."""
         return self.add(joints.Screw(name, parent, child, at, axis, pitch))
 
-    def universal(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_axis: Vector) -> ca.SX:
+    def universal(
+        self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_axis: Vector
+    ) -> ca.SX:
         """Cross of two axes at right angles, the first on the first body; return the angles about them (rad)."""
         return self.add(joints.Universal(name, parent, child, at, axis, second_axis))
 
@@ -312,7 +375,9 @@ class Mechanism(Structure):
         """Let a body turn about a point; return the quaternion of its orientation against the ground."""
         return self.add(joints.Spherical(name, parent, child, at))
 
-    def link(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_at: Vector) -> ca.SX:
+    def link(
+        self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_at: Vector
+    ) -> ca.SX:
         """Join two bodies by a link without mass, on a hinge of the first and a ball joint of the second.
 
         Parameters
@@ -333,20 +398,30 @@ class Mechanism(Structure):
         """
         return self.add(joints.Link(name, parent, child, at, axis, second_at))
 
-    def free(self, name: str, child: Body, at: Vector | None = None, moving_frame: Body | None = None) -> ca.SX:
+    def free(
+        self, name: str, child: Body, at: Vector | None = None, moving_frame: Body | None = None
+    ) -> ca.SX:
         """Let a body move freely: position (m, from the design pose) and quaternion, in the ground or moving axes."""
         self._check(name, child)
         if child.mass_properties is None and at is None:
-            raise AssemblyError("a free body without mass", where=child.name, hint="Give mass and centre_of_mass.")
+            raise AssemblyError(
+                "a free body without mass", where=child.name, hint="Give mass and centre_of_mass."
+            )
         centre = child.mass_properties.centre if child.mass_properties is not None else _NONE
-        return self.add(joints.Free(name, moving_frame or self.ground, child, centre if at is None else at))
+        return self.add(
+            joints.Free(name, moving_frame or self.ground, child, centre if at is None else at)
+        )
 
-    def driven(self, name: str, parent: Body, child: Body, axis: Vector, travel: Track | Number) -> None:
+    def driven(
+        self, name: str, parent: Body, child: Body, axis: Vector, travel: Track | Number
+    ) -> None:
         """Let a body slide along an axis by a prescribed travel (m): a track, or a parameter."""
         self.add(joints.Driven(name, parent, child, axis, travel))
 
     @all_or_nothing
-    def coincident(self, name: str, first: Body, second: Body, at: Vector, second_at: Vector | None = None) -> ca.SX:
+    def coincident(
+        self, name: str, first: Body, second: Body, at: Vector, second_at: Vector | None = None
+    ) -> ca.SX:
         """Keep a point of one body on a point of another; return the force on the second (N, ground axes)."""
         if second_at is None:
             self._require_placed(name, first, second)
@@ -354,7 +429,13 @@ class Mechanism(Structure):
         return self.add(joints.PointToPoint(name, first, second, at, second_at))
 
     def rod(
-        self, name: str, first: Body, second: Body, at: Vector, second_at: Vector, length: Number | None = None
+        self,
+        name: str,
+        first: Body,
+        second: Body,
+        at: Vector,
+        second_at: Vector,
+        length: Number | None = None,
     ) -> ca.SX:
         """Keep two points at a distance: a massless rod between two ball joints.
 
@@ -376,11 +457,15 @@ class Mechanism(Structure):
         """
         return self.add(joints.Rod(name, first, second, at, second_at, length))
 
-    def point_on_line(self, name: str, first: Body, second: Body, at: Vector, axis: Vector, point: Vector) -> ca.SX:
+    def point_on_line(
+        self, name: str, first: Body, second: Body, at: Vector, axis: Vector, point: Vector
+    ) -> ca.SX:
         """Keep a point of the second body on a line of the first; return the two forces across the line (N)."""
         return self.add(joints.PointOnLine(name, first, second, at, axis, point))
 
-    def perpendicular(self, name: str, first: Body, second: Body, axis: Vector, second_axis: Vector) -> ca.SX:
+    def perpendicular(
+        self, name: str, first: Body, second: Body, axis: Vector, second_axis: Vector
+    ) -> ca.SX:
         """Keep two directions at right angles; return the constraint torque (N m)."""
         return self.add(joints.Perpendicular(name, first, second, axis, second_axis))
 
@@ -393,7 +478,9 @@ class Mechanism(Structure):
         value = self.poses.resolve(expression_of(expression, name))
         if any(ca.which_depends(value, self.collection.q, 2)):
             hint = "Take condition() for what is not linear."
-            raise AssemblyError("not a linear combination of coordinates", where=name, found=str(value), hint=hint)
+            raise AssemblyError(
+                "not a linear combination of coordinates", where=name, found=str(value), hint=hint
+            )
         return self._condition(name, "coupler", expression)
 
     def motion(self, name: str, coordinate: ca.SX, track: Track) -> ca.SX:
@@ -411,7 +498,9 @@ class Mechanism(Structure):
         placed = self._require_unused(name, (*self.hanging, *self.closing, *self.conditions))
         value = self.poses.resolve(expression)
         rate = self.rate_of(value)
-        multiplier = self.constrain([Equation(placed, placed, "")], value, rate, self.collection.bias_of(rate))
+        multiplier = self.constrain(
+            [Equation(placed, placed, "")], value, rate, self.collection.bias_of(rate)
+        )
         self.conditions[placed] = LoopExpression(placed, kind, expression), multiplier
         return multiplier
 
@@ -427,17 +516,32 @@ class Mechanism(Structure):
         expression = expression_of(expression, check_name(name))
         if expression.shape != (1, 1):
             hint = "Take one of them, as joint[0]; a closing joint gives its forces and has no coordinate."
-            raise AssemblyError("not one coordinate", where=name, found=f"{expression.shape[0]} expressions", hint=hint)
+            raise AssemblyError(
+                "not one coordinate",
+                where=name,
+                found=f"{expression.shape[0]} expressions",
+                hint=hint,
+            )
         self._check_moves(name, expression, "not a condition on coordinates", self.collection.q)
         return expression
 
-    def _check_moves(self, name: str, expression: ca.SX, text: str, moving: ca.SX, also: Sequence[ca.SX] = ()) -> None:
+    def _check_moves(
+        self, name: str, expression: ca.SX, text: str, moving: ca.SX, also: Sequence[ca.SX] = ()
+    ) -> None:
         """Refuse symbols but coordinates, parameters, tracks and ``also``, and an expression without ``moving``."""
         expression = self.poses.resolve(expression)
         strange = self._strange_in(expression, also)
         if strange or not ca.depends_on(expression, moving):
-            symbols = f"an expression of {', '.join(strange)}" if strange else "an expression of no coordinate"
-            hint = "Let the joint that is to be driven come before the one that closes the loop." if strange else ""
+            symbols = (
+                f"an expression of {', '.join(strange)}"
+                if strange
+                else "an expression of no coordinate"
+            )
+            hint = (
+                "Let the joint that is to be driven come before the one that closes the loop."
+                if strange
+                else ""
+            )
             raise AssemblyError(text, where=name, found=symbols, hint=hint)
 
     def _strange_in(self, expression: ca.SX, also: Sequence[ca.SX]) -> list[str]:
@@ -447,7 +551,9 @@ class Mechanism(Structure):
         for track in self.collection.tracks.values():
             given += [track.value, track.rate, track.acceleration]
         known = {symbol.element_hash() for symbol in given} | self.poses.named.keys()
-        return [symbol.name() for symbol in ca.symvar(expression) if symbol.element_hash() not in known]
+        return [
+            symbol.name() for symbol in ca.symvar(expression) if symbol.element_hash() not in known
+        ]
 
     def _check(self, name: str, *bodies: Body) -> None:
         """Refuse other types, bodies of another mechanism, and the same body twice."""
@@ -458,9 +564,13 @@ class Mechanism(Structure):
                 hint = "Take what mechanism.body(name) gave, or mechanism.ground."
                 raise AssemblyError("not a body", where=name, found=kind, hint=hint)
             if self.bodies.get(body.name) is not body:
-                raise AssemblyError("the body belongs to another mechanism", where=name, found=body.name)
+                raise AssemblyError(
+                    "the body belongs to another mechanism", where=name, found=body.name
+                )
         if len(bodies) == 2 and bodies[0] is bodies[1]:
-            raise AssemblyError("a body cannot be joined to itself", where=name, found=bodies[0].name)
+            raise AssemblyError(
+                "a body cannot be joined to itself", where=name, found=bodies[0].name
+            )
 
     def _require_placed(self, name: str, *bodies: Body) -> None:
         """Refuse bodies without a place."""
@@ -468,7 +578,9 @@ class Mechanism(Structure):
         for body in bodies:
             if not body.is_placed:
                 hint = "Give the joint that carries it first."
-                raise AssemblyError("the body hangs on nothing yet", where=name, found=body.name, hint=hint)
+                raise AssemblyError(
+                    "the body hangs on nothing yet", where=name, found=body.name, hint=hint
+                )
         self._refuse_apart(name, *bodies)
 
     def _refuse_apart(self, name: str, *bodies: Body) -> None:
@@ -477,13 +589,17 @@ class Mechanism(Structure):
         if len(set(map(id, carriers.values()))) > 1:
             hint = "Join what hangs in a moving frame to that frame, not to its body or the ground."
             names = ", ".join(carriers)
-            raise AssemblyError("the bodies hang in different moving frames", where=name, found=names, hint=hint)
+            raise AssemblyError(
+                "the bodies hang in different moving frames", where=name, found=names, hint=hint
+            )
 
     def _refuse_moving(self, name: str, *bodies: Body) -> None:
         """Refuse what is for places in ground axes only."""
         for body in bodies:
             if body.carrier.moves:
-                raise AssemblyError("not for what hangs in a moving frame", where=name, found=body.name)
+                raise AssemblyError(
+                    "not for what hangs in a moving frame", where=name, found=body.name
+                )
 
     # loads -----------------------------------------------------------------------------------------------------
 
@@ -492,12 +608,19 @@ class Mechanism(Structure):
         """Add a load of any class; ``shown`` is its result for the caller."""
         if not isinstance(load, ForceElement):
             raise AssemblyError(
-                "not a load", where="act", found=type(load).__name__, hint="Take one of the builder's methods."
+                "not a load",
+                where="act",
+                found=type(load).__name__,
+                hint="Take one of the builder's methods.",
             )
-        if any("read" in each.metadata for each in fields(load)):  # its numbers become parameters by its name
+        if any(
+            "read" in each.metadata for each in fields(load)
+        ):  # its numbers become parameters by its name
             check_name(load.name, load.kind)
         ends = ("first", "second", "body")
-        bodies = [value for key, value in vars(load).items() if isinstance(value, Body) or key in ends]
+        bodies = [
+            value for key, value in vars(load).items() if isinstance(value, Body) or key in ends
+        ]
         self._require_placed(load.name or load.kind, *bodies)
         described = load.with_symbols(self)
         self._check_numbers([described], self.values)
@@ -510,12 +633,18 @@ class Mechanism(Structure):
     def _check_laws(self, name: str, power: Iterable[tuple[ca.SX, ca.SX]]) -> None:
         """Refuse forces that depend on other things than this mechanism has before its equations are solved."""
         every, moving = self.collection, [*self.collection.speeds.values()]
-        moving += [state for state, _ in every.internal.values()] + [mode for mode, _ in every.switches.values()]
-        strange = self._strange_in(ca.SX(ca.veccat(*(part for pair in power for part in pair))), moving)
+        moving += [state for state, _ in every.internal.values()] + [
+            mode for mode, _ in every.switches.values()
+        ]
+        strange = self._strange_in(
+            ca.SX(ca.veccat(*(part for pair in power for part in pair))), moving
+        )
         if strange:
             symbols = f"an expression of {', '.join(strange)}"
             hint = "It may depend on coordinates, speeds, points, tracks and states of its mechanism, not on reactions."
-            raise AssemblyError("a force that cannot be computed", where=name, found=symbols, hint=hint)
+            raise AssemblyError(
+                "a force that cannot be computed", where=name, found=symbols, hint=hint
+            )
 
     def force(self, along: ca.SX, magnitude: ca.SX | float | str) -> None:
         """Let ``magnitude`` (N, N m) push ``along`` (m, rad), an expression of coordinates and points of bodies.
@@ -527,9 +656,14 @@ class Mechanism(Structure):
         magnitude = expression_of(magnitude, "magnitude of force", "N" if length == "m" else "N*m")
         if along.shape != magnitude.shape:
             count = f"{magnitude.numel()} along {along.numel()} expressions"
-            raise AssemblyError("as many forces as expressions", where="force", found=count, allowed="one for each")
+            raise AssemblyError(
+                "as many forces as expressions", where="force", found=count, allowed="one for each"
+            )
         moving = [self.collection.q, *(track.value for track in self.collection.tracks.values())]
-        text, modes = "a force along what moves nothing of this mechanism", self.collection.switches.values()
+        text, modes = (
+            "a force along what moves nothing of this mechanism",
+            self.collection.switches.values(),
+        )
         self._check_moves("force", along, text, ca.vertcat(*moving), [mode for mode, _ in modes])
         self.act(loads.GeneralForce("", length, along, magnitude))
 
@@ -538,14 +672,22 @@ class Mechanism(Structure):
 
         Reactions see it on coordinates only; ``force`` and ``apply_force`` also have points.
         """
-        rate, magnitude = expression_of(rate, "rate of load"), expression_of(magnitude, "magnitude of load", "N")
+        rate, magnitude = (
+            expression_of(rate, "rate of load"),
+            expression_of(magnitude, "magnitude of load", "N"),
+        )
         if rate.shape != magnitude.shape:
             count = f"{magnitude.numel()} on {rate.numel()} rates"
-            raise AssemblyError("as many forces as rates", where="load", found=count, allowed="one for each")
+            raise AssemblyError(
+                "as many forces as rates", where="load", found=count, allowed="one for each"
+            )
         self.act(loads.PowerOnRate("", rate, magnitude))
 
     def apply_force(
-        self, body: Body, force: ca.SX | Sequence[float | str], point: Moving | ca.SX | Sequence[float | str]
+        self,
+        body: Body,
+        force: ca.SX | Sequence[float | str],
+        point: Moving | ca.SX | Sequence[float | str],
     ) -> None:
         """Let a force (N, ground axes) act on a point of a body, given by ``body.point`` or its design place (m).
 
@@ -583,9 +725,13 @@ class Mechanism(Structure):
         """Refuse bodies without a place, and the ground, which no force moves."""
         self._require_placed(name, body)
         if body is self.ground:
-            raise AssemblyError("the ground does not move", where=name, hint="Name the body that it acts on.")
+            raise AssemblyError(
+                "the ground does not move", where=name, hint="Name the body that it acts on."
+            )
 
-    def _point_of(self, body: Body, point: Moving | ca.SX | Sequence[float | str], where: str) -> Moving:
+    def _point_of(
+        self, body: Body, point: Moving | ca.SX | Sequence[float | str], where: str
+    ) -> Moving:
         """The point of a body at a design place, or a given point; refuses points of other bodies."""
         if not isinstance(point, Moving):
             design = self.poses.require_still(vector_of(point, where), where)
@@ -598,10 +744,14 @@ class Mechanism(Structure):
         )
         if owners and body not in owners:
             names = ", ".join(
-                owner.name if self.bodies.get(owner.name) is owner else f"{owner.name} of another mechanism"
+                owner.name
+                if self.bodies.get(owner.name) is owner
+                else f"{owner.name} of another mechanism"
                 for owner in owners
             )
-            hint = Phrase("Ask {name} for its point, or use push_apart() between two bodies.", name=body.name)
+            hint = Phrase(
+                "Ask {name} for its point, or use push_apart() between two bodies.", name=body.name
+            )
             raise AssemblyError("a point of another body", where=where, found=names, hint=hint)
         return point
 
@@ -609,17 +759,29 @@ class Mechanism(Structure):
         """One expression."""
         result = expression_of(law, where, unit)
         if result.shape != (1, 1):
-            raise AssemblyError("not one expression", where=where, found=f"{result.numel()} expressions", allowed="one")
+            raise AssemblyError(
+                "not one expression",
+                where=where,
+                found=f"{result.numel()} expressions",
+                allowed="one",
+            )
         return result
 
-    def _own_law(self, name: str, law: ca.SX | float | str, unit: str, **beside: Number | None) -> ca.SX:
+    def _own_law(
+        self, name: str, law: ca.SX | float | str, unit: str, **beside: Number | None
+    ) -> ca.SX:
         """A user-defined law; refuses numbers of the standard law beside it, which would have no effect."""
         set_numbers = {key: number for key, number in beside.items() if number is not None}
-        given = [key for key, number in set_numbers.items() if isinstance(number, ca.SX) or number != 0.0]
+        given = [
+            key for key, number in set_numbers.items() if isinstance(number, ca.SX) or number != 0.0
+        ]
         if given:
             hint = "Put them into the law, or leave it out."
             raise AssemblyError(
-                "a law of its own takes no other numbers", where=name, found=", ".join(given), hint=hint
+                "a law of its own takes no other numbers",
+                where=name,
+                found=", ".join(given),
+                hint=hint,
             )
         return self._law(name, law, unit)
 
@@ -660,9 +822,13 @@ class Mechanism(Structure):
         tuple of casadi.SX
             Length and force.
         """
-        law = loads.SpringDamper(name, first, second, at, second_at, free_length, stiffness, damping)
+        law = loads.SpringDamper(
+            name, first, second, at, second_at, free_length, stiffness, damping
+        )
         if force is not None:
-            own = self._own_law(name, force, "N", stiffness=stiffness, damping=damping, free_length=free_length)
+            own = self._own_law(
+                name, force, "N", stiffness=stiffness, damping=damping, free_length=free_length
+            )
             law = replace(law, free_length=None, stiffness=None, damping=None, force=own)
         length, pushing = self.act(law).shown
         return length, pushing
@@ -699,13 +865,19 @@ class Mechanism(Structure):
         casadi.SX
             Torque along the angle.
         """
-        turning = {text: f"{text}.angle" for text, hung in self.hanging.items() if f"{text}.angle" in hung.coordinates}
+        turning = {
+            text: f"{text}.angle"
+            for text, hung in self.hanging.items()
+            if f"{text}.angle" in hung.coordinates
+        }
         if check_name(joint, name) not in turning:
             raise unknown(joint, turning, what="joint with an angle in the tree", where=name)
         angle = self.collection.coordinates[turning[joint]]
         law = loads.RotationalSpringDamper(name, joint, angle, stiffness, free_angle, damping)
         if torque is not None:
-            own = self._own_law(name, torque, "N*m", stiffness=stiffness, damping=damping, free_angle=free_angle)
+            own = self._own_law(
+                name, torque, "N*m", stiffness=stiffness, damping=damping, free_angle=free_angle
+            )
             law = replace(law, stiffness=None, free_angle=None, damping=None, torque=own)
         return self.act(law).shown[0]
 
@@ -736,9 +908,13 @@ class Mechanism(Structure):
         """
         coordinate = self._check_expression(name, coordinate)
         length = self._length_of(coordinate)
-        return self.act(loads.Stop(name, length, coordinate, stiffness, damping, lower, upper)).shown[0]
+        return self.act(
+            loads.Stop(name, length, coordinate, stiffness, damping, lower, upper)
+        ).shown[0]
 
-    def friction(self, name: str, coordinate: ca.SX, force: Number, *, regularisation_rate: Number = 2e-3) -> ca.SX:
+    def friction(
+        self, name: str, coordinate: ca.SX, force: Number, *, regularisation_rate: Number = 2e-3
+    ) -> ca.SX:
         """Add Coulomb friction on a coordinate; return its force or torque on it (N or N m).
 
         Parameters
@@ -753,12 +929,16 @@ class Mechanism(Structure):
             m/s or rad/s: below about that rate the force turns over smoothly, so a joint that should stick creeps.
         """
         coordinate = self._check_expression(name, coordinate)
-        law = loads.CoordinateFriction(name, self._length_of(coordinate), coordinate, regularisation_rate, force)
+        law = loads.CoordinateFriction(
+            name, self._length_of(coordinate), coordinate, regularisation_rate, force
+        )
         return self.act(law).shown[0]
 
     def _length_of(self, expression: ca.SX) -> str:
         """``rad`` for an expression of angles only, ``m`` otherwise."""
-        units = {self.collection.units.get(symbol.name()) for symbol in ca.symvar(expression)} - {None}
+        units = {self.collection.units.get(symbol.name()) for symbol in ca.symvar(expression)} - {
+            None
+        }
         return "rad" if units == {"rad"} and not self.poses.occurring(expression) else "m"
 
     # watched outputs -------------------------------------------------------------------------------------------
@@ -835,7 +1015,12 @@ class Mechanism(Structure):
         key = f"reaction of {joint}"
         watched = self.watched.get(key)
         if isinstance(watched, outputs.WatchedReaction):
-            if watched.on == on and watched.frame is self.bodies[frame] and watched.at is None and at is None:
+            if (
+                watched.on == on
+                and watched.frame is self.bodies[frame]
+                and watched.at is None
+                and at is None
+            ):
                 return
             hint = "Of one joint one reaction is seen, in one frame, at one point and on one body."
             raise AssemblyError("the reaction is watched twice", where=key, hint=hint)
@@ -855,22 +1040,39 @@ class Mechanism(Structure):
     @all_or_nothing
     def _see(self, watch: OutputDescription) -> None:
         """Add an output; coordinates and energies only once."""
-        key = watch.kind if watch.name == watch.kind else f"{watch.kind} of {self.name_at_place(watch.name)}"
+        key = (
+            watch.kind
+            if watch.name == watch.kind
+            else f"{watch.kind} of {self.name_at_place(watch.name)}"
+        )
         if key in self.watched and watch.name != watch.kind:
             raise AssemblyError("the name is used twice", where=self.name_at_place(watch.name))
         described = watch.with_symbols(self)
         self.watched[key] = replace(
-            described, name=described.name if described.name == described.kind else self.name_at_place(described.name)
+            described,
+            name=described.name
+            if described.name == described.kind
+            else self.name_at_place(described.name),
         )
         self._refuse_clashes()
 
     def _refuse_clashes(self) -> None:
         """Refuse a point, body or angle with the channel names of watched coordinates."""
-        if not any(isinstance(watch, outputs.WatchedCoordinates) for watch in self.watched.values()):
+        if not any(
+            isinstance(watch, outputs.WatchedCoordinates) for watch in self.watched.values()
+        ):
             return
-        turning = {watch.name for watch in self.watched.values() if isinstance(watch, outputs.WatchedAngle)}
-        places = {watch.name for watch in self.watched.values() if isinstance(watch, outputs.WatchedPoint)}
-        clashing = [name for name, hung in self.hanging.items() if name in places and hung.joint.has_quaternion]
+        turning = {
+            watch.name for watch in self.watched.values() if isinstance(watch, outputs.WatchedAngle)
+        }
+        places = {
+            watch.name for watch in self.watched.values() if isinstance(watch, outputs.WatchedPoint)
+        }
+        clashing = [
+            name
+            for name, hung in self.hanging.items()
+            if name in places and hung.joint.has_quaternion
+        ]
         clashing += sorted(turning & set(self.collection.coordinates))
         if clashing:
             text = "its coordinates have the names of signals of what is watched by the same name"
@@ -911,8 +1113,14 @@ class Mechanism(Structure):
             Strictly plain data (SI); None for a number that is not known.
         """
         given = values or {}
-        nothing = {path: value for path, value in given.items() if isinstance(value, float) and not np.isfinite(value)}
-        numbers = self.with_values({path: 0.0 if path in nothing else value for path, value in given.items()})
+        nothing = {
+            path: value
+            for path, value in given.items()
+            if isinstance(value, float) and not np.isfinite(value)
+        }
+        numbers = self.with_values(
+            {path: 0.0 if path in nothing else value for path, value in given.items()}
+        )
         return listing.as_data(self, numbers | nothing, self.watched.values())
 
     def with_values(self, values: Mapping[str, float | str]) -> dict[str, float]:
@@ -921,22 +1129,32 @@ class Mechanism(Structure):
             if check_name(path, "values") not in self.parameters:
                 raise unknown(path, self.parameters, what="parameter", where="values")
         units = self.units
-        given = {path: to_si(value, units.get(path, "1"), where=f"values: {path}") for path, value in values.items()}
+        given = {
+            path: to_si(value, units.get(path, "1"), where=f"values: {path}")
+            for path, value in values.items()
+        }
         return self.values | given
 
     def check_values(self, values: Mapping[str, float]) -> None:
         """Refuse ``values`` (SI) of parameters that no body, joint or load of this mechanism can have."""
         for name, body in self.mass_values(values).items():
             check_inertia(name, *body)
-        joints_ = [*(hung.joint for hung in self.hanging.values()), *(closed.joint for closed in self.closing.values())]
-        self._check_numbers([*joints_, *(load for load, _ in self.loads), *self.watched.values()], values)
+        joints_ = [
+            *(hung.joint for hung in self.hanging.values()),
+            *(closed.joint for closed in self.closing.values()),
+        ]
+        self._check_numbers(
+            [*joints_, *(load for load, _ in self.loads), *self.watched.values()], values
+        )
 
     def _check_numbers(self, things: Iterable[NamedPart], values: Mapping[str, float]) -> None:
         """Let descriptions check their numbers."""
         reading = listing.Reading(self, values)
         for each in things:
             each.check(reading.numbers_of(each))
-            for axis in (field.name for field in fields(each) if field.metadata.get("read") == "direction"):
+            for axis in (
+                field.name for field in fields(each) if field.metadata.get("read") == "direction"
+            ):
                 numbers = reading.numbers(getattr(each, axis))
                 if numbers is not None and not np.all(np.isfinite(numbers)):
                     where, hint = f"{each.name}.{axis}", "Its three numbers must not all be zero."
@@ -950,12 +1168,18 @@ class Mechanism(Structure):
     def complete(self) -> Mechanism:
         """Return a copy with the masses and weights of all bodies; additions to the copy do not change the original."""
         whole = copy.copy(self)
-        whole.collection, whole.loads, whole.watched = self.collection.copy(), list(self.loads), dict(self.watched)
+        whole.collection, whole.loads, whole.watched = (
+            self.collection.copy(),
+            list(self.loads),
+            dict(self.watched),
+        )
         whole._scope = ("", "")
         carriers: dict[int, MovingCarrier] = {}
         for body in self.bodies.values():
             if not body.is_placed:
-                raise AssemblyError("the body hangs on nothing", where=body.name, hint="Give it a joint, or free().")
+                raise AssemblyError(
+                    "the body hangs on nothing", where=body.name, hint="Give it a joint, or free()."
+                )
             properties, carrier = body.mass_properties, body.carrier
             if isinstance(carrier, MovingCarrier):
                 carriers[id(carrier)] = carrier
@@ -964,7 +1188,9 @@ class Mechanism(Structure):
                 weight = ca.vertcat(0.0, 0.0, -properties.mass * self.gravity)
                 whole.act(loads.PointForce("", body, weight, body.frame.point(properties.centre)))
         for carrier in carriers.values():
-            for group in _by_place(body for body in self.bodies.values() if body.carrier is carrier):
+            for group in _by_place(
+                body for body in self.bodies.values() if body.carrier is carrier
+            ):
                 whole.inertia(CarriedMasses(carrier, [_to_carried(body) for body in group]))
         whole.collection.loops = self.loops()
         return whole
@@ -972,7 +1198,10 @@ class Mechanism(Structure):
     def mass_matrix(self, model: Model) -> ca.Function:
         """Return the mass matrix (kg, kg m, kg m^2) of the speeds as a function of the model's x, u and p."""
         whole, v = self.complete(), self.collection.v
-        matrix = sum((inertia.matrix(v) for inertia in whole.collection.inertias), ca.SX(v.shape[0], v.shape[0]))
+        matrix = sum(
+            (inertia.matrix(v) for inertia in whole.collection.inertias),
+            ca.SX(v.shape[0], v.shape[0]),
+        )
         return ca.Function("mass", [model.x, model.u, model.p], [matrix])
 
     def generalised_force(self, model: Model) -> ca.Function:
@@ -1035,7 +1264,9 @@ class Mechanism(Structure):
         """Counter of the degrees of freedom of a model of this mechanism, made once for it."""
         with turn((id(self), "freedoms")):
             if id(model) not in self._counted:
-                self._counted[id(model)] = Freedoms(self, model, self.generalised_force(model))  # which keeps the model
+                self._counted[id(model)] = Freedoms(
+                    self, model, self.generalised_force(model)
+                )  # which keeps the model
             return self._counted[id(model)]
 
     def places(self, values: Mapping[str, float]) -> dict[str, Array]:
@@ -1050,11 +1281,21 @@ class Mechanism(Structure):
             for field in fields(each)
         ]
         vectors = {
-            path: value for path, value, about in given if about.get("read") == "vector" and about["unit"] == "m"
+            path: value
+            for path, value, about in given
+            if about.get("read") == "vector" and about["unit"] == "m"
         }
-        masses = {name: body.mass_properties for name, body in self.bodies.items() if body.mass_properties is not None}
+        masses = {
+            name: body.mass_properties
+            for name, body in self.bodies.items()
+            if body.mass_properties is not None
+        }
         vectors |= {f"{name}.centre_of_mass": mass.centre for name, mass in masses.items()}
-        read = {path: reading.numbers(value) for path, value in vectors.items() if isinstance(value, ca.SX)}
+        read = {
+            path: reading.numbers(value)
+            for path, value in vectors.items()
+            if isinstance(value, ca.SX)
+        }
         return {path: value for path, value in read.items() if value is not None}
 
     def finish(
@@ -1113,8 +1354,14 @@ class Mechanism(Structure):
         if redundant != "remove" or not every.constraints:
             return every
         size = self._size()
-        known = [key[0] for key in self._finished if key[1:] == size and isinstance(key[0], frozenset) and key[0]]
-        return self._form_once(removable(every, *self._numbers(every, values or {}, inputs or {}), start, known))
+        known = [
+            key[0]
+            for key in self._finished
+            if key[1:] == size and isinstance(key[0], frozenset) and key[0]
+        ]
+        return self._form_once(
+            removable(every, *self._numbers(every, values or {}, inputs or {}), start, known)
+        )
 
     def _form_once(self, dropped: frozenset[str]) -> Model:
         """The model without some of the loop equations, formed once."""
@@ -1126,8 +1373,18 @@ class Mechanism(Structure):
 
     def _size(self) -> tuple[object, ...]:
         """Counts that grow with every part that is added."""
-        each = (self.bodies, self.hanging, self.closing, self.conditions, self.loads, *vars(self.collection).values())
-        return (*(len(part) for part in each if isinstance(part, dict | list)), *self.watched.values())
+        each = (
+            self.bodies,
+            self.hanging,
+            self.closing,
+            self.conditions,
+            self.loads,
+            *vars(self.collection).values(),
+        )
+        return (
+            *(len(part) for part in each if isinstance(part, dict | list)),
+            *self.watched.values(),
+        )
 
     def _form(self, dropped: frozenset[str], *, balance: bool) -> Model:
         """Form the equations without some of the loops'; on request with the energy balance of the loops."""
@@ -1143,8 +1400,14 @@ class Mechanism(Structure):
         """Refuse signals of things that this mechanism does not have."""
         every = self.collection
         given = [*every.speeds.values(), *every.accelerations.values()]
-        given += [state for state, _ in every.internal.values()] + [mode for mode, _ in every.switches.values()]
-        given += [part for constraint in every.constraints for part in ca.vertsplit(constraint.multipliers)]
+        given += [state for state, _ in every.internal.values()] + [
+            mode for mode, _ in every.switches.values()
+        ]
+        given += [
+            part
+            for constraint in every.constraints
+            for part in ca.vertsplit(constraint.multipliers)
+        ]
         if not self._strange_in(ca.SX(ca.veccat(*every.outputs.values())), given):
             return
         for output, expression in every.outputs.items():
@@ -1161,9 +1424,16 @@ class Mechanism(Structure):
         power = outputs.total(ca.dot(rate, force) for rate, force in self.collection.loads)
         taken = self.internal_state(BALANCE)
         self.set_internal_rate(BALANCE, power + outputs.total(self.supplied_powers()))
-        self.output(BALANCE, self.kinetic_energy() - taken, "J", "kinetic energy less the work of all forces")
+        self.output(
+            BALANCE,
+            self.kinetic_energy() - taken,
+            "J",
+            "kinetic energy less the work of all forces",
+        )
 
-    def _numbers(self, model: Model, values: Mapping[str, float], inputs: Mapping[str, float]) -> tuple[Array, Array]:
+    def _numbers(
+        self, model: Model, values: Mapping[str, float], inputs: Mapping[str, float]
+    ) -> tuple[Array, Array]:
         """Parameters and inputs of a model."""
         every = self.with_values(values)
         for name in inputs:
@@ -1171,7 +1441,9 @@ class Mechanism(Structure):
                 raise unknown(name, model.tracks, what="track", where="inputs")
         lacking = [name for name in model.parameters if name not in every]
         if lacking:
-            raise AssemblyError("parameters without a value", where=", ".join(lacking), hint="Give them in values.")
+            raise AssemblyError(
+                "parameters without a value", where=", ".join(lacking), hint="Give them in values."
+            )
         u = np.zeros(model.u.shape[0])
         for i, name in enumerate(model.tracks):
             u[i * model.track_order] = to_si(inputs.get(name, 0.0), "1", where=f"inputs: {name}")
@@ -1183,7 +1455,12 @@ def _resolve(collection: Collection, poses: BodyFrames) -> Collection:
     loads = [part for pair in collection.loads for part in pair]
     rates = [rate for _, rate in collection.internal.values()]
     switches = [expression for _, expression in collection.switches.values()]
-    parts = [*loads, *(rate for rate in rates if rate is not None), *switches, *collection.outputs.values()]
+    parts = [
+        *loads,
+        *(rate for rate in rates if rate is not None),
+        *switches,
+        *collection.outputs.values(),
+    ]
     named = poses.occurring(ca.veccat(*parts)) if parts else []
     if not named:
         return collection
@@ -1220,4 +1497,10 @@ def _to_carried(body: Body) -> Carried:
     assert body.mass_properties is not None
     properties, frame = body.mass_properties, body.frame
     alone = RigidMass(frame, properties)
-    return Carried(properties.mass, frame.point(properties.centre), frame.orientation, properties.inertia, alone)
+    return Carried(
+        properties.mass,
+        frame.point(properties.centre),
+        frame.orientation,
+        properties.inertia,
+        alone,
+    )

@@ -85,14 +85,19 @@ class Mobility:
 
     def __str__(self) -> str:
         lines = [f"degrees of freedom: {self.degrees_of_freedom} (Grübler: {self.count})"]
-        lines += [f"  {motion}{'' if motion.is_loaded else '; no force acts along it'}" for motion in self.motions]
+        lines += [
+            f"  {motion}{'' if motion.is_loaded else '; no force acts along it'}"
+            for motion in self.motions
+        ]
         lines += [f"redundant: one of {', '.join(group)}" for group in self.redundant]
         return "\n".join(lines)
 
     def findings(self, *, is_driven: bool) -> Iterator[Finding]:
         """Report motions with loops, motions without force, redundant equations, and a rigid mechanism."""
         if self.motions:
-            yield finding("mechanics.freedoms_left", "degrees of freedom", motions=_list_motions(self.motions))
+            yield finding(
+                "mechanics.freedoms_left", "degrees of freedom", motions=_list_motions(self.motions)
+            )
         elif not is_driven:
             yield finding("mechanics.nothing_moves", "degrees of freedom")
         if self.redundant:
@@ -100,7 +105,9 @@ class Mobility:
             yield finding("mechanics.redundant_equations", "degrees of freedom", names=names)
         if idle := [motion for motion in self.motions if not motion.is_loaded]:
             yield finding(
-                "mechanics.no_force_along", "degrees of freedom", motions=_list_motions(idle, len(self.motions))
+                "mechanics.no_force_along",
+                "degrees of freedom",
+                motions=_list_motions(idle, len(self.motions)),
             )
 
 
@@ -118,21 +125,33 @@ class Freedoms:
 
     def __init__(self, mechanism: Structure, model: Model, force: ca.Function) -> None:
         """``force`` is that of all loads on the speeds (N, N m), of x, u, p and m."""
-        every = [equation.name for constraint in mechanism.collection.constraints for equation in constraint.equations]
+        every = [
+            equation.name
+            for constraint in mechanism.collection.constraints
+            for equation in constraint.equations
+        ]
         self._left_out = tuple((name,) for name in every if name not in model.constraints)
         self._count = len(model.speeds) - len(every)
         self._model, self._force = model, force
-        bodies = [body for body in mechanism.bodies.values() if body.is_placed and body is not mechanism.ground]
+        bodies = [
+            body
+            for body in mechanism.bodies.values()
+            if body.is_placed and body is not mechanism.ground
+        ]
         self._is_carried = any(body.carrier.moves for body in bodies)
         self._names = tuple(body.name for body in bodies)
         n_q, n_v = model.facts.counts
         v = model.x[n_q : n_q + n_v]
         self._bodies = ca.Function(
-            "bodies", [model.x, model.u, model.p], [ca.vertcat(*(_motion(body, v) for body in bodies))]
+            "bodies",
+            [model.x, model.u, model.p],
+            [ca.vertcat(*(_motion(body, v) for body in bodies))],
         )
         self._known = Recent[Mobility](_POSES)
 
-    def at(self, x: Array, u: Array, p: Array, redundant: tuple[tuple[str, ...], ...] = ()) -> Mobility:
+    def at(
+        self, x: Array, u: Array, p: Array, redundant: tuple[tuple[str, ...], ...] = ()
+    ) -> Mobility:
         """Degrees of freedom at a state with closed loops that is not singular; ``redundant`` are known groups."""
 
         def make() -> Mobility:
@@ -155,33 +174,47 @@ class Freedoms:
                 centre, (mass, inertia, _) = part[:, 0], part[:, 1]
                 rate, spin = part[:, 2 : 2 + len(way)] @ way, part[:, 2 + len(way) :] @ way
                 moves.append((centre, rate, spin))
-                energies.append((mass * rate @ rate + inertia * spin @ spin, rate @ rate + spin @ spin))
+                energies.append(
+                    (mass * rate @ rate + inertia * spin @ spin, rate @ rate + spin @ spin)
+                )
             most = max(range(len(each)), key=energies.__getitem__)
             centre, rate, spin = moves[most]
             largest = max(size for _, size in energies)
             moving = tuple(
-                name for name, (_, size) in zip(self._names, energies, strict=True) if size > _STILL**2 * largest
+                name
+                for name, (_, size) in zip(self._names, energies, strict=True)
+                if size > _STILL**2 * largest
             )
             turn, speed = float(np.linalg.norm(spin)), float(np.linalg.norm(rate))
             slides = turn <= _STILL * speed
             axis = rate / (speed or 1.0) if slides else spin / turn
             point = None if slides else tuple(map(float, centre + np.cross(spin, rate) / turn**2))
             pitch = 0.0 if slides else float(spin @ rate) / turn**2
-            return FreeMotion(self._names[most], tuple(map(float, axis)), point, pitch, moving, is_loaded)
+            return FreeMotion(
+                self._names[most], tuple(map(float, axis)), point, pitch, moving, is_loaded
+            )
 
         both = ((loaded, True), (unloaded, False))
-        return tuple(describe(way, is_loaded=is_loaded) for part, is_loaded in both for way in _readable(part).T)
+        return tuple(
+            describe(way, is_loaded=is_loaded)
+            for part, is_loaded in both
+            for way in _readable(part).T
+        )
 
     def _by_force(self, evaluator: Evaluator, x: Array, directions: Array) -> tuple[Array, Array]:
         """Motions with forces, and those without: in the pose, at a small speed, or after a small step."""
         if self._is_carried:
-            return directions, directions[:, :0]  # weights of bodies in moving axes are among the inertial forces
+            return directions, directions[
+                :, :0
+            ]  # weights of bodies in moving axes are among the inertial forces
         model, n_q, n_v = evaluator.model, evaluator.n_q, evaluator.n_v
         active = np.ones(len(model.switches))  # also stops that are not touched
 
         def force(x: Array, left: Array) -> Array:
             """Force along the remaining motions at a state."""
-            return np.asarray(left @ (left.T @ self._force(x, evaluator.u, evaluator.p, active).full()[:, 0]))
+            return np.asarray(
+                left @ (left.T @ self._force(x, evaluator.u, evaluator.p, active).full()[:, 0])
+            )
 
         def forces() -> Iterator[Array]:
             """Forces, the cheapest ones first."""
@@ -211,7 +244,11 @@ def _motion(body: Body, v: ca.SX) -> ca.SX:
     frame, properties, carrier = body.frame, body.mass_properties, body.carrier
     point = frame.point(frame.design if properties is None else properties.centre)
     rate, spin = carrier.outward(carrier.velocity(point)), carrier.outward(body.spin)
-    mass = ca.SX(3, 1) if properties is None else ca.vertcat(properties.mass, ca.trace(properties.inertia), 0.0)
+    mass = (
+        ca.SX(3, 1)
+        if properties is None
+        else ca.vertcat(properties.mass, ca.trace(properties.inertia), 0.0)
+    )
     return ca.horzcat(carrier.place(point.value), mass, ca.jacobian(rate, v), ca.jacobian(spin, v))
 
 

@@ -153,7 +153,9 @@ class Model:
         return ModelFacts(
             **{field.name: getattr(self, field.name) for field in fields(ModelFacts)[:-2]},
             projects=bool(self.projection.shape[0]),
-            linear_without=next((zero for zero in self._bending() if self.is_piecewise_linear(zero)), None),
+            linear_without=next(
+                (zero for zero in self._bending() if self.is_piecewise_linear(zero)), None
+            ),
         )
 
     @property
@@ -191,7 +193,9 @@ def with_numbers(model: Model, constants: Mapping[str, tuple[ca.SX, float]]) -> 
     )
 
     def put(*parts: ca.SX) -> list[ca.SX]:
-        return list(ca.substitute(list(parts), [symbols], [values]))  # together: what they share stays shared
+        return list(
+            ca.substitute(list(parts), [symbols], [values])
+        )  # together: what they share stays shared
 
     old = model.balance
     solution, residual, rate, output, constraint_rate, *own = put(

@@ -95,7 +95,9 @@ def step(start: float, end: float, begin: float, stop: float) -> Segments:
     start, end = _value(start), _value(end)
     width, rise = stop - begin, end - start
     if not width > 0.0:
-        raise AssemblyError("not a motion", found=f"from {begin:g} s to {stop:g} s", allowed="stop after begin")
+        raise AssemblyError(
+            "not a motion", found=f"from {begin:g} s to {stop:g} s", allowed="stop after begin"
+        )
     cubic = [start, 0.0, 3.0 * rise / width**2, -2.0 * rise / width**3]
     pieces = np.array([[start, 0.0, 0.0, 0.0], cubic, [end, 0.0, 0.0, 0.0]])
     edges = np.array([begin - 1.0, begin, stop, stop + 1.0])
@@ -129,9 +131,17 @@ def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> S
         x = as_samples(value, "m", where="value", error=AssemblyError)
     except DescriptionError:  # the unit of an angle
         x = as_samples(value, "rad", where="value", error=AssemblyError)
-    if t.ndim != 1 or len(t) < 2 or t.shape != x.shape or not np.all(np.diff(t) > 0.0) or not np.all(np.isfinite(x)):
+    if (
+        t.ndim != 1
+        or len(t) < 2
+        or t.shape != x.shape
+        or not np.all(np.diff(t) > 0.0)
+        or not np.all(np.isfinite(x))
+    ):
         shapes = f"times of shape {t.shape}, values of shape {x.shape}"
-        raise AssemblyError("not a motion", found=shapes, allowed="two finite points or more, ascending in time")
+        raise AssemblyError(
+            "not a motion", found=shapes, allowed="two finite points or more, ascending in time"
+        )
     pieces = piecewise_linear(t, x).coefficients
     if smooth:
         from scipy.interpolate import CubicSpline
@@ -140,7 +150,9 @@ def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> S
     ends = np.zeros((2, 4))
     ends[:, 0] = x[0], x[-1]
     edges = np.concatenate([[t[0] - 1.0], t, [t[-1] + 1.0]])
-    return Segments(edges, np.zeros(len(t) + 1, dtype=np.int64), np.vstack([ends[:1], pieces, ends[1:]]))
+    return Segments(
+        edges, np.zeros(len(t) + 1, dtype=np.int64), np.vstack([ends[:1], pieces, ends[1:]])
+    )
 
 
 def constant(value: float) -> Segments:

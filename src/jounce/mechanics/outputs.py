@@ -37,8 +37,12 @@ class WatchedPoint(OutputDescription):
         acceleration = point.bias + mechanism.accelerated(point.rate)
         for i, axis in enumerate("xyz"):
             mechanism.output(f"{name}.{axis}", point.value[i], "m", f"{name}, {axis}")
-            mechanism.output(f"{name}.v{axis}", point.rate[i], "m/s", f"{name}, velocity along {axis}")
-            mechanism.output(f"{name}.a{axis}", acceleration[i], "m/s^2", f"{name}, acceleration along {axis}")
+            mechanism.output(
+                f"{name}.v{axis}", point.rate[i], "m/s", f"{name}, velocity along {axis}"
+            )
+            mechanism.output(
+                f"{name}.a{axis}", acceleration[i], "m/s^2", f"{name}, acceleration along {axis}"
+            )
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,15 +55,34 @@ class WatchedBody(WatchedPoint):
         """Add its signals."""
         super().show(mechanism)
         name, orientation = self.name, self.body.frame.orientation
-        spin_rate = orientation.rotate(orientation.spin_bias + mechanism.accelerated(orientation.spin))
+        spin_rate = orientation.rotate(
+            orientation.spin_bias + mechanism.accelerated(orientation.spin)
+        )
         for i, axis in enumerate("xyz"):
-            mechanism.output(f"{name}.w{axis}", self.body.spin[i], "rad/s", f"{name}, angular velocity about {axis}")
+            mechanism.output(
+                f"{name}.w{axis}",
+                self.body.spin[i],
+                "rad/s",
+                f"{name}, angular velocity about {axis}",
+            )
             text = f"{name}, angular acceleration about {axis}"
             mechanism.output(f"{name}.alpha_{axis}", spin_rate[i], "rad/s^2", text)
         for i, part in enumerate(ca.vertsplit(matrix_quaternion(orientation.matrix))):
-            mechanism.output(f"{name}.q{i}", part, "1", f"{name}, quaternion of its orientation, q0 never negative")
-        for turn, angle in zip(("roll", "pitch", "yaw"), roll_pitch_yaw(orientation.matrix), strict=True):
-            mechanism.output(f"{name}.{turn}", angle, "rad", f"{name}, {turn}; yaw, then pitch, then roll (ISO 8855)")
+            mechanism.output(
+                f"{name}.q{i}",
+                part,
+                "1",
+                f"{name}, quaternion of its orientation, q0 never negative",
+            )
+        for turn, angle in zip(
+            ("roll", "pitch", "yaw"), roll_pitch_yaw(orientation.matrix), strict=True
+        ):
+            mechanism.output(
+                f"{name}.{turn}",
+                angle,
+                "rad",
+                f"{name}, {turn}; yaw, then pitch, then roll (ISO 8855)",
+            )
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +98,10 @@ class WatchedAngle(OutputDescription):
         """Add its signals."""
         across, sideways = normals(self.axis)
         frame, turned = self.first.frame, self.second.frame.direction(across).value
-        angle = ca.atan2(ca.dot(turned, frame.direction(sideways).value), ca.dot(turned, frame.direction(across).value))
+        angle = ca.atan2(
+            ca.dot(turned, frame.direction(sideways).value),
+            ca.dot(turned, frame.direction(across).value),
+        )
         rate, acceleration = mechanism.rate_of(angle), mechanism.acceleration_of(angle)
         _show_motion(mechanism, self.name, (angle, rate, acceleration), "rad")
 
@@ -114,7 +140,9 @@ class WatchedReaction(OutputDescription):
         """Add its signals."""
         reaction = reaction_of(mechanism, self.name, self.on)
         if self.at is not None:
-            reaction = reaction.at(reaction.body.carrier.place(reaction.body.frame.point(self.at).value))
+            reaction = reaction.at(
+                reaction.body.carrier.place(reaction.body.frame.point(self.at).value)
+            )
         for symbol, vector, unit, what in (
             ("f", reaction.force, "N", "force"),
             ("t", reaction.torque, "N*m", "torque"),
@@ -149,7 +177,11 @@ class WatchedEnergy(OutputDescription):
                 [power for action in actions for power in action.lost],
                 "energy lost in dampers since the start",
             ),
-            ("energy.supplied", mechanism.supplied_powers(), "energy put in by motions since the start"),
+            (
+                "energy.supplied",
+                mechanism.supplied_powers(),
+                "energy put in by motions since the start",
+            ),
         ):
             if powers:
                 taken = mechanism.internal_state(name)
@@ -157,7 +189,9 @@ class WatchedEnergy(OutputDescription):
                 mechanism.output(name, taken, "J", text)
 
 
-def _show_motion(mechanism: Structure, name: str, motion: tuple[ca.SX, ca.SX, ca.SX], unit: str) -> None:
+def _show_motion(
+    mechanism: Structure, name: str, motion: tuple[ca.SX, ca.SX, ca.SX], unit: str
+) -> None:
     value, rate, acceleration = motion
     mechanism.output(name, value, unit, name)
     mechanism.output(f"{name} rate", rate, f"{unit}/s", f"{name}, rate")
@@ -178,7 +212,10 @@ def kinetic_energy(bodies: Iterable[Body]) -> ca.SX:
             velocity = body.carrier.velocity(body.frame.point(properties.centre))
             turn = body.frame.orientation
             spin = turn.unrotate(body.spin) if body.carrier.moves else turn.spin
-            energy += 0.5 * (properties.mass * ca.dot(velocity, velocity) + ca.dot(spin, properties.inertia @ spin))
+            energy += 0.5 * (
+                properties.mass * ca.dot(velocity, velocity)
+                + ca.dot(spin, properties.inertia @ spin)
+            )
     return energy
 
 
@@ -188,6 +225,9 @@ def weight_energy(bodies: Iterable[Body], gravity: ca.SX) -> ca.SX:
     for body in bodies:
         properties = body.mass_properties
         if properties is not None:
-            rise = body.carrier.height(body.frame.point(properties.centre).value) - properties.centre[2]
+            rise = (
+                body.carrier.height(body.frame.point(properties.centre).value)
+                - properties.centre[2]
+            )
             energy += properties.mass * gravity * rise
     return energy

@@ -33,7 +33,9 @@ class Reaction:
 
     def at(self, point: ca.SX) -> Reaction:
         """Return the same reaction at another point."""
-        return Reaction(self.force, self.torque + ca.cross(self.point - point, self.force), point, self.body)
+        return Reaction(
+            self.force, self.torque + ca.cross(self.point - point, self.force), point, self.body
+        )
 
 
 @dataclass(frozen=True)
@@ -59,15 +61,25 @@ def reaction_of(mechanism: Structure, name: str, on: str | None = None) -> React
             mechanism,
             hung.child,
             [body for body in mechanism.bodies.values() if body.name in hanging],
-            [item.wrench for item in acting if item.wrench.body.name in hanging and item.through != name],
+            [
+                item.wrench
+                for item in acting
+                if item.wrench.body.name in hanging and item.through != name
+            ],
         )
-        bodies, felt = [hung.joint.first.itself.name, hung.joint.second.itself.name], hung.child.name
+        bodies, felt = (
+            [hung.joint.first.itself.name, hung.joint.second.itself.name],
+            hung.child.name,
+        )
         on = on or bodies[1]
     else:
         own = [item.wrench for item in acting if item.source == name]
         if not own:
             raise unknown(
-                name, [*mechanism.joints, *mechanism.closures, *mechanism.conditions], what="joint", where="reaction"
+                name,
+                [*mechanism.joints, *mechanism.closures, *mechanism.conditions],
+                what="joint",
+                where="reaction",
             )
         bodies = list(dict.fromkeys(wrench.body.name for wrench in own))
         if name in mechanism.closures:
@@ -82,14 +94,19 @@ def reaction_of(mechanism: Structure, name: str, on: str | None = None) -> React
     return Reaction(force, torque, point, mechanism.bodies[on])
 
 
-def _sum_wrenches(wrenches: Iterable[Wrench], on: str, bodies: dict[str, Body]) -> tuple[ca.SX, ca.SX, ca.SX]:
+def _sum_wrenches(
+    wrenches: Iterable[Wrench], on: str, bodies: dict[str, Body]
+) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Wrenches on one body, at the point of the first force; at the body's origin where none is a force."""
     own = [wrench for wrench in wrenches if wrench.body.name == on]
     at = next((wrench.point for wrench in own if wrench.force.nnz()), None)
     if at is None:
         at = _origin(bodies[on]) if on in bodies else ca.SX(3, 1)
     forces = [wrench for wrench in own if wrench.force.nnz()]
-    torque = sum((wrench.torque + ca.cross(wrench.point - at, wrench.force) for wrench in forces), ca.SX(3, 1))
+    torque = sum(
+        (wrench.torque + ca.cross(wrench.point - at, wrench.force) for wrench in forces),
+        ca.SX(3, 1),
+    )
     torque += sum((wrench.torque for wrench in own if not wrench.force.nnz()), ca.SX(3, 1))
     return sum((wrench.force for wrench in own), ca.SX(3, 1)), torque, at
 
@@ -107,7 +124,12 @@ def all_acting(mechanism: Structure) -> list[Acting]:
         for row, multiplier in zip(closed.rows, ca.vertsplit(closed.multipliers), strict=True):
             for body, sign in ((closed.joint.second, 1.0), (closed.joint.first, -1.0)):
                 push = sign * multiplier
-                acting.append(Acting(Wrench(body, push * row.force, row.point, push * row.torque), closed.joint.name))
+                acting.append(
+                    Acting(
+                        Wrench(body, push * row.force, row.point, push * row.torque),
+                        closed.joint.name,
+                    )
+                )
     for name, (condition, multiplier) in mechanism.conditions.items():
         wrenches = _along(mechanism, condition.expression, multiplier)
         acting += [Acting(wrench, name, through) for wrench, through in wrenches]
@@ -119,7 +141,9 @@ def _outward(wrench: Wrench) -> Wrench:
     body, carrier = wrench.body, wrench.body.carrier
     if not carrier.moves:
         return wrench
-    force, torque = (carrier.outward(part) if part.nnz() else part for part in (wrench.force, wrench.torque))
+    force, torque = (
+        carrier.outward(part) if part.nnz() else part for part in (wrench.force, wrench.torque)
+    )
     return Wrench(body.itself, force, carrier.place(wrench.point), torque)
 
 
@@ -158,13 +182,19 @@ def _efforts(mechanism: Structure, rate: ca.SX, force: ca.SX) -> list[tuple[Wren
             for body, sign in ((effort.body, 1.0), (effort.other, -1.0)):
                 push = sign * each[speed]
                 through = name if {effort.body, effort.other} == {hung.parent, hung.child} else ""
-                efforts.append((Wrench(body, push * effort.force, effort.point, push * effort.torque), through))
+                efforts.append(
+                    (Wrench(body, push * effort.force, effort.point, push * effort.torque), through)
+                )
     return efforts
 
 
 def _still(mechanism: Structure, body: Body) -> Body:
     """The ground, or the moving axes that a body hangs in."""
-    axes = (other for other in mechanism.bodies.values() if other.axes_of is not None and other.carrier is body.carrier)
+    axes = (
+        other
+        for other in mechanism.bodies.values()
+        if other.axes_of is not None and other.carrier is body.carrier
+    )
     return next(axes, mechanism.ground)
 
 
@@ -185,7 +215,9 @@ def _newton_euler(
     return force, torque, origin
 
 
-def _inertial(mechanism: Structure, body: Body, properties: MassProperties) -> tuple[ca.SX, ca.SX, ca.SX]:
+def _inertial(
+    mechanism: Structure, body: Body, properties: MassProperties
+) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Centre of mass, mass times its acceleration, and rate of the angular momentum about it.
 
     In moving axes the acceleration is relative to the field on all masses, such as that of weight.
@@ -202,4 +234,8 @@ def _inertial(mechanism: Structure, body: Body, properties: MassProperties) -> t
     spin_rate += mechanism.accelerated(spin)
     twist = tensor @ spin_rate + ca.cross(spin, tensor @ spin)
     outward = carrier.outward if carrier.moves else orientation.rotate
-    return carrier.place(centre.value), properties.mass * carrier.outward(acceleration), outward(twist)
+    return (
+        carrier.place(centre.value),
+        properties.mass * carrier.outward(acceleration),
+        outward(twist),
+    )

@@ -86,7 +86,9 @@ def rotation_vector(matrix: ca.SX) -> tuple[ca.SX, ca.SX]:
 
     The angle is below 180 degrees, where the axis jumps. The spin is that of the rotated axes, expressed in the others.
     """
-    lean = 0.5 * ca.vertcat(matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1])
+    lean = 0.5 * ca.vertcat(
+        matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1]
+    )
     sine = ca.sqrt(ca.dot(lean, lean) + _TINY)
     angle = ca.atan2(sine, 0.5 * (ca.trace(matrix) - 1.0))
     vector = angle / sine * lean

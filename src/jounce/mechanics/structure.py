@@ -120,7 +120,10 @@ class Structure(System):
 
     def mass_values(self, values: Mapping[str, float]) -> dict[str, tuple[float, Array]]:
         """Mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""
-        p, numbers = ca.vertcat(*self.collection.parameters.values()), [values[path] for path in self.parameters]
+        p, numbers = (
+            ca.vertcat(*self.collection.parameters.values()),
+            [values[path] for path in self.parameters],
+        )
         result = {}
         for body in self.bodies.values():
             if body.mass_properties is not None:
@@ -136,6 +139,15 @@ class Structure(System):
     def supplied_powers(self) -> list[ca.SX]:
         """Powers of the motions that tracks prescribe, W."""
         tracks = self.collection.tracks.values()
-        values, rates = (ca.vertcat(*(getattr(track, part) for track in tracks)) for part in ("value", "rate"))
-        driven = [pair for pair in self.conditions.values() if tracks and ca.depends_on(pair[0].expression, values)]
-        return [-multiplier * ca.jtimes(condition.expression, values, rates) for condition, multiplier in driven]
+        values, rates = (
+            ca.vertcat(*(getattr(track, part) for track in tracks)) for part in ("value", "rate")
+        )
+        driven = [
+            pair
+            for pair in self.conditions.values()
+            if tracks and ca.depends_on(pair[0].expression, values)
+        ]
+        return [
+            -multiplier * ca.jtimes(condition.expression, values, rates)
+            for condition, multiplier in driven
+        ]

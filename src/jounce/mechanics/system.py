@@ -58,7 +58,9 @@ class System:
     def growing(self) -> list[dict[Any, Any] | list[Any]]:
         """All containers that grow when something is added."""
         return [
-            part for part in (*vars(self).values(), *vars(self.collection).values()) if isinstance(part, dict | list)
+            part
+            for part in (*vars(self).values(), *vars(self.collection).values())
+            if isinstance(part, dict | list)
         ]
 
     @contextmanager
@@ -105,7 +107,9 @@ class System:
     ) -> tuple[ca.SX, ca.SX]:
         """Add coordinates (from ``start``, in ``units``, default m) with their speeds; return the symbols of both."""
         units = units or ["m"] * len(names)
-        q, v = self._symbols_of(names, units, start or [0.0] * len(names), speeds, [f"{unit}/s" for unit in units])
+        q, v = self._symbols_of(
+            names, units, start or [0.0] * len(names), speeds, [f"{unit}/s" for unit in units]
+        )
         self.collection.rates.append(v)
         return q, v
 
@@ -135,7 +139,9 @@ class System:
     ) -> tuple[ca.SX, ca.SX]:
         into = self.collection
         names = [self._require_unused(name, {**into.coordinates, **into.speeds}) for name in names]
-        speeds = [self._require_unused(name, {**into.coordinates, **into.speeds}) for name in speeds]
+        speeds = [
+            self._require_unused(name, {**into.coordinates, **into.speeds}) for name in speeds
+        ]
         into.units.update(zip((*names, *speeds), (*units, *speed_units), strict=True))
         into.start.update(zip(names, start, strict=True))
         into.coordinates.update({name: ca.SX.sym(name) for name in names})
@@ -152,7 +158,10 @@ class System:
 
     def set_internal_rate(self, name: str, rate: ca.SX) -> None:
         """Set the rate of an internal state."""
-        name, known = self.name_at_place(check_name(name, "internal state")), self.collection.internal
+        name, known = (
+            self.name_at_place(check_name(name, "internal state")),
+            self.collection.internal,
+        )
         if name not in known:
             raise unknown(name, known, what="internal state")
         known[name] = (known[name][0], expression_of(rate, f"rate of {name}"))
@@ -199,9 +208,15 @@ class System:
         """Add a force that does the power ``magnitude * rate``; both may be vectors."""
         self.collection.loads.append((rate, magnitude))
 
-    def constrain(self, equations: Sequence[Equation], value: ca.SX, rate: ca.SX, bias: ca.SX) -> ca.SX:
+    def constrain(
+        self, equations: Sequence[Equation], value: ca.SX, rate: ca.SX, bias: ca.SX
+    ) -> ca.SX:
         """Add equations ``value = 0`` with their two rates; return the symbols of their multipliers (forces)."""
-        before = (equation for constraint in self.collection.constraints for equation in constraint.equations)
+        before = (
+            equation
+            for constraint in self.collection.constraints
+            for equation in constraint.equations
+        )
         known = {equation.name: equation.joint for equation in before}
         for equation in equations:
             if equation.name in known:
@@ -209,9 +224,18 @@ class System:
                     "one of its equations has the name of another",
                     f"{equation.name} of {known[equation.name]}",
                 )
-                raise AssemblyError(text, where=equation.joint, found=names, hint="Give one of the two another name.")
-        multipliers = ca.vertcat(*(ca.SX.sym(f"{equation.name} multiplier") for equation in equations))
-        self.collection.constraints.append(Constraint(tuple(equations), value, rate, bias, multipliers))
+                raise AssemblyError(
+                    text,
+                    where=equation.joint,
+                    found=names,
+                    hint="Give one of the two another name.",
+                )
+        multipliers = ca.vertcat(
+            *(ca.SX.sym(f"{equation.name} multiplier") for equation in equations)
+        )
+        self.collection.constraints.append(
+            Constraint(tuple(equations), value, rate, bias, multipliers)
+        )
         return multipliers
 
     def rate_of(self, expression: ca.SX) -> ca.SX:
@@ -233,7 +257,9 @@ class System:
         shown = expression_of(expression, f"output {name}")
         if shown.shape != (1, 1):
             count, hint = f"{shown.numel()} expressions", "Take one of them, as force[0]."
-            raise AssemblyError("not one expression", where=f"output {name}", found=count, hint=hint)
+            raise AssemblyError(
+                "not one expression", where=f"output {name}", found=count, hint=hint
+            )
         self.collection.outputs[Output(name, unit, long_name)] = shown
 
     def finish(self) -> Model:

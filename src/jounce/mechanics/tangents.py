@@ -36,7 +36,9 @@ def tangent(model: Model, dx: ca.SX, du: ca.SX, dp: ca.SX) -> Tangent:
     change = ca.jtimes(ca.vertcat(balance.rate, balance.output), every, directions)
     change, count = ca.substitute(change, balance.unknown, balance.found), balance.rate.shape[0]
     rate, output = change[:count], change[count:]
-    switch, constraint = (ca.jtimes(part, known, along) for part in (model.switch, model.constraint))
+    switch, constraint = (
+        ca.jtimes(part, known, along) for part in (model.switch, model.constraint)
+    )
     return Tangent(rate, output, switch, constraint, _projection(model, dx, dp, known, along))
 
 
@@ -45,7 +47,9 @@ def _projection(model: Model, dx: ca.SX, dp: ca.SX, known: ca.SX, along: ca.SX) 
     if not model.projection.shape[0]:
         return ca.SX(0, 1)
     balance, (n_q, n_v) = model.balance, (len(model.coordinates), len(model.speeds))
-    residual, drifted = (ca.jtimes(part, known, along) for part in (model.constraint, balance.constraint_rate))
+    residual, drifted = (
+        ca.jtimes(part, known, along) for part in (model.constraint, balance.constraint_rate)
+    )
     shift = ca.SX.sym("shift", n_v)
     displaced = balance.moved(shift)
     start = ca.vertcat(model.x[:n_q], model.p, shift)

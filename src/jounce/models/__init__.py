@@ -34,7 +34,11 @@ def build(rig: Rig, *, detail: bool = False, actuator: AnyActuator | None = None
     With ``detail`` 3-D corners, and cars on them, show hardpoints, joint reactions and energies, too; other rigs have
     no more. With an ``actuator`` every strut has one, and an input ``command``; only its structure matters.
     """
-    key = structure_of(rig), detail and type(rig) in _WITH_DETAIL, actuator.structure if actuator else ""
+    key = (
+        structure_of(rig),
+        detail and type(rig) in _WITH_DETAIL,
+        actuator.structure if actuator else "",
+    )
     options: dict[str, Any] = {"detail": True} if key[1] else {}
     if actuator is not None:
         options["actuator"] = actuator

@@ -39,7 +39,9 @@ def controlled_force(
         force = _active(system, actuator, command)
         total = force if actuator.replaces_damper else passive() + force
     elif isinstance(actuator, SemiActiveDamper):
-        force = total = _lagged_command(system, actuator.lag > 0.0, "actuator.coefficient", command) * velocity
+        force = total = (
+            _lagged_command(system, actuator.lag > 0.0, "actuator.coefficient", command) * velocity
+        )
     else:
         force = total = _magnetorheological(system, actuator, command, deflection, velocity)
     system.output("actuator.force", force, "N", "force of the actuator, compression positive")
@@ -47,7 +49,12 @@ def controlled_force(
 
 
 def element_force(
-    system: System, actuator: AnyActuator | None, what: Replaced, own: ca.SX, rate: ca.SX, acting: ca.SX | float = 1.0
+    system: System,
+    actuator: AnyActuator | None,
+    what: Replaced,
+    own: ca.SX,
+    rate: ca.SX,
+    acting: ca.SX | float = 1.0,
 ) -> ca.SX:
     """Force (N, compression positive) of an element, where an actuator is in its place: its own and the command.
 
@@ -58,15 +65,31 @@ def element_force(
     if not isinstance(actuator, ActiveActuator) or actuator.in_place_of != what:
         return own
     command = system.track("command").value
-    system.output("command", command, actuator.unit, f"force in place of the {what}, less that of the rig's own")
-    system.output(f"actuator.{OWN}", acting * own, "N", f"force of the rig's own {what}, compression positive")
-    system.output(f"actuator.{RATE}", rate, "m/s", f"deflection rate of the {what}, compression positive")
+    system.output(
+        "command",
+        command,
+        actuator.unit,
+        f"force in place of the {what}, less that of the rig's own",
+    )
+    system.output(
+        f"actuator.{OWN}", acting * own, "N", f"force of the rig's own {what}, compression positive"
+    )
+    system.output(
+        f"actuator.{RATE}", rate, "m/s", f"deflection rate of the {what}, compression positive"
+    )
     if what != "tyre":  # whose force is ``tyre.force``, with lift-off
-        system.output("actuator.force", own + command, "N", f"force in place of the {what}, compression positive")
+        system.output(
+            "actuator.force",
+            own + command,
+            "N",
+            f"force in place of the {what}, compression positive",
+        )
     return own + command
 
 
-def replaced_tyre(system: System, actuator: AnyActuator | None, rate: ca.SX) -> Callable[[ca.SX, ca.SX], ca.SX] | None:
+def replaced_tyre(
+    system: System, actuator: AnyActuator | None, rate: ca.SX
+) -> Callable[[ca.SX, ca.SX], ca.SX] | None:
     """:func:`element_force` for a tyre, in the form of ``tyre_force``; None if the tyre keeps its own force."""
     if not isinstance(actuator, ActiveActuator) or actuator.in_place_of != "tyre":
         return None
@@ -92,16 +115,25 @@ def _lagged_command(system: System, lags: bool, name: str, command: ca.SX) -> ca
 def _active(system: System, actuator: ActiveActuator, command: ca.SX) -> ca.SX:
     if actuator.bandwidth is None:
         return _lagged_command(system, actuator.lag > 0.0, "actuator.force", command)
-    force, rate = system.internal_state("actuator.force"), system.internal_state("actuator.force rate")
+    force, rate = (
+        system.internal_state("actuator.force"),
+        system.internal_state("actuator.force rate"),
+    )
     frequency = 2.0 * ca.pi * system.parameter("actuator.bandwidth")
     damping = 2.0 * system.parameter("actuator.damping_ratio") * frequency
     system.set_internal_rate("actuator.force", rate)
-    system.set_internal_rate("actuator.force rate", frequency**2 * (command - force) - damping * rate)
+    system.set_internal_rate(
+        "actuator.force rate", frequency**2 * (command - force) - damping * rate
+    )
     return force
 
 
 def _magnetorheological(
-    system: System, actuator: MagnetorheologicalDamper, command: ca.SX, deflection: ca.SX, velocity: ca.SX
+    system: System,
+    actuator: MagnetorheologicalDamper,
+    command: ca.SX,
+    deflection: ca.SX,
+    velocity: ca.SX,
 ) -> ca.SX:
     voltage = _lagged_command(system, actuator.lag > 0.0, "actuator.voltage", command)
     share = voltage / system.parameter("actuator.maximum")

@@ -36,10 +36,16 @@ def add_rocker(linkage: Linkage) -> None:
     outer, inner = linkage.hardpoint("pushrod_outer"), linkage.hardpoint("pushrod_inner")
     foot = getattr(rig.strut, "pushrod_on", "upright")
     linkage.mechanism.rod("pushrod", linkage.carriers[foot], rocker, outer, inner)
-    linkage.owners.update({"rocker_pivot": linkage.chassis, "rocker_axis": linkage.chassis, "pushrod_inner": rocker})
+    linkage.owners.update(
+        {"rocker_pivot": linkage.chassis, "rocker_axis": linkage.chassis, "pushrod_inner": rocker}
+    )
     linkage.owners["pushrod_outer"] = linkage.carriers[foot]
     linkage.lines["pushrod"] = ("pushrod_outer", "pushrod_inner")
-    linkage.lines["rocker"] = ("pushrod_inner", "rocker_pivot", *(["strut_bottom"] if rig.has_strut else []))
+    linkage.lines["rocker"] = (
+        "pushrod_inner",
+        "rocker_pivot",
+        *(["strut_bottom"] if rig.has_strut else []),
+    )
 
 
 def add_strut_points(linkage: Linkage) -> None:
@@ -60,10 +66,14 @@ def spring_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
     """Force of the strut's spring (N, compression positive); none where a torsion bar takes its place."""
     if "spring" not in linkage.rig.lacks and "spring" in linkage.rig.without:
         return ca.SX(0.0)
-    return coil_law(linkage.mechanism, linkage.rig.strut.spring, "strut.spring", line.length, line.design)
+    return coil_law(
+        linkage.mechanism, linkage.rig.strut.spring, "strut.spring", line.length, line.design
+    )
 
 
-def coil_law(mechanism: System, spring: CoilSpring, path: str, length: ca.SX, design: ca.SX) -> ca.SX:
+def coil_law(
+    mechanism: System, spring: CoilSpring, path: str, length: ca.SX, design: ca.SX
+) -> ca.SX:
     """Force of a spring (N, compression positive) at a length, which is another one at design (m)."""
     free = spring.free_length is not None
     deflection = mechanism.parameter(f"{path}.free_length") - length if free else design - length
@@ -88,7 +98,10 @@ def winding(linkage: Linkage, body: str) -> ca.SX:
         bump = ca.dot(rod, ahead) * rod[2]
     else:
         bump = ahead[2]
-    now, (along, across) = linkage.carriers[body].frame.direction(out).value, _directions_of_body(linkage, out, ahead)
+    now, (along, across) = (
+        linkage.carriers[body].frame.direction(out).value,
+        _directions_of_body(linkage, out, ahead),
+    )
     return ca.if_else(bump < 0.0, -1.0, 1.0) * ca.atan2(ca.dot(across, now), ca.dot(along, now))
 
 
@@ -112,7 +125,10 @@ def third_end(linkage: Suspension) -> Moving:
 
 def third_law(linkage: DescribedSuspension, length: ca.SX) -> ca.SX:
     """Force of the third spring (N, compression positive) at a length (m)."""
-    third, design = linkage.rig.third_spring, 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1]
+    third, design = (
+        linkage.rig.third_spring,
+        2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1],
+    )
     assert third is not None
     return coil_law(linkage.mechanism, third.spring, "third_spring.spring", length, design)
 
@@ -157,7 +173,9 @@ def bar_on(linkage: DescribedSuspension) -> str:
 def link_end(linkage: Suspension) -> Moving:
     """End of the anti-roll bar's link on the suspension."""
     end = linkage.hardpoint("arb_link_end")
-    return linkage.moving("arb_link_end", lambda whole: whole.carriers[bar_on(whole)].frame.point(end))
+    return linkage.moving(
+        "arb_link_end", lambda whole: whole.carriers[bar_on(whole)].frame.point(end)
+    )
 
 
 def bar_axis(linkage: DescribedSuspension) -> ca.SX:
@@ -176,7 +194,9 @@ def bar_angle(linkage: DescribedSuspension) -> Reached:
     """Rotation of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
 
     def turn(whole: DescribedSuspension, end: ca.SX) -> ca.SX:
-        pivot, arm, link_ends = (whole.hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end"))
+        pivot, arm, link_ends = (
+            whole.hardpoint(f"arb_{name}") for name in ("pivot", "arm_end", "link_end")
+        )
         return Swing.of(bar_axis(whole), arm - pivot, link_ends - pivot, end - pivot).angle
 
     return Reached("anti_roll_bar.angle", bar_on(linkage), "arb_link_end", turn)
@@ -200,7 +220,8 @@ def bar_stiffness(linkage: DescribedSuspension) -> ca.SX:
     if bar.blade is None:
         return stiffness
     width, thickness, angle, modulus = (
-        number(f"anti_roll_bar.blade.{name}") for name in ("width", "thickness", "angle", "youngs_modulus")
+        number(f"anti_roll_bar.blade.{name}")
+        for name in ("width", "thickness", "angle", "youngs_modulus")
     )
     arm = linkage.hardpoint("arb_arm_end") - linkage.hardpoint("arb_pivot")
     axis = bar_axis(linkage)
@@ -221,19 +242,25 @@ def stop_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
     """Force of bump and rebound stops (N, compression positive)."""
     strut = linkage.rig.strut
     bump = bump_stop_force(linkage.mechanism, strut.bump_stop, "strut.bump_stop", line.deflection)
-    rebound = bump_stop_force(linkage.mechanism, strut.rebound_stop, "strut.rebound_stop", -line.deflection)
+    rebound = bump_stop_force(
+        linkage.mechanism, strut.rebound_stop, "strut.rebound_stop", -line.deflection
+    )
     return bump - rebound
 
 
 def damper_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
     """Damper force (N, compression positive)."""
     mechanism, damper = linkage.mechanism, linkage.rig.strut.damper
-    return damper_force(mechanism, damper, "strut.damper", line.deflection, -line.rate, length=line.length)
+    return damper_force(
+        mechanism, damper, "strut.damper", line.deflection, -line.rate, length=line.length
+    )
 
 
 def friction_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
     """Dry friction of the strut (N, compression positive), which stays where an actuator takes the damper's place."""
-    return friction_force(linkage.mechanism, linkage.rig.strut.friction, "strut.friction", -line.rate)
+    return friction_force(
+        linkage.mechanism, linkage.rig.strut.friction, "strut.friction", -line.rate
+    )
 
 
 def undeformed_radius(linkage: DescribedSuspension) -> ca.SX:
@@ -259,7 +286,11 @@ class Pressed:
 def loaded_radius(linkage: Suspension, road: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Distance (m) of a road of that height (m) along the wheel, its direction, and the cosine of the wheel's lean."""
     down, upright = towards_road(linkage.spin_direction.value, linkage.carrier.up)
-    return (linkage.carrier.height(linkage.wheel_centre.value) - road) / upright, ca.vertcat(*down), upright
+    return (
+        (linkage.carrier.height(linkage.wheel_centre.value) - road) / upright,
+        ca.vertcat(*down),
+        upright,
+    )
 
 
 def contact_point(linkage: Suspension, road: ca.SX) -> tuple[Moving, ca.SX]:
@@ -282,7 +313,11 @@ def lowest_point(linkage: Suspension, road: ca.SX) -> ca.SX:
 
 
 def add_tyre(
-    linkage: Suspension, road: Track, actuator: AnyActuator | None = None, *, law: TyreLaw | None = None
+    linkage: Suspension,
+    road: Track,
+    actuator: AnyActuator | None = None,
+    *,
+    law: TyreLaw | None = None,
 ) -> Pressed:
     """Add the tyre's force on the wheel, by default with the ``law`` of its description.
 
@@ -295,14 +330,20 @@ def add_tyre(
     if (law or rig.tyre.law) == "radial":
         point, upright = contact_point(linkage, road.value)
     closing = road.rate - ca.dot(carrier.up, carrier.velocity(point))
-    deflection = undeformed_radius(linkage) - (carrier.height(linkage.wheel_centre.value) - road.value) / upright
+    deflection = (
+        undeformed_radius(linkage)
+        - (carrier.height(linkage.wheel_centre.value) - road.value) / upright
+    )
     force = tyre_law(linkage, deflection, closing / upright, actuator) / upright
     mechanism.apply_force(linkage.upright, force * carrier.up, point)
     return Pressed(deflection, force, point, closing)
 
 
 def tyre_law(
-    linkage: DescribedSuspension, deflection: ca.SX, rate: ca.SX, actuator: AnyActuator | None = None
+    linkage: DescribedSuspension,
+    deflection: ca.SX,
+    rate: ca.SX,
+    actuator: AnyActuator | None = None,
 ) -> ca.SX:
     """Force (N) of the tyre, or of what is in its place, along its deflection (m), which has a rate (m/s)."""
     law = replaced_tyre(linkage.mechanism, actuator, rate)

@@ -15,7 +15,10 @@ import casadi as ca
 
 from jounce.mechanics.rotations import rotate, unit
 
-_ON_THE_WAY, _STEPS = (0.25, 0.5, 0.75), 5  # the error after the first full step is below rounding after four more
+_ON_THE_WAY, _STEPS = (
+    (0.25, 0.5, 0.75),
+    5,
+)  # the error after the first full step is below rounding after four more
 _CLOSED = 1e-9  # m^2
 _ACROSS = ca.SX([0.0, 1.0, 0.0])
 
@@ -40,7 +43,9 @@ class Swing:
             return ca.dot(arm - along * axis, d), ca.dot(ca.cross(axis, arm), d)
 
         a, b = parts(end)
-        needed = 0.5 * (ca.dot(arm, arm) + ca.dot(end, end) - ca.dot(link, link)) - along * ca.dot(axis, end)
+        needed = 0.5 * (ca.dot(arm, arm) + ca.dot(end, end) - ca.dot(link, link)) - along * ca.dot(
+            axis, end
+        )
         return cls(ca.atan2(b, a), needed / ca.sqrt(a**2 + b**2), ca.sign(parts(far)[1]))
 
     @property
@@ -81,15 +86,25 @@ def t_bar(stem: ca.SX, arms: Sequence[ca.SX], far: Sequence[ca.SX], ends: Sequen
     along = unit(stem)
     lengths = [ca.dot(end - arm, end - arm) for arm, end in zip(arms, far, strict=True)]
     hinge, twist = ca.SX(0.0), ca.SX(0.0)
-    for share in (*_ON_THE_WAY, *[1.0] * _STEPS):  # from design, so that it is the assembly that the design has
+    for share in (
+        *_ON_THE_WAY,
+        *[1.0] * _STEPS,
+    ):  # from design, so that it is the assembly that the design has
         placed = [start + share * (end - start) for start, end in zip(far, ends, strict=True)]
         tips, links, levers = _ends_and_links(along, arms, placed, hinge, twist)
-        off = [0.5 * (ca.dot(link, link) - length) for link, length in zip(links, lengths, strict=True)]
+        off = [
+            0.5 * (ca.dot(link, link) - length) for link, length in zip(links, lengths, strict=True)
+        ]
         (a, b), (c, d) = levers
         gap = a * d - b * c
-        hinge, twist = hinge + (d * off[0] - b * off[1]) / gap, twist + (a * off[1] - c * off[0]) / gap
+        hinge, twist = (
+            hinge + (d * off[0] - b * off[1]) / gap,
+            twist + (a * off[1] - c * off[0]) / gap,
+        )
     tips, links, levers = _ends_and_links(along, arms, ends, hinge, twist)
-    left = [ca.fabs(ca.dot(link, link) - length) for link, length in zip(links, lengths, strict=True)]
+    left = [
+        ca.fabs(ca.dot(link, link) - length) for link, length in zip(links, lengths, strict=True)
+    ]
     closed = ca.fmax(*left) < _CLOSED
     hinge, twist = (ca.if_else(closed, angle, ca.SX.nan()) for angle in (hinge, twist))
     sizes = [ca.sqrt(length) for length in lengths]

@@ -15,28 +15,44 @@ def show_height(system: System, name: str, z: ca.SX, text: str, height: str = ",
     """Add channels of a height, with velocity and acceleration."""
     system.output(f"{name}.z", z, "m", f"{text}{height}")
     system.output(f"{name}.vz", system.rate_of(z), "m/s", f"{text}, vertical velocity")
-    system.output(f"{name}.az", system.acceleration_of(z), "m/s^2", f"{text}, vertical acceleration")
+    system.output(
+        f"{name}.az", system.acceleration_of(z), "m/s^2", f"{text}, vertical acceleration"
+    )
 
 
 def show_turn(system: System, turn: str, angle: ca.SX) -> None:
     """Add channels of the body's pitch or roll, with rate and acceleration."""
     system.output(f"body.{turn}", angle, "rad", f"body {turn}, {TURNS[turn]} positive")
     system.output(f"body.{turn}_rate", system.rate_of(angle), "rad/s", f"body {turn} rate")
-    system.output(f"body.{turn}_acceleration", system.acceleration_of(angle), "rad/s^2", f"body {turn} acceleration")
+    system.output(
+        f"body.{turn}_acceleration",
+        system.acceleration_of(angle),
+        "rad/s^2",
+        f"body {turn} acceleration",
+    )
 
 
 def show_strut(
-    system: System, deflection: ca.SX, velocity: ca.SX, force: ca.SX, what: str = "strut force", since: str = ""
+    system: System,
+    deflection: ca.SX,
+    velocity: ca.SX,
+    force: ca.SX,
+    what: str = "strut force",
+    since: str = "",
 ) -> None:
     """Add the channels of a strut; ``what`` describes its force, ``since`` the zero of its deflection."""
-    system.output("strut.deflection", deflection, "m", f"strut deflection{since}, compression positive")
+    system.output(
+        "strut.deflection", deflection, "m", f"strut deflection{since}, compression positive"
+    )
     system.output("strut.velocity", velocity, "m/s", "strut deflection rate, bump positive")
     system.output("strut.force", force, "N", f"{what}, compression positive")
 
 
 def show_tyre(system: System, deflection: ca.SX, force: ca.SX, of: str = "") -> None:
     """Add channels of a tyre."""
-    system.output("tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive")
+    system.output(
+        "tyre.deflection", deflection, "m", "tyre deflection from undeformed, compression positive"
+    )
     system.output("tyre.force", force, "N", f"contact force{of}, compression positive")
 
 
@@ -68,14 +84,19 @@ def show_bushings(linkage: Linkage) -> None:
             linkage.mechanism.output(f"{point}.f{axis}", along[i], "N", text)
 
 
-def show_energy(linkage: Linkage, elements: dict[str, tuple[ca.SX, ca.SX]], road_power: ca.SX) -> None:
+def show_energy(
+    linkage: Linkage, elements: dict[str, tuple[ca.SX, ca.SX]], road_power: ca.SX
+) -> None:
     """Add energy channels, J: kinetic, of weights, stored or dissipated by each element, and supplied by the road.
 
     ``elements`` has the force (N) and the rate (m/s) of each element.
     """
     mechanism = linkage.mechanism
     mechanism.watch_energy()
-    powers = {name: (force * rate, f"energy taken up by the {name}") for name, (force, rate) in elements.items()}
+    powers = {
+        name: (force * rate, f"energy taken up by the {name}")
+        for name, (force, rate) in elements.items()
+    }
     powers["road"] = road_power, "energy put in by the road"
     for name, (power, text) in powers.items():
         channel = f"energy.{name}"

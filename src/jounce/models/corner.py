@@ -42,7 +42,13 @@ from jounce.models.channels import (
     show_strut,
     show_tyre,
 )
-from jounce.models.linkage import DescribedSuspension, ElementLength, Linkage, Suspension, hang_on_guide
+from jounce.models.linkage import (
+    DescribedSuspension,
+    ElementLength,
+    Linkage,
+    Suspension,
+    hang_on_guide,
+)
 from jounce.models.templates import double_wishbone, five_link, mcpherson, trailing_arm
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm
 
@@ -57,7 +63,11 @@ TEMPLATES: dict[type[Corner], Callable[[Linkage], None]] = {
 
 
 def suspension(
-    rig: Corner, mechanism: Mechanism, *, guide: str | None = None, rack: Track | ca.SX | None = None
+    rig: Corner,
+    mechanism: Mechanism,
+    *,
+    guide: str | None = None,
+    rack: Track | ca.SX | None = None,
 ) -> Linkage:
     """Hang the bodies of a suspension into a mechanism; only the structure of the description matters.
 
@@ -107,7 +117,9 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
     elements = {**add_strut(linkage, actuator), **add_both_alike(linkage)}
     tyre = add_tyre(linkage, road, actuator)
     show_tyre(mechanism, tyre.deflection, tyre.force)
-    show_motions(linkage, linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]"))
+    show_motions(
+        linkage, linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]")
+    )
     if detail:
         show_hardpoints(linkage)
         show_point(mechanism, "contact_point", lowest_point(linkage, road.value))
@@ -115,22 +127,34 @@ def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = 
         show_bushings(linkage)
         elements["tyre"] = tyre.force, tyre.closing
         if linkage.bushings:
-            elements["bushings"] = sum((power for _, power in linkage.bushings.values()), ca.SX(0.0)), ca.SX(1.0)
+            elements["bushings"] = (
+                sum((power for _, power in linkage.bushings.values()), ca.SX(0.0)),
+                ca.SX(1.0),
+            )
         show_energy(linkage, elements, tyre.force * road.rate)
     return mechanism.finish()
 
 
-def add_strut(linkage: Suspension, actuator: AnyActuator | None = None) -> dict[str, tuple[ca.SX, ca.SX]]:
+def add_strut(
+    linkage: Suspension, actuator: AnyActuator | None = None
+) -> dict[str, tuple[ca.SX, ca.SX]]:
     """Add spring, stops and damper (or actuator); return force and deflection rate of each element."""
     spring, damper = linkage.line("spring"), linkage.line("damper")
     sprung, damped = strut_forces(linkage, spring, damper, actuator)
     linkage.push(spring, sprung)
     linkage.push(damper, damped)
-    return {"spring": (sprung, -spring.rate), "damper": (damped, -damper.rate), **add_torsion_bar(linkage)}
+    return {
+        "spring": (sprung, -spring.rate),
+        "damper": (damped, -damper.rate),
+        **add_torsion_bar(linkage),
+    }
 
 
 def strut_forces(
-    linkage: DescribedSuspension, spring: ElementLength, damper: ElementLength, actuator: AnyActuator | None = None
+    linkage: DescribedSuspension,
+    spring: ElementLength,
+    damper: ElementLength,
+    actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
     """Forces (N, compression positive) of spring and stops, and of damper (or actuator) and friction; show them."""
     mechanism = linkage.mechanism
@@ -143,7 +167,9 @@ def strut_forces(
     )
     viscous += friction_law(linkage, damper)
     what = "spring, stops, damper and friction"
-    show_strut(mechanism, spring.deflection, -damper.rate, elastic + stops + viscous, what, " from design")
+    show_strut(
+        mechanism, spring.deflection, -damper.rate, elastic + stops + viscous, what, " from design"
+    )
     return elastic + stops, viscous
 
 
@@ -155,19 +181,27 @@ def add_torsion_bar(linkage: DescribedSuspension) -> dict[str, tuple[ca.SX, ca.S
     angle = linkage.of_pose("torsion_bar.angle", lambda whole: winding(whole, bar.on))
     torque = torsion_law(linkage, angle)
     mechanism.force(angle, -torque)
-    mechanism.output("torsion_bar.angle", angle, "rad", "turn of the torsion bar from design, positive in bump")
-    mechanism.output("torsion_bar.torque", torque, "N*m", "torque of the torsion bar, positive against bump")
+    mechanism.output(
+        "torsion_bar.angle", angle, "rad", "turn of the torsion bar from design, positive in bump"
+    )
+    mechanism.output(
+        "torsion_bar.torque", torque, "N*m", "torque of the torsion bar, positive against bump"
+    )
     return {"torsion bar": (torque, mechanism.rate_of(angle))}
 
 
-def add_both_alike(linkage: DescribedSuspension, *, damped: bool = True) -> dict[str, tuple[ca.SX, ca.SX]]:
+def add_both_alike(
+    linkage: DescribedSuspension, *, damped: bool = True
+) -> dict[str, tuple[ca.SX, ca.SX]]:
     """Add this wheel's half of third spring and Z-bar, with the other wheel moving in parallel; see ``add_strut``."""
     rig, mechanism = linkage.rig, linkage.mechanism
     both_alike: dict[str, tuple[ca.SX, ca.SX]] = {}
     if rig.third_spring is not None:
         half = third_deflection(linkage)
         deflection = half.value(linkage)
-        force = third_law(linkage, 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1] - deflection)
+        force = third_law(
+            linkage, 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1] - deflection
+        )
         rate = mechanism.rate_of(deflection)
         force += third_damper_law(linkage, deflection, rate if damped else ca.SX(0.0))
         linkage.press(half, -0.5 * force)
@@ -185,14 +219,31 @@ def add_both_alike(linkage: DescribedSuspension, *, damped: bool = True) -> dict
 
 def show_bar(mechanism: System, twist: ca.SX, torque: ca.SX) -> None:
     """Add channels of the anti-roll bar."""
-    mechanism.output("anti_roll_bar.twist", twist, "rad", "twist of the anti-roll bar from design, as its right end")
-    mechanism.output("anti_roll_bar.torque", torque, "N*m", "torque in the anti-roll bar, positive against its twist")
+    mechanism.output(
+        "anti_roll_bar.twist",
+        twist,
+        "rad",
+        "twist of the anti-roll bar from design, as its right end",
+    )
+    mechanism.output(
+        "anti_roll_bar.torque",
+        torque,
+        "N*m",
+        "torque in the anti-roll bar, positive against its twist",
+    )
 
 
 def show_third_spring(mechanism: System, deflection: ca.SX, force: ca.SX) -> None:
     """Add channels of the third spring."""
-    mechanism.output("third_spring.deflection", deflection, "m", "third spring, from design, compression positive")
-    mechanism.output("third_spring.force", force, "N", "third spring and damper, compression positive")
+    mechanism.output(
+        "third_spring.deflection",
+        deflection,
+        "m",
+        "third spring, from design, compression positive",
+    )
+    mechanism.output(
+        "third_spring.force", force, "N", "third spring and damper, compression positive"
+    )
 
 
 def show_motions(linkage: DescribedSuspension, centre: ca.SX, heave: ca.SX | None = None) -> None:

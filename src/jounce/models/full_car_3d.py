@@ -43,7 +43,9 @@ from jounce.parts.rig import structure_of
 from jounce.parts.vehicles import FullCar3D, SpatialAxle
 
 _SIDES, _ENDS = {"left": 1.0, "right": -1.0}, {"front": 1.0, "rear": -1.0}
-_UP, _FORWARD, _LEFT = (ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
+_UP, _FORWARD, _LEFT = (
+    ca.SX([*axis]) for axis in ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+)
 
 
 @dataclass(frozen=True)
@@ -77,7 +79,11 @@ def full_car_3d(
     drive = _driving(mechanism, body)
     frame = mechanism.moving_frame(body, drive - mechanism.gravity * _UP)
     axles = {name: getattr(vehicle, name) for name in _ENDS}
-    wheels = [_corner(mechanism, frame, name, axles[name], side, actuator, hang) for name in axles for side in _SIDES]
+    wheels = [
+        _corner(mechanism, frame, name, axles[name], side, actuator, hang)
+        for name in axles
+        for side in _SIDES
+    ]
     for pair, name in zip((wheels[:2], wheels[2:]), axles, strict=True):
         _anti_roll_bar(pair, mechanism.parameter(f"{name}.anti_roll_bar_rate"))
         with mechanism.within(name, f"{name}.corner"):
@@ -103,9 +109,13 @@ def _body(mechanism: Mechanism, vehicle: FullCar3D) -> Body:
     carriage = mechanism.body("carriage")
     heave = mechanism.prismatic("sprung", mechanism.ground, carriage, axis=_UP)
     if vehicle.body.joint is None:
-        pitch, roll = ca.vertsplit(mechanism.universal("attitude", carriage, body, centre, _LEFT, _FORWARD))
+        pitch, roll = ca.vertsplit(
+            mechanism.universal("attitude", carriage, body, centre, _LEFT, _FORWARD)
+        )
         _show_body(mechanism, heave, pitch, roll)
-        mechanism.share(["sprung.distance rate", "attitude.angle rate", "attitude.second_angle rate"])
+        mechanism.share(
+            ["sprung.distance rate", "attitude.angle rate", "attitude.second_angle rate"]
+        )
         return body
     joint = ca.vertcat(*(number(f"body.joint[{i}]") for i in range(3)))
     mechanism.spherical("guide_joint", carriage, body, at=joint)
@@ -113,7 +123,10 @@ def _body(mechanism: Mechanism, vehicle: FullCar3D) -> Body:
     _show_body(mechanism, place[2] - centre[2], -ca.asin(up[0]), ca.atan2(up[1], up[2]))
     for i, axis in enumerate("xy"):
         mechanism.output(
-            f"body.{axis}", place[i], "m", f"centre of gravity of the body, {axis}; from the design position"
+            f"body.{axis}",
+            place[i],
+            "m",
+            f"centre of gravity of the body, {axis}; from the design position",
         )
     mechanism.share(["sprung.distance rate", *(f"guide_joint.w{axis}" for axis in "xyz")])
     return body
@@ -121,7 +134,9 @@ def _body(mechanism: Mechanism, vehicle: FullCar3D) -> Body:
 
 def _show_body(mechanism: Mechanism, height: ca.SX, pitch: ca.SX, roll: ca.SX) -> None:
     """Let the body be seen; pitch is the turn about the car's y axis, then roll about its own x axis."""
-    show_height(mechanism, "body", height, "centre of gravity of the body", ", z; from the design position")
+    show_height(
+        mechanism, "body", height, "centre of gravity of the body", ", z; from the design position"
+    )
     show_turn(mechanism, "pitch", pitch)
     show_turn(mechanism, "roll", roll)
 
@@ -139,7 +154,10 @@ def _corner(
     distance = mechanism.parameter(f"{name}.distance")
     scope = f"{name}_{side}", f"{name}.corner"
     with mechanism.within(*scope):
-        end, turned = mechanism.constant("end", _ENDS[name]), mechanism.constant("side", _SIDES[side])
+        end, turned = (
+            mechanism.constant("end", _ENDS[name]),
+            mechanism.constant("side", _SIDES[side]),
+        )
         ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
         linkage = hang(axle.corner, mechanism, frame, ahead=ahead, turned=turned)
         road = mechanism.track("road.z")
@@ -188,11 +206,18 @@ def _described_bar(mechanism: Mechanism, pair: list[_CornerOnRoad]) -> None:
         torque = bar_stiffness(pair[0].linkage) * held.twist
         for wheel, slope in zip(pair, held.twist_slopes, strict=True):
             pull = -torque * slope
-            wheel.linkage.push_off("anti_roll_bar", bar_on(wheel.linkage), link_end(wheel.linkage), pull)
+            wheel.linkage.push_off(
+                "anti_roll_bar", bar_on(wheel.linkage), link_end(wheel.linkage), pull
+            )
         show_bar(mechanism, held.twist, torque)
         return
-    signs, ends = (1.0 if bar.kind == "z" else -1.0, 1.0), [bar_angle(wheel.linkage) for wheel in pair]
-    twist = sum((s * end.value(w.linkage) for s, end, w in zip(signs, ends, pair, strict=True)), ca.SX(0.0))
+    signs, ends = (
+        (1.0 if bar.kind == "z" else -1.0, 1.0),
+        [bar_angle(wheel.linkage) for wheel in pair],
+    )
+    twist = sum(
+        (s * end.value(w.linkage) for s, end, w in zip(signs, ends, pair, strict=True)), ca.SX(0.0)
+    )
     torque = bar_stiffness(pair[0].linkage) * twist
     for sign, end, wheel in zip(signs, ends, pair, strict=True):
         wheel.linkage.press(end, -sign * torque)
@@ -209,7 +234,9 @@ def _third_spring(mechanism: Mechanism, pair: list[_CornerOnRoad]) -> None:
     reach = ends[1] - ends[0]
     length = ca.sqrt(ca.dot(reach.value, reach.value))
     deflection = 2.0 * left.side * left.hardpoint("third_spring_end")[1] - length
-    force = third_law(left, length) + third_damper_law(left, deflection, mechanism.rate_of(deflection))
+    force = third_law(left, length) + third_damper_law(
+        left, deflection, mechanism.rate_of(deflection)
+    )
     mechanism.push_apart(left.carrier_of(third.on), right.carrier_of(third.on), *ends, force)
     show_third_spring(mechanism, deflection, force)
 
@@ -218,8 +245,12 @@ def _driving(mechanism: Mechanism, body: Body) -> ca.SX:
     """Let a pitch moment, a deceleration and a lateral acceleration act; return the inertia of the latter, m/s^2."""
     moment = mechanism.track("pitch_moment").value
     mechanism.apply_torque(body, moment * _LEFT)
-    mechanism.output("body.pitch_moment", moment, "N*m", "moment given on the body, nose down positive")
-    deceleration, lateral = (mechanism.track(name).value for name in ("deceleration", "lateral_acceleration"))
+    mechanism.output(
+        "body.pitch_moment", moment, "N*m", "moment given on the body, nose down positive"
+    )
+    deceleration, lateral = (
+        mechanism.track(name).value for name in ("deceleration", "lateral_acceleration")
+    )
     inertia = deceleration * _FORWARD - lateral * _LEFT
     assert body.mass_properties is not None
     mechanism.apply_force(body, body.mass_properties.mass * inertia, body.mass_properties.centre)

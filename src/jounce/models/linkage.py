@@ -57,7 +57,9 @@ class DescribedSuspension(ABC):
     def end_of(self, element: str, end: str) -> ca.SX:
         """Design place of the ``bottom`` or ``top`` of spring or damper; by default the strut's."""
         own = f"{element}_{end}"
-        return self.hardpoint(own if getattr(self.rig.hardpoints, own) is not None else f"strut_{end}")
+        return self.hardpoint(
+            own if getattr(self.rig.hardpoints, own) is not None else f"strut_{end}"
+        )
 
     def design_length(self, element: str) -> ca.SX:
         """Length of ``"spring"`` or ``"damper"`` at design, m."""
@@ -173,12 +175,16 @@ class Suspension(DescribedSuspension):
     @property
     def wheel_centre(self) -> Moving:
         """The wheel's centre."""
-        return self.moving("wheel_centre", lambda whole: whole.upright.frame.point(whole.hardpoint("wheel_centre")))
+        return self.moving(
+            "wheel_centre", lambda whole: whole.upright.frame.point(whole.hardpoint("wheel_centre"))
+        )
 
     @property
     def spin_direction(self) -> Moving:
         """The wheel's axis, pointing outboard, as it moves with the upright."""
-        return self.moving("spin_direction", lambda whole: whole.upright.frame.direction(whole.spin_axis))
+        return self.moving(
+            "spin_direction", lambda whole: whole.upright.frame.direction(whole.spin_axis)
+        )
 
 
 @dataclass
@@ -191,10 +197,16 @@ class Linkage(Suspension):
     rack: Body  # carries the inner end of the tie rod along y
     upright: Body = field(init=False)  # carries the wheel
     steering_axis: tuple[Moving, Moving] = field(init=False)  # its lower and upper point
-    carriers: dict[str, Body] = field(default_factory=dict)  # bodies by the names that descriptions use
+    carriers: dict[str, Body] = field(
+        default_factory=dict
+    )  # bodies by the names that descriptions use
     owners: dict[str, Body] = field(default_factory=dict)  # the body that each hardpoint moves with
-    lines: dict[str, tuple[str, ...]] = field(default_factory=dict)  # what to draw: hardpoints along each part
-    bushings: dict[str, tuple[ca.SX, ca.SX]] = field(default_factory=dict)  # force (N, ground axes) and power (W)
+    lines: dict[str, tuple[str, ...]] = field(
+        default_factory=dict
+    )  # what to draw: hardpoints along each part
+    bushings: dict[str, tuple[ca.SX, ca.SX]] = field(
+        default_factory=dict
+    )  # force (N, ground axes) and power (W)
     ahead: ca.SX | float = 0.0
     turned: ca.SX | float = 1.0
 
@@ -209,10 +221,21 @@ class Linkage(Suspension):
     def line(self, element: str) -> Line:
         """Return the line of ``"spring"`` or ``"damper"``."""
         bottom, top = self.end_of(element, "bottom"), self.end_of(element, "top")
-        lower, upper = self.carriers[self.rig.strut.on].frame.point(bottom), self.chassis.frame.point(top)
+        lower, upper = (
+            self.carriers[self.rig.strut.on].frame.point(bottom),
+            self.chassis.frame.point(top),
+        )
         reach = upper - lower
-        length = self.of_pose(f"{element}.length", lambda _: ca.sqrt(ca.dot(reach.value, reach.value)))
-        return Line(length, ca.dot(reach.value, reach.rate) / length, self.design_length(element), lower, upper)
+        length = self.of_pose(
+            f"{element}.length", lambda _: ca.sqrt(ca.dot(reach.value, reach.value))
+        )
+        return Line(
+            length,
+            ca.dot(reach.value, reach.rate) / length,
+            self.design_length(element),
+            lower,
+            upper,
+        )
 
     def push(self, line: ElementLength, force: ca.SX) -> None:
         """Apply a force (N) that pushes the ends of an element apart."""
@@ -245,10 +268,14 @@ class Linkage(Suspension):
     def body(self, name: str, path: str | None = None) -> Body:
         """Add a body of the description's ``bodies``."""
         path = path or f"bodies.{name}"
-        xx, yy, zz, xy, xz, yz = (self.number(f"{path}.inertia.{e}") for e in ("xx", "yy", "zz", "xy", "xz", "yz"))
+        xx, yy, zz, xy, xz, yz = (
+            self.number(f"{path}.inertia.{e}") for e in ("xx", "yy", "zz", "xy", "xz", "yz")
+        )
         xy, yz = self.turned * xy, self.turned * yz
         tensor = ca.vertcat(ca.horzcat(xx, xy, xz), ca.horzcat(xy, yy, yz), ca.horzcat(xz, yz, zz))
-        body = self.mechanism.body(name, self.number(f"{path}.mass"), self.place(f"{path}.centre_of_mass"), tensor)
+        body = self.mechanism.body(
+            name, self.number(f"{path}.mass"), self.place(f"{path}.centre_of_mass"), tensor
+        )
         self.carriers[name] = body
         return body
 
@@ -283,7 +310,9 @@ class Linkage(Suspension):
 
     def cushion(self, point: str, first: Body, second: Body) -> None:
         """Put the bushing at a hardpoint between two bodies."""
-        bushing = add_bushing(self.mechanism, point, first, second, self.hardpoint(point), **self.bushing_of(point))
+        bushing = add_bushing(
+            self.mechanism, point, first, second, self.hardpoint(point), **self.bushing_of(point)
+        )
         self.bushings[point] = first.frame.orientation.rotate(bushing.force), bushing.power
 
     def has_bushing(self, point: str) -> bool:
@@ -295,7 +324,9 @@ class Linkage(Suspension):
         names = ("stiffness", "damping", "rotational_stiffness")
         return {name: self.triple(f"bushings.{point}.{name}") for name in names}
 
-    def rod(self, name: str, inner: str, outer: str, carrier: Body, *, steered: bool = False) -> None:
+    def rod(
+        self, name: str, inner: str, outer: str, carrier: Body, *, steered: bool = False
+    ) -> None:
         """Tie a point of a carrier to a point of the chassis; the inner end of a steered rod rides on the rack."""
         start, end = self.hardpoint(inner), self.hardpoint(outer)
         holder = self.rack if steered else self.chassis
@@ -317,7 +348,9 @@ class Linkage(Suspension):
         first, second = normals(unit(end - start))
         if soft:
             self.mechanism.spherical(f"{name}_outer", carrier, link, end)
-            self.mechanism.perpendicular(f"{name}_spin", holder, link, first, second)  # as at the ideal joint
+            self.mechanism.perpendicular(
+                f"{name}_spin", holder, link, first, second
+            )  # as at the ideal joint
             self.cushion(inner, holder, link)
             return
         self.mechanism.universal(f"{name}_inner", holder, link, start, first, second)
@@ -338,7 +371,9 @@ def hang_on_guide(mechanism: Mechanism, guide: str) -> Body:
     """Hang the car's body on its guide: fixed, free to heave, or to heave and turn about a joint."""
     if guide == "fixed":
         return mechanism.ground
-    chassis = mechanism.body("sprung", mechanism.parameter("sprung.mass"), *_sprung_inertia(guide, mechanism))
+    chassis = mechanism.body(
+        "sprung", mechanism.parameter("sprung.mass"), *_sprung_inertia(guide, mechanism)
+    )
     if guide == "vertical":
         mechanism.prismatic("sprung", mechanism.ground, chassis, axis=ca.SX([0.0, 0.0, 1.0]))
         return chassis
@@ -355,5 +390,9 @@ def _sprung_inertia(guide: str, mechanism: Mechanism) -> tuple[ca.SX, ca.SX]:
         return ca.SX(3, 1), ca.SX(3, 3)
     number = mechanism.parameter
     centre = ca.vertcat(*(number(f"sprung.centre_of_mass[{i}]") for i in range(3)))
-    xx, yy, zz, xy, xz, yz = (number(f"sprung.inertia.{e}") for e in ("xx", "yy", "zz", "xy", "xz", "yz"))
-    return centre, ca.vertcat(ca.horzcat(xx, xy, xz), ca.horzcat(xy, yy, yz), ca.horzcat(xz, yz, zz))
+    xx, yy, zz, xy, xz, yz = (
+        number(f"sprung.inertia.{e}") for e in ("xx", "yy", "zz", "xy", "xz", "yz")
+    )
+    return centre, ca.vertcat(
+        ca.horzcat(xx, xy, xz), ca.horzcat(xy, yy, yz), ca.horzcat(xz, yz, zz)
+    )

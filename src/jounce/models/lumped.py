@@ -13,7 +13,13 @@ import casadi as ca
 
 from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model, System
-from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
+from jounce.mechanics.elements import (
+    bump_stop_force,
+    damper_force,
+    friction_force,
+    spring_force,
+    tyre_force,
+)
 from jounce.models.actuation import controlled_force, element_force, replaced_tyre
 from jounce.models.channels import TURNS, show_height, show_strut, show_turn, show_tyre
 from jounce.parts.vehicles import FullAxle, FullCar, HalfCar, HalfCar4DOF, Vehicle, WheeledAxle
@@ -54,7 +60,9 @@ def _pitch_moment(system: System, vehicle: Vehicle) -> ca.SX:
     if height is not None:
         deceleration = system.track("deceleration").value
         moment += system.parameter("body.mass") * system.parameter("body.height") * deceleration
-    system.output("body.pitch_moment", moment, "N*m", "moment of driving on the body, nose down positive")
+    system.output(
+        "body.pitch_moment", moment, "N*m", "moment of driving on the body, nose down positive"
+    )
     return moment
 
 
@@ -65,7 +73,11 @@ def _show_body(system: System, body: LumpedBody, *, rolls: bool) -> None:
 
 
 def strut_force(
-    system: System, axle: WheeledAxle, deflection: ca.SX, velocity: ca.SX, actuator: AnyActuator | None = None
+    system: System,
+    axle: WheeledAxle,
+    deflection: ca.SX,
+    velocity: ca.SX,
+    actuator: AnyActuator | None = None,
 ) -> ca.SX:
     """Force (N) of one wheel's spring, damper, friction and stops."""
     if axle.spring is None:
@@ -114,7 +126,9 @@ def add_wheel(
     system.force(-deflection, wheels * force)
     tyre_deflection = ground - unsprung
     tyre_rate = system.rate_of(tyre_deflection)
-    contact = tyre_force(system, axle.tyre, tyre_deflection, tyre_rate, replaced_tyre(system, actuator, tyre_rate))
+    contact = tyre_force(
+        system, axle.tyre, tyre_deflection, tyre_rate, replaced_tyre(system, actuator, tyre_rate)
+    )
     system.force(-tyre_deflection, wheels * contact)
     if plate is None:
         system.output("road.z", ground, "m", "road height under the wheel")
@@ -131,19 +145,29 @@ def half_car(vehicle: HalfCar, *, actuator: AnyActuator | None = None) -> Model:
     body = add_body(system, vehicle)
     for axle, side in (("front", 1.0), ("rear", -1.0)):
         with system.within(axle):
-            _massless_axle(system, vehicle, body.height(side * system.parameter("distance")), actuator)
+            _massless_axle(
+                system, vehicle, body.height(side * system.parameter("distance")), actuator
+            )
     return system.finish()
 
 
-def _massless_axle(system: System, vehicle: HalfCar, height: ca.SX, actuator: AnyActuator | None) -> None:
+def _massless_axle(
+    system: System, vehicle: HalfCar, height: ca.SX, actuator: AnyActuator | None
+) -> None:
     """Two springs and dampers between road and body; ``compat`` selects how the road acts."""
     road = system.track("road.z")
     ground = -road.value if vehicle.compat == "simulink" else road.value
     deflection = ground - height
     velocity = system.rate_of(deflection if vehicle.compat == "physical" else -height)
-    force = element_force(system, actuator, "spring", system.parameter("spring_rate") * deflection, velocity)
+    force = element_force(
+        system, actuator, "spring", system.parameter("spring_rate") * deflection, velocity
+    )
     force += controlled_force(
-        system, actuator, deflection, velocity, lambda: system.parameter("damping_coefficient") * velocity
+        system,
+        actuator,
+        deflection,
+        velocity,
+        lambda: system.parameter("damping_coefficient") * velocity,
     )
     system.force(height, 2.0 * force)
     system.output("road.z", road.value, "m", "road height under the axle")
@@ -182,7 +206,9 @@ def full_car(vehicle: FullCar, *, actuator: AnyActuator | None = None) -> Model:
     for name, axle, side in (("front", vehicle.front, 1.0), ("rear", vehicle.rear, -1.0)):
         axles[name] = _axle(system, name, axle, body, side, actuator)
         left, right = axles[name]["left"], axles[name]["right"]
-        twist = system.parameter(f"{name}.anti_roll_bar_rate") * (left.deflection - right.deflection)
+        twist = system.parameter(f"{name}.anti_roll_bar_rate") * (
+            left.deflection - right.deflection
+        )
         system.force(right.deflection - left.deflection, twist)
     if vehicle.body.height is not None:
         _lateral(system, body, axles)
@@ -190,7 +216,12 @@ def full_car(vehicle: FullCar, *, actuator: AnyActuator | None = None) -> Model:
 
 
 def _axle(
-    system: System, name: str, axle: FullAxle, body: LumpedBody, end: float, actuator: AnyActuator | None
+    system: System,
+    name: str,
+    axle: FullAxle,
+    body: LumpedBody,
+    end: float,
+    actuator: AnyActuator | None,
 ) -> dict[str, _HungWheel]:
     """Two wheels of the front (``end`` 1) or rear axle (-1), with the axle's parameters."""
     gravity = system.parameter("gravity")
@@ -215,4 +246,9 @@ def _lateral(system: System, body: LumpedBody, axles: dict[str, dict[str, _HungW
         transfer = share * force * centre / system.parameter(f"{name}.track")
         left, right = (axles[name][side].unsprung for side in _SIDES)
         system.force(left - right, transfer)
-    system.output("body.lateral_acceleration", acceleration, "m/s^2", "lateral acceleration, to the left positive")
+    system.output(
+        "body.lateral_acceleration",
+        acceleration,
+        "m/s^2",
+        "lateral acceleration, to the left positive",
+    )

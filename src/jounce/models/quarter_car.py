@@ -9,7 +9,13 @@ import casadi as ca
 
 from jounce.control.actuators import AnyActuator
 from jounce.mechanics import Model, System
-from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
+from jounce.mechanics.elements import (
+    bump_stop_force,
+    damper_force,
+    friction_force,
+    spring_force,
+    tyre_force,
+)
 from jounce.models.actuation import controlled_force, element_force, replaced_tyre
 from jounce.models.channels import show_height, show_strut, show_tyre
 from jounce.parts import QuarterCar
@@ -48,7 +54,9 @@ def add_quarter_car(
     return heights["unsprung"], contact
 
 
-def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actuator: AnyActuator | None) -> None:
+def _strut(
+    system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actuator: AnyActuator | None
+) -> None:
     strut = rig.strut
     deflection = ca.cos(system.parameter("strut.angle")) * (unsprung - sprung)
     velocity = system.rate_of(deflection)
@@ -73,7 +81,9 @@ def _strut(system: System, rig: QuarterCar, sprung: ca.SX, unsprung: ca.SX, actu
         system.output("guide.force", -guide, "N", "guide friction on the sprung mass, up positive")
 
 
-def _tyre(system: System, rig: QuarterCar, road: ca.SX, unsprung: ca.SX, actuator: AnyActuator | None) -> ca.SX:
+def _tyre(
+    system: System, rig: QuarterCar, road: ca.SX, unsprung: ca.SX, actuator: AnyActuator | None
+) -> ca.SX:
     deflection = road - unsprung
     rate = system.rate_of(deflection)
     force = tyre_force(system, rig.tyre, deflection, rate, replaced_tyre(system, actuator, rate))

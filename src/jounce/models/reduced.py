@@ -26,7 +26,13 @@ from jounce.models.corner import (
     show_wheel,
     strut_forces,
 )
-from jounce.models.linkage import DescribedSuspension, ElementLength, Linkage, Reached, hang_on_guide
+from jounce.models.linkage import (
+    DescribedSuspension,
+    ElementLength,
+    Linkage,
+    Reached,
+    hang_on_guide,
+)
 from jounce.parts.corners import Corner
 
 MASS, MOMENTUM, INERTIA = "mass", "momentum", "inertia"
@@ -68,7 +74,9 @@ def sampled_corner(rig: Corner) -> SampledCorner:
     mechanism = Quasistatic(gravity=ca.SX(0.0))
     travel, heave = mechanism.track("travel"), mechanism.track("heave")
     rack = mechanism.track("rack") if getattr(rig, "steering", None) is not None else None
-    linkage = build_linkage(rig, mechanism, hang_on_guide(mechanism, "vertical"), rack=rack, kind=Watched)
+    linkage = build_linkage(
+        rig, mechanism, hang_on_guide(mechanism, "vertical"), rack=rack, kind=Watched
+    )
     height = mechanism.coordinate_named("sprung.distance")
     mechanism.condition("heave", height - heave.value)
     centre = linkage.wheel_centre
@@ -78,7 +86,9 @@ def sampled_corner(rig: Corner) -> SampledCorner:
     _see(linkage)
     along = driven.along(0)
     v = driven.statics.v
-    matrix = sum((inertia.matrix(v) for inertia in mechanism.complete().collection.inertias), ca.SX(*v.shape))
+    matrix = sum(
+        (inertia.matrix(v) for inertia in mechanism.complete().collection.inertias), ca.SX(*v.shape)
+    )
     travel_rate, height_rate = along(v), driven.along(1)(v)
     masses = {
         MASS: height_rate.T @ matrix @ height_rate,
@@ -86,23 +96,33 @@ def sampled_corner(rig: Corner) -> SampledCorner:
         INERTIA: travel_rate.T @ matrix @ travel_rate,
     }
     body = linkage.number("sprung.mass")  # no part of what hangs on it
-    quantities = {**{name: ca.substitute(mass, body, 0.0) for name, mass in masses.items()}, **linkage.seen}
+    quantities = {
+        **{name: ca.substitute(mass, body, 0.0) for name, mass in masses.items()},
+        **linkage.seen,
+    }
     return sampling_functions(mechanism, driven, quantities)
 
 
-def sampling_functions(mechanism: Quasistatic, driven: DrivenMechanism, quantities: dict[str, ca.SX]) -> SampledCorner:
+def sampling_functions(
+    mechanism: Quasistatic, driven: DrivenMechanism, quantities: dict[str, ca.SX]
+) -> SampledCorner:
     """Make the functions that sample quantities of a driven pose, rates in them those of unit travel rate."""
     output = driven.along(0)(ca.vertcat(*quantities.values()))
     made = {"pose": driven.pose(), "output": output}
     used = {symbol.name() for symbol in ca.symvar(ca.vertcat(*made.values()))}
-    parameters = {path: symbol for path, symbol in mechanism.parameter_symbols().items() if path in used}
+    parameters = {
+        path: symbol for path, symbol in mechanism.parameter_symbols().items() if path in used
+    }
     arguments = [
         driven.statics.q,
         ca.vertcat(*(track.value for track in driven.tracks)),
         ca.vertcat(*parameters.values()),
         ca.SX.sym("m", 1),
     ]
-    functions = {name: ca.Function(name, arguments, [ca.cse(ca.densify(part))]) for name, part in made.items()}
+    functions = {
+        name: ca.Function(name, arguments, [ca.cse(ca.densify(part))])
+        for name, part in made.items()
+    }
 
     def tangent() -> ca.Function:
         numbers = ca.vertcat(*arguments[1:3])
@@ -211,7 +231,10 @@ def reduced_corner(rig: Corner, degree: int) -> Model:
     add_torsion_bar(linkage)
     add_both_alike(linkage)
     upright = _lean(linkage) if rig.tyre.law == "radial" else ca.SX(1.0)
-    deflection = undeformed_radius(linkage) - (number("hardpoints.wheel_centre[2]") + centre - road.value) / upright
+    deflection = (
+        undeformed_radius(linkage)
+        - (number("hardpoints.wheel_centre[2]") + centre - road.value) / upright
+    )
     rate = system.rate_of(deflection)
     force = tyre_law(linkage, deflection, rate)
     system.load(-rate, force)
@@ -223,7 +246,14 @@ def reduced_corner(rig: Corner, degree: int) -> Model:
 def _hang(linkage: _Tabulated, gravity: ca.SX, rising: ca.SX, travelling: ca.SX) -> None:
     """Hang the masses of the suspension on the body, with their weights."""
     system = linkage.mechanism
-    mass, momentum, inertia = system.parameter(of_travel(MASS, 0)[0]), *map(linkage.quantity, (MOMENTUM, INERTIA))
+    mass, momentum, inertia = (
+        system.parameter(of_travel(MASS, 0)[0]),
+        *map(linkage.quantity, (MOMENTUM, INERTIA)),
+    )
     rates = ca.vertcat(rising, travelling)
-    system.inertia(HangingMass(rates, mass, momentum, inertia, system.rate_of(momentum), system.rate_of(inertia)))
+    system.inertia(
+        HangingMass(
+            rates, mass, momentum, inertia, system.rate_of(momentum), system.rate_of(inertia)
+        )
+    )
     system.load(mass * rising + momentum * travelling, -gravity)

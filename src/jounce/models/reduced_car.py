@@ -74,7 +74,13 @@ class _Seen(Watched):
             third_end(self)
         for _ in (self.wheel_centre, self.spin_direction):
             pass
-        self.seen.update(zip(_parts(TURNING), ca.vertsplit(self.upright.frame.orientation.ground_spin), strict=True))
+        self.seen.update(
+            zip(
+                _parts(TURNING),
+                ca.vertsplit(self.upright.frame.orientation.ground_spin),
+                strict=True,
+            )
+        )
 
 
 def _parts(name: str) -> list[str]:
@@ -92,7 +98,11 @@ def _masses(linkage: Linkage, origin: ca.SX) -> dict[str, ca.SX]:
         if (properties := body.mass_properties) is None:
             continue
         centre, orientation = body.frame.point(properties.centre), body.frame.orientation
-        arm, own, spin = centre.value - origin, orientation.turned(properties.inertia), orientation.ground_spin
+        arm, own, spin = (
+            centre.value - origin,
+            orientation.turned(properties.inertia),
+            orientation.ground_spin,
+        )
         moment += properties.mass * arm
         angular += properties.mass * ca.cross(arm, centre.rate) + own @ spin
         tensor += own - properties.mass * skew(arm) @ skew(arm)
@@ -155,7 +165,12 @@ class _Travelling(Suspension):
         moment, angular, inertia = self._curves(MOMENT), self._curves(ANGULAR), self._curve(INERTIA)
         values = dict(zip(_PAIRS, (self._curve(name) for name in _elements(TENSOR)), strict=True))
         tensor = (
-            ca.vertcat(*(ca.horzcat(*(values[min(i, k), max(i, k)][part] for k in range(3))) for i in range(3)))
+            ca.vertcat(
+                *(
+                    ca.horzcat(*(values[min(i, k), max(i, k)][part] for k in range(3)))
+                    for i in range(3)
+                )
+            )
             for part in range(2)
         )
         return TravellingMasses(

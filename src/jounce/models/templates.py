@@ -24,7 +24,12 @@ def double_wishbone(linkage: Linkage) -> None:
     linkage.carry("upright", upright)
     linkage.rod("tie_rod", "tie_rod_inner", "tie_rod_outer", upright, steered=True)
     linkage.steering_axis = upright.frame.point(bottom), upright.frame.point(top)
-    linkage.lines["upright"] = ("lower_ball_joint", "wheel_centre", "upper_ball_joint", "tie_rod_outer")
+    linkage.lines["upright"] = (
+        "lower_ball_joint",
+        "wheel_centre",
+        "upper_ball_joint",
+        "tie_rod_outer",
+    )
 
 
 def mcpherson(linkage: Linkage) -> None:
@@ -54,16 +59,22 @@ def _slide(linkage: Linkage, upright: Body, foot: ca.SX, top: ca.SX) -> None:
             mechanism.coincident("strut_top", linkage.chassis, strut, at=top)
     elif soft:
         law = linkage.bushing_of("strut_top")
-        add_sliding_bushing(mechanism, upright, linkage.chassis, foot, along, top, law["stiffness"], law["damping"])
+        add_sliding_bushing(
+            mechanism, upright, linkage.chassis, foot, along, top, law["stiffness"], law["damping"]
+        )
     else:
-        mechanism.point_on_line("strut_slider", upright, linkage.chassis, at=foot, axis=along, point=top)
+        mechanism.point_on_line(
+            "strut_slider", upright, linkage.chassis, at=foot, axis=along, point=top
+        )
 
 
 def five_link(linkage: Linkage) -> None:
     """Add the upright as a free body and tie it by its links."""
     mechanism = linkage.mechanism
     upright = linkage.body("upright")
-    mechanism.free("upright", upright, at=linkage.hardpoint("wheel_centre"), moving_frame=linkage.moving_frame)
+    mechanism.free(
+        "upright", upright, at=linkage.hardpoint("wheel_centre"), moving_frame=linkage.moving_frame
+    )
     linkage.carry("upright", upright)
     for i in range(1, 6):
         linkage.rod(f"link_{i}", f"link_{i}_inner", f"link_{i}_outer", upright, steered=i == 5)

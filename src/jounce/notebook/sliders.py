@@ -84,7 +84,9 @@ def _ranges(
 ) -> dict[str, tuple[float | str, float | str] | None]:
     if not numbers or isinstance(numbers, str):
         example = '["strut.spring.rate"], or {"strut.spring.rate": ("15 N/mm", "40 N/mm")}'
-        raise DescriptionError("no numbers to move", where="numbers", found=numbers, allowed=example)
+        raise DescriptionError(
+            "no numbers to move", where="numbers", found=numbers, allowed=example
+        )
     return dict(numbers) if isinstance(numbers, Mapping) else dict.fromkeys(numbers)
 
 
@@ -97,22 +99,37 @@ def _slider(rig: Rig, path: str, ends: tuple[float | str, float | str] | None) -
     if ends is None:
         if value == 0.0:
             raise DescriptionError(
-                "half of zero is not a range", where=path, hint=Phrase('Give its ends: ("0 {si}", ...).', si=si)
+                "half of zero is not a range",
+                where=path,
+                hint=Phrase('Give its ends: ("0 {si}", ...).', si=si),
             )
         ends = ((1.0 - _SHARE) * value, (1.0 + _SHARE) * value)
     low, high = sorted(to_si(end, si, where=path) for end in ends)
     if not low < high:
-        raise DescriptionError("not a range", where=path, found=f"{low:g} to {high:g}", allowed="two different ends")
+        raise DescriptionError(
+            "not a range", where=path, found=f"{low:g} to {high:g}", allowed="two different ends"
+        )
     unit = display_unit(si, max(abs(low), abs(high)))
-    return {"path": path, "value": value, "low": low, "high": high, "unit": unit.name, "factor": unit.factor}
+    return {
+        "path": path,
+        "value": value,
+        "low": low,
+        "high": high,
+        "unit": unit.name,
+        "factor": unit.factor,
+    }
 
 
 def _unit(data: xr.Dataset, name: str) -> DisplayUnit:
     values = data[name].to_numpy().astype(float)
-    return display_unit(str(data[name].attrs.get("units", "1")), float(np.nanmax(np.abs(values), initial=0.0)))
+    return display_unit(
+        str(data[name].attrs.get("units", "1")), float(np.nanmax(np.abs(values), initial=0.0))
+    )
 
 
-def curves_of(data: xr.Dataset, names: Sequence[str], units: Mapping[str, DisplayUnit]) -> list[dict[str, Any]]:
+def curves_of(
+    data: xr.Dataset, names: Sequence[str], units: Mapping[str, DisplayUnit]
+) -> list[dict[str, Any]]:
     """Curves over the first of the names, thinned to the visible detail, in the given units; gaps are None."""
     axis, *channels = names
     x = data[axis].to_numpy().astype(float) * units[axis].factor
@@ -134,7 +151,9 @@ _ALIVE = (
 )
 
 
-def still_html(sliders: Sequence[Mapping[str, Any]], first: xr.Dataset, names: Sequence[str]) -> str:
+def still_html(
+    sliders: Sequence[Mapping[str, Any]], first: xr.Dataset, names: Sequence[str]
+) -> str:
     """Static replacement of sliders and curves without a kernel: the values, their curves, and how to activate them."""
     import base64
 
@@ -151,7 +170,9 @@ def still_html(sliders: Sequence[Mapping[str, Any]], first: xr.Dataset, names: S
         )
         for slider in sliders
     ]
-    table = html_table("Rig with sliders", _ALIVE, rows, "widget.rig()", ("number", "value", "range"))
+    table = html_table(
+        "Rig with sliders", _ALIVE, rows, "widget.rig()", ("number", "value", "range")
+    )
     _, figures = curve_blocks({"": {"rig": first}}, list(names[1:]))
     (chart,) = figures.blocks  # type: ignore[union-attr]
     svg = base64.b64encode(chart_svg(chart, chart_style()).encode()).decode()  # type: ignore[arg-type]
@@ -214,7 +235,9 @@ def _widget_class() -> Any:
         def rig(self) -> Rig:
             """The rig at the current slider values."""
             known = {slider["path"] for slider in self.sliders}
-            return self._rig.with_changes({path: float(value) for path, value in self.values.items() if path in known})
+            return self._rig.with_changes(
+                {path: float(value) for path, value in self.values.items() if path in known}
+            )
 
         def _redraw(self, _change: object) -> None:
             try:

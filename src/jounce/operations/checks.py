@@ -98,7 +98,9 @@ def check_files(
         ),
     ],
     *,
-    parameters: Annotated[bool, Switch("List the parameters of rigs, vehicles and testers by their paths.")] = False,
+    parameters: Annotated[
+        bool, Switch("List the parameters of rigs, vehicles and testers by their paths.")
+    ] = False,
     progress: Callable[[str], None] = lambda _: None,
 ) -> CheckedFiles:
     """Check files, and for a campaign all files it refers to. Exit code 2 if anything is wrong.
@@ -134,7 +136,9 @@ def check_files(
     for k, file in enumerate(every, 1):
         progress(progress_through("checking {which} of {count}: {name}", k, len(every), name=file))
         shipped = None if file.exists() else rigs().get(str(file))
-        checked.append(check_file(file) if shipped is None else replace(check_file(shipped), file=file))
+        checked.append(
+            check_file(file) if shipped is None else replace(check_file(shipped), file=file)
+        )
     return CheckedFiles(tuple(checked), parameters)
 
 
@@ -142,13 +146,18 @@ def checked_page(checked: CheckedFiles, *, title: str) -> Page:
     """Put the kinds and checks of files on a page, with notes and parameters."""
     from jounce.report.page import Page, PageTable, Paragraph, Section
 
-    rows = tuple((str(item.file), item.kind, _verdict(len(item.problems)), item.what) for item in checked.files)
+    rows = tuple(
+        (str(item.file), item.kind, _verdict(len(item.problems)), item.what)
+        for item in checked.files
+    )
     blocks: list[Block] = [PageTable("", ("file", "kind", "verdict", "what"), rows, "llll")]
     blocks += [Paragraph(str(note)) for item in checked.files for note in item.notes]
     for item in checked.files:
         if checked.lists_parameters and item.parameters:
             numbers = tuple(_in_chosen_unit(path, given) for path, given in item.parameters.items())
-            blocks.append(PageTable(f"{item.file}: parameters", ("path", "value", "unit"), numbers, "lrl"))
+            blocks.append(
+                PageTable(f"{item.file}: parameters", ("path", "value", "unit"), numbers, "lrl")
+            )
     return Page(title, (Section("Files", tuple(blocks)),))
 
 
@@ -167,7 +176,11 @@ def check_file(file: Path) -> FileCheck:
     """Check one file by what it is: a description (TOML), the header of a record, a road, a table or a recording."""
     check = FileCheck(file)
     with check.step():
-        checks: dict[str, Callable[[FileCheck], None]] = {".toml": _check_toml, ".crg": _check_road, ".fmu": _check_fmu}
+        checks: dict[str, Callable[[FileCheck], None]] = {
+            ".toml": _check_toml,
+            ".crg": _check_road,
+            ".fmu": _check_fmu,
+        }
         checks.get(file.suffix.lower(), _check_measured)(check)
     return check
 
@@ -184,7 +197,9 @@ def _check_toml(check: FileCheck) -> None:
         return
     schema = table.get("schema", "jounce.road/1" if "kind" in table else None)
     if schema is None:
-        raise DescriptionError("the schema line is missing", where=str(check.file), allowed=", ".join(_SCHEMAS))
+        raise DescriptionError(
+            "the schema line is missing", where=str(check.file), allowed=", ".join(_SCHEMAS)
+        )
     schema = str(schema)
     if schema not in _SCHEMAS:
         raise unknown(schema, _SCHEMAS, what="schema", where=str(check.file))
@@ -218,7 +233,10 @@ def _parameters(description: Any) -> dict[str, dict[str, float | str]]:
     from jounce.parts.rig import parameters_of, unit_of
 
     parameters = parameters_of(description)
-    return {path: {"value": value, "unit": unit_of(description, path)} for path, value in parameters.items()}
+    return {
+        path: {"value": value, "unit": unit_of(description, path)}
+        for path, value in parameters.items()
+    }
 
 
 def _check_road(check: FileCheck) -> None:
@@ -254,7 +272,10 @@ def _check_fmu(check: FileCheck) -> None:
     check.kind = "FMU"
     uses = [
         word
-        for word, can in (("co-simulation", component.can_step), ("model exchange", component.can_be_integrated))
+        for word, can in (
+            ("co-simulation", component.can_step),
+            ("model exchange", component.can_be_integrated),
+        )
         if can
     ]
     check.what = f"FMI {component.version}.0, {', '.join(uses)}, for {', '.join(component.platforms) or 'no platform'}"
@@ -312,7 +333,10 @@ def _check_measured(check: FileCheck) -> None:
     """A recording, a force-deflection trial or a road table: the first whose columns the file has."""
     from jounce.recordings import read_columns
 
-    tables = {"force-deflection trial": {"displacement": "m", "force": "N"}, "road table": {"x": "m", "z": "m"}}
+    tables = {
+        "force-deflection trial": {"displacement": "m", "force": "N"},
+        "road table": {"x": "m", "z": "m"},
+    }
     missing: list[JounceError] = []
     for kind in ("recording", *tables):
         check.kind = kind
@@ -324,7 +348,9 @@ def _check_measured(check: FileCheck) -> None:
                 check.what = f"{len(next(iter(values.values())))} rows"
                 check.notes += findings
         except RecordingError as error:
-            if not error.what.startswith(("no column", "no channel")):  # what readers say of a file of another kind
+            if not error.what.startswith(
+                ("no column", "no channel")
+            ):  # what readers say of a file of another kind
                 raise
             missing.append(error)
         else:
@@ -343,7 +369,9 @@ def _check_recording(check: FileCheck) -> None:
         check.kind = "record of a tester"
         data, findings = read_record(check.file)
     time = data["time"].to_numpy()
-    check.what = f"{', '.join(map(str, data.data_vars))}; {len(time)} samples, {time[-1] - time[0]:g} s"
+    check.what = (
+        f"{', '.join(map(str, data.data_vars))}; {len(time)} samples, {time[-1] - time[0]:g} s"
+    )
     check.notes += findings
 
 
@@ -392,7 +420,10 @@ def _check_campaign(check: FileCheck) -> None:
                     hint=error.hint,
                 ) from None
     bench = campaign.bench
-    tables = {"bench.spring": bench.spring, **{f'bench.tyre."{name}"': item for name, item in bench.tyre.items()}}
+    tables = {
+        "bench.spring": bench.spring,
+        **{f'bench.tyre."{name}"': item for name, item in bench.tyre.items()},
+    }
     for name, asked in tables.items():
         if asked is not None:
             with check.step():
@@ -422,7 +453,9 @@ def _check_laboratory(check: FileCheck) -> None:
                 table = existing_file(check.file.parent / laboratory.trials, RecordingError)
             except RecordingError as error:
                 where = f"{check.file}: trials"
-                raise RecordingError(error.what, where=where, found=laboratory.trials, hint=error.hint) from None
+                raise RecordingError(
+                    error.what, where=where, found=laboratory.trials, hint=error.hint
+                ) from None
             count = len(read_trials(table))
             check.what += f"; {count} trial{'' if count == 1 else 's'}"
 
@@ -433,7 +466,8 @@ def _check_truth(check: FileCheck) -> None:
     truth = load_truth(check.file)
     channels, rig = ", ".join(truth.sensors), truth.true_rig()
     check.what = (
-        f"virtual bench: {getattr(rig, 'model', '')} with {len(rig.parameters())} parameters; records {channels}"
+        f"virtual bench: {getattr(rig, 'model', '')} with {len(rig.parameters())} parameters; "
+        f"records {channels}"
     )
 
 
@@ -461,7 +495,9 @@ def _check_optimisation(check: FileCheck) -> None:
     study, problem = check_optimisation(check.file)
     wanted = "front" if study.front is not None else "best design"
     count = len(problem.free)
-    check.what = f"{wanted} of {study.rig}: {count} number{'' if count == 1 else 's'} over {problem.driven}"
+    check.what = (
+        f"{wanted} of {study.rig}: {count} number{'' if count == 1 else 's'} over {problem.driven}"
+    )
 
 
 def _check_sensor_file(check: FileCheck) -> None:

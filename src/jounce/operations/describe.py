@@ -81,7 +81,9 @@ def describe_operations() -> list[dict[str, Any]]:
     """Describe every operation as plain data, for ``index.json``."""
     for module in MODULES:
         import_module(module)
-    registered = sorted(REGISTERED.values(), key=lambda operation: MODULES.index(operation.function.__module__))
+    registered = sorted(
+        REGISTERED.values(), key=lambda operation: MODULES.index(operation.function.__module__)
+    )
     return [_plain(_operation(registration)) for registration in registered]
 
 
@@ -89,7 +91,9 @@ def _operation(registration: Registration) -> Operation:
     function = registration.function
     makers = {name: mark for name, mark in _marks(function).items() if isinstance(mark, MadeBy)}
     parameters = [*_parameters(function, registration)]
-    arguments = [replace(parameter, is_positional=True) for parameter in parameters[: registration.arguments]]
+    arguments = [
+        replace(parameter, is_positional=True) for parameter in parameters[: registration.arguments]
+    ]
     return Operation(
         registration.command,
         f"{function.__module__}:{function.__name__}",
@@ -102,7 +106,9 @@ def _operation(registration: Registration) -> Operation:
     )
 
 
-def _parameters(function: Callable[..., Any], registration: Registration, made: str = "") -> Iterator[Parameter]:
+def _parameters(
+    function: Callable[..., Any], registration: Registration, made: str = ""
+) -> Iterator[Parameter]:
     """Read a function's parameters; a value made of options gives those of its maker."""
     marks, documented = _marks(function), parameter_texts(function)
     hints = _hints(function)
@@ -116,7 +122,9 @@ def _parameters(function: Callable[..., Any], registration: Registration, made: 
             yield from parts(maker, registration, name)
             continue
         option = registration.named.get(name, name)
-        default = registration.faces.get(option, None if parameter.default is parameter.empty else parameter.default)
+        default = registration.faces.get(
+            option, None if parameter.default is parameter.empty else parameter.default
+        )
         yield Parameter(
             name,
             option,
@@ -145,10 +153,14 @@ def _fields(kind: type[Description], registration: Registration, made: str) -> I
 def _default_of(field: FieldInfo, unit: str) -> str:
     if field.default is None or field.is_required():
         return ""
-    is_estimated = isinstance(field.json_schema_extra, dict) and field.json_schema_extra.get("estimated")
+    is_estimated = isinstance(field.json_schema_extra, dict) and field.json_schema_extra.get(
+        "estimated"
+    )
     shown = display_unit(unit) if unit in ("m", "rad") else DisplayUnit(unit.removesuffix("1"), 1.0)
     is_number = isinstance(field.default, float)
-    written = f"{field.default * shown.factor:.6g} {shown.name}".strip() if is_number else field.default
+    written = (
+        f"{field.default * shown.factor:.6g} {shown.name}".strip() if is_number else field.default
+    )
     return f" Default: {written}{' (estimated)' if is_estimated else ''}."
 
 
@@ -157,7 +169,11 @@ def _marks(function: Callable[..., Any]) -> dict[str, Mark | MadeBy]:
     hints = _hints(function, include_extras=True)
     marked: dict[str, Mark | MadeBy] = {}
     for name in inspect.signature(function).parameters:
-        marks = [mark for mark in getattr(hints[name], "__metadata__", ()) if isinstance(mark, Mark | MadeBy)]
+        marks = [
+            mark
+            for mark in getattr(hints[name], "__metadata__", ())
+            if isinstance(mark, Mark | MadeBy)
+        ]
         usual = {bool: Switch(), int: Count()}.get(hints[name], Mark())
         marked[name] = marks[0] if marks else usual
     return marked
@@ -188,8 +204,12 @@ def parameter_texts(function: Callable[..., Any]) -> dict[str, str]:
         inspect.getdoc(function) or "",
         re.MULTILINE | re.DOTALL,
     )
-    texts = re.findall(r"^([\w, ]+) :[^\n]*\n((?:[ ]+[^\n]*\n?)*)", part[1] if part else "", re.MULTILINE)
-    return {name.strip(): " ".join(text.split()) for names, text in texts for name in names.split(",")}
+    texts = re.findall(
+        r"^([\w, ]+) :[^\n]*\n((?:[ ]+[^\n]*\n?)*)", part[1] if part else "", re.MULTILINE
+    )
+    return {
+        name.strip(): " ".join(text.split()) for names, text in texts for name in names.split(",")
+    }
 
 
 def _plain(operation: Operation) -> dict[str, Any]:
@@ -201,7 +221,14 @@ def _plain(operation: Operation) -> dict[str, Any]:
 
 def _plain_parameter(parameter: Parameter) -> dict[str, Any]:
     mark = {field.name: getattr(parameter.mark, field.name) for field in fields(parameter.mark)}
-    given = {field.name: getattr(parameter, field.name) for field in fields(parameter) if field.name != "mark"}
+    given = {
+        field.name: getattr(parameter, field.name)
+        for field in fields(parameter)
+        if field.name != "mark"
+    }
     usual = {field.name: field.default for field in fields(Parameter)}
     rest = {name: value for name, value in given.items() if value != usual[name]}
-    return {**rest, "mark": {"kind": type(parameter.mark).__name__, **{k: v for k, v in mark.items() if v}}}
+    return {
+        **rest,
+        "mark": {"kind": type(parameter.mark).__name__, **{k: v for k, v in mark.items() if v}},
+    }

@@ -112,12 +112,16 @@ class Operation:
     def options(self) -> tuple[Parameter, ...]:
         """Parameters whose option no earlier one has: several makers may take the same option."""
         first = {parameter.option: parameter for parameter in reversed(self.parameters)}
-        return tuple(parameter for parameter in self.parameters if first[parameter.option] is parameter)
+        return tuple(
+            parameter for parameter in self.parameters if first[parameter.option] is parameter
+        )
 
     @property
     def subject(self) -> str:
         """Option of the subject: the one that a command takes without its name; empty without one."""
-        return next((parameter.option for parameter in self.parameters if parameter.is_positional), "")
+        return next(
+            (parameter.option for parameter in self.parameters if parameter.is_positional), ""
+        )
 
 
 def resolve(path: str) -> Any:
@@ -136,7 +140,10 @@ def operations() -> dict[str, Operation]:
 def _operation(row: Mapping[str, Any]) -> Operation:
     parameters = tuple(_parameter(given) for given in row["parameters"])
     makers = {name: MadeBy(**given) for name, given in row["makers"].items()}
-    echo = {key: tuple(options) if isinstance(options, list) else options for key, options in row["echo"].items()}
+    echo = {
+        key: tuple(options) if isinstance(options, list) else options
+        for key, options in row["echo"].items()
+    }
     texts = {name: tuple(row[name]) for name in ("offers", "required")}
     return Operation(**{**row, "parameters": parameters, "makers": makers, "echo": echo, **texts})
 
@@ -144,5 +151,7 @@ def _operation(row: Mapping[str, Any]) -> Operation:
 def _parameter(row: Mapping[str, Any]) -> Parameter:
     given: dict[str, Any] = dict(row["mark"])
     kind: Any = MARKS[given.pop("kind")]
-    values = {name: tuple(value) if isinstance(value, list) else value for name, value in given.items()}
+    values = {
+        name: tuple(value) if isinstance(value, list) else value for name, value in given.items()
+    }
     return Parameter(**{**row, "mark": kind(**values)})

@@ -79,7 +79,10 @@ def shipped_files(
     """
     groups = _groups()
     if name is None:
-        found = {group: [describe(*item) for item in files.items()] for group, (files, describe) in groups.items()}
+        found = {
+            group: [describe(*item) for item in files.items()]
+            for group, (files, describe) in groups.items()
+        }
         vehicles = [item for item in found["rigs"] if item["kind"] == "vehicle"]
         rigs = [item for item in found["rigs"] if item["kind"] == "rig"]
         return ShippedFiles({**found, "rigs": rigs, "vehicles": vehicles})
@@ -87,8 +90,12 @@ def shipped_files(
         if name in files:
             about = describe(name, files[name])
             is_text = about["kind"] != "road"
-            return ShippedFiles({}, {**about, **({"text": files[name].read_text("utf-8")} if is_text else {})})
-    raise unknown(name, [item for files, _ in groups.values() for item in files], what="name", where="name")
+            return ShippedFiles(
+                {}, {**about, **({"text": files[name].read_text("utf-8")} if is_text else {})}
+            )
+    raise unknown(
+        name, [item for files, _ in groups.values() for item in files], what="name", where="name"
+    )
 
 
 def _groups() -> dict[str, tuple[Mapping[str, Path], Callable[[str, Path], dict[str, Any]]]]:
@@ -123,7 +130,13 @@ def _tester(name: str, file: Path) -> dict[str, Any]:
 def _limits(name: str, file: Path) -> dict[str, Any]:
     table = read_toml(file)[0]
     what = f"limits {table['version']} of {', '.join(table['methods'])}"
-    return {"name": name, "kind": "limits", "what": what, "source": table["source"], "file": str(file)}
+    return {
+        "name": name,
+        "kind": "limits",
+        "what": what,
+        "source": table["source"],
+        "file": str(file),
+    }
 
 
 def _truth(name: str, file: Path) -> dict[str, Any]:
@@ -134,9 +147,16 @@ def _truth(name: str, file: Path) -> dict[str, Any]:
     return _described(name, "truth", f"of a virtual bench, {model}", table, file)
 
 
-def _described(name: str, kind: str, what: str, table: Mapping[str, Any], file: Path) -> dict[str, Any]:
+def _described(
+    name: str, kind: str, what: str, table: Mapping[str, Any], file: Path
+) -> dict[str, Any]:
     about = {"name": name, "kind": kind, "what": what}
-    return {**about, "source": table.get("source", ""), "estimated": table.get("estimated", []), "file": str(file)}
+    return {
+        **about,
+        "source": table.get("source", ""),
+        "estimated": table.get("estimated", []),
+        "file": str(file),
+    }
 
 
 def _road(name: str, file: Path) -> dict[str, Any]:
@@ -160,11 +180,14 @@ def library_page(found: ShippedFiles, *, title: str) -> Page:
     """List the shipped files on a page."""
     tables = tuple(
         table_of(
-            group.capitalize(), [TableColumn(key, [item[key] for item in rows]) for key in ("name", "what", "source")]
+            group.capitalize(),
+            [TableColumn(key, [item[key] for item in rows]) for key in ("name", "what", "source")],
         )
         for group, rows in ((group, found.groups[group]) for group in _ORDER)
     )
-    use = Paragraph("`jounce library NAME` prints one of them; the names are accepted wherever a file is.")
+    use = Paragraph(
+        "`jounce library NAME` prints one of them; the names are accepted wherever a file is."
+    )
     return Page(title, (Section("Files", (*tables, use)),))
 
 

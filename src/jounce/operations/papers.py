@@ -41,7 +41,11 @@ class SyntheticCampaign(Plain):
 def synthesise_campaign(
     folder: Annotated[Path | str, Mark("Folder to create.", "DIR")],
     truth: Annotated[
-        str, File("What the bench really is: a file, or a shipped name (kart-prototype, kart-low-friction).", "TRUTH")
+        str,
+        File(
+            "What the bench really is: a file, or a shipped name (kart-prototype, kart-low-friction).",
+            "TRUTH",
+        ),
     ] = "kart-prototype",
     *,
     changes: Annotated[
@@ -54,7 +58,9 @@ def synthesise_campaign(
         ),
     ] = None,
     seed: Annotated[int, Count("Of all scatter and noise.", least=0)] = 2008,
-    duration: Annotated[float, Number("Length of each recording.", "TIME", "s", is_positive=True)] = 3.0,
+    duration: Annotated[
+        float, Number("Length of each recording.", "TIME", "s", is_positive=True)
+    ] = 3.0,
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
     progress: Callable[[str], None] = lambda _: None,
 ) -> SyntheticCampaign:
@@ -67,7 +73,9 @@ def synthesise_campaign(
     given = dict(changes or {})
     options: dict[str, Any] = {"changes": given, "seed": seed, "duration": duration, "force": force}
     file = virtual_bench(folder, truth, **options, progress=progress)
-    made = sorted(str(path.relative_to(folder)) for path in Path(folder).rglob("*") if path.is_file())
+    made = sorted(
+        str(path.relative_to(folder)) for path in Path(folder).rglob("*") if path.is_file()
+    )
     return SyntheticCampaign(str(folder), file, seed, given, tuple(made))
 
 

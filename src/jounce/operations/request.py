@@ -46,14 +46,21 @@ class Request:
         DescriptionError
             For a value that cannot be read, with the option.
         """
-        return [(parameter, parameter.mark.read(value, parameter.place)) for parameter, value in self.values()]
+        return [
+            (parameter, parameter.mark.read(value, parameter.place))
+            for parameter, value in self.values()
+        ]
 
     def make(self, values: Values) -> dict[str, Any]:
         """Build the parameters that consist of several options from the converted values."""
         made = {}
         for name, makes in self.operation.makers.items():
-            with naming_options([parameter for parameter in self.operation.parameters if parameter.made == name]):
-                options = {parameter.name: value for parameter, value in values if parameter.made == name}
+            with naming_options(
+                [parameter for parameter in self.operation.parameters if parameter.made == name]
+            ):
+                options = {
+                    parameter.name: value for parameter, value in values if parameter.made == name
+                }
                 made[name] = resolve(makes.maker)(**options)
         return made
 
@@ -65,7 +72,10 @@ class Request:
         show: Callable[[object], None] = lambda _: None,
     ) -> Any:
         """Call the function with the converted values; ``say`` shows a text while it runs, ``show`` what is done."""
-        arguments = {**made, **{parameter.name: value for parameter, value in values if not parameter.made}}
+        arguments = {
+            **made,
+            **{parameter.name: value for parameter, value in values if not parameter.made},
+        }
         given = {"progress": say} if self.operation.has_progress else {}
         given |= {"each": show} if self.operation.has_each else {}
         with naming_options(self.operation.parameters):
@@ -94,11 +104,19 @@ class Request:
         name = (self.operation.python or self.operation.function).partition(":")[2]
         arguments = []
         for made, makes in self.operation.makers.items():
-            options = {p.name: p.mark.read(value, p.place) for p, value in self.values() if p.made == made}
-            text = resolve(makes.python)(**options) if makes.python else _in_python(resolve(makes.maker), options)
+            options = {
+                p.name: p.mark.read(value, p.place) for p, value in self.values() if p.made == made
+            }
+            text = (
+                resolve(makes.python)(**options)
+                if makes.python
+                else _in_python(resolve(makes.maker), options)
+            )
             arguments.append(f"{made}={text}")
         for parameter, value in self.values():
-            if parameter.made or value is False:  # a switch that is off, which the function may not have
+            if (
+                parameter.made or value is False
+            ):  # a switch that is off, which the function may not have
                 continue
             is_text = parameter.takes_text and isinstance(value, str)
             written = repr(value) if is_text else parameter.mark.python(value, parameter.place)
@@ -126,4 +144,6 @@ def naming_options(parameters: Iterable[Parameter]) -> Iterator[None]:
             raise
         where = places[error.where]
         kind = type(error)
-        raise kind(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint) from None
+        raise kind(
+            error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
+        ) from None

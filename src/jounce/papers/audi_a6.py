@@ -9,7 +9,14 @@ import numpy as np
 
 import jounce as jn
 from jounce.papers import Array, Progress, no_progress
-from jounce.papers.audi_a6_paper import Erratum, PrintedSign, StartUp, paper_errata, printed_sign, start_up
+from jounce.papers.audi_a6_paper import (
+    Erratum,
+    PrintedSign,
+    StartUp,
+    paper_errata,
+    printed_sign,
+    start_up,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -60,14 +67,18 @@ def extremes_within(time: Array, value: Array, rate: Array, start: float, end: f
     slack = 1e-9 * max(1.0, abs(end))
     if not (start < end and time[0] - slack <= start and end <= time[-1] + slack):
         raise jn.RecordingError(
-            "no such window", found=f"{start:g} to {end:g} s", allowed=f"within {time[0]:g} to {time[-1]:g} s"
+            "no such window",
+            found=f"{start:g} to {end:g} s",
+            allowed=f"within {time[0]:g} to {time[-1]:g} s",
         )
     signal = CubicHermiteSpline(time, value, rate)
     level = signal.derivative().roots(extrapolate=False)  # NaN for a piece that is level throughout
     at = np.sort([start, end, *level[(level >= start) & (level <= end)]])
     values = signal(at)
     low, high = int(np.argmin(values)), int(np.argmax(values))
-    return Window(start, end, float(values[low]), float(at[low]), float(values[high]), float(at[high]))
+    return Window(
+        start, end, float(values[low]), float(at[low]), float(values[high]), float(at[high])
+    )
 
 
 @dataclass(frozen=True)
@@ -242,7 +253,9 @@ def course(case: Case, variant: str) -> jn.Road:
     """Road of a case: upright steps; in the physical variant ramps that the front axle meets at 6 s and 8 s."""
     start, length = SPEED * ON, SPEED * (OFF - ON)
     if variant == "physical":
-        return jn.Trapezoid(height=case.height, length=length + RAMP, ramp=RAMP, shape="cosine", start=start)
+        return jn.Trapezoid(
+            height=case.height, length=length + RAMP, ramp=RAMP, shape="cosine", start=start
+        )
     return jn.Rectangle(height=case.height, length=length, start=start)
 
 
@@ -273,7 +286,11 @@ def half_car_statics(vehicle: jn.HalfCar) -> StaticEquilibrium:
     """Static equilibrium of a half car on a level road."""
     rest = jn.equilibrium(vehicle)
     axles = (
-        AxleStatics(2.0 * rest[f"{axle}.strut.force"], rest[f"{axle}.strut.force"], rest[f"{axle}.strut.deflection"])
+        AxleStatics(
+            2.0 * rest[f"{axle}.strut.force"],
+            rest[f"{axle}.strut.force"],
+            rest[f"{axle}.strut.deflection"],
+        )
         for axle in ("front", "rear")
     )
     return StaticEquilibrium(rest["body.z"], rest["body.pitch"], *axles)
@@ -283,8 +300,16 @@ def _signals(run: xr.Dataset, statics: StaticEquilibrium) -> xr.Dataset:
     """Collect what the paper's oscilloscopes show: changes of bounce and pitch, forces of the axles, road, moment."""
     value = {str(name): run[name].to_numpy() for name in run.data_vars}
     channels = {
-        "bounce.displacement": (value["body.z"] - statics.z, "m", "bounce: change of height from static equilibrium"),
-        "pitch.angle": (value["body.pitch"] - statics.theta, "rad", "pitch: change from static equilibrium, nose down"),
+        "bounce.displacement": (
+            value["body.z"] - statics.z,
+            "m",
+            "bounce: change of height from static equilibrium",
+        ),
+        "pitch.angle": (
+            value["body.pitch"] - statics.theta,
+            "rad",
+            "pitch: change from static equilibrium, nose down",
+        ),
         "front.force": (2.0 * value["front.strut.force"], "N", "front axle: force on the body, up"),
         "rear.force": (2.0 * value["rear.strut.force"], "N", "rear axle: force on the body, up"),
         "front.road.z": (value["front.road.z"], "m", "road under the front axle, up"),
@@ -308,5 +333,7 @@ def _findings(case: Case, runs: list[CaseRun]) -> tuple[jn.Finding, ...]:
         force = run.least_wheel_force
         if force < 0.0:
             place = f"{case.name}, {run.moment:g} N m, {run.variant}"
-            findings.append(jn.Finding(place, "warning", "", force, "papers.wheel_would_lift", {"force": force}))
+            findings.append(
+                jn.Finding(place, "warning", "", force, "papers.wheel_would_lift", {"force": force})
+            )
     return tuple(findings)

@@ -161,7 +161,10 @@ class EccentricExciter(jn.Plain):
 
 
 def run_eccentric_exciter(
-    amplitude: float = AMPLITUDE, plate_mass: float = PLATE_MASS, *, progress: Progress = no_progress
+    amplitude: float = AMPLITUDE,
+    plate_mass: float = PLATE_MASS,
+    *,
+    progress: Progress = no_progress,
 ) -> EccentricExciter:
     """Drive the paper's quarter car on its plate at 5 Hz, in three models.
 
@@ -201,7 +204,9 @@ def run_eccentric_exciter(
             allowed=f"above 0 m, at most {LARGEST:g} m; more would compress the spring to nothing",
         )
     if not (np.isfinite(plate_mass) and plate_mass >= 0.0):
-        raise jn.DescriptionError("not a mass", where="plate_mass", found=plate_mass, allowed="0 kg or more")
+        raise jn.DescriptionError(
+            "not a mass", where="plate_mass", found=plate_mass, allowed="0 kg or more"
+        )
     rig = jn.load(RIG)
     assert isinstance(rig, jn.QuarterCar)
     runs = []
@@ -209,12 +214,25 @@ def run_eccentric_exciter(
         progress(Counted("simulate", k, len(VARIANTS), variant))
         runs.append(_plate_run(variant, rig, amplitude, plate_mass))
     summed = runs[0]
-    fitting = (summed.statics["compression"] - (FREE_LENGTH - READ_LENGTH)) / summed.closed_form["spring"]
+    fitting = (summed.statics["compression"] - (FREE_LENGTH - READ_LENGTH)) / summed.closed_form[
+        "spring"
+    ]
     torque = exciter_torque(POWER, FREQUENCY)
-    testers = tuple(eusama(rig, amplitude, damping) for damping in (rig.tyre.damping_coefficient, 0.0))
+    testers = tuple(
+        eusama(rig, amplitude, damping) for damping in (rig.tyre.damping_coefficient, 0.0)
+    )
     findings = _findings(runs, torque, amplitude, fitting)
     return EccentricExciter(
-        rig, amplitude, plate_mass, tuple(runs), torque, 60.0 * torque, fitting, testers, paper_errata(), findings
+        rig,
+        amplitude,
+        plate_mass,
+        tuple(runs),
+        torque,
+        60.0 * torque,
+        fitting,
+        testers,
+        paper_errata(),
+        findings,
     )
 
 
@@ -228,8 +246,17 @@ def _plate_run(variant: str, rig: jn.QuarterCar, amplitude: float, plate_mass: f
     signals = _signals(output, values["gravity"], amplitude, plate_mass, time)
     part = signals.isel(time=slice(-1 - round(STEADY / _STEP), -1))  # whole turns
     steady = {str(name): part[name].to_numpy() for name in part.data_vars}
-    carriers = {"body": "sprung.z", "wheel": "unsprung.z", "spring": "spring.deflection", "contact": "tyre.force"}
-    sizes = {key: _amplitude(part["time"].to_numpy(), steady[name]) for key, name in carriers.items() if name in steady}
+    carriers = {
+        "body": "sprung.z",
+        "wheel": "unsprung.z",
+        "spring": "spring.deflection",
+        "contact": "tyre.force",
+    }
+    sizes = {
+        key: _amplitude(part["time"].to_numpy(), steady[name])
+        for key, name in carriers.items()
+        if name in steady
+    }
     return PlateRun(
         variant,
         statics,
@@ -260,14 +287,18 @@ def _plate(amplitude: float, time: Array) -> tuple[Array, Array, Array]:
 
 def _quarter_car(rig: jn.QuarterCar, amplitude: float, time: Array) -> _Found:
     """Two masses, the tyre may leave the plate: the quarter car on waves of 1 m, driven over 5 of them a second."""
-    road = jn.Sine(amplitude=amplitude, wavelength=1.0, length=FREQUENCY * (DURATION + 1.0), phase=-0.5 * np.pi)
+    road = jn.Sine(
+        amplitude=amplitude, wavelength=1.0, length=FREQUENCY * (DURATION + 1.0), phase=-0.5 * np.pi
+    )
     rest, values = jn.equilibrium(rig), rig.parameters()
     run = jn.simulate(
         rig,
         jn.Trial(road=road, speed=FREQUENCY, duration=DURATION),
         output_step=_STEP,
         tolerance=_TOLERANCE,
-        offset={name: -rest[name] for name in ("sprung.z", "unsprung.z")},  # no spring is compressed at the start
+        offset={
+            name: -rest[name] for name in ("sprung.z", "unsprung.z")
+        },  # no spring is compressed at the start
     )
     velocity = run["strut.velocity"].to_numpy()
     tyre_velocity = _plate(amplitude, time)[1] - run["unsprung.vz"].to_numpy()
@@ -284,7 +315,11 @@ def _quarter_car(rig: jn.QuarterCar, amplitude: float, time: Array) -> _Found:
         "dampers.power": damping * velocity**2 + pneumatic * tyre_velocity**2,
     }
     statics = _statics(rest["strut.deflection"], -rest["sprung.z"], rest["tyre.force"])
-    return quarter_car, statics, tuple(Oscillation(mode.frequency_hz, mode.damping_ratio) for mode in jn.modes(rig))
+    return (
+        quarter_car,
+        statics,
+        tuple(Oscillation(mode.frequency_hz, mode.damping_ratio) for mode in jn.modes(rig)),
+    )
 
 
 def _linear(variant: str, values: dict[str, float], amplitude: float, time: Array) -> _Found:
@@ -316,9 +351,13 @@ def _linear(variant: str, values: dict[str, float], amplitude: float, time: Arra
         rates = [wheel_velocity]
         losses = [(damping, opening), (pneumatic, plate_velocity - wheel_velocity)]
     acceleration = strut / values["sprung.mass"] - values["gravity"] * unity
-    matrix = np.array([velocity, acceleration, *rates, _TURNING * cosine, -_TURNING * sine, 0.0 * unity])
+    matrix = np.array(
+        [velocity, acceleration, *rates, _TURNING * cosine, -_TURNING * sine, 0.0 * unity]
+    )
     state = np.zeros(count + 3)
-    state[[0, *range(2, count)]] = -amplitude  # no spring is compressed, the plate is at its lowest point
+    state[
+        [0, *range(2, count)]
+    ] = -amplitude  # no spring is compressed, the plate is at its lowest point
     state[-3], state[-1] = -1.0, 1.0
     states, onward = np.empty((len(time), count + 3)), expm(matrix * _STEP)
     for i in range(len(time)):
@@ -333,15 +372,28 @@ def _linear(variant: str, values: dict[str, float], amplitude: float, time: Arra
         "tyre.force": strut,
     }
     linear = {name: states @ row for name, row in rows.items()}
-    linear["dampers.power"] = np.sum([coefficient * (states @ row) ** 2 for coefficient, row in losses], axis=0)
+    linear["dampers.power"] = np.sum(
+        [coefficient * (states @ row) ** 2 for coefficient, row in losses], axis=0
+    )
     motion = matrix[:count, :count]
-    rest = np.concatenate([np.linalg.solve(motion, -matrix[:count, -1]), [0.0, 0.0, 1.0]])  # plate at its mean height
+    rest = np.concatenate(
+        [np.linalg.solve(motion, -matrix[:count, -1]), [0.0, 0.0, 1.0]]
+    )  # plate at its mean height
     poles = [value for value in np.linalg.eigvals(motion) if value.imag > 1e-9 * abs(value)]
-    modes = (Oscillation(float(abs(value)) / (2.0 * np.pi), float(-value.real / abs(value))) for value in poles)
-    return linear, _statics(float(deflection @ rest), -float(rest[0]), float(strut @ rest)), tuple(modes)
+    modes = (
+        Oscillation(float(abs(value)) / (2.0 * np.pi), float(-value.real / abs(value)))
+        for value in poles
+    )
+    return (
+        linear,
+        _statics(float(deflection @ rest), -float(rest[0]), float(strut @ rest)),
+        tuple(modes),
+    )
 
 
-def _signals(output: dict[str, Array], gravity: float, amplitude: float, plate_mass: float, time: Array) -> xr.Dataset:
+def _signals(
+    output: dict[str, Array], gravity: float, amplitude: float, plate_mass: float, time: Array
+) -> xr.Dataset:
     """All channels; the plate is guided without friction, the exciter works on it as a Scotch yoke."""
     height, velocity, acceleration = _plate(amplitude, time)
     force = output["tyre.force"] + plate_mass * (gravity + acceleration)
@@ -369,12 +421,19 @@ def _signals(output: dict[str, Array], gravity: float, amplitude: float, plate_m
         "excenter.torque": force * velocity / _TURNING,
         "excenter.power": force * velocity,
     }
-    return jn.recording(time, {name: (every[name], *about) for name, about in channels.items() if name in every})
+    return jn.recording(
+        time, {name: (every[name], *about) for name, about in channels.items() if name in every}
+    )
 
 
 def _statics(spring: float, every: float, contact: float) -> dict[str, float]:
     length = FREE_LENGTH - spring
-    return {"spring_compression": spring, "compression": every, "spring_length": length, "contact_force": contact}
+    return {
+        "spring_compression": spring,
+        "compression": every,
+        "spring_length": length,
+        "contact_force": contact,
+    }
 
 
 def _amplitude(time: Array, values: Array) -> float:
@@ -402,7 +461,9 @@ def closed_form(variant: str, values: dict[str, float]) -> dict[str, float]:
     wheel_inertia = values["unsprung.mass"] * omega**2 if variant == "two-mass" else 0.0
     follows = suspension / (suspension - inertia)  # body over wheel
     wheel = tyre / (tyre - wheel_inertia - inertia * follows)
-    result = _sizes(body=follows * wheel, spring=(1.0 - follows) * wheel, contact=tyre * (1.0 - wheel))
+    result = _sizes(
+        body=follows * wheel, spring=(1.0 - follows) * wheel, contact=tyre * (1.0 - wheel)
+    )
     return result | _sizes(wheel=wheel) if variant == "two-mass" else result
 
 
@@ -417,14 +478,20 @@ def eusama(rig: jn.QuarterCar, amplitude: float, tyre_damping: float) -> Eusama:
     size = np.abs(model.frequency_response(frequency, "tyre.force"))
     worst = int(np.argmax(size))
     static = (rig.sprung.mass + rig.unsprung.mass) * rig.gravity
-    return Eusama(tyre_damping, 1.0 - amplitude * float(size[worst]) / static, float(frequency[worst]))
+    return Eusama(
+        tyre_damping, 1.0 - amplitude * float(size[worst]) / static, float(frequency[worst])
+    )
 
 
-def _findings(runs: list[PlateRun], torque: float, amplitude: float, fitting: float) -> tuple[jn.Finding, ...]:
+def _findings(
+    runs: list[PlateRun], torque: float, amplitude: float, fitting: float
+) -> tuple[jn.Finding, ...]:
     summed, full = runs[0], runs[-1]
     length, power = summed.spring_length, full.drive.power
     lifted = [
-        run.variant for run in runs if float(run.signals["tyre.force"].isel(time=slice(-1000, None)).min()) <= 0.0
+        run.variant
+        for run in runs
+        if float(run.signals["tyre.force"].isel(time=slice(-1000, None)).min()) <= 0.0
     ]
     lengths = {"least": length.min, "most": length.max, "mean": length.mean, "fitting": fitting}
     torques = {"power": power, "most": full.drive.torque.max, "torque": torque}
@@ -434,5 +501,7 @@ def _findings(runs: list[PlateRun], torque: float, amplitude: float, fitting: fl
         jn.Finding("summed", "warning", "", fitting, "papers.spring_length", lengths),
         jn.Finding("drive", "note", "", power, "papers.drive_torque", torques),
     ]
-    findings += [jn.Finding(variant, "warning", "", None, "papers.wheel_lifts") for variant in lifted]
+    findings += [
+        jn.Finding(variant, "warning", "", None, "papers.wheel_lifts") for variant in lifted
+    ]
     return tuple(findings)

@@ -77,8 +77,12 @@ def half_car_matrices(vehicle: jn.HalfCar, rear_sign: float = 1.0) -> tuple[Arra
     printed.
     """
     front, rear = vehicle.front, vehicle.rear
-    seen = np.array([[1.0, -front.distance], [1.0, rear.distance]])  # heights of the body above the axles
-    moved = np.array([[1.0, 1.0], [-front.distance, rear_sign * rear.distance]])  # effect of axle forces on the body
+    seen = np.array(
+        [[1.0, -front.distance], [1.0, rear.distance]]
+    )  # heights of the body above the axles
+    moved = np.array(
+        [[1.0, 1.0], [-front.distance, rear_sign * rear.distance]]
+    )  # effect of axle forces on the body
 
     def matrix(first: float, second: float) -> Array:
         return np.asarray(moved @ np.diag([2.0 * first, 2.0 * second]) @ seen)
@@ -117,7 +121,9 @@ def start_up(vehicle: jn.HalfCar) -> StartUp:
     """Start a half car where the demo starts its own, on a level road."""
     rest = jn.equilibrium(vehicle)
     offset = {"body.z": DEMO_HEIGHT - rest["body.z"], "body.pitch": DEMO_PITCH - rest["body.pitch"]}
-    run = jn.simulate(vehicle, jn.Trial(road=jn.Flat(), speed=10.0, duration=_START_UP), offset=offset)
+    run = jn.simulate(
+        vehicle, jn.Trial(road=jn.Flat(), speed=10.0, duration=_START_UP), offset=offset
+    )
     height = run["body.z"].to_numpy()
     channels = {
         "body.z": (height, "m", "height of the body"),
@@ -158,7 +164,9 @@ def _damping(rig: jn.QuarterCar) -> float:
 
 def paper_errata() -> tuple[Erratum, ...]:
     """Compare the paper's numbers and equations with the correct ones; all are computed from its tables."""
-    car, demo, corner = (jn.load(name) for name in ("audi-a6-half-car", "sldemo-half-car", "audi-a6-quarter-car"))
+    car, demo, corner = (
+        jn.load(name) for name in ("audi-a6-half-car", "sldemo-half-car", "audi-a6-quarter-car")
+    )
     assert isinstance(car, jn.HalfCar)
     assert isinstance(demo, jn.HalfCar)
     assert isinstance(corner, jn.QuarterCar)
@@ -328,7 +336,10 @@ def _demo(car: jn.HalfCar, demo: jn.HalfCar) -> tuple[Erratum, ...]:
     """Errata of the demo."""
     rest, own = jn.equilibrium(car)["body.z"], jn.equilibrium(demo)["body.z"]
     rates = f"{car.front.spring_rate:.0f} and {car.rear.spring_rate:.0f} N/m"
-    same = (car.front.spring_rate, car.rear.spring_rate) == (demo.front.spring_rate, demo.rear.spring_rate)
+    same = (car.front.spring_rate, car.rear.spring_rate) == (
+        demo.front.spring_rate,
+        demo.rear.spring_rate,
+    )
     return (
         Erratum(
             "section 5, road in the demo",

@@ -13,7 +13,9 @@ FULL, QUICK = "campaign.toml", "quick-look.toml"
 """Campaign files: the double wishbone in 3-D, and the same measurements with a quarter car."""
 
 
-def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress: Progress = no_progress) -> Path:
+def prepare_demo(
+    out: Path | str | None = None, *, force: bool = False, progress: Progress = no_progress
+) -> Path:
     """Write the shipped campaign with its synthetic measurements; return its ``campaign.toml``.
 
     Without ``out`` it goes into the first free of the folders ``demo-1``, ``demo-2``, ... in the current one. If a
@@ -24,7 +26,11 @@ def prepare_demo(out: Path | str | None = None, *, force: bool = False, progress
 
 
 def run_demo(
-    out: Path | str | None = None, *, quick: bool = False, force: bool = False, progress: Progress = no_progress
+    out: Path | str | None = None,
+    *,
+    quick: bool = False,
+    force: bool = False,
+    progress: Progress = no_progress,
 ) -> tuple[Path, jn.CampaignResult]:
     """Prepare and evaluate the shipped campaign, ``quick`` with a quarter car instead of the double wishbone in 3-D.
 

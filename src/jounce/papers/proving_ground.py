@@ -26,7 +26,10 @@ BEGIN, END = 100.0, 404.8
 SPEEDS = tuple(kmh / 3.6 for kmh in (10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0))
 SHOWN_SPEED = 20.0 / 3.6  # m/s, of the figures over time
 LAW = "tanh-hysteretic"
-AMPLITUDE, DAMPING_RATIO = 0.0254, 0.25  # m, the r.m.s. height of the course (1 inch); 1, an estimate
+AMPLITUDE, DAMPING_RATIO = (
+    0.0254,
+    0.25,
+)  # m, the r.m.s. height of the course (1 inch); 1, an estimate
 OWN = "own damper"
 TYRE_RADIUS = 0.4699  # m: 37 inches across
 _OFTEN = 0.05  # of the time beyond the record of a damper, from which on it is a warning; a choice
@@ -49,7 +52,11 @@ Body acceleration is unweighted; travel utilisation is the largest deflection fr
 wheel load r.m.s. is that of the dynamic part over the static load; powers are means; times are shares of the time.
 """
 RECORDS = {"0 V": "shaking_table_0v.csv", "0.88 V": "shaking_table_088v.csv"}
-LAWS: tuple[Literal["linear", "tanh-hysteretic", "bouc-wen"], ...] = ("linear", "tanh-hysteretic", "bouc-wen")
+LAWS: tuple[Literal["linear", "tanh-hysteretic", "bouc-wen"], ...] = (
+    "linear",
+    "tanh-hysteretic",
+    "bouc-wen",
+)
 _COLUMNS = {"time": "s", "displacement": "m", "velocity": "m/s", "force": "N"}
 _GRAVITY = 9.81  # m/s^2, as in the papers
 WHEEL_MASS, TYRE_MASS, TYRE_STIFFNESS, TYRE_DAMPING = 18.8, 37.6, 326332.0, 500.0
@@ -117,7 +124,9 @@ class FrontView:
         away = self.points[name] - self.axis_point
         cosine, sine = np.cos(angle), np.sin(angle)
         along = self.axis * (self.axis @ away)
-        return np.asarray(self.axis_point + along + cosine * (away - along) + sine * np.cross(self.axis, away))
+        return np.asarray(
+            self.axis_point + along + cosine * (away - along) + sine * np.cross(self.axis, away)
+        )
 
     def wheel_height(self, angle: float) -> float:
         """Height of the wheel centre in m at an ``angle`` of the lower arm in rad."""
@@ -186,16 +195,27 @@ def lumped_corner(corner: jn.ChronoCorner) -> VehicleCorner:
     bend = (view.motion_ratio("spring", turned) - view.motion_ratio("spring", -turned)) / rise
     rate = corner.spring_rate * ratios[0] ** 2 + spring_force * bend
     bump, rebound = corner.damper.coefficients_at(view.length("damper", 0.0))
-    travels = view.travel_at("spring", corner.spring_shortest), -view.travel_at("spring", corner.spring_longest)
+    travels = (
+        view.travel_at("spring", corner.spring_shortest),
+        -view.travel_at("spring", corner.spring_longest),
+    )
     masses = spring_force * ratios[0] / _GRAVITY, _unsprung_mass(corner, view)
     damping = bump * ratios[1] ** 2, rebound * ratios[1] ** 2
     stroke = float(np.ptp(corner.damper.length))
     likewise, in_map = "likewise, damper", "middle of the damper map × ratio²"
     origins = (
         Derived("spring length at design position", design, "m", _SOURCE),
-        Derived("spring force at design position", spring_force, "N", f"rate × (free length − length), {_SOURCE}"),
         Derived(
-            "motion ratio of the spring", ratios[0], "1", "front view of arms and spring: −dℓ/dz at the wheel centre"
+            "spring force at design position",
+            spring_force,
+            "N",
+            f"rate × (free length − length), {_SOURCE}",
+        ),
+        Derived(
+            "motion ratio of the spring",
+            ratios[0],
+            "1",
+            "front view of arms and spring: −dℓ/dz at the wheel centre",
         ),
         Derived("motion ratio of the damper", ratios[1], "1", likewise),
         Derived("wheel rate", rate, "N/m", "rate × ratio² + spring force × d(ratio)/dz"),
@@ -203,8 +223,18 @@ def lumped_corner(corner: jn.ChronoCorner) -> VehicleCorner:
         Derived("unsprung mass", masses[1], "kg", _UNSPRUNG, True),
         Derived("tyre stiffness", TYRE_STIFFNESS, "N/m", _TYRE, True),
         Derived("tyre damping coefficient", TYRE_DAMPING, "N*s/m", _TYRE_DAMPING, True),
-        Derived("bump travel", travels[0], "m", "wheel travel from design to the spring's shortest length"),
-        Derived("rebound travel", travels[1], "m", "wheel travel from design to the spring's longest length"),
+        Derived(
+            "bump travel",
+            travels[0],
+            "m",
+            "wheel travel from design to the spring's shortest length",
+        ),
+        Derived(
+            "rebound travel",
+            travels[1],
+            "m",
+            "wheel travel from design to the spring's longest length",
+        ),
         Derived("own damper at the wheel, bump", damping[0], "N*s/m", in_map),
         Derived("own damper at the wheel, rebound", damping[1], "N*s/m", in_map),
         Derived("stroke of the damper", stroke, "m", "range of lengths of the damper map"),
@@ -218,7 +248,12 @@ def _rig(
     return jn.QuarterCar.from_table(
         {
             "source": f"{corner.name}, github.com/projectchrono/chrono, BSD-3-Clause; referred to the wheel centre",
-            "estimated": ["sprung.mass", "unsprung.mass", "tyre.stiffness", "tyre.damping_coefficient"],
+            "estimated": [
+                "sprung.mass",
+                "unsprung.mass",
+                "tyre.stiffness",
+                "tyre.damping_coefficient",
+            ],
             "gravity": _GRAVITY,
             "sprung": {"mass": masses[0]},
             "unsprung": {"mass": masses[1]},
@@ -298,11 +333,15 @@ def measured_dampers() -> tuple[tuple[StudyDamper, ...], tuple[jn.Finding, ...]]
         record = columns["displacement"], columns["velocity"], columns["force"], columns["time"]
         place = f"damper at {name}"
         laws: dict[str, jn.DamperResult] = {
-            law: jn.fit_damper(*record, law=law, velocity_from="displacement", name=place) for law in LAWS
+            law: jn.fit_damper(*record, law=law, velocity_from="displacement", name=place)
+            for law in LAWS
         }
-        findings += [finding for finding in laws["tanh-hysteretic"].findings if finding not in findings]
+        findings += [
+            finding for finding in laws["tanh-hysteretic"].findings if finding not in findings
+        ]
         curves: dict[str, jn.DamperCurve] = {
-            law: jn.damper_curve(fit, *record, velocity_from="displacement") for law, fit in laws.items()
+            law: jn.damper_curve(fit, *record, velocity_from="displacement")
+            for law, fit in laws.items()
         }
         result.append(StudyDamper(name, laws, curves))
     return tuple(result), tuple(findings)
@@ -336,13 +375,17 @@ def referred_to_wheel(table: Mapping[str, Any], similitude: ForceScaling) -> dic
     }
     strange = [key for key in table if key != "kind" and key not in factors]
     if strange:
-        raise jn.FitError("this law cannot be scaled", found=", ".join(strange), allowed="linear, tanh, bouc-wen")
+        raise jn.FitError(
+            "this law cannot be scaled", found=", ".join(strange), allowed="linear, tanh, bouc-wen"
+        )
     return {key: value if key == "kind" else value * factors[key] for key, value in table.items()}
 
 
 def equivalent_coefficient(table: Mapping[str, Any], amplitude: float, frequency: float) -> float:
     """Linear damping coefficient (N s/m) that takes up as much per cycle; ``amplitude`` in m, ``frequency`` in Hz."""
-    return jn.harmonic_energy(table, amplitude, frequency) / (2.0 * np.pi**2 * frequency * amplitude**2)
+    return jn.harmonic_energy(table, amplitude, frequency) / (
+        2.0 * np.pi**2 * frequency * amplitude**2
+    )
 
 
 @dataclass(frozen=True)
@@ -372,7 +415,9 @@ class ProvingGround:
         """Return the results as plain data in SI, without signals."""
         keys = ("parameters", "nrmse", "r2", "energy_per_cycle", "fitted_energy_per_cycle")
         fits = {
-            specimen.name: {law: {key: getattr(fit, key) for key in keys} for law, fit in specimen.laws.items()}
+            specimen.name: {
+                law: {key: getattr(fit, key) for key in keys} for law, fit in specimen.laws.items()
+            }
             for specimen in self.dampers
         }
         figures = {
@@ -391,7 +436,9 @@ class ProvingGround:
                 "similitude": self.similitude,
                 "equivalent_damping_ratio": self.equivalent,
                 "model": self.derived,
-                "dampers_at_the_wheel": {name: rig.strut.damper.model_dump() for name, rig in self.rigs.items()},
+                "dampers_at_the_wheel": {
+                    name: rig.strut.damper.model_dump() for name, rig in self.rigs.items()
+                },
                 "speed": self.figures["speed"].to_numpy(),
                 "figures": figures,
                 "body_acceleration_point_contact": self.point_contact,
@@ -400,7 +447,9 @@ class ProvingGround:
         )
 
 
-def run_proving_ground(speeds: tuple[float, ...] = SPEEDS, *, progress: Progress = no_progress) -> ProvingGround:
+def run_proving_ground(
+    speeds: tuple[float, ...] = SPEEDS, *, progress: Progress = no_progress
+) -> ProvingGround:
     """Drive a real vehicle with a measured damper over a measured course, at ``speeds`` in m/s.
 
     The measured magneto-rheological damper (0 V and 0.88 V) is fitted, scaled to the vehicle, referred to the wheel and
@@ -410,8 +459,12 @@ def run_proving_ground(speeds: tuple[float, ...] = SPEEDS, *, progress: Progress
     dampers, findings = measured_dampers()
     corner = lumped_corner(hmmwv_corner())
     similitude, equivalent = _choose_scales(dampers, corner)
-    tables = {damper.name: referred_to_wheel(damper.laws[LAW].damper, similitude) for damper in dampers}
-    rigs = {name: _with_damper(corner.rig, table) for name, table in tables.items()} | {OWN: corner.rig}
+    tables = {
+        damper.name: referred_to_wheel(damper.laws[LAW].damper, similitude) for damper in dampers
+    }
+    rigs = {name: _with_damper(corner.rig, table) for name, table in tables.items()} | {
+        OWN: corner.rig
+    }
     length = contact_length(corner.rig)
     measured = jn.load_road(COURSE)
     course = envelope(measured, length)
@@ -480,7 +533,9 @@ def _integral(x: Array, edges: Array, height: Array, area: Array) -> Array:
     return np.asarray(area[piece] + way * (height[piece] + 0.5 * way * slope[piece]))
 
 
-def _choose_scales(dampers: tuple[StudyDamper, ...], corner: VehicleCorner) -> tuple[ForceScaling, dict[str, float]]:
+def _choose_scales(
+    dampers: tuple[StudyDamper, ...], corner: VehicleCorner
+) -> tuple[ForceScaling, dict[str, float]]:
     """Choose the scales; return them with the damping ratios, also of the vehicle's own damper."""
     rig = corner.rig
     stroke = corner.damper_stroke / max(damper.stroke for damper in dampers)
@@ -488,13 +543,18 @@ def _choose_scales(dampers: tuple[StudyDamper, ...], corner: VehicleCorner) -> t
     frequency = body_frequency(rig.with_changes({"strut.damper": {"coefficient": 0.0}}))
     critical = _critical(rig)
     shares = {
-        damper.name: equivalent_coefficient(referred_to_wheel(damper.laws[LAW].damper, unit), AMPLITUDE, frequency)
+        damper.name: equivalent_coefficient(
+            referred_to_wheel(damper.laws[LAW].damper, unit), AMPLITUDE, frequency
+        )
         / critical
         for damper in dampers
     }
     scale = DAMPING_RATIO / shares[dampers[0].name]
-    own = 0.5 * (rig.strut.damper.bump_coefficient + rig.strut.damper.rebound_coefficient) / critical  # type: ignore[union-attr]
-    return replace(unit, force_scale=scale), {name: scale * share for name, share in shares.items()} | {OWN: own}
+    damper: Any = rig.strut.damper  # with two coefficients, as that of the paper
+    own = 0.5 * (damper.bump_coefficient + damper.rebound_coefficient) / critical
+    return replace(unit, force_scale=scale), {
+        name: scale * share for name, share in shares.items()
+    } | {OWN: own}
 
 
 def body_frequency(rig: jn.QuarterCar) -> float:
@@ -511,13 +571,30 @@ def _damping_over_amplitude(rigs: dict[str, jn.QuarterCar]) -> xr.Dataset:
         frequency = body_frequency(rig.with_changes({"strut.damper": {"coefficient": 0.0}}))
         table = rig.strut.damper.model_dump()
         if "bump_coefficient" in table:
-            table = {"coefficient": 0.5 * (table["bump_coefficient"] + table["rebound_coefficient"])}
-        rows.append([equivalent_coefficient(table, float(x), frequency) / _critical(rig) for x in amplitudes])
+            table = {
+                "coefficient": 0.5 * (table["bump_coefficient"] + table["rebound_coefficient"])
+            }
+        rows.append(
+            [
+                equivalent_coefficient(table, float(x), frequency) / _critical(rig)
+                for x in amplitudes
+            ]
+        )
     return xr.Dataset(
-        {"damping_ratio": (("damper", "amplitude"), rows, {"units": "1", "long_name": "equivalent damping ratio"})},
+        {
+            "damping_ratio": (
+                ("damper", "amplitude"),
+                rows,
+                {"units": "1", "long_name": "equivalent damping ratio"},
+            )
+        },
         coords={
             "damper": list(rigs),
-            "amplitude": ("amplitude", amplitudes, {"units": "m", "long_name": "amplitude of wheel travel"}),
+            "amplitude": (
+                "amplitude",
+                amplitudes,
+                {"units": "m", "long_name": "amplitude of wheel travel"},
+            ),
         },
     )
 
@@ -534,7 +611,9 @@ def _with_damper(rig: jn.QuarterCar, table: dict[str, Any]) -> jn.QuarterCar:
     return jn.QuarterCar.from_table(plain)
 
 
-def _derived_values(similitude: ForceScaling, equivalent: dict[str, float], length: float) -> tuple[Derived, ...]:
+def _derived_values(
+    similitude: ForceScaling, equivalent: dict[str, float], length: float
+) -> tuple[Derived, ...]:
     amplitude = f"at {1e3 * AMPLITUDE:g} mm of wheel travel and the frequency of body bounce"
     per_cycle = f"energy per cycle / (π ω x²) / 2√(k m), {amplitude}"
     stroke = "stroke of the vehicle's damper map over the largest measured one; velocities scale with it, time does not"
@@ -571,7 +650,11 @@ def ride_figures(
     def mean(values: Array) -> float:
         return float(np.trapezoid(values, time)) / span
 
-    deflection, velocity, contact = signal["strut.deflection"], signal["strut.velocity"], signal["tyre.force"]
+    deflection, velocity, contact = (
+        signal["strut.deflection"],
+        signal["strut.velocity"],
+        signal["tyre.force"],
+    )
     static = (rig.sprung.mass + rig.unsprung.mass) * rig.gravity
     spring = rig.strut.spring.preload + (rig.strut.spring.rate or 0.0) * deflection
     damper = mean((signal["strut.force"] - spring) * velocity)
@@ -620,21 +703,31 @@ def _dataset(rows: dict[str, list[dict[str, float]]], speeds: tuple[float, ...])
         )
         for key, (unit, words) in FIGURES.items()
     }
-    coordinates = {"damper": list(rows), "speed": ("speed", list(speeds), {"units": "m/s", "long_name": "speed"})}
+    coordinates = {
+        "damper": list(rows),
+        "speed": ("speed", list(speeds), {"units": "m/s", "long_name": "speed"}),
+    }
     return xr.Dataset(variables, coords=coordinates)
 
 
 def _advice(rows: dict[str, list[dict[str, float]]], speeds: tuple[float, ...]) -> list[jn.Finding]:
     findings = []
     for name, lines in rows.items():
-        for key, kind in (("bump_travel_utilisation", "bump"), ("rebound_travel_utilisation", "rebound")):
+        for key, kind in (
+            ("bump_travel_utilisation", "bump"),
+            ("rebound_travel_utilisation", "rebound"),
+        ):
             over = [speed for row, speed in zip(lines, speeds, strict=True) if row[key] > 1.0]
             if over:
                 worst = max(row[key] for row in lines)
                 numbers = {"kind": kind, "speed": over[0], "worst": worst}
-                findings.append(jn.Finding(name, "warning", "", worst, "papers.travel_used_up", numbers))
+                findings.append(
+                    jn.Finding(name, "warning", "", worst, "papers.travel_used_up", numbers)
+                )
         beyond = max(row["beyond_record"] for row in lines)
         if beyond > 0.0:
             severity: Literal["warning", "note"] = "warning" if beyond > _OFTEN else "note"
-            findings.append(jn.Finding(name, severity, "", beyond, "papers.beyond_record", {"share": beyond}))
+            findings.append(
+                jn.Finding(name, severity, "", beyond, "papers.beyond_record", {"share": beyond})
+            )
     return findings

@@ -82,9 +82,18 @@ def table2(variant: Variant = "reconstructed") -> tuple[Table2Row, ...]:
     """
     if variant not in _SETTINGS:
         allowed = ", ".join(_SETTINGS)
-        raise jn.DescriptionError(f"unknown reading of Table 2 {variant!r}", where="table2", allowed=allowed)
+        raise jn.DescriptionError(
+            f"unknown reading of Table 2 {variant!r}", where="table2", allowed=allowed
+        )
     rows = [
-        Table2Row(number, _SPEEDS[number], math.radians(angle), pressure, "A" if pitch is None else "B", pitch)
+        Table2Row(
+            number,
+            _SPEEDS[number],
+            math.radians(angle),
+            pressure,
+            "A" if pitch is None else "B",
+            pitch,
+        )
         for number, (angle, pressure, pitch) in _SETTINGS[variant].items()
     ]
     return tuple(sorted(rows, key=lambda row: row.number))

@@ -57,7 +57,9 @@ def campaign_texts() -> dict[str, str]:
     ['campaign.toml', 'quarter-car.toml', 'quick-look.toml', 'rig.toml']
     """
     folder = resources.files("jounce") / "library" / "campaigns" / "kart-prototype"
-    return {file.name: file.read_text(encoding="utf-8") for file in folder.iterdir() if file.is_file()}
+    return {
+        file.name: file.read_text(encoding="utf-8") for file in folder.iterdir() if file.is_file()
+    }
 
 
 def shipped_truth() -> jn.BenchTruth:
@@ -136,8 +138,16 @@ def virtual_bench(
     """
     given_seed: object = seed
     if isinstance(given_seed, bool) or not isinstance(given_seed, int) or seed < 0:
-        raise jn.DescriptionError("not a seed", where="seed", found=seed, allowed="a whole number of 0 or more")
-    given = shipped_truth() if truth is None else jn.load_truth(truth) if isinstance(truth, (str, Path)) else truth
+        raise jn.DescriptionError(
+            "not a seed", where="seed", found=seed, allowed="a whole number of 0 or more"
+        )
+    given = (
+        shipped_truth()
+        if truth is None
+        else jn.load_truth(truth)
+        if isinstance(truth, (str, Path))
+        else truth
+    )
     real = given.with_changes(changes) if changes else given
     plan = BenchPlan(seed=seed, duration=duration)
     measured = measurement_texts(plan, real, progress=progress)
@@ -241,7 +251,12 @@ def _triangle(stroke: float, points: int) -> tuple[Array, Array]:
 
 
 def wheel_path(
-    road: jn.Road, speed: float, duration: float, truth: jn.BenchTruth | None = None, *, points: int = 60
+    road: jn.Road,
+    speed: float,
+    duration: float,
+    truth: jn.BenchTruth | None = None,
+    *,
+    points: int = 60,
 ) -> jn.Excitation:
     """Height (m) that the wheel really meets against time (s) while the belt carries obstacles past it.
 
@@ -286,7 +301,9 @@ def _patch_mean(road: jn.Road, distance: Array, length: float) -> Array:
     grid = np.arange(distance[0] - length, distance[-1] + length, min(5e-5, 0.05 * length))
     height = road.height_at(grid)
     area = np.concatenate([[0.0], np.cumsum(0.5 * (height[1:] + height[:-1]) * np.diff(grid))])
-    gained = np.interp(distance + 0.5 * length, grid, area) - np.interp(distance - 0.5 * length, grid, area)
+    gained = np.interp(distance + 0.5 * length, grid, area) - np.interp(
+        distance - 0.5 * length, grid, area
+    )
     return np.asarray(gained / length, dtype=float)
 
 
@@ -295,7 +312,11 @@ def _time_at(distance: Array, road: jn.Road, speed: float, belt: Any) -> Array:
 
     The missing speed decays exponentially in time; over the few centimetres concerned, time is distance over speed.
     """
-    feet = [road.start] if not isinstance(road, jn.Train) else [road.start + i * road.pitch for i in range(road.count)]
+    feet = (
+        [road.start]
+        if not isinstance(road, jn.Train)
+        else [road.start + i * road.pitch for i in range(road.count)]
+    )
     missing = np.zeros_like(distance)
     for foot in feet:
         since = np.maximum(distance - foot, 0.0) / speed
@@ -314,7 +335,9 @@ def course(row: Table2Row, truth: jn.BenchTruth | None = None, *, shift: float =
     return jn.Train(of=obstacle, count=_OBSTACLES_IN_TRAIN, pitch=row.pitch)
 
 
-def true_pass(row: Table2Row, seed: int = BenchPlan.seed, truth: jn.BenchTruth | None = None) -> SimulatedPass:
+def true_pass(
+    row: Table2Row, seed: int = BenchPlan.seed, truth: jn.BenchTruth | None = None
+) -> SimulatedPass:
     """Return what the bench hides: the speed that rounds to the printed one, and the lag of the recording."""
     truth = truth or shipped_truth()
     stated = truth.passes.get(str(row.number))
@@ -328,10 +351,14 @@ def true_pass(row: Table2Row, seed: int = BenchPlan.seed, truth: jn.BenchTruth |
 def _pass(row: Table2Row, plan: BenchPlan, truth: jn.BenchTruth) -> str:
     real = true_pass(row, plan.seed, truth)
     road = course(row, truth, shift=real.speed * real.lag)
-    trial = jn.Trial(excitation=wheel_path(road, real.speed, plan.duration, truth), duration=plan.duration)
+    trial = jn.Trial(
+        excitation=wheel_path(road, real.speed, plan.duration, truth), duration=plan.duration
+    )
     rig = jn.with_strut_angle(truth.true_rig(row.tyre_pressure), row.strut_angle)
     run = jn.simulate(rig, trial, output_step=1.0 / plan.sample_rate)
-    recorded = jn.apply_sensors(run, truth.sensors, seed=zlib.crc32(f"{plan.seed} sensors {row.number}".encode()))
+    recorded = jn.apply_sensors(
+        run, truth.sensors, seed=zlib.crc32(f"{plan.seed} sensors {row.number}".encode())
+    )
     columns = {}
     for name in truth.sensors:
         unit = str(run[name].attrs["units"])
@@ -346,7 +373,9 @@ def _springs(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
         return texts
     true_rate = strut.spring.rate
     if true_rate is None:
-        raise jn.DescriptionError("the test machine needs a spring rate", where="rig.strut.spring", allowed="rate")
+        raise jn.DescriptionError(
+            "the test machine needs a spring rate", where="rig.strut.spring", allowed="rate"
+        )
     friction = 0.0 if strut.friction is None else strut.friction.force
     for i in range(1, plan.spring_trials + 1):
         generator = _generator(plan.seed, f"spring {i}")
@@ -363,7 +392,9 @@ def _tyres(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
         for i in range(1, plan.tyre_trials + 1):
             generator = _generator(plan.seed, f"tyre {label} {i}")
             scale = 1.0 + 0.006 * generator.standard_normal()
-            texts[f"bench/tyre_{label}_{i}.csv"] = _cycle(*tyre_cycle(0.010, 201, pressure, scale, truth), generator)
+            texts[f"bench/tyre_{label}_{i}.csv"] = _cycle(
+                *tyre_cycle(0.010, 201, pressure, scale, truth), generator
+            )
     return texts
 
 
@@ -377,28 +408,42 @@ def _cycle(deflection: Array, force: Array, generator: np.random.Generator) -> s
 def _decays(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
     """Load the sprung mass with weights, remove them suddenly, and record its height above rest."""
     texts = {}
-    level = jn.Trial(excitation=jn.Excitation(time=[0.0, 0.7, 1.4, 2.0], height=[0.0] * 4), duration=2.0)
+    level = jn.Trial(
+        excitation=jn.Excitation(time=[0.0, 0.7, 1.4, 2.0], height=[0.0] * 4), duration=2.0
+    )
     rig = truth.true_rig()
     if rig.sprung is None:
-        raise jn.DescriptionError("the bench needs a sprung mass", where="rig.sprung", allowed="its mass and its guide")
+        raise jn.DescriptionError(
+            "the bench needs a sprung mass", where="rig.sprung", allowed="its mass and its guide"
+        )
     at_rest = jn.linearise(rig).equilibrium
     for i in range(1, plan.decays + 1):
         generator = _generator(plan.seed, f"decay {i}")
-        laden = rig.with_changes({"sprung.mass": rig.parameters()["sprung.mass"] + _WEIGHT * (8.0 + i)})
+        laden = rig.with_changes(
+            {"sprung.mass": rig.parameters()["sprung.mass"] + _WEIGHT * (8.0 + i)}
+        )
         pressed = jn.linearise(laden).equilibrium
-        offset = {name: value - at_rest[name] for name, value in pressed.items() if value != at_rest[name]}
+        offset = {
+            name: value - at_rest[name] for name, value in pressed.items() if value != at_rest[name]
+        }
         run = jn.simulate(rig, level, output_step=1.0 / plan.sample_rate, offset=offset)
         height = run["sprung.z"].to_numpy()
         noisy = (
-            1e3 * (height - height[-1]) + 0.02 * generator.standard_normal(len(height)) + generator.uniform(-1.0, 1.0)
+            1e3 * (height - height[-1])
+            + 0.02 * generator.standard_normal(len(height))
+            + generator.uniform(-1.0, 1.0)
         )
-        texts[f"bench/decay_{i}.csv"] = _csv({"time [s]": (run["time"].to_numpy(), 5), "sprung.z [mm]": (noisy, 4)})
+        texts[f"bench/decay_{i}.csv"] = _csv(
+            {"time [s]": (run["time"].to_numpy(), 5), "sprung.z [mm]": (noisy, 4)}
+        )
     return texts
 
 
 def _csv(columns: dict[str, tuple[Array, int]]) -> str:
     """Text of a file: header to (values, decimals)."""
-    rows = zip(*(np.char.mod(f"%.{digits}f", values) for values, digits in columns.values()), strict=True)
+    rows = zip(
+        *(np.char.mod(f"%.{digits}f", values) for values, digits in columns.values()), strict=True
+    )
     return "\n".join([f"# {SYNTHETIC}", ",".join(columns), *map(",".join, rows)]) + "\n"
 
 
@@ -416,7 +461,11 @@ def truth_text(plan: BenchPlan, truth: jn.BenchTruth) -> str:
     table = truth.model_dump(by_alias=True, exclude_none=True) | {"passes": known}
     document = tomlkit.document()
     document.add(tomlkit.comment(SYNTHETIC))
-    document.add(tomlkit.comment(f"The values behind the files, SI; seed {plan.seed}. A campaign is not told them."))
+    document.add(
+        tomlkit.comment(
+            f"The values behind the files, SI; seed {plan.seed}. A campaign is not told them."
+        )
+    )
     for name, value in table.items():
         document.add(name, tomlkit.item(value))
     return tomlkit.dumps(document)

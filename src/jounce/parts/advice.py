@@ -22,7 +22,16 @@ from jounce.parts.leverage import (
     static_tyre_deflection,
 )
 from jounce.parts.rig import Rig, questions
-from jounce.parts.vehicles import Axle, FullAxle, FullCar, FullCar3D, HalfCar, HalfCar4DOF, QuarterCar, WheeledAxle
+from jounce.parts.vehicles import (
+    Axle,
+    FullAxle,
+    FullCar,
+    FullCar3D,
+    HalfCar,
+    HalfCar4DOF,
+    QuarterCar,
+    WheeledAxle,
+)
 
 AnyVehicle = HalfCar | HalfCar4DOF | FullCar | FullCar3D
 
@@ -88,7 +97,9 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
 @once_per_object
 def _check_all(rig: Rig) -> tuple[Finding, ...]:
     """Collect all findings; cached, since every run asks for them."""
-    if isinstance(rig, Corner):  # where a size is wrong, everything else would be found wrong as well
+    if isinstance(
+        rig, Corner
+    ):  # where a size is wrong, everything else would be found wrong as well
         checks: tuple[Callable[[Corner], Iterator[Finding]], ...]
         checks = (
             _check_estimated,
@@ -111,7 +122,9 @@ def _check_all(rig: Rig) -> tuple[Finding, ...]:
             else ()
         )
         findings = [*_check_estimated(rig), *lumped]
-    asked_of = rig.parameters().keys() - {item.place for item in findings}  # not of placeholders for parts left out
+    asked_of = rig.parameters().keys() - {
+        item.place for item in findings
+    }  # not of placeholders for parts left out
     findings += [item for item in questions(rig) if item.place in asked_of]
     return tuple(findings)
 
@@ -120,14 +133,18 @@ def _is_choice(rig: Rig, path: str) -> bool:
     """Whether a path names a text of the description, such as ``strut.on``."""
     here: object = rig
     for part in path.split("."):
-        here = getattr(here, part, None) if part in getattr(type(here), "model_fields", ()) else None
+        here = (
+            getattr(here, part, None) if part in getattr(type(here), "model_fields", ()) else None
+        )
     return isinstance(here, str)
 
 
 def _check_estimated(rig: Rig) -> Iterator[Finding]:
     known = rig.parameters()
     for entry in rig.estimated:
-        is_number = any(path == entry or path.startswith((f"{entry}.", f"{entry}[")) for path in known)
+        is_number = any(
+            path == entry or path.startswith((f"{entry}.", f"{entry}[")) for path in known
+        )
         if not is_number and not _is_choice(rig, entry):
             yield finding("parts.estimated_unknown", "estimated", entry=entry)
 
@@ -156,7 +173,10 @@ def _check_order(rig: Corner) -> Iterator[Finding]:
     for arm in ("lower_arm", "upper_arm"):
         if f"{arm}_front" in points and points[f"{arm}_front"][0] < points[f"{arm}_rear"][0]:
             yield finding("parts.arm_swapped", f"hardpoints.{arm}_front", arm=arm)
-    if "upper_ball_joint" in points and points["upper_ball_joint"][2] < points["lower_ball_joint"][2]:
+    if (
+        "upper_ball_joint" in points
+        and points["upper_ball_joint"][2] < points["lower_ball_joint"][2]
+    ):
         yield finding("parts.ball_joints_swapped", "hardpoints.upper_ball_joint")
     for arm in ("lower_arm", "upper_arm"):
         ball = arm.replace("arm", "ball_joint")
@@ -179,15 +199,22 @@ def _check_wheel(rig: Corner) -> Iterator[Finding]:
     if abs(height - radius) > 0.2 * radius:  # corners of the library: up to 11 %
         code = "parts.wheel_low" if height < radius else "parts.wheel_high"
         off = radius - height
-        yield finding(code, "hardpoints.wheel_centre", off, off=abs(off), height=height, radius=radius)
+        yield finding(
+            code, "hardpoints.wheel_centre", off, off=abs(off), height=height, radius=radius
+        )
     for name in ("camber", "toe"):
         angle = getattr(rig.wheel, name)
-        if abs(angle) > 0.2:  # rad: the kart prototype reaches 10.5 deg (0.18 rad) of toe, no wheel more
+        if (
+            abs(angle) > 0.2
+        ):  # rad: the kart prototype reaches 10.5 deg (0.18 rad) of toe, no wheel more
             yield finding("parts.steep_angle", f"wheel.{name}", angle, angle=angle)
 
 
 def _check_strut(rig: Corner) -> Iterator[Finding]:
-    bottom, top = np.array(rig.hardpoints.at("strut_bottom")), np.array(rig.hardpoints.at("strut_top"))
+    bottom, top = (
+        np.array(rig.hardpoints.at("strut_bottom")),
+        np.array(rig.hardpoints.at("strut_top")),
+    )
     along, strut = top - bottom, rig.strut
     if strut.on != "rocker":
         if along[2] <= 0.0:
@@ -212,7 +239,13 @@ def _check_driving(place: str, damper: object) -> Iterator[Finding]:
     for index, row in rows.items():
         for velocity, force in zip(damper.velocity, row, strict=True):
             if velocity * force < 0.0:
-                yield finding("parts.table_drives", f"{place}.force{index}", force, force=force, velocity=velocity)
+                yield finding(
+                    "parts.table_drives",
+                    f"{place}.force{index}",
+                    force,
+                    force=force,
+                    velocity=velocity,
+                )
                 return
 
 
@@ -227,12 +260,20 @@ def _check_bodies(rig: Corner) -> Iterator[Finding]:
         # Twice what the bodies of the library reach: 0.54 of their extent, and radii of gyration of 0.77 of it.
         if away > 1.5 * reach:
             yield finding(
-                "parts.centre_of_mass_away", f"bodies.{name}.centre_of_mass", away, distance=away, reach=reach
+                "parts.centre_of_mass_away",
+                f"bodies.{name}.centre_of_mass",
+                away,
+                distance=away,
+                reach=reach,
             )
         gyration = float(np.sqrt(body.inertia.principal_moments[-1] / body.mass))
         if gyration > 1.5 * reach:
             yield finding(
-                "parts.radius_of_gyration", f"bodies.{name}.inertia", gyration, gyration=gyration, reach=reach
+                "parts.radius_of_gyration",
+                f"bodies.{name}.inertia",
+                gyration,
+                gyration=gyration,
+                reach=reach,
             )
 
 
@@ -240,19 +281,32 @@ def _check_bars(rig: Corner) -> Iterator[Finding]:
     """Report a T-bar whose links do not hold its hinge and its stem."""
     if rig.anti_roll_bar is None or rig.anti_roll_bar.kind != "t":
         return
-    points = {name: np.array(point) for name, point in rig.hardpoints.given().items() if name.startswith("arb_")}
+    points = {
+        name: np.array(point)
+        for name, point in rig.hardpoints.given().items()
+        if name.startswith("arb_")
+    }
     arm, stem = (points[name] - points["arb_pivot"] for name in ("arb_arm_end", "arb_axis"))
     link = points["arb_link_end"] - points["arb_arm_end"]
-    for axis, name in ((np.array([0.0, 1.0, 0.0]), "its hinge"), (stem / np.linalg.norm(stem), "its stem")):
+    for axis, name in (
+        (np.array([0.0, 1.0, 0.0]), "its hinge"),
+        (stem / np.linalg.norm(stem), "its stem"),
+    ):
         lever = float(abs(link @ np.cross(axis, arm)) / np.linalg.norm(link))
         if lever < _LEVER * np.linalg.norm(arm):
-            yield finding("parts.t_bar_held_loosely", "hardpoints.arb_link_end", lever, axis=name, lever=lever)
+            yield finding(
+                "parts.t_bar_held_loosely", "hardpoints.arb_link_end", lever, axis=name, lever=lever
+            )
 
 
 def _check_sprung_mass(rig: Corner) -> Iterator[Finding]:
     if rig.sprung is None or rig.guide == "vertical+spherical":
         return
-    unused = [name for name in ("centre_of_mass", "inertia", "joint") if getattr(rig.sprung, name) is not None]
+    unused = [
+        name
+        for name in ("centre_of_mass", "inertia", "joint")
+        if getattr(rig.sprung, name) is not None
+    ]
     if unused:
         yield finding("parts.sprung_unused", "sprung", unused=", ".join(unused))
 
@@ -265,7 +319,9 @@ def _check_statics(rig: Corner) -> Iterator[Finding]:
     except np.linalg.LinAlgError:
         yield finding("parts.wheel_locked", "hardpoints")
         return
-    if ratio < 0.1:  # corners of the library: 0.45 and more; below, the spring would need 100 times the wheel rate
+    if (
+        ratio < 0.1
+    ):  # corners of the library: 0.45 and more; below, the spring would need 100 times the wheel rate
         yield finding("parts.spring_ratio", "strut", ratio, ratio=ratio)
         return
     bar = rig.anti_roll_bar
@@ -286,16 +342,26 @@ def _check_statics(rig: Corner) -> Iterator[Finding]:
     deflection = 0.5 * (low + high) if high < length or low > -length else None
     if rig.besides_strut:  # all springs together, at the wheel
         place = "strut.spring" if "spring" not in rig.without else rig.besides_strut[0]
-        numbers: dict[str, Any] = {"needed": needed * ratio + beside, "present": spring_force(rig) * ratio + beside}
+        numbers: dict[str, Any] = {
+            "needed": needed * ratio + beside,
+            "present": spring_force(rig) * ratio + beside,
+        }
         weak, away = "parts.springs_weak", "parts.springs_away"
     else:
-        place, numbers = "strut.spring", {"needed": needed, "present": spring_force(rig), "length": length}
+        place, numbers = (
+            "strut.spring",
+            {"needed": needed, "present": spring_force(rig), "length": length},
+        )
         weak, away = "parts.spring_weak", "parts.spring_away"
-    if deflection is None or deflection > 0.6 * length:  # coils are then solid; springs of the library: up to 13 %
+    if (
+        deflection is None or deflection > 0.6 * length
+    ):  # coils are then solid; springs of the library: up to 13 %
         yield finding(weak, place, numbers["needed"], **numbers)
         return
     travel = deflection / ratio
-    if abs(travel) > 0.25 * rig.wheel.radius:  # about the whole travel; corners of the library: up to 18 %
+    if (
+        abs(travel) > 0.25 * rig.wheel.radius
+    ):  # about the whole travel; corners of the library: up to 18 %
         direction = "bump" if travel > 0.0 else "rebound"
         yield finding(away, place, travel, travel=abs(travel), direction=direction, **numbers)
     yield from _check_deflection("tyre", static_tyre_deflection(rig), _PRESSED * rig.wheel.radius)
@@ -312,7 +378,8 @@ def _check_vehicle(car: AnyVehicle) -> Iterator[Finding]:
     wrong = [
         finding("parts.length_metres", path, value, length=value)
         for path, value in lengths.items()
-        if path.endswith((".distance", ".track", ".height", ".roll_centre_height")) and abs(value) > LONGEST
+        if path.endswith((".distance", ".track", ".height", ".roll_centre_height"))
+        and abs(value) > LONGEST
     ]
     if wrong:
         yield from wrong
@@ -324,18 +391,26 @@ def _check_vehicle(car: AnyVehicle) -> Iterator[Finding]:
     for name, other in (("front", car.rear), ("rear", car.front)):
         axle = getattr(car, name)
         mass = 0.5 * body.mass * other.distance / car.wheelbase  # of the body on one wheel, kg
-        if not isinstance(axle, Axle | WheeledAxle):  # axles of 3-D corners have no springs of their own
+        if not isinstance(
+            axle, Axle | WheeledAxle
+        ):  # axles of 3-D corners have no springs of their own
             corner = axle.corner
             weight = car.gravity * (mass + sum(body.mass for body in corner.body_masses().values()))
             yield from _check_deflection(
-                f"{name}.corner.tyre", static_deflection(corner.tyre, weight), _PRESSED * corner.wheel.radius
+                f"{name}.corner.tyre",
+                static_deflection(corner.tyre, weight),
+                _PRESSED * corner.wheel.radius,
             )
             continue
         if axle.spring_rate is not None:
             yield from _check_frequency(name, axle, mass, axle.spring_rate)
         if isinstance(axle, WheeledAxle):
             yield from _check_axle(name, axle, mass, car.gravity)
-        if isinstance(axle, FullAxle) and body.height is not None and axle.roll_centre_height > body.height:
+        if (
+            isinstance(axle, FullAxle)
+            and body.height is not None
+            and axle.roll_centre_height > body.height
+        ):
             yield finding(
                 "parts.roll_centre_high",
                 f"{name}.roll_centre_height",
@@ -345,12 +420,19 @@ def _check_vehicle(car: AnyVehicle) -> Iterator[Finding]:
             )
 
 
-def _check_frequency(name: str, axle: Axle | WheeledAxle, mass: float, rate: float) -> Iterator[Finding]:
+def _check_frequency(
+    name: str, axle: Axle | WheeledAxle, mass: float, rate: float
+) -> Iterator[Finding]:
     angular = float(np.sqrt(rate / mass))
     frequency = angular / (2.0 * np.pi)
     if not FREQUENCIES[0] <= frequency <= FREQUENCIES[1]:
         yield finding(
-            "parts.body_frequency", f"{name}.spring_rate", frequency, frequency=frequency, mass=mass, rate=rate
+            "parts.body_frequency",
+            f"{name}.spring_rate",
+            frequency,
+            frequency=frequency,
+            mass=mass,
+            rate=rate,
         )
     elif axle.damping_coefficient:
         ratio = axle.damping_coefficient / (2.0 * mass * angular)
@@ -384,7 +466,14 @@ def _check_axle(name: str, axle: WheeledAxle, mass: float, gravity: float) -> It
     if axle.spring_rate is not None:
         rest = mass * gravity / axle.spring_rate
         if axle.bump_stop is not None and axle.bump_stop.gap < rest:
-            yield finding("parts.stop_closed_at_rest", f"{name}.bump_stop.gap", axle.bump_stop.gap, rest=rest)
+            yield finding(
+                "parts.stop_closed_at_rest", f"{name}.bump_stop.gap", axle.bump_stop.gap, rest=rest
+            )
         if axle.rebound_stop is not None and -axle.rebound_stop.gap > rest:
-            yield finding("parts.stop_closed_at_rest", f"{name}.rebound_stop.gap", axle.rebound_stop.gap, rest=rest)
+            yield finding(
+                "parts.stop_closed_at_rest",
+                f"{name}.rebound_stop.gap",
+                axle.rebound_stop.gap,
+                rest=rest,
+            )
     yield from _check_driving(f"{name}.damper", axle.damper)

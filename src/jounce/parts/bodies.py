@@ -45,11 +45,17 @@ StiffnessTriple = Annotated[
     tuple[NonNegativeStiffness, NonNegativeStiffness, NonNegativeStiffness], BeforeValidator(_three)
 ]
 RotationalStiffnessTriple = Annotated[
-    tuple[NonNegativeRotationalStiffness, NonNegativeRotationalStiffness, NonNegativeRotationalStiffness],
+    tuple[
+        NonNegativeRotationalStiffness,
+        NonNegativeRotationalStiffness,
+        NonNegativeRotationalStiffness,
+    ],
     BeforeValidator(_three),
 ]
 DampingTriple = Annotated[
-    tuple[NonNegativeDampingCoefficient, NonNegativeDampingCoefficient, NonNegativeDampingCoefficient],
+    tuple[
+        NonNegativeDampingCoefficient, NonNegativeDampingCoefficient, NonNegativeDampingCoefficient
+    ],
     BeforeValidator(_three),
 ]
 
@@ -61,14 +67,25 @@ def distance(first: Triple | Array, second: Triple | Array) -> float:
 
 def distance_to_line(point: Triple | Array, first: Triple | Array, second: Triple | Array) -> float:
     """Distance in m of a point from the line through two others that differ."""
-    (ax, ay, az), (bx, by, bz) = ([b - a for a, b in zip(first, end, strict=True)] for end in (second, point))
-    return math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / math.hypot(ax, ay, az)
+    (ax, ay, az), (bx, by, bz) = (
+        [b - a for a, b in zip(first, end, strict=True)] for end in (second, point)
+    )
+    return math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / math.hypot(
+        ax, ay, az
+    )
 
 
 TRIANGLE_TOLERANCE = 1e-3
 """Share of the largest principal moment by which it may exceed the sum of the others: rounding in a data sheet."""
 
-INERTIA_ELEMENTS = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
+INERTIA_ELEMENTS = {
+    "xx": (0, 0),
+    "yy": (1, 1),
+    "zz": (2, 2),
+    "xy": (0, 1),
+    "xz": (0, 2),
+    "yz": (1, 2),
+}
 """Names of the elements of a tensor in descriptions: row and column."""
 
 
@@ -115,7 +132,8 @@ class Inertia(Description):
     def tensor(self) -> Array:
         """The tensor, shape (3, 3), kg m^2."""
         return np.array(
-            [[self.xx, self.xy, self.xz], [self.xy, self.yy, self.yz], [self.xz, self.yz, self.zz]], dtype=float
+            [[self.xx, self.xy, self.xz], [self.xy, self.yy, self.yz], [self.xz, self.yz, self.zz]],
+            dtype=float,
         )
 
     @property
@@ -124,9 +142,17 @@ class Inertia(Description):
         return np.array(_principal_moments(self.xx, self.yy, self.zz, self.xy, self.xz, self.yz))
 
 
-@lru_cache(256)  # variants of a rig differ in few numbers, and hardly one of them in those of its bodies
-def _principal_moments(xx: float, yy: float, zz: float, xy: float, xz: float, yz: float) -> tuple[float, ...]:
-    return tuple(np.linalg.eigvalsh(np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]], dtype=float)).tolist())
+@lru_cache(
+    256
+)  # variants of a rig differ in few numbers, and hardly one of them in those of its bodies
+def _principal_moments(
+    xx: float, yy: float, zz: float, xy: float, xz: float, yz: float
+) -> tuple[float, ...]:
+    return tuple(
+        np.linalg.eigvalsh(
+            np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]], dtype=float)
+        ).tolist()
+    )
 
 
 class RigidBody(Description):

@@ -6,7 +6,13 @@ import sys
 from itertools import combinations
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, Union
 
-from pydantic import Field, SerializerFunctionWrapHandler, create_model, model_serializer, model_validator
+from pydantic import (
+    Field,
+    SerializerFunctionWrapHandler,
+    create_model,
+    model_serializer,
+    model_validator,
+)
 
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
@@ -33,11 +39,20 @@ SAME_POINT = 1e-6
 """Distance in m below which two points are one."""
 ON_ONE_LINE = 1e-3
 """Share of its triangle's size by which a point must clear the axis that it rotates about."""
-_NO_BODY = {"mass": 1.0, "centre_of_mass": (0.0, 0.0, 0.0), "inertia": {"xx": 1.0, "yy": 1.0, "zz": 1.0}}
+_NO_BODY = {
+    "mass": 1.0,
+    "centre_of_mass": (0.0, 0.0, 0.0),
+    "inertia": {"xx": 1.0, "yy": 1.0, "zz": 1.0},
+}
 _NO_SPRING = {"rate": 1.0}
 _ON_ROCKER = {"on": "rocker"}
 _OWN_ENDS = ("spring_bottom", "spring_top", "damper_bottom", "damper_top")
-_STANDING_IN = {"bodies": "bodies.", "spring": "strut.spring.", "damper": "strut.damper.", "tyre": "tyre."}
+_STANDING_IN = {
+    "bodies": "bodies.",
+    "spring": "strut.spring.",
+    "damper": "strut.damper.",
+    "tyre": "tyre.",
+}
 _TABLES = {
     "bodies": "[bodies] and [sprung]",
     "strut": "the ends of the strut (hardpoints.strut_bottom and strut_top)",
@@ -82,7 +97,10 @@ class Hardpoints(Description):
     """Groups in which no two points may be the same."""
     turning: ClassVar[Axes] = (("arb_pivot", "arb_axis", "arb_arm_end"),)
     """Two points of an axis, and a point that rotates about it."""
-    together: ClassVar[Groups] = (("strut_bottom", "strut_top"), ("arb_pivot", "arb_arm_end", "arb_link_end"))
+    together: ClassVar[Groups] = (
+        ("strut_bottom", "strut_top"),
+        ("arb_pivot", "arb_arm_end", "arb_link_end"),
+    )
     """Groups of which all points are given or none."""
     rods: ClassVar[Rods] = ()
     """Links of constant length between wheel carrier and car body: outer and inner point."""
@@ -107,7 +125,9 @@ class Hardpoints(Description):
         """Position of a point in m, shape (3,); ends of spring and damper that are not given are the strut's."""
         value: Triple | None = getattr(self, name)
         element, _, end = name.partition("_")
-        return self.at(f"strut_{end}") if value is None and element in ("spring", "damper") else value
+        return (
+            self.at(f"strut_{end}") if value is None and element in ("spring", "damper") else value
+        )
 
     def given(self) -> dict[str, Triple]:
         """Points that the description holds: name to position in m, shape (3,)."""
@@ -242,10 +262,16 @@ class Corner(Rig):
         """
         super().__init_subclass__(**options)
 
-        def part(what: str, base: type[Description], text: str, fields: dict[str, Any]) -> type[Description]:
+        def part(
+            what: str, base: type[Description], text: str, fields: dict[str, Any]
+        ) -> type[Description]:
             name = f"{cls.__name__}{what}"
-            made = create_model(name, __base__=base, __doc__=text, __module__=cls.__module__, **fields)
-            setattr(sys.modules[cls.__module__], name, made)  # where copies sent to other processes look for it
+            made = create_model(
+                name, __base__=base, __doc__=text, __module__=cls.__module__, **fields
+            )
+            setattr(
+                sys.modules[cls.__module__], name, made
+            )  # where copies sent to other processes look for it
             return made
 
         def on(key: str, bodies: tuple[str, ...]) -> dict[str, Any]:
@@ -256,17 +282,36 @@ class Corner(Rig):
         text = "Bodies of the suspension; without ``wheel`` the wheel belongs to the body that carries it."
         bodies = part("Bodies", Description, text, {**needed, **further})
         text = "Strut from the body ``on``, or the rocker of a push rod on ``pushrod_on``, to the car's body."
-        strut = part("Strut", SpatialStrut, text, {**on("on", cls.strut_on), **on("pushrod_on", cls.pushrod_on)})
-        bar = part("Bar", AntiRollBar, "Anti-roll bar, linked to the body ``on``.", on("on", cls.bar_on))
+        strut = part(
+            "Strut",
+            SpatialStrut,
+            text,
+            {**on("on", cls.strut_on), **on("pushrod_on", cls.pushrod_on)},
+        )
+        bar = part(
+            "Bar", AntiRollBar, "Anti-roll bar, linked to the body ``on``.", on("on", cls.bar_on)
+        )
         text = "Torsion bar on the axis of the body ``on``."
         wound = part("TorsionBar", TorsionBar, text, on("on", cls.wound_on))
         text = "Third spring, from the body ``on`` to its mirror image."
         third = part("ThirdSpring", ThirdSpring, text, on("on", tuple(reversed(cls.bar_on))))
         text = "Bushings in place of ideal joints on the car's body."
-        bushings = part("Bushings", Description, text, dict.fromkeys(cls.bushed, (Bushing | None, None)))
-        cls.__annotations__ |= {"bodies": bodies, "strut": strut, "anti_roll_bar": bar | None, "bushings": bushings}
+        bushings = part(
+            "Bushings", Description, text, dict.fromkeys(cls.bushed, (Bushing | None, None))
+        )
+        cls.__annotations__ |= {
+            "bodies": bodies,
+            "strut": strut,
+            "anti_roll_bar": bar | None,
+            "bushings": bushings,
+        }
         cls.__annotations__ |= {"torsion_bar": wound | None, "third_spring": third | None}
-        cls.anti_roll_bar, cls.torsion_bar, cls.third_spring, cls.bushings = None, None, None, bushings()
+        cls.anti_roll_bar, cls.torsion_bar, cls.third_spring, cls.bushings = (
+            None,
+            None,
+            None,
+            bushings(),
+        )
 
     @model_validator(mode="before")
     @classmethod
@@ -279,7 +324,11 @@ class Corner(Rig):
             return table
         if "without" in table:
             raise error_at(("without",), "follows from what the file leaves out; leave it out, too")
-        if table.get("bodies") and table.get("torsion_bar") and isinstance(table.get("strut"), dict):
+        if (
+            table.get("bodies")
+            and table.get("torsion_bar")
+            and isinstance(table.get("strut"), dict)
+        ):
             coil = "spring" in table["strut"]  # without it the torsion bar carries the car alone
             strut = {"spring": _NO_SPRING, **table["strut"]}
             return table if coil else {**table, "strut": strut, "without": ["spring"]}
@@ -288,7 +337,10 @@ class Corner(Rig):
         if table.get("sprung") or table.get("guide", "fixed") != "fixed":
             return table
         rocker = table["hardpoints"].get("rocker_pivot") is not None
-        names = (*cls.needed_bodies, *(("rocker",) if rocker and "rocker" in cls.further_bodies else ()))
+        names = (
+            *cls.needed_bodies,
+            *(("rocker",) if rocker and "rocker" in cls.further_bodies else ()),
+        )
         strut = table.get("strut", {})
         if not isinstance(strut, dict):
             return table
@@ -312,18 +364,26 @@ class Corner(Rig):
     def _as_given(self, dump: SerializerFunctionWrapHandler) -> dict[str, Any]:
         """Omit placeholders of parts that the file leaves out, so that it is read and changed as written."""
         table: dict[str, Any] = dump(self)
-        entries = {key: value for key, value in table.items() if key not in ("without", *self.without)}
+        entries = {
+            key: value for key, value in table.items() if key not in ("without", *self.without)
+        }
         if "bodies" in self.without:
             entries.pop("guide", None)
         if "strut" in entries and self.without:
-            entries["strut"] = {key: value for key, value in table["strut"].items() if key not in self.without}
+            entries["strut"] = {
+                key: value for key, value in table["strut"].items() if key not in self.without
+            }
         return entries
 
     def parameters(self) -> dict[str, float]:
         """Give every number of the rig by its path, SI; without placeholders of parts that the file leaves out."""
         numbers = super().parameters()
         unread = tuple(_STANDING_IN[name] for name in self.without)
-        return {path: value for path, value in numbers.items() if not path.startswith(unread)} if unread else numbers
+        return (
+            {path: value for path, value in numbers.items() if not path.startswith(unread)}
+            if unread
+            else numbers
+        )
 
     @property
     def lacks(self) -> tuple[str, ...]:
@@ -346,7 +406,10 @@ class Corner(Rig):
     @property
     def besides_strut(self) -> tuple[str, ...]:
         """Tables of the springs that help the strut's spring to carry the car when both wheels move alike."""
-        has = {"torsion_bar": self.torsion_bar is not None, "third_spring": self.third_spring is not None}
+        has = {
+            "torsion_bar": self.torsion_bar is not None,
+            "third_spring": self.third_spring is not None,
+        }
         has["anti_roll_bar"] = self.anti_roll_bar is not None and self.anti_roll_bar.kind == "z"
         return tuple(name for name, there in has.items() if there)
 
@@ -365,7 +428,8 @@ class Corner(Rig):
                 found=f"a rig without {', '.join(missing)}",
                 allowed="sweeps of its kinematics",
                 hint=Phrase(
-                    "Describe {filter}.", filter=" and ".join(filter(None, (", ".join(tables[:-1]), tables[-1])))
+                    "Describe {filter}.",
+                    filter=" and ".join(filter(None, (", ".join(tables[:-1]), tables[-1]))),
                 ),
             )
 
@@ -377,7 +441,11 @@ class Corner(Rig):
     @property
     def undeformed_radius(self) -> float:
         """Radius of the unloaded tyre in m."""
-        return self.wheel.radius if self.tyre.undeformed_radius is None else self.tyre.undeformed_radius
+        return (
+            self.wheel.radius
+            if self.tyre.undeformed_radius is None
+            else self.tyre.undeformed_radius
+        )
 
     def body_masses(self) -> dict[str, RigidBody]:
         """Bodies of the suspension that the description holds, by name; the sprung body is not among them."""
@@ -417,7 +485,9 @@ class Corner(Rig):
         if self.sign * centre[1] <= 0.0:
             raise error_at(
                 ("hardpoints", "wheel_centre"),
-                "not on the left side of the car" if self.side == "left" else "not on the right side of the car",
+                "not on the left side of the car"
+                if self.side == "left"
+                else "not on the right side of the car",
                 found=Phrase("y = {y:g} mm", y=1e3 * centre[1]),
                 allowed='above 0 for side = "left" (y points to the left)'
                 if self.side == "left"
@@ -434,12 +504,18 @@ class Corner(Rig):
             )
         for name, point in self.hardpoints.given().items():
             allowed = 0.0 if name in self.hardpoints.outer else ACROSS * abs(centre[1])
-            if self.sign * point[1] < -allowed and name not in ("rocker_axis", "arb_pivot", "arb_axis"):
+            if self.sign * point[1] < -allowed and name not in (
+                "rocker_axis",
+                "arb_pivot",
+                "arb_axis",
+            ):
                 raise error_at(
                     ("hardpoints", name),
                     "on the other side of the car than the wheel",
                     found=Phrase(
-                        "{point}, the wheel centre has y = {y:g} mm", point=write_point(point), y=1e3 * centre[1]
+                        "{point}, the wheel centre has y = {y:g} mm",
+                        point=write_point(point),
+                        y=1e3 * centre[1],
                     ),
                     allowed="points of one side",
                     hint="Is the sign of y wrong?",
@@ -449,8 +525,14 @@ class Corner(Rig):
         """Refuse a body on a guide without what the guide needs to move it."""
         if self.guide == "fixed":
             return
-        needed = ("mass",) if self.guide == "vertical" else ("mass", "centre_of_mass", "inertia", "joint")
-        missing = [name for name in needed if self.sprung is None or getattr(self.sprung, name) is None]
+        needed = (
+            ("mass",)
+            if self.guide == "vertical"
+            else ("mass", "centre_of_mass", "inertia", "joint")
+        )
+        missing = [
+            name for name in needed if self.sprung is None or getattr(self.sprung, name) is None
+        ]
         if missing:
             raise error_at(
                 ("sprung",),
@@ -483,7 +565,10 @@ class Corner(Rig):
             )
 
         if self.hardpoints.arb_axis is not None and not bar_points:
-            raise error_at(("hardpoints", "arb_axis"), "is a point of the axis through arb_pivot, which is missing")
+            raise error_at(
+                ("hardpoints", "arb_axis"),
+                "is a point of the axis through arb_pivot, which is missing",
+            )
         if self.anti_roll_bar is not None:
             self._require_body("anti_roll_bar", self.anti_roll_bar.on)
             if self.anti_roll_bar.kind == "t":
@@ -497,10 +582,16 @@ class Corner(Rig):
         if self.has_strut:
             return
         laws = [name for name in ("spring", "damper") if name not in self.without]
-        laws += [name for name in ("friction", "bump_stop", "rebound_stop") if getattr(self.strut, name) is not None]
+        laws += [
+            name
+            for name in ("friction", "bump_stop", "rebound_stop")
+            if getattr(self.strut, name) is not None
+        ]
         needing = [] if "bodies" in self.without else ["[bodies]"]
         needing += [f"strut.{name}" for name in laws]
-        needing += [f"hardpoints.{name}" for name in _OWN_ENDS if getattr(self.hardpoints, name) is not None]
+        needing += [
+            f"hardpoints.{name}" for name in _OWN_ENDS if getattr(self.hardpoints, name) is not None
+        ]
         if needing:
             raise error_at(
                 ("hardpoints", "strut_bottom"),
@@ -513,7 +604,9 @@ class Corner(Rig):
         """Refuse T-bars whose stem is not in the middle of the car."""
         points = self.hardpoints
         if points.arb_axis is None:
-            raise error_at(("hardpoints", "arb_axis"), "missing; the stem of a T-bar runs from arb_pivot to it")
+            raise error_at(
+                ("hardpoints", "arb_axis"), "missing; the stem of a T-bar runs from arb_pivot to it"
+            )
         for name in ("arb_pivot", "arb_axis"):
             if abs(getattr(points, name)[1]) >= SAME_POINT:
                 raise error_at(
@@ -564,7 +657,9 @@ def _mirror(table: dict[str, Any]) -> dict[str, Any]:
         if key == "bushings":
             continue
         if isinstance(value, dict):
-            mirrored[key] = _mirror_points(value) if key in ("hardpoints", "column") else _mirror(value)
+            mirrored[key] = (
+                _mirror_points(value) if key in ("hardpoints", "column") else _mirror(value)
+            )
         elif key in ("centre_of_mass", "joint"):
             mirrored[key] = (value[0], -value[1], value[2])
         elif key in ("xy", "yz", "rack_travel"):
@@ -575,7 +670,8 @@ def _mirror(table: dict[str, Any]) -> dict[str, Any]:
 def _mirror_points(table: dict[str, Any]) -> dict[str, Any]:
     """Points with the sign of y changed, and angles with theirs."""
     return {
-        name: -value if isinstance(value, float) else (value[0], -value[1], value[2]) for name, value in table.items()
+        name: -value if isinstance(value, float) else (value[0], -value[1], value[2])
+        for name, value in table.items()
     }
 
 
@@ -587,7 +683,10 @@ class ArmHardpoints(Hardpoints):
     lower_ball_joint: Point
 
     turning: ClassVar[Axes] = (("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),)
-    rods: ClassVar[Rods] = (("lower_ball_joint", "lower_arm_front"), ("lower_ball_joint", "lower_arm_rear"))
+    rods: ClassVar[Rods] = (
+        ("lower_ball_joint", "lower_arm_front"),
+        ("lower_ball_joint", "lower_arm_rear"),
+    )
 
 
 class RockerHardpoints(Hardpoints):
@@ -598,9 +697,14 @@ class RockerHardpoints(Hardpoints):
     rocker_pivot: Point | None = None
     rocker_axis: Point | None = None
 
-    different: ClassVar[Groups] = (("pushrod_outer", "pushrod_inner"), ("rocker_pivot", "rocker_axis"))
+    different: ClassVar[Groups] = (
+        ("pushrod_outer", "pushrod_inner"),
+        ("rocker_pivot", "rocker_axis"),
+    )
     turning: ClassVar[Axes] = (("rocker_pivot", "rocker_axis", "pushrod_inner"),)
-    together: ClassVar[Groups] = (("pushrod_outer", "pushrod_inner", "rocker_pivot", "rocker_axis"),)
+    together: ClassVar[Groups] = (
+        ("pushrod_outer", "pushrod_inner", "rocker_pivot", "rocker_axis"),
+    )
 
 
 class DoubleWishboneHardpoints(RockerHardpoints, ArmHardpoints):
@@ -650,7 +754,13 @@ class DoubleWishbone(Corner):
     pushrod_on = ("lower_arm", "upper_arm", "upright")
     bar_on = ("lower_arm", "upper_arm", "upright", "rocker")
     wound_on = ("lower_arm", "upper_arm", "rocker")
-    bushed = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear", "tie_rod_inner")
+    bushed = (
+        "lower_arm_front",
+        "lower_arm_rear",
+        "upper_arm_front",
+        "upper_arm_rear",
+        "tie_rod_inner",
+    )
 
 
 class McPhersonHardpoints(ArmHardpoints):
@@ -663,7 +773,14 @@ class McPhersonHardpoints(ArmHardpoints):
 
     outer = ("wheel_centre", "lower_ball_joint", "tie_rod_outer", "strut_bottom")
     different = (
-        ("lower_arm_front", "lower_arm_rear", "lower_ball_joint", "tie_rod_inner", "tie_rod_outer", "strut_top"),
+        (
+            "lower_arm_front",
+            "lower_arm_rear",
+            "lower_ball_joint",
+            "tie_rod_inner",
+            "tie_rod_outer",
+            "strut_top",
+        ),
     )
     turning = (("lower_ball_joint", "strut_top", "tie_rod_outer"),)
     rods = (*ArmHardpoints.rods, ("tie_rod_outer", "tie_rod_inner"))
@@ -708,8 +825,13 @@ class FiveLinkHardpoints(RockerHardpoints):
     @model_validator(mode="after")
     def _no_rod_twice(self) -> Self:
         for i, j in combinations(range(1, 6), 2):
-            ends = [(self.at(f"link_{i}_{end}"), self.at(f"link_{j}_{end}")) for end in ("inner", "outer")]
-            if all(a is not None and b is not None and distance(a, b) < SAME_POINT for a, b in ends):
+            ends = [
+                (self.at(f"link_{i}_{end}"), self.at(f"link_{j}_{end}"))
+                for end in ("inner", "outer")
+            ]
+            if all(
+                a is not None and b is not None and distance(a, b) < SAME_POINT for a, b in ends
+            ):
                 raise error_at(
                     (f"link_{j}_inner",),
                     Phrase("link {second} has both ends of link {first}", second=j, first=i),

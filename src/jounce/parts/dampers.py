@@ -33,7 +33,10 @@ from jounce.parts.tables import check_ascending, check_table, on_lines
 
 _STEP = 2.0**-100  # imaginary part of a derivative by complex step: it adds no rounding
 _NEARBY = 1e-9  # m/s on either side of rest, where the two sides may have slopes of their own
-_FARTHEST, _PLACES = 6.0, 4001  # standard deviations, beyond which the Gaussian weight is 2e-9; points of the mean
+_FARTHEST, _PLACES = (
+    6.0,
+    4001,
+)  # standard deviations, beyond which the Gaussian weight is 2e-9; points of the mean
 
 
 class OperatingPoint(Protocol):
@@ -119,7 +122,9 @@ class DamperLaw(Description):
     def evaluate(self, at: OperatingPoint) -> Any:
         """Give the force at an operating point, N."""
         columns = self.basis(at)
-        return sum(at.number(name) * column for name, column in zip(self.weights, columns, strict=True))
+        return sum(
+            at.number(name) * column for name, column in zip(self.weights, columns, strict=True)
+        )
 
     def forces(self, velocity: Any, deflection: Any = 0.0) -> Array:
         """Give the force at velocities (m/s) and deflections (m) of these numbers, N; a state of the law is at zero.
@@ -127,7 +132,9 @@ class DamperLaw(Description):
         >>> BilinearDamper(bump_coefficient=300.0, rebound_coefficient=900.0).forces(np.array([-1.0, 1.0])).tolist()
         [-900.0, 300.0]
         """
-        return np.asarray(self.evaluate(SampledPoint(lambda name: getattr(self, name), velocity, deflection)))
+        return np.asarray(
+            self.evaluate(SampledPoint(lambda name: getattr(self, name), velocity, deflection))
+        )
 
     def slopes(self, velocity: Any, deflection: Any = 0.0) -> Array:
         """Give the slope of the force over velocity there, N s/m."""
@@ -287,7 +294,10 @@ class BlowOffDamper(DamperLaw):
         """Give what the weights multiply, in their order."""
         bump = at.switch("bump", at.velocity)
         columns = []
-        for side, share, speed in (("bump", bump, at.velocity), ("rebound", 1.0 - bump, -at.velocity)):
+        for side, share, speed in (
+            ("bump", bump, at.velocity),
+            ("rebound", 1.0 - bump, -at.velocity),
+        ):
             sign = 1.0 if side == "bump" else -1.0
             knee = at.number(f"{side}_blow_off_velocity")
             over = speed - knee
@@ -334,10 +344,20 @@ class TanhDamper(DamperLaw):
         """Give rows of shapes that a fit starts from, and their least and greatest values."""
         reach = 0.5 * stroke
         couplings = np.array([-0.3, -0.1, 0.0, 0.1, 0.3]) * speed / reach
-        starts = np.array([[slope / speed, coupling] for slope in (1.5, 5.0, 15.0, 50.0) for coupling in couplings])
+        starts = np.array(
+            [
+                [slope / speed, coupling]
+                for slope in (1.5, 5.0, 15.0, 50.0)
+                for coupling in couplings
+            ]
+        )
         limit = 10.0 * speed / reach
         finest = 0.5 / max(resolution, 1e-3 * speed)
-        return starts, np.array([0.2 / speed, -limit]), np.array([max(finest, 100.0 / speed), limit])
+        return (
+            starts,
+            np.array([0.2 / speed, -limit]),
+            np.array([max(finest, 100.0 / speed), limit]),
+        )
 
 
 class BoucWenDamper(DamperLaw):
@@ -383,7 +403,9 @@ class BoucWenDamper(DamperLaw):
     def search(cls, stroke: float, speed: float, resolution: float) -> tuple[Array, Array, Array]:  # noqa: ARG003
         """Give rows of shapes that a fit starts from, and their least and greatest values."""
         rates = np.array([4.0, 20.0, 100.0, 500.0]) / stroke
-        starts = np.array([[r, sigma, n] for r in rates for sigma in (0.6, 2.0, 20.0) for n in (1.1, 2.0)])
+        starts = np.array(
+            [[r, sigma, n] for r in rates for sigma in (0.6, 2.0, 20.0) for n in (1.1, 2.0)]
+        )
         return starts, np.array([0.3 / stroke, 0.5, 1.0]), np.array([1e4 / stroke, 1e3, 10.0])
 
 
@@ -430,7 +452,10 @@ class MapDamper(DamperLaw):
 
     def at_length(self, length: float) -> VelocityTable:
         """Give the row at a length (m) of the damper."""
-        forces = tuple(float(np.interp(length, self.length, column)) for column in zip(*self.force, strict=True))
+        forces = tuple(
+            float(np.interp(length, self.length, column))
+            for column in zip(*self.force, strict=True)
+        )
         return VelocityTable(velocity=self.velocity, force=forces)
 
 
@@ -463,7 +488,9 @@ def _strut_damper_kind(value: Any) -> str:
     return damper_kind(value)
 
 
-StrutDamper = Annotated[_LumpedDamper | Annotated[MapDamper, Tag("map")], Discriminator(_strut_damper_kind)]
+StrutDamper = Annotated[
+    _LumpedDamper | Annotated[MapDamper, Tag("map")], Discriminator(_strut_damper_kind)
+]
 
 
 def damper_laws(part: BaseModel, prefix: str = "") -> Iterator[tuple[str, DamperLaw]]:
@@ -480,7 +507,9 @@ def as_damper(damper: DamperLaw | Mapping[str, Any], where: str = "damper") -> D
     """Give a law as it is, or read its table; ``where`` places errors."""
     if isinstance(damper, DamperLaw):
         return damper
-    laws: dict[str, type[DamperLaw]] = {law.model_fields["kind"].default: law for law in DamperLaw.__subclasses__()}
+    laws: dict[str, type[DamperLaw]] = {
+        law.model_fields["kind"].default: law for law in DamperLaw.__subclasses__()
+    }
     kind = _strut_damper_kind(dict(damper))
     if kind not in laws:
         raise unknown(kind, laws, what="damper law", where=where)

@@ -32,7 +32,13 @@ from jounce.core.units import (
     Torque,
     Unit,
 )
-from jounce.parts.bodies import DampingTriple, Point, RotationalStiffnessTriple, StiffnessTriple, Triple
+from jounce.parts.bodies import (
+    DampingTriple,
+    Point,
+    RotationalStiffnessTriple,
+    StiffnessTriple,
+    Triple,
+)
 from jounce.parts.dampers import Damper, StrutDamper
 from jounce.parts.tables import check_table
 
@@ -96,7 +102,9 @@ class Friction(Description):
     @model_validator(mode="after")
     def _a_share_and_its_distance(self) -> Friction:
         if (self.presliding is None) != (self.presliding_distance is None):
-            raise ValueError("presliding and presliding_distance belong together: give both or neither")
+            raise ValueError(
+                "presliding and presliding_distance belong together: give both or neither"
+            )
         return self
 
 
@@ -127,7 +135,9 @@ def require_one(part: Description, *names: str) -> None:
     given = [name for name in names if getattr(part, name) is not None]
     if len(given) != 1:
         laws = Phrase(" and ".join(given) if given else "none of them")
-        raise error_at((), Phrase("give exactly one of {names}", names=", ".join(names)), found=laws)
+        raise error_at(
+            (), Phrase("give exactly one of {names}", names=", ".join(names)), found=laws
+        )
 
 
 class CoilSpring(Description):
@@ -221,29 +231,44 @@ class SteeringColumn(Description):
 
     @model_validator(mode="after")
     def _has_shafts(self) -> Self:
-        points = {name: getattr(self, name) for name in ("handwheel", "upper_joint", "lower_joint", "pinion")}
+        points = {
+            name: getattr(self, name)
+            for name in ("handwheel", "upper_joint", "lower_joint", "pinion")
+        }
         given = [(name, point) for name, point in points.items() if point is not None]
         for (first, start), (second, end) in pairwise(given):
             if math.dist(start, end) < _SHORTEST_SHAFT:
                 raise error_at(
-                    (second,), Phrase("the same point as {name}", name=first), allowed="the other end of a shaft"
+                    (second,),
+                    Phrase("the same point as {name}", name=first),
+                    allowed="the other end of a shaft",
                 )
         for (_, start), (joint, middle), (_, end) in zip(given, given[1:], given[2:], strict=False):
             bend = _bend(start, middle, end)
             if bend > _STEEPEST_JOINT:
                 allowed = Phrase("up to {most:g} deg, as universal joints do", most=_STEEPEST_JOINT)
-                raise error_at((joint,), Phrase("bends the column by {bend:.3g} deg", bend=bend), allowed=allowed)
+                raise error_at(
+                    (joint,),
+                    Phrase("bends the column by {bend:.3g} deg", bend=bend),
+                    allowed=allowed,
+                )
         return self
 
 
 _SHORTEST_SHAFT = 1e-3  # m: rounding of hardpoints in millimetres would turn it
-_STEEPEST_JOINT = 60.0  # deg, a choice: the driven shaft then turns at half to twice the speed in each turn
+_STEEPEST_JOINT = (
+    60.0  # deg, a choice: the driven shaft then turns at half to twice the speed in each turn
+)
 
 
 def _bend(start: Triple, middle: Triple, end: Triple) -> float:
     """Angle between the lines into and out of a point, deg."""
-    before, after = ([b - a for a, b in zip(*pair, strict=True)] for pair in ((start, middle), (middle, end)))
-    along = sum(a * b for a, b in zip(before, after, strict=True)) / (math.hypot(*before) * math.hypot(*after))
+    before, after = (
+        [b - a for a, b in zip(*pair, strict=True)] for pair in ((start, middle), (middle, end))
+    )
+    along = sum(a * b for a, b in zip(before, after, strict=True)) / (
+        math.hypot(*before) * math.hypot(*after)
+    )
     return math.degrees(math.acos(min(max(along, -1.0), 1.0)))
 
 
@@ -268,7 +293,9 @@ class Steering(Description):
                 allowed="any other, negative where it moves the other way",
             )
         if self.column is not None and self.rack_ratio is None:
-            raise error_at(("column",), "turns a pinion that moves no rack; add steering.rack_ratio")
+            raise error_at(
+                ("column",), "turns a pinion that moves no rack; add steering.rack_ratio"
+            )
         return self
 
 

@@ -22,11 +22,29 @@ from jounce.core.text import in_one_line, quote
 from jounce.core.units import conversion_factor, to_si
 from jounce.core.writing import check_writable, write_atomically
 from jounce.parts.corners import Corner, Hardpoints
-from jounce.parts.rig import MODELS, Rig, check_rig, parameters_of, split_path, unit_of, unknown_path
+from jounce.parts.rig import (
+    MODELS,
+    Rig,
+    check_rig,
+    parameters_of,
+    split_path,
+    unit_of,
+    unknown_path,
+)
 
 _WIDTH = 120  # characters of a line of a rig file
 _NUMBER_AND_UNIT = re.compile(r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*([^\d\s].*?)\s*$")
-_ORDER = ["schema", "model", "source", "estimated", "gravity", "side", "guide", "guide_friction", "hardpoints"]
+_ORDER = [
+    "schema",
+    "model",
+    "source",
+    "estimated",
+    "gravity",
+    "side",
+    "guide",
+    "guide_friction",
+    "hardpoints",
+]
 _ORDER += ["wheel", "sprung", "unsprung", "bodies", "strut", "torsion_bar", "third_spring"]
 _ORDER += ["steering", "anti_roll_bar", "bushings", "tyre"]
 _SHOWN: dict[str, tuple[str, float]] = {
@@ -51,11 +69,28 @@ def rig_text(rig: Rig, comments: Sequence[str] = ()) -> str:
     ['# A kart.', 'schema = "jounce.rig/1"']
     """
     table = rig.model_dump(by_alias=True, exclude_none=True, exclude_unset=True)
-    table = {"schema": getattr(rig, "schema_", "jounce.rig/1"), "model": getattr(rig, "model", ""), **table}
+    table = {
+        "schema": getattr(rig, "schema_", "jounce.rig/1"),
+        "model": getattr(rig, "model", ""),
+        **table,
+    }
     keys = [*(key for key in _ORDER if key in table), *(key for key in table if key not in _ORDER)]
-    head = [f"# {line}" for comment in comments for line in textwrap.wrap(in_one_line(comment), _WIDTH - 2)]
-    plain = [f"{key} = {_value(rig, key, table[key])}" for key in keys if not isinstance(table[key], Mapping)]
-    body = [line for key in keys if isinstance(table[key], Mapping) for line in _section(rig, key, table[key])]
+    head = [
+        f"# {line}"
+        for comment in comments
+        for line in textwrap.wrap(in_one_line(comment), _WIDTH - 2)
+    ]
+    plain = [
+        f"{key} = {_value(rig, key, table[key])}"
+        for key in keys
+        if not isinstance(table[key], Mapping)
+    ]
+    body = [
+        line
+        for key in keys
+        if isinstance(table[key], Mapping)
+        for line in _section(rig, key, table[key])
+    ]
     return "\n".join([*head, *plain, *body, ""])
 
 
@@ -65,7 +100,9 @@ def _section(rig: Rig, path: str, table: Mapping[str, Any]) -> list[str]:
     own, below = [], []
     for key in keys:
         value = table[key]
-        if isinstance(value, Mapping) and not all(isinstance(item, (str, bool, float)) for item in value.values()):
+        if isinstance(value, Mapping) and not all(
+            isinstance(item, (str, bool, float)) for item in value.values()
+        ):
             below += _section(rig, f"{path}.{key}", value)
         else:
             own.append(f"{key} = {_value(rig, f'{path}.{key}', value)}")
@@ -74,7 +111,13 @@ def _section(rig: Rig, path: str, table: Mapping[str, Any]) -> list[str]:
 
 def _value(rig: Rig, path: str, value: Any) -> str:
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{key} = {_value(rig, f'{path}.{key}', item)}" for key, item in value.items()) + "}"
+        return (
+            "{"
+            + ", ".join(
+                f"{key} = {_value(rig, f'{path}.{key}', item)}" for key, item in value.items()
+            )
+            + "}"
+        )
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
@@ -122,7 +165,9 @@ def rig_named_in(name: str, file: Path) -> Path:
         return beside if len(name) < _LONGEST_NAME and beside.is_file() else rig_path(name)
     except DescriptionError as error:
         source, place = error.where, f"{file}: rig"
-        raise DescriptionError(error.what, where=place, found=source, allowed=error.allowed, hint=error.hint) from None
+        raise DescriptionError(
+            error.what, where=place, found=source, allowed=error.allowed, hint=error.hint
+        ) from None
 
 
 _LONGEST_NAME = 255  # characters: common file systems have no longer name
@@ -194,7 +239,9 @@ def _with_corners(table: dict[str, Any], where: str, text: str) -> dict[str, Any
             place = below(at_line(where, line) if where else "", f"{axle}.corner")
             vehicle[axle] = {
                 **entry,
-                "corner": _read_corner(entry["corner"], Path(where).parent if where else None, place),
+                "corner": _read_corner(
+                    entry["corner"], Path(where).parent if where else None, place
+                ),
             }
     return vehicle
 
@@ -202,7 +249,9 @@ def _with_corners(table: dict[str, Any], where: str, text: str) -> dict[str, Any
 def _read_corner(name: Any, folder: Path | None, place: str) -> dict[str, Any]:
     """Table of the corner that a vehicle names: a file in the vehicle's folder, any file, or a shipped rig."""
     if not isinstance(name, str):
-        raise DescriptionError("not a corner", where=place, found=repr(name), allowed=_shipped_corners())
+        raise DescriptionError(
+            "not a corner", where=place, found=repr(name), allowed=_shipped_corners()
+        )
     file = folder / name if folder is not None else Path(name)
     if not file.is_file():
         file = library()[name] if name in library() else Path(name)
@@ -216,9 +265,13 @@ def _read_corner(name: Any, folder: Path | None, place: str) -> dict[str, Any]:
         )
     table, text = read_toml(file)
     corners = _corner_models()
-    if table.get("model") in {model for models in MODELS.values() for model in models}.difference(corners):
+    if table.get("model") in {model for models in MODELS.values() for model in models}.difference(
+        corners
+    ):
         model = f"{name}, model {table['model']!r}"
-        raise DescriptionError("not a 3-D corner", where=place, found=model, allowed=", ".join(corners))
+        raise DescriptionError(
+            "not a 3-D corner", where=place, found=model, allowed=", ".join(corners)
+        )
     rig_from_table(table, where=str(file), text=text)  # its errors are those of its own file
     return table
 
@@ -231,7 +284,9 @@ def _corner_models() -> list[str]:
 def _shipped_corners() -> str:
     """Corners that a vehicle can name."""
     models = _corner_models()
-    corners = [shipped for shipped, file in library().items() if read_toml(file)[0].get("model") in models]
+    corners = [
+        shipped for shipped, file in library().items() if read_toml(file)[0].get("model") in models
+    ]
     return f"a table, a .toml file from this file's folder, or one of {', '.join(corners)}"
 
 
@@ -250,7 +305,9 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
             if isinstance(part, str) and part not in here:
                 here[part] = _write_default(rig, parents[: i + 1])
             elif isinstance(here[part], str):  # a corner by its name: its rig takes its place
-                here[part] = tomlkit.parse(rig_text(reduce(getattr, map(str, parents[: i + 1]), rig)))
+                here[part] = tomlkit.parse(
+                    rig_text(reduce(getattr, map(str, parents[: i + 1]), rig))
+                )
             here = here[part]
         here[last] = _as_before(here, last, value, unit_of(rig, path))
     return tomlkit.dumps(document)
@@ -266,8 +323,13 @@ def updated_text(text: str, rig: Rig, where: str = "") -> str:
     described = rig_from_table(tomllib.loads(text), where=where)
     _reshape(document, _table(rig), _table(described))
     reshaped = tomlkit.dumps(document)
-    before, after = parameters_of(rig_from_table(tomllib.loads(reshaped), where=where)), parameters_of(rig)
-    return changed_text(reshaped, rig, {path: value for path, value in after.items() if before.get(path) != value})
+    before, after = (
+        parameters_of(rig_from_table(tomllib.loads(reshaped), where=where)),
+        parameters_of(rig),
+    )
+    return changed_text(
+        reshaped, rig, {path: value for path, value in after.items() if before.get(path) != value}
+    )
 
 
 def _table(rig: Rig) -> dict[str, Any]:
@@ -296,13 +358,17 @@ def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> No
 def _has_other_parts(value: Any, old: Any) -> bool:
     """Whether more than numbers differs."""
     if isinstance(value, dict) and isinstance(old, dict):
-        return value.keys() != old.keys() or any(_has_other_parts(value[key], old[key]) for key in value)
+        return value.keys() != old.keys() or any(
+            _has_other_parts(value[key], old[key]) for key in value
+        )
     return _is_another_law(value, old)
 
 
 def _is_another_law(value: Any, old: Any) -> bool:
     """Whether a text (the kind of a law) or the number of points differs."""
-    return (isinstance(value, str) and value != old) or (isinstance(value, tuple) and len(value) != len(old))
+    return (isinstance(value, str) and value != old) or (
+        isinstance(value, tuple) and len(value) != len(old)
+    )
 
 
 def _plain(value: Any) -> Any:
@@ -311,7 +377,9 @@ def _plain(value: Any) -> Any:
     return [_plain(item) for item in value] if isinstance(value, tuple) else value
 
 
-def save(rig: Rig, path: Path | str, *, like: Path | str | None = None, force: bool = False) -> Path:
+def save(
+    rig: Rig, path: Path | str, *, like: Path | str | None = None, force: bool = False
+) -> Path:
     """Write a rig or a vehicle as a TOML file that :func:`load` reads.
 
     Parameters

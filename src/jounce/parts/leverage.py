@@ -56,7 +56,9 @@ def body_motion(rig: Corner, body: str) -> Twist:
     twist = _twist(rig, body)
     if body != "strut":
         return twist
-    top = np.array(rig.hardpoints.strut_top)  # the sliding part of a McPherson is on the car's body there
+    top = np.array(
+        rig.hardpoints.strut_top
+    )  # the sliding part of a McPherson is on the car's body there
     return -np.cross(twist[1], top), twist[1]
 
 
@@ -70,7 +72,11 @@ def torsion_ratio(rig: Corner) -> float:
 def third_ratio(rig: Corner) -> float:
     """Shortening of the third spring over the rise of both wheel centres at design [1], positive in bump."""
     assert rig.third_spring is not None
-    return float(-2.0 * rig.sign * _velocity(_twist(rig, rig.third_spring.on), _at(rig.hardpoints, _THIRD))[1])
+    return float(
+        -2.0
+        * rig.sign
+        * _velocity(_twist(rig, rig.third_spring.on), _at(rig.hardpoints, _THIRD))[1]
+    )
 
 
 def carried_beside_spring(rig: Corner, travel: float = 0.0) -> float:
@@ -111,7 +117,9 @@ def static_spring_force(rig: Corner) -> float:
 
 def static_tyre_deflection(rig: Corner) -> float:
     """Tyre deflection (m) under the whole weight of the corner, with the tyre's slope at no deflection for curves."""
-    mass = (0.0 if rig.sprung is None else rig.sprung.mass) + sum(body.mass for body in rig.body_masses().values())
+    mass = (0.0 if rig.sprung is None else rig.sprung.mass) + sum(
+        body.mass for body in rig.body_masses().values()
+    )
     return static_deflection(rig.tyre, rig.gravity * mass)
 
 
@@ -126,13 +134,17 @@ def spring_force(rig: Corner, deflection: float = 0.0) -> float:
     force = 0.0
     if "spring" not in rig.without:
         force = _coil_force(rig.strut.spring, rig.hardpoints.length("spring"), deflection)
-    return force + _stop(rig.strut.bump_stop, deflection) - _stop(rig.strut.rebound_stop, -deflection)
+    return (
+        force + _stop(rig.strut.bump_stop, deflection) - _stop(rig.strut.rebound_stop, -deflection)
+    )
 
 
 def _coil_force(spring: CoilSpring, length: float, deflection: float = 0.0) -> float:
     """Force of a spring (N) at a ``deflection`` from its design ``length`` (m)."""
     own = deflection if spring.free_length is None else spring.free_length - length + deflection
-    elastic = spring.rate * own if spring.rate is not None else force_at(cast(Curve, spring.curve), own)
+    elastic = (
+        spring.rate * own if spring.rate is not None else force_at(cast(Curve, spring.curve), own)
+    )
     return (spring.preload or 0.0) + elastic
 
 
@@ -195,7 +207,10 @@ def _carrier(points: Hardpoints) -> Twist:
 
 def _constraint_directions(points: Hardpoints) -> list[tuple[Array, Array]]:
     """Five directions in which points of the upright cannot move: direction and point."""
-    directions = [(_at(points, inner) - _at(points, outer), _at(points, outer)) for outer, inner in points.rods]
+    directions = [
+        (_at(points, inner) - _at(points, outer), _at(points, outer))
+        for outer, inner in points.rods
+    ]
     if isinstance(points, McPhersonHardpoints):  # the strut's line passes a fixed point
         top = np.array(points.strut_top)
         line = top - np.array(points.strut_bottom)
@@ -219,7 +234,9 @@ def _link(inner: Array, outer: Array, carrier: Twist) -> Twist:
 
 def _rocker(rig: Corner) -> Twist:
     points = rig.hardpoints
-    outer, inner, pivot = (_at(points, name) for name in ("pushrod_outer", "pushrod_inner", "rocker_pivot"))
+    outer, inner, pivot = (
+        _at(points, name) for name in ("pushrod_outer", "pushrod_inner", "rocker_pivot")
+    )
     axis, rod = _at(points, "rocker_axis") - pivot, inner - outer
     push = rod @ _velocity(_twist(rig, str(getattr(rig.strut, "pushrod_on"))), outer)  # noqa: B009 - of rigs with rockers
     return _turn(axis * push / (rod @ np.cross(axis, inner - pivot)), pivot)

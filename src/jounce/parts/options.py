@@ -12,7 +12,8 @@ from jounce.parts.files import load
 from jounce.parts.rig import Rig, unit_of
 
 AnyRig: TypeAlias = Annotated[
-    Rig | str | Path, MadeBy("jounce.parts.options:rig_of_options", "jounce.parts.options:rig_in_python")
+    Rig | str | Path,
+    MadeBy("jounce.parts.options:rig_of_options", "jounce.parts.options:rig_in_python"),
 ]
 """A rig, its file or its name in the library; faces ask for the file or name, and for changes."""
 RigAlone: TypeAlias = Annotated[
@@ -20,17 +21,22 @@ RigAlone: TypeAlias = Annotated[
 ]
 """A rig, its file or its name in the library, without changes."""
 MaybeRig: TypeAlias = Annotated[
-    Rig | str | Path | None, MadeBy("jounce.parts.options:vehicle_of_options", "jounce.parts.options:vehicle_in_python")
+    Rig | str | Path | None,
+    MadeBy("jounce.parts.options:vehicle_of_options", "jounce.parts.options:vehicle_in_python"),
 ]
 """A rig that a command may do without, named by an option."""
 
 CHANGES = Settings(
-    'Change a parameter of the rig: strut.spring.rate="25 N/mm".', "PATH=VALUE", 'strut.spring.rate="25 N/mm"'
+    'Change a parameter of the rig: strut.spring.rate="25 N/mm".',
+    "PATH=VALUE",
+    'strut.spring.rate="25 N/mm"',
 )
 
 
 def rig_of_options(
-    rig: Annotated[str, File("A vehicle or rig file, or a name of `jounce library`.", shipped=("parts",))],
+    rig: Annotated[
+        str, File("A vehicle or rig file, or a name of `jounce library`.", shipped=("parts",))
+    ],
     changes: Annotated[Mapping[str, Any] | None, CHANGES] = None,
 ) -> Rig:
     """Load a rig and change its values.
@@ -55,7 +61,11 @@ def rig_alone(
 def vehicle_of_options(
     vehicle: Annotated[
         str | None,
-        File("Rig or vehicle, for the gaps of its bump and rebound stops.", "VEHICLE", shipped=("parts",)),
+        File(
+            "Rig or vehicle, for the gaps of its bump and rebound stops.",
+            "VEHICLE",
+            shipped=("parts",),
+        ),
     ] = None,
 ) -> Rig | None:
     """Load a rig, if one is given."""

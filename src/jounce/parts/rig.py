@@ -45,7 +45,9 @@ def _collect(value: Any, path: str, numbers: dict[str, float]) -> None:
 def structure_of(description: BaseModel) -> str:
     """Text that is equal for descriptions that differ in numbers only, so that one compiled model serves them."""
     return re.sub(
-        r"-?\d+(\.\d+)?([eE][+-]?\d+)?(?=[,\]}])", "#", description.model_dump_json(exclude={"source", "estimated"})
+        r"-?\d+(\.\d+)?([eE][+-]?\d+)?(?=[,\]}])",
+        "#",
+        description.model_dump_json(exclude={"source", "estimated"}),
     )
 
 
@@ -55,7 +57,9 @@ def split_path(path: str) -> list[str | int]:
     for piece in path.split("."):
         match = re.fullmatch(r"([\w-]+)((?:\[\d+\])*)", piece)
         if match is None:
-            raise DescriptionError("not a path", where=path, allowed="names joined by dots, e.g. strut.spring.rate")
+            raise DescriptionError(
+                "not a path", where=path, allowed="names joined by dots, e.g. strut.spring.rate"
+            )
         parts.append(match[1])
         parts.extend(int(index) for index in re.findall(r"\[(\d+)\]", match[2]))
     return parts
@@ -106,7 +110,11 @@ def unknown_path(where: str, known: Iterable[str], *, name: str = "") -> Descrip
         hint = f"Did you mean {names}? {every}".rstrip()
         return DescriptionError("no such parameter", where=where, hint=hint)
     begins = dict.fromkeys(re.split(r"[.[]", path)[0] for path in paths)
-    allowed = Phrase("paths that begin with {begins}", begins=", ".join(begins)) if every else ", ".join(paths)
+    allowed = (
+        Phrase("paths that begin with {begins}", begins=", ".join(begins))
+        if every
+        else ", ".join(paths)
+    )
     return DescriptionError("no such parameter", where=where, allowed=allowed, hint=every)
 
 
@@ -142,7 +150,9 @@ def quantity_at(kind: BaseModel, path: str) -> Unit:
 
 def unit_of_field(field: FieldInfo) -> Unit:
     """Unit and range of a field of a description; those of a plain number where it has none."""
-    units = [item for item in field.metadata if isinstance(item, Unit)] or _units_in(field.annotation)
+    units = [item for item in field.metadata if isinstance(item, Unit)] or _units_in(
+        field.annotation
+    )
     return units[0] if units else Unit("1")
 
 
@@ -173,7 +183,11 @@ def result_unit_of(kind: BaseModel, path: str) -> str:
 def unit_question(place: str, unit: Unit, value: float) -> list[Finding]:
     """Ask whether a size (SI) was meant in another unit; no question if it is plausible."""
     meant = unit.mistaken_for(value)
-    return [finding("parts.unit_meant", place, value, value=value, unit=unit.si, meant=meant)] if meant else []
+    return (
+        [finding("parts.unit_meant", place, value, value=value, unit=unit.si, meant=meant)]
+        if meant
+        else []
+    )
 
 
 def questions(description: BaseModel) -> list[Finding]:
@@ -195,7 +209,9 @@ def check_rig(given: object) -> Rig:
     if isinstance(given, Rig):
         return given
     hint = f"Load it: jn.load({str(given)!r})." if isinstance(given, str | Path) else ""
-    raise DescriptionError("not a rig", where="rig", found=given, allowed="a rig or a vehicle", hint=hint)
+    raise DescriptionError(
+        "not a rig", where="rig", found=given, allowed="a rig or a vehicle", hint=hint
+    )
 
 
 MODELS: dict[str, dict[str, type[Rig]]] = {"jounce.rig/1": {}, "jounce.vehicle/1": {}}
@@ -224,7 +240,11 @@ class Rig(Description):
     @classmethod
     def _stop_belongs_to_the_strut(cls, table: Any) -> Any:
         """A ``bump_stop`` at the top level of a file is the strut's."""
-        if isinstance(table, dict) and "bump_stop" in table and isinstance(table.get("strut"), dict):
+        if (
+            isinstance(table, dict)
+            and "bump_stop" in table
+            and isinstance(table.get("strut"), dict)
+        ):
             table = dict(table)
             table["strut"] = {"bump_stop": table.pop("bump_stop"), **table["strut"]}
         return table

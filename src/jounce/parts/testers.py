@@ -137,7 +137,9 @@ class TesterLimits(Description):
             low, high = getattr(self, f"{name}_min"), getattr(self, f"{name}_max")
             if low >= high:
                 limits = Phrase("{low:g} and {high:g} (SI)", low=low, high=high)
-                raise error_at((f"{name}_min",), Phrase("not below {name}_max", name=name), found=limits)
+                raise error_at(
+                    (f"{name}_min",), Phrase("not below {name}_max", name=name), found=limits
+                )
         return self
 
 
@@ -218,7 +220,8 @@ class Tester(Description):
             raise error_at(("plate_damping_coefficient",), "a rigid plate has none", found=kind)
         if self.programme.run_down == "free" and self.drive is None:
             raise error_at(
-                ("drive",), 'a coast-down (run_down = "free") needs the drive\'s inertia; [drive] is missing'
+                ("drive",),
+                'a coast-down (run_down = "free") needs the drive\'s inertia; [drive] is missing',
             )
         return self
 
@@ -248,7 +251,9 @@ def as_tester(given: Tester | str | Path) -> Tester:
         return load_tester(given)
     if not isinstance(given, Tester):
         allowed = "a tester, its file, or the name of a shipped one"
-        raise DescriptionError("not a tester", where="tester", found=type(given).__name__, allowed=allowed)
+        raise DescriptionError(
+            "not a tester", where="tester", found=type(given).__name__, allowed=allowed
+        )
     return given
 
 
@@ -281,7 +286,9 @@ def load_tester(name: str | Path) -> Tester:
     return tester if tester.name else tester.model_copy(update={"name": path.stem})
 
 
-CHANNELS = tuple(f"{side}.plate.{name}" for side in Tester.sides for name in ("z", "force", "frequency"))
+CHANNELS = tuple(
+    f"{side}.plate.{name}" for side in Tester.sides for name in ("z", "force", "frequency")
+)
 """Channels of a record that a tester's ``columns`` may name, besides ``time``."""
 
 
@@ -314,7 +321,9 @@ def findings_of_tester(tester: Tester, where: str = "") -> list[Finding]:
         findings.append(finding("parts.tester_sampling", place, frequency=frequency, least=least))
     if programme.run_down == "controlled" and programme.sweep_rate > limits.sweep_rate_max:
         rate, most = programme.sweep_rate, limits.sweep_rate_max
-        findings.append(finding("parts.tester_sweep_rate", f"{start}programme.sweep_rate", rate=rate, most=most))
+        findings.append(
+            finding("parts.tester_sweep_rate", f"{start}programme.sweep_rate", rate=rate, most=most)
+        )
     low, high = sorted((programme.start_frequency, programme.end_frequency))
     if tester.method == "egea" and not low <= limits.frequency_min < limits.frequency_max <= high:
         numbers: dict[str, Any] = {

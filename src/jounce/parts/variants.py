@@ -79,7 +79,9 @@ def with_strut_angle(rig: R, angle: float | str) -> R:
             "out of range",
             where="strut angle",
             found=angle,
-            allowed=Phrase("{largest:g} to {second_largest:g} rad", largest=-LARGEST, second_largest=LARGEST),
+            allowed=Phrase(
+                "{largest:g} to {second_largest:g} rad", largest=-LARGEST, second_largest=LARGEST
+            ),
         )
     bottom, top = _ends(rig)
     reach = float(np.hypot(top[1] - bottom[1], top[2] - bottom[2]))
@@ -118,7 +120,10 @@ def _ends(rig: Rig) -> tuple[Triple, Triple]:
         allowed = "rigs that give strut_bottom and strut_top only"
     else:
         return cast(Triple, points.strut_bottom), cast(Triple, points.strut_top)
-    hint = Phrase('Move its hardpoints instead: changes = {{"hardpoints.{moved}" = [...]}} in a trial.', moved=moved)
+    hint = Phrase(
+        'Move its hardpoints instead: changes = {{"hardpoints.{moved}" = [...]}} in a trial.',
+        moved=moved,
+    )
     raise DescriptionError(problem, where="strut angle", found=cause, allowed=allowed, hint=hint)
 
 
@@ -138,6 +143,8 @@ def wear_dampers(rig: R, wear: float) -> R:
     1500.0
     """
     if not (math.isfinite(wear) and 0.0 <= wear <= 1.0):
-        raise DescriptionError("not a wear", where="wear", found=wear, allowed="0 (new) to 1 (no damper at all)")
+        raise DescriptionError(
+            "not a wear", where="wear", found=wear, allowed="0 (new) to 1 (no damper at all)"
+        )
     forces = {path: value for path, value in rig.parameters().items() if _LAW.search(path)}
     return rig.with_changes({path: (1.0 - wear) * value for path, value in forces.items()})

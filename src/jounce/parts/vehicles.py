@@ -150,7 +150,11 @@ class WheeledAxle(Description):
     @property
     def damper_law(self) -> Damper:
         """The damper, a constant coefficient as well."""
-        return self.damper if self.damper is not None else LinearDamper(coefficient=self.damping_coefficient)
+        return (
+            self.damper
+            if self.damper is not None
+            else LinearDamper(coefficient=self.damping_coefficient)
+        )
 
 
 class FullAxle(WheeledAxle):
@@ -203,7 +207,9 @@ def track_width(rig: object) -> float:
     if not isinstance(rig, FullCar | FullCar3D):
         return 0.0
     front, rear = (
-        axle.track if isinstance(axle, FullAxle) else 2.0 * abs(axle.corner.hardpoints.wheel_centre[1])
+        axle.track
+        if isinstance(axle, FullAxle)
+        else 2.0 * abs(axle.corner.hardpoints.wheel_centre[1])
         for axle in (rig.front, rig.rear)
     )
     return 0.5 * (front + rear)
@@ -288,11 +294,18 @@ class SpatialAxle(Description):
     @model_validator(mode="after")
     def _is_left(self) -> Self:
         if self.corner.side != "left":
-            raise error_at(("corner", "side"), 'found "right"', allowed="the left corner, the right one is its mirror")
+            raise error_at(
+                ("corner", "side"),
+                'found "right"',
+                allowed="the left corner, the right one is its mirror",
+            )
         if self.corner.lacks:
             raise error_at(
                 ("corner",),
-                Phrase("of a car needs all its parts; it has no {lacks}", lacks=", ".join(self.corner.lacks)),
+                Phrase(
+                    "of a car needs all its parts; it has no {lacks}",
+                    lacks=", ".join(self.corner.lacks),
+                ),
             )
         bar = self.corner.anti_roll_bar
         if bar is not None and bar.kind != "z" and self.anti_roll_bar_rate > 0.0:
@@ -355,7 +368,11 @@ class FrontViewAxle(Rig):
 
 
 def axle_of(
-    vehicle: Vehicle, axle: Literal["front", "rear"], *, track: float | None = None, roll_inertia: float | None = None
+    vehicle: Vehicle,
+    axle: Literal["front", "rear"],
+    *,
+    track: float | None = None,
+    roll_inertia: float | None = None,
 ) -> FrontViewAxle:
     """Give one axle of a vehicle with the share of the body that it carries.
 
@@ -403,7 +420,9 @@ def axle_of(
     full = isinstance(vehicle, FullCar)
     mass = share * vehicle.body.mass
     width = track or (own.track if isinstance(own, FullAxle) else _TRACK)
-    inertia = roll_inertia or (share * vehicle.body.roll_inertia if isinstance(vehicle, FullCar) else None)
+    inertia = roll_inertia or (
+        share * vehicle.body.roll_inertia if isinstance(vehicle, FullCar) else None
+    )
     side = Side(distance=0.5 * width, wheel=own)
     return FrontViewAxle(
         source=vehicle.source,

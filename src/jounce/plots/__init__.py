@@ -10,7 +10,9 @@ from jounce.core.old_names import with_old_names
 
 _load, _, __all__ = lazy_loader.attach_stub(__name__, __file__)
 __getattr__ = with_old_names(
-    __name__, {"integrated": "integrated_motion", "rendered": "render_figure", "styled": "in_style"}, _load
+    __name__,
+    {"integrated": "integrated_motion", "rendered": "render_figure", "styled": "in_style"},
+    _load,
 )
 
 

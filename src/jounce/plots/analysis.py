@@ -66,18 +66,25 @@ def channel_statistics(statistics: RecordStatistics) -> Figure:
     """
     rows = statistics.channels
     figure = new_figure(0.7 + 1.05 * len(rows))
-    grid = figure.subplots(len(rows), 2, squeeze=False, sharex="col", gridspec_kw={"width_ratios": [4.0, 1.0]})
+    grid = figure.subplots(
+        len(rows), 2, squeeze=False, sharex="col", gridspec_kw={"width_ratios": [4.0, 1.0]}
+    )
     time = statistics.source.run["time"].to_numpy()
     for (axes, beside), row in zip(grid, rows, strict=True):
         values = statistics.source.values(row.channel)
         unit = display_unit(row.unit, max(abs(row.minimum), abs(row.maximum)))
         few, shown = thin(time, values, float(time[0]), float(time[-1]), MOST_COLUMNS)
         axes.plot(few, shown * unit.factor, color=PALETTE[0], linewidth=0.7)
-        axes.set_ylabel(unit.label(f"{in_lines(row.channel, _LONGEST_NAME)}\n").replace("\n ", "\n"))
+        axes.set_ylabel(
+            unit.label(f"{in_lines(row.channel, _LONGEST_NAME)}\n").replace("\n ", "\n")
+        )
         beside.sharey(axes)
         if row.standard_deviation > 0.0 and row.peak_to_peak > 0.0:
             _occurrences(
-                beside, values * unit.factor, row.mean.value * unit.factor, row.standard_deviation * unit.factor
+                beside,
+                values * unit.factor,
+                row.mean.value * unit.factor,
+                row.standard_deviation * unit.factor,
             )
         beside.tick_params(labelleft=False, labelbottom=False)
         beside.grid(axis="x", visible=False)
@@ -91,7 +98,9 @@ def channel_statistics(statistics: RecordStatistics) -> Figure:
 def _occurrences(axes: Axes, values: Array, mean: float, deviation: float) -> None:
     density, edges = np.histogram(values, bins=_CLASSES, density=True)
     scaled = density * deviation
-    axes.fill_betweenx(np.repeat(edges, 2)[1:-1], np.repeat(scaled, 2), color="#a9cce6", linewidth=0.0)
+    axes.fill_betweenx(
+        np.repeat(edges, 2)[1:-1], np.repeat(scaled, 2), color="#a9cce6", linewidth=0.0
+    )
     level = np.linspace(edges[0], edges[-1], 200)
     gauss = np.exp(-0.5 * ((level - mean) / deviation) ** 2) / np.sqrt(2.0 * np.pi)
     axes.plot(gauss, level, color=INK, linewidth=1.0, linestyle=(0, (4, 2)))
@@ -132,7 +141,9 @@ def channel_spectra(spectra: RecordSpectra) -> Figure:
     for axes in list(grid.flat)[max(len(rows) - columns, 0) : len(rows)]:
         axes.set_xlabel("frequency [Hz]")
         axes.tick_params(labelbottom=True)
-    words = f"segments of {number(spectra.segment, 3)} s, resolution {number(spectra.resolution, 2)} Hz"
+    words = (
+        f"segments of {number(spectra.segment, 3)} s, resolution {number(spectra.resolution, 2)} Hz"
+    )
     freedom = f"{number(spectra.degrees_of_freedom, 3)} degrees of freedom, shaded: {100.0 * spectra.confidence:g} %"
     figure.suptitle(f"{words}, {freedom}", x=0.01, ha="left", fontsize=9, color=MUTED)
     return figure
@@ -144,11 +155,15 @@ def _spectrum(axes: Axes, row: ChannelSpectrum, interval: tuple[float, float]) -
     f, density = row.frequency[shown], row.density[shown] * unit.factor**2
     greatest = float(density.max(initial=0.0)) or 1.0
     density = np.maximum(density, 1e-3 * _DECADES * greatest)
-    axes.fill_between(f, density * interval[0], density * interval[1], color="#a9cce6", linewidth=0.0, alpha=0.6)
+    axes.fill_between(
+        f, density * interval[0], density * interval[1], color="#a9cce6", linewidth=0.0, alpha=0.6
+    )
     axes.plot(f, density, color=PALETTE[0], linewidth=1.0)
     for peak in row.peaks:
         height = float(np.interp(peak.frequency, f, density))
-        axes.plot([peak.frequency], [height], "o", color=BEFORE, markersize=4.0, markerfacecolor="none")
+        axes.plot(
+            [peak.frequency], [height], "o", color=BEFORE, markersize=4.0, markerfacecolor="none"
+        )
         axes.annotate(
             number(peak.frequency, 3),
             (peak.frequency, height),
@@ -160,7 +175,9 @@ def _spectrum(axes: Axes, row: ChannelSpectrum, interval: tuple[float, float]) -
         )
     log_axes(axes)
     squared = f"({unit.name})²" if "/" in unit.name or "·" in unit.name else f"{unit.name or '1'}²"
-    axes.set(title=row.channel, ylabel=f"density [{squared}/Hz]" if unit.name != "" else "density [1/Hz]")
+    axes.set(
+        title=row.channel, ylabel=f"density [{squared}/Hz]" if unit.name != "" else "density [1/Hz]"
+    )
     lowest = max(0.3 * float(density.min()), _DECADES * greatest)
     axes.set_ylim(lowest, 6.0 * greatest * interval[1] / max(interval[1], 1.0))
     limits(axes, float(f[0]), float(f[-1]))
@@ -195,7 +212,9 @@ def transfer_estimate(transfer: TransferEstimate) -> Figure:
     output, given = display_unit(transfer.output_unit), display_unit(transfer.given_unit)
     factor = output.factor / given.factor
     figure = new_figure(5.6)
-    gain, phase, coherence = figure.subplots(3, 1, sharex=True, gridspec_kw={"height_ratios": [2.2, 1.2, 1.0]})
+    gain, phase, coherence = figure.subplots(
+        3, 1, sharex=True, gridspec_kw={"height_ratios": [2.2, 1.2, 1.0]}
+    )
     f = transfer.frequency
     low, high = (end * factor for end in transfer.gain_interval)
     value = transfer.gain * factor
@@ -218,7 +237,9 @@ def transfer_estimate(transfer: TransferEstimate) -> Figure:
     )
     degrees = np.degrees(transfer.phase)
     half = np.degrees(np.minimum(transfer.factor * transfer.phase_error, np.pi))
-    phase.vlines(f[shown], (degrees - half)[shown], (degrees + half)[shown], color="#a9cce6", linewidth=1.5)
+    phase.vlines(
+        f[shown], (degrees - half)[shown], (degrees + half)[shown], color="#a9cce6", linewidth=1.5
+    )
     phase.plot(f, np.where(shown, degrees, np.nan), ".", color=PALETTE[0], markersize=2.5)
     if transfer.model is not None:
         line = {"color": BEFORE, "linewidth": 1.3, "linestyle": (0, (5, 2))}
@@ -230,7 +251,9 @@ def transfer_estimate(transfer: TransferEstimate) -> Figure:
         log_axes(axes, "x")
     log_axes(gain)
     per = ratio_unit(output.name, given.name)
-    gain.set(ylabel=f"gain [{per}]", ylim=(bottom, top), title=f"{transfer.output} over {transfer.given}")
+    gain.set(
+        ylabel=f"gain [{per}]", ylim=(bottom, top), title=f"{transfer.output} over {transfer.given}"
+    )
     phase.set(ylabel="phase [°]", ylim=(-190.0, 190.0))
     phase.yaxis.set_major_locator(MultipleLocator(90.0))
     coherence.set(ylabel="coherence [–]", ylim=(0.0, 1.05), xlabel="frequency [Hz]")
@@ -267,12 +290,25 @@ def measured_modes(modes: FittedModes) -> Figure:
     sizes = np.abs(modes.measured).max(axis=0)
     for k, name in enumerate(modes.outputs):
         colour = PALETTE[k % len(PALETTE)]
-        above.plot(modes.frequency, np.abs(modes.measured[:, k]) / sizes[k], color=colour, linewidth=0.9, alpha=0.55)
+        above.plot(
+            modes.frequency,
+            np.abs(modes.measured[:, k]) / sizes[k],
+            color=colour,
+            linewidth=0.9,
+            alpha=0.55,
+        )
         fitted = np.abs(modes.fitted[:, k]) / sizes[k]
         above.plot(modes.frequency, fitted, color=colour, linewidth=1.8, label=in_legend(name))
     table = modes.stabilisation
     stable = table.is_stable
-    below.plot(table.frequency[~stable], table.order[~stable], "o", color=MUTED, markersize=3.0, markerfacecolor="none")
+    below.plot(
+        table.frequency[~stable],
+        table.order[~stable],
+        "o",
+        color=MUTED,
+        markersize=3.0,
+        markerfacecolor="none",
+    )
     below.plot(table.frequency[stable], table.order[stable], "o", color=AFTER, markersize=3.5)
     for mode in modes.modes:
         for axes in (above, below):
@@ -280,7 +316,13 @@ def measured_modes(modes: FittedModes) -> Figure:
                 axes.axvspan(*mode.frequency.interval, color=GRID, linewidth=0.0, zorder=0)
             axes.axvline(mode.frequency.value, color=MEASURED, linewidth=0.9, zorder=1)
             if mode.model_frequency is not None:
-                axes.axvline(mode.model_frequency, color=BEFORE, linewidth=1.2, linestyle=(0, (5, 2)), zorder=1)
+                axes.axvline(
+                    mode.model_frequency,
+                    color=BEFORE,
+                    linewidth=1.2,
+                    linestyle=(0, (5, 2)),
+                    zorder=1,
+                )
         words = f"{number(mode.frequency.value, 3)} Hz\nζ {number(mode.damping_ratio.value, 2)}"
         at = (mode.frequency.value, 1.0)
         above.annotate(
@@ -289,7 +331,9 @@ def measured_modes(modes: FittedModes) -> Figure:
         )  # fmt: skip
     log_axes(above)
     log_axes(below, "x")
-    what = {"transfer": f"over {modes.given}", "spectrum": "density", "decay": "free decay"}[modes.kind]
+    what = {"transfer": f"over {modes.given}", "spectrum": "density", "decay": "free decay"}[
+        modes.kind
+    ]
     least = max(0.3 * float(np.min(np.abs(modes.measured) / sizes)), 1e-4)
     above.set(ylabel=f"{what}, of its largest [–]", ylim=(least, 8.0))
     below.set(ylabel="order", xlabel="frequency [Hz]")
@@ -319,16 +363,28 @@ def integrated_motion(integration: Integration) -> Figure:
     first, last = float(integration.time[0]), float(integration.time[-1])
     for column, row in zip(grid.T, shown, strict=True):
         signals = (
-            (row.channel, integration.source.values(row.channel)[: len(integration.time)], row.unit, 0.0),
+            (
+                row.channel,
+                integration.source.values(row.channel)[: len(integration.time)],
+                row.unit,
+                0.0,
+            ),
             (row.velocity_channel, row.velocity, row.velocity_unit, row.velocity_error),
-            (row.displacement_channel, row.displacement, row.displacement_unit, row.displacement_error),
+            (
+                row.displacement_channel,
+                row.displacement,
+                row.displacement_unit,
+                row.displacement_error,
+            ),
         )
         for axes, (name, values, si, error) in zip(column, signals, strict=True):
             unit = display_unit(si, float(np.abs(values).max()))
             few, drawn = thin(integration.time, values, first, last, MOST_COLUMNS)
             axes.plot(few, drawn * unit.factor, color=PALETTE[0], linewidth=0.8)
             axes.set_ylabel(unit.label(f"{in_lines(name, _LONGEST_NAME)}\n").replace("\n ", "\n"))
-            inner = drawn[(few >= integration.valid[0]) & (few <= integration.valid[1])] * unit.factor
+            inner = (
+                drawn[(few >= integration.valid[0]) & (few <= integration.valid[1])] * unit.factor
+            )
             if inner.size:
                 room = 0.15 * max(float(np.ptp(inner)), 1e-12)
                 axes.set_ylim(float(inner.min()) - room, float(inner.max()) + room)
@@ -336,7 +392,9 @@ def integrated_motion(integration: Integration) -> Figure:
                 if high > low:
                     axes.axvspan(low, high, color=GRID, linewidth=0.0, zorder=0)
             if error:
-                words = f"noise adds {unit.behind(number(error * unit.factor, 2))} (standard deviation)"
+                words = (
+                    f"noise adds {unit.behind(number(error * unit.factor, 2))} (standard deviation)"
+                )
                 axes.set_title(words, fontsize=8, color=MUTED, fontweight="normal")
         column[-1].set_xlabel("time [s]")
         limits(column[-1], first, last)

@@ -60,7 +60,10 @@ def case_curve(study: AudiCase, channel: str = "bounce.displacement") -> Figure:
             allowed=", ".join(_QUANTITIES),
             hint=nearest(channel, list(_QUANTITIES)),
         )
-    by_moment = {run.moment: [other for other in study.runs if other.moment == run.moment] for run in study.runs}
+    by_moment = {
+        run.moment: [other for other in study.runs if other.moment == run.moment]
+        for run in study.runs
+    }
     figure = new_figure(0.7 + 2.3 * len(by_moment))
     rows = figure.subplots(len(by_moment), 1, sharex=True, squeeze=False)[:, 0]
     for axes, (moment, runs) in zip(rows, by_moment.items(), strict=True):
@@ -104,7 +107,9 @@ def start_up_transient(study: AudiCase) -> Figure:
             textcoords="offset points", ha="right", color=MUTED, fontsize=8.5,
         )  # fmt: skip
     axes.set(
-        xlabel="time [s]", ylabel=unit.label("height of the body"), xlim=(0.0, float(start_up.signals["time"][-1]))
+        xlabel="time [s]",
+        ylabel=unit.label("height of the body"),
+        xlim=(0.0, float(start_up.signals["time"][-1])),
     )
     return figure
 
@@ -123,7 +128,9 @@ def exciter_spring(study: EccentricExciter, duration: float = 3.0) -> Figure:
         rows[1].plot(part["time"], length_unit.factor * part["spring.length"], **style)
         rows[2].plot(part["time"], 1e-3 * force.factor * part["spring.force"], **style)
     for length in (FREE_LENGTH, READ_LENGTH):
-        rows[1].axhline(length_unit.factor * length, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2)))
+        rows[1].axhline(
+            length_unit.factor * length, color=MUTED, linewidth=0.8, linestyle=(0, (3, 2))
+        )
     rows[1].annotate(
         f"dashed: the paper's {1e3 * FREE_LENGTH:g} mm and {1e3 * READ_LENGTH:g} mm",
         (1.0, length_unit.factor * READ_LENGTH), (-2, -27), xycoords=("axes fraction", "data"),
@@ -171,7 +178,13 @@ def _draw(axes: Axes, runs: Sequence[CaseRun], channel: str) -> None:
     for run in runs:
         part = run.signals.isel(time=run.signals["time"] >= _BEGIN)
         line = _LINES[run.variant]
-        axes.plot(part["time"], size * unit.factor * part[channel], label=run.variant, linewidth=1.2, **line)
+        axes.plot(
+            part["time"],
+            size * unit.factor * part[channel],
+            label=run.variant,
+            linewidth=1.2,
+            **line,
+        )
     axes.set_ylabel(_label(words, unit))
 
 

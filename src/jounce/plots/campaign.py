@@ -38,7 +38,9 @@ _LIVELY = 0.15  # of the largest excursion: what the zoom must show
 
 
 @in_style
-def measured_against_simulated(trial: TrialResult, obstacle: tuple[float, float] | None = None) -> Figure:
+def measured_against_simulated(
+    trial: TrialResult, obstacle: tuple[float, float] | None = None
+) -> Figure:
     """Draw every channel of a trial: measured, before and after updating, with the residuals below.
 
     The left half shows the whole record, the right half the obstacle pass.
@@ -97,7 +99,13 @@ def _draw_channel(rows: Any, name: str, trial: TrialResult) -> None:
     known = quantity_of(name)
     unit = display_unit(QUANTITIES[known][0] if known else "1", float(np.abs(shown.measured).max()))
     for axes in rows[0]:
-        axes.plot(shown.time, shown.measured * unit.factor, color=MEASURED, linewidth=2.2, label="measured")
+        axes.plot(
+            shown.time,
+            shown.measured * unit.factor,
+            color=MEASURED,
+            linewidth=2.2,
+            label="measured",
+        )
         _draw_simulated(axes, before, unit, BEFORE, "before updating", dashed=True)
         _draw_simulated(axes, after, unit, AFTER, "after updating", dashed=False)
     for axes in rows[1]:
@@ -125,7 +133,9 @@ def _draw_simulated(
     axes.plot(signals.time, signals.simulated * unit.factor, color=colour, label=label, **line)
 
 
-def lively_window(signals: dict[str, Signals], obstacle: tuple[float, float] | None = None) -> tuple[float, float]:
+def lively_window(
+    signals: dict[str, Signals], obstacle: tuple[float, float] | None = None
+) -> tuple[float, float]:
     """Choose the part of the time (s) that is worth a closer look: where measured signals move, and the obstacle."""
     begins, ends = [], []
     for signal in signals.values():
@@ -183,14 +193,26 @@ def trial_matrix(trials: Sequence[TrialResult]) -> Figure:
                 _draw_cell(axes, group * (width + 0.3) + column, row, comparison, name)
         verdict = trial.after.verdict if trial.after is not None else "not usable"
         if trial.after is not None:
-            lowest = f"{min(channel.r2 for channel in trial.after.channels.values()):.2f}".replace("-", "−")
+            lowest = f"{min(channel.r2 for channel in trial.after.channels.values()):.2f}".replace(
+                "-", "−"
+            )
             axes.text(2 * width + 0.2, row, lowest, ha="center", va="center", fontsize=8.5)
-        axes.text(2 * width + 0.6, row, verdict, va="center", fontsize=8.5, color=VERDICTS[verdict], weight="bold")
+        axes.text(
+            2 * width + 0.6,
+            row,
+            verdict,
+            va="center",
+            fontsize=8.5,
+            color=VERDICTS[verdict],
+            weight="bold",
+        )
     _label_matrix(axes, trials, channels)
     return figure
 
 
-def _draw_cell(axes: Axes, x: float, row: int, comparison: TrialComparison | None, name: str) -> None:
+def _draw_cell(
+    axes: Axes, x: float, row: int, comparison: TrialComparison | None, name: str
+) -> None:
     from matplotlib.patches import Rectangle
 
     channel = comparison.channels.get(name) if comparison is not None else None
@@ -212,21 +234,34 @@ def _label_matrix(axes: Axes, trials: Sequence[TrialResult], channels: list[str]
     axes.spines[:].set_visible(False)
     axes.grid(visible=False)
     uses = {"fit": "fitted", "hold-out": "held out"}
-    axes.set_yticks(range(len(trials)), [f"trial {t.entry.number}, {uses[t.entry.use]}" for t in trials])
+    axes.set_yticks(
+        range(len(trials)), [f"trial {t.entry.number}, {uses[t.entry.use]}" for t in trials]
+    )
     for label, trial in zip(axes.get_yticklabels(), trials, strict=True):
         label.set_fontweight("bold" if trial.entry.use == "fit" else "normal")
     inches = float(axes.get_figure().get_size_inches()[0])  # type: ignore[union-attr]
-    most = int((inches - 1.2) / (2 * width + 2.2) / 0.078)  # letters above a column, so that names do not meet
+    most = int(
+        (inches - 1.2) / (2 * width + 2.2) / 0.078
+    )  # letters above a column, so that names do not meet
     for group, text in enumerate(("before updating", "after updating")):
         start = group * (width + 0.3)
-        axes.text(start + (width - 1) / 2, -1.8, text, ha="center", va="center", weight="bold", fontsize=9)
+        axes.text(
+            start + (width - 1) / 2, -1.8, text, ha="center", va="center", weight="bold", fontsize=9
+        )
         for column, name in enumerate(channels):
-            axes.text(start + column, -0.95, in_lines(name, most), ha="center", va="center", fontsize=8.5)
+            axes.text(
+                start + column, -0.95, in_lines(name, most), ha="center", va="center", fontsize=8.5
+            )
     axes.text(2 * width + 0.2, -0.95, "lowest R²", ha="center", va="center", fontsize=8.5)
     axes.text(2 * width + 0.6, -0.95, "verdict", va="center", weight="bold", fontsize=9)
     edges = ("above 0.94", "above 0.80", "above 0.58", "below")
-    patches = [Patch(facecolor=c, label=f"{g} ({e})") for (g, c), e in zip(GRADES.items(), edges, strict=True)]
-    axes.legend(handles=patches, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=4, columnspacing=1.2)
+    patches = [
+        Patch(facecolor=c, label=f"{g} ({e})")
+        for (g, c), e in zip(GRADES.items(), edges, strict=True)
+    ]
+    axes.legend(
+        handles=patches, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=4, columnspacing=1.2
+    )
 
 
 @in_style
@@ -258,14 +293,20 @@ def residual_against_speed_and_pitch(trials: Sequence[TrialResult]) -> Figure:
         for trial in usable
         if trial.entry.speed is not None and trial.obstacle_pitch is None
     ]
-    trains = [(pitch.factor * trial.obstacle_pitch, trial) for trial in usable if trial.obstacle_pitch is not None]
+    trains = [
+        (pitch.factor * trial.obstacle_pitch, trial)
+        for trial in usable
+        if trial.obstacle_pitch is not None
+    ]
     panels = [
         (1.4, singles, {"xlabel": speed.label("speed"), "title": "single obstacle"}),
         (1.0, trains, {"xlabel": pitch.label("pitch of the obstacles"), "title": "trains"}),
     ]
     panels = [panel for panel in panels if panel[1]]
     if not panels:
-        raise FitError("no trial that could be compared has a speed or a pitch of obstacles", where="residuals")
+        raise FitError(
+            "no trial that could be compared has a speed or a pitch of obstacles", where="residuals"
+        )
     figure = new_figure(3.4)
     widths = {"width_ratios": [width for width, _, _ in panels]}
     all_axes = figure.subplots(1, len(panels), sharey=True, squeeze=False, gridspec_kw=widths)[0]
@@ -280,7 +321,9 @@ def residual_against_speed_and_pitch(trials: Sequence[TrialResult]) -> Figure:
     return figure
 
 
-def _draw_errors(axes: Axes, points: Sequence[tuple[float, TrialResult]], channels: Sequence[str]) -> None:
+def _draw_errors(
+    axes: Axes, points: Sequence[tuple[float, TrialResult]], channels: Sequence[str]
+) -> None:
     """Draw the error of each trial and channel over ``x`` in display units."""
     for k, name in enumerate(channels):
         for x, trial in points:
@@ -310,7 +353,10 @@ def _number_points(axes: Axes, trials: Sequence[TrialResult], places: Sequence[f
             at = (260.0 * (x - begin) / (end - begin), 190.0 * (channel.nrmse - low) / (high - low))
             for offset in ((4.0, 3.0), (4.0, -9.0), (-12.0, 3.0), (-12.0, -9.0)):
                 spot = (at[0] + offset[0], at[1] + offset[1])
-                if all(abs(spot[0] - other[0]) > 11.0 or abs(spot[1] - other[1]) > 8.0 for other in taken):
+                if all(
+                    abs(spot[0] - other[0]) > 11.0 or abs(spot[1] - other[1]) > 8.0
+                    for other in taken
+                ):
                     axes.annotate(
                         str(trial.entry.number),
                         (x, channel.nrmse),
@@ -328,12 +374,31 @@ def _residual_legend(figure: Figure, channels: Sequence[str]) -> None:
 
     handles = [
         Line2D(
-            [], [], color=PALETTE[k % len(PALETTE)], marker=_MARKERS[k % len(_MARKERS)], linestyle="none", label=name
+            [],
+            [],
+            color=PALETTE[k % len(PALETTE)],
+            marker=_MARKERS[k % len(_MARKERS)],
+            linestyle="none",
+            label=name,
         )
         for k, name in enumerate(channels)
     ]
     handles += [
         Line2D([], [], color=INK, marker="o", linestyle="none", label="fitted"),
-        Line2D([], [], color=INK, marker="o", markerfacecolor="white", linestyle="none", label="held out"),
+        Line2D(
+            [],
+            [],
+            color=INK,
+            marker="o",
+            markerfacecolor="white",
+            linestyle="none",
+            label="held out",
+        ),
     ]
-    figure.legend(handles=handles, loc="outside upper right", ncols=len(handles), columnspacing=1.2, handletextpad=0.2)
+    figure.legend(
+        handles=handles,
+        loc="outside upper right",
+        ncols=len(handles),
+        columnspacing=1.2,
+        handletextpad=0.2,
+    )

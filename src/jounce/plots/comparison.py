@@ -21,7 +21,16 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-_PREFERRED = ("road.z", "sprung.az", "unsprung.az", "strut.deflection", "tyre.force", "camber", "toe", "motion_ratio")
+_PREFERRED = (
+    "road.z",
+    "sprung.az",
+    "unsprung.az",
+    "strut.deflection",
+    "tyre.force",
+    "camber",
+    "toe",
+    "motion_ratio",
+)
 _MOST_BY_DEFAULT = 4
 
 
@@ -71,7 +80,9 @@ def compare(
     rows = len(names) * (2 if shown_differences else 1)
     figure = new_figure(0.9 + sum((1.6, 0.8 * shown_differences)) * len(names))
     ratios = [1.0, 0.5] * len(names) if shown_differences else [1.0] * len(names)
-    panels = figure.subplots(rows, 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": ratios})[:, 0]
+    panels = figure.subplots(
+        rows, 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": ratios}
+    )[:, 0]
     first = next(iter(named.values()))
     along = display_unit(str(first[axis].attrs.get("units", "s" if axis == "time" else "1")))
     along_factor = 1.0 if axis == "time" else along.factor
@@ -80,17 +91,25 @@ def compare(
     step = 2 if shown_differences else 1
     for i, name in enumerate(names):
         si = str(first[name].attrs.get("units", "1"))
-        largest = max(float(np.nanmax(np.abs(data[name].to_numpy()), initial=0.0)) for data in named.values())
+        largest = max(
+            float(np.nanmax(np.abs(data[name].to_numpy()), initial=0.0)) for data in named.values()
+        )
         unit = display_unit(si, largest)
         reference = line_of(first, name, axis)
         for k, (label, data) in enumerate(named.items()):
             line = line_of(data, name, axis)
             colour = PALETTE[k % len(PALETTE)]
-            style = {"color": colour, "linewidth": 1.1, "linestyle": "-" if k < len(PALETTE) else "--"}
+            style = {
+                "color": colour,
+                "linewidth": 1.1,
+                "linestyle": "-" if k < len(PALETTE) else "--",
+            }
             x, y = thin(*line, low, high, MOST_COLUMNS)
             panels[step * i].plot(x * along_factor, y * unit.factor, label=label, **style)
             if shown_differences and k:
-                x, y = thin(line[0], apart(line[1], through(reference, line[0])), low, high, MOST_COLUMNS)
+                x, y = thin(
+                    line[0], apart(line[1], through(reference, line[0])), low, high, MOST_COLUMNS
+                )
                 panels[step * i + 1].plot(x * along_factor, y * unit.factor, **style)
         panels[step * i].set_title(name)
         panels[step * i].set_ylabel(unit.label(f"{words_of(name)}\n").replace("\n ", "\n"))
@@ -105,9 +124,17 @@ def compare(
 
 def named_runs(runs: Mapping[str, xr.Dataset] | Sequence[xr.Dataset]) -> dict[str, xr.Dataset]:
     """Give runs by name; refuse an empty collection."""
-    named = dict(runs) if isinstance(runs, Mapping) else {f"run {k}": run for k, run in enumerate(runs, 1)}
+    named = (
+        dict(runs)
+        if isinstance(runs, Mapping)
+        else {f"run {k}": run for k, run in enumerate(runs, 1)}
+    )
     if not named:
-        raise RecordingError("there is nothing to compare", where="compare", allowed="at least one recording or sweep")
+        raise RecordingError(
+            "there is nothing to compare",
+            where="compare",
+            allowed="at least one recording or sweep",
+        )
     return named
 
 
@@ -132,7 +159,10 @@ def common_channels(
 ) -> list[str]:
     """Give the channels to draw, which all runs hold."""
     axis = common_axis(runs)
-    held = [[str(name) for name in data.data_vars if data.variables[name].dims == (axis,)] for data in runs.values()]
+    held = [
+        [str(name) for name in data.data_vars if data.variables[name].dims == (axis,)]
+        for data in runs.values()
+    ]
     present = [name for name in held[0] if all(name in others for others in held)]
     if channels:
         for name in channels:
@@ -147,7 +177,9 @@ def common_channels(
         return list(channels)
     if not present:
         raise RecordingError(
-            "no channel is common to all of them", where="compare", found="; ".join(map(", ".join, held))
+            "no channel is common to all of them",
+            where="compare",
+            found="; ".join(map(", ".join, held)),
         )
     return ([name for name in _PREFERRED if name in present] or present)[:most]
 
@@ -171,4 +203,6 @@ def apart(values: Array, reference: Array) -> Array:
 
 def through(line: tuple[Array, Array], x: Array) -> Array:
     """Read a line between its samples; NaN beyond its ends."""
-    return np.interp(x, *line, left=np.nan, right=np.nan) if len(line[0]) else np.full(len(x), np.nan)
+    return (
+        np.interp(x, *line, left=np.nan, right=np.nan) if len(line[0]) else np.full(len(x), np.nan)
+    )

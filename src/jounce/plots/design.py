@@ -39,7 +39,11 @@ if TYPE_CHECKING:
 
 
 _MARKERS = {"present": ("D", BEFORE), "closed form": ("o", "white"), "searched": ("x", INK)}
-_KINDS = {"present": "present design", "closed form": "best damper, closed form", "searched": "best damper, searched"}
+_KINDS = {
+    "present": "present design",
+    "closed form": "best damper, closed form",
+    "searched": "best damper, searched",
+}
 _WORDS = {"comfort": "comfort", "holding": "road holding", "travel": "travel"}
 _BAR = 0.55
 
@@ -114,12 +118,19 @@ def design_front(front: DesignFront) -> Figure:
     for k, (first, second) in enumerate(pairs):
         axes = figure.add_subplot(grid[k // across, k % across])
         units = [
-            display_unit(front.goal_units[name], float(np.max(np.abs(front.goals[name])))) for name in (first, second)
+            display_unit(front.goal_units[name], float(np.max(np.abs(front.goals[name]))))
+            for name in (first, second)
         ]
-        x, y = (front.goals[name] * unit.factor for name, unit in zip((first, second), units, strict=True))
+        x, y = (
+            front.goals[name] * unit.factor
+            for name, unit in zip((first, second), units, strict=True)
+        )
         axes.scatter(x, y, c=colours, s=26, zorder=3, linewidths=0)
         marker, face = _MARKERS["present"]
-        here = [front.present[name] * unit.factor for name, unit in zip((first, second), units, strict=True)]
+        here = [
+            front.present[name] * unit.factor
+            for name, unit in zip((first, second), units, strict=True)
+        ]
         axes.scatter(
             here[0],
             here[1],
@@ -159,9 +170,14 @@ def _parallel_front(axes: Axes, front: DesignFront, colours: Array) -> None:
     axes.plot(range(len(labels)), lines[-1], color=INK, lw=1.2, ls="--", zorder=3.0)
     draw_uprights(axes, ends)
     axes.set_title(
-        "designs of the front; as it is, dashed" if front.count > 1 else "the design; as it is, dashed", loc="left"
+        "designs of the front; as it is, dashed"
+        if front.count > 1
+        else "the design; as it is, dashed",
+        loc="left",
     )
-    axes.set_xticks(range(len(labels)), labels, rotation=25, ha="right", rotation_mode="anchor", fontsize=8)
+    axes.set_xticks(
+        range(len(labels)), labels, rotation=25, ha="right", rotation_mode="anchor", fontsize=8
+    )
 
 
 def _by_unit(front: ParetoFront) -> dict[str, list[str]]:
@@ -173,12 +189,22 @@ def _by_unit(front: ParetoFront) -> dict[str, list[str]]:
 
 def _label(front: ParetoFront, role: str) -> str:
     unit, metric = display_unit(front.units[role]), front.metrics[role]
-    return unit.label(metric if ": " in metric else f"{_WORDS[role]}: {metric}")  # that of a case is whatever was asked
+    return unit.label(
+        metric if ": " in metric else f"{_WORDS[role]}: {metric}"
+    )  # that of a case is whatever was asked
 
 
 def _front(figure: Figure, axes: Axes, front: ParetoFront) -> None:
-    x, y, travel = (display_unit(front.units[role]).factor for role in ("comfort", "holding", "travel"))
-    places: dict[str, Any] = {"x": front.comfort * x, "y": front.holding * y, "s": 26, "zorder": 3, "linewidths": 0}
+    x, y, travel = (
+        display_unit(front.units[role]).factor for role in ("comfort", "holding", "travel")
+    )
+    places: dict[str, Any] = {
+        "x": front.comfort * x,
+        "y": front.holding * y,
+        "s": 26,
+        "zorder": 3,
+        "linewidths": 0,
+    }
     if "travel" in front.roles:
         points = axes.scatter(**places, c=front.travel * travel, cmap="viridis")
         bar = figure.colorbar(points, ax=axes, orientation="horizontal", aspect=45, pad=0.02)
@@ -193,7 +219,9 @@ def _front(figure: Figure, axes: Axes, front: ParetoFront) -> None:
         _draw_mark(axes, mark, x, y, is_right=mark.comfort > middle)
     axes.set(xlabel=_label(front, "comfort"), ylabel=_label(front, "holding"))
     axes.legend(handles=_handles(front), loc="upper right", fontsize=8)
-    axes.set_title(at_tick(raise_exponents(front.driven), 78), fontsize=8, fontweight="normal", color=MUTED)
+    axes.set_title(
+        at_tick(raise_exponents(front.driven), 78), fontsize=8, fontweight="normal", color=MUTED
+    )
 
 
 def _draw_mark(axes: Axes, mark: ParetoMark, x: float, y: float, *, is_right: bool) -> None:
@@ -221,7 +249,9 @@ def _handles(front: ParetoFront) -> list[Any]:
     from matplotlib.lines import Line2D
 
     kinds = [kind for kind in _MARKERS if any(mark.kind == kind for mark in front.marks)]
-    handles = [Line2D([], [], color=MUTED, marker=".", markersize=8, linewidth=0.8, label="best designs")]
+    handles = [
+        Line2D([], [], color=MUTED, marker=".", markersize=8, linewidth=0.8, label="best designs")
+    ]
     for kind in kinds:
         marker, face = _MARKERS[kind]
         handles.append(
@@ -275,21 +305,53 @@ def _draw_number(axes: Axes, i: int, item: DesignNumber) -> None:
     if item.flat is not None:
         axes.plot([place(end) for end in item.flat], [i, i], color=AFTER, alpha=0.3, linewidth=9.0, zorder=2,
                   solid_capstyle="butt")  # fmt: skip
-    axes.plot(place(item.start), i, marker="D", color=BEFORE, markeredgecolor=INK, markersize=6, zorder=3)
-    axes.plot(place(item.value), i, marker="o", color=AFTER, markeredgecolor=INK, markersize=7, zorder=4)
+    axes.plot(
+        place(item.start), i, marker="D", color=BEFORE, markeredgecolor=INK, markersize=6, zorder=3
+    )
+    axes.plot(
+        place(item.value), i, marker="o", color=AFTER, markeredgecolor=INK, markersize=7, zorder=4
+    )
     text = f"{quantity(item.start, item.unit, 3)} → {quantity(item.value, item.unit, 4)}"
-    axes.annotate(text, (50.0, i), xytext=(0, 8), textcoords="offset points", ha="center", fontsize=7.5, color=INK)
+    axes.annotate(
+        text,
+        (50.0, i),
+        xytext=(0, 8),
+        textcoords="offset points",
+        ha="center",
+        fontsize=7.5,
+        color=INK,
+    )
 
 
 def _number_handles(result: Optimisation) -> list[Any]:
     from matplotlib.lines import Line2D
 
     handles = [
-        Line2D([], [], linestyle="", marker="D", color=BEFORE, markeredgecolor=INK, markersize=6, label="start"),
-        Line2D([], [], linestyle="", marker="o", color=AFTER, markeredgecolor=INK, markersize=7, label="best"),
+        Line2D(
+            [],
+            [],
+            linestyle="",
+            marker="D",
+            color=BEFORE,
+            markeredgecolor=INK,
+            markersize=6,
+            label="start",
+        ),
+        Line2D(
+            [],
+            [],
+            linestyle="",
+            marker="o",
+            color=AFTER,
+            markeredgecolor=INK,
+            markersize=7,
+            label="best",
+        ),
     ]
     if any(item.flat is not None for item in result.numbers):
-        handles.append(Line2D([], [], color=AFTER, alpha=0.3, linewidth=8.0, label="objective within 1 %"))
+        handles.append(
+            Line2D([], [], color=AFTER, alpha=0.3, linewidth=8.0, label="objective within 1 %")
+        )
     return handles
 
 
@@ -299,7 +361,8 @@ _Row = tuple[str, float, float, "DesignConstraint | None", str]
 def _rows(result: Optimisation) -> list[_Row]:
     """Name, value before and after, limit and unit of each bar: objective first, then limited channels."""
     rows: list[_Row] = [
-        (name, result.before[name], result.after[name], None, result.units[name]) for name in result.objective
+        (name, result.before[name], result.after[name], None, result.units[name])
+        for name in result.objective
     ]
     for item in result.constraints:
         words = item.name.split()[1:] if item.channel != item.name else []
@@ -310,7 +373,9 @@ def _rows(result: Optimisation) -> list[_Row]:
 def _draw_metrics(axes: Axes, rows: list[_Row]) -> None:
     for i, (_, before, after, limit, unit) in enumerate(rows):
         size = abs(before) or 1.0
-        axes.barh(i, 100.0 * after / size, _BAR, color=AFTER if limit is None else PALETTE[5], zorder=2)
+        axes.barh(
+            i, 100.0 * after / size, _BAR, color=AFTER if limit is None else PALETTE[5], zorder=2
+        )
         for bound in (limit.lower, limit.upper) if limit is not None else ():
             if bound is not None and abs(bound) < 3.0 * size:
                 at = 100.0 * bound / size
@@ -320,7 +385,12 @@ def _draw_metrics(axes: Axes, rows: list[_Row]) -> None:
         if limit is None:
             text = f"{text}, {number(100.0 * (after / size - 1.0), 3)} %"
         axes.annotate(
-            f" {text}{', at its limit' if held else ''}", (0.0, i), va="center", fontsize=7.5, color="white", zorder=5
+            f" {text}{', at its limit' if held else ''}",
+            (0.0, i),
+            va="center",
+            fontsize=7.5,
+            color="white",
+            zorder=5,
         )
     axes.axvline(100.0, color=BEFORE, linewidth=1.2, zorder=3)
     axes.set_yticks(range(len(rows)), [row[0] for row in rows])
@@ -338,7 +408,9 @@ def study_spectra(study: RideStudy, *, title: str) -> Figure:
 
 
 @in_style
-def ride_spectra(rides: Sequence[Ride], stationary: StationaryResponse | None = None, title: str = "") -> Figure:
+def ride_spectra(
+    rides: Sequence[Ride], stationary: StationaryResponse | None = None, title: str = ""
+) -> Figure:
     """Draw power spectral densities of the body's acceleration ((m/s²)²/Hz) and of all wheel loads (N²/Hz).
 
     A line per ride over frequency (Hz), and the linear model's where its ``stationary`` response is given. The title
@@ -363,8 +435,17 @@ def ride_spectra(rides: Sequence[Ride], stationary: StationaryResponse | None = 
                 color=PALETTE[i % len(PALETTE)],
                 label=in_legend(ride.control),
             )
-        if stationary is not None and stationary.frequency is not None and name in stationary.spectra:
-            line = {"color": INK, "linewidth": 1.0, "linestyle": (0, (4, 2)), "label": "linear model, passive"}
+        if (
+            stationary is not None
+            and stationary.frequency is not None
+            and name in stationary.spectra
+        ):
+            line = {
+                "color": INK,
+                "linewidth": 1.0,
+                "linestyle": (0, (4, 2)),
+                "label": "linear model, passive",
+            }
             axes.plot(stationary.frequency, unit.factor**2 * stationary.spectra[name], **line)
         log_axes(axes)
         squared = f"({unit.name})²" if "/" in unit.name else f"{unit.name}²"
@@ -390,7 +471,9 @@ def _visible_range(axes: Axes) -> tuple[float, float]:
     greatest = max(float(np.nanmax(line.get_ydata(), initial=0.0)) for line in axes.lines)
     least = min(
         float(np.min(y[(y > 0.0) & (x >= axes.get_xlim()[0]) & (x <= _HIGHEST)], initial=greatest))
-        for x, y in ((np.asarray(line.get_xdata()), np.asarray(line.get_ydata())) for line in axes.lines)
+        for x, y in (
+            (np.asarray(line.get_xdata()), np.asarray(line.get_ydata())) for line in axes.lines
+        )
     )
     return max(0.5 * least, 1e-5 * greatest), 2.0 * greatest
 
@@ -410,16 +493,23 @@ def trade_off(study: RideStudy) -> Figure:
     axes = figure.subplots()
     travel = np.array([ride.merits["travel"] for ride in study.rides])
     low, high = float(travel.min()), float(max(travel.max(), travel.min() * (1.0 + 1e-9)))
-    sizes = _POINT_SIZE * travel / (high or 1.0)  # areas: three times as large is three times the travel
+    sizes = (
+        _POINT_SIZE * travel / (high or 1.0)
+    )  # areas: three times as large is three times the travel
     along, height, stroke = display_unit_for("m/s²"), display_unit(up.unit), display_unit("m")
     places = np.array(
-        [(along.factor * ride.merits[across.name], height.factor * ride.merits[up.name]) for ride in study.rides]
+        [
+            (along.factor * ride.merits[across.name], height.factor * ride.merits[up.name])
+            for ride in study.rides
+        ]
     )
     for i in np.argsort(-sizes, kind="stable"):  # small ones upon large ones
         is_passive = study.rides[i].control == "passive"
         x, y = places[i]
         colour = INK if is_passive else PALETTE[0]
-        axes.scatter(x, y, sizes[i], color=colour, alpha=0.85, edgecolors="white", linewidths=0.8, zorder=3)
+        axes.scatter(
+            x, y, sizes[i], color=colour, alpha=0.85, edgecolors="white", linewidths=0.8, zorder=3
+        )
         if is_passive:
             axes.axvline(x, color=MUTED, linewidth=0.8, linestyle=":")
             axes.axhline(y, color=MUTED, linewidth=0.8, linestyle=":")

@@ -82,7 +82,11 @@ def show(result: object, **options: Any) -> Figure:
         from IPython.display import display
 
         display(figure)  # what the cell ends with is not shown again
-    elif sys.platform in ("win32", "darwin") or os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"):
+    elif (
+        sys.platform in ("win32", "darwin")
+        or os.environ.get("DISPLAY")
+        or os.environ.get("WAYLAND_DISPLAY")
+    ):
         import webbrowser
 
         webbrowser.open(write_figure(figure, lasting_folder() / "figure.png").as_uri())
@@ -148,7 +152,8 @@ def _register() -> Callable[..., Figure]:
     def of_dataset(result: xr.Dataset, **options: Any) -> Figure:
         if "variant" in result.dims and "reason" in result:
             has_metrics = any(
-                variable.dims == ("variant",) and variable.dtype.kind == "f" for variable in result.data_vars.values()
+                variable.dims == ("variant",) and variable.dtype.kind == "f"
+                for variable in result.data_vars.values()
             )
             return (variants.tornado if has_metrics else variants.variant_bands)(result, **options)
         if "time" in result.dims:
@@ -172,7 +177,9 @@ def _register() -> Callable[..., Figure]:
         return draw(object(), **options)
 
     def of_damper(result: DamperCurve, law: str = "fitted", **options: Any) -> Figure:
-        return fits.damper_loops(result.displacement, result.velocity, result.measured, {law: result.fitted}, **options)
+        return fits.damper_loops(
+            result.displacement, result.velocity, result.measured, {law: result.fitted}, **options
+        )
 
     draw.register(xr.Dataset, of_dataset)
     draw.register(dict, of_mapping)
@@ -185,9 +192,14 @@ def _register() -> Callable[..., Figure]:
     draw.register(FittedModes, analysis.measured_modes)
     draw.register(Integration, analysis.integrated_motion)
     draw.register(LinearModel, signals.frequency_response)
-    draw.register(TrialRun, lambda result, **options: signals.time_history(result.recording(), **options))
+    draw.register(
+        TrialRun, lambda result, **options: signals.time_history(result.recording(), **options)
+    )
     draw.register(ModalAnalysis, lambda result: signals.modes(result.modes))
-    draw.register(ProfileRoughness, lambda result: signals.roughness(result.roughness, result.distance, result.height))
+    draw.register(
+        ProfileRoughness,
+        lambda result: signals.roughness(result.roughness, result.distance, result.height),
+    )
     draw.register(Corner, mechanism)
     draw.register(KinematicDesign, kinematic_design.target_curves)
     draw.register(StudiedDesign, lambda result, **options: draw(result.design, **options))
@@ -199,30 +211,43 @@ def _register() -> Callable[..., Figure]:
     draw.register(DecayResult, fits.decay_fit)
     draw.register(Calibration, fits.calibration_fit)
     draw.register(DamperCurve, of_damper)
-    draw.register(MeasuredDamper, lambda result, **options: of_damper(result.curve, result.fit.law, **options))
     draw.register(
-        MeasuredDecays, lambda result, **options: fits.decay_fit(*next(iter(result.decays.values())), **options)
+        MeasuredDamper, lambda result, **options: of_damper(result.curve, result.fit.law, **options)
     )
     draw.register(
-        MeasuredStiffness, lambda result, **options: fits.stiffness_fit(result.fit, result.measured.trials, **options)
+        MeasuredDecays,
+        lambda result, **options: fits.decay_fit(*next(iter(result.decays.values())), **options),
+    )
+    draw.register(
+        MeasuredStiffness,
+        lambda result, **options: fits.stiffness_fit(result.fit, result.measured.trials, **options),
     )
     draw.register(UpdateResult, fits.update)
     draw.register(StrategyResult, lambda result, **options: fits.update(result.update, **options))
     draw.register(TrialResult, campaign.measured_against_simulated)
-    draw.register(CampaignResult, lambda result, **options: campaign.trial_matrix(result.trials, **options))
+    draw.register(
+        CampaignResult, lambda result, **options: campaign.trial_matrix(result.trials, **options)
+    )
     draw.register(Optimisation, design.optimisation)
     draw.register(BestDesign, lambda result, **options: draw(result.outcome, **options))
     draw.register(ParetoFront, design.pareto_front)
     draw.register(DesignFront, design.design_front)
     draw.register(RideStudy, design.trade_off)
     draw.register(LumpedComparison, lambda result, **options: draw(result.comparison, **options))
-    draw.register(ModelComparison, lambda result, **options: signals.sweep(result.curves(), along="travel", **options))
+    draw.register(
+        ModelComparison,
+        lambda result, **options: signals.sweep(result.curves(), along="travel", **options),
+    )
     draw.register(Ride, lambda result, **options: design.ride_spectra([result], **options))
-    draw.register(AudiCase, lambda result, **options: audi_a6.case_overview(result, result.runs[0].moment, **options))
+    draw.register(
+        AudiCase,
+        lambda result, **options: audi_a6.case_overview(result, result.runs[0].moment, **options),
+    )
     draw.register(EccentricExciter, audi_a6.exciter_spring)
     draw.register(Equivalence, inspection.equivalence)
     draw.register(Inspection, inspection.inspection_curves)
     draw.register(
-        GradedInspection, lambda result, **options: inspection.inspection_curves(result.inspection, **options)
+        GradedInspection,
+        lambda result, **options: inspection.inspection_curves(result.inspection, **options),
     )
     return draw

@@ -36,7 +36,12 @@ PALETTE = ("#0067a8", "#d55e00", "#00896b", "#a64d8f", "#b8860b", "#3fa0d8")
 """Lines without a meaning of their own; distinguishable with every kind of colour blindness (after Okabe, Ito)."""
 GRADES = {"excellent": "#2b6ea3", "good": "#a9cce6", "fair": "#f3d79b", "poor": "#e39a7b"}
 """Fill of each ISO/TS 18571 grade: from blue to orange, so that no one needs to tell red from green."""
-VERDICTS = {"holds": "#2b6ea3", "holds partly": "#b7791f", "does not hold": "#b5472a", "not usable": "#737980"}
+VERDICTS = {
+    "holds": "#2b6ea3",
+    "holds partly": "#b7791f",
+    "does not hold": "#b5472a",
+    "not usable": "#737980",
+}
 WIDTH = 7.6
 """Width of a full figure in inches."""
 
@@ -107,7 +112,9 @@ def style() -> Iterator[None]:
     """Make and write figures in the product's style: one thread at a time, since it is set for the whole process."""
     mpl = library()
     settings: dict[Any, Any] = {**mpl.rcParamsDefault, **_SETTINGS}
-    del settings["backend"]  # the user's, which a context would not give back; figures are drawn without one
+    del settings[
+        "backend"
+    ]  # the user's, which a context would not give back; figures are drawn without one
     with PROCESS_SETTINGS, mpl.rc_context(settings):
         yield
 
@@ -175,13 +182,21 @@ _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 def legend_above(axes: Axes, columns: int = 4, handles: Sequence[Any] | None = None) -> None:
     """Put the legend above the axes, at the right end of the title's line, where no curve can hide it."""
     shown = handles if handles is not None else axes.get_legend_handles_labels()[0]
-    axes.legend(handles=shown, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=columns, columnspacing=1.4)
+    axes.legend(
+        handles=shown,
+        loc="lower right",
+        bbox_to_anchor=(1.0, 1.0),
+        ncols=columns,
+        columnspacing=1.4,
+    )
 
 
 _BESIDE_TITLE = 0.55  # of a figure's width: what a legend beside its title may take
 
 
-def legend_outside(figure: Figure, handles: Sequence[Any], labels: Sequence[str], columns: int) -> None:
+def legend_outside(
+    figure: Figure, handles: Sequence[Any], labels: Sequence[str], columns: int
+) -> None:
     """Put one legend of a figure above its axes, or below them where it would meet the title; nothing is cut off.
 
     ``columns`` are the most it may have.
@@ -202,7 +217,9 @@ def legend_outside(figure: Figure, handles: Sequence[Any], labels: Sequence[str]
         return
     fitting = next((count for count, share in widths.items() if share <= 1.0), 1)
     if widths[fitting] > 1.0:
-        figure.set_size_inches(1.02 * widths[fitting] * room / figure.dpi, figure.get_size_inches()[1])
+        figure.set_size_inches(
+            1.02 * widths[fitting] * room / figure.dpi, figure.get_size_inches()[1]
+        )
     height = 0.19 * -(-len(texts) // fitting)  # inches that the axes keep
     figure.set_size_inches(figure.get_size_inches()[0], figure.get_size_inches()[1] + height)
     figure.legend(handles, texts, loc="outside lower right", ncols=fitting)
@@ -276,7 +293,13 @@ def add_note(figure: Figure, text: str) -> None:
     if engine is not None:
         engine.set(rect=(0.0, share, 1.0, 1.0 - share))  # type: ignore[call-arg]
     figure.text(
-        0.995, 0.05 / float(figure.get_figheight()), text, ha="right", va="bottom", fontsize=7.5, color="#a33f1f"
+        0.995,
+        0.05 / float(figure.get_figheight()),
+        text,
+        ha="right",
+        va="bottom",
+        fontsize=7.5,
+        color="#a33f1f",
     )
 
 
@@ -284,7 +307,9 @@ def fill_cells(axes: Axes, values: Array, colours: Any) -> Any:
     """Fill a cell for each number from -1 to 1, first row on top; areas, which dark pages can turn, and no raster."""
     rows, columns = values.shape
     edges = [i - 0.5 for i in range(columns + 1)], [i - 0.5 for i in range(rows + 1)]
-    filled = axes.pcolormesh(*edges, values, cmap=colours, vmin=-1.0, vmax=1.0, linewidth=0.3, edgecolors="face")
+    filled = axes.pcolormesh(
+        *edges, values, cmap=colours, vmin=-1.0, vmax=1.0, linewidth=0.3, edgecolors="face"
+    )
     axes.set_ylim(rows - 0.5, -0.5)
     axes.grid(visible=False)
     return filled
@@ -341,7 +366,9 @@ def _write(figure: Figure, file: Path) -> None:
 FIGURES = Formats("figures", dict.fromkeys((".svg", ".png", ".pdf"), _write))
 
 
-def render_figure(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: str = "jounce") -> dict[str, bytes]:
+def render_figure(
+    figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: str = "jounce"
+) -> dict[str, bytes]:
     """Draw a figure once and give its bytes in several formats.
 
     Parameters
@@ -365,15 +392,25 @@ def render_figure(figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), sa
         mpl.rcParams["svg.hashsalt"] = salt
         _shorten(figure)
         # where a layout is solved from is seen in it, so that the next time shall start from there, too
-        before = [(axes, axes.get_position(original=True).frozen(), axes.get_in_layout()) for axes in figure.axes]
+        before = [
+            (axes, axes.get_position(original=True).frozen(), axes.get_in_layout())
+            for axes in figure.axes
+        ]
         lay_out(figure)
         engine = figure.get_layout_engine()
         figure.set_layout_engine("none")
-        for axes in figure.axes:  # the layout is solved to rounding, which may differ from one time to the next
+        for axes in (
+            figure.axes
+        ):  # the layout is solved to rounding, which may differ from one time to the next
             if axes.get_axes_locator() is None:
-                axes.set_position(tuple(round(x, 9) for x in axes.get_position(original=True).bounds), which="original")
+                axes.set_position(
+                    tuple(round(x, 9) for x in axes.get_position(original=True).bounds),
+                    which="original",
+                )
                 axes.apply_aspect()
-                axes.set_in_layout(True)  # a position that was set would take the axes out of the next layout
+                axes.set_in_layout(
+                    True
+                )  # a position that was set would take the axes out of the next layout
         try:
             for suffix in suffixes:
                 contents[suffix] = _content(figure, suffix)
@@ -399,9 +436,14 @@ def _report_missing_glyphs() -> Iterator[None]:
         if match:
             missing.add(chr(int(match[1])))
         else:
-            warnings.warn_explicit(warning.message, warning.category, warning.filename, warning.lineno)
+            warnings.warn_explicit(
+                warning.message, warning.category, warning.filename, warning.lineno
+            )
     if missing:
-        _LOG.warning("letters that the font of pictures does not have are boxes: %s", "".join(sorted(missing)))
+        _LOG.warning(
+            "letters that the font of pictures does not have are boxes: %s",
+            "".join(sorted(missing)),
+        )
 
 
 def lay_out(figure: Figure) -> None:

@@ -70,7 +70,12 @@ def calibration_fit(result: Calibration, title: str = "") -> Figure:
     recorded = result.recorded_unit.replace("1", "counts")
     x = np.array(result.reference) * across.factor
     ends = np.array([min(result.reference), max(result.reference)])
-    above.plot(ends * across.factor, result.zero.value + result.sensitivity.value * ends, color=AFTER, label="line")
+    above.plot(
+        ends * across.factor,
+        result.zero.value + result.sensitivity.value * ends,
+        color=AFTER,
+        label="line",
+    )
     above.plot(x, result.recorded, "o", color=MEASURED, markersize=4.5, label="measured")
     above.set(ylabel=f"recorded [{recorded}]", title=title)
     above.legend()
@@ -81,7 +86,9 @@ def calibration_fit(result: Calibration, title: str = "") -> Figure:
 
 
 @in_style
-def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial] = (), title: str = "") -> Figure:
+def stiffness_fit(
+    result: StiffnessResult, trials: Sequence[ForceDeflectionTrial] = (), title: str = ""
+) -> Figure:
     """Draw a fitted force law over the measured points, and the stiffness of each trial by itself.
 
     Parameters
@@ -113,9 +120,13 @@ def stiffness_fit(result: StiffnessResult, trials: Sequence[ForceDeflectionTrial
     _draw_law(left, result, reach)
     motion = MOTIONS[result.motion]
     across, up = display_unit(motion.deflection), display_unit(motion.force)
-    left.set(xlabel=across.label(motion.deflection_word), ylabel=up.label(motion.force_word), title=title)
+    left.set(
+        xlabel=across.label(motion.deflection_word), ylabel=up.label(motion.force_word), title=title
+    )
     _draw_trials(right, result)
-    figure.legend(*left.get_legend_handles_labels(), loc="outside lower left", ncols=3, columnspacing=1.4)
+    figure.legend(
+        *left.get_legend_handles_labels(), loc="outside lower left", ncols=3, columnspacing=1.4
+    )
     return figure
 
 
@@ -125,7 +136,11 @@ def _draw_points(axes: Axes, trials: Sequence[ForceDeflectionTrial], zero: Zero)
     for k, trial in enumerate(number_namesakes(list(trials))):
         seated, _ = seat(trial, zero=zero)
         across, up = display_unit(seated.motion.deflection), display_unit(seated.motion.force)
-        label = ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials") if k == 0 else None
+        label = (
+            ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials")
+            if k == 0
+            else None
+        )
         axes.plot(
             seated.deflection * across.factor,
             seated.force * up.factor,
@@ -147,37 +162,63 @@ def _draw_law(axes: Axes, result: StiffnessResult, reach: float) -> None:
     low, high = result.fitted_range
     inside, whole = np.linspace(low, high, 200), np.linspace(0.0, max(high, reach), 200)
     dropped = 0.0  # force that the fit has and the law for the model has not
-    if result.law == "linear" and result.intercept_choice == "drop" and result.intercept is not None:
+    if (
+        result.law == "linear"
+        and result.intercept_choice == "drop"
+        and result.intercept is not None
+    ):
         dropped = result.intercept.value
     fitted = (result.curve(inside) + dropped) * up.factor
-    axes.plot(inside * across.factor, fitted, color=AFTER, linewidth=1.8, label=f"fit, {result.law}{result.of_branch}")
+    axes.plot(
+        inside * across.factor,
+        fitted,
+        color=AFTER,
+        linewidth=1.8,
+        label=f"fit, {result.law}{result.of_branch}",
+    )
     label = "used in the model, without intercept" if dropped else "beyond the fitted range"
     law = result.curve(whole) * up.factor
-    axes.plot(whole * across.factor, law, color=AFTER, linewidth=1.0, linestyle=(0, (4, 2)), label=label)
+    axes.plot(
+        whole * across.factor, law, color=AFTER, linewidth=1.0, linestyle=(0, (4, 2)), label=label
+    )
     if low > 0.02 * high:
-        axes.axvspan(0.0, low * across.factor, color="#e4e8eb", linewidth=0.0, zorder=0, label="not fitted")
+        axes.axvspan(
+            0.0, low * across.factor, color="#e4e8eb", linewidth=0.0, zorder=0, label="not fitted"
+        )
     if result.operating_deflection is not None:
         at = result.operating_deflection * across.factor
-        axes.axvline(at, color=PALETTE[1], linewidth=1.2, linestyle=(0, (1, 1.5)), label="static operating point")
+        axes.axvline(
+            at,
+            color=PALETTE[1],
+            linewidth=1.2,
+            linestyle=(0, (1, 1.5)),
+            label="static operating point",
+        )
 
 
 def _draw_trials(axes: Axes, result: StiffnessResult) -> None:
     si = MOTIONS[result.motion].stiffness
     unit, pooled = display_unit(si), result.stiffness
     if pooled.interval is not None:
-        axes.axvspan(*(end * unit.factor for end in pooled.interval), color=AFTER, alpha=0.15, linewidth=0.0)
+        axes.axvspan(
+            *(end * unit.factor for end in pooled.interval), color=AFTER, alpha=0.15, linewidth=0.0
+        )
     axes.axvline(pooled.value * unit.factor, color=AFTER, linewidth=1.4)
     for row, trial in enumerate(result.trials):
         value, interval = trial.stiffness.value * unit.factor, trial.stiffness.interval
         if interval is not None:
-            axes.plot([end * unit.factor for end in interval], [row, row], color=MUTED, linewidth=1.2)
+            axes.plot(
+                [end * unit.factor for end in interval], [row, row], color=MUTED, linewidth=1.2
+            )
         axes.plot(value, row, "o", color=MEASURED, markersize=4.5)
     axes.set_yticks(range(len(result.trials)), [_short(trial.name) for trial in result.trials])
     axes.set_ylim(len(result.trials) - 0.4, -0.6)
     axes.grid(axis="y", visible=False)
     axes.set(xlabel=unit.label("stiffness"))
     axes.locator_params(axis="x", nbins=5)
-    axes.set_title(f"all trials: {quantity(pooled.value, si)} (band: 95 %)", fontweight="normal", fontsize=9)
+    axes.set_title(
+        f"all trials: {quantity(pooled.value, si)} (band: 95 %)", fontweight="normal", fontsize=9
+    )
 
 
 def _short(name: str) -> str:
@@ -207,7 +248,12 @@ def tyre_pressure(result: PressureStiffness) -> Figure:
     axes.plot(x, y, color=AFTER, label="interpolated")
     for place, estimate in zip(x, result.stiffnesses, strict=True):
         if estimate.interval is not None:
-            axes.plot([place, place], [end * stiffness.factor for end in estimate.interval], color=MUTED, linewidth=1.4)
+            axes.plot(
+                [place, place],
+                [end * stiffness.factor for end in estimate.interval],
+                color=MUTED,
+                linewidth=1.4,
+            )
     axes.plot(x, y, "o", color=MEASURED, markersize=5, label="fitted, with 95 % interval")
     axes.set(xlabel=pressure.label("inflation pressure"), ylabel=stiffness.label("tyre stiffness"))
     axes.margins(x=0.12, y=0.2)
@@ -220,7 +266,11 @@ def tyre_pressure(result: PressureStiffness) -> Figure:
 
 @in_style
 def damper_loops(
-    displacement: ArrayLike, velocity: ArrayLike, force: ArrayLike, fits: Mapping[str, ArrayLike], title: str = ""
+    displacement: ArrayLike,
+    velocity: ArrayLike,
+    force: ArrayLike,
+    fits: Mapping[str, ArrayLike],
+    title: str = "",
 ) -> Figure:
     """Draw force against velocity and against displacement, measured and fitted.
 
@@ -256,9 +306,17 @@ def damper_loops(
     ['velocity [m/s]', 'displacement [mm]']
     """
     x, v, measured = (np.asarray(values, float) for values in (displacement, velocity, force))
-    shapes = {v.shape, measured.shape, *(np.shape(values) for values in fits.values()), *([x.shape] if x.size else [])}
+    shapes = {
+        v.shape,
+        measured.shape,
+        *(np.shape(values) for values in fits.values()),
+        *([x.shape] if x.size else []),
+    }
     if len(shapes) != 1:
-        raise FitError("the columns of the damper record have different lengths", found=", ".join(map(str, shapes)))
+        raise FitError(
+            "the columns of the damper record have different lengths",
+            found=", ".join(map(str, shapes)),
+        )
     panels = [("velocity", v, display_unit("m/s"))]
     if x.size:
         panels.append(("displacement", x, display_unit("m")))
@@ -267,7 +325,12 @@ def damper_loops(
     row = figure.subplots(1, len(panels), sharey=True, squeeze=False)[0]
     for (words, values, shown), axes in zip(panels, row, strict=True):
         axes.plot(
-            values * shown.factor, measured * unit.factor, color=MEASURED, linewidth=2.6, alpha=0.35, label="measured"
+            values * shown.factor,
+            measured * unit.factor,
+            color=MEASURED,
+            linewidth=2.6,
+            alpha=0.35,
+            label="measured",
         )
         for k, (name, fitted) in enumerate(fits.items()):
             axes.plot(
@@ -287,7 +350,9 @@ def damper_loops(
 
 
 @in_style
-def decay_fit(result: DecayResult, time: ArrayLike = (), signal: ArrayLike = (), title: str = "") -> Figure:
+def decay_fit(
+    result: DecayResult, time: ArrayLike = (), signal: ArrayLike = (), title: str = ""
+) -> Figure:
     """Draw a free decay, the fitted response, and each turning point against the one before.
 
     With viscous damping alone the turning points lie on a line through the origin; dry friction shifts the line down.
@@ -310,7 +375,9 @@ def decay_fit(result: DecayResult, time: ArrayLike = (), signal: ArrayLike = (),
         Decay over time; turning points (displacements only); damping ratios of single decrements.
     """
     figure = new_figure(5.2)
-    parts = figure.subplot_mosaic([["decay", "decay"], ["peaks", "ratios"]], height_ratios=[1.25, 1.0])
+    parts = figure.subplot_mosaic(
+        [["decay", "decay"], ["peaks", "ratios"]], height_ratios=[1.25, 1.0]
+    )
     t, record = np.asarray(time, float), np.asarray(signal, float)
     _draw_decay(parts["decay"], result, t, record)
     parts["decay"].set_title(title)
@@ -326,7 +393,13 @@ def _draw_decay(axes: Axes, result: DecayResult, time: Array, record: Array) -> 
         axes.plot(time, record * unit.factor, color=MEASURED, linewidth=1.6, label="measured")
     dense = np.linspace(begin, end, 1500)
     response = decay_response(dense, result.parameters, result.quantity)
-    axes.plot(dense, response * unit.factor, color=AFTER, linewidth=1.1, label="fit: viscous damping and dry friction")
+    axes.plot(
+        dense,
+        response * unit.factor,
+        color=AFTER,
+        linewidth=1.1,
+        label="fit: viscous damping and dry friction",
+    )
     turns = np.concatenate([[0], np.flatnonzero(np.diff(np.sign(np.diff(response))) != 0) + 1])
     offset = result.parameters.offset
     envelope = np.abs(response[turns] - offset)
@@ -371,7 +444,10 @@ def _draw_peaks(axes: Axes, result: DecayResult) -> None:
         )
     axes.set_xlim(left=0.0)
     axes.set_ylim(bottom=0.0)
-    axes.set(xlabel=unit.label("turning point, from equilibrium"), ylabel=unit.label("next turning point"))
+    axes.set(
+        xlabel=unit.label("turning point, from equilibrium"),
+        ylabel=unit.label("next turning point"),
+    )
     axes.set_title("each turning point against the previous one", fontweight="normal", fontsize=9)
     axes.legend(loc="upper left")
 
@@ -379,13 +455,25 @@ def _draw_peaks(axes: Axes, result: DecayResult) -> None:
 def _draw_ratios(axes: Axes, result: DecayResult) -> None:
     count = len(result.naive_damping_ratios)
     cycles = 0.5 * np.arange(count)
-    axes.plot(cycles, result.naive_damping_ratios, "s", color=PALETTE[1], markersize=4.5, label="single decrements")
+    axes.plot(
+        cycles,
+        result.naive_damping_ratios,
+        "s",
+        color=PALETTE[1],
+        markersize=4.5,
+        label="single decrements",
+    )
     combined = result.damping_ratio
     if combined.interval is not None:
         axes.axhspan(*combined.interval, color=AFTER, alpha=0.15, linewidth=0.0)
     axes.axhline(combined.value, color=AFTER, label="viscous, with 95 % interval")
-    top = max([value for value in (*result.naive_damping_ratios, combined.value) if np.isfinite(value)], default=0.0)
-    axes.set_ylim(0.0, 1.6 * top if top > 0.0 else 1.0)  # room for the legend; a wide band may leave the axes
+    top = max(
+        [value for value in (*result.naive_damping_ratios, combined.value) if np.isfinite(value)],
+        default=0.0,
+    )
+    axes.set_ylim(
+        0.0, 1.6 * top if top > 0.0 else 1.0
+    )  # room for the legend; a wide band may leave the axes
     axes.set_xlim(-0.25, max(0.5 * count - 0.25, 1.0))
     axes.set(xlabel="cycle", ylabel="damping ratio [–]")
     friction = quantity(result.coulomb_force.value, motion_of(result.quantity).force, 3)
@@ -414,7 +502,9 @@ def update(result: UpdateResult) -> Figure:
         figure.set_figwidth(5.4)
         _draw_parameters(figure.subplots(), result.parameters)
         return figure
-    left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.0, 0.3 + 0.14 * min(count, 8)]})
+    left, right = figure.subplots(
+        1, 2, gridspec_kw={"width_ratios": [1.0, 0.3 + 0.14 * min(count, 8)]}
+    )
     _draw_parameters(left, result.parameters)
     _draw_correlation(right, result.correlation, count)
     return figure
@@ -425,9 +515,18 @@ def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter]) -> 
         middle, half = 0.5 * (p.lower + p.upper), 0.5 * (p.upper - p.lower)
         ends = [] if p.interval is None else [100.0 * (end - middle) / half for end in p.interval]
         if ends:
-            axes.plot(np.clip(ends, -108.0, 108.0), [row, row], color=AFTER, linewidth=1.6, alpha=0.6)
+            axes.plot(
+                np.clip(ends, -108.0, 108.0), [row, row], color=AFTER, linewidth=1.6, alpha=0.6
+            )
         marker, colour, ink = ("s", PALETTE[1], PALETTE[1]) if p.at_bound else ("o", AFTER, INK)
-        axes.plot(100.0 * (p.initial - middle) / half, row, "o", markersize=7, color="white", markeredgecolor=MUTED)
+        axes.plot(
+            100.0 * (p.initial - middle) / half,
+            row,
+            "o",
+            markersize=7,
+            color="white",
+            markeredgecolor=MUTED,
+        )
         axes.plot(100.0 * (p.value - middle) / half, row, marker, markersize=6, color=colour)
         axes.text(
             1.02,
@@ -442,18 +541,26 @@ def _draw_parameters(axes: Axes, parameters: Mapping[str, UpdatedParameter]) -> 
     axes.axvline(100.0, color=MUTED, linewidth=1.0)
     axes.set_xlim(-112.0, 112.0)
     axes.set_ylim(len(parameters) - 0.4, -0.6)
-    numbered = [f"{path}  {row}" if len(parameters) > 1 else path for row, path in enumerate(parameters, 1)]
+    numbered = [
+        f"{path}  {row}" if len(parameters) > 1 else path for row, path in enumerate(parameters, 1)
+    ]
     axes.set_yticks(range(len(parameters)), numbered)
     axes.set_xticks([-100, -50, 0, 50, 100])
     axes.grid(axis="y", visible=False)
     axes.set_xlabel("position between lower and upper bound [%]")
-    axes.set_title("initial ○, fitted ●, at a bound ■\nline and ±: 95 %, noise only", fontweight="normal", fontsize=9)
+    axes.set_title(
+        "initial ○, fitted ●, at a bound ■\nline and ±: 95 %, noise only",
+        fontweight="normal",
+        fontsize=9,
+    )
 
 
 def _value_text(p: UpdatedParameter) -> str:
     unit = display_unit(p.unit, p.value)
     half = None if p.interval is None else 0.5 * (p.interval[1] - p.interval[0])
-    value = 0.0 if abs(p.value) < 1e-9 * (p.upper - p.lower) else p.value  # what is left of a bound at zero
+    value = (
+        0.0 if abs(p.value) < 1e-9 * (p.upper - p.lower) else p.value
+    )  # what is left of a bound at zero
     text = number(value * unit.factor, digits_for(value, half))
     if half is not None:
         text += f" ± {number(half * unit.factor, 2)}"
@@ -465,12 +572,20 @@ _MOST_NUMBERS = 7  # parameters whose correlations have room for two decimals
 
 def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], count: int) -> None:
     values = np.array(correlation)[:count, :count]
-    size, digits = (min(8.0, 38.0 / count), 2) if count <= _MOST_NUMBERS else (max(8.0 * _MOST_NUMBERS / count, 4.0), 1)
+    size, digits = (
+        (min(8.0, 38.0 / count), 2)
+        if count <= _MOST_NUMBERS
+        else (max(8.0 * _MOST_NUMBERS / count, 4.0), 1)
+    )
     fill_cells(axes, values, "RdBu_r")
     for row in range(len(values)):
         for column in range(len(values)):
             known = values[row, row] > 0.0 and values[column, column] > 0.0
-            text = ("1" if row == column else f"{values[row, column]:.{digits}f}".replace("-", "−")) if known else "–"
+            text = (
+                ("1" if row == column else f"{values[row, column]:.{digits}f}".replace("-", "−"))
+                if known
+                else "–"
+            )
             shade = "white" if abs(values[row, column]) > 0.6 else INK
             axes.text(column, row, text, ha="center", va="center", fontsize=size, color=shade)
     axes.set_xticks(range(count), [str(k) for k in range(1, count + 1)])
@@ -504,7 +619,9 @@ def objectives(results: Sequence[UpdateResult]) -> Figure:
     axes = figure.subplots()
     for row, result in enumerate(results):
         remaining = 100.0 - result.reduction_percent
-        axes.barh(row - 0.19, 100.0, 0.34, color=BEFORE, alpha=0.55, label="before" if row == 0 else None)
+        axes.barh(
+            row - 0.19, 100.0, 0.34, color=BEFORE, alpha=0.55, label="before" if row == 0 else None
+        )
         axes.barh(row + 0.19, remaining, 0.34, color=AFTER, label="after" if row == 0 else None)
         axes.text(101.0, row - 0.19, number(result.objective_before), va="center", fontsize=8.5)
         text = f"{number(result.objective_after)} ({_change(-result.reduction_percent)})"

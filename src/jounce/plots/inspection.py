@@ -82,12 +82,17 @@ def inspection_curves(
         _decimal_commas(axes, language)
     if not drawings:
         rows[0].set_axis_off()
-        rows[0].text(0.5, 0.5, words["nothing"], ha="center", color=MUTED, transform=rows[0].transAxes)
+        rows[0].text(
+            0.5, 0.5, words["nothing"], ha="center", color=MUTED, transform=rows[0].transAxes
+        )
     return figure
 
 
 def _drawings(
-    wheels: list[WheelResult], record: xr.Dataset | None, words: dict[str, str], phase_limits: dict[str, float]
+    wheels: list[WheelResult],
+    record: xr.Dataset | None,
+    words: dict[str, str],
+    phase_limits: dict[str, float],
 ) -> list[Callable[[Axes], None]]:
     """Functions that draw the panels, from left to right."""
     drawings: list[Callable[[Axes], None]] = []
@@ -96,17 +101,28 @@ def _drawings(
         drawings.append(lambda axes: _over_frequency(axes, wheels, "amplitude", words))
         if any(_has_values(wheel.curves.phase_deg) for wheel in wheels if wheel.curves is not None):
             drawings.append(lambda axes: _phase(axes, wheels, words, phase_limits))
-    elif any(wheel.curves is not None and _has_values(wheel.curves.plate_amplitude) for wheel in wheels):
+    elif any(
+        wheel.curves is not None and _has_values(wheel.curves.plate_amplitude) for wheel in wheels
+    ):
         drawings.append(lambda axes: _over_frequency(axes, wheels, "plate", words))
     if record is not None:
         sides = [side for side in _LOOKS if f"{side}.plate.force" in record]
         loads = {wheel.wheel: wheel.static_load for wheel in wheels}
-        legend = any(side not in {wheel.wheel for wheel in wheels if wheel.curves is not None} for side in sides)
+        legend = any(
+            side not in {wheel.wheel for wheel in wheels if wheel.curves is not None}
+            for side in sides
+        )
         if not rigid and any(f"{side}.plate.z" in record for side in sides):
-            drawings.append(lambda axes: _over_time(axes, record, "plate.z", 1e3, "height", words, {}, legend=legend))
+            drawings.append(
+                lambda axes: _over_time(
+                    axes, record, "plate.z", 1e3, "height", words, {}, legend=legend
+                )
+            )
         if sides:
             drawings.append(
-                lambda axes: _over_time(axes, record, "plate.force", 1e-3, "force", words, loads, legend=legend)
+                lambda axes: _over_time(
+                    axes, record, "plate.force", 1e-3, "force", words, loads, legend=legend
+                )
             )
     return drawings
 
@@ -122,7 +138,9 @@ def _amplitude(wheel: WheelResult) -> Array:
     return 0.5 * (wheel.curves.greatest_force - wheel.curves.least_force)
 
 
-def _over_frequency(axes: Axes, wheels: list[WheelResult], kind: str, words: dict[str, str]) -> None:
+def _over_frequency(
+    axes: Axes, wheels: list[WheelResult], kind: str, words: dict[str, str]
+) -> None:
     for wheel in wheels:
         if wheel.curves is None:
             continue
@@ -130,7 +148,9 @@ def _over_frequency(axes: Axes, wheels: list[WheelResult], kind: str, words: dic
             values = 1e-3 * _amplitude(wheel)
         else:
             values = np.where(
-                turns_of_sweep(wheel.curves.frequency, wheel.curves.time), 1e3 * wheel.curves.plate_amplitude, np.nan
+                turns_of_sweep(wheel.curves.frequency, wheel.curves.time),
+                1e3 * wheel.curves.plate_amplitude,
+                np.nan,
             )
         _curve(axes, wheel.curves.frequency, values, wheel.wheel, words)
     axes.set_ylim(bottom=0.0)
@@ -138,14 +158,18 @@ def _over_frequency(axes: Axes, wheels: list[WheelResult], kind: str, words: dic
     axes.legend(loc="best", labelspacing=0.2)
 
 
-def _phase_limits(passing: float | None, failing: float | None, words: dict[str, str]) -> dict[str, float]:
+def _phase_limits(
+    passing: float | None, failing: float | None, words: dict[str, str]
+) -> dict[str, float]:
     """Limits (degrees) by their labels."""
     both = {words["passes"]: passing, words["fails"]: failing}
     named = both if None not in both.values() and passing != failing else {words["limit"]: passing}
     return {name: limit for name, limit in named.items() if limit is not None}
 
 
-def _phase(axes: Axes, wheels: list[WheelResult], words: dict[str, str], limits: dict[str, float]) -> None:
+def _phase(
+    axes: Axes, wheels: list[WheelResult], words: dict[str, str], limits: dict[str, float]
+) -> None:
     axes.axvspan(*_BAND, color="#eef3f7", linewidth=0.0, zorder=0)
     for wheel in wheels:
         curves = wheel.curves
@@ -155,14 +179,25 @@ def _phase(axes: Axes, wheels: list[WheelResult], words: dict[str, str], limits:
         if wheel.phase_angle_min_deg is not None and wheel.phase_frequency_hz is not None:
             least = wheel.phase_frequency_hz, wheel.phase_angle_min_deg
             axes.plot(*least, "o", color=_LOOKS[wheel.wheel][0], markersize=4.0)
-            frequency, angle = np.append(frequency, least[0]), np.append(angle, least[1])  # it lies between turns
+            frequency, angle = (
+                np.append(frequency, least[0]),
+                np.append(angle, least[1]),
+            )  # it lies between turns
         shown = np.where((angle > -90.0) & (angle < 270.0), angle, np.nan)
         _curve(axes, frequency, shown, wheel.wheel, words)
     for name, limit in limits.items():
         axes.axhline(limit, color=MUTED, linewidth=0.9, linestyle=(0, (2, 2)))
-        place = {"xy": (1.0, limit), "xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
+        place = {
+            "xy": (1.0, limit),
+            "xycoords": ("axes fraction", "data"),
+            "textcoords": "offset points",
+        }
         over = limit == max(limits.values())
-        where = {"xytext": (-2, 2 if over else -2), "va": "baseline" if over else "top", "ha": "right"}
+        where = {
+            "xytext": (-2, 2 if over else -2),
+            "va": "baseline" if over else "top",
+            "ha": "right",
+        }
         axes.annotate(name, **place, **where, color=MUTED, fontsize=7.5)  # type: ignore[arg-type]
     axes.set_yticks([0, 45, 90, 135, 180])
     axes.set_ylim(min(0.0, axes.get_ylim()[0]), max(180.0, axes.get_ylim()[1]))
@@ -195,7 +230,9 @@ def _over_time(
         if f"{side}.{channel}" not in record:
             continue
         centre, low, high = envelope(time, factor * record[f"{side}.{channel}"].to_numpy())
-        axes.fill_between(centre, low, high, color=colour, linewidth=0.4, alpha=0.75, label=words[side])
+        axes.fill_between(
+            centre, low, high, color=colour, linewidth=0.4, alpha=0.75, label=words[side]
+        )
         ends += [low, high]
         load = loads.get(side)
         if load is not None:
@@ -241,7 +278,9 @@ def _decimal_commas(axes: Axes, language: str) -> None:
     if language != "de":
         return
     for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}".replace(".", ",").replace("-", "−")))
+        axis.set_major_formatter(
+            FuncFormatter(lambda value, _: f"{value:g}".replace(".", ",").replace("-", "−"))
+        )
 
 
 _HOLLOW = " (hollow: unreliable, as after lift-off)"
@@ -269,7 +308,11 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
     from jounce.inspection.archive.history import QUANTITIES, day_number
     from jounce.inspection.quantities import NUMBERS
 
-    dated = [(date.fromordinal(day), visit) for visit in visits if (day := day_number(visit.date)) is not None]
+    dated = [
+        (date.fromordinal(day), visit)
+        for visit in visits
+        if (day := day_number(visit.date)) is not None
+    ]
     wheels = list(dict.fromkeys((visit.axle, visit.wheel) for _, visit in dated))
     axles = list(dict.fromkeys(axle for axle, _ in wheels))
     figure = new_figure(height)
@@ -277,12 +320,20 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
     for axes, name in zip(panels, QUANTITIES, strict=True):
         scale = NUMBERS[name].factor
         for axle, wheel in wheels:
-            own = [(day, visit) for day, visit in dated if (visit.axle, visit.wheel) == (axle, wheel)]
-            known = [(day, scale * value) for day, visit in own if (value := visit.values.get(name)) is not None]
+            own = [
+                (day, visit) for day, visit in dated if (visit.axle, visit.wheel) == (axle, wheel)
+            ]
+            known = [
+                (day, scale * value)
+                for day, visit in own
+                if (value := visit.values.get(name)) is not None
+            ]
             mark, line = _MARKS.get(wheel, ("o", "-"))
             colour = PALETTE[axles.index(axle) % len(PALETTE)]
             days, values = [day for day, _ in known], [value for _, value in known]
-            size, edge = (4.5, "white") if wheel == "right" else (7.5, colour)  # both are seen where they are equal
+            size, edge = (
+                (4.5, "white") if wheel == "right" else (7.5, colour)
+            )  # both are seen where they are equal
             axes.plot(
                 days, values, marker=mark, ls=line, color=colour, label=f"{axle} {wheel}".strip(), markersize=size,
                 markeredgecolor=edge, markeredgewidth=0.8,
@@ -291,10 +342,20 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
             hollow = [point for point in known if point[0] in doubted]
             if hollow:
                 axes.plot(
-                    *zip(*hollow, strict=True), marker=mark, ls="none", ms=size, color=colour, markerfacecolor="white"
+                    *zip(*hollow, strict=True),
+                    marker=mark,
+                    ls="none",
+                    ms=size,
+                    color=colour,
+                    markerfacecolor="white",
                 )
-        axes.set_title(NUMBERS[name].label() + (_HOLLOW if any(name in visit.unreliable for _, visit in dated) else ""))
-        shown = [scale * value for _, visit in dated if (value := visit.values.get(name)) is not None] or [1.0]
+        axes.set_title(
+            NUMBERS[name].label()
+            + (_HOLLOW if any(name in visit.unreliable for _, visit in dated) else "")
+        )
+        shown = [
+            scale * value for _, visit in dated if (value := visit.values.get(name)) is not None
+        ] or [1.0]
         axes.set_ylim(1.15 * min(0.0, *shown), 1.15 * max(0.0, *shown) or 1.0)
     if wheels:
         legend_above(panels[0])
@@ -325,8 +386,12 @@ def equivalence(study: Equivalence) -> Figure:
     row[0].set_ylabel("loss of damping [%]")
     handles = [line for line in row[0].lines if line.get_label() in _NAMES.values()]
     if any(line.get_linestyle() == "None" for axes in row for line in axes.lines):
-        handles += [Line2D([], [], color=MUTED, marker=".", linestyle="None", markersize=2.5, label=_NEVER)]
-    figure.legend(handles=handles, loc="outside upper left", ncols=len(handles), fontsize=8.5, frameon=False)
+        handles += [
+            Line2D([], [], color=MUTED, marker=".", linestyle="None", markersize=2.5, label=_NEVER)
+        ]
+    figure.legend(
+        handles=handles, loc="outside upper left", ncols=len(handles), fontsize=8.5, frameon=False
+    )
     return figure
 
 
@@ -341,7 +406,9 @@ def _panel(study: Equivalence, factor: Factor, axes: Axes) -> None:
         axes.plot(values, 100.0 * edge, color=PALETTE[i], label=name)
         never = values[np.isnan(edge)]
         if len(never):
-            axes.plot(never, np.full(len(never), 98.5 - 2.2 * i), ".", color=PALETTE[i], markersize=2.5)
+            axes.plot(
+                never, np.full(len(never), 98.5 - 2.2 * i), ".", color=PALETTE[i], markersize=2.5
+            )
     middle = 0.5 * (values[0] + values[-1])
     for height, text in ((50.0 * SOUND, "sound"), (50.0 * (1.0 + WORN), "worn")):
         axes.text(middle, height, text, ha="center", va="center", fontsize=8, color=MUTED)

@@ -27,7 +27,9 @@ _MOST_BARS, _MOST_TORNADOES = 8, 12
 _SMALLEST_BAR = 1e-3  # of the largest
 _MOST_NUMBERS = 10
 _SAID, _DARK = 0.05, 0.6  # absolute values that are written, and that need white ink
-_AROUND_NAMES = 0.14  # inches: names of points are long, and measured at another resolution than they are drawn
+_AROUND_NAMES = (
+    0.14  # inches: names of points are long, and measured at another resolution than they are drawn
+)
 _FARTHEST = 6.0  # tolerances beyond which a single value is drawn at the edge
 
 
@@ -75,7 +77,10 @@ def _curve(axes: Axes, target: TargetResult) -> None:
     seen = np.concatenate([*drawn, *(end[np.isfinite(end)] * unit.factor for end in (low, high))])
     room = 0.08 * max(float(np.ptp(seen)), 1e-9)
     ends = float(np.min(seen)) - room, float(np.max(seen)) + room
-    band = [np.clip(np.nan_to_num(end * unit.factor, posinf=ends[1], neginf=ends[0]), *ends) for end in (low, high)]
+    band = [
+        np.clip(np.nan_to_num(end * unit.factor, posinf=ends[1], neginf=ends[0]), *ends)
+        for end in (low, high)
+    ]
     axes.fill_between(x, band[0], band[1], color=PALETTE[2], alpha=0.25, lw=0, label="wanted")
     axes.plot(x, drawn[0], color=MUTED, ls="--", label="before")
     axes.plot(x, drawn[1], color=PALETTE[0], marker=".", label="after")
@@ -95,7 +100,15 @@ def _singles(axes: Axes, targets: list[TargetResult]) -> None:
         ):
             off = float(np.clip(target.off(np.array([value]))[0], -_FARTHEST, _FARTHEST))
             face = "none" if label == "before" else colour
-            axes.plot(off, i, marker=mark, color=colour, mfc=face, ls="none", label=label if i == 0 else None)
+            axes.plot(
+                off,
+                i,
+                marker=mark,
+                color=colour,
+                mfc=face,
+                ls="none",
+                label=label if i == 0 else None,
+            )
     axes.set_yticks(range(len(targets)), [target.label for target in targets])
     axes.set_ylim(len(targets) - 0.4, -0.6)
     axes.set_xlim(-1.08 * _FARTHEST, 1.08 * _FARTHEST)
@@ -128,14 +141,21 @@ def sensitivity_bars(design: KinematicDesign) -> Figure:
     grid = figure.subplots(rows, columns, squeeze=False).ravel()
     for k, (axes, target) in enumerate(zip(grid, targets, strict=False)):
         per_unit = 1.0 / (unit.factor * target.tolerance)
-        tornado(axes, {point_name(path): per_unit * effects[k] for path, effects in design.sensitivity.items()})
+        tornado(
+            axes,
+            {
+                point_name(path): per_unit * effects[k]
+                for path, effects in design.sensitivity.items()
+            },
+        )
         axes.set_title(target.label, loc="left")
     for axes in grid[len(targets) :]:
         axes.set_visible(False)
     what = f"change by 1 {unit.name} towards +x, +y, +z, in tolerances of the target (the largest over its curve)"
     left_out = len(design.targets) - len(targets)
     figure.supxlabel(
-        what + (f"\n{left_out} more targets in the table of sensitivities" if left_out else ""), fontsize=9
+        what + (f"\n{left_out} more targets in the table of sensitivities" if left_out else ""),
+        fontsize=9,
     )
     return figure
 
@@ -143,7 +163,9 @@ def sensitivity_bars(design: KinematicDesign) -> Figure:
 def tornado(axes: Axes, effects: Mapping[str, float], most: int = _MOST_BARS) -> None:
     """Draw bars to either side, the largest on top; negligible effects are left out."""
     largest = max((abs(value) for value in effects.values()), default=0.0)
-    bars = [(name, value) for name, value in effects.items() if abs(value) > _SMALLEST_BAR * largest]
+    bars = [
+        (name, value) for name, value in effects.items() if abs(value) > _SMALLEST_BAR * largest
+    ]
     bars = sorted(bars, key=lambda bar: -abs(bar[1]))[:most]
     colours = [PALETTE[0] if value > 0.0 else PALETTE[1] for _, value in bars]
     axes.barh(range(len(bars)), [value for _, value in bars], color=colours, height=0.7)
@@ -216,7 +238,9 @@ def spread_bands(spread: KinematicSpread) -> Figure:
         x = np.array([-1.0, 1.0]) if single else np.array(target.at) * along.factor
         rows = {name: np.array(getattr(target, name)) * unit.factor for name in _BANDS}
         rows = {name: np.repeat(row, 2) if single else row for name, row in rows.items()}
-        axes.fill_between(x, rows["low"], rows["high"], color=PALETTE[1], alpha=0.22, lw=0, label="as built, 95 %")
+        axes.fill_between(
+            x, rows["low"], rows["high"], color=PALETTE[1], alpha=0.22, lw=0, label="as built, 95 %"
+        )
         if spread.adjustments:
             ends = rows["low_adjusted"], rows["high_adjusted"]
             axes.fill_between(x, *ends, color=PALETTE[0], alpha=0.45, lw=0, label="adjusted, 95 %")
@@ -226,7 +250,14 @@ def spread_bands(spread: KinematicSpread) -> Figure:
             if None not in edge:
                 wanted = (np.array(edge, dtype=float) + way * target.tolerance) * unit.factor
                 wanted = np.repeat(wanted, 2) if single else wanted
-                axes.plot(x, wanted, color=PALETTE[2], ls="--", lw=1.0, label="wanted" if way < 0.0 else None)
+                axes.plot(
+                    x,
+                    wanted,
+                    color=PALETTE[2],
+                    ls="--",
+                    lw=1.0,
+                    label="wanted" if way < 0.0 else None,
+                )
                 low, high = min(low, float(wanted.min())), max(high, float(wanted.max()))
         axes.set_ylim(low, high)
         met = f"{100.0 * target.met:.0f} % meet it" + (
@@ -236,9 +267,13 @@ def spread_bands(spread: KinematicSpread) -> Figure:
         if single:
             axes.set_xticks([])
         else:
-            words = {"travel": "wheel travel", "rack": "rack travel", "roll": "roll angle"}[target.along]
+            words = {"travel": "wheel travel", "rack": "rack travel", "roll": "roll angle"}[
+                target.along
+            ]
             axes.set_xlabel(along.label(words))
-        tornado(causes, {name.replace("_", " "): 100.0 * share for name, share in target.causes.items()})
+        tornado(
+            causes, {name.replace("_", " "): 100.0 * share for name, share in target.causes.items()}
+        )
         causes.set_title("caused by (% of the variance)", loc="left")
     handles, labels = grid[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper right", ncols=len(labels))
@@ -275,7 +310,13 @@ def front_lines(front: KinematicFront) -> Figure:
     names += [point_name(paths[k]) for k in numbers]
     values = np.array([list(design.goals.values()) for design in front.designs])
     table = np.hstack(
-        [values, *((moved[:, k : k + 1] - before[k]) * unit.factor for k, unit in zip(numbers, units, strict=True))]
+        [
+            values,
+            *(
+                (moved[:, k : k + 1] - before[k]) * unit.factor
+                for k, unit in zip(numbers, units, strict=True)
+            ),
+        ]
     )
     colours = colormaps["viridis"](np.linspace(0.0, 0.92, len(front.designs)))
     pair = len(goals) == 2
@@ -287,23 +328,38 @@ def front_lines(front: KinematicFront) -> Figure:
         first.plot(*values.T, color=MUTED, lw=0.8, zorder=1.0)
         first.scatter(*values.T, c=colours, s=30, zorder=3.0)
         for k, place in enumerate(values):
-            first.annotate(str(k + 1), place, xytext=(4, 4), textcoords="offset points", fontsize=7.5, color=MUTED)
+            first.annotate(
+                str(k + 1),
+                place,
+                xytext=(4, 4),
+                textcoords="offset points",
+                fontsize=7.5,
+                color=MUTED,
+            )
         first.set(xlabel=f"{names[0]} [tolerances]", ylabel=f"{names[1]} [tolerances]")
         first.set_title("goals", loc="left")
     _parallel(
-        grid[-1], table, names, ["tolerances"] * len(goals) + [f"by {unit.name or 'SI'}" for unit in units], colours
+        grid[-1],
+        table,
+        names,
+        ["tolerances"] * len(goals) + [f"by {unit.name or 'SI'}" for unit in units],
+        colours,
     )
     return figure
 
 
-def _parallel(axes: Axes, table: np.ndarray, names: list[str], units: list[str], colours: np.ndarray) -> None:
+def _parallel(
+    axes: Axes, table: np.ndarray, names: list[str], units: list[str], colours: np.ndarray
+) -> None:
     """Draw rows as lines over upright axes, each from its least to its greatest value."""
     shares, ends = zip(*map(between_ends, table.T), strict=True)
     for row, colour in zip(np.array(shares).T, colours, strict=True):
         axes.plot(range(len(names)), row, color=colour, lw=1.2, alpha=0.9, zorder=2.0)
     draw_uprights(axes, ends)
     labels = [f"{name} [{unit}]" for name, unit in zip(names, units, strict=True)]
-    axes.set_xticks(range(len(names)), labels, rotation=35, ha="right", rotation_mode="anchor", fontsize=8)
+    axes.set_xticks(
+        range(len(names)), labels, rotation=35, ha="right", rotation_mode="anchor", fontsize=8
+    )
     axes.set_title("designs of the front" if len(table) > 1 else "the design", loc="left")
 
 
@@ -351,7 +407,13 @@ def hardpoint_fit(fit: HardpointFit) -> Figure:
         if estimate.interval is not None:
             ends = [(end - fit.before[label]) * along.factor for end in estimate.interval]
             axes.plot(ends, [k, k], color=PALETTE[0], lw=2.0, solid_capstyle="butt")
-        axes.plot(moved, k, "o", color=PALETTE[0], mfc="white" if estimate.interval is None else PALETTE[0])
+        axes.plot(
+            moved,
+            k,
+            "o",
+            color=PALETTE[0],
+            mfc="white" if estimate.interval is None else PALETTE[0],
+        )
     axes.axvline(0.0, color=MUTED, lw=0.7)
     axes.set_yticks(range(len(fit.numbers)), [point_name(label) for label in fit.numbers])
     axes.set_ylim(len(fit.numbers) - 0.4, -0.6)
@@ -367,7 +429,11 @@ def point_name(path: str) -> str:
     """Coordinate of a hardpoint in words: ``tie rod inner z``; of several rigs with its name before it."""
     owner, _, rest = path.rpartition("hardpoints.")
     name, axis = rest[:-3], rest[-2:-1]
-    return f"{owner.rstrip('.')} {name.replace('_', ' ')} {'xyz'[int(axis)]}".strip() if axis.isdigit() else path
+    return (
+        f"{owner.rstrip('.')} {name.replace('_', ' ')} {'xyz'[int(axis)]}".strip()
+        if axis.isdigit()
+        else path
+    )
 
 
 def design_pictures(design: KinematicDesign) -> dict[str, Callable[[], Figure]]:
@@ -385,5 +451,7 @@ def design_pictures(design: KinematicDesign) -> dict[str, Callable[[], Figure]]:
         pictures[f"spread-{name}" if name else "spread"] = partial(spread_bands, spread)
     for name, rig in design.rigs.items():
         label = f"geometry-{name}" if name else "geometry"
-        pictures[label] = partial(suspension_geometry, {"before": before[name], "after": rig}, title=name)
+        pictures[label] = partial(
+            suspension_geometry, {"before": before[name], "after": rig}, title=name
+        )
     return pictures

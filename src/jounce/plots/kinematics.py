@@ -33,7 +33,13 @@ if TYPE_CHECKING:
     from jounce.kinematics.clearance_study import ClearanceStudy
     from jounce.kinematics.swept import Swept
 
-_GRADIENTS = ("roll_steer", "roll_camber", "roll_caster", "kingpin_inclination_gain", "camber_per_steer")
+_GRADIENTS = (
+    "roll_steer",
+    "roll_camber",
+    "roll_caster",
+    "kingpin_inclination_gain",
+    "camber_per_steer",
+)
 _HANDWHEEL = ("steering_ratio", "c_factor", "handwheel_angle", "rack_force", "handwheel_torque")
 _ROCKER = ("rocker_angle", "pushrod_angle", "rocker_spring_angle")
 _FURTHER_SPRINGS = (
@@ -121,13 +127,22 @@ SHEETS: dict[str, tuple[str, ...]] = {
 """Quantities that belong together, sheet by sheet; what no sheet names comes on the last one."""
 _OTHERS = "others"
 _COLUMNS = 3
-_TO_INFINITY = ("instant_centre", "swing_arm", "turning_radius", "turn_diameter", "roll_centre_y", "ackermann")
+_TO_INFINITY = (
+    "instant_centre",
+    "swing_arm",
+    "turning_radius",
+    "turn_diameter",
+    "roll_centre_y",
+    "ackermann",
+)
 _ASYMPTOTE = 8.0  # curves that leave their middle half by this many times its width run to infinity
 _MOST_LINES = 5
 
 
 @in_style
-def kinematic_curves(sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: Sequence[str] | None = None) -> Figure:
+def kinematic_curves(
+    sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: Sequence[str] | None = None
+) -> Figure:
     """Draw quantities of a kinematic sweep, or of several over each other, one set of axes each.
 
     Left and right wheel of an axle share their axes; of pairs of travel and rack, up to five racks are drawn as lines.
@@ -168,16 +183,21 @@ def kinematic_curves(sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: S
     known = [name for name in _quantities(next(iter(sweeps.values()))) if _all_have(sweeps, name)]
     over = {_along(data) for data in sweeps.values()}
     if len(over) > 1:
-        raise RecordingError("sweeps over different things", found=", ".join(sorted(over)), allowed="one of them")
+        raise RecordingError(
+            "sweeps over different things", found=", ".join(sorted(over)), allowed="one of them"
+        )
     for name in quantities or ():
         if name not in known:
             raise RecordingError(
-                Phrase("no quantity {name!r}", name=name), allowed=", ".join(known), hint=nearest(name, known)
+                Phrase("no quantity {name!r}", name=name),
+                allowed=", ".join(known),
+                hint=nearest(name, known),
             )
     names = list(quantities) if quantities else [name for name in default if name in known]
     if not names:
         raise RecordingError(
-            "no kinematic quantities", found=", ".join(map(str, next(iter(sweeps.values())))) or "none"
+            "no kinematic quantities",
+            found=", ".join(map(str, next(iter(sweeps.values())))) or "none",
         )
     columns = columns_of(len(names), _COLUMNS)
     rows = -(-len(names) // columns)
@@ -242,7 +262,9 @@ def write_kinematics(sweep: xr.Dataset, folder: Path | str, *, force: bool = Fal
 
 def _quantities(sweep: xr.Dataset) -> list[str]:
     """Names of the quantities without the side of an axle, places of points left out."""
-    names = [str(name) for name in sweep.data_vars if sweep[name].dims and "sign" in sweep[name].attrs]
+    names = [
+        str(name) for name in sweep.data_vars if sweep[name].dims and "sign" in sweep[name].attrs
+    ]
     bare = [name.removeprefix("left.").removeprefix("right.") for name in names]
     return [name for name in dict.fromkeys(bare) if name[-2:] not in (".x", ".y", ".z")]
 
@@ -261,12 +283,16 @@ def _draw(axes: Axes, sweeps: Mapping[str, xr.Dataset], name: str) -> None:
     lines, places = [], []
     for label, sweep in sweeps.items():
         own = _lines(sweep, name, along)
-        lines += [(", ".join(filter(None, (in_legend(label), words))), values, which) for words, values, which in own]
+        lines += [
+            (", ".join(filter(None, (in_legend(label), words))), values, which)
+            for words, values, which in own
+        ]
         places += [sweep[along].to_numpy()] * len(own)
     si = str(first[lines[0][2]].attrs.get("units", "1"))
     if si == "m" and any(word in name for word in FAR_AWAY):
         lines = [
-            (label, np.where(np.abs(values) < PARALLEL, values, np.nan), variable) for label, values, variable in lines
+            (label, np.where(np.abs(values) < PARALLEL, values, np.nan), variable)
+            for label, values, variable in lines
         ]
     lines = [(label, settle(values, si), variable) for label, values, variable in lines]
     if any(word in name for word in _TO_INFINITY):
@@ -279,11 +305,15 @@ def _draw(axes: Axes, sweeps: Mapping[str, xr.Dataset], name: str) -> None:
     for k, ((label, values, _), place) in enumerate(zip(lines, places, strict=True)):
         x = place * across.factor
         mark = "." if len(x) < 12 else None
-        axes.plot(x, values * unit.factor, color=PALETTE[k % len(PALETTE)], label=label, marker=mark)
+        axes.plot(
+            x, values * unit.factor, color=PALETTE[k % len(PALETTE)], label=label, marker=mark
+        )
     axes.set_title(unit.label(name.replace("_", " ")), loc="left")
     axes.axvline(0.0, color=MUTED, linewidth=0.6, zorder=0.5)
     if not finite.size and any(word in name for word in FAR_AWAY):
-        axes.text(0.5, 0.5, "parallel", ha="center", va="center", color=MUTED, transform=axes.transAxes)
+        axes.text(
+            0.5, 0.5, "parallel", ha="center", va="center", color=MUTED, transform=axes.transAxes
+        )
     _steady(axes, finite * unit.factor)
 
 

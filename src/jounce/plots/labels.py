@@ -38,14 +38,18 @@ def write_names(axes: Axes, places: Mapping[str, Array], scale: float, floor: fl
     (left, right), (low, high) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
     gap, width = 1.35 * COLUMN_SIZE / 72.0 * scale, column_width(places) * scale
     low += max(gap, floor * scale)
-    for names, inner, side in zip(_columns(places), (left + width, right - width), ("right", "left"), strict=True):
+    for names, inner, side in zip(
+        _columns(places), (left + width, right - width), ("right", "left"), strict=True
+    ):
         if not names:
             continue
         points = np.array([places[name] for name in names])
         heights = _untangle(points, inner, spread(points[:, 1], low, high - gap, gap))
         start = inner + (-0.04 if side == "right" else 0.04) * scale
         for name, point, height in zip(names, points, heights, strict=True):
-            axes.plot([inner, point[0]], [height, point[1]], color=_LEADER, linewidth=0.5, zorder=6.0)
+            axes.plot(
+                [inner, point[0]], [height, point[1]], color=_LEADER, linewidth=0.5, zorder=6.0
+            )
             axes.text(
                 start,
                 height,
@@ -64,7 +68,8 @@ def _columns(places: Mapping[str, Array]) -> tuple[list[str], list[str]]:
     ordered = sorted(places, key=lambda name: (round(float(places[name][0]), 3), name))
     half = len(ordered) // 2
     left, right = (
-        sorted(part, key=lambda name: (float(places[name][1]), name)) for part in (ordered[:half], ordered[half:])
+        sorted(part, key=lambda name: (float(places[name][1]), name))
+        for part in (ordered[:half], ordered[half:])
     )
     return left, right
 
@@ -141,7 +146,10 @@ def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -
 
     figure = axes.get_figure()
     assert isinstance(figure, Figure)
-    trial = [axes.annotate(name, place, fontsize=_SIZE) for name, place in zip(names, places, strict=True)]
+    trial = [
+        axes.annotate(name, place, fontsize=_SIZE)
+        for name, place in zip(names, places, strict=True)
+    ]
     lay_out(figure)
     boxes = [text.get_window_extent() for text in trial]
     for text in trial:
@@ -152,8 +160,16 @@ def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -
     sizes = scale * np.array([[box.width, box.height] for box in boxes]).reshape(-1, 2)
     layout = LabelLayout(points, np.asarray(radii, dtype=float), sizes, frame[:2], frame[2:])
     for i, centre in enumerate(layout.place_all()):
-        is_away = float(np.hypot(*(layout.edge(i, centre[None])[0] - points[i]))) > radii[i] + 2.0 * _GAP
-        line = {"arrowstyle": "-", "color": MUTED, "linewidth": 0.5, "shrinkA": 0.5, "shrinkB": float(radii[i])}
+        is_away = (
+            float(np.hypot(*(layout.edge(i, centre[None])[0] - points[i]))) > radii[i] + 2.0 * _GAP
+        )
+        line = {
+            "arrowstyle": "-",
+            "color": MUTED,
+            "linewidth": 0.5,
+            "shrinkA": 0.5,
+            "shrinkB": float(radii[i]),
+        }
         axes.annotate(
             names[i], tuple(places[i]), tuple(centre - points[i]), textcoords="offset points", fontsize=_SIZE,
             color=INK, ha="center", va="center", zorder=6, arrowprops=line if is_away else None,
@@ -182,7 +198,9 @@ class LabelLayout:
         [[13.5, 0.0]]
         """
         options = [self._options(i) for i in range(len(self.points))]
-        distances = np.sort(np.linalg.norm(self.points[:, None] - self.points[None], axis=2), axis=1)
+        distances = np.sort(
+            np.linalg.norm(self.points[:, None] - self.points[None], axis=2), axis=1
+        )
         crowded_first = np.argsort(distances[:, :5].sum(axis=1), kind="stable")
         chosen: dict[int, Array] = {}
         for _ in range(_ROUNDS):
@@ -197,7 +215,9 @@ class LabelLayout:
 
     def edge(self, i: int, centres: Array) -> Array:
         """Nearest places to point ``i`` on its name, shape (m, 2), were its centre at each of ``centres``."""
-        return np.asarray(np.clip(self.points[i], centres - 0.5 * self.sizes[i], centres + 0.5 * self.sizes[i]))
+        return np.asarray(
+            np.clip(self.points[i], centres - 0.5 * self.sizes[i], centres + 0.5 * self.sizes[i])
+        )
 
     def _options(self, i: int) -> tuple[Array, Array]:
         """Candidate places of a name, shape (m, 2), with a penalty for each, shape (m,)."""
@@ -211,7 +231,9 @@ class LabelLayout:
     def _costs(self, i: int, centres: Array, others: dict[int, Array]) -> Array:
         """Cost of each place of a name, shape (m,), with the other names fixed."""
         half = 0.5 * self.sizes[i] + 0.5 * _GAP
-        beyond = np.maximum(self.low - (centres - half), 0.0) + np.maximum(centres + half - self.high, 0.0)
+        beyond = np.maximum(self.low - (centres - half), 0.0) + np.maximum(
+            centres + half - self.high, 0.0
+        )
         cost = _OUTSIDE * beyond.sum(axis=1)
         away = np.maximum(np.abs(self.points[None] - centres[:, None]) - half, 0.0)
         cost += _HIDDEN * (np.hypot(away[..., 0], away[..., 1]) < self.radii).sum(axis=1)
@@ -223,7 +245,9 @@ class LabelLayout:
             cost += _COVERED * (np.abs(centres - centre) < half + size).all(axis=1)
             cost += _CROSSED * (np.abs(line - centre) < size).all(axis=2).any(axis=1)
             theirs = self._lines(j, centre[None])[0]
-            cost += _CROSSED * (np.abs(theirs[None] - centres[:, None]) < half).all(axis=2).any(axis=1)
+            cost += _CROSSED * (np.abs(theirs[None] - centres[:, None]) < half).all(axis=2).any(
+                axis=1
+            )
             cost += _CROSSED * _cross(line, theirs)
         return np.asarray(cost)
 

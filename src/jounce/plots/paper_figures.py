@@ -49,17 +49,23 @@ def paper_figures(result: CampaignResult) -> dict[str, Figure]:
     bench = result.characterisation
     figures: dict[str, Figure] = {}
     if bench.spring is not None:
-        figures["figure-4a"] = force_against_deflection("(a) spring", bench.loaded["bench.spring"], [bench.spring])
+        figures["figure-4a"] = force_against_deflection(
+            "(a) spring", bench.loaded["bench.spring"], [bench.spring]
+        )
     for name, fit in list(bench.tyre.items())[:1]:
         cubic = bench.tyre_polynomial.get(name)
         laws = [fit] if cubic is None else [fit, cubic]
-        figures["figure-4b"] = force_against_deflection(f"(b) tyre, {name}", bench.loaded[f'bench.tyre."{name}"'], laws)
+        figures["figure-4b"] = force_against_deflection(
+            f"(b) tyre, {name}", bench.loaded[f'bench.tyre."{name}"'], laws
+        )
     roads = read_roads(result.campaign.roads, folder=result.folder)
     kinds = {isinstance(road, Train): road for road in reversed(roads.values())}
     if kinds:
         figures["figure-6"] = obstacle_profiles([kinds[kind] for kind in sorted(kinds)])
     for k, strategy in enumerate(result.strategies[: _LAST_UPDATE - _FIRST_UPDATE + 1]):
-        figures[f"figure-{_FIRST_UPDATE + k}"] = adjusted_and_not(strategy, strategy.trial(strategy.fitted_on[0]))
+        figures[f"figure-{_FIRST_UPDATE + k}"] = adjusted_and_not(
+            strategy, strategy.trial(strategy.fitted_on[0])
+        )
     return figures
 
 
@@ -77,7 +83,9 @@ def force_against_deflection(
     for k, trial in enumerate(trials):
         seated, _ = seat(trial, zero=laws[0].zero)
         reach = max(reach, float(seated.deflection.max()))
-        label = f"experiment, {len(trials)} trial{'s' if len(trials) > 1 else ''}" if k == 0 else None
+        label = (
+            f"experiment, {len(trials)} trial{'s' if len(trials) > 1 else ''}" if k == 0 else None
+        )
         axes.plot(
             length.factor * seated.deflection,
             force.factor * seated.force,
@@ -87,7 +95,9 @@ def force_against_deflection(
             markersize=3.0,
             label=label,
         )
-    for (colour, dashes), law in zip(((AFTER, "-"), (PALETTE[1], (0, (4, 1.6)))), laws, strict=False):
+    for (colour, dashes), law in zip(
+        ((AFTER, "-"), (PALETTE[1], (0, (4, 1.6)))), laws, strict=False
+    ):
         low, high = law.fitted_range
         offset = law.intercept.value if law.law == "linear" and law.intercept is not None else 0.0
         x = np.linspace(low, max(high, reach), 200)
@@ -116,7 +126,9 @@ def obstacle_profiles(roads: Sequence[Road]) -> Figure:
     for letter, axes, road in zip("abcdef", grid, roads, strict=False):
         x = np.linspace(road.start - 0.03, road.end() + 0.03, 2000)
         axes.plot(unit.factor * (x - road.start), unit.factor * road.height_at(x), color=AFTER)
-        what = f"a series of {road.count} obstacles" if isinstance(road, Train) else "single obstacle"
+        what = (
+            f"a series of {road.count} obstacles" if isinstance(road, Train) else "single obstacle"
+        )
         axes.set(xlabel=unit.label("distance"), title=f"({letter}) {what}")
     grid[0].set_ylabel(unit.label("height"))
     return figure
@@ -159,13 +171,20 @@ def _draw(axes: Axes, trial: StrategyTrial, name: str, *, labels: bool = True) -
     )
     shown = (trial.signals or trial.signals_before)[name]
     unit = _unit(name, shown)
-    axes.plot(shown.time, shown.measured * unit.factor, color=MEASURED, linewidth=2.2, label="experiment")
+    axes.plot(
+        shown.time, shown.measured * unit.factor, color=MEASURED, linewidth=2.2, label="experiment"
+    )
     words = []
     for signals, comparison, colour, label, dashes in lines:
         if name in signals and comparison is not None:
             curve = signals[name]
             axes.plot(
-                curve.time, curve.simulated * unit.factor, color=colour, linewidth=1.0, linestyle=dashes, label=label
+                curve.time,
+                curve.simulated * unit.factor,
+                color=colour,
+                linewidth=1.0,
+                linestyle=dashes,
+                label=label,
             )
             words.append(f"{comparison.channels[name].r2:.3f}".replace("-", "−"))
     axes.set_title(f"R² {' → '.join(words)}", loc="right", fontweight="normal", fontsize=8.5)
@@ -182,7 +201,9 @@ def _unit(name: str, shown: Signals) -> DisplayUnit:
 def update_on_every_trial(strategy: StrategyResult) -> Figure:
     """Draw every trial before and after one update: a row for each trial, a column for each channel, over time (s)."""
     trials = [trial for trial in strategy.trials if trial.signals or trial.signals_before]
-    channels = list(dict.fromkeys(name for trial in trials for name in (trial.signals or trial.signals_before)))
+    channels = list(
+        dict.fromkeys(name for trial in trials for name in (trial.signals or trial.signals_before))
+    )
     figure = new_figure(0.6 + 1.15 * len(trials), 8.2)
     grid = figure.subplots(len(trials), len(channels), squeeze=False)
     for row, trial in zip(grid, trials, strict=True):
@@ -193,7 +214,10 @@ def update_on_every_trial(strategy: StrategyResult) -> Figure:
                 continue
             _draw(axes, trial, name, labels=False)
             unit = _unit(name, signals[name]).name or "–"
-            axes.set_title(f"{trial.number}{', fitted' if trial.is_fitted else ''}: {name} [{unit}]", fontsize=8.5)
+            axes.set_title(
+                f"{trial.number}{', fitted' if trial.is_fitted else ''}: {name} [{unit}]",
+                fontsize=8.5,
+            )
             axes.set_xlim(lively_window(signals))
             axes.tick_params(labelsize=7)
     for axes in grid[-1]:

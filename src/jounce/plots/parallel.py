@@ -31,7 +31,9 @@ def between_ends(values: Array) -> tuple[Array, Ends]:
     >>> between_ends(np.array([-15.0, -15.0 + 1e-9]))[0].tolist()
     [0.5, 0.5]
     """
-    values = np.where(np.abs(values) < _NOTHING * np.nanmax(np.abs(values), initial=0.0), 0.0, values)
+    values = np.where(
+        np.abs(values) < _NOTHING * np.nanmax(np.abs(values), initial=0.0), 0.0, values
+    )
     low, high = float(np.nanmin(values)), float(np.nanmax(values))
     least, greatest = map(number, (low, high))
     shares = (values - low) / (high - low) if least != greatest else np.full(len(values), 0.5)

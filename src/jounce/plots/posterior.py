@@ -60,7 +60,10 @@ def posterior_draws(posterior: Posterior) -> Figure:
     1
     """
     paths = list(posterior.parameters)
-    names = [f"component of {path}" if f"component of {path}" in posterior.samples else path for path in paths]
+    names = [
+        f"component of {path}" if f"component of {path}" in posterior.samples else path
+        for path in paths
+    ]
     columns, others, units, limits = [], [], [], []
     for path, name in zip(paths, names, strict=True):
         values = posterior.samples[name].to_numpy().ravel()
@@ -90,7 +93,13 @@ def posterior_draws(posterior: Posterior) -> Figure:
                 _histogram(axes, columns[i], ends, others[i], limits[i])
             else:
                 axes.plot(
-                    columns[j][rows], columns[i][rows], ".", ms=1.2, alpha=0.35, color=PALETTE[0], rasterized=True
+                    columns[j][rows],
+                    columns[i][rows],
+                    ".",
+                    ms=1.2,
+                    alpha=0.35,
+                    color=PALETTE[0],
+                    rasterized=True,
                 )
                 axes.set_ylim(limits[i])
             axes.set_xlim(limits[j])
@@ -106,7 +115,11 @@ def posterior_draws(posterior: Posterior) -> Figure:
 
 
 def _histogram(
-    axes: Axes, values: Array, interval: list[float], other: Array | None, limits: tuple[float, float]
+    axes: Axes,
+    values: Array,
+    interval: list[float],
+    other: Array | None,
+    limits: tuple[float, float],
 ) -> None:
     settings: dict[str, Any] = {"bins": _BINS, "range": limits}
     words = "draws" if other is None else "test machine"
@@ -140,7 +153,9 @@ def profile_likelihood(posterior: Posterior) -> Figure:
     figure = new_figure(0.4 + 2.1 * tall, 2.9 * wide + 0.5)
     grid = figure.subplots(tall, wide, squeeze=False).ravel()
     for axes, (path, profile) in zip(grid, posterior.profiles.items(), strict=False):
-        unit = display_unit(posterior.parameters[path].unit or "1", float(np.max(np.abs(profile.values))))
+        unit = display_unit(
+            posterior.parameters[path].unit or "1", float(np.max(np.abs(profile.values)))
+        )
         values = profile.values * unit.factor
         top = int(np.argmax(profile.log_likelihood))
         axes.plot(values, profile.log_likelihood, color=PALETTE[0], label="profile")
@@ -183,35 +198,54 @@ def posterior_bands(posterior: Posterior, trial: str | None = None) -> Figure:
         same less the mean, where a narrow band is seen.
     """
     if not posterior.predictions:
-        raise FitError("nothing was predicted", where=posterior.name, hint="Call posterior without predict=().")
+        raise FitError(
+            "nothing was predicted", where=posterior.name, hint="Call posterior without predict=()."
+        )
     if trial is not None and trial not in posterior.predictions:
         raise unknown(trial, posterior.predictions, what="trial", where="trial")
     name = trial if trial is not None else next(iter(posterior.predictions))
     channels = posterior.predictions[name]
     figure = new_figure(0.9 + 2.9 * len(channels))
     ratios = [2.0, 1.0] * len(channels)
-    column = figure.subplots(2 * len(channels), 1, squeeze=False, sharex=True, height_ratios=ratios)[:, 0]
-    for axes, rest, (channel, band) in zip(column[::2], column[1::2], channels.items(), strict=True):
+    column = figure.subplots(
+        2 * len(channels), 1, squeeze=False, sharex=True, height_ratios=ratios
+    )[:, 0]
+    for axes, rest, (channel, band) in zip(
+        column[::2], column[1::2], channels.items(), strict=True
+    ):
         unit = display_unit(band.unit, float(np.max(np.abs(band.measured))))
         _band(axes, band, unit, 0.0 * band.mean)
         axes.set_ylabel(unit.label(at_tick(channel, 24)))
-        axes.set_title(f"{100.0 * band.inside:.0f} % of the samples inside", loc="right", fontsize=7.5, color=MUTED)
+        axes.set_title(
+            f"{100.0 * band.inside:.0f} % of the samples inside",
+            loc="right",
+            fontsize=7.5,
+            color=MUTED,
+        )
         _band(rest, band, unit, band.mean)
         rest.set_ylabel("less mean" + (f"\n[{unit.name}]" if unit.name else ""))
     first = next(iter(channels.values()))
-    column[0].set_title(f"{name}, {'fitted' if first.is_fitted else 'held out'}", loc="left", fontsize=9)
+    column[0].set_title(
+        f"{name}, {'fitted' if first.is_fitted else 'held out'}", loc="left", fontsize=9
+    )
     handles, labels = column[0].get_legend_handles_labels()
     legend_outside(figure, handles, labels, 4)
     column[-1].set_xlabel("time [s]")
     moving = np.flatnonzero(first.whole > 1.05 * float(np.min(first.whole)))
     if len(moving):
-        column[-1].set_xlim(first.time[max(moving[0] - 50, 0)], first.time[min(moving[-1] + 50, len(first.time) - 1)])
+        column[-1].set_xlim(
+            first.time[max(moving[0] - 50, 0)],
+            first.time[min(moving[-1] + 50, len(first.time) - 1)],
+        )
     return figure
 
 
 def _band(axes: Axes, band: PredictionBand, unit: DisplayUnit, less: Array) -> None:
     """Draw a band, its mean and the recording, all less a curve."""
-    for whole, alpha, words in ((True, 0.22, "95 %, all that is counted"), (False, 0.5, "95 %, parameters")):
+    for whole, alpha, words in (
+        (True, 0.22, "95 %, all that is counted"),
+        (False, 0.5, "95 %, parameters"),
+    ):
         low, high = (unit.factor * (end - less) for end in band.ends(whole=whole))
         axes.fill_between(band.time, low, high, color=PALETTE[0], alpha=alpha, lw=0, label=words)
     axes.plot(band.time, unit.factor * (band.mean - less), color=PALETTE[0], lw=0.9, label="mean")

@@ -13,7 +13,17 @@ from jounce.core.errors import RecordingError, SimulationError, nearest
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.plots.display import number, words_of
-from jounce.plots.figures import AFTER, MUTED, PALETTE, in_legend, in_style, legend_above, limits, log_axes, new_figure
+from jounce.plots.figures import (
+    AFTER,
+    MUTED,
+    PALETTE,
+    in_legend,
+    in_style,
+    legend_above,
+    limits,
+    log_axes,
+    new_figure,
+)
 from jounce.plots.thinning import thin
 from jounce.recordings.schema import QUANTITIES, quantity_of
 
@@ -74,7 +84,9 @@ def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figu
     shaded = False
     for name, axes in zip(names, rows, strict=True):
         values = run[name].to_numpy()
-        unit = display_unit(str(run[name].attrs.get("units", "1")), float(np.abs(values).max(initial=0.0)))
+        unit = display_unit(
+            str(run[name].attrs.get("units", "1")), float(np.abs(values).max(initial=0.0))
+        )
         few, shown = thin(time, values, float(time[0]), float(time[-1]), MOST_COLUMNS)
         axes.plot(few, shown * unit.factor, color=PALETTE[0], linewidth=1.1)
         axes.set_ylabel(unit.label(f"{words_of(name)}\n").replace("\n ", "\n"))
@@ -85,7 +97,9 @@ def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figu
     if shaded:
         first = next(axes for axes in rows if axes.get_legend_handles_labels()[0])
         handles = first.get_legend_handles_labels()[0]
-        rows[0].legend(handles=handles, loc="lower right", bbox_to_anchor=(1.0, 1.0), labelcolor=MUTED)
+        rows[0].legend(
+            handles=handles, loc="lower right", bbox_to_anchor=(1.0, 1.0), labelcolor=MUTED
+        )
     figure.align_ylabels(rows)
     return figure
 
@@ -95,7 +109,9 @@ def _choose_channels(run: xr.Dataset, channels: Sequence[str] | None) -> list[st
     if channels is None:
         channels = [name for name in _PREFERRED if name in present] or present[:_MOST_BY_DEFAULT]
     if not channels:
-        raise RecordingError("no channel over time to draw", found=", ".join(map(str, run.data_vars)) or "nothing")
+        raise RecordingError(
+            "no channel over time to draw", found=", ".join(map(str, run.data_vars)) or "nothing"
+        )
     for name in channels:
         if name not in present:
             raise RecordingError(
@@ -107,7 +123,9 @@ def _choose_channels(run: xr.Dataset, channels: Sequence[str] | None) -> list[st
     return list(channels)
 
 
-def _shade_lost_contact(axes: Axes, run: xr.Dataset, name: str, time: Array, *, labelled: bool) -> bool:
+def _shade_lost_contact(
+    axes: Axes, run: xr.Dataset, name: str, time: Array, *, labelled: bool
+) -> bool:
     """Shade where the channel's own tyre (or, for channels without a corner, any tyre) carries no load."""
     corner = name.partition(".")[0]
     tyres = [str(other) for other in run.data_vars if str(other).endswith("tyre.force")]
@@ -117,7 +135,15 @@ def _shade_lost_contact(axes: Axes, run: xr.Dataset, name: str, time: Array, *, 
         lost |= run[other].to_numpy() == 0.0
     for k, (begin, end) in enumerate(stretches(lost)):
         label = "no contact" if labelled and k == 0 else None
-        axes.axvspan(time[begin], time[end], color=_NO_CONTACT, linewidth=0.0, alpha=0.7, zorder=0, label=label)
+        axes.axvspan(
+            time[begin],
+            time[end],
+            color=_NO_CONTACT,
+            linewidth=0.0,
+            alpha=0.7,
+            zorder=0,
+            label=label,
+        )
     return bool(lost.any())
 
 
@@ -134,7 +160,9 @@ def stretches(condition: NDArray[np.bool_]) -> list[tuple[int, int]]:
 
 
 @in_style
-def sweep(results: xr.Dataset, variables: Sequence[str] | None = None, along: str = "speed") -> Figure:
+def sweep(
+    results: xr.Dataset, variables: Sequence[str] | None = None, along: str = "speed"
+) -> Figure:
     r"""Draw the variables of a study against what was varied.
 
     Parameters
@@ -167,18 +195,26 @@ def sweep(results: xr.Dataset, variables: Sequence[str] | None = None, along: st
     """
     if along not in results.coords:
         raise RecordingError(
-            Phrase("no coordinate {along!r}", along=along), found=", ".join(map(str, results.coords)) or "none"
+            Phrase("no coordinate {along!r}", along=along),
+            found=", ".join(map(str, results.coords)) or "none",
         )
-    present = [str(name) for name in results.data_vars if along in results[name].dims and results[name].ndim <= 2]
+    present = [
+        str(name)
+        for name in results.data_vars
+        if along in results[name].dims and results[name].ndim <= 2
+    ]
     for name in variables or ():
         if name not in present:
             raise RecordingError(
-                Phrase("no variable {name!r}", name=name), allowed=", ".join(present), hint=nearest(name, present)
+                Phrase("no variable {name!r}", name=name),
+                allowed=", ".join(present),
+                hint=nearest(name, present),
             )
     names = list(variables or present[:_MOST_BY_DEFAULT])
     if not names:
         raise RecordingError(
-            Phrase("no variable over {along!r} to draw", along=along), found=", ".join(map(str, results.data_vars))
+            Phrase("no variable over {along!r} to draw", along=along),
+            found=", ".join(map(str, results.data_vars)),
         )
     figure = new_figure(0.7 + 1.6 * len(names) if len(names) > 1 else 3.0)
     rows = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
@@ -209,7 +245,9 @@ def _draw_variable(axes: Axes, variable: xr.DataArray, along: str) -> None:
                 marker=mark,
                 label=in_legend(_value(lines[across[0]], value)),
             )
-    axes.set_ylabel(unit.label(f"{variable.attrs.get('long_name', variable.name)}\n").replace("\n ", "\n"))
+    axes.set_ylabel(
+        unit.label(f"{variable.attrs.get('long_name', variable.name)}\n").replace("\n ", "\n")
+    )
 
 
 def _unit(variable: xr.DataArray) -> str:
@@ -258,13 +296,17 @@ def road_profile(roads: Road | Mapping[str, Road], distance: float | None = None
     for (name, road), axes in zip(named.items(), rows, strict=True):
         x, height = sample_segments(road.segments(reach))
         if height.min() >= 0.0:
-            axes.fill_between(across.factor * x, up.factor * height, 0.0, color="#cfd6dc", linewidth=0.0)
+            axes.fill_between(
+                across.factor * x, up.factor * height, 0.0, color="#cfd6dc", linewidth=0.0
+            )
         axes.plot(across.factor * x, up.factor * height, color=PALETTE[0], linewidth=1.1)
         axes.set_title(name)
         axes.set_ylabel(up.label("height" if len(named) == 1 else "height\n").replace("\n ", "\n"))
         axes.margins(y=0.15)
     begin = min(road.start for road in named.values()) if distance is None else 0.0
-    rows[0].set_xlim(across.factor * max(0.0, begin - 0.08 * (reach - begin)), across.factor * reach)
+    rows[0].set_xlim(
+        across.factor * max(0.0, begin - 0.08 * (reach - begin)), across.factor * reach
+    )
     rows[-1].set_xlabel(across.label("distance"))
     figure.align_ylabels(rows)
     return figure
@@ -327,13 +369,17 @@ def frequency_response(
 
     f = np.geomspace(0.1, 100.0, 1200) if frequency is None else np.asarray(frequency, float)
     figure = new_figure(3.6, 3.9 * max(1, len(outputs)) if len(outputs) < 3 else 3.0 * len(outputs))
-    grid = figure.subplots(2, len(outputs), sharex=True, squeeze=False, gridspec_kw={"height_ratios": [2.2, 1.0]})
+    grid = figure.subplots(
+        2, len(outputs), sharex=True, squeeze=False, gridspec_kw={"height_ratios": [2.2, 1.0]}
+    )
     road = display_unit("m")
     for column, name in enumerate(outputs):
         response = model.frequency_response(f, name, track)
         known = quantity_of(name)
         unit = display_unit(QUANTITIES[known][0] if known else "1")
-        per = f"({unit.name})/{road.name}" if "/" in unit.name else f"{unit.name or '1'}/{road.name}"
+        per = (
+            f"({unit.name})/{road.name}" if "/" in unit.name else f"{unit.name or '1'}/{road.name}"
+        )
         top, bottom = grid[:, column]
         top.plot(f, np.abs(response) * unit.factor / road.factor, color=PALETTE[0])
         log_axes(top)
@@ -341,7 +387,9 @@ def frequency_response(
         top.set(ylabel=f"{words_of(name)}\nper {track} [{per}]", title=name)
         turned = np.degrees(np.unwrap(np.angle(response)))
         bottom.plot(f, turned, color=PALETTE[0])
-        bottom.yaxis.set_major_locator(MultipleLocator(90.0 * max(1, round(float(np.ptp(turned)) / 270.0))))
+        bottom.yaxis.set_major_locator(
+            MultipleLocator(90.0 * max(1, round(float(np.ptp(turned)) / 270.0)))
+        )
         bottom.set(xlabel="frequency [Hz]", ylabel="phase [°]", xlim=(float(f[0]), float(f[-1])))
     return figure
 
@@ -424,8 +472,13 @@ def modes(natural_modes: Sequence[Mode]) -> Figure:
         axes.set_xlim(-1.15, 1.15)
         axes.grid(axis="y", visible=False)
         axes.set_ylim(len(names) - 0.4, -0.6)  # in their order from the top
-        axes.set_title(f"{number(mode.frequency_hz, 3)} Hz\ndamping ratio {number(mode.damping_ratio, 2)}", fontsize=9)
-    for empty, above in zip(grid[len(natural_modes) :], grid[len(natural_modes) - across :], strict=False):
+        axes.set_title(
+            f"{number(mode.frequency_hz, 3)} Hz\ndamping ratio {number(mode.damping_ratio, 2)}",
+            fontsize=9,
+        )
+    for empty, above in zip(
+        grid[len(natural_modes) :], grid[len(natural_modes) - across :], strict=False
+    ):
         empty.remove()
         above.tick_params(labelbottom=True)
     # Displacements and angles of a shape share an axis in SI, so a short bar is not always a small motion.

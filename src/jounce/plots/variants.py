@@ -9,7 +9,16 @@ import numpy as np
 
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import DescriptionError
-from jounce.plots.figures import INK, MUTED, PALETTE, at_tick, in_lines, in_style, legend_outside, new_figure
+from jounce.plots.figures import (
+    INK,
+    MUTED,
+    PALETTE,
+    at_tick,
+    in_lines,
+    in_style,
+    legend_outside,
+    new_figure,
+)
 from jounce.plots.parallel import between_ends, draw_uprights
 from jounce.variants.sensitivity import metrics_of, numbers_of, sensitivity_indices
 from jounce.variants.summary import bands
@@ -78,7 +87,9 @@ def tornado(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Fig
 
 def _order(at: xr.Dataset) -> Array:
     """Indices of the numbers by their influence on a metric, largest first."""
-    weight = next(at[key].to_numpy() for key in ("total", "mean_absolute_effect", "regression") if key in at)
+    weight = next(
+        at[key].to_numpy() for key in ("total", "mean_absolute_effect", "regression") if key in at
+    )
     return np.asarray(np.argsort(-np.nan_to_num(np.abs(weight)), kind="stable"))
 
 
@@ -86,8 +97,13 @@ def _swings(axes: Axes, at: xr.Dataset, name: str, metric: xr.DataArray) -> None
     values = metric.to_numpy()
     centre, unit = float(np.nanmean(values)), _unit(metric)
     is_morris = "mean_effect" in at
-    for key, side, colour, words in (("at_low", -1, _LOWER, "number low"), ("at_high", 1, _HIGHER, "number high")):
-        moved = side * 0.5 * at["mean_effect"].to_numpy() if is_morris else at[key].to_numpy() - centre
+    for key, side, colour, words in (
+        ("at_low", -1, _LOWER, "number low"),
+        ("at_high", 1, _HIGHER, "number high"),
+    ):
+        moved = (
+            side * 0.5 * at["mean_effect"].to_numpy() if is_morris else at[key].to_numpy() - centre
+        )
         moved = moved * unit.factor
         rows = np.arange(len(moved)) + 0.17 * side
         axes.barh(rows, moved, left=centre * unit.factor, color=colour, height=0.34, label=words)
@@ -95,7 +111,9 @@ def _swings(axes: Axes, at: xr.Dataset, name: str, metric: xr.DataArray) -> None
     _rows(axes, [str(path) for path in at["number"].to_numpy()])
     axes.set_title(name)
     axes.set_xlabel(
-        unit.label("half of the range to either side" if is_morris else "mean over a fifth of the variants")
+        unit.label(
+            "half of the range to either side" if is_morris else "mean over a fifth of the variants"
+        )
     )
 
 
@@ -103,15 +121,30 @@ def _indices(axes: Axes, at: xr.Dataset, design: str, metric: xr.DataArray) -> N
     shown = _INDICES.get(design, (("regression", "coefficient"), ("rank_correlation", "rank")))
     unit = _unit(metric) if design == "morris" else DisplayUnit("", 1.0)
     for k, (key, words) in enumerate(shown):
-        value, low, high = (at[f"{key}{end}"].to_numpy() * unit.factor for end in ("", "_low", "_high"))
+        value, low, high = (
+            at[f"{key}{end}"].to_numpy() * unit.factor for end in ("", "_low", "_high")
+        )
         place = np.arange(len(value)) + (k - 0.5) * 0.3
-        error = np.clip([value - low, high - value], 0.0, None)  # a percentile interval need not hold the estimate
-        axes.errorbar(value, place, xerr=error, fmt="o", ms=4, color=PALETTE[2 + k], elinewidth=1.1, label=words)
+        error = np.clip(
+            [value - low, high - value], 0.0, None
+        )  # a percentile interval need not hold the estimate
+        axes.errorbar(
+            value,
+            place,
+            xerr=error,
+            fmt="o",
+            ms=4,
+            color=PALETTE[2 + k],
+            elinewidth=1.1,
+            label=words,
+        )
     axes.axvline(0.0, color=MUTED, linewidth=0.7)
     if design == "saltelli":
         axes.set_xlim(min(-0.03, axes.get_xlim()[0]), max(1.03, axes.get_xlim()[1]))
     _rows(axes, [""] * at.sizes["number"])
-    axes.set_title({"saltelli": "Sobol's indices", "morris": "Morris' effects"}.get(design, "Regression"))
+    axes.set_title(
+        {"saltelli": "Sobol's indices", "morris": "Morris' effects"}.get(design, "Regression")
+    )
     axes.set_xlabel(unit.label(_HEADINGS.get(design, "standardised coefficient")))
     axes.legend(loc="lower right", ncols=2, bbox_to_anchor=(1.0, 1.0), columnspacing=1.2)
 
@@ -149,8 +182,21 @@ def scatter_matrix(many: xr.Dataset, metrics: Sequence[str] | str | None = None)
         for axes, path in zip(row, paths, strict=True):
             across = _unit(many[path])
             x = many[path].to_numpy() * across.factor
-            axes.scatter(x[chosen], y[chosen], s=7, color=PALETTE[0], alpha=0.45, linewidths=0, rasterized=True)
-            axes.plot(*_course(x, y), color=PALETTE[1], linewidth=1.6, label="mean of a tenth of the variants")
+            axes.scatter(
+                x[chosen],
+                y[chosen],
+                s=7,
+                color=PALETTE[0],
+                alpha=0.45,
+                linewidths=0,
+                rasterized=True,
+            )
+            axes.plot(
+                *_course(x, y),
+                color=PALETTE[1],
+                linewidth=1.6,
+                label="mean of a tenth of the variants",
+            )
             axes.margins(0.05)
             axes.ticklabel_format(useOffset=False)
             axes.locator_params(axis="x", nbins=4)
@@ -169,8 +215,12 @@ def _course(x: Array, y: Array) -> tuple[Array, Array]:
     if len(few) <= _FEW_VALUES:
         parts = [good[x[good] == value] for value in few]
     else:
-        parts = np.array_split(good[np.argsort(x[good], kind="stable")], min(10, max(len(good) // 3, 1)))
-    return np.array([x[part].mean() for part in parts]), np.array([y[part].mean() for part in parts])
+        parts = np.array_split(
+            good[np.argsort(x[good], kind="stable")], min(10, max(len(good) // 3, 1))
+        )
+    return np.array([x[part].mean() for part in parts]), np.array(
+        [y[part].mean() for part in parts]
+    )
 
 
 @in_style
@@ -209,10 +259,13 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
         ends.append(end)
         units.append(unit)
     lines = np.stack(
-        [np.broadcast_to(np.arange(len(columns)), (len(chosen), len(columns))), np.array(shares).T], axis=2
+        [np.broadcast_to(np.arange(len(columns)), (len(chosen), len(columns))), np.array(shares).T],
+        axis=2,
     )
     alpha = float(np.clip(60.0 / max(len(chosen), 1), 0.12, 0.8))
-    drawn = LineCollection(list(lines), cmap="viridis", linewidths=0.9, alpha=alpha, rasterized=True)
+    drawn = LineCollection(
+        list(lines), cmap="viridis", linewidths=0.9, alpha=alpha, rasterized=True
+    )
     drawn.set_array(first[chosen] * units[len(columns) - len(names)].factor)
     axes.add_collection(drawn)
     draw_uprights(axes, ends)
@@ -244,18 +297,40 @@ def variant_bands(many: xr.Dataset, channels: Sequence[str] | str | None = None)
     matplotlib.figure.Figure
         Axes one below the other, over time (s).
     """
-    known = [str(name) for name, variable in many.data_vars.items() if variable.dims == ("variant", "time")]
+    known = [
+        str(name)
+        for name, variable in many.data_vars.items()
+        if variable.dims == ("variant", "time")
+    ]
     names = [channels] if isinstance(channels, str) else list(channels or known[:4])
     if not names:
-        raise DescriptionError("no channel was kept over time", where="channels", hint="Ask for outputs.")
+        raise DescriptionError(
+            "no channel was kept over time", where="channels", hint="Ask for outputs."
+        )
     figure = new_figure(0.5 + 1.9 * len(names))
     column = figure.subplots(len(names), 1, squeeze=False, sharex=True)[:, 0]
     time = many["time"].to_numpy()
     for axes, name in zip(column, names, strict=True):
         unit = _unit(many[name])
         percentiles = bands(many, name, (5.0, 25.0, 50.0, 75.0, 95.0)).to_numpy() * unit.factor
-        axes.fill_between(time, percentiles[0], percentiles[4], color=PALETTE[0], alpha=0.18, lw=0, label="5 to 95 %")
-        axes.fill_between(time, percentiles[1], percentiles[3], color=PALETTE[0], alpha=0.35, lw=0, label="25 to 75 %")
+        axes.fill_between(
+            time,
+            percentiles[0],
+            percentiles[4],
+            color=PALETTE[0],
+            alpha=0.18,
+            lw=0,
+            label="5 to 95 %",
+        )
+        axes.fill_between(
+            time,
+            percentiles[1],
+            percentiles[3],
+            color=PALETTE[0],
+            alpha=0.35,
+            lw=0,
+            label="25 to 75 %",
+        )
         axes.plot(time, percentiles[2], color=PALETTE[0], label="median")
         axes.set_ylabel(unit.label(at_tick(name, 30)))
     column[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3)
@@ -266,7 +341,9 @@ def variant_bands(many: xr.Dataset, channels: Sequence[str] | str | None = None)
 def _require_varied(many: xr.Dataset) -> list[str]:
     paths = numbers_of(many)
     if not paths:
-        raise DescriptionError("no number varies", where="many", hint="Give what simulate_many or load_sweep gives.")
+        raise DescriptionError(
+            "no number varies", where="many", hint="Give what simulate_many or load_sweep gives."
+        )
     return paths
 
 

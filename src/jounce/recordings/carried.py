@@ -91,11 +91,15 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
     columns = table_columns(given, where)
     if "time" not in columns:
         labels = ", ".join(columns)
-        raise RecordingError("no column 'time'", where=where, found=labels, allowed="a column or index 'time [s]'")
+        raise RecordingError(
+            "no column 'time'", where=where, found=labels, allowed="a column or index 'time [s]'"
+        )
     time = columns.pop("time").in_si("s")
     channels = {}
     for name, column in columns.items():
-        unit = channel_unit(name) if quantity_of(name) not in ("", "command") else column.unit or "1"
+        unit = (
+            channel_unit(name) if quantity_of(name) not in ("", "command") else column.unit or "1"
+        )
         channels[name] = (column.in_si(unit), unit, "")
     return recording_of(time, channels)
 
@@ -104,7 +108,9 @@ def _respell(run: xr.Dataset, where: str) -> xr.Dataset:
     """The recording with durations and instants in seconds, and with SI units in jounce's spelling."""
     if "time" in run.coords and run["time"].dtype.kind in "mM":
         seconds = as_samples(run["time"], "s", where=f"{where}: time")
-        run = run.assign_coords(time=(run["time"].dims, seconds, {"units": "s", "long_name": "time"}))
+        run = run.assign_coords(
+            time=(run["time"].dims, seconds, {"units": "s", "long_name": "time"})
+        )
     respelled = {}
     for name, variable in run.variables.items():
         if quantity_of(str(name)) in ("", "command"):
@@ -140,7 +146,11 @@ def by_path(given: Any) -> Any:
     columns = {}
     for header in given.columns:
         (name, unit), values = name_and_unit(str(header)), given[header]
-        texts = [f"{value!r} {unit}" for value in as_samples(values, where=header).tolist()] if unit else []
+        texts = (
+            [f"{value!r} {unit}" for value in as_samples(values, where=header).tolist()]
+            if unit
+            else []
+        )
         columns[name] = texts or values
     return columns
 
@@ -159,12 +169,16 @@ def clock_of(given: Sequence[Any], *, where: str) -> xr.DataArray:
         If none of them has a time, or their times differ.
     """
     times: list[xr.DataArray] = [
-        channel["time"] for channel in given if hasattr(channel, "coords") and "time" in channel.coords
+        channel["time"]
+        for channel in given
+        if hasattr(channel, "coords") and "time" in channel.coords
     ]
     if not times:
         raise _no_time(where)
     if any(not np.array_equal(time.values, times[0].values) for time in times[1:]):
-        raise RecordingError("the channels were recorded at different times", where=where, hint="Resample them.")
+        raise RecordingError(
+            "the channels were recorded at different times", where=where, hint="Resample them."
+        )
     return times[0]
 
 
@@ -172,7 +186,9 @@ def rate_of_channels(given: Sequence[Any], *, where: str) -> float:
     """Sample rate (Hz) of channels that were recorded together, on uniform time."""
     time = as_samples(clock_of(given, where=where), "s", where=f"{where}: time")
     if check_time(time, where=where)[1]:
-        raise RecordingError("time is not uniform", where=where, hint="Resample the recording first.")
+        raise RecordingError(
+            "time is not uniform", where=where, hint="Resample the recording first."
+        )
     return (time.size - 1) / float(time[-1] - time[0])
 
 
@@ -190,13 +206,17 @@ def carried_channel(given: Any, unit: str, *, where: str) -> xr.DataArray:
     if isinstance(given, xr.DataArray):
         return given
     run = as_recording(given, where=where)
-    names = [str(name) for name, channel in run.data_vars.items() if channel.attrs.get("units") == unit]
+    names = [
+        str(name) for name, channel in run.data_vars.items() if channel.attrs.get("units") == unit
+    ]
     if len(names) == 1:
         return run[names[0]]
     raise _ambiguous(f"a channel in {unit}", names or run.data_vars, where, bool(names))
 
 
-def damper_channels(run: xr.Dataset, *, where: str) -> tuple[xr.DataArray, xr.DataArray | None, xr.DataArray]:
+def damper_channels(
+    run: xr.Dataset, *, where: str
+) -> tuple[xr.DataArray, xr.DataArray | None, xr.DataArray]:
     """Displacement, velocity (or None) and force at the only place of a recording that has displacement and force.
 
     Places that also have the velocity take precedence: a strut over a tyre.
@@ -208,8 +228,14 @@ def damper_channels(run: xr.Dataset, *, where: str) -> tuple[xr.DataArray, xr.Da
         if kind is not None and channel.dims == ("time",):
             place = places.setdefault(str(name).rpartition(".")[0], {})
             place[kind] = "" if kind in place else str(name)
-    complete = {place: names for place, names in places.items() if names.get("displacement") and names.get("force")}
-    candidates = {place: names for place, names in complete.items() if names.get("velocity")} or complete
+    complete = {
+        place: names
+        for place, names in places.items()
+        if names.get("displacement") and names.get("force")
+    }
+    candidates = {
+        place: names for place, names in complete.items() if names.get("velocity")
+    } or complete
     if len(candidates) != 1:
         what = "a displacement and a force of one place"
         raise _ambiguous(what, candidates or run.data_vars, where, bool(candidates))

@@ -27,7 +27,9 @@ _GAP = 1.5  # usual steps; between one step (jitter) and two (a missing sample)
 Rows = NDArray[np.intp]
 
 
-def by_clock(signals: SignalTable, time: str, step: float | None, *, bridges_gaps: bool) -> tuple[SignalTable, bool]:
+def by_clock(
+    signals: SignalTable, time: str, step: float | None, *, bridges_gaps: bool
+) -> tuple[SignalTable, bool]:
     """Split the tables of a file by clock; also return whether ``time`` now is the time of every table.
 
     ``time`` is the user's name of the time column, empty for none; ``step`` (s) the given step of rows without time.
@@ -65,9 +67,13 @@ class _Clock:
     place: int
 
 
-def _of_table(table: ColumnTable, time: str, step: float | None, bridges_gaps: bool) -> list[ColumnTable]:
+def _of_table(
+    table: ColumnTable, time: str, step: float | None, bridges_gaps: bool
+) -> list[ColumnTable]:
     count = max((column.values.size for column in table), default=0)
-    count = max([count, *(int(column.part[0][-1]) + 1 for column in table if column.part is not None)])
+    count = max(
+        [count, *(int(column.part[0][-1]) + 1 for column in table if column.part is not None)]
+    )
     if step is not None:
         if not any(_gappy(column) for column in table):
             return [table]
@@ -82,7 +88,9 @@ def _of_table(table: ColumnTable, time: str, step: float | None, bridges_gaps: b
     homes = _homes(table, clocks)
     tables: list[ColumnTable] = []
     for place, clock in clocks.items():
-        members = [column for at, column in enumerate(table) if homes[at] == place and at not in clocks]
+        members = [
+            column for at, column in enumerate(table) if homes[at] == place and at not in clocks
+        ]
         tables += _of_group(table, clocks, clock, members, count, time, bridges_gaps)
     return tables
 
@@ -131,7 +139,9 @@ def _clocks(table: ColumnTable, time: str, count: int) -> Iterator[tuple[int, _C
     distinct = list(preferred)
     for place, clock in clocks:
         alike = [_is_named_alike(table, place, before) for before, _ in distinct]
-        if all(_is_other(clock, before, is_named=alike[i]) for i, (_, before) in enumerate(distinct)):
+        if all(
+            _is_other(clock, before, is_named=alike[i]) for i, (_, before) in enumerate(distinct)
+        ):
             distinct.append((place, clock))
     distinct.sort(key=lambda item: item[0])
     ends = [place for place, _ in [*distinct, (len(table), None)]][1:]
@@ -156,7 +166,12 @@ def _clock(column: Column, place: int, count: int, unit: str) -> _Clock | None:
         return None
     if unit and column.unit and unit != column.unit:  # refused later, where the column is read
         return None
-    if stamps.size < 2 or rows.size != stamps.size or rows[-1] != rows.size - 1 or not np.all(np.diff(stamps) > 0.0):
+    if (
+        stamps.size < 2
+        or rows.size != stamps.size
+        or rows[-1] != rows.size - 1
+        or not np.all(np.diff(stamps) > 0.0)
+    ):
         return None
     return _Clock(rows, np.asarray(stamps * factor, dtype=float), place)
 
@@ -190,7 +205,10 @@ def _is_other(clock: _Clock, first: _Clock, *, is_named: bool) -> bool:
 def _homes(table: ColumnTable, clocks: Mapping[int, _Clock]) -> list[int]:
     """Index of the clock of each column: the last one before it, or the first."""
     places = sorted(clocks)
-    return [max([place for place in places if place <= at], default=places[0]) for at in range(len(table))]
+    return [
+        max([place for place in places if place <= at], default=places[0])
+        for at in range(len(table))
+    ]
 
 
 def _of_group(
@@ -219,7 +237,9 @@ def _of_group(
             slower.setdefault(rows.tobytes(), (rows, []))[1].append(sampled)
         else:
             complete.append(column)  # its fault is reported when the channel is read
-    head = replace(own, values=own.values if own.part is None else own.part[1], fault=None, part=None)
+    head = replace(
+        own, values=own.values if own.part is None else own.part[1], fault=None, part=None
+    )
     if own.name != "time":
         unit = own.unit or name_and_unit(time)[1]
         head = replace(head, name="time", unit=unit, written=own.written or own.label)
@@ -240,7 +260,9 @@ def _slower(base: ColumnTable, clock: _Clock, rows: Rows, columns: Sequence[Colu
     return ColumnTable((time, *columns), (), base.file, lines)
 
 
-def lower_rate_finding(names: Sequence[str], instants: Array, values: Array, step: float, where: str) -> Finding:
+def lower_rate_finding(
+    names: Sequence[str], instants: Array, values: Array, step: float, where: str
+) -> Finding:
     """Report the interpolation of channels of a lower rate; a warning if they move too fast for their samples.
 
     ``values`` (a column for each channel) are samples at ``instants`` (s); ``step`` (s) is that of the recording.
@@ -248,11 +270,18 @@ def lower_rate_finding(names: Sequence[str], instants: Array, values: Array, ste
     rate = rate_of(instants)
     share = _fast_share(values)
     code = "recordings.lower_rate_uncertain" if share > _FAST else "recordings.lower_rate"
-    numbers: dict[str, Any] = {"own": rate, "rate": 1.0 / step, "highest": 0.5 * rate, "fast": 0.25 * rate}
+    numbers: dict[str, Any] = {
+        "own": rate,
+        "rate": 1.0 / step,
+        "highest": 0.5 * rate,
+        "fast": 0.25 * rate,
+    }
     return finding(code, f"{where}: {', '.join(names)}", rate, share=share, **numbers)
 
 
-_FAST = 0.01  # share of power above a quarter of the rate, where a spline errs most: 10 % in amplitude
+_FAST = (
+    0.01  # share of power above a quarter of the rate, where a spline errs most: 10 % in amplitude
+)
 
 
 def _fast_share(values: Array) -> float:
@@ -265,4 +294,6 @@ def _fast_share(values: Array) -> float:
     power = np.abs(np.fft.rfft(windowed, axis=0)) ** 2
     whole = power.sum(axis=0)
     fast = power[power.shape[0] // 2 :].sum(axis=0)
-    return float(np.max(np.divide(fast, whole, out=np.zeros_like(whole), where=whole > 0.0), initial=0.0))
+    return float(
+        np.max(np.divide(fast, whole, out=np.zeros_like(whole), where=whole > 0.0), initial=0.0)
+    )

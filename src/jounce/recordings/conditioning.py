@@ -29,7 +29,9 @@ ELECTRICAL = {"V": "voltage", "A": "current", "1": "counts"}
 """What cards record, by SI unit: the last word of the channel that holds it."""
 _BETWEEN = ("C", "V", "A", "1", "ohm")
 """SI units of what sensors and conditioners hand on."""
-_COUNTS = frozenset({"count", "counts", "lsb", "digit", "digits", "bit", "bits", "inc", "increments"})
+_COUNTS = frozenset(
+    {"count", "counts", "lsb", "digit", "digits", "bit", "bits", "inc", "increments"}
+)
 _RATIO = re.compile(
     r"\s*(?P<above>[+-]?[\d.]+(?:[eE][+-]?\d+)?)\s*(?P<unit>[^\s/\d(][^/]*?)\s*/\s*"
     r"(?P<below>[\d.]+(?:[eE][+-]?\d+)?)?\s*(?P<per>\([^()]+\)|[^\s/\d(][^/]*(?:/\s*s(?:\^?2|²)?)?)\s*"
@@ -45,7 +47,9 @@ class Sensitivity:
     recorded: str
 
 
-def sensitivity_of(given: str | Sequence[str], unit: str, *, where: str = "sensitivity") -> Sensitivity:
+def sensitivity_of(
+    given: str | Sequence[str], unit: str, *, where: str = "sensitivity"
+) -> Sensitivity:
     """Read a sensitivity, or a chain of them from the sensor to the card.
 
     Parameters
@@ -84,7 +88,9 @@ def sensitivity_of(given: str | Sequence[str], unit: str, *, where: str = "sensi
             "the sensitivity does not end in what a card records",
             where=where,
             found=", ".join(links),
-            allowed=Phrase("a voltage, a current or counts at the end, e.g. {examples}", examples=_EXAMPLES),
+            allowed=Phrase(
+                "a voltage, a current or counts at the end, e.g. {examples}", examples=_EXAMPLES
+            ),
         )
     return Sensitivity(factor, before)
 
@@ -93,12 +99,18 @@ def _link(text: str, unit: str, where: str) -> tuple[float, str]:
     """Size of one link for one SI ``unit``, and the SI unit of what it gives."""
     match = _RATIO.fullmatch(text)
     if match is None:
-        raise DescriptionError("not a sensitivity with its units", where=where, found=text, allowed=_EXAMPLES)
+        raise DescriptionError(
+            "not a sensitivity with its units", where=where, found=text, allowed=_EXAMPLES
+        )
     per = match["per"].strip("() ")
     given = _electrical_unit(match["unit"].strip())
     if given is None or not is_unit_of(per, unit):
         wrong = match["unit"].strip() if given is None else per
-        allowed = Phrase("{examples}; behind the stroke a unit that converts to {unit}", examples=_EXAMPLES, unit=unit)
+        allowed = Phrase(
+            "{examples}; behind the stroke a unit that converts to {unit}",
+            examples=_EXAMPLES,
+            unit=unit,
+        )
         raise DescriptionError(
             Phrase("the unit {wrong!r} does not fit a sensitivity", wrong=wrong),
             where=where,
@@ -106,9 +118,13 @@ def _link(text: str, unit: str, where: str) -> tuple[float, str]:
             allowed=allowed,
         )
     size = to_si(match["above"], "1", where=where) * _factor(match["unit"].strip(), given)
-    below = to_si(match["below"] or "1", "1", where=where) * conversion_factor(per, unit, where=where)
+    below = to_si(match["below"] or "1", "1", where=where) * conversion_factor(
+        per, unit, where=where
+    )
     if size == 0.0 or below == 0.0:
-        raise DescriptionError("a sensitivity of 0 records nothing", where=where, found=text, allowed=_EXAMPLES)
+        raise DescriptionError(
+            "a sensitivity of 0 records nothing", where=where, found=text, allowed=_EXAMPLES
+        )
     return size / below, given
 
 
@@ -125,7 +141,9 @@ def _factor(unit: str, si: str) -> float:
 # reading --------------------------------------------------------------------------------------------------------------
 
 
-def electrical_columns(sensors: Mapping[str, Sensor], tables: Iterable[ColumnTable]) -> dict[str, str]:
+def electrical_columns(
+    sensors: Mapping[str, Sensor], tables: Iterable[ColumnTable]
+) -> dict[str, str]:
     """Map the channels that sensors record to their columns in a file, as ``columns`` of `read_recording`.
 
     A column without a unit is in V, A or counts, as the sensitivity ends; columns that the file lacks are left out.
@@ -136,17 +154,24 @@ def electrical_columns(sensors: Mapping[str, Sensor], tables: Iterable[ColumnTab
             continue
         recorded = "V"
         if sensor.sensitivity:
-            recorded = sensitivity_of(sensor.sensitivity, channel_unit(name), where=f"sensors: {name}").recorded
+            recorded = sensitivity_of(
+                sensor.sensitivity, channel_unit(name), where=f"sensors: {name}"
+            ).recorded
             name = f"{name}.{ELECTRICAL[recorded]}"  # noqa: PLW2901
         plain = name_and_unit(sensor.column)[0]
-        there = next((c for c in known if plain in (c.name, c.label, c.written) or sensor.column == c.label), None)
+        there = next(
+            (c for c in known if plain in (c.name, c.label, c.written) or sensor.column == c.label),
+            None,
+        )
         if there is not None:
             bare = not there.unit and sensor.column == plain and name in raw_names([name])
             columns[name] = f"{plain} [{recorded}]" if bare else sensor.column
     return columns
 
 
-def condition(data: xr.Dataset, sensors: Mapping[str, Sensor], *, where: str) -> tuple[xr.Dataset, list[Finding]]:
+def condition(
+    data: xr.Dataset, sensors: Mapping[str, Sensor], *, where: str
+) -> tuple[xr.Dataset, list[Finding]]:
     """Turn voltages, currents and counts into the quantities that their sensors measure.
 
     Parameters
@@ -183,21 +208,35 @@ def condition(data: xr.Dataset, sensors: Mapping[str, Sensor], *, where: str) ->
         if raw not in data:
             continue
         recorded = data[raw].to_numpy()
-        zero = to_si(sensor.zero, chain.recorded, where=f"sensors: {name}.zero") if sensor.zero else 0.0
-        if sensor.high_pass is not None and not sensor.zero:  # behind AC coupling a mean is the conditioner's offset
+        zero = (
+            to_si(sensor.zero, chain.recorded, where=f"sensors: {name}.zero")
+            if sensor.zero
+            else 0.0
+        )
+        if (
+            sensor.high_pass is not None and not sensor.zero
+        ):  # behind AC coupling a mean is the conditioner's offset
             zero = float(recorded.mean())
             findings += _offset_removed(name, recorded, zero, chain, where)
         values = (recorded - zero) / chain.factor
-        attributes = {"units": channel_unit(name), "long_name": describe(name), "place": place_of(name)}
+        attributes = {
+            "units": channel_unit(name),
+            "long_name": describe(name),
+            "place": place_of(name),
+        }
         channels[name] = (data[raw].dims, values, attributes)
         data = data.drop_vars(raw)
         findings += _beyond(name, values, sensor, where)
     step = float(time[-1] - time[0]) / max(len(time) - 1, 1)
-    findings += implausible({name: values for name, (_, values, _) in channels.items()}, step, where=where)
+    findings += implausible(
+        {name: values for name, (_, values, _) in channels.items()}, step, where=where
+    )
     return data.assign(channels), findings
 
 
-def _offset_removed(name: str, recorded: Array, zero: float, chain: Sensitivity, where: str) -> list[Finding]:
+def _offset_removed(
+    name: str, recorded: Array, zero: float, chain: Sensitivity, where: str
+) -> list[Finding]:
     """Say which mean was taken off behind AC coupling, where it can be seen beside the signal."""
     if abs(zero) <= _SEEN * float(np.ptp(recorded)):
         return []
@@ -215,7 +254,14 @@ def _beyond(name: str, values: np.ndarray, sensor: Sensor, where: str) -> Iterat
     share = float(np.mean((values <= ends[0] * _AT_END) | (values >= ends[1] * _AT_END)))
     if share > 0.0:
         unit = channel_unit(name)
-        yield finding("recordings.at_end_of_range", f"{where}: {name}", share, share=share, end=ends[1], unit=unit)
+        yield finding(
+            "recordings.at_end_of_range",
+            f"{where}: {name}",
+            share,
+            share=share,
+            end=ends[1],
+            unit=unit,
+        )
 
 
 _AT_END = 1.0 - 1e-3
@@ -231,11 +277,17 @@ def range_of(name: str, sensor: Sensor, *, where: str = "sensors") -> tuple[floa
     >>> range_of("sprung.az", Sensor(sensitivity="1 V/(m/s^2)", range="10 V"))
     (-10.0, 10.0)
     """
-    return _range(name, sensor.range, sensor.sensitivity, sensor.zero, f"{where}: {name}") if sensor.range else None
+    return (
+        _range(name, sensor.range, sensor.sensitivity, sensor.zero, f"{where}: {name}")
+        if sensor.range
+        else None
+    )
 
 
 @lru_cache(maxsize=256)  # a fit asks at every evaluation
-def _range(name: str, given: str, sensitivity: str | tuple[str, ...], zero: str, where: str) -> tuple[float, float]:
+def _range(
+    name: str, given: str, sensitivity: str | tuple[str, ...], zero: str, where: str
+) -> tuple[float, float]:
     unit, text = channel_unit(name), given.lstrip("±").strip()
     chain = sensitivity_of(sensitivity, unit, where=where) if sensitivity else None
     if chain is not None and _has_unit(text, chain.recorded):

@@ -21,7 +21,13 @@ from jounce.recordings.carried import as_recording
 from jounce.recordings.clocks import by_clock, is_steady, lower_rate_finding, rate_of
 from jounce.recordings.conditioning import condition, electrical_columns
 from jounce.recordings.plausibility import implausible
-from jounce.recordings.quality import FEWEST_SAMPLES, LARGEST_JITTER, check_channels, check_instants, check_time
+from jounce.recordings.quality import (
+    FEWEST_SAMPLES,
+    LARGEST_JITTER,
+    check_channels,
+    check_instants,
+    check_time,
+)
 from jounce.recordings.reader import ReaderOptions, SignalTable
 from jounce.recordings.readers import is_read_in_child, read_signals
 from jounce.recordings.schema import channel_unit, quantity_of, recording_of
@@ -115,16 +121,29 @@ def read_recording(
     has_own_time = False
     if given_step is None or not signals.others:
         gaps = new_step is not None
-        signals, has_own_time = by_clock(signals, mapping.get("time", ""), given_step, bridges_gaps=gaps)
+        signals, has_own_time = by_clock(
+            signals, mapping.get("time", ""), given_step, bridges_gaps=gaps
+        )
     if has_own_time:  # each table has its time, from the file or from the given step of the rows
         mapping.pop("time", None)
     main = _main_table(signals, mapping)
     has_clocks = given_step is None or has_own_time  # a given step belongs to one clock only
-    tables = _usable(signals, main, mapping, is_resampled=new_step is not None) if has_clocks else (main,)
+    tables = (
+        _usable(signals, main, mapping, is_resampled=new_step is not None)
+        if has_clocks
+        else (main,)
+    )
     located, findings = _locate_channels(signals, main, tables, mapping, has_step=not has_clocks)
-    remarks = [at_place(str(file), item) for table in signals.tables for item in table.remarks if table in tables]
+    remarks = [
+        at_place(str(file), item)
+        for table in signals.tables
+        for item in table.remarks
+        if table in tables
+    ]
     findings = [*signals.findings, *remarks, *findings]
-    clocks = {table: table["time"] for table in tables if table is not main and "time" in table.names}
+    clocks = {
+        table: table["time"] for table in tables if table is not main and "time" in table.names
+    }
     if main not in clocks and "time" in main.names and "time" in located:
         clocks[main] = main["time"]
     if "time" in located:
@@ -134,8 +153,12 @@ def read_recording(
     if given_step is not None:
         if rows < FEWEST_SAMPLES and not has_own_time:
             allowed = f"at least {FEWEST_SAMPLES}"
-            raise RecordingError("too few samples", where=str(file), found=str(rows), allowed=allowed)
-        findings += _contradiction(recorded, given_step, rows if recorded is None else recorded.values.size, str(file))
+            raise RecordingError(
+                "too few samples", where=str(file), found=str(rows), allowed=allowed
+            )
+        findings += _contradiction(
+            recorded, given_step, rows if recorded is None else recorded.values.size, str(file)
+        )
     if has_clocks:
         instants = {table: in_si(column, "s") for table, column in clocks.items()}
     else:
@@ -162,7 +185,9 @@ def read_recording(
     slower = _slower(instants, measured, homes, step, str(file))
     findings += uneven
     findings += [finding for finding, _, _ in slower]
-    read_units = {name: column.unit for name, (column, _) in located.items() if quantity_of(name) != "command"}
+    read_units = {
+        name: column.unit for name, (column, _) in located.items() if quantity_of(name) != "command"
+    }
     findings += implausible(
         {name: values[name] for name in read_units},
         step,
@@ -171,7 +196,8 @@ def read_recording(
         headers={name: column.label for name, (column, _) in located.items()},
     )
     channels = {
-        name: (array, units[name], signals.long_names.get(located[name][0].name, "")) for name, array in values.items()
+        name: (array, units[name], signals.long_names.get(located[name][0].name, ""))
+        for name, array in values.items()
     }
     rates = {name: rate for _, names, rate in slower for name in names}
     attributes = dict(signals.attributes)
@@ -205,11 +231,15 @@ def _usable(
         return signals.tables
     usable = []
     for table in signals.tables:
-        clock = next((column for column in table if column.name == "time" and column.fault is None), None)
+        clock = next(
+            (column for column in table if column.name == "time" and column.fault is None), None
+        )
         if table is main or (clock is not None and clock.unit and is_steady(in_si(clock, "s"))):
             usable.append(table)
     named = [
-        table for table in usable if any(_is_home(table, spec) for name, spec in mapping.items() if name != "time")
+        table
+        for table in usable
+        if any(_is_home(table, spec) for name, spec in mapping.items() if name != "time")
     ]
     own = mapping.get("time", "time")
     try:
@@ -229,17 +259,26 @@ _MOST_CUT = 0.1  # share of the main clock's time that unnamed channels may cost
 
 
 def _together(
-    instants: Mapping[ColumnTable, Array], values: Mapping[str, Array], homes: Mapping[str, ColumnTable], file: str
+    instants: Mapping[ColumnTable, Array],
+    values: Mapping[str, Array],
+    homes: Mapping[str, ColumnTable],
+    file: str,
 ) -> tuple[Array, dict[str, Array], list[Finding]]:
     """All signals on the fastest clock, over the time common to all of them."""
     used = list(dict.fromkeys(homes.values()))
     fastest = min(
-        used, key=lambda table: float(np.median(np.diff(instants[table]))) if instants[table].size > 1 else 0.0
+        used,
+        key=lambda table: (
+            float(np.median(np.diff(instants[table]))) if instants[table].size > 1 else 0.0
+        ),
     )
     time, findings = check_time(instants[fastest], where=file, name_row=fastest.name_row)
     rate = (time.size - 1) / float(time[-1] - time[0])
     span = float(time[0]), float(time[-1])
-    first, last = max(instants[table][0] for table in used), min(instants[table][-1] for table in used)
+    first, last = (
+        max(instants[table][0] for table in used),
+        min(instants[table][-1] for table in used),
+    )
     slack = 1e-6 / rate
     inside = (time >= first - slack) & (time <= last + slack)
     if np.count_nonzero(inside) < FEWEST_SAMPLES:
@@ -252,7 +291,10 @@ def _together(
             stacked = read_at(instants[table], stacked, wanted, rate)
         else:
             stacked = stacked[inside]
-        common |= {name: np.ascontiguousarray(column) for name, column in zip(names, stacked.T, strict=True)}
+        common |= {
+            name: np.ascontiguousarray(column)
+            for name, column in zip(names, stacked.T, strict=True)
+        }
     slowest = max(float(np.median(np.diff(instants[table]))) for table in used)
     cut = max(float(wanted[0]) - span[0], span[1] - float(wanted[-1]))
     if cut > slack:
@@ -298,12 +340,20 @@ def _positive(given: float | str | None, where: str, what: str) -> float | None:
     step = to_si(given, "s", where=where)
     if step <= 0.0:
         raise RecordingError(
-            Phrase("{what} is not positive", what=what), where=where.rpartition(": ")[0], found=f"{step:g} s"
+            Phrase("{what} is not positive", what=what),
+            where=where.rpartition(": ")[0],
+            found=f"{step:g} s",
         )
     if step < _SHORTEST_STEP:
-        length, allowed = f"{step:g} s", Phrase("{shortest_step:g} s or more", shortest_step=_SHORTEST_STEP)
+        length, allowed = (
+            f"{step:g} s",
+            Phrase("{shortest_step:g} s or more", shortest_step=_SHORTEST_STEP),
+        )
         raise RecordingError(
-            Phrase("{what} is too short", what=what), where=where.rpartition(": ")[0], found=length, allowed=allowed
+            Phrase("{what} is too short", what=what),
+            where=where.rpartition(": ")[0],
+            found=length,
+            allowed=allowed,
         )
     return step
 
@@ -353,13 +403,20 @@ def _resample(
     wanted = uniform_instants(float(first), float(last), 1.0 / step)
     if wanted.size < FEWEST_SAMPLES:
         size, allowed = f"{wanted.size} in steps of {step:g} s", f"at least {FEWEST_SAMPLES}"
-        raise RecordingError("too few samples", where=f"{file}: resample", found=size, allowed=allowed)
+        raise RecordingError(
+            "too few samples", where=f"{file}: resample", found=size, allowed=allowed
+        )
     resampled: dict[str, Array] = {}
     notes = []
     for table, time in used.items():
         names = [name for name in values if homes[name] is table]
-        stacked = read_at(time, np.stack([values[name] for name in names], axis=1), wanted, 1.0 / step)
-        resampled |= {name: np.ascontiguousarray(column) for name, column in zip(names, stacked.T, strict=True)}
+        stacked = read_at(
+            time, np.stack([values[name] for name in names], axis=1), wanted, 1.0 / step
+        )
+        resampled |= {
+            name: np.ascontiguousarray(column)
+            for name, column in zip(names, stacked.T, strict=True)
+        }
         notes.append(_gap_finding(time, wanted, step, names if len(used) > 1 else [], file))
     return wanted, {name: resampled[name] for name in values}, notes
 
@@ -438,7 +495,11 @@ def read_columns(
     signals = _read_table(file, columns, variable)
     mapping = dict(columns) if isinstance(columns, Mapping) else {}
     sets = [wanted] if isinstance(wanted, Mapping) else list(wanted)
-    complete = (names for names in sets if all(n in mapping or has_column(signals.columns, n) for n in names))
+    complete = (
+        names
+        for names in sets
+        if all(n in mapping or has_column(signals.columns, n) for n in names)
+    )
     wanted = next(complete, sets[0])
     for name in mapping:
         if name not in wanted:
@@ -452,7 +513,9 @@ def read_columns(
     located = {name: locate(signals.columns, mapping.get(name, name)) for name in wanted}
     values = {name: in_si(column, wanted[name]) for name, column in located.items()}
     remarks = [at_place(str(file), item) for item in signals.columns.remarks]
-    findings = check_channels(values, where=str(file), name_row=signals.columns.name_row, clipping=False)
+    findings = check_channels(
+        values, where=str(file), name_row=signals.columns.name_row, clipping=False
+    )
     read_units = {name: column.unit for name, column in located.items() if quantity_of(name)}
     headers = {name: column.label for name, column in located.items()}
     known = {name: values[name] for name in read_units}
@@ -460,11 +523,15 @@ def read_columns(
     return values, [*signals.findings, *remarks, *findings, *magnitudes]
 
 
-def _read_table(path: Path, columns: Columns, variable: str, database: Path | str | None = None) -> SignalTable:
+def _read_table(
+    path: Path, columns: Columns, variable: str, database: Path | str | None = None
+) -> SignalTable:
     if not isinstance(columns, Mapping | str | None):
         allowed = "name of a channel to its column, or all names in their order as one text"
         raise RecordingError(
-            Phrase("{columns} was given", columns=value_or_kind(columns)), where="columns", allowed=allowed
+            Phrase("{columns} was given", columns=value_or_kind(columns)),
+            where="columns",
+            allowed=allowed,
         )
     if existing_file(path, RecordingError).stat().st_size == 0:
         raise RecordingError("the file is empty", where=str(path))
@@ -478,7 +545,9 @@ def locate(table: ColumnTable, spec: str) -> Column:
         return table[spec]
     name, unit = name_and_unit(spec)
     column = table[name]
-    own = "" if name in (column.written, column.label) else column.unit  # 'Force [N]' with another unit behind it
+    own = (
+        "" if name in (column.written, column.label) else column.unit
+    )  # 'Force [N]' with another unit behind it
     if unit and own and unit != own:
         hint = Phrase(
             "Where the header is wrong, name it in full and the right unit behind it: '{label} [{unit}]'.",
@@ -486,7 +555,11 @@ def locate(table: ColumnTable, spec: str) -> Column:
             unit=unit,
         )
         raise RecordingError(
-            "the column has another unit", where=column.where, found=column.unit, allowed=unit, hint=hint
+            "the column has another unit",
+            where=column.where,
+            found=column.unit,
+            allowed=unit,
+            hint=hint,
         )
     return replace(column, unit=unit or column.unit)
 
@@ -503,7 +576,11 @@ def in_si(column: Column, si: str) -> Array:
             "the column has no unit",
             where=column.where,
             allowed=Phrase("{name} [{si}], or a unit that converts to it", name=column.name, si=si),
-            hint=Phrase("Write it into the header, or map it with columns: '{name} [{si}]'.", name=column.name, si=si),
+            hint=Phrase(
+                "Write it into the header, or map it with columns: '{name} [{si}]'.",
+                name=column.name,
+                si=si,
+            ),
         )
     try:
         factor = conversion_factor(column.unit, si, where=column.where) if column.unit else 1.0
@@ -521,7 +598,9 @@ def _main_table(signals: SignalTable, mapping: Mapping[str, str]) -> ColumnTable
 
     def score(table: ColumnTable) -> tuple[int, int]:
         mapped = sum(_is_home(table, spec) for name, spec in mapping.items() if name != "time")
-        return mapped, sum(bool(quantity_of(column.name)) and column.name != "time" for column in table)
+        return mapped, sum(
+            bool(quantity_of(column.name)) and column.name != "time" for column in table
+        )
 
     return max(signals.tables, key=score)
 
@@ -549,7 +628,10 @@ def _locate_channels(
                 "the signal is recorded at other instants than the others",
                 where=f"{main.file}: {name}",
                 found=spec,
-                hint=Phrase("Bring them onto one time with resample, e.g. '10 ms'{without}.", without=without),
+                hint=Phrase(
+                    "Bring them onto one time with resample, e.g. '10 ms'{without}.",
+                    without=without,
+                ),
             )
         located[name] = locate(home, spec), home
     used = {(column.name, id(table)) for column, table in located.values()}
@@ -559,21 +641,34 @@ def _locate_channels(
     for table in tables:
         for column in table:
             if (column.name, id(table)) in used or column.name in located:
-                if column.name != "time" and located.get(column.name, (column, table))[1] is not table:
+                if (
+                    column.name != "time"
+                    and located.get(column.name, (column, table))[1] is not table
+                ):
                     duplicates.append(column.label)
                 continue
-            if column.name == "time" and (table is not main or (has_step and column.fault is not None)):
+            if column.name == "time" and (
+                table is not main or (has_step and column.fault is not None)
+            ):
                 continue
             if not quantity_of(column.name):
                 ignored.append(column.label)
             elif column.fault is not None and column.is_empty:
                 empty.append(column)
-            elif not column.unit and channel_unit(column.name) not in ("1", "s") and column.fault is None:
+            elif (
+                not column.unit
+                and channel_unit(column.name) not in ("1", "s")
+                and column.fault is None
+            ):
                 bare.append(column)
             else:
                 located[column.name] = table[column.name], table
     others = [
-        column.label for table in signals.tables if table not in tables for column in table if column.name != "time"
+        column.label
+        for table in signals.tables
+        if table not in tables
+        for column in table
+        if column.name != "time"
     ]
     if not has_step and "time" not in located:
         if "time" in main.names:
@@ -604,14 +699,22 @@ def _locate_channels(
         labels = ", ".join(column.label for column in empty)
         findings.append(finding("recordings.without_numbers", main.file, labels=labels))
     if bare:
-        labels = ", ".join(f"{column.name} = '{column.name} [{channel_unit(column.name)}]'" for column in bare)
+        labels = ", ".join(
+            f"{column.name} = '{column.name} [{channel_unit(column.name)}]'" for column in bare
+        )
         findings.append(finding("recordings.without_unit", main.file, labels=labels))
     written = {name.casefold() for name in located}
     if len(written) < len(located):
-        same = [name for name in located if sum(name.casefold() == other.casefold() for other in located) > 1]
+        same = [
+            name
+            for name in located
+            if sum(name.casefold() == other.casefold() for other in located) > 1
+        ]
         findings.append(finding("recordings.differ_by_case", main.file, names=", ".join(same)))
     if duplicates:
-        findings.append(finding("recordings.at_other_instants", main.file, names=", ".join(duplicates)))
+        findings.append(
+            finding("recordings.at_other_instants", main.file, names=", ".join(duplicates))
+        )
     if signals.left_out or others:
         code = "recordings.signals_left_out"
         if others:
@@ -623,7 +726,9 @@ def _locate_channels(
 _HOW_TIME = "Map it with columns, {'time': 'NAME [s]'}, or give the sample time."
 
 
-def write_recording(dataset: xr.Dataset | pd.DataFrame, path: Path | str, *, force: bool = False) -> Path:
+def write_recording(
+    dataset: xr.Dataset | pd.DataFrame, path: Path | str, *, force: bool = False
+) -> Path:
     """Write a recording to a file that ``read_recording`` reads back unchanged.
 
     Parameters
@@ -688,13 +793,22 @@ def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:
     """
     if len(dataset.dims) != 1:
         dimensions = ", ".join(map(str, dataset.dims)) or "none"
-        raise RecordingError("not a table", where="dataset", found=f"dimensions {dimensions}", allowed="one dimension")
+        raise RecordingError(
+            "not a table",
+            where="dataset",
+            found=f"dimensions {dimensions}",
+            allowed="one dimension",
+        )
     (along,) = dataset.dims
 
     def heading(name: object) -> str:
         return f"{name} [{dataset[name].attrs.get('units', '1')}]"
 
-    names = [name for name, data in {**dataset.coords, **dataset.data_vars}.items() if data.dims == (along,)]
+    names = [
+        name
+        for name, data in {**dataset.coords, **dataset.data_vars}.items()
+        if data.dims == (along,)
+    ]
     table = dataset.reset_coords()[[name for name in names if name != along]]
     frame = table.to_dataframe().rename(columns={name: heading(name) for name in table.data_vars})
     frame.index.name = heading(along) if along in dataset.coords else str(along)

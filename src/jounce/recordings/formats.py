@@ -65,6 +65,9 @@ class RecordingFormat(TableFormat):
                 Phrase("no channel {channel!r}", channel=channel),
                 where=str(file),
                 found=", ".join(map(str, data.data_vars)),
-                hint=Phrase('Map its column, e.g. columns = {{"{channel}" = "COLUMN [unit]"}}.', channel=channel),
+                hint=Phrase(
+                    'Map its column, e.g. columns = {{"{channel}" = "COLUMN [unit]"}}.',
+                    channel=channel,
+                ),
             )
         return data["time"].to_numpy(), data[channel].to_numpy(), findings

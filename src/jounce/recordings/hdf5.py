@@ -25,14 +25,24 @@ def rows_on_disk(dataset: Any) -> tuple[int, int]:
     if dataset.chunks is None:
         written = dataset.id.get_storage_size()
         return axis, announced if written or dataset.nbytes == 0 else 0
-    expected = math.prod(-(-size // chunk) for size, chunk in zip(shape, dataset.chunks, strict=True))
+    expected = math.prod(
+        -(-size // chunk) for size, chunk in zip(shape, dataset.chunks, strict=True)
+    )
     chunks: list[Any] = []
     dataset.id.chunk_iter(chunks.append)
-    ends = [piece.chunk_offset[axis] + dataset.chunks[axis] for piece in chunks if _is_readable(dataset, piece)]
+    ends = [
+        piece.chunk_offset[axis] + dataset.chunks[axis]
+        for piece in chunks
+        if _is_readable(dataset, piece)
+    ]
     count = len(ends)
     if count >= expected:
         return axis, announced
-    whole = expected // -(-announced // dataset.chunks[axis]) * -(-max(ends, default=0) // dataset.chunks[axis])
+    whole = (
+        expected
+        // -(-announced // dataset.chunks[axis])
+        * -(-max(ends, default=0) // dataset.chunks[axis])
+    )
     if count < whole:
         raise RecordingError(
             "parts of the record were never written",
@@ -74,36 +84,51 @@ def _readable_kinds() -> tuple[Any, ...]:
     from h5py import h5t
 
     kinds = (("IEEE_F", (16, 32, 64)), ("STD_I", (8, 16, 32, 64)), ("STD_U", (8, 16, 32, 64)))
-    names = [f"{kind}{bits}{end}" for kind, sizes in kinds for bits in sizes for end in ("LE", "BE")]
+    names = [
+        f"{kind}{bits}{end}" for kind, sizes in kinds for bits in sizes for end in ("LE", "BE")
+    ]
     return *(getattr(h5t, name) for name in names), h5t.NATIVE_LDOUBLE
 
 
 def read_part(dataset: Any, where: str) -> tuple[Array, list[Finding]]:
     """Read the written part, with a problem if the dataset announces more."""
     axis, held = rows_on_disk(dataset)
-    findings = announcement(dataset.name.lstrip("/"), dataset.shape[axis], held, where) if dataset.shape else []
+    findings = (
+        announcement(dataset.name.lstrip("/"), dataset.shape[axis], held, where)
+        if dataset.shape
+        else []
+    )
     across = math.prod(dataset.shape) // max(1, dataset.shape[axis] if dataset.shape else 1)
     check_size(held * across, f"{where}: {dataset.name.lstrip('/')}")
     if not findings:
         return np.asarray(dataset[()]), []
-    return np.asarray(dataset[tuple(slice(held) if i == axis else slice(None) for i in range(dataset.ndim))]), findings
+    return np.asarray(
+        dataset[tuple(slice(held) if i == axis else slice(None) for i in range(dataset.ndim))]
+    ), findings
 
 
 def check_size(numbers: int, where: str) -> None:
     """Refuse more numbers than a recording can have."""
     if numbers > _MOST:
         raise RecordingError(
-            "too many numbers", where=where, found=f"{numbers}", allowed=Phrase("up to {most:g}", most=_MOST)
+            "too many numbers",
+            where=where,
+            found=f"{numbers}",
+            allowed=Phrase("up to {most:g}", most=_MOST),
         )
 
 
-def announcement(name: str, announced: int, held: int, where: str, *, refused: bool = True) -> list[Finding]:
+def announcement(
+    name: str, announced: int, held: int, where: str, *, refused: bool = True
+) -> list[Finding]:
     """Report a problem if a file holds fewer samples than announced; raise if it holds none and ``refused``."""
     if held >= announced:
         return []
     if held == 0 and refused:
         raise RecordingError(
-            "the file holds none of the samples that it announces", where=f"{where}: {name}", found=f"0 of {announced}"
+            "the file holds none of the samples that it announces",
+            where=f"{where}: {name}",
+            found=f"0 of {announced}",
         )
     return [finding("recordings.cut_off", f"{where}: {name}", held, announced=announced, held=held)]
 

@@ -20,9 +20,22 @@ from typing import IO, Any
 import numpy as np
 
 from jounce.core import errors, optional
-from jounce.core.child_processes import ChildProcess, ProcessWatch, has_less_than, limit, resident_memory
+from jounce.core.child_processes import (
+    ChildProcess,
+    ProcessWatch,
+    has_less_than,
+    limit,
+    resident_memory,
+)
 from jounce.core.columns import Column, ColumnTable
-from jounce.core.errors import JounceError, RecordingError, ResourceError, resource_error, show_value, unforeseen
+from jounce.core.errors import (
+    JounceError,
+    RecordingError,
+    ResourceError,
+    resource_error,
+    show_value,
+    unforeseen,
+)
 from jounce.core.findings import finding_of
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import to_plain
@@ -81,7 +94,9 @@ class _Child(ChildProcess):
         super().__init__(command, "a process to read files in", environment=threads)
         self.is_ready = False
 
-    def ask(self, reader: str, path: Path, options: ReaderOptions) -> tuple[dict[str, Any], list[Any]]:
+    def ask(
+        self, reader: str, path: Path, options: ReaderOptions
+    ) -> tuple[dict[str, Any], list[Any]]:
         """Return what the child answers about a file."""
         size = path.stat().st_size
         seconds, memory = TIME + size * TIME_A_BYTE, MEMORY + size * MEMORY_A_BYTE
@@ -127,7 +142,9 @@ class _Child(ChildProcess):
                 where=str(path),
                 found=f"more than {seconds:.0f} s",
                 allowed=Phrase(
-                    "{time:.0f} s and 1 s for each {time_a_byte:.0f} MB", time=TIME, time_a_byte=1e-06 / TIME_A_BYTE
+                    "{time:.0f} s and 1 s for each {time_a_byte:.0f} MB",
+                    time=TIME,
+                    time_a_byte=1e-06 / TIME_A_BYTE,
                 ),
                 hint="Use an original copy.",
             )
@@ -211,11 +228,20 @@ def serve(readers: Sequence[Reader]) -> None:
             answer, arrays = {"error": _plain_error(error)}, []
         except MemoryError as error:
             path, memory = request["path"], request["memory"]
-            known = resource_error(error, path) if has_less_than(memory) else too_much_memory(error, path, memory)
+            known = (
+                resource_error(error, path)
+                if has_less_than(memory)
+                else too_much_memory(error, path, memory)
+            )
             answer, arrays = {"error": _plain_error(known)}, []
         except Exception as error:  # noqa: BLE001 - whatever it is, the parent shall hear of it
-            answer, arrays = {"error": _plain_error(unforeseen(error, request["path"], RecordingError))}, []
-        os.chdir(Path(sys.executable).anchor or os.sep)  # a folder where a process stands cannot be removed everywhere
+            answer, arrays = (
+                {"error": _plain_error(unforeseen(error, request["path"], RecordingError))},
+                [],
+            )
+        os.chdir(
+            Path(sys.executable).anchor or os.sep
+        )  # a folder where a process stands cannot be removed everywhere
         answer["is_last"] = resident_memory() > _LARGEST_WORKER
         _send(answers, answer, arrays)
 
@@ -234,7 +260,9 @@ def too_much_memory(error: MemoryError, path: str, allowed: float = 0.0) -> Reco
 def _read(readers: Sequence[Reader], request: Mapping[str, Any]) -> SignalTable:
     database = None if request["database"] is None else Path(request["database"])
     reader = next(candidate for candidate in readers if candidate.name == request["reader"])
-    return reader.read(Path(request["path"]), ReaderOptions(request["variable"], request["header"], database))
+    return reader.read(
+        Path(request["path"]), ReaderOptions(request["variable"], request["header"], database)
+    )
 
 
 # --- what goes through the pipe
@@ -279,7 +307,9 @@ def _plain_signals(signals: SignalTable, arrays: list[Any]) -> dict[str, Any]:
                         column.file,
                         None if column.fault is None else _plain_error(column.fault),
                         column.written,
-                        None if column.part is None else [pack(column.part[0]), pack(column.part[1])],
+                        None
+                        if column.part is None
+                        else [pack(column.part[0]), pack(column.part[1])],
                     ]
                     for column in table
                 ],
@@ -369,10 +399,19 @@ _KINDS: dict[str, Callable[..., JounceError]] = {
 
 
 def _plain_error(error: JounceError) -> dict[str, Any]:
-    value = error.found if isinstance(error.found, (str, int, float, type(None))) else show_value(error.found)
-    return {"kind": type(error).__name__, "parts": [error.what, error.where, value, error.allowed, error.hint]}
+    value = (
+        error.found
+        if isinstance(error.found, (str, int, float, type(None)))
+        else show_value(error.found)
+    )
+    return {
+        "kind": type(error).__name__,
+        "parts": [error.what, error.where, value, error.allowed, error.hint],
+    }
 
 
 def _error(plain: Mapping[str, Any]) -> JounceError:
     what, where, value, allowed, hint = plain["parts"]
-    return _KINDS.get(plain["kind"], RecordingError)(what, where=where, found=value, allowed=allowed, hint=hint)
+    return _KINDS.get(plain["kind"], RecordingError)(
+        what, where=where, found=value, allowed=allowed, hint=hint
+    )

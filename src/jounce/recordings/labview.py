@@ -26,7 +26,10 @@ _OF_CHANNELS = ("Samples", "Date", "Time", "Y_Unit_Label", "X_Dimension", "X0", 
 _DIGITS = 13  # of a count: a longer number is damage
 _SAME_TIME = 1e-3  # of the step: time stamps of a row that differ by less belong to one clock
 _SAME_START = 0.1  # of the step: LabVIEW reads the clock of each channel in turn
-_HALF, _ROUNDING = 0.51, 0.51e-6  # half of the last decimal, and of six decimals in s, with a margin for floats
+_HALF, _ROUNDING = (
+    0.51,
+    0.51e-6,
+)  # half of the last decimal, and of six decimals in s, with a margin for floats
 _ALLOWED = "one segment after the header, with equal steps of all channels"
 
 
@@ -45,15 +48,27 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     lines = text.splitlines()
     ends = [i for i, line in enumerate(lines) if line.startswith(_END)]
     if len(ends) != 2 or len(lines) < ends[1] + 3:
-        contents = "no data" if len(ends) < 2 or len(lines) < ends[1] + 3 else f"{len(ends) - 1} segments"
-        hint = "Write a file for each, or all in one segment." if len(ends) > 2 else "Is the file whole?"
-        raise RecordingError("no table of one segment", where=str(file), found=contents, allowed=_ALLOWED, hint=hint)
-    has_commas = any(line.replace("\t", ",").startswith("Separator,Comma") for line in lines[: ends[0]])
+        contents = (
+            "no data" if len(ends) < 2 or len(lines) < ends[1] + 3 else f"{len(ends) - 1} segments"
+        )
+        hint = (
+            "Write a file for each, or all in one segment."
+            if len(ends) > 2
+            else "Is the file whole?"
+        )
+        raise RecordingError(
+            "no table of one segment", where=str(file), found=contents, allowed=_ALLOWED, hint=hint
+        )
+    has_commas = any(
+        line.replace("\t", ",").startswith("Separator,Comma") for line in lines[: ends[0]]
+    )
     separator = "," if has_commas else "\t"
     names = _cells(lines[ends[1] + 1].rstrip(separator), separator)
     if names[0] != "X_Value":
         where, hint = at_line(file, ends[1] + 2), "Is the file whole?"
-        raise RecordingError("no names of columns", where=where, found=names[0], allowed="X_Value first", hint=hint)
+        raise RecordingError(
+            "no names of columns", where=where, found=names[0], allowed="X_Value first", hint=hint
+        )
     clocks = [i for i, name in enumerate(names) if name == "X_Value"]
     channels = [i for i, name in enumerate(names) if name not in ("X_Value", "Comment")]
     header = _header(lines[ends[0] + 1 : ends[1]], separator, len(names))
@@ -61,17 +76,33 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     measured = [i for i in channels if header["Samples"][i] != "0"]
     if others := {header["X_Dimension"][i] for i in measured} - {"", "Time"}:
         contents = ", ".join(sorted(others))
-        raise RecordingError("no signals over time", where=f"{file}: X_Dimension", found=contents, allowed="Time")
-    start, step = (_common(f"{file}: {tag}", [header[tag][i] for i in measured]) for tag in ("X0", "Delta_X"))
+        raise RecordingError(
+            "no signals over time", where=f"{file}: X_Dimension", found=contents, allowed="Time"
+        )
+    start, step = (
+        _common(f"{file}: {tag}", [header[tag][i] for i in measured]) for tag in ("X0", "Delta_X")
+    )
     units = [header["Y_Unit_Label"][i] if "[" not in names[i] else "" for i in channels]
-    heads = [names[i] + (f" [{unit}]" if unit else "") for i, unit in zip(channels, units, strict=True)]
+    heads = [
+        names[i] + (f" [{unit}]" if unit else "") for i, unit in zip(channels, units, strict=True)
+    ]
     rows, written, last = _rows(lines, ends[1] + 2, separator, clocks, channels, step, file)
-    _check_stamps([(header["Date"][i], header["Time"][i]) for i in measured], _step_of(written, step), file)
+    _check_stamps(
+        [(header["Date"][i], header["Time"][i]) for i in measured], _step_of(written, step), file
+    )
     mark = "," if not has_commas and any("," in row for row in rows.values()) else "."
-    table = [*["#"] * (ends[1] + 1), separator.join(["time [s]", *heads]), *[""] * (len(lines) - ends[1] - 2)]
-    for (place, row), time in zip(rows.items(), _times(written, last, start, step).tolist(), strict=True):
+    table = [
+        *["#"] * (ends[1] + 1),
+        separator.join(["time [s]", *heads]),
+        *[""] * (len(lines) - ends[1] - 2),
+    ]
+    for (place, row), time in zip(
+        rows.items(), _times(written, last, start, step).tolist(), strict=True
+    ):
         table[place] = ("" if math.isnan(time) else repr(time).replace(".", mark)) + separator + row
-    announced = [int(cell) for cell in header["Samples"] if cell.isdecimal() and len(cell) < _DIGITS]
+    announced = [
+        int(cell) for cell in header["Samples"] if cell.isdecimal() and len(cell) < _DIGITS
+    ]
     return "\n".join(table), max(announced, default=None)
 
 
@@ -108,7 +139,9 @@ def _check_stamps(stamps: Sequence[tuple[str, str]], step: float, file: Path) ->
     """Refuse channels that began at different times of day; channels without a stamp are ignored."""
     moment_of = {" ".join(stamp): _moment(*stamp) for stamp in stamps if all(stamp)}
     moments = [moment for moment in moment_of.values() if moment is not None]
-    if len(moment_of) > 1 and (len(moments) < len(moment_of) or max(moments) - min(moments) > _SAME_START * step):
+    if len(moment_of) > 1 and (
+        len(moments) < len(moment_of) or max(moments) - min(moments) > _SAME_START * step
+    ):
         raise _apart(f"{file}: Date, Time", moment_of)
 
 
@@ -131,7 +164,9 @@ def _number(cell: str, where: str, line: int = 0) -> float:
     if not abs(number) <= LARGEST:
         where += f", line {line}: X_Value" if line else ""
         hint = "Correct the cell, or empty it where the channel has no sample."
-        raise RecordingError("not a number of seconds", where=where, found=cell, allowed="finite numbers", hint=hint)
+        raise RecordingError(
+            "not a number of seconds", where=where, found=cell, allowed="finite numbers", hint=hint
+        )
     return number
 
 
@@ -146,7 +181,9 @@ def _common(where: str, cells: Sequence[str]) -> float:
 def _apart(where: str, cells: Iterable[str]) -> RecordingError:
     values = " and ".join(cells)
     hint = "Write a file for each, or bring them onto one clock in LabVIEW (Align and Resample)."
-    return RecordingError("channels begin or step differently", where=where, found=values, allowed=_ALLOWED, hint=hint)
+    return RecordingError(
+        "channels begin or step differently", where=where, found=values, allowed=_ALLOWED, hint=hint
+    )
 
 
 def _rows(
@@ -167,10 +204,22 @@ def _rows(
     for place, line in enumerate(lines[first:], start=first):
         cells = _cells(line, separator)
         if any(cells):
-            own = {_number(cells[i], str(file), place + 1): cells[i] for i in clocks if i < len(cells) and cells[i]}
+            own = {
+                _number(cells[i], str(file), place + 1): cells[i]
+                for i in clocks
+                if i < len(cells) and cells[i]
+            }
             rows[place] = separator.join(cells[i] for i in channels if i < len(cells))
             times.append(next(iter(own), math.nan))
-            last = min([last, *(int(Decimal(cell.replace(",", ".")).as_tuple().exponent) for cell in own.values())])
+            last = min(
+                [
+                    last,
+                    *(
+                        int(Decimal(cell.replace(",", ".")).as_tuple().exponent)
+                        for cell in own.values()
+                    ),
+                ]
+            )
             if len(own) > 1:
                 stamps[place] = own
     written = np.array(times)

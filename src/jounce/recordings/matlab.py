@@ -24,7 +24,17 @@ from jounce.recordings.hdf5 import read_part
 _VALUES = ("data", "values", "value", "signal", "samples", "y")
 _NAMES = ("name", "label", "title", "signalname", "channel")
 _UNITS = ("unit", "units")
-_LISTS = ("names", "labels", "channels", "channelnames", "channel_names", "headers", "header", "columns", "signals")
+_LISTS = (
+    "names",
+    "labels",
+    "channels",
+    "channelnames",
+    "channel_names",
+    "headers",
+    "header",
+    "columns",
+    "signals",
+)
 _DEEPEST = 20  # structs and cells within each other; only damage nests deeper
 
 
@@ -43,7 +53,11 @@ class Matrix:
     def columns(self) -> list[tuple[str, str, str]]:
         """Name, unit and MATLAB expression of each column."""
         width = self.values.shape[1]
-        own = [self.path] if width == 1 else [f"{self.path}(:,{index})" for index in range(1, width + 1)]
+        own = (
+            [self.path]
+            if width == 1
+            else [f"{self.path}(:,{index})" for index in range(1, width + 1)]
+        )
         heads = self.heads or tuple((name, "") for name in own)
         return [(name, unit, path) for (name, unit), path in zip(heads, own, strict=True)]
 
@@ -56,24 +70,37 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
     with path.open("rb") as stream:
         if stream.read(19).startswith((b"# Created by Octave", b"Octave-1-", b"\x89HDF")):
             hint = "Save it with `save -v7 FILE.mat` in Octave, or `save FILE.mat -v7.3` in MATLAB."
-            raise RecordingError("a file in a format of Octave, or HDF5, not of MATLAB", where=str(path), hint=hint)
+            raise RecordingError(
+                "a file in a format of Octave, or HDF5, not of MATLAB", where=str(path), hint=hint
+            )
     try:
         with collect_warnings() as warnings:
             content: dict[str, Any] = loadmat(_inflate(path), simplify_cells=True)
-        messages = (" ".join(str(warning.message).split(chr(10))[0].split()) for warning in warnings)
-        findings += [finding("recordings.matlab_warning", str(path), error=text) for text in dict.fromkeys(messages)]
+        messages = (
+            " ".join(str(warning.message).split(chr(10))[0].split()) for warning in warnings
+        )
+        findings += [
+            finding("recordings.matlab_warning", str(path), error=text)
+            for text in dict.fromkeys(messages)
+        ]
     except NotImplementedError:  # version 7.3 is HDF5
         content = _content_of_hdf5(path, findings)
     plain = {name: value for name, value in content.items() if not name.startswith(("__", "#"))}
     matrices: dict[str, Matrix] = {}
     left_out: list[str] = []
     _walk("", plain, matrices, left_out, 0)
-    texts = {name: value for name, value in plain.items() if _is_text(value) or isinstance(value, Mapping)}
+    texts = {
+        name: value
+        for name, value in plain.items()
+        if _is_text(value) or isinstance(value, Mapping)
+    }
     return matrices, left_out, findings, texts
 
 
 _HEAD, _COMPRESSED = 128, 15  # bytes before the first variable, and the type of a compressed one
-_MOST_INFLATED = 4_000_000_000  # bytes: the numbers that a recording may have (hdf5._MOST), as doubles
+_MOST_INFLATED = (
+    4_000_000_000  # bytes: the numbers that a recording may have (hdf5._MOST), as doubles
+)
 
 
 def _inflate(path: Path) -> io.BytesIO:
@@ -92,7 +119,10 @@ def _inflate(path: Path) -> io.BytesIO:
         if len(body) < size or at + 8 > len(content):
             what = "the file was cut off within a variable"
             raise RecordingError(
-                what, where=str(path), found=f"{len(body)} bytes", allowed=Phrase("{size} bytes", size=size)
+                what,
+                where=str(path),
+                found=f"{len(body)} bytes",
+                allowed=Phrase("{size} bytes", size=size),
             )
         variable = content[at : at + 8 + size]
         if kind == _COMPRESSED:
@@ -108,7 +138,14 @@ def _inflate(path: Path) -> io.BytesIO:
     return io.BytesIO(b"".join(parts))
 
 
-_MATRIX, _CELL, _STRUCT, _OBJECT, _DOUBLE, _LAST = 14, 1, 2, 3, 6, 15  # types and classes of MAT-files of level 5
+_MATRIX, _CELL, _STRUCT, _OBJECT, _DOUBLE, _LAST = (
+    14,
+    1,
+    2,
+    3,
+    6,
+    15,
+)  # types and classes of MAT-files of level 5
 _SIZES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 4, 9: 8, 12: 8, 13: 8}
 """Bytes of each stored kind of number."""
 
@@ -145,17 +182,25 @@ def _check_matrix(matrix: memoryview, order: str, depth: int) -> None:
         count = len(numbers) // _SIZES.get(stored, 8)
         if count != announced:
             raise ValueError(
-                Phrase("a matrix announces {announced} numbers and holds {count}", announced=announced, count=count)
+                Phrase(
+                    "a matrix announces {announced} numbers and holds {count}",
+                    announced=announced,
+                    count=count,
+                )
             )
 
 
-def _walk(path: str, value: Any, matrices: dict[str, Matrix], left_out: list[str], depth: int) -> None:
+def _walk(
+    path: str, value: Any, matrices: dict[str, Matrix], left_out: list[str], depth: int
+) -> None:
     if depth > _DEEPEST:
         left_out.append(path)
     elif isinstance(value, dict):
         _walk_struct(path, value, matrices, left_out, depth)
     elif isinstance(value, list) or (isinstance(value, np.ndarray) and value.dtype == object):
-        items = list(np.ravel(np.array(value, dtype=object)) if isinstance(value, np.ndarray) else value)
+        items = list(
+            np.ravel(np.array(value, dtype=object)) if isinstance(value, np.ndarray) else value
+        )
         marks = "()" if items and all(isinstance(item, dict) for item in items) else "{}"
         for index, item in enumerate(items, 1):
             _walk(f"{path}{marks[0]}{index}{marks[1]}", item, matrices, left_out, depth + 1)
@@ -183,14 +228,21 @@ def _walk_struct(
         elif is_signal and key == data[0]:
             label, own = name_and_unit(name) if name else (path, "")
             width = values.shape[1]
-            names = [label] if width == 1 else [f"{label}(:,{index})" for index in range(1, width + 1)]
+            names = (
+                [label] if width == 1 else [f"{label}(:,{index})" for index in range(1, width + 1)]
+            )
             matrices[at] = Matrix(at, values, tuple((label_, unit or own) for label_ in names))
         else:
             matrices[at] = Matrix(at, values, _heads(str(key), at, values, struct, keys, units))
 
 
 def _heads(
-    key: str, path: str, values: Array, struct: Mapping[str, Any], keys: Mapping[str, str], units: Any
+    key: str,
+    path: str,
+    values: Array,
+    struct: Mapping[str, Any],
+    keys: Mapping[str, str],
+    units: Any,
 ) -> tuple[tuple[str, str], ...]:
     """Names and units stored beside a matrix: a list with a name for each column, units by name or by column."""
     width = values.shape[1]
@@ -198,9 +250,16 @@ def _heads(
              and _is_texts(struct[keys[name]])]  # fmt: skip
     names = next((texts for texts in lists if len(texts) == width > 1), None)
     if isinstance(units, Mapping):
-        own, names_of = units.get(key), next((struct[keys[name]] for name in _LISTS if name in keys), None)
+        own, names_of = (
+            units.get(key),
+            next((struct[keys[name]] for name in _LISTS if name in keys), None),
+        )
         name = names_of.get(key) if isinstance(names_of, Mapping) else None
-        return ((str(name) if _is_text(name) else path, str(own)),) if width == 1 and _is_text(own) and str(own) else ()
+        return (
+            ((str(name) if _is_text(name) else path, str(own)),)
+            if width == 1 and _is_text(own) and str(own)
+            else ()
+        )
     by_column = list(map(str, np.ravel(np.array(units)))) if _is_texts(units) else []
     if names is None:
         return ()
@@ -210,18 +269,24 @@ def _heads(
     return tuple(heads)
 
 
-def _text_under(struct: Mapping[str, Any], keys: Mapping[str, str], options: tuple[str, ...]) -> str:
+def _text_under(
+    struct: Mapping[str, Any], keys: Mapping[str, str], options: tuple[str, ...]
+) -> str:
     texts = (struct[keys[option]] for option in options if option in keys)
     return next((str(text).strip() for text in texts if _is_text(text) and str(text).strip()), "")
 
 
 def _is_text(value: Any) -> bool:
-    return isinstance(value, (str, np.str_)) or (isinstance(value, np.ndarray) and value.dtype.kind == "U")
+    return isinstance(value, (str, np.str_)) or (
+        isinstance(value, np.ndarray) and value.dtype.kind == "U"
+    )
 
 
 def _is_texts(value: Any) -> bool:
     items = value.ravel().tolist() if isinstance(value, np.ndarray) else value
-    return isinstance(items, list) and len(items) > 1 and all(isinstance(item, str) for item in items)
+    return (
+        isinstance(items, list) and len(items) > 1 and all(isinstance(item, str) for item in items)
+    )
 
 
 def _numbers(value: Any) -> Array | None:
@@ -242,7 +307,9 @@ def _content_of_hdf5(path: Path, findings: list[Finding]) -> dict[str, Any]:
 
     with h5py.File(path, "r") as file:
         return {
-            name: _plain(item, file, findings, str(path), 0) for name, item in file.items() if not name.startswith("#")
+            name: _plain(item, file, findings, str(path), 0)
+            for name, item in file.items()
+            if not name.startswith("#")
         }
 
 
@@ -253,18 +320,32 @@ def _plain(item: Any, file: Any, findings: list[Finding], where: str, depth: int
     if depth > _DEEPEST or "MATLAB_object_decode" in item.attrs:
         return b"object"
     if isinstance(item, h5py.Group):
-        fields = {name: _plain(field, file, findings, where, depth + 1) for name, field in item.items()}
+        fields = {
+            name: _plain(field, file, findings, where, depth + 1) for name, field in item.items()
+        }
         lists = [value for value in fields.values() if isinstance(value, _FieldOfStructs)]
-        if fields and len(lists) == len(fields) and len({len(value) for value in lists}) == 1:  # an array of structs
-            return [dict(zip(fields, row, strict=True)) for row in zip(*fields.values(), strict=True)]
+        if (
+            fields and len(lists) == len(fields) and len({len(value) for value in lists}) == 1
+        ):  # an array of structs
+            return [
+                dict(zip(fields, row, strict=True)) for row in zip(*fields.values(), strict=True)
+            ]
         return fields
     kind = item.attrs.get("MATLAB_class", b"")
     if item.attrs.get("MATLAB_empty", 0):
         return "" if kind == b"char" else np.empty(0)
     if kind == b"char":
-        return "".join(map(chr, np.asarray(item[()]).T.ravel(order="F").tolist())) if item.size < 10_000 else ""
+        return (
+            "".join(map(chr, np.asarray(item[()]).T.ravel(order="F").tolist()))
+            if item.size < 10_000
+            else ""
+        )
     if item.dtype == h5py.ref_dtype:
-        items = [_plain(file[ref], file, findings, where, depth + 1) for ref in np.asarray(item[()]).ravel() if ref]
+        items = [
+            _plain(file[ref], file, findings, where, depth + 1)
+            for ref in np.asarray(item[()]).ravel()
+            if ref
+        ]
         return items if kind == b"cell" else _FieldOfStructs(items)
     values, finding = read_part(item, where)
     findings.extend(finding)

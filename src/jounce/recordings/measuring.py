@@ -19,7 +19,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-def apply_sensors(dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: int | None = None) -> xr.Dataset:
+def apply_sensors(
+    dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: int | None = None
+) -> xr.Dataset:
     """Turn a simulated motion into the record of its sensors.
 
     Parameters

@@ -68,7 +68,11 @@ class VariableGroup:
         if any(variable.along and name != "time" for name, variable in self.variables.items()):
             yield path, self
         for name, group in self.groups.items():
-            inherited = {key: variable for key, variable in self.variables.items() if key in variable.dimensions}
+            inherited = {
+                key: variable
+                for key, variable in self.variables.items()
+                if key in variable.dimensions
+            }
             attributes = {**self.attributes, **group.attributes}
             below = VariableGroup({**inherited, **group.variables}, attributes, group.groups)
             yield from below.signals(f"{path}/{name}".lstrip("/"))
@@ -125,9 +129,13 @@ def plain_attribute(value: Any) -> Any:
     if isinstance(value, (list, tuple, np.ndarray)):
         items = np.asarray(value)
         if items.dtype.kind in "OSU":
-            items = np.array([plain_attribute(item) for item in items.ravel().tolist()], dtype=object)
+            items = np.array(
+                [plain_attribute(item) for item in items.ravel().tolist()], dtype=object
+            )
         return items[0] if items.shape == (1,) else items
-    return value if isinstance(value, (int, float, np.generic)) else ""  # h5py.Empty: a text of no letter
+    return (
+        value if isinstance(value, (int, float, np.generic)) else ""
+    )  # h5py.Empty: a text of no letter
 
 
 def _text(content: bytes) -> str:
@@ -140,19 +148,26 @@ def _text(content: bytes) -> str:
 
 _FILLED = 9.9692099683868690e36
 """Fill value of the netCDF library for numbers that were never written, without an attribute."""
-_CODES, _GAPS = ("scale_factor", "add_offset", "_Unsigned", "dtype"), ("_FillValue", "missing_value")
+_CODES, _GAPS = (
+    ("scale_factor", "add_offset", "_Unsigned", "dtype"),
+    ("_FillValue", "missing_value"),
+)
 
 
 def _unpack(raw: Array, about: Mapping[str, Any]) -> Array:
     """Values of packed numbers and gaps (CF 8.1 and 2.5.1); most are neither, and need no library."""
     gaps = [np.asarray(about[key]) for key in _GAPS if key in about]
-    none = raw.dtype.kind == "f" and all(gap.dtype.kind == "f" and bool(np.isnan(gap).all()) for gap in gaps)
+    none = raw.dtype.kind == "f" and all(
+        gap.dtype.kind == "f" and bool(np.isnan(gap).all()) for gap in gaps
+    )
     if not any(key in about for key in _CODES) and (none or not gaps):
         return raw
     import xarray as xr
 
     variable = xr.Variable(("time",), raw, dict(about))
-    decoded = xr.conventions.decode_cf_variable("", variable, decode_times=False, decode_timedelta=False)
+    decoded = xr.conventions.decode_cf_variable(
+        "", variable, decode_times=False, decode_timedelta=False
+    )
     return np.asarray(decoded.values)
 
 
@@ -160,7 +175,19 @@ def _unpack(raw: Array, about: Mapping[str, Any]) -> Array:
 
 
 _DIMENSION, _VARIABLE, _ATTRIBUTE = 10, 11, 12  # tags of the format, as are the kinds of numbers
-_KINDS = {1: "i1", 2: "S1", 3: ">i2", 4: ">i4", 5: ">f4", 6: ">f8", 7: "u1", 8: ">u2", 9: ">u4", 10: ">i8", 11: ">u8"}
+_KINDS = {
+    1: "i1",
+    2: "S1",
+    3: ">i2",
+    4: ">i4",
+    5: ">f4",
+    6: ">f8",
+    7: "u1",
+    8: ">u2",
+    9: ">u4",
+    10: ">i8",
+    11: ">u8",
+}
 _WORD = 4  # bytes: every part begins at a multiple
 
 
@@ -206,7 +233,10 @@ class _Header:
 
     def variable(self, dimensions: Sequence[tuple[str, int]]) -> _Placed:
         name, own = self.name(), tuple(dimensions[self.size()] for _ in range(self.size()))
-        attributes, kind = dict(self.items(_ATTRIBUTE, self.attribute)), np.dtype(_KINDS[self.number(">i")])
+        attributes, kind = (
+            dict(self.items(_ATTRIBUTE, self.attribute)),
+            np.dtype(_KINDS[self.number(">i")]),
+        )
         self.number()  # its size, which follows from the rest and overflows where it is large
         return _Placed(name, own, attributes, kind, self.number(self.place))
 
@@ -249,7 +279,9 @@ def _classic(content: bytes, where: str) -> VariableGroup:
         raise ValueError("variables overlap")
     end = max(first + records * step if widths else 0, *(end for _, end in parts))
     findings = surplus(end, size, where) if size - end >= _WORD else []
-    by_name = {variable.name: _variable_at(variable, content, records, step) for variable in variables}
+    by_name = {
+        variable.name: _variable_at(variable, content, records, step) for variable in variables
+    }
     return VariableGroup(by_name, attributes, {}, tuple(findings))
 
 

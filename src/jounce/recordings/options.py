@@ -25,10 +25,15 @@ COLUMNS = Columns(
     'force="F [kN]"',
 )
 VARIABLE = Mark(
-    "Matrix or struct of a .mat file, group of a .tdms file, or sheet of a workbook (or rows: Run!5:300).", "VARIABLE"
+    "Matrix or struct of a .mat file, group of a .tdms file, or sheet of a workbook (or rows: Run!5:300).",
+    "VARIABLE",
 )
 SAMPLE_TIME = Number(
-    'Constant sampling interval of a file without time, e.g. "10 ms".', "TIME", "s", is_positive=True, most=LONGEST_STEP
+    'Constant sampling interval of a file without time, e.g. "10 ms".',
+    "TIME",
+    "s",
+    is_positive=True,
+    most=LONGEST_STEP,
 )
 RESAMPLE = Number(
     'Bring irregular time, or signals at different instants, onto constant steps, e.g. "10 ms".',
@@ -37,20 +42,27 @@ RESAMPLE = Number(
     is_positive=True,
     most=LONGEST_STEP,
 )
-DATABASE = File("Database of bus messages (.dbc) with which the bus frames of an MDF file are decoded.")
+DATABASE = File(
+    "Database of bus messages (.dbc) with which the bus frames of an MDF file are decoded."
+)
 SENSORS = File(
     "Sensors whose volts, currents or counts the columns hold: a file with their sensitivities, zeros and ranges, a "
     "campaign, or the settings of a laboratory."
 )
 AnyRecording: TypeAlias = Annotated[
     "tuple[xr.Dataset, list[Finding]]",
-    MadeBy("jounce.recordings.options:chosen_recording", "jounce.recordings.options:recording_in_python"),
+    MadeBy(
+        "jounce.recordings.options:chosen_recording",
+        "jounce.recordings.options:recording_in_python",
+    ),
 ]
 """A recording with what is to be known of it, as `jounce.read_recording` gives both; faces ask for file and columns."""
 
 
 def chosen_recording(
-    record: Annotated[str, File("A recording: .csv, .mat, .mf4, .tdms, .parquet, .xlsx, .nc ...", "RECORD")],
+    record: Annotated[
+        str, File("A recording: .csv, .mat, .mf4, .tdms, .parquet, .xlsx, .nc ...", "RECORD")
+    ],
     columns: Annotated[Any, COLUMNS] = None,
     variable: Annotated[str, VARIABLE] = "",
     sample_time: Annotated[float | None, SAMPLE_TIME] = None,
@@ -118,11 +130,17 @@ AnyRecordFiles: TypeAlias = Annotated[
 
 def as_record_file(record: RecordFile | str | Path) -> RecordFile:
     """Read a file that is given by its path."""
-    return record if isinstance(record, RecordFile) else RecordFile(Path(record), *read_recording(record))
+    return (
+        record
+        if isinstance(record, RecordFile)
+        else RecordFile(Path(record), *read_recording(record))
+    )
 
 
 def chosen_file(
-    record: Annotated[str, File("Record with columns time, displacement, force and optionally velocity.", "FILE")],
+    record: Annotated[
+        str, File("Record with columns time, displacement, force and optionally velocity.", "FILE")
+    ],
     columns: Annotated[Any, COLUMNS] = None,
     variable: Annotated[str, VARIABLE] = "",
     sample_time: Annotated[float | None, SAMPLE_TIME] = None,
@@ -136,7 +154,9 @@ def chosen_file(
 
 
 def chosen_files(
-    measured: Annotated[list[str], Texts("Recording of a free decay; several are combined.", "FILE...")],
+    measured: Annotated[
+        list[str], Texts("Recording of a free decay; several are combined.", "FILE...")
+    ],
     columns: Annotated[Any, COLUMNS] = None,
     variable: Annotated[str, VARIABLE] = "",
     sample_time: Annotated[float | None, SAMPLE_TIME] = None,
@@ -157,7 +177,11 @@ def file_in_python(record: str, **options: Any) -> str:
     >>> file_in_python("damper.csv"), file_in_python("damper.csv", sample_time=0.01)
     ("'damper.csv'", "jn.RecordFile('damper.csv', *jn.read_recording('damper.csv', sample_time=0.01))")
     """
-    return f"jn.RecordFile({record!r}, *{recording_in_python(record, **options)})" if options else repr(record)
+    return (
+        f"jn.RecordFile({record!r}, *{recording_in_python(record, **options)})"
+        if options
+        else repr(record)
+    )
 
 
 def files_in_python(measured: Sequence[str], **options: Any) -> str:

@@ -19,7 +19,11 @@ _LONGEST_FOOTER = 5_000_000  # bytes; a longer footer would take seconds to pars
 def check_counts(metadata: Any, path: Path) -> None:
     """Refuse a Parquet file whose row counts contradict each other."""
     groups = [metadata.row_group(i) for i in range(metadata.num_row_groups)]
-    flat = [i for i in range(metadata.num_columns) if metadata.schema.column(i).max_repetition_level == 0]
+    flat = [
+        i
+        for i in range(metadata.num_columns)
+        if metadata.schema.column(i).max_repetition_level == 0
+    ]
     counts = [sum(group.num_rows for group in groups)]
     counts += [sum(group.column(i).num_values for group in groups) for i in flat]
     if any(count != metadata.num_rows for count in counts) or any(
@@ -39,18 +43,29 @@ def check_end(metadata: Any, path: Path) -> list[Finding]:
     start = size - _END - metadata.serialized_size
     groups = [metadata.row_group(i) for i in range(metadata.num_row_groups)]
     chunks = [group.column(i) for group in groups for i in range(group.num_columns)]
-    if sum(chunk.total_compressed_size for chunk in chunks) == start - 4 or metadata.serialized_size > _LONGEST_FOOTER:
+    if (
+        sum(chunk.total_compressed_size for chunk in chunks) == start - 4
+        or metadata.serialized_size > _LONGEST_FOOTER
+    ):
         return []
     content = path.read_bytes()
     footer, _ = _struct(content, start, 0)
     last = max(_ends(content, footer), default=start)
     if last > start:
-        what = Phrase("its footer says that numbers lie in its last {last} bytes: it is damaged", last=last - start)
+        what = Phrase(
+            "its footer says that numbers lie in its last {last} bytes: it is damaged",
+            last=last - start,
+        )
         raise RecordingError(what, where=str(path), hint="Use an original copy.")
     return surplus(last, start, str(path))
 
 
-_FILE_OFFSET, _META, _OFFSET_INDEX, _COLUMN_INDEX = 2, 3, 4, 6  # fields of a column in a group of rows
+_FILE_OFFSET, _META, _OFFSET_INDEX, _COLUMN_INDEX = (
+    2,
+    3,
+    4,
+    6,
+)  # fields of a column in a group of rows
 _COMPRESSED, _PAGES, _DICTIONARY, _FILTER = 7, 9, 11, 14  # fields of a column's metadata
 
 
@@ -75,7 +90,17 @@ def _ends(content: bytes, footer: dict[int, Any]) -> Iterator[int]:
 # --- Thrift's compact protocol, the encoding of Parquet's metadata
 
 
-_TRUE, _FALSE, _BYTE, _DOUBLE, _TEXT, _LIST, _SET, _MAP, _STRUCT = 1, 2, 3, 7, 8, 9, 10, 11, 12  # its types
+_TRUE, _FALSE, _BYTE, _DOUBLE, _TEXT, _LIST, _SET, _MAP, _STRUCT = (
+    1,
+    2,
+    3,
+    7,
+    8,
+    9,
+    10,
+    11,
+    12,
+)  # its types
 _DEEPEST = 20  # structs within each other; only damage nests deeper
 
 

@@ -54,7 +54,9 @@ REACHES: dict[str, tuple[Reach, ...]] = {
     "steer": (Reach("peak", 20.0, (1e-2, 12.0)),),
     "phase_angle": (Reach("peak", 6.3, (0.05, 3.2)),),
     **dict.fromkeys(("pitch_rate", "roll_rate", "yaw_rate"), (Reach("r.m.s.", 20.0, (5e-3, 3.0)),)),
-    **dict.fromkeys(("pitch_acceleration", "roll_acceleration"), (Reach("r.m.s.", 2000.0, (0.02, 50.0)),)),
+    **dict.fromkeys(
+        ("pitch_acceleration", "roll_acceleration"), (Reach("r.m.s.", 2000.0, (0.02, 50.0)),)
+    ),
     "pressure": (Reach("peak", 2e8, (5e4, 3e7)),),
     "frequency": (Reach("peak", 500.0, (0.1, 50.0)),),
     "adhesion": (Reach("peak", 1.5, (0.05, 1.0)),),
@@ -146,7 +148,9 @@ def _of_time(step: float, samples: int, where: str) -> Iterator[Finding]:
         likely = "ms" if step < 1e3 * SLOWEST_STEP else "µs"
         place = place_in(where, "time")
         yield finding("recordings.steps_too_long", place, step, step=step, likely=likely)
-    elif step <= _FASTEST_STEP or (step <= _FAST_STEP and samples > _SOME and samples * step < _SHORT):
+    elif step <= _FASTEST_STEP or (
+        step <= _FAST_STEP and samples > _SOME and samples * step < _SHORT
+    ):
         severity: Severity = "problem" if step <= _FASTEST_STEP else "warning"
         yield finding(
             "recordings.steps_too_short",
@@ -186,14 +190,33 @@ def _of_channel(
         number = _number(reach.number, values, step)
         of = f"{si}/s" if reach.number == "rate" else si
         if number > reach.most:
-            code = "recordings.changes_too_fast" if reach.number == "rate" else "recordings.too_large"
+            code = (
+                "recordings.changes_too_fast" if reach.number == "rate" else "recordings.too_large"
+            )
             advice = _advice(number, reach, unit, si, header)
-            yield finding(code, at, number, number=reach.number, size=number, unit=of, most=reach.most, advice=advice)
+            yield finding(
+                code,
+                at,
+                number,
+                number=reach.number,
+                size=number,
+                unit=of,
+                most=reach.most,
+                advice=advice,
+            )
             return
         # Still smaller is a channel at rest, not one in another unit.
         if is_read and 1e-2 * reach.least < number < reach.least:
             advice = _advice(number, reach, unit, si, header)
-            yield finding("recordings.too_small", at, number, number=reach.number, size=number, unit=si, advice=advice)
+            yield finding(
+                "recordings.too_small",
+                at,
+                number,
+                number=reach.number,
+                size=number,
+                unit=si,
+                advice=advice,
+            )
             return
     if (
         quantity == "az"
@@ -202,7 +225,9 @@ def _of_channel(
         and abs(_number("mean", values, step) - 1.0)
         < 0.02  # of g: for zeros of sensors, and mounting angles up to 11 deg
     ):
-        yield finding("recordings.mean_of_gravity", at, values.mean(), mean=values.mean(), unit=unit)
+        yield finding(
+            "recordings.mean_of_gravity", at, values.mean(), mean=values.mean(), unit=unit
+        )
 
 
 def _advice(number: float, reach: Reach, unit: str, si: str, header: str) -> Finding:
@@ -222,7 +247,11 @@ def _advice(number: float, reach: Reach, unit: str, si: str, header: str) -> Fin
         return finding("recordings.check_unit", "")
     code = "recordings.other_unit" if names[1:] == [] else "recordings.one_of_two_units"
     question = finding(code, "", first=names[0], second=names[-1], unit=unit)
-    return finding("recordings.map_unit", "", question=question, header=header, unit=names[0]) if header else question
+    return (
+        finding("recordings.map_unit", "", question=question, header=header, unit=names[0])
+        if header
+        else question
+    )
 
 
 def _beside(
@@ -273,7 +302,8 @@ def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterato
             continue
         yield from _of_sign(channels[name], channels[rate], name, place_in(where, rate))
         first, second = (
-            _without_line(v) for v in (channels[name], np.cumsum(channels[rate] - channels[rate].mean()) * step)
+            _without_line(v)
+            for v in (channels[name], np.cumsum(channels[rate] - channels[rate].mean()) * step)
         )
         sizes = float(first.std()), float(second.std())
         # A choice: offsets and filters change the size by less, another unit (mm, deg, g) by about ten or more.

@@ -112,7 +112,9 @@ def pulse_speed(
     at = as_samples(time, "s", where=f"{where}: time")
     circumference = 2.0 * math.pi * positive_si(radius, "m", where=f"{where}: radius")
     if per_turn < 1:
-        raise RecordingError("not a number of pulses a turn", where=where, found=per_turn, allowed="1 or more")
+        raise RecordingError(
+            "not a number of pulses a turn", where=where, found=per_turn, allowed="1 or more"
+        )
     seen = edges(at, as_samples(signal, where=where), where=where)
     marks, is_mark, doubled = _number_marks(seen)
     seen, missing = seen[is_mark], int(marks[-1] + 1 - len(marks))
@@ -132,7 +134,9 @@ def pulse_speed(
     resolution = mean * step / math.sqrt(6.0) / span
     variation = float(speed.std())
     findings = _findings(missing, doubled, len(marks), variation, resolution, mean, where)
-    return PulseSpeed(seen, distance, speed, mean, resolution, variation, missing, doubled, tuple(findings))
+    return PulseSpeed(
+        seen, distance, speed, mean, resolution, variation, missing, doubled, tuple(findings)
+    )
 
 
 def edges(time: Array, signal: Array, *, where: str = "pulses") -> Array:
@@ -176,7 +180,9 @@ def _number_marks(seen: Array) -> tuple[Array, NDArray[np.bool_], int]:
     usual = float(np.median(np.diff(seen)))
     is_mark = np.ones(len(seen), dtype=bool)
     last = 0
-    for i in range(1, len(seen)):  # an edge less than half a period behind the last one is the same mark again
+    for i in range(
+        1, len(seen)
+    ):  # an edge less than half a period behind the last one is the same mark again
         if seen[i] - seen[last] < 0.5 * usual:
             is_mark[i] = False
         else:
@@ -193,7 +199,9 @@ _WINDOW = 9  # periods: an odd number whose middle one a speed that changes, or 
 def _running_median(values: Array) -> Array:
     width = min(_WINDOW, len(values) - (len(values) + 1) % 2)
     padded = np.pad(values, width // 2, mode="reflect" if width // 2 < len(values) else "edge")
-    return np.asarray(np.median(np.lib.stride_tricks.sliding_window_view(padded, width), axis=1)[: len(values)])
+    return np.asarray(
+        np.median(np.lib.stride_tricks.sliding_window_view(padded, width), axis=1)[: len(values)]
+    )
 
 
 def _over_a_turn(seen: Array, distance: Array, per_turn: int) -> Array:
@@ -211,7 +219,13 @@ _WORTH_A_WORD = 0.005  # share of missing and double pulses: sensors lose or dou
 
 
 def _findings(
-    missing: int, doubled: int, count: int, variation: float, resolution: float, mean: float, where: str
+    missing: int,
+    doubled: int,
+    count: int,
+    variation: float,
+    resolution: float,
+    mean: float,
+    where: str,
 ) -> list[Finding]:
     findings = []
     if missing + doubled > _WORTH_A_WORD * count:
@@ -228,5 +242,7 @@ def _findings(
             )
         )
     if variation > _VARIES * resolution and variation > _STEADY * mean:
-        findings.append(finding("recordings.speed_varies", where, variation, share=variation / mean, mean=mean))
+        findings.append(
+            finding("recordings.speed_varies", where, variation, share=variation / mean, mean=mean)
+        )
     return findings

@@ -30,7 +30,9 @@ def row_number(row: int) -> str:
     return f"row {row + 1}"
 
 
-def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_number) -> tuple[Array, list[Finding]]:
+def check_time(
+    time: Array, *, where: str, name_row: Callable[[int], str] = row_number
+) -> tuple[Array, list[Finding]]:
     """Check the time of a record and return the uniform time for it.
 
     Parameters
@@ -88,7 +90,14 @@ def check_time(time: Array, *, where: str, name_row: Callable[[int], str] = row_
     if largest <= ROUNDING + 4.0 * np.finfo(float).eps * float(np.abs(time).max()) / step:
         return uniform, []
     return uniform, [
-        finding("recordings.time_step_varies", at, largest, largest=largest, step=step, instants=time.size)
+        finding(
+            "recordings.time_step_varies",
+            at,
+            largest,
+            largest=largest,
+            step=step,
+            instants=time.size,
+        )
     ]
 
 
@@ -102,12 +111,16 @@ def check_even(time: Array, *, where: str) -> Array:
     return time
 
 
-def check_instants(time: Array, *, where: str, name_row: Callable[[int], str] = row_number) -> Array:
+def check_instants(
+    time: Array, *, where: str, name_row: Callable[[int], str] = row_number
+) -> Array:
     """Refuse a time (s) that is no clock: too few instants, not finite, all zero, not ascending; return its steps."""
     at = f"{where}: time"
     _check_finite(time, at, name_row)
     if time.size > 1 and not np.any(time):
-        raise RecordingError("time is zero in every row", where=at, hint="Was the clock column exported?")
+        raise RecordingError(
+            "time is zero in every row", where=at, hint="Was the clock column exported?"
+        )
     steps = check_ascending(time, "time", "s", where=at, name_row=name_row, hint=_CLOCK)
     if time.size < FEWEST_SAMPLES:
         raise RecordingError(
@@ -126,7 +139,13 @@ _CLOCK = (
 
 
 def check_ascending(
-    values: Array, name: str, unit: str, *, where: str, name_row: Callable[[int], str] = row_number, hint: str = ""
+    values: Array,
+    name: str,
+    unit: str,
+    *,
+    where: str,
+    name_row: Callable[[int], str] = row_number,
+    hint: str = "",
 ) -> Array:
     """Refuse values that do not ascend strictly, naming the first row; return their steps."""
     steps = np.diff(values)
@@ -219,7 +238,9 @@ def check_channels(
 
 def _is_driven(name: str) -> bool:
     """Whether a channel is an input to the rig: the road under any wheel, a shaker, manoeuvre loads."""
-    return name.endswith(_MAY_REST) or any(part.startswith(_DRIVEN_PLACES) for part in name.split("."))
+    return name.endswith(_MAY_REST) or any(
+        part.startswith(_DRIVEN_PLACES) for part in name.split(".")
+    )
 
 
 def _holding(values: Array, at: str) -> list[Finding]:
@@ -230,12 +251,19 @@ def _holding(values: Array, at: str) -> list[Finding]:
         return []
     length = int(np.median(runs))
     # A signal that just rounds to its resolution moves by one step of it.
-    if length < 2 or np.mean(runs == length) < _HELD or np.median(jumps) < 1.5 * np.diff(np.unique(values)).min():
+    if (
+        length < 2
+        or np.mean(runs == length) < _HELD
+        or np.median(jumps) < 1.5 * np.diff(np.unique(values)).min()
+    ):
         return []
     return [finding("recordings.held", at, length, length=length, late=0.5 * (length - 1))]
 
 
-_FEWEST_HELD, _HELD = 10, 0.8  # runs, and share of them with equal length: a signal of chance has few equal runs
+_FEWEST_HELD, _HELD = (
+    10,
+    0.8,
+)  # runs, and share of them with equal length: a signal of chance has few equal runs
 
 
 def _freezing(values: Array, at: str) -> list[Finding]:
@@ -301,8 +329,13 @@ def _is_moving(beside: Array, resolution: float) -> bool:
     """
     steps = np.diff(beside[:_BESIDE])
     turns = np.sign(steps[steps != 0.0])
-    is_restless = np.count_nonzero(np.diff(turns)) >= 3 and np.unique(np.round(beside[:_BESIDE] / resolution)).size > 3
-    return is_restless or float(np.median(np.abs(steps[:5]))) > 1.5 * resolution  # two steps and more
+    is_restless = (
+        np.count_nonzero(np.diff(turns)) >= 3
+        and np.unique(np.round(beside[:_BESIDE] / resolution)).size > 3
+    )
+    return (
+        is_restless or float(np.median(np.abs(steps[:5]))) > 1.5 * resolution
+    )  # two steps and more
 
 
 def frozen_samples(values: Array) -> NDArray[np.bool_]:
@@ -324,13 +357,19 @@ def clipped_share(values: Array) -> float:
 
 def _clipping_limits(values: Array) -> dict[float, int]:
     """Limits at which a record is clipped, with the number of samples there."""
-    reached = [float(end) for end in (values.min(), values.max()) if np.count_nonzero(values == end) >= FEWEST_CLIPPED]
+    reached = [
+        float(end)
+        for end in (values.min(), values.max())
+        if np.count_nonzero(values == end) >= FEWEST_CLIPPED
+    ]
     resolution = np.diff(np.unique(values)) if reached else np.empty(0)
     if not resolution.size:
         return {}
     smallest = float(resolution.min())
     limits = {limit: _flat_samples(values, limit, 1.5 * smallest) for limit in reached}
-    return {limit: count for limit, count in limits.items() if count >= FEWEST_CLIPPED and limit != 0.0}
+    return {
+        limit: count for limit, count in limits.items() if count >= FEWEST_CLIPPED and limit != 0.0
+    }
 
 
 def _clipping(values: Array, at: str) -> list[Finding]:
@@ -339,7 +378,13 @@ def _clipping(values: Array, at: str) -> list[Finding]:
         return []
     share = sum(clipped.values()) / values.size
     return [
-        finding("recordings.clipped", at, share, share=share, limits=" and ".join(f"{limit:g}" for limit in clipped))
+        finding(
+            "recordings.clipped",
+            at,
+            share,
+            share=share,
+            limits=" and ".join(f"{limit:g}" for limit in clipped),
+        )
     ]
 
 

@@ -54,7 +54,14 @@ READERS: list[Reader] = []
 
 
 def reader(
-    name: str, label: str, suffixes: tuple[str, ...], *, source: str, example: str, extra: str = "", **more: bool
+    name: str,
+    label: str,
+    suffixes: tuple[str, ...],
+    *,
+    source: str,
+    example: str,
+    extra: str = "",
+    **more: bool,
 ) -> Callable[[Read], Read]:
     """Register the decorated function in ``READERS``; the arguments are the fields of its `Reader`."""
 
@@ -69,14 +76,20 @@ def reader_of(path: Path) -> Reader:
     """Reader for a file, chosen by its suffix."""
     likely = [known for known in READERS if path.suffix.lower() in known.suffixes]
     if len(likely) > 1:  # .dat is text, or MDF
-        with reading(existing_file(path, RecordingError), RecordingError), path.open("rb") as stream:
+        with (
+            reading(existing_file(path, RecordingError), RecordingError),
+            path.open("rb") as stream,
+        ):
             is_mdf = stream.read(len(_MDF[-1])).startswith(_MDF)
         return next(known for known in likely if (known.name == "mdf") is is_mdf)
     if likely:
         return likely[0]
     suffixes = sorted({suffix for known in READERS for suffix in known.suffixes})
     raise RecordingError(
-        "the file's suffix is of no known format", where=str(path), found=path.suffix, allowed=", ".join(suffixes)
+        "the file's suffix is of no known format",
+        where=str(path),
+        found=path.suffix,
+        allowed=", ".join(suffixes),
     )
 
 
@@ -102,7 +115,9 @@ def read_signals(path: Path, options: ReaderOptions) -> SignalTable:
         )
     if options.database is not None:
         if not chosen.has_database:
-            formats = ", ".join(suffix for known in READERS if known.has_database for suffix in known.suffixes)
+            formats = ", ".join(
+                suffix for known in READERS if known.has_database for suffix in known.suffixes
+            )
             raise RecordingError(
                 "a database of bus messages means nothing for this format",
                 where=str(path),
@@ -113,7 +128,9 @@ def read_signals(path: Path, options: ReaderOptions) -> SignalTable:
     try:
         signals = (read_isolated if is_read_in_child(path) else _read_here)(chosen, path, options)
     except MemoryError as error:
-        raise (resource_error if is_of_system(error) else too_much_memory)(error, str(path)) from None
+        raise (resource_error if is_of_system(error) else too_much_memory)(
+            error, str(path)
+        ) from None
     for table in signals.tables:
         _check_shape(table, chosen, path)
     return signals
@@ -130,21 +147,30 @@ def _check_shape(table: ColumnTable, reader: Reader, path: Path) -> None:
         if not _is_signal(column.values):
             raise RecordingError(
                 Phrase(
-                    "a column is no row of real numbers: the reader {name!r} does not know this file", name=reader.name
+                    "a column is no row of real numbers: the reader {name!r} does not know this file",
+                    name=reader.name,
                 ),
                 where=f"{path}: {column.label}",
                 found=f"shape {np.shape(column.values)}, {getattr(column.values, 'dtype', 'no array')}",
             )
     if len({column.values.size for column in sound}) > 1:
         raise RecordingError(
-            Phrase("the columns have different lengths: the reader {name!r} does not know this file", name=reader.name),
+            Phrase(
+                "the columns have different lengths: the reader {name!r} does not know this file",
+                name=reader.name,
+            ),
             where=str(path),
             found=", ".join(f"{column.label}: {column.values.size}" for column in sound),
         )
 
 
 def _is_signal(values: object) -> bool:
-    return isinstance(values, np.ndarray) and values.ndim == 1 and values.dtype == float and values.size > 0
+    return (
+        isinstance(values, np.ndarray)
+        and values.ndim == 1
+        and values.dtype == float
+        and values.size > 0
+    )
 
 
 @contextmanager
@@ -173,13 +199,17 @@ def _refuse_if_damaged(path: Path, what: str) -> Iterator[None]:
         text = " ".join(str(error).split())[:200]
         with PROCESS_SETTINGS:
             hook = sys.unraisablehook
-            sys.unraisablehook = lambda _: None  # half-built objects print tracebacks when they are freed
+            sys.unraisablehook = lambda _: (
+                None
+            )  # half-built objects print tracebacks when they are freed
             try:
                 traceback.clear_frames(error.__traceback__)
                 gc.collect()
             finally:
                 sys.unraisablehook = hook
-        raise RecordingError(f"not {what}, or damaged ({text or type(error).__name__})", where=str(path)) from None
+        raise RecordingError(
+            f"not {what}, or damaged ({text or type(error).__name__})", where=str(path)
+        ) from None
 
 
 def _table_of(columns: Iterable[Column], path: Path, options: ReaderOptions) -> ColumnTable:
@@ -202,7 +232,8 @@ def _rename(table: ColumnTable, header: str) -> ColumnTable:
             found=", ".join(column.label for column in table),
         )
     columns = tuple(
-        replace(column, name=name, unit=unit) for column, (name, unit) in zip(table.columns, heads, strict=True)
+        replace(column, name=name, unit=unit)
+        for column, (name, unit) in zip(table.columns, heads, strict=True)
     )
     return replace(table, columns=columns)
 
@@ -220,7 +251,10 @@ def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
     if text.startswith(FIRST):
         return _labview(text, path, options)
     return SignalTable(
-        _rename(columns_in(text, path, len(parse_header(options.header)) if options.header else 0), options.header)
+        _rename(
+            columns_in(text, path, len(parse_header(options.header)) if options.header else 0),
+            options.header,
+        )
     )
 
 
@@ -249,7 +283,11 @@ def _labview(text: str, path: Path, options: ReaderOptions) -> SignalTable:
     held = len(table.columns[0].values)
     findings = announcement("Samples", announced or 0, held, str(path), refused=False)
     if announced is not None and held > announced:
-        findings.append(finding("recordings.rows_added", f"{path}: Samples", held, announced=announced, held=held))
+        findings.append(
+            finding(
+                "recordings.rows_added", f"{path}: Samples", held, announced=announced, held=held
+            )
+        )
     return SignalTable(table, findings=tuple(findings))
 
 
@@ -275,7 +313,9 @@ def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
         dimensions = [variable.along for variable in group.variables.values() if variable.along]
         time = group.variables["time"].along if "time" in group.variables else ""
         along = time or max(dimensions, key=dimensions.count)
-        signals = {name: variable for name, variable in group.variables.items() if variable.along == along}
+        signals = {
+            name: variable for name, variable in group.variables.items() if variable.along == along
+        }
         held = {name: variable.held() for name, variable in signals.items()}
         for name, variable in signals.items():
             findings += announcement(name, max(variable.shape), held[name], str(path))
@@ -287,14 +327,20 @@ def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
             columns.append(Column(bare, own, variable.values(rows), str(path)))
             long_names[bare] = str(variable.attributes.get("long_name", ""))
             if since:
-                remarks.append(finding("recordings.clock", str(path), name=name, unit=unit, since=since))
+                remarks.append(
+                    finding("recordings.clock", str(path), name=name, unit=unit, since=since)
+                )
         left_out = [name for name in group.variables if name not in signals]
         left_out += [name for name in groups if name != place]
     table = replace(_table_of(columns, path, options), remarks=tuple(remarks))
-    return SignalTable(table, long_names, group.attributes, tuple(left_out), findings=tuple(findings))
+    return SignalTable(
+        table, long_names, group.attributes, tuple(left_out), findings=tuple(findings)
+    )
 
 
-def _select_group(groups: Mapping[str, VariableGroup], variable: str, path: Path) -> tuple[str, VariableGroup]:
+def _select_group(
+    groups: Mapping[str, VariableGroup], variable: str, path: Path
+) -> tuple[str, VariableGroup]:
     if variable or (len(groups) > 1 and "" not in groups):
         if variable not in groups:
             raise RecordingError(
@@ -356,12 +402,15 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
     else:
         hint = (
             Phrase(
-                "Objects (timeseries, tables) cannot be read: {unread}. Save plain vectors.", unread=", ".join(unread)
+                "Objects (timeseries, tables) cannot be read: {unread}. Save plain vectors.",
+                unread=", ".join(unread),
             )
             if unread
             else ""
         )
-        raise RecordingError("no numeric variable with more than one row", where=str(path), hint=hint)
+        raise RecordingError(
+            "no numeric variable with more than one row", where=str(path), hint=hint
+        )
     columns = []
     for name, matrix in matrices.items():
         array = matrix.values
@@ -372,12 +421,16 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
                 Column(n, u, np.array(v, dtype=float), str(path), written=at if at != n else "")
                 for (n, u, at), v in zip(heads_of, array.T, strict=True)
             ]
-    left_out = [name for name, array in arrays.items() if not chosen and array.shape[0] not in (1, rows)]
+    left_out = [
+        name for name, array in arrays.items() if not chosen and array.shape[0] not in (1, rows)
+    ]
     names, stored_names = texts.get("names"), texts.get("long_names")
     long_names = {}
     if isinstance(names, Mapping) and isinstance(stored_names, Mapping):
         long_names = {
-            str(name): str(stored_names[key]) for key, name in names.items() if np.size(stored_names.get(key, []))
+            str(name): str(stored_names[key])
+            for key, name in names.items()
+            if np.size(stored_names.get(key, []))
         }
     return SignalTable(
         ColumnTable(tuple(columns), (), str(path)),
@@ -390,7 +443,9 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
 
 def _select_matrix(arrays: dict[str, Array], variable: str, width: int, path: Path) -> str:
     """Variable that the header (``width`` names) belongs to; empty without header and variable."""
-    sizes = ", ".join(f"{name} ({a.shape[0]} x {a.shape[1]})" for name, a in arrays.items() if a.shape[0] > 1)
+    sizes = ", ".join(
+        f"{name} ({a.shape[0]} x {a.shape[1]})" for name, a in arrays.items() if a.shape[0] > 1
+    )
     if variable and variable not in arrays:
         hint = nearest(variable, arrays)
         raise RecordingError(
@@ -401,7 +456,9 @@ def _select_matrix(arrays: dict[str, Array], variable: str, width: int, path: Pa
         )
     if not width:
         return variable
-    fitting = [name for name, array in arrays.items() if array.shape[1] == width and array.shape[0] > 1]
+    fitting = [
+        name for name, array in arrays.items() if array.shape[1] == width and array.shape[0] > 1
+    ]
     if variable and variable not in fitting:
         raise RecordingError(
             Phrase(
@@ -415,7 +472,9 @@ def _select_matrix(arrays: dict[str, Array], variable: str, width: int, path: Pa
     if not variable and len(fitting) != 1:
         raise RecordingError(
             Phrase(
-                "{count} variables have as many columns as the given header ({width})", count=len(fitting), width=width
+                "{count} variables have as many columns as the given header ({width})",
+                count=len(fitting),
+                width=width,
             ),
             where=str(path),
             found=sizes or "none",
@@ -460,9 +519,14 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     if lost:
         findings.append(finding("recordings.damaged", str(path), lost, lost=lost, start=at))
     for channel in group.channels():
-        if channel.path in expected and expected[channel.path].read_length < expected[channel.path].expected_length:
+        if (
+            channel.path in expected
+            and expected[channel.path].read_length < expected[channel.path].expected_length
+        ):
             lost = expected[channel.path].expected_length - expected[channel.path].read_length
-            findings += announcement(channel.name, len(channel) + lost, len(channel), where, refused=False)
+            findings += announcement(
+                channel.name, len(channel) + lost, len(channel), where, refused=False
+            )
     clocks: dict[tuple[float, ...], list[Column]] = {}
     with _refuse_if_damaged(path, "a TDMS file"):
         for channel in group.channels():
@@ -478,7 +542,9 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
         raise RecordingError("no numeric channel", where=where)
     tables = []
     for clock, columns in clocks.items():
-        held = min(len(column.values) for column in columns)  # of a truncated file, the rows that all channels have
+        held = min(
+            len(column.values) for column in columns
+        )  # of a truncated file, the rows that all channels have
         table = [replace(column, values=column.values[:held]) for column in columns]
         if len(clock) > 1 and not any(column.name == "time" for column in table):
             instants = np.asarray(clock[1] + np.arange(held) * clock[0], dtype=np.float64)
@@ -534,18 +600,28 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
         if options.database is not None:
             databases = [(str(options.database), 0)]
             with _refuse_if_damaged(options.database, "a database of bus messages"):
-                sources.append(file.extract_bus_logging(database_files={"CAN": databases, "LIN": databases}))
+                sources.append(
+                    file.extract_bus_logging(database_files={"CAN": databases, "LIN": databases})
+                )
         clocks: dict[bytes, list[Column]] = {}
         for source in sources:
             for signal in source.iter_channels(skip_master=True):
-                if signal.name.startswith(_FRAMES) or signal.samples.ndim != 1 or signal.samples.size < 2:
+                if (
+                    signal.name.startswith(_FRAMES)
+                    or signal.samples.ndim != 1
+                    or signal.samples.size < 2
+                ):
                     continue
                 if signal.samples.dtype.kind not in "fiu":
                     continue
                 announced = int(source.groups[signal.group_index].channel_group.cycles_nr)
-                findings += announcement(signal.name, announced, int(signal.samples.size), str(path), refused=False)
+                findings += announcement(
+                    signal.name, announced, int(signal.samples.size), str(path), refused=False
+                )
                 instants = np.array(signal.timestamps, dtype=float)
-                columns = clocks.setdefault(instants.tobytes(), [Column("time", "s", instants, str(path))])
+                columns = clocks.setdefault(
+                    instants.tobytes(), [Column("time", "s", instants, str(path))]
+                )
                 values = np.array(signal.samples, dtype=float)
                 columns.append(Column(signal.name, str(signal.unit or ""), values, str(path)))
                 long_names[signal.name] = str(signal.comment or "")
@@ -586,7 +662,9 @@ def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
     with _refuse_if_damaged(path, "a universal file"):
         file = pyuff.UFF(str(path))
         kinds = [int(kind) for kind in np.atleast_1d(file.get_set_types())]
-        functions = [file.read_sets(index) for index, kind in enumerate(kinds) if kind == _FUNCTIONS]
+        functions = [
+            file.read_sets(index) for index, kind in enumerate(kinds) if kind == _FUNCTIONS
+        ]
     findings: list[Finding] = []
     if sum(line.strip() == b"-1" for line in path.read_bytes().splitlines()) % 2:
         findings.append(finding("recordings.no_end", str(path)))
@@ -601,7 +679,8 @@ def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
             where=str(path),
             found=there,
             allowed=Phrase(
-                "data set 58 with functions of type {time_response} (time response)", time_response=_TIME_RESPONSE
+                "data set 58 with functions of type {time_response} (time response)",
+                time_response=_TIME_RESPONSE,
             ),
         )
     entities = [str(data_set["rsp_ent_name"]).strip() for data_set in sets]
@@ -612,7 +691,11 @@ def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
     clocks: dict[tuple[str, bytes], list[Column]] = {}
     left_out = []
     for data_set, name in zip(sets, names, strict=True):
-        full = name if names.count(name) == 1 else f"{name}:{data_set['rsp_node']}{data_set['rsp_dir']:+d}"
+        full = (
+            name
+            if names.count(name) == 1
+            else f"{name}:{data_set['rsp_node']}{data_set['rsp_dir']:+d}"
+        )
         values, instants = np.ravel(data_set["data"]), np.asarray(data_set["x"], dtype=float)
         if np.iscomplexobj(values) or values.size < 2:
             left_out.append(full)
@@ -620,14 +703,21 @@ def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
         announced = int(data_set.get("num_pts", values.size))
         findings += announcement(full, announced, int(values.size), str(path), refused=False)
         held = min(values.size, instants.size)
-        clock, unit = _label(data_set["abscissa_axis_units_lab"]) or "s", _label(data_set["ordinate_axis_units_lab"])
+        clock, unit = (
+            _label(data_set["abscissa_axis_units_lab"]) or "s",
+            _label(data_set["ordinate_axis_units_lab"]),
+        )
         columns = clocks.setdefault(
             (clock, instants[:held].tobytes()), [Column("time", clock, instants[:held], str(path))]
         )
         columns.append(Column(full, unit, np.array(values[:held], dtype=float), str(path)))
     if not clocks:
-        raise RecordingError("no time response of real numbers", where=str(path), found=", ".join(left_out))
-    return _by_clock(list(clocks.values()), path, options, left_out=tuple(left_out), findings=tuple(findings))
+        raise RecordingError(
+            "no time response of real numbers", where=str(path), found=", ".join(left_out)
+        )
+    return _by_clock(
+        list(clocks.values()), path, options, left_out=tuple(left_out), findings=tuple(findings)
+    )
 
 
 def _label(text: object) -> str:
@@ -652,25 +742,41 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
     """
     arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
     columns, long_names = [], dict[str, str]()
-    with _refuse_if_damaged(path, "a Parquet file"), parquet.ParquetFile(path, page_checksum_verification=True) as file:
+    with (
+        _refuse_if_damaged(path, "a Parquet file"),
+        parquet.ParquetFile(path, page_checksum_verification=True) as file,
+    ):
         check_counts(file.metadata, path)
         findings = check_end(file.metadata, path)
         table = file.read()
-        attributes = attributes_in((table.schema.metadata or {}).get(ABOUT.encode(), b"").decode(errors="replace"))
+        attributes = attributes_in(
+            (table.schema.metadata or {}).get(ABOUT.encode(), b"").decode(errors="replace")
+        )
         for field_, chunks in zip(table.schema, table.columns, strict=True):
-            metadata = {key.decode(): value.decode() for key, value in (field_.metadata or {}).items()}
+            metadata = {
+                key.decode(): value.decode() for key, value in (field_.metadata or {}).items()
+            }
             name, unit = name_and_unit(field_.name)
             unit = unit or metadata.get("unit") or metadata.get("units") or ""
             long_names[name] = metadata.get("long_name", "")
             kind, values, fault = field_.type, np.empty(0), None
-            if arrow.types.is_temporal(kind) and hasattr(kind, "unit") and _may_be_clock(name, unit):
+            if (
+                arrow.types.is_temporal(kind)
+                and hasattr(kind, "unit")
+                and _may_be_clock(name, unit)
+            ):
                 integers = chunks.cast(arrow.int32() if kind.bit_width == 32 else arrow.int64())
                 ticks = integers.to_numpy()  # float, with NaN, where instants are missing
                 values, unit = (
-                    (ticks - ticks[0]).astype(float) * {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit],
+                    (ticks - ticks[0]).astype(float)
+                    * {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[kind.unit],
                     "s",
                 )
-            elif arrow.types.is_integer(kind) or arrow.types.is_floating(kind) or arrow.types.is_decimal(kind):
+            elif (
+                arrow.types.is_integer(kind)
+                or arrow.types.is_floating(kind)
+                or arrow.types.is_decimal(kind)
+            ):
                 values = np.array(chunks.cast(arrow.float64()).to_numpy(), dtype=float)
             else:
                 fault = RecordingError(
@@ -680,13 +786,21 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
                     allowed="numbers",
                     hint=NO_NUMBER,
                 )
-            columns.append(Column(name, unit, values, str(path), fault, "" if field_.name == name else field_.name))
+            columns.append(
+                Column(
+                    name, unit, values, str(path), fault, "" if field_.name == name else field_.name
+                )
+            )
     if not columns or not table.num_rows:
         raise RecordingError("no rows", where=str(path))
-    return SignalTable(_table_of(columns, path, options), long_names, attributes, findings=tuple(findings))
+    return SignalTable(
+        _table_of(columns, path, options), long_names, attributes, findings=tuple(findings)
+    )
 
 
-_LARGEST_WORKBOOK = 1_000_000_000  # bytes, unpacked: a full sheet (a million rows) of ten columns has about half
+_LARGEST_WORKBOOK = (
+    1_000_000_000  # bytes, unpacked: a full sheet (a million rows) of ten columns has about half
+)
 
 
 @reader(
@@ -718,15 +832,25 @@ def _read_excel(path: Path, options: ReaderOptions) -> SignalTable:
     title = EXCEL[0] if is_ours else _select_sheet(sheet_rows, sheet, path)
     if mark:
         sheet_rows[title] = _within(sheet_rows[title], area, path)
-    table = _by_cell(_of_sheet(sheet_rows[title], options.header, path, title), sheet_rows[title], path, title)
+    table = _by_cell(
+        _of_sheet(sheet_rows[title], options.header, path, title), sheet_rows[title], path, title
+    )
     if not is_ours:
-        others = tuple(name for name, rows in sheet_rows.items() if name != title and _holds_numbers(rows))
+        others = tuple(
+            name for name, rows in sheet_rows.items() if name != title and _holds_numbers(rows)
+        )
         with _refuse_if_damaged(path, "an Excel workbook"):
             table = _without_days(table, path, title)
         return SignalTable(table, left_out=others)
-    about = [["" if cell is None else str(cell) for cell in [*row, *[""] * 3][:3]] for row in sheet_rows[EXCEL[1]][1:]]
+    about = [
+        ["" if cell is None else str(cell) for cell in [*row, *[""] * 3][:3]]
+        for row in sheet_rows[EXCEL[1]][1:]
+    ]
     if not options.header and len(about) == len(table):
-        columns = [replace(column, name=name, unit=unit) for column, (name, unit, _) in zip(table, about, strict=True)]
+        columns = [
+            replace(column, name=name, unit=unit)
+            for column, (name, unit, _) in zip(table, about, strict=True)
+        ]
         table = replace(table, columns=tuple(columns))
     with _refuse_if_damaged(path, "a recording's workbook"):
         attributes = {
@@ -748,7 +872,8 @@ def _within(rows: list[list[Any]], area: str, path: Path) -> list[list[Any]]:
     first, last = (_place(match[1]), _place(match[3]) + 1) if match[1] else (0, None)
     top, bottom = int(match[2]), int(match[4])
     return [
-        [*[None] * first, *row[first:last]] if top <= number <= bottom else [] for number, row in enumerate(rows, 1)
+        [*[None] * first, *row[first:last]] if top <= number <= bottom else []
+        for number, row in enumerate(rows, 1)
     ]
 
 
@@ -770,13 +895,17 @@ def _of_sheet(rows: list[list[Any]], header: str, path: Path, sheet: str) -> Col
         table = columns_in(_as_text(rows), path, len(parse_header(header)) if header else 0)
     except RecordingError as error:
         if error.what == "the file is empty":
-            raise RecordingError("no row holds anything", where=f"{path}: sheet {sheet!r}") from None
+            raise RecordingError(
+                "no row holds anything", where=f"{path}: sheet {sheet!r}"
+            ) from None
         where = error.where.replace(f"{path}, line ", f"{path}: sheet {sheet!r}, row ")
         raise RecordingError(
             error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
         ) from None
     remarks = [
-        finding(item.code, item.place, **{**item.numbers, "kind": "row"}) if "kind" in item.numbers else item
+        finding(item.code, item.place, **{**item.numbers, "kind": "row"})
+        if "kind" in item.numbers
+        else item
         for item in table.remarks
     ]
     return _rename(replace(table, remarks=tuple(remarks), place="row"), header)
@@ -787,7 +916,10 @@ def _select_sheet(sheets: Mapping[str, list[list[Any]]], variable: str, path: Pa
         if variable not in sheets:
             hint = nearest(variable, sheets)
             raise RecordingError(
-                Phrase("no sheet {variable!r}", variable=variable), where=str(path), found=", ".join(sheets), hint=hint
+                Phrase("no sheet {variable!r}", variable=variable),
+                where=str(path),
+                found=", ".join(sheets),
+                hint=hint,
             )
         return variable
     likely = [name for name, rows in sheets.items() if _holds_numbers(rows)]
@@ -795,7 +927,9 @@ def _select_sheet(sheets: Mapping[str, list[list[Any]]], variable: str, path: Pa
         raise RecordingError("no sheet with numbers", where=str(path), found=", ".join(sheets))
     if len(likely) > 1:
         hint = "Say which: variable = 'SHEET' (--variable), or 'SHEET!5:300' for some of its rows."
-        raise RecordingError("several sheets hold numbers", where=str(path), found=", ".join(likely), hint=hint)
+        raise RecordingError(
+            "several sheets hold numbers", where=str(path), found=", ".join(likely), hint=hint
+        )
     return likely[0]
 
 
@@ -815,7 +949,9 @@ def _as_text(rows: list[list[Any]]) -> str:
     lines = []
     for row in _with_seconds(rows):
         cells = [_cell_text(cell) for cell in [*row, *[None] * end]]
-        lines.append("\t".join(cells[first:end]) if any(cells[first:end]) else " ".join(filter(None, cells)))
+        lines.append(
+            "\t".join(cells[first:end]) if any(cells[first:end]) else " ".join(filter(None, cells))
+        )
     return "".join(f"{line}\n" for line in lines)
 
 
@@ -826,13 +962,20 @@ def _with_seconds(rows: list[list[Any]]) -> list[list[Any]]:
     """
     converted = [list(row) for row in rows]
     below = {
-        i: n for n, row in reversed([*enumerate(rows)]) for i, cell in enumerate(row) if isinstance(cell, timedelta)
+        i: n
+        for n, row in reversed([*enumerate(rows)])
+        for i, cell in enumerate(row)
+        if isinstance(cell, timedelta)
     }
     for i, n in below.items():
-        above = [row[i] for row in rows[max(n - 2, 0) : n] if i < len(row) and isinstance(row[i], str)]
+        above = [
+            row[i] for row in rows[max(n - 2, 0) : n] if i < len(row) and isinstance(row[i], str)
+        ]
         cells = {type(row[i]) for row in rows[n:] if i < len(row) and row[i] not in (None, "")}
         is_bare_unit = bool(above) and is_unit(above[-1]) and not names_time(above[-1])
-        name, unit = (above[0], above[-1]) if is_bare_unit else name_and_unit(above[-1] if above else "")
+        name, unit = (
+            (above[0], above[-1]) if is_bare_unit else name_and_unit(above[-1] if above else "")
+        )
         if cells == {timedelta} and _may_be_clock(name, unit):
             for row in converted[n:]:
                 if i < len(row) and isinstance(row[i], timedelta):
@@ -857,20 +1000,38 @@ def _by_cell(table: ColumnTable, rows: list[list[Any]], path: Path, sheet: str) 
     for place, column in enumerate(columns):
         reported = column.fault or RecordingError("", allowed="a number")
         line = reported.line or 0
-        if not (line or (column.fault is None and column.unit == "s" and not _may_be_clock(column.name, "s"))):
+        if not (
+            line
+            or (column.fault is None and column.unit == "s" and not _may_be_clock(column.name, "s"))
+        ):
             continue
         heads = (column.written or column.label, column.label, column.name)
-        below = {i for row in rows for i, cell in enumerate(row) if isinstance(cell, str) and _cell_text(cell) in heads}
-        cells = [(n, i, row[i]) for n, row in enumerate(rows, 1) for i in sorted(below) if i < len(row)]
+        below = {
+            i
+            for row in rows
+            for i, cell in enumerate(row)
+            if isinstance(cell, str) and _cell_text(cell) in heads
+        }
+        cells = [
+            (n, i, row[i]) for n, row in enumerate(rows, 1) for i in sorted(below) if i < len(row)
+        ]
         if line:
-            here = [item for item in cells if item[0] == line and _cell_text(item[2])[:80] == reported.found]
+            here = [
+                item
+                for item in cells
+                if item[0] == line and _cell_text(item[2])[:80] == reported.found
+            ]
         else:
             here = [item for item in cells if isinstance(item[2], datetime | time | timedelta)]
         if not here:
             if line:
                 where = reported.where.replace(f", line {line}", f": sheet {sheet!r}, row {line}")
                 new_fault = RecordingError(
-                    reported.what, where=where, found=reported.found, allowed=reported.allowed, hint=reported.hint
+                    reported.what,
+                    where=where,
+                    found=reported.found,
+                    allowed=reported.allowed,
+                    hint=reported.hint,
                 )
                 columns[place] = replace(column, fault=new_fault)
             continue
@@ -893,7 +1054,17 @@ def _by_cell(table: ColumnTable, rows: list[list[Any]], path: Path, sheet: str) 
 _KINDS_OF_CELL = (
     (bool, "a truth value"), (datetime, "a date"), (time, "a time of day"), (timedelta, "a duration")
 )  # fmt: skip
-_ERRORS_OF_EXCEL = ("#DIV/0!", "#NAME?", "#NULL!", "#NUM!", "#REF!", "#VALUE!", "#GETTING_DATA", "#SPILL!", "#CALC!")
+_ERRORS_OF_EXCEL = (
+    "#DIV/0!",
+    "#NAME?",
+    "#NULL!",
+    "#NUM!",
+    "#REF!",
+    "#VALUE!",
+    "#GETTING_DATA",
+    "#SPILL!",
+    "#CALC!",
+)
 
 
 def _letters(column: int) -> str:
@@ -918,7 +1089,9 @@ def _without_days(table: ColumnTable, path: Path, sheet: str) -> ColumnTable:
             and np.allclose(seconds / 86400.0, column.values, rtol=1e-15, atol=0.0)
             and _format_below(path, sheet, column.written or column.label) == "0"
         ):
-            columns[place] = replace(column, unit="s", values=seconds, written=column.written or column.label)
+            columns[place] = replace(
+                column, unit="s", values=seconds, written=column.written or column.label
+            )
             remarks.append(finding("recordings.durations", str(path), name=column.label))
     return replace(table, columns=tuple(columns), remarks=tuple(remarks))
 
@@ -958,7 +1131,9 @@ def _by_clock(
     usual = max(clocks, key=len)
     others = [columns for columns in clocks if columns is not usual]
     timed = [columns for columns in others if columns[0].name == "time"]
-    unclear = tuple(column.name for columns in others if columns[0].name != "time" for column in columns)
+    unclear = tuple(
+        column.name for columns in others if columns[0].name != "time" for column in columns
+    )
     return SignalTable(
         _table_of(usual, path, options),
         left_out=left_out + unclear,

@@ -96,7 +96,9 @@ def channels_of(name: str, names: Sequence[str]) -> list[str]:
     return [name] if name in names else [channel for channel in names if is_channel(channel, name)]
 
 
-def extremes(time: Array, channels: Mapping[str, tuple[Array, str, str]]) -> dict[str, dict[str, str | float]]:
+def extremes(
+    time: Array, channels: Mapping[str, tuple[Array, str, str]]
+) -> dict[str, dict[str, str | float]]:
     """First, least and greatest value of every channel in its unit, with the times (s) of the extremes.
 
     The channels are those that :func:`recording` takes.
@@ -115,7 +117,9 @@ def extremes(time: Array, channels: Mapping[str, tuple[Array, str, str]]) -> dic
     return table
 
 
-_OF_BALL_JOINTS = dict.fromkeys(("e0", "e1", "e2", "e3"), "1") | dict.fromkeys(("wx", "wy", "wz"), "rad/s")
+_OF_BALL_JOINTS = dict.fromkeys(("e0", "e1", "e2", "e3"), "1") | dict.fromkeys(
+    ("wx", "wy", "wz"), "rad/s"
+)
 
 
 def quantity_of(name: str) -> str:
@@ -201,7 +205,9 @@ def describe(name: str) -> str:
 
 
 def recording_of(
-    time: ArrayLike, channels: Mapping[str, tuple[ArrayLike, str, str]], attributes: Mapping[str, object] | None = None
+    time: ArrayLike,
+    channels: Mapping[str, tuple[ArrayLike, str, str]],
+    attributes: Mapping[str, object] | None = None,
 ) -> xr.Dataset:
     """Make a recording of arrays; arguments as for :func:`jounce.recording`."""
     import xarray as xr
@@ -231,7 +237,9 @@ def _attributes(name: str, unit: str, long_name: str) -> dict[str, str]:
 def _time_axis(instants: Array) -> xr.Dataset:
     import xarray as xr
 
-    return xr.Dataset(coords={"time": xr.Variable(("time",), instants, {"units": "s", "long_name": "time"})})
+    return xr.Dataset(
+        coords={"time": xr.Variable(("time",), instants, {"units": "s", "long_name": "time"})}
+    )
 
 
 _lasting_time_axis = once_per_object(_time_axis)
@@ -301,13 +309,21 @@ def check_units(dataset: xr.Dataset, *, where: str = "recording") -> None:
 def _check_channel(name: str, variable: xr.DataArray, where: str) -> None:
     at = f"{where}: {name}"
     if variable.dims != ("time",):
-        raise RecordingError("the channel is not a signal over time", where=at, found=f"dimensions {variable.dims}")
+        raise RecordingError(
+            "the channel is not a signal over time", where=at, found=f"dimensions {variable.dims}"
+        )
     unit = variable.attrs.get("units")
     if unit is None:
         hint = "Arithmetic with older xarray drops it: xarray.set_options(keep_attrs=True), or assign_attrs(units=...)."
-        raise RecordingError("the channel has no unit", where=at, allowed="an attribute 'units'", hint=hint)
+        raise RecordingError(
+            "the channel has no unit", where=at, allowed="an attribute 'units'", hint=hint
+        )
     quantity = quantity_of(name)
-    if quantity not in ("", "command") and not is_spelling(unit, channel_unit(name)):  # a command has its actuator's
-        raise RecordingError("the channel has another unit", where=at, found=unit, allowed=channel_unit(name))
+    if quantity not in ("", "command") and not is_spelling(
+        unit, channel_unit(name)
+    ):  # a command has its actuator's
+        raise RecordingError(
+            "the channel has another unit", where=at, found=unit, allowed=channel_unit(name)
+        )
     if variable.dtype.kind not in "fiu":
         raise RecordingError("the samples are no real numbers", where=at, found=str(variable.dtype))

@@ -50,13 +50,21 @@ def read_sensors(path: Path | str) -> dict[str, Sensor]:
     key = "channels" if is_laboratory else "sensors"
     given = table.get(key)
     if not isinstance(given, Mapping) or not given:
-        allowed = "[channels.COLUMN] with what each measures" if is_laboratory else '[sensors."sprung.az"]'
+        allowed = (
+            "[channels.COLUMN] with what each measures"
+            if is_laboratory
+            else '[sensors."sprung.az"]'
+        )
         raise DescriptionError(
-            "the file has no sensors", where=f"{path}: {key}", allowed=Phrase("tables {allowed}", allowed=allowed)
+            "the file has no sensors",
+            where=f"{path}: {key}",
+            allowed=Phrase("tables {allowed}", allowed=allowed),
         )
     sensors = {}
     for name, entry in given.items():
-        channel, keys = _channel_entry(name, entry, f"{path}: {key}") if is_laboratory else (name, entry)
+        channel, keys = (
+            _channel_entry(name, entry, f"{path}: {key}") if is_laboratory else (name, entry)
+        )
         sensors[channel] = Sensor.from_table(keys, where=str(path), text=text, path=(key, name))
     check_sensors(sensors, f"{path}: {key}")
     for name, sensor in sensors.items():
@@ -67,7 +75,9 @@ def read_sensors(path: Path | str) -> dict[str, Sensor]:
 def _check_chain(name: str, sensor: Sensor, where: str) -> None:
     """Refuse a sensitivity, a zero and a range that cannot be meant, before a file is read with them."""
     if sensor.sensitivity:
-        chain = sensitivity_of(sensor.sensitivity, channel_unit(name), where=f"{where}: {name}.sensitivity")
+        chain = sensitivity_of(
+            sensor.sensitivity, channel_unit(name), where=f"{where}: {name}.sensitivity"
+        )
         if sensor.zero:
             to_si(sensor.zero, chain.recorded, where=f"{where}: {name}.zero")
     range_of(name, sensor, where=where)
@@ -77,6 +87,11 @@ def _channel_entry(column: str, entry: Any, where: str) -> tuple[str, dict[str, 
     """Channel that a column of a laboratory's card measures, and the keys of its sensor."""
     if not isinstance(entry, Mapping) or not isinstance(entry.get("measures"), str):
         raise DescriptionError(
-            "it does not say what it measures", where=f"{where}.{column}", allowed='measures = "sprung.az"'
+            "it does not say what it measures",
+            where=f"{where}.{column}",
+            allowed='measures = "sprung.az"',
         )
-    return entry["measures"], {"column": column, **{key: item for key, item in entry.items() if key != "measures"}}
+    return entry["measures"], {
+        "column": column,
+        **{key: item for key, item in entry.items() if key != "measures"},
+    }

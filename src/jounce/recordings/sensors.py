@@ -115,7 +115,11 @@ class Sensor(Description):
     def _is_possible(self) -> Self:
         if self.gain == 0.0:
             raise error_at((), "a gain of 0 removes the signal", allowed="any other number")
-        if self.high_pass is not None and self.low_pass is not None and self.high_pass >= self.low_pass:
+        if (
+            self.high_pass is not None
+            and self.low_pass is not None
+            and self.high_pass >= self.low_pass
+        ):
             text = "high_pass ({high_pass:g} Hz) is not below low_pass ({low_pass:g} Hz)"
             raise ValueError(Phrase(text, high_pass=self.high_pass, low_pass=self.low_pass))
         return self
@@ -162,7 +166,14 @@ def _high_pass(w: float, angle: float) -> list[float]:
         return [1.0 / (1.0 + w), -1.0 / (1.0 + w), 0.0, 1.0, -(1.0 - w) / (1.0 + w), 0.0]
     damped = 2.0 * math.cos(angle) * w
     scale = 1.0 + damped + w * w
-    return [1.0 / scale, -2.0 / scale, 1.0 / scale, 1.0, 2.0 * (w * w - 1.0) / scale, (1.0 - damped + w * w) / scale]
+    return [
+        1.0 / scale,
+        -2.0 / scale,
+        1.0 / scale,
+        1.0,
+        2.0 * (w * w - 1.0) / scale,
+        (1.0 - damped + w * w) / scale,
+    ]
 
 
 def _low_pass(corner: float, angle: float) -> list[float]:
@@ -172,7 +183,12 @@ def _low_pass(corner: float, angle: float) -> list[float]:
         a1, a2, lag, gain = -math.exp(-corner), 0.0, 1.0, math.sqrt(0.5)
     else:  # s^2 + damped s + 1
         decay = math.exp(-0.5 * damped * corner)
-        a1, a2, lag, gain = -2.0 * decay * math.cos(math.sin(angle) * corner), decay**2, damped, 1.0 / damped
+        a1, a2, lag, gain = (
+            -2.0 * decay * math.cos(math.sin(angle) * corner),
+            decay**2,
+            damped,
+            1.0 / damped,
+        )
     if angle and corner < _SLOW:
         w = math.tan(0.5 * corner)
         scale = 1.0 + damped * w + w * w
@@ -181,7 +197,10 @@ def _low_pass(corner: float, angle: float) -> list[float]:
     level = 1.0 + a1 + a2  # sum of b: a gain of 1 at rest
     late = level * lag / corner + a1 + 2.0 * a2  # b1 + 2 b2: the delay at rest
     turn = cmath.exp(-1j * corner)
-    line, bend = level - late + late * turn, (1.0 - turn) ** 2  # b = (level - late, late, 0) + more (1, -2, 1)
+    line, bend = (
+        level - late + late * turn,
+        (1.0 - turn) ** 2,
+    )  # b = (level - late, late, 0) + more (1, -2, 1)
     half = (line * bend.conjugate()).real / abs(bend) ** 2
     wanted = (abs(gain * (1.0 + a1 * turn + a2 * turn**2)) ** 2 - abs(line) ** 2) / abs(bend) ** 2
     root = math.sqrt(max(half * half + wanted, 0.0))
@@ -193,7 +212,12 @@ _SLOW = 0.03  # radians per sample, below which the delay of the bilinear transf
 
 
 def filter_signals(
-    values: ArrayLike, sample_rate: float, sensor: Sensor, *, initial: Initial = "steady", where: str = "sensor"
+    values: ArrayLike,
+    sample_rate: float,
+    sensor: Sensor,
+    *,
+    initial: Initial = "steady",
+    where: str = "sensor",
 ) -> Array:
     """Apply the linear part of a sensor to signals: orientation, gain and filters, without bias and noise.
 

@@ -16,7 +16,9 @@ from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.core.units import as_number
 
-_TWO_PASSES = math.sqrt(2.0) - 1.0  # (w/w_d)^(2 n) at which the squared gain of two passes is 1/sqrt(2)
+_TWO_PASSES = (
+    math.sqrt(2.0) - 1.0
+)  # (w/w_d)^(2 n) at which the squared gain of two passes is 1/sqrt(2)
 _ANTI_ALIAS_ORDER = 8  # two passes: -3 dB at the corner, -24 dB at half the new rate
 _ANTI_ALIAS_SHARE = 0.4  # of the new rate: the corner; four fifths of the new band remain
 _UNEVEN = 1e-3  # share of the step by which steps may differ for a filter
@@ -32,7 +34,10 @@ def check_frequency(frequency: float, sample_rate: float, *, where: str) -> None
             "the frequency cannot be realised at this sample rate",
             where=where,
             found=f"{frequency:g} Hz",
-            allowed=Phrase("above 0 and below {sample_rate:g} Hz, half the sample rate", sample_rate=0.5 * sample_rate),
+            allowed=Phrase(
+                "above 0 and below {sample_rate:g} Hz, half the sample rate",
+                sample_rate=0.5 * sample_rate,
+            ),
         )
 
 
@@ -42,7 +47,9 @@ def _signals(values: ArrayLike, what: str, fewest: int) -> Array:
     count = len(signals) if signals.ndim else 0
     if count < fewest:
         raise RecordingError(
-            Phrase("the signal is too short to {what}", what=what), found=f"{count} samples", allowed=f"{fewest}"
+            Phrase("the signal is too short to {what}", what=what),
+            found=f"{count} samples",
+            allowed=f"{fewest}",
         )
     return signals
 
@@ -52,7 +59,8 @@ def _check_finite(*signals: Array) -> None:
         finite = np.isfinite(signal).reshape(len(signal), -1).all(axis=1)
         if not finite.all():
             raise RecordingError(
-                Phrase("sample {argmin} is not a finite number", argmin=int(np.argmin(finite)) + 1), where="signal"
+                Phrase("sample {argmin} is not a finite number", argmin=int(np.argmin(finite)) + 1),
+                where="signal",
             )
 
 
@@ -109,7 +117,9 @@ def band_limit(
     for frequency, kind, sign in ((above, "highpass", 1.0), (below, "lowpass", -1.0)):
         if frequency is not None:
             check_frequency(frequency, sample_rate, where=f"{kind[:-4]} pass")
-            warped = math.tan(math.pi * frequency / sample_rate) * _TWO_PASSES ** (sign / (2.0 * order))
+            warped = math.tan(math.pi * frequency / sample_rate) * _TWO_PASSES ** (
+                sign / (2.0 * order)
+            )
             design = math.atan(warped) / math.pi * sample_rate
             sections.append(signal.butter(order, design, kind, fs=sample_rate, output="sos"))
     if not sections:
@@ -124,7 +134,9 @@ def _both_ways(sections: Array, values: ArrayLike) -> Array:
     return np.asarray(signal.sosfiltfilt(sections, signals, axis=0), dtype=float)
 
 
-def cfc_coefficients(channel_class: float, sample_rate: float) -> tuple[float, float, float, float, float]:
+def cfc_coefficients(
+    channel_class: float, sample_rate: float
+) -> tuple[float, float, float, float, float]:
     """Coefficients ``a0, a1, a2, b1, b2`` of an SAE J211 channel frequency class (``sample_rate`` in Hz).
 
     They belong to ``y[t] = a0 x[t] + a1 x[t-1] + a2 x[t-2] + b1 y[t-1] + b2 y[t-2]``, run forwards and backwards.
@@ -138,13 +150,20 @@ def cfc_coefficients(channel_class: float, sample_rate: float) -> tuple[float, f
             where="CFC filter",
             found=f"class {channel_class:g} at {sample_rate:g} Hz",
             allowed=Phrase(
-                "a class above 0 and up to {sample_rate:g}, a tenth of the sample rate", sample_rate=0.1 * sample_rate
+                "a class above 0 and up to {sample_rate:g}, a tenth of the sample rate",
+                sample_rate=0.1 * sample_rate,
             ),
         )
     w = math.tan(math.pi * channel_class * 2.0775 / sample_rate)
     scale = 1.0 + math.sqrt(2.0) * w + w * w
     a0 = w * w / scale
-    return a0, 2.0 * a0, a0, -2.0 * (w * w - 1.0) / scale, (-1.0 + math.sqrt(2.0) * w - w * w) / scale
+    return (
+        a0,
+        2.0 * a0,
+        a0,
+        -2.0 * (w * w - 1.0) / scale,
+        (-1.0 + math.sqrt(2.0) * w - w * w) / scale,
+    )
 
 
 def cfc_filter(values: ArrayLike, sample_rate: float, channel_class: float) -> Array:
@@ -176,7 +195,9 @@ def cfc_filter(values: ArrayLike, sample_rate: float, channel_class: float) -> A
     True
     """
     sample_rate = as_number(sample_rate, "Hz", where="sample_rate")
-    a0, a1, a2, b1, b2 = cfc_coefficients(as_number(channel_class, "1", where="channel_class"), sample_rate)
+    a0, a1, a2, b1, b2 = cfc_coefficients(
+        as_number(channel_class, "1", where="channel_class"), sample_rate
+    )
     return _both_ways(np.array([[a0, a1, a2, 1.0, -b1, -b2]]), values)
 
 
@@ -216,7 +237,9 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
     instants, signals = as_samples(time, "s", where="time"), as_samples(values, where="signal")
     sample_rate = as_number(sample_rate, "Hz", where="sample_rate")
     if not sample_rate > 0.0 or not math.isfinite(sample_rate):
-        raise RecordingError("the sample rate is not positive", where="resample", found=f"{sample_rate:g} Hz")
+        raise RecordingError(
+            "the sample rate is not positive", where="resample", found=f"{sample_rate:g} Hz"
+        )
     if instants.ndim != 1 or instants.size < 2 or signals.shape[:1] != instants.shape:
         raise RecordingError(
             "time and values do not fit together",
@@ -243,7 +266,9 @@ def uniform_instants(first: float, last: float, sample_rate: float) -> Array:
             allowed=Phrase("up to {most_instants:g}", most_instants=_MOST_INSTANTS),
             hint="Is time in the unit that the file gives?",
         )
-    return np.asarray(np.minimum(first + np.arange(math.floor(count) + 1) / sample_rate, last), dtype=float)
+    return np.asarray(
+        np.minimum(first + np.arange(math.floor(count) + 1) / sample_rate, last), dtype=float
+    )
 
 
 def read_at(instants: Array, signals: Array, wanted: Array, sample_rate: float) -> Array:
@@ -258,7 +283,9 @@ def read_at(instants: Array, signals: Array, wanted: Array, sample_rate: float) 
         fine = sample_rate * math.ceil(1.0 / (sample_rate * usual))
         even = uniform_instants(float(instants[0]), float(instants[-1]), fine)
         signals, instants, mean = _between(instants, signals, even, usual), even, 1.0 / fine
-    smooth = band_limit(signals, 1.0 / mean, below=_ANTI_ALIAS_SHARE * sample_rate, order=_ANTI_ALIAS_ORDER)
+    smooth = band_limit(
+        signals, 1.0 / mean, below=_ANTI_ALIAS_SHARE * sample_rate, order=_ANTI_ALIAS_ORDER
+    )
     return _between(instants, smooth, wanted, mean)
 
 
@@ -266,13 +293,17 @@ def _between(instants: Array, signals: Array, wanted: Array, usual: float) -> Ar
     """Cubic spline through the samples, and a line across gaps."""
     from scipy.interpolate import CubicSpline
 
-    values = np.asarray(CubicSpline(instants, signals)(np.clip(wanted, instants[0], instants[-1])), dtype=float)
+    values = np.asarray(
+        CubicSpline(instants, signals)(np.clip(wanted, instants[0], instants[-1])), dtype=float
+    )
     gaps = np.flatnonzero(np.diff(instants) > _GAP * usual)
     if len(gaps):
         place = np.clip(np.searchsorted(instants, wanted, side="right") - 1, 0, instants.size - 2)
         within = np.isin(place, gaps)
         left = place[within]
-        share = np.clip((wanted[within] - instants[left]) / (instants[left + 1] - instants[left]), 0.0, 1.0)
+        share = np.clip(
+            (wanted[within] - instants[left]) / (instants[left + 1] - instants[left]), 0.0, 1.0
+        )
         share = share.reshape(-1, *(1,) * (signals.ndim - 1))
         values[within] = signals[left] * (1.0 - share) + signals[left + 1] * share
     return values
@@ -304,7 +335,10 @@ def derivative(values: ArrayLike, sample_rate: float) -> Array:
     >>> derivative([0.0, 1.0, 4.0, 9.0], 1.0).tolist()
     [0.0, 2.0, 4.0, 6.0]
     """
-    signals, sample_rate = _signals(values, "differentiate", 3), as_number(sample_rate, "Hz", where="sample_rate")
+    signals, sample_rate = (
+        _signals(values, "differentiate", 3),
+        as_number(sample_rate, "Hz", where="sample_rate"),
+    )
     return np.asarray(np.gradient(signals, 1.0 / sample_rate, axis=0, edge_order=2), dtype=float)
 
 
@@ -368,7 +402,10 @@ def shift_with_derivative(values: ArrayLike, sample_rate: float, lag: float) -> 
     """
     from scipy.interpolate import CubicSpline
 
-    signals, sample_rate = _signals(values, "shift", 2), as_number(sample_rate, "Hz", where="sample_rate")
+    signals, sample_rate = (
+        _signals(values, "shift", 2),
+        as_number(sample_rate, "Hz", where="sample_rate"),
+    )
     lag = as_number(lag, "s", where="lag")
     _check_finite(signals)
     samples = np.arange(signals.shape[0], dtype=float)
@@ -381,7 +418,11 @@ def shift_with_derivative(values: ArrayLike, sample_rate: float, lag: float) -> 
 
 
 def estimate_lag(
-    reference: ArrayLike, compared: ArrayLike, sample_rate: float, *, maximum_lag: float | None = None
+    reference: ArrayLike,
+    compared: ArrayLike,
+    sample_rate: float,
+    *,
+    maximum_lag: float | None = None,
 ) -> float:
     """Estimate the delay of one signal after another.
 

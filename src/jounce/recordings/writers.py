@@ -39,7 +39,9 @@ def netcdf_of(dataset: xr.Dataset) -> bytes:
 def _storable(dataset: xr.Dataset) -> xr.Dataset:
     """The same dataset with attributes that a file can hold: JSON text in place of other objects."""
     copy = dataset.copy(deep=False)
-    copy.attrs = {str(key): _characters(_storable_attribute(value)) for key, value in dataset.attrs.items()}
+    copy.attrs = {
+        str(key): _characters(_storable_attribute(value)) for key, value in dataset.attrs.items()
+    }
     for variable in copy.variables.values():
         variable.encoding.pop("source", None)
         variable.attrs = {key: _characters(value) for key, value in variable.attrs.items()}
@@ -48,11 +50,15 @@ def _storable(dataset: xr.Dataset) -> xr.Dataset:
 
 def _characters(value: object) -> object:
     """ASCII text as netCDF characters, as the netCDF library writes it: few other programs read strings."""
-    return np.bytes_(value.encode()) if isinstance(value, str) and value and value.isascii() else value
+    return (
+        np.bytes_(value.encode()) if isinstance(value, str) and value and value.isascii() else value
+    )
 
 
 def _storable_attribute(value: object) -> object:
-    if isinstance(value, (str, int, float, np.ndarray, np.generic)) and not isinstance(value, (bool, np.bool_)):
+    if isinstance(value, (str, int, float, np.ndarray, np.generic)) and not isinstance(
+        value, (bool, np.bool_)
+    ):
         return value
     return json.dumps(to_plain(value), ensure_ascii=False)
 
@@ -69,7 +75,10 @@ def _signals(dataset: xr.Dataset) -> dict[str, xr.DataArray]:
                 allowed="numbers over (time)",
                 hint="Leave it out, or write .nc, which holds everything.",
             )
-    return {"time": dataset["time"], **{str(name): channel for name, channel in dataset.data_vars.items()}}
+    return {
+        "time": dataset["time"],
+        **{str(name): channel for name, channel in dataset.data_vars.items()},
+    }
 
 
 def _check_name(name: str, signs: str, instead: str) -> None:
@@ -115,7 +124,9 @@ def _check_texts(dataset: xr.Dataset, *, attributes: bool) -> None:
 def _is_unicode(text: str) -> bool:
     try:
         text.encode()
-    except UnicodeEncodeError:  # half of a surrogate pair: Python's form of a file name that is not UTF-8
+    except (
+        UnicodeEncodeError
+    ):  # half of a surrogate pair: Python's form of a file name that is not UTF-8
         return False
     return True
 
@@ -147,7 +158,9 @@ def _csv_of(dataset: xr.Dataset) -> bytes:
     signals = _signals(dataset)
     for name in signals:
         _check_name(name, ",;\t", ".nc")
-    header = ",".join(guard_formula(f"{name} [{_unit(signal)}]") for name, signal in signals.items())
+    header = ",".join(
+        guard_formula(f"{name} [{_unit(signal)}]") for name, signal in signals.items()
+    )
     table = np.column_stack([signal.values for signal in signals.values()])
     rows = (",".join(map(repr, row)) for row in table.tolist())
     return ("\n".join([header, *rows]) + "\n").encode()
@@ -180,10 +193,15 @@ def _mat_of(dataset: xr.Dataset) -> bytes:
                 hint="Rename one of them, or write .nc or .parquet.",
             )
         variables[variable] = name
-    content: dict[str, Any] = {variable: signals[name].values for variable, name in variables.items()}
+    content: dict[str, Any] = {
+        variable: signals[name].values for variable, name in variables.items()
+    }
     content["names"] = variables
     content["units"] = {variable: _unit(signals[name]) for variable, name in variables.items()}
-    texts = {variable: str(signals[name].attrs.get("long_name", "")) for variable, name in variables.items()}
+    texts = {
+        variable: str(signals[name].attrs.get("long_name", ""))
+        for variable, name in variables.items()
+    }
     content["long_names"], content["attributes"] = texts, _about(dataset)
     buffer = io.BytesIO()
     savemat(buffer, content, do_compression=True, long_field_names=True, oned_as="column")
@@ -235,7 +253,9 @@ def _parquet_of(dataset: xr.Dataset) -> bytes:
     schema = arrow.schema(fields, metadata={ABOUT: _about(dataset)})
     columns = [np.asarray(signal.values, dtype=float) for signal in signals.values()]
     buffer = io.BytesIO()
-    parquet.write_table(arrow.table(columns, schema=schema), buffer, compression="zstd", write_page_checksum=True)
+    parquet.write_table(
+        arrow.table(columns, schema=schema), buffer, compression="zstd", write_page_checksum=True
+    )
     return buffer.getvalue()
 
 
@@ -250,24 +270,38 @@ def _xlsx_of(dataset: xr.Dataset) -> bytes:
         _check_name(name, "".join(CONTROL.findall(name)), ".nc")
         if not np.isfinite(signal.values).all():
             hint = "Write .nc, .mat, .mf4 or .parquet, or leave the channel out."
-            raise OutputError("a sheet holds finite numbers only", where=name, found="NaN or infinity", hint=hint)
+            raise OutputError(
+                "a sheet holds finite numbers only", where=name, found="NaN or infinity", hint=hint
+            )
     rows, columns = dataset.sizes["time"] + 1, len(signals)
     if rows > MOST_ROWS or columns > MOST_COLUMNS:
         raise OutputError(
             "more than a sheet of Excel holds",
             where="recording",
             found=f"{rows} rows, {columns} columns",
-            allowed=Phrase("{most_rows} rows, {most_columns} columns", most_rows=MOST_ROWS, most_columns=MOST_COLUMNS),
+            allowed=Phrase(
+                "{most_rows} rows, {most_columns} columns",
+                most_rows=MOST_ROWS,
+                most_columns=MOST_COLUMNS,
+            ),
             hint="Write .nc or .parquet, or every tenth sample.",
         )
     heads = [f"{name} [{_unit(signal)}]" for name, signal in signals.items()]
-    numbers = zip(*(np.asarray(signal.values, dtype=float).tolist() for signal in signals.values()), strict=True)
+    numbers = zip(
+        *(np.asarray(signal.values, dtype=float).tolist() for signal in signals.values()),
+        strict=True,
+    )
     channels = [
         (name, _unit(signal), CONTROL.sub(" ", str(signal.attrs.get("long_name", ""))))
         for name, signal in signals.items()
     ]
-    texts = {key: json.dumps(value, ensure_ascii=False) for key, value in json.loads(_about(dataset))[ABOUT].items()}
-    texts = {key: CONTROL.sub(lambda sign: f"\\u{ord(sign[0]):04x}", text) for key, text in texts.items()}
+    texts = {
+        key: json.dumps(value, ensure_ascii=False)
+        for key, value in json.loads(_about(dataset))[ABOUT].items()
+    }
+    texts = {
+        key: CONTROL.sub(lambda sign: f"\\u{ord(sign[0]):04x}", text) for key, text in texts.items()
+    }
     attributes = [(CONTROL.sub(" ", key), *split_text(text)) for key, text in texts.items()]
     sheets: dict[str, list[Sequence[float | str]]] = {
         EXCEL[0]: [heads, *numbers],
@@ -277,7 +311,9 @@ def _xlsx_of(dataset: xr.Dataset) -> bytes:
     return workbook_of(sheets)
 
 
-def _writer(content: Callable[[xr.Dataset], bytes], *, attributes: bool = True) -> Callable[[xr.Dataset, Path], object]:
+def _writer(
+    content: Callable[[xr.Dataset], bytes], *, attributes: bool = True
+) -> Callable[[xr.Dataset, Path], object]:
     def write(dataset: xr.Dataset, file: Path) -> None:
         _check_texts(dataset, attributes=attributes)
         file.write_bytes(content(dataset))

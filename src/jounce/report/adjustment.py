@@ -22,13 +22,20 @@ _NOTHING = 1e-6
 def adjustment_page(adjustment: Adjustment, *, title: str) -> Page:
     """Put what adjustments do to a rig on a page."""
     report, is_changed = adjustment.report, bool(adjustment.report.settings)
-    states = {"before": report.before, "after": report.after} if is_changed else {"present": report.before}
+    states = (
+        {"before": report.before, "after": report.after}
+        if is_changed
+        else {"present": report.before}
+    )
     answer: list[Block] = [_states(states)]
     if not is_changed:
         answer.append(_effects(report))
     answer.append(_over_travel(report, is_changed=is_changed))
     if adjustment.lengths is not None:
-        camber, toe = (write_setting(angle, "rad") for angle in (adjustment.lengths.camber, adjustment.lengths.toe))
+        camber, toe = (
+            write_setting(angle, "rad")
+            for angle in (adjustment.lengths.camber, adjustment.lengths.toe)
+        )
         reached = f"camber {camber}, toe {toe}"
         answer.append(Facts((Fact("reached", reached),)))
     answer += findings_blocks(adjustment.findings)
@@ -40,8 +47,16 @@ def _states(states: dict[str, WheelState]) -> PageTable:
     for name, si in QUANTITIES.items():
         unit = display_unit(si)
         values = (getattr(state, name) for state in states.values())
-        rows.append((name.replace("_", " "), unit.name or "–", *(settle_number(value, si, unit) for value in values)))
-    return PageTable("The wheel", ("quantity", "unit", *states), tuple(rows), "ll" + "r" * len(states))
+        rows.append(
+            (
+                name.replace("_", " "),
+                unit.name or "–",
+                *(settle_number(value, si, unit) for value in values),
+            )
+        )
+    return PageTable(
+        "The wheel", ("quantity", "unit", *states), tuple(rows), "ll" + "r" * len(states)
+    )
 
 
 def _effects(report: AdjustReport) -> PageTable:
@@ -51,10 +66,18 @@ def _effects(report: AdjustReport) -> PageTable:
     for effect in report.effects:
         own = display_unit(effect.unit)
         rows.append((effect.setting, *([""] * len(units))))
-        for value, state in ((effect.lowest, effect.at_lowest), (effect.highest, effect.at_highest)):
-            cells = (settle_number(getattr(state, name, None), QUANTITIES[name], unit) for name, unit in units.items())
+        for value, state in (
+            (effect.lowest, effect.at_lowest),
+            (effect.highest, effect.at_highest),
+        ):
+            cells = (
+                settle_number(getattr(state, name, None), QUANTITIES[name], unit)
+                for name, unit in units.items()
+            )
             rows.append((f"    {value * own.factor:.4g} {own.name}", *cells))
-        slopes = (_slope(effect.per_unit[name], unit.factor / own.factor) for name, unit in units.items())
+        slopes = (
+            _slope(effect.per_unit[name], unit.factor / own.factor) for name, unit in units.items()
+        )
         rows.append((f"    per {own.name}", *slopes))
     header = ("setting", *(unit.label(name.replace("_", " ")) for name, unit in units.items()))
     caption = "Effect of each setting: at both ends of its range, and per unit"
@@ -74,12 +97,16 @@ def _over_travel(report: AdjustReport, *, is_changed: bool) -> PageTable:
     rows = tuple(row for name in quantities.before for row in _rows(report, name, when))
     places = (f"{travel * along.factor:.4g} {along.name}" for travel in quantities.travel)
     caption = "Over wheel travel, bump positive"
-    return PageTable(caption, ("quantity", "unit", "", *places), rows, "lll" + "r" * len(quantities.travel))
+    return PageTable(
+        caption, ("quantity", "unit", "", *places), rows, "lll" + "r" * len(quantities.travel)
+    )
 
 
 def _rows(report: AdjustReport, name: str, when: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
     si = OVER_TRAVEL[name]
     unit = display_unit(si)
-    for label, values in zip(when, (report.over_travel.before, report.over_travel.after), strict=False):
+    for label, values in zip(
+        when, (report.over_travel.before, report.over_travel.after), strict=False
+    ):
         words = ("", "") if label == "after" else (name.replace("_", " "), unit.name or "–")
         yield (*words, label, *(settle_number(value, si, unit) for value in values[name]))

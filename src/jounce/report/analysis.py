@@ -56,9 +56,13 @@ def statistics_page(statistics: RecordStatistics, *, title: str) -> Page:
         TableColumn("crest factor", [channel.crest_factor for channel in statistics.channels], "1"),
         TableColumn("skewness", [channel.skewness for channel in statistics.channels], "1"),
         TableColumn("kurtosis", [channel.kurtosis for channel in statistics.channels], "1"),
-        TableColumn("crossings per second", [channel.crossings for channel in statistics.channels], "Hz"),
+        TableColumn(
+            "crossings per second", [channel.crossings for channel in statistics.channels], "Hz"
+        ),
     )
-    gauss = "Gaussian noise has skewness 0 and kurtosis 3, a sine crest factor 1.41 and kurtosis 1.5."
+    gauss = (
+        "Gaussian noise has skewness 0 and kurtosis 3, a sine crest factor 1.41 and kurtosis 1.5."
+    )
     words = "Each channel over time, and how often each value occurs; dashed: as often in Gaussian noise."
     picture = Picture(lambda: figure_of(statistics), "channels", words, words)
     blocks: list[Block] = [
@@ -67,14 +71,21 @@ def statistics_page(statistics: RecordStatistics, *, title: str) -> Page:
         picture,
         table_of("Distribution", shapes, gauss),
     ]
-    return answer_page(title, blocks, _stretch(statistics.begin, statistics.end, statistics.sample_rate))
+    return answer_page(
+        title, blocks, _stretch(statistics.begin, statistics.end, statistics.sample_rate)
+    )
 
 
 def _levels(channel: ChannelStatistics) -> tuple[str, ...]:
     unit = display_unit(channel.unit, max(abs(channel.minimum), abs(channel.maximum)))
     values = (channel.standard_deviation, channel.minimum, channel.maximum)
     levels = (with_half(estimate, unit.factor) for estimate in (channel.mean, channel.rms))
-    return (channel.channel, unit.name or "–", *levels, *(number(value * unit.factor) for value in values))
+    return (
+        channel.channel,
+        unit.name or "–",
+        *levels,
+        *(number(value * unit.factor) for value in values),
+    )
 
 
 def spectra_page(spectra: RecordSpectra, *, title: str) -> Page:
@@ -113,15 +124,28 @@ def spectra_page(spectra: RecordSpectra, *, title: str) -> Page:
         )
     )
     band = f"r.m.s. from {spectra.band[0]:.3g} to {spectra.band[1]:.4g} Hz"
-    rows = tuple((row.channel, quantity(row.rms, row.unit), _peaks(row.peaks)) for row in spectra.channels)
-    table = PageTable("Channels", ("channel", band, "peaks"), rows, "lrl", "Peaks rise above what chance explains.")
+    rows = tuple(
+        (row.channel, quantity(row.rms, row.unit), _peaks(row.peaks)) for row in spectra.channels
+    )
+    table = PageTable(
+        "Channels",
+        ("channel", band, "peaks"),
+        rows,
+        "lrl",
+        "Peaks rise above what chance explains.",
+    )
     words = "Power spectral density of each channel; shaded: its interval; circles: peaks."
     picture = Picture(lambda: figure_of(spectra), "spectra", words, words)
     blocks: list[Block] = [facts, table, *findings_blocks(spectra.findings), picture]
     peaks = [(row, peak) for row in spectra.channels for peak in row.peaks]
     if peaks:
         cells = tuple(
-            (row.channel, number(peak.frequency), quantity(peak.rms, row.unit), f"{number(peak.ratio, 3)} times")
+            (
+                row.channel,
+                number(peak.frequency),
+                quantity(peak.rms, row.unit),
+                f"{number(peak.ratio, 3)} times",
+            )
             for row, peak in peaks
         )
         header = ("channel", "frequency [Hz]", "r.m.s. of the peak", "above the valley beside it")
@@ -157,19 +181,37 @@ def transfer_page(transfer: TransferEstimate, *, title: str) -> Page:
             quantity(transfer.resolution, "Hz", 3),
             f"{transfer.window.capitalize()} segments of {transfer.segment:.3g} s",
         ),
-        Fact("independent segments", number(transfer.averages, 3), f"chance stays below {transfer.significant:.2g}"),
+        Fact(
+            "independent segments",
+            number(transfer.averages, 3),
+            f"chance stays below {transfer.significant:.2g}",
+        ),
         Fact("coherence of 0.8 or more", percent(float(good.mean())), "of the band"),
     ]
-    words = f"Gain, phase and coherence of {transfer.output} over {transfer.given}; shaded: intervals."
+    words = (
+        f"Gain, phase and coherence of {transfer.output} over {transfer.given}; shaded: intervals."
+    )
     if transfer.model is not None:
-        apart = np.abs(transfer.response[good] / transfer.model[good] - 1.0) if good.any() else np.empty(0)
+        apart = (
+            np.abs(transfer.response[good] / transfer.model[good] - 1.0)
+            if good.any()
+            else np.empty(0)
+        )
         usual = float(np.median(apart)) if apart.size else None
-        facts.append(Fact("model", percent(usual), "median distance where the coherence is 0.8 or more"))
+        facts.append(
+            Fact("model", percent(usual), "median distance where the coherence is 0.8 or more")
+        )
         words += " Dashed: the linear model."
     picture = Picture(lambda: figure_of(transfer), "transfer", words, words)
-    blocks: list[Block] = [Facts(tuple(facts)), *findings_blocks(transfer.findings), picture, _octaves(transfer)]
+    blocks: list[Block] = [
+        Facts(tuple(facts)),
+        *findings_blocks(transfer.findings),
+        picture,
+        _octaves(transfer),
+    ]
     subtitle = (
-        f"{transfer.output} over {transfer.given}; {_stretch(transfer.begin, transfer.end, transfer.sample_rate)}"
+        f"{transfer.output} over {transfer.given}; "
+        f"{_stretch(transfer.begin, transfer.end, transfer.sample_rate)}"
     )
     return answer_page(title, blocks, subtitle)
 
@@ -196,7 +238,11 @@ def _octaves(transfer: TransferEstimate) -> PageTable:
             f"{number(float(transfer.gain[i]) * factor, 3)} ± {percent(_finite(half[i]), 1)}",
             f"{number(float(np.degrees(transfer.phase[i])), 3)}",
             number(float(transfer.coherence[i]), 3),
-            *(() if transfer.model is None else (number(float(abs(transfer.model[i])) * factor, 3),)),
+            *(
+                ()
+                if transfer.model is None
+                else (number(float(abs(transfer.model[i])) * factor, 3),)
+            ),
         )
         for i in lines
     )
@@ -305,7 +351,12 @@ def integration_page(integration: Integration, *, title: str) -> Page:
         )
         for channel in integration.channels
     )
-    velocity = PageTable("Velocities", ("channel", "r.m.s.", "noise adds", "noise density", "corner"), speeds, "lrrrr")
+    velocity = PageTable(
+        "Velocities",
+        ("channel", "r.m.s.", "noise adds", "noise density", "corner"),
+        speeds,
+        "lrrrr",
+    )
     words = "Acceleration, velocity and displacement over time; shaded: what the ends of the record reach."
     picture = Picture(lambda: figure_of(integration), "integrated", words, words)
     blocks: list[Block] = [table, *findings_blocks(integration.findings), picture, velocity]

@@ -27,7 +27,15 @@ if TYPE_CHECKING:
 
 
 _MOST_IN_PAGE = 1000
-_FIRST = ("tyre.force", "strut.force", "wheel.camber", "camber", "toe", "motion_ratio", "wheel_rate")
+_FIRST = (
+    "tyre.force",
+    "strut.force",
+    "wheel.camber",
+    "camber",
+    "toe",
+    "motion_ratio",
+    "wheel_rate",
+)
 _MOST_CURVES = 3
 
 
@@ -101,8 +109,12 @@ def animate(
         raise DescriptionError("out of range", where="frames", found=frames, allowed="at least 1")
     is_page = file.suffix.lower() == ".html"
     most = (lambda _seconds: frames or _MOST_IN_PAGE) if is_page else film_poses(frames)
-    motion = motion_of(rig, poses, trial=trial, between=between, slow=slow, most=most, title=title, say=progress)
-    return ANIMATIONS.write(_page(motion, rig, poses, trial) if is_page else motion, file, force=force)
+    motion = motion_of(
+        rig, poses, trial=trial, between=between, slow=slow, most=most, title=title, say=progress
+    )
+    return ANIMATIONS.write(
+        _page(motion, rig, poses, trial) if is_page else motion, file, force=force
+    )
 
 
 def check_animation(path: Path | str, *, force: bool = False) -> Path:
@@ -125,13 +137,17 @@ def _page(motion: Animation, rig: Corner, poses: xr.Dataset, trial: Trial | None
     assert isinstance(viewer, Viewer)
     slower = motion.slow if shown.in_time else None
     ends = " to ".join(shown.label(k).removeprefix(f"{shown.words} ") for k in (0, -1))
-    driven = "" if trial is None or trial.speed is None else f" at {size(trial.speed, 'm/s', 'speed')}"
+    driven = (
+        "" if trial is None or trial.speed is None else f" at {size(trial.speed, 'm/s', 'speed')}"
+    )
     words = "The mechanism in its design position, in three views and in space."
     drawn = Picture(mechanism(rig), "mechanism", words, words)
     assert isinstance(still, Details)
     figures = replace(still, summary="The same as figures", blocks=(drawn, *still.blocks))
     section = Section("In motion", (replace(viewer, stage=True, slower=slower), figures))
-    return Page(motion.title, (section,), f"{shown.words.capitalize()} {ends}{driven}".replace("Time ", ""))
+    return Page(
+        motion.title, (section,), f"{shown.words.capitalize()} {ends}{driven}".replace("Time ", "")
+    )
 
 
 ANIMATIONS = Formats("animations", {".html": REPORTS.writers[".html"], **FILMS.writers})

@@ -53,7 +53,9 @@ def decisive(result: CampaignResult) -> tuple[StrategyResult, ...]:
 def answers(result: CampaignResult) -> tuple[Answer, ...]:
     """Every parameter that was measured on the bench or updated on the way to the final model."""
     chain = decisive(result)
-    fitted = {path: (strategy, p) for strategy in chain for path, p in strategy.update.parameters.items()}
+    fitted = {
+        path: (strategy, p) for strategy in chain for path, p in strategy.update.parameters.items()
+    }
     described = result.rig.parameters()
     rows: list[Answer] = []
     for item in result.characterisation.replaced:
@@ -77,12 +79,20 @@ def answers(result: CampaignResult) -> tuple[Answer, ...]:
     for path, (strategy, p) in fitted.items():
         if path not in measured:
             law, truth = _law(strategy, path), strategy.truth.get(path)
-            rows.append(Answer(path, "", _unit(result, path), described.get(path), None, p, None, law, truth))
+            rows.append(
+                Answer(
+                    path, "", _unit(result, path), described.get(path), None, p, None, law, truth
+                )
+            )
     return tuple(rows)
 
 
 def _unit(result: CampaignResult, path: str) -> str:
-    rigs = (*(strategy.knowledge.rig for strategy in result.strategies[::-1]), result.start, result.rig)
+    rigs = (
+        *(strategy.knowledge.rig for strategy in result.strategies[::-1]),
+        result.start,
+        result.rig,
+    )
     return next((unit for rig in rigs if (unit := unit_at(rig, path)) != "1"), "1")
 
 
@@ -143,7 +153,9 @@ def answer_table(parameters: tuple[Answer, ...], name: str, trials: int) -> Page
         cells.append(number(None if row.described is None else row.described * unit.factor))
         cells.append(_cell(row.bench, row.unit))
         if row.carried is not None:
-            is_measured = row.bench is not None and math.isclose(row.carried, row.bench.value, rel_tol=1e-9)
+            is_measured = row.bench is not None and math.isclose(
+                row.carried, row.bench.value, rel_tol=1e-9
+            )
             note = "as measured" if is_measured else "scaled likewise"
             cells.append(Cell(number(row.carried * unit.factor), "muted", note))
         elif row.updated is not None and row.updated.at_bound:
@@ -158,7 +170,10 @@ def answer_table(parameters: tuple[Answer, ...], name: str, trials: int) -> Page
         rows.append(tuple(cells))
     header = ["parameter", "rig file", "bench", "updated model"]
     header += ["the part, model error counted"] * laws + ["truth"] * truth + ["unit", "of the part"]
-    note = "Below each value: its 95 % interval; of the updated model that of the noise only. " * bool(rows)
+    note = (
+        "Below each value: its 95 % interval; of the updated model that of the noise only. "
+        * bool(rows)
+    )
     if name:
         note += f"Updated: {name}, fitted on {trials} trial{'s' * (trials != 1)}. "
     if laws:
@@ -194,7 +209,11 @@ def _law_estimate(law: LawEstimate | None) -> Estimate | None:
 
 def _word(row: Answer) -> Cell | str:
     if row.law is not None:
-        return Cell("identified", "good") if row.law.identified else Cell("not identified", "fair", row.law.why)
+        return (
+            Cell("identified", "good")
+            if row.law.identified
+            else Cell("not identified", "fair", row.law.why)
+        )
     if row.updated is not None:
         return Cell("not said", "muted", "noise only: fewer than three trials fitted")
     return Cell("bench only", "muted") if row.bench is not None else "–"
@@ -239,7 +258,9 @@ def _panel(row: Answer) -> Panel | None:
     series = []
     for lane, (_, value, interval, role, mark) in enumerate(shown):
         if interval is not None:
-            series.append(Series([end * unit.factor for end in interval], [lane, lane], role, "thick"))
+            series.append(
+                Series([end * unit.factor for end in interval], [lane, lane], role, "thick")
+            )
         series.append(Series([value * unit.factor], [lane], role, mark))  # type: ignore[arg-type]
     verticals = ((row.truth * unit.factor, "bad", ""),) if row.truth is not None else ()
     title = f"{row.path}, {row.where}" if row.where else row.path

@@ -40,7 +40,9 @@ def belt_speed_page(speeds: BeltSpeeds, *, title: str) -> Page:
     if speeds.photo_sensor is not None:
         counted = speeds.photo_sensor
         estimates = (counted.cylinder_speed, counted.speed)
-        lows, highs = zip(*(estimate.interval or (None, None) for estimate in estimates), strict=True)
+        lows, highs = zip(
+            *(estimate.interval or (None, None) for estimate in estimates), strict=True
+        )
         columns = (
             TableColumn("quantity", ["cylinder speed [rad/s]", "belt speed [m/s]"]),
             TableColumn("value", [estimate.value for estimate in estimates], "1"),
@@ -61,12 +63,33 @@ def drive_page(assessment: DriveAssessment, *, title: str) -> Page:
         margin = assessment.margin
         caption = f"Drive at {size(margin.speed, 'm/s', 'speed')}, inverter at {margin.inverter_frequency:.4g} Hz"
         columns = (
-            TableColumn("", ["pull at the belt [N]", "power at the belt [W]", "torque of the motor [N m]", "margin"]),
-            TableColumn("required", [margin.required_force, margin.required_power, margin.required_torque, None], "1"),
             TableColumn(
-                "available", [margin.available_force, margin.available_power, margin.rated_torque, margin.margin], "1"
+                "",
+                [
+                    "pull at the belt [N]",
+                    "power at the belt [W]",
+                    "torque of the motor [N m]",
+                    "margin",
+                ],
             ),
-            TableColumn("continuous", [margin.continuous_force, None, None, margin.continuous_margin], "1"),
+            TableColumn(
+                "required",
+                [margin.required_force, margin.required_power, margin.required_torque, None],
+                "1",
+            ),
+            TableColumn(
+                "available",
+                [
+                    margin.available_force,
+                    margin.available_power,
+                    margin.rated_torque,
+                    margin.margin,
+                ],
+                "1",
+            ),
+            TableColumn(
+                "continuous", [margin.continuous_force, None, None, margin.continuous_margin], "1"
+            ),
         )
         blocks.append(table_of(caption, columns))
     fastest = assessment.attainable
@@ -98,7 +121,10 @@ def similitude_page(report: SimilitudeReport, *, title: str) -> Page:
         TableColumn("full-size equivalent", [factor.full_size for factor in report.factors], "1"),
     )
     factors = table_of("Similitude under the same gravity", columns)
-    return answer_page(title, [quantity_table("Mass and frequency", rows), factors, *findings_blocks(report.findings)])
+    return answer_page(
+        title,
+        [quantity_table("Mass and frequency", rows), factors, *findings_blocks(report.findings)],
+    )
 
 
 def spring_choice_page(comparison: SpringComparison, *, title: str) -> Page:

@@ -22,14 +22,24 @@ if TYPE_CHECKING:
     from jounce.roads import Road
 
 
-def stiffness_panels(fit: StiffnessResult, trials: Sequence[ForceDeflectionTrial], title: str) -> tuple[Panel, ...]:
+def stiffness_panels(
+    fit: StiffnessResult, trials: Sequence[ForceDeflectionTrial], title: str
+) -> tuple[Panel, ...]:
     """Force against deflection with the fitted law, and the stiffness of each trial with its interval."""
     series, reach, motion = [], 0.0, MOTIONS[fit.motion]
     across, up = display_unit(motion.deflection), display_unit(motion.force)
     for k, trial in enumerate(number_namesakes(list(trials))):
         seated, _ = seat(trial, zero=fit.zero)
         label = "" if k else ("measured" if len(trials) == 1 else f"measured, {len(trials)} trials")
-        series.append(Series(across.factor * seated.deflection, up.factor * seated.force, "measured", "line", label))
+        series.append(
+            Series(
+                across.factor * seated.deflection,
+                up.factor * seated.force,
+                "measured",
+                "line",
+                label,
+            )
+        )
         reach = max(reach, float(seated.deflection.max()))
     low, high = fit.fitted_range
     dropped = 0.0  # force that the fit has and the law for the model has not
@@ -37,13 +47,19 @@ def stiffness_panels(fit: StiffnessResult, trials: Sequence[ForceDeflectionTrial
         dropped = fit.intercept.value
     inside, whole = np.linspace(low, high, 60), np.linspace(0.0, max(high, reach), 60)
     words = "used in the model, without intercept" if dropped else "beyond the fitted range"
-    series.append(Series(across.factor * whole, up.factor * fit.curve(whole), "after", "dashed", words))
+    series.append(
+        Series(across.factor * whole, up.factor * fit.curve(whole), "after", "dashed", words)
+    )
     fitted = up.factor * (fit.curve(inside) + dropped)
-    series.append(Series(across.factor * inside, fitted, "after", "line", f"fit, {fit.law}{fit.of_branch}"))
+    series.append(
+        Series(across.factor * inside, fitted, "after", "line", f"fit, {fit.law}{fit.of_branch}")
+    )
     bands = ((0.0, across.factor * low, "not fitted"),) if low > 0.02 * high else ()
     verticals: tuple[tuple[float, str, str], ...] = ()
     if fit.operating_deflection is not None:
-        verticals = ((across.factor * fit.operating_deflection, "before", "static operating point"),)
+        verticals = (
+            (across.factor * fit.operating_deflection, "before", "static operating point"),
+        )
     labels = across.label(motion.deflection_word), up.label(motion.force_word)
     left = Panel(tuple(series), *labels, title, bands, verticals, width=450, height=290)
     return left, _each_trial(fit)
@@ -79,9 +95,17 @@ def pressure_panel(law: PressureStiffness) -> Panel:
     series = [Series(x, y, "after", "line", "interpolated")]
     for place, estimate in zip(x, law.stiffnesses, strict=True):
         if estimate.interval is not None:
-            series.append(Series([place, place], [end * stiffness.factor for end in estimate.interval], "muted"))
+            series.append(
+                Series(
+                    [place, place], [end * stiffness.factor for end in estimate.interval], "muted"
+                )
+            )
     series.append(Series(x, y, "measured", "dots", "fitted, with 95 % interval"))
-    power = "" if law.exponent is None else f"proportional to pressure to the power {number(law.exponent, 2)}"
+    power = (
+        ""
+        if law.exponent is None
+        else f"proportional to pressure to the power {number(law.exponent, 2)}"
+    )
     reach = 0.12 * (max(x) - min(x)) or 0.1
     ends = (min(x) - reach, max(x) + reach)
     labels = pressure.label("inflation pressure"), stiffness.label("tyre stiffness")
@@ -95,8 +119,12 @@ def decay_panels(decay: DecayResult, time: Array, record: Array, title: str) -> 
     begin, end = decay.window
     dense = np.linspace(begin, end, 600)
     response = decay_response(dense, decay.parameters, decay.quantity) * unit.factor
-    over_time = [Series(time, record * unit.factor, "measured", "line", "measured")] if len(record) else []
-    over_time.append(Series(dense, response, "after", "line", "fit: viscous damping and dry friction"))
+    over_time = (
+        [Series(time, record * unit.factor, "measured", "line", "measured")] if len(record) else []
+    )
+    over_time.append(
+        Series(dense, response, "after", "line", "fit: viscous damping and dry friction")
+    )
     span = end - begin
     labels = "time [s]", unit.label(decay.quantity.replace("_", " "))
     earliest = float(time[0]) if len(record) else begin
@@ -109,9 +137,19 @@ def decay_panels(decay: DecayResult, time: Array, record: Array, title: str) -> 
         if len(turns) > 2:
             points.append(Series(turns[:-1], turns[1:], "after", "line", "fitted"))
             without = [0.0, float(decay.parameters.half_cycle_ratio * turns[0])]
-            points.append(Series([0.0, float(turns[0])], without, "muted", "dotted", "without friction"))
+            points.append(
+                Series([0.0, float(turns[0])], without, "muted", "dotted", "without friction")
+            )
         labels = unit.label("turning point, from equilibrium"), unit.label("next turning point")
-        panels.append(Panel(tuple(points), *labels, "each turning point against the last", from_zero=True, width=380))
+        panels.append(
+            Panel(
+                tuple(points),
+                *labels,
+                "each turning point against the last",
+                from_zero=True,
+                width=380,
+            )
+        )
     return (*panels, _ratios(decay))
 
 
@@ -119,10 +157,14 @@ def _ratios(decay: DecayResult) -> Panel:
     cycles = 0.5 * np.arange(len(decay.naive_damping_ratios))
     ratio = decay.damping_ratio
     ends = [-0.25, max(float(cycles.max(initial=0.0)) + 0.25, 1.0)]
-    series = [Series(ends, [ratio.value, ratio.value], "after", "line", "viscous, with 95 % interval")]
+    series = [
+        Series(ends, [ratio.value, ratio.value], "after", "line", "viscous, with 95 % interval")
+    ]
     if ratio.interval is not None:
         series += [Series(ends, [end, end], "after", "dotted") for end in ratio.interval]
-    series.append(Series(cycles, decay.naive_damping_ratios, "before", "squares", "single decrements"))
+    series.append(
+        Series(cycles, decay.naive_damping_ratios, "before", "squares", "single decrements")
+    )
     friction = quantity(decay.coulomb_force.value, MOTIONS[decay.motion].force, 3)
     return Panel(
         tuple(series),

@@ -16,7 +16,14 @@ from jounce.core.serialise import to_json
 from jounce.core.text import slug
 from jounce.identify.estimate import Estimate
 from jounce.plots.campaign import channels_of
-from jounce.plots.display import correlation, estimate_cells, milliseconds, number, percent, setting_text
+from jounce.plots.display import (
+    correlation,
+    estimate_cells,
+    milliseconds,
+    number,
+    percent,
+    setting_text,
+)
 from jounce.report.answer import answer_chart, answer_table, answers, decisive
 from jounce.report.bench_charts import road_panels
 from jounce.report.characterisation import characterisation, replaced_table
@@ -128,7 +135,11 @@ def campaign_files(result: CampaignResult) -> dict[str, str]:
 
 def campaign_page(result: CampaignResult) -> Page:
     """Give the report of a campaign as a page, figures drawn; a section that cannot be drawn says so."""
-    synthetic, compared, reference = result.campaign.synthetic, result.lumped, result.campaign.reference
+    synthetic, compared, reference = (
+        result.campaign.synthetic,
+        result.lumped,
+        result.campaign.reference,
+    )
     parts = {
         "Answer": lambda: answer(result),
         **({} if reference is None else {"Published result": lambda: published_results(result)}),
@@ -137,7 +148,11 @@ def campaign_page(result: CampaignResult) -> Page:
         "Records": lambda: records(result.look),
         "Characterisation": lambda: characterisation(result),
         "Updates": lambda: updates(result),
-        **({} if compared is None else {"Lumped model versus linkage": lambda: lumped_model(compared)}),
+        **(
+            {}
+            if compared is None
+            else {"Lumped model versus linkage": lambda: lumped_model(compared)}
+        ),
         "Trials and roads": lambda: trials(result),
         "Findings": lambda: Section("Findings", (Findings(result.findings),)),
         "Method and definitions": lambda: method(result),
@@ -160,7 +175,9 @@ def campaign_summary(result: CampaignResult) -> Page:
     updated: list[Block] = [_overview(result)] if result.strategies else []
     for strategy in result.strategies:
         units = {path: parameter.unit for path, parameter in strategy.update.parameters.items()}
-        known = [block for block in discrepancy_blocks(strategy, units) if isinstance(block, PageTable)]
+        known = [
+            block for block in discrepancy_blocks(strategy, units) if isinstance(block, PageTable)
+        ]
         updated += [replace(table, note="") for table in (_parameters(strategy, units), *known)]
     sections = {
         "Characterisation": replaced,
@@ -169,10 +186,18 @@ def campaign_summary(result: CampaignResult) -> Page:
         "Published result": (_reference_table(result),) if result.campaign.reference else (),
         "Findings": (Findings(result.findings),),
     }
-    return Page(result.campaign.title, tuple(Section(title, tuple(blocks)) for title, blocks in sections.items()))
+    return Page(
+        result.campaign.title,
+        tuple(Section(title, tuple(blocks)) for title, blocks in sections.items()),
+    )
 
 
-TONES: dict[str, Tone] = {"holds": "good", "holds partly": "fair", "does not hold": "bad", "not usable": "muted"}
+TONES: dict[str, Tone] = {
+    "holds": "good",
+    "holds partly": "fair",
+    "does not hold": "bad",
+    "not usable": "muted",
+}
 _MOST_FINDINGS = 3
 _VERDICT_WORDS = {
     "holds": "predicted within limits",
@@ -199,9 +224,15 @@ def answer(result: CampaignResult) -> Section:
     facts += [_reduction(strategy) for strategy in chain[-1:]]
     blocks: list[Block] = [Facts(tuple(facts))] if facts else []
     if not result.is_complete:
-        blocks.append(Paragraph("Parts of this campaign failed; see Findings for what is missing.", "bad"))
+        blocks.append(
+            Paragraph("Parts of this campaign failed; see Findings for what is missing.", "bad")
+        )
     if not result.trials:
-        blocks.append(Paragraph("This campaign contains no trial: there is nothing that the model was held against."))
+        blocks.append(
+            Paragraph(
+                "This campaign contains no trial: there is nothing that the model was held against."
+            )
+        )
     rows = answers(result)
     if rows:
         last = chain[-1] if chain else None
@@ -211,7 +242,10 @@ def answer(result: CampaignResult) -> Section:
         if picture is not None:
             blocks.append(picture)
     blocks.append(
-        Subsection("Where these values hold", (Paragraph(_where_it_holds(result)), Paragraph(_what_was_done(result))))
+        Subsection(
+            "Where these values hold",
+            (Paragraph(_where_it_holds(result)), Paragraph(_what_was_done(result))),
+        )
     )
     careful = most_important(_of_the_answer(result))
     blocks.append(Subsection("Warnings and notes", (Findings(careful),)))
@@ -243,7 +277,9 @@ def _of_the_answer(result: CampaignResult) -> tuple[Finding, ...]:
     return tuple(
         finding
         for finding in result.findings
-        if not any(finding.place == name or finding.place.startswith(f"{name}:") for name in superseded)
+        if not any(
+            finding.place == name or finding.place.startswith(f"{name}:") for name in superseded
+        )
     )
 
 
@@ -262,7 +298,9 @@ def _reduction(strategy: StrategyResult) -> Fact:
     value = percent(-0.01 * update.reduction_percent)
     numbers = ", ".join(str(trial) for trial in strategy.fitted_on)
     trials = f"trial{'s' if len(strategy.fitted_on) > 1 else ''} {numbers}"
-    note = f"{number(update.objective_before)} → {number(update.objective_after)}, fitted on {trials}"
+    note = (
+        f"{number(update.objective_before)} → {number(update.objective_after)}, fitted on {trials}"
+    )
     return Fact(label, value, note)
 
 
@@ -270,7 +308,9 @@ def _verdicts(label: str, verdicts: list[str]) -> Fact:
     counts = Counter(verdicts)
     note = ", ".join(f"{counts[word]} {words}" for word, words in _OTHERS.items() if counts[word])
     note = f"prediction within limits{'; ' if note else ''}{note}"
-    tone: Tone = "good" if counts["holds"] == len(verdicts) else "bad" if counts["does not hold"] else "fair"
+    tone: Tone = (
+        "good" if counts["holds"] == len(verdicts) else "bad" if counts["does not hold"] else "fair"
+    )
     return Fact(label, f"{counts['holds']} of {len(verdicts)} hold", note, tone)
 
 
@@ -286,7 +326,9 @@ def _what_was_done(result: CampaignResult) -> str:
         if measurement
     ]
     first = f"Bench measurements characterise {_in_sentence(measured)}. " if measured else ""
-    free = dict.fromkeys(path for strategy in result.strategies for path in strategy.update.parameters)
+    free = dict.fromkeys(
+        path for strategy in result.strategies for path in strategy.update.parameters
+    )
     second = (
         f"{len(result.strategies)} of {_count(len(asked.update), 'planned update')} were completed; fitted: "
         f"{_in_sentence(list(free))}. "
@@ -304,7 +346,13 @@ def _count(number_of: int, word: str) -> str:
 
 
 def _in_sentence(items: list[str]) -> str:
-    return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}" if items else "nothing"
+    return (
+        items[0]
+        if len(items) == 1
+        else f"{', '.join(items[:-1])} and {items[-1]}"
+        if items
+        else "nothing"
+    )
 
 
 _OPEN = 3
@@ -312,7 +360,11 @@ _USES = {"fit": "fitted", "hold-out": "held out"}
 _GRADE_TONES = {"excellent": "good", "good": "good", "fair": "fair", "poor": "bad"}
 
 
-_REPRODUCED: dict[str, Tone] = {"reproduced": "good", "not reproduced": "bad", "not comparable": "muted"}
+_REPRODUCED: dict[str, Tone] = {
+    "reproduced": "good",
+    "not reproduced": "bad",
+    "not comparable": "muted",
+}
 
 
 def published_results(result: CampaignResult) -> Section:
@@ -322,7 +374,13 @@ def published_results(result: CampaignResult) -> Section:
 
 def _reference_table(result: CampaignResult) -> PageTable:
     rows = [
-        (row.what, row.published, row.ours, Cell(row.verdict, _REPRODUCED[row.verdict]), row.follows)
+        (
+            row.what,
+            row.published,
+            row.ours,
+            Cell(row.verdict, _REPRODUCED[row.verdict]),
+            row.follows,
+        )
         for row in beside_reference(result.campaign.reference, result.strategies, result.trials)
     ]
     source = result.campaign.reference.source if result.campaign.reference else ""
@@ -334,14 +392,31 @@ def _reference_table(result: CampaignResult) -> PageTable:
 def trials(result: CampaignResult) -> Section:
     """Every trial with its setting, and the roads."""
     rows = tuple(_setting(trial) for trial in result.trials)
-    header = ("trial", "use", "speed", "road", "obstacle pitch", "strut angle", "tyre pressure", "recording")
+    header = (
+        "trial",
+        "use",
+        "speed",
+        "road",
+        "obstacle pitch",
+        "strut angle",
+        "tyre pressure",
+        "recording",
+    )
     blocks: list[Block] = [PageTable("Test matrix", header, rows, "llrlrrrl")]
     if any(trial.belt is not None for trial in result.trials):
         blocks.append(_belt_table(result))
     roads = _roads_of(result)
     if roads:
         words = f"Height profiles of the roads {', '.join(roads)}."
-        blocks.append(Chart(road_panels(roads), "roads", "Road profiles: height against distance.", words, columns=1))
+        blocks.append(
+            Chart(
+                road_panels(roads),
+                "roads",
+                "Road profiles: height against distance.",
+                words,
+                columns=1,
+            )
+        )
     return Section("Trials and roads", tuple(blocks))
 
 
@@ -353,7 +428,9 @@ def _belt_table(result: CampaignResult) -> PageTable:
         if belt is None:
             continue
         passages = belt.passages
-        repeatability = ", ".join(f"{name} {percent(share)}" for name, share in passages.repeatability.items())
+        repeatability = ", ".join(
+            f"{name} {percent(share)}" for name, share in passages.repeatability.items()
+        )
         odd = f" (without {', '.join(map(str, passages.odd))})" if passages.odd else ""
         rows.append(
             (
@@ -367,7 +444,16 @@ def _belt_table(result: CampaignResult) -> PageTable:
                 repeatability or "–",
             )
         )
-    header = ("trial", "speed noted", "by pulses", "driven", "slip", "passages", "first at", "scatter between loops")
+    header = (
+        "trial",
+        "speed noted",
+        "by pulses",
+        "driven",
+        "slip",
+        "passages",
+        "first at",
+        "scatter between loops",
+    )
     note = "Scatter: r.m.s. of the differences between loops of the belt over the r.m.s. of their average."
     return PageTable("Belt and passages", header, tuple(rows), "lrrrrrrl", note)
 
@@ -375,13 +461,21 @@ def _belt_table(result: CampaignResult) -> PageTable:
 def _road_or_motion(entry: TrialEntry) -> str:
     """What was driven over, or the file of the base motion; and that of the actuator's force."""
     words = entry.road or (f"excitation {entry.excitation.file}" if entry.excitation else "")
-    return words if entry.actuator_force is None else f"{words}, actuator force {entry.actuator_force.file}"
+    return (
+        words
+        if entry.actuator_force is None
+        else f"{words}, actuator force {entry.actuator_force.file}"
+    )
 
 
 def _setting(trial: TrialResult) -> tuple[Cell | str, ...]:
     entry = trial.entry
     road = _road_or_motion(entry)
-    lost = Cell(entry.recording, "bad", "not usable, see Findings") if trial.after is None else entry.recording
+    lost = (
+        Cell(entry.recording, "bad", "not usable, see Findings")
+        if trial.after is None
+        else entry.recording
+    )
     return (
         str(entry.number),
         _USES[entry.use],
@@ -422,7 +516,10 @@ def _matrix(result: CampaignResult) -> PageTable:
     for trial in result.trials:
         word = verdict(trial)
         use = _USES[trial.entry.use].replace(" ", "\u00a0")
-        cells: list[Cell | str] = [Cell(str(trial.entry.number), show=shown.get(trial.entry.number, "")), use]
+        cells: list[Cell | str] = [
+            Cell(str(trial.entry.number), show=shown.get(trial.entry.number, "")),
+            use,
+        ]
         for comparison in (trial.before, trial.after):
             for name in channels:
                 channel = comparison.channels.get(name) if comparison is not None else None
@@ -430,8 +527,15 @@ def _matrix(result: CampaignResult) -> PageTable:
                     cells.append("–")
                 else:
                     cells.append(Cell(f"{channel.iso18571:.2f}", _GRADE_TONES[channel.grade]))  # type: ignore[arg-type]
-        lowest = min((c.r2 for c in trial.after.channels.values()), default=None) if trial.after is not None else None
-        cells += ["–" if lowest is None else f"{lowest:.3f}".replace("-", "−"), Cell(word, TONES[word])]
+        lowest = (
+            min((c.r2 for c in trial.after.channels.values()), default=None)
+            if trial.after is not None
+            else None
+        )
+        cells += [
+            "–" if lowest is None else f"{lowest:.3f}".replace("-", "−"),
+            Cell(word, TONES[word]),
+        ]
         rows.append(tuple(cells))
     header = (
         "trial",
@@ -454,7 +558,9 @@ def _errors(result: CampaignResult) -> Chart:
     channels = channels_of(usable)
     speed, pitch = display_unit_for("m/s", "speed"), display_unit("m")
     single = [
-        (speed.factor * t.entry.speed, t) for t in usable if t.entry.speed is not None and t.obstacle_pitch is None
+        (speed.factor * t.entry.speed, t)
+        for t in usable
+        if t.entry.speed is not None and t.obstacle_pitch is None
     ]
     trains = [(pitch.factor * t.obstacle_pitch, t) for t in usable if t.obstacle_pitch is not None]
     panels = []
@@ -478,10 +584,19 @@ def _errors(result: CampaignResult) -> Chart:
                     notes += [(x, y, str(t.entry.number)) for x, y, t in here]
         if series:
             panels.append(
-                Panel(tuple(series), label, "NRMSE after updating [–]", title, notes=tuple(notes), from_zero=True)
+                Panel(
+                    tuple(series),
+                    label,
+                    "NRMSE after updating [–]",
+                    title,
+                    notes=tuple(notes),
+                    from_zero=True,
+                )
             )
     words = "Normalised error of every trial against speed and obstacle pitch; all numbers are in the validation table."
-    return Chart(tuple(panels), "validation-residual", f"{words} Numbers are those of the trials.", words)
+    return Chart(
+        tuple(panels), "validation-residual", f"{words} Numbers are those of the trials.", words
+    )
 
 
 def _validation_table(result: CampaignResult) -> PageTable:
@@ -544,7 +659,9 @@ def curves(result: CampaignResult) -> Section:
     scenes = {scene.name: scene for scene in viewer.scenes} if viewer is not None else {}
     for trial in result.trials:
         scene = scenes.get(scene_name(trial.entry.number))
-        lost = Paragraph("The recording could not be used, so there is nothing to plot (see Findings).", "bad")
+        lost = Paragraph(
+            "The recording could not be used, so there is nothing to plot (see Findings).", "bad"
+        )
         if scene is None and (trial.signals or trial.signals_before):
             continue  # one of very many: the viewer says which are shown
         sought = result.sought.get(trial.entry.number)
@@ -566,8 +683,17 @@ def _sought(sought: Sought, number: int) -> Chart:
     for name in map(str, record.data_vars):
         unit = display_unit(str(record[name].attrs["units"]))
         series = tuple(
-            Series(record["time"].to_numpy(), record[name].to_numpy() * unit.factor, role, "line", label)
-            for record, role, label in ((record, "measured", "record"), (sought.response, "after", "looked for"))
+            Series(
+                record["time"].to_numpy(),
+                record[name].to_numpy() * unit.factor,
+                role,
+                "line",
+                label,
+            )
+            for record, role, label in (
+                (record, "measured", "record"),
+                (sought.response, "after", "looked for"),
+            )
         )
         panels.append(Panel(series, "time [s]", unit.label(""), name))
     caption = (
@@ -610,7 +736,11 @@ def updates(result: CampaignResult) -> Section:
         if entry.name not in done
     ]
     if not result.campaign.update:
-        blocks.append(Paragraph("No update was requested; the trials are compared with the characterised model."))
+        blocks.append(
+            Paragraph(
+                "No update was requested; the trials are compared with the characterised model."
+            )
+        )
     if result.strategies:
         blocks.append(_overview(result))
     if any(strategy.trials for strategy in result.strategies):
@@ -620,7 +750,9 @@ def updates(result: CampaignResult) -> Section:
     for file, strategy in zip(files, result.strategies, strict=True):
         name, content = strategy.update.name, _strategy(strategy, file)
         superseded = f"{name}: superseded, the final model is not made of it"
-        blocks.append(Subsection(name, content) if name in decisive_names else Details(superseded, content))
+        blocks.append(
+            Subsection(name, content) if name in decisive_names else Details(superseded, content)
+        )
     return Section("Updates", tuple(blocks))
 
 
@@ -664,7 +796,12 @@ def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
     if update.lags:
         rows = tuple((name, milliseconds(lag, 2)) for name, lag in update.lags.items())
         blocks.append(
-            PageTable("Time lag of each recording relative to the simulation", ("trial", "lag [ms]"), rows, "lr")
+            PageTable(
+                "Time lag of each recording relative to the simulation",
+                ("trial", "lag [ms]"),
+                rows,
+                "lr",
+            )
         )
     blocks += findings_blocks(update.findings)
     return tuple(blocks)
@@ -679,8 +816,12 @@ def _within_bounds(strategy: StrategyResult, units: dict[str, str], file: str) -
         if p.interval is not None:
             ends = [min(max(100.0 * (end - middle) / half, -108.0), 108.0) for end in p.interval]
             series.append(Series(ends, [row, row], "after", "thick", "95 %, noise only"))
-        series.append(Series([100.0 * (p.initial - middle) / half], [row], "muted", "rings", "initial"))
-        role, style, words = ("bad", "squares", "at a bound") if p.at_bound else ("after", "dots", "fitted")
+        series.append(
+            Series([100.0 * (p.initial - middle) / half], [row], "muted", "rings", "initial")
+        )
+        role, style, words = (
+            ("bad", "squares", "at a bound") if p.at_bound else ("after", "dots", "fitted")
+        )
         series.append(Series([100.0 * (p.value - middle) / half], [row], role, style, words))  # type: ignore[arg-type]
     panel = Panel(
         tuple(series),
@@ -696,7 +837,9 @@ def _within_bounds(strategy: StrategyResult, units: dict[str, str], file: str) -
         + (" at its bound" if p.at_bound else "")
         for path, p in update.parameters.items()
     )
-    caption = "Initial and fitted values within their bounds, with 95 % intervals of the noise only."
+    caption = (
+        "Initial and fitted values within their bounds, with 95 % intervals of the noise only."
+    )
     return Chart((panel,), file, caption, f"Fitted parameters of {update.name}: {fitted}.")
 
 
@@ -732,9 +875,21 @@ def _parameters(strategy: StrategyResult, units: dict[str, str]) -> PageTable:
         value, error, interval, name = estimate_cells(p, units[path])
         bounds = f"{number(p.lower * unit.factor)} to {number(p.upper * unit.factor)}"
         fitted = Cell(value, "fair", "at its bound") if p.at_bound else value
-        rows.append((path, number(p.initial * unit.factor), fitted, error, interval, bounds, name or "–"))
-    header = ("parameter", "initial", "fitted", "standard error", "95 %, noise only", "bounds", "unit")
-    return PageTable(f"Parameters of {strategy.update.name}", header, tuple(rows), "lrrrrrl", _NOISE_ONLY)
+        rows.append(
+            (path, number(p.initial * unit.factor), fitted, error, interval, bounds, name or "–")
+        )
+    header = (
+        "parameter",
+        "initial",
+        "fitted",
+        "standard error",
+        "95 %, noise only",
+        "bounds",
+        "unit",
+    )
+    return PageTable(
+        f"Parameters of {strategy.update.name}", header, tuple(rows), "lrrrrrl", _NOISE_ONLY
+    )
 
 
 def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple[Block, ...]:
@@ -750,13 +905,27 @@ def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple
     rows: list[tuple[Cell | str, ...]] = []
     for path, law in discrepancy.parameters.items():
         spread = 0.5 * law.half_width
-        value, _, interval, name = estimate_cells(Estimate(law.value, spread, law.interval), units[path])
+        value, _, interval, name = estimate_cells(
+            Estimate(law.value, spread, law.interval), units[path]
+        )
         unit = display_unit(units[path], law.value)
-        readings = " / ".join(number(estimate.value * unit.factor, 4) for estimate in (law.component, law.effective))
-        word = Cell("identified", "good") if law.identified else Cell("not identified with this model", "fair", law.why)
+        readings = " / ".join(
+            number(estimate.value * unit.factor, 4) for estimate in (law.component, law.effective)
+        )
+        word = (
+            Cell("identified", "good")
+            if law.identified
+            else Cell("not identified with this model", "fair", law.why)
+        )
         truth = strategy.truth.get(path)
-        true = (number(truth * unit.factor, 4) if truth is not None else "–",) if strategy.truth else ()
-        rows.append((path, value, interval, readings, *true, name or "–", _mostly(law.shares), word))
+        true = (
+            (number(truth * unit.factor, 4) if truth is not None else "–",)
+            if strategy.truth
+            else ()
+        )
+        rows.append(
+            (path, value, interval, readings, *true, name or "–", _mostly(law.shares), word)
+        )
     header = (
         "parameter",
         "value",
@@ -787,12 +956,25 @@ def _beside_truth(strategy: StrategyResult, units: dict[str, str]) -> PageTable 
     for path, truth in strategy.truth.items():
         unit = display_unit(units[path], truth)
         fitted = strategy.update.parameters[path].value
-        rows.append((path, number(fitted * unit.factor, 4), number(truth * unit.factor, 4), unit.name or "–"))
+        rows.append(
+            (
+                path,
+                number(fitted * unit.factor, 4),
+                number(truth * unit.factor, 4),
+                unit.name or "–",
+            )
+        )
     note = (
         "Truth: the value behind the synthetic recordings; of a tyre stiffness the slope at the static load, of a "
         "damping coefficient the one nearest to the damper's force over the velocities ridden."
     )
-    return PageTable("Fitted beside the truth", ("parameter", "fitted", "truth", "unit"), tuple(rows), "lrrl", note)
+    return PageTable(
+        "Fitted beside the truth",
+        ("parameter", "fitted", "truth", "unit"),
+        tuple(rows),
+        "lrrl",
+        note,
+    )
 
 
 def _mostly(shares: dict[str, float]) -> str:
@@ -805,7 +987,9 @@ def _mostly(shares: dict[str, float]) -> str:
 
 def _sources_of_uncertainty(discrepancy: Discrepancy) -> str:
     groups = ", ".join(group.replace("_", " ") for group in discrepancy.counted)
-    worst = _in_sentence([f"{percent(share, 0)} in {name}" for name, share in discrepancy.unexplained.items()])
+    worst = _in_sentence(
+        [f"{percent(share, 0)} in {name}" for name, share in discrepancy.unexplained.items()]
+    )
     more = (
         f" More freedom for {discrepancy.would_reduce.replace('_', ' ')} would leave "
         f"{percent(discrepancy.reduced_to, 0)} of all."
@@ -827,7 +1011,10 @@ def _identifiability(strategy: StrategyResult) -> PageTable:
         (
             f"{place}  {name}",
             number(sensitivity, 3),
-            *("1" if place == column else correlation(value) for column, value in enumerate(row[:count], 1)),
+            *(
+                "1" if place == column else correlation(value)
+                for column, value in enumerate(row[:count], 1)
+            ),
         )
         for place, (name, sensitivity, row) in enumerate(
             zip(known.parameters, known.sensitivity, known.correlation, strict=True), 1
@@ -867,7 +1054,10 @@ def lumped_model(comparison: ModelComparison) -> Section:
     return Section("Lumped model versus linkage", tuple(blocks))
 
 
-_MODELS: tuple[tuple[str, Style, str], ...] = (("after", "line", "3-D"), ("before", "dashed", "lumped"))
+_MODELS: tuple[tuple[str, Style, str], ...] = (
+    ("after", "line", "3-D"),
+    ("before", "dashed", "lumped"),
+)
 
 
 def _travel(comparison: ModelComparison) -> Chart:
@@ -876,11 +1066,19 @@ def _travel(comparison: ModelComparison) -> Chart:
     for name, si in (("motion_ratio", "1"), ("wheel_rate", "N/m")):
         unit = display_unit(si)
         series = [
-            Series(across.factor * comparison.travel, unit.factor * curves[name].to_numpy()[:, k], role, style, label)
+            Series(
+                across.factor * comparison.travel,
+                unit.factor * curves[name].to_numpy()[:, k],
+                role,
+                style,
+                label,
+            )
             for k, (role, style, label) in enumerate(_MODELS)
         ]
         words = str(curves[name].attrs["long_name"])
-        panels.append(Panel(tuple(series), across.label("wheel travel from design"), unit.label(words), words))
+        panels.append(
+            Panel(tuple(series), across.label("wheel travel from design"), unit.label(words), words)
+        )
     return Chart(
         tuple(panels),
         "lumped-travel",
@@ -896,7 +1094,9 @@ def _differences(comparison: ModelComparison) -> PageTable:
     rows = []
     for item in comparison.rows:
         pair = (item.spatial, item.lumped)
-        unit = display_unit(item.unit, max((value for value in pair if value is not None), key=abs, default=0.0))
+        unit = display_unit(
+            item.unit, max((value for value in pair if value is not None), key=abs, default=0.0)
+        )
         texts = ("–" if value is None else number(value * unit.factor) for value in pair)
         rows.append((item.quantity, *texts, unit.name, item.why))
     header = ("quantity, about equilibrium", "3-D", "lumped", "unit", "reason")
@@ -912,7 +1112,9 @@ def _shares(comparison: ModelComparison) -> PageTable:
             number(unit.factor * part.mass),
             number(part.wheel_share, 3),
             *(
-                number(unit.factor * kilograms if abs(kilograms) > _ROUNDING * part.mass else 0.0, 3)
+                number(
+                    unit.factor * kilograms if abs(kilograms) > _ROUNDING * part.mass else 0.0, 3
+                )
                 for kilograms in (part.sprung_mass, part.unsprung_mass, part.inertance)
             ),
         )
@@ -924,14 +1126,20 @@ def _shares(comparison: ModelComparison) -> PageTable:
         "Travel ratio: vertical travel of the body's centre of mass per wheel travel. "
         "Inertance: additional effective mass due to rotation and lateral motion."
     )
-    return PageTable("Contribution of each body to sprung and unsprung mass", header, rows, "lrrrrr", note)
+    return PageTable(
+        "Contribution of each body to sprung and unsprung mass", header, rows, "lrrrrr", note
+    )
 
 
 def _peaks(peaks: tuple[PeakDifference, ...]) -> PageTable:
     rows = []
     for k, peak in enumerate(peaks):
         unit = display_unit(peak.unit, peak.spatial)
-        difference = Cell(percent(peak.relative), "fair") if abs(peak.relative) > _NOTICED else percent(peak.relative)
+        difference = (
+            Cell(percent(peak.relative), "fair")
+            if abs(peak.relative) > _NOTICED
+            else percent(peak.relative)
+        )
         first = peak.trial if k == 0 or peaks[k - 1].trial != peak.trial else ""
         rows.append(
             (
@@ -945,7 +1153,9 @@ def _peaks(peaks: tuple[PeakDifference, ...]) -> PageTable:
         )
     header = ("trial", "channel", "3-D", "lumped", "unit", "difference")
     note = "Largest absolute values; each trial with its own strut angle and tyre. No measurements are involved."
-    return PageTable("Peak values of every trial in both models", header, tuple(rows), "llrrlr", note)
+    return PageTable(
+        "Peak values of every trial in both models", header, tuple(rows), "llrrlr", note
+    )
 
 
 _DEFINITIONS = (
@@ -966,7 +1176,10 @@ _DEFINITIONS = (
         "good as the mean of the measurement.",
     ),
     ("R²", "1 − NRMSE²."),
-    ("peak error", "Largest absolute simulated value over the largest absolute measured value, minus 1."),
+    (
+        "peak error",
+        "Largest absolute simulated value over the largest absolute measured value, minus 1.",
+    ),
     ("lag", "Delay of the simulated signal with the largest cross-correlation."),
     (
         "ISO 18571",
@@ -978,7 +1191,10 @@ _DEFINITIONS = (
         "Decided by the worst channel of a trial. Holds: ISO 18571 above 0.80 and R² above 0.95. Holds partly: above "
         "0.58 and 0.75. Else it does not hold; not usable: the recording could not be read or simulated.",
     ),
-    ("stiffness", "Slope of the fitted law; its interval treats the trials as independent repetitions."),
+    (
+        "stiffness",
+        "Slope of the fitted law; its interval treats the trials as independent repetitions.",
+    ),
     ("loss factor", "Energy dissipated per cycle over 2π times the work of loading."),
     (
         "viscous damping and dry friction",
@@ -1018,13 +1234,18 @@ def method(result: CampaignResult) -> Section:
         blocks.append(Paragraph(f"Source of the values in the rig file: {result.rig.source}."))
     if result.campaign.estimated:
         listed = ", ".join(result.campaign.estimated)
-        blocks.append(Paragraph(f"Estimated in the campaign file, because no source gives them: {listed}."))
+        blocks.append(
+            Paragraph(f"Estimated in the campaign file, because no source gives them: {listed}.")
+        )
     if result.rig.estimated:
         listed = ", ".join(result.rig.estimated)
-        blocks.append(Paragraph(f"Estimated in the rig file, because no source gives them: {listed}."))
+        blocks.append(
+            Paragraph(f"Estimated in the rig file, because no source gives them: {listed}.")
+        )
     blocks += [
         Subsection(
-            "Definitions", (PageTable("Definitions of the quantities", ("quantity", "definition"), _DEFINITIONS),)
+            "Definitions",
+            (PageTable("Definitions of the quantities", ("quantity", "definition"), _DEFINITIONS),),
         ),
         Subsection("Sources", (Bullets(_SOURCES),)),
     ]

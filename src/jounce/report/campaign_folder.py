@@ -32,9 +32,13 @@ FIGURES = Texts(
     "svg|png|paper",
 )
 TABLES = Texts(
-    "Also write the tables of the report: csv into the folder tables, xlsx as one workbook. Repeat it.", "csv|xlsx"
+    "Also write the tables of the report: csv into the folder tables, xlsx as one workbook. Repeat it.",
+    "csv|xlsx",
 )
-REPORTS = Texts("Form of the report; pdf is written beside the page, which is always there. Repeat it.", "html|pdf")
+REPORTS = Texts(
+    "Form of the report; pdf is written beside the page, which is always there. Repeat it.",
+    "html|pdf",
+)
 
 
 @dataclass(frozen=True)
@@ -82,8 +86,12 @@ class ReportedCampaign(Shown):
     example="jounce campaign run campaign.toml --out results",
 )
 def report_campaign(
-    path: Annotated[Path | str, File("Campaign file: what was measured, and what to update.", "CAMPAIGN.toml")],
-    out: Annotated[Path | str, File("Folder for report, figures, updated rigs and results.json.", "DIR")],
+    path: Annotated[
+        Path | str, File("Campaign file: what was measured, and what to update.", "CAMPAIGN.toml")
+    ],
+    out: Annotated[
+        Path | str, File("Folder for report, figures, updated rigs and results.json.", "DIR")
+    ],
     *,
     figures: Annotated[Sequence[FigureForm], FIGURES] = (),
     tables: Annotated[Sequence[TableForm], TABLES] = (),
@@ -144,7 +152,9 @@ def report_campaign(
     return write_reported(result, out, force=force, **asked)
 
 
-def check_forms(*, figures: Sequence[str] = (), tables: Sequence[str] = (), reports: Sequence[str] = ()) -> None:
+def check_forms(
+    *, figures: Sequence[str] = (), tables: Sequence[str] = (), reports: Sequence[str] = ()
+) -> None:
     """Refuse forms that do not exist, and those that need packages that are not installed."""
     for where, forms in (("figures", figures), ("tables", tables), ("reports", reports)):
         for form in forms:
@@ -174,18 +184,29 @@ def write_reported(
     missing: tuple[Finding, ...] = ()
     try:
         write_campaign(
-            result, out, force=force, figures=formats, tables=tuple(dict.fromkeys(tables)), pdf="pdf" in reports
+            result,
+            out,
+            force=force,
+            figures=formats,
+            tables=tuple(dict.fromkeys(tables)),
+            pdf="pdf" in reports,
         )
     except DrawingError as error:
         missing = error.findings
-    drawn = sorted(f"figures/{file.name}" for form in formats for file in (folder / "figures").glob(f"*.{form}"))
+    drawn = sorted(
+        f"figures/{file.name}"
+        for form in formats
+        for file in (folder / "figures").glob(f"*.{form}")
+    )
     if "paper" not in figures:
         return ReportedCampaign(result, folder, tuple(drawn), missing)
     more, undrawn = _paper_figures(result, folder, force=force)
     return ReportedCampaign(result, folder, (*drawn, *more), (*missing, *undrawn))
 
 
-def _paper_figures(result: CampaignResult, out: Path, *, force: bool) -> tuple[list[str], list[Finding]]:
+def _paper_figures(
+    result: CampaignResult, out: Path, *, force: bool
+) -> tuple[list[str], list[Finding]]:
     """Write the paper's figures below ``out`` as SVG and PNG; give their names, and what could not be drawn."""
     from jounce.plots import add_note, paper_figures, render_figure
     from jounce.report.campaign import SYNTHETIC_NOTE
@@ -210,6 +231,8 @@ def reported_page(reported: ReportedCampaign, *, title: str) -> Page:
     synthetic = reported.result.campaign.synthetic
     first = (Section("Data", (Paragraph(synthetic, "fair"),)),) if synthetic else ()
     failed = sum(finding.severity == "problem" for finding in reported.result.findings)
-    problems = f"{failed} problem{'' if failed == 1 else 's'}, see above; everything else was completed."
+    problems = (
+        f"{failed} problem{'' if failed == 1 else 's'}, see above; everything else was completed."
+    )
     last = (Section("Problems", (Paragraph(problems, "bad"),)),) if failed else ()
     return replace(summary, sections=(*first, *summary.sections, *last))

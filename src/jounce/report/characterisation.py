@@ -18,7 +18,16 @@ from jounce.parts.rig import result_unit_of
 from jounce.plots.display import estimate_cells, estimate_text, number, quantity
 from jounce.report.bench_charts import decay_panels, pressure_panel, stiffness_panels
 from jounce.report.chart import Chart
-from jounce.report.page import Block, Details, PageTable, Paragraph, Section, Subsection, as_table, unique_slugs
+from jounce.report.page import (
+    Block,
+    Details,
+    PageTable,
+    Paragraph,
+    Section,
+    Subsection,
+    as_table,
+    unique_slugs,
+)
 
 if TYPE_CHECKING:
     from jounce.campaign.characterise import DampingChoice
@@ -46,18 +55,29 @@ def characterisation(result: CampaignResult) -> Section:
     if bench.replaced:
         blocks.append(replaced_table(result))
     if bench.spring is not None:
-        blocks.append(Subsection("Spring", _stiffness(result, bench.spring, "bench.spring", "spring", "bench-spring")))
+        blocks.append(
+            Subsection(
+                "Spring", _stiffness(result, bench.spring, "bench.spring", "spring", "bench-spring")
+            )
+        )
     files = unique_slugs([f"bench tyre {name}" for name in bench.tyre])
     for file, (name, fit) in zip(files, bench.tyre.items(), strict=True):
         blocks.append(
-            Subsection(f"Tyre at {name}", _stiffness(result, fit, f'bench.tyre."{name}"', f"tyre, {name}", file))
+            Subsection(
+                f"Tyre at {name}",
+                _stiffness(result, fit, f'bench.tyre."{name}"', f"tyre, {name}", file),
+            )
         )
     if bench.pressure is not None and len(bench.pressure.pressures) > 1:
         blocks.append(Subsection("Tyre against pressure", _pressure(result)))
     if bench.decay is not None:
         blocks.append(Subsection("Damping from free decays", _decay(result)))
     if not blocks:
-        blocks.append(Paragraph("The campaign contains no bench measurements; all values are those of the rig file."))
+        blocks.append(
+            Paragraph(
+                "The campaign contains no bench measurements; all values are those of the rig file."
+            )
+        )
     return Section("Characterisation", tuple(blocks))
 
 
@@ -78,7 +98,16 @@ def replaced_table(result: CampaignResult) -> PageTable:
         unit = display_unit(si, item.measured)
         error = "–" if item.standard_error is None else number(item.standard_error * unit.factor, 2)
         described = "–" if item.described is None else number(item.described * unit.factor)
-        rows.append((item.path, described, number(item.measured * unit.factor), error, unit.name, item.source))
+        rows.append(
+            (
+                item.path,
+                described,
+                number(item.measured * unit.factor),
+                error,
+                unit.name,
+                item.source,
+            )
+        )
     return PageTable(
         "Rig parameters replaced by measured values",
         ("parameter", "rig file", "measured", "standard error", "unit", "source"),
@@ -87,7 +116,9 @@ def replaced_table(result: CampaignResult) -> PageTable:
     )
 
 
-def _stiffness(result: CampaignResult, fit: StiffnessResult, place: str, title: str, file: str) -> tuple[Block, ...]:
+def _stiffness(
+    result: CampaignResult, fit: StiffnessResult, place: str, title: str, file: str
+) -> tuple[Block, ...]:
     return stiffness_blocks(fit, result.characterisation.loaded.get(place, []), title, file)
 
 
@@ -117,7 +148,9 @@ def _coefficients(fit: StiffnessResult) -> list[ResultField]:
     if fit.law == "linear":
         return []
     pairs = zip(fit.coefficient_units, fit.coefficients, strict=True)
-    return [ResultField("coefficients", f"coefficient {k}", *pair) for k, pair in enumerate(pairs, 1)]
+    return [
+        ResultField("coefficients", f"coefficient {k}", *pair) for k, pair in enumerate(pairs, 1)
+    ]
 
 
 def _fit_note(fit: StiffnessResult) -> str:
@@ -140,7 +173,9 @@ def _pressure(result: CampaignResult) -> tuple[Block, ...]:
     note = []
     if law.slope is not None:
         stiffness, of = display_unit("N/m"), display_unit("Pa")
-        note.append(f"Slope {number(law.slope * stiffness.factor / of.factor, 4)} {stiffness.name} per {of.name}")
+        note.append(
+            f"Slope {number(law.slope * stiffness.factor / of.factor, 4)} {stiffness.name} per {of.name}"
+        )
     if law.at_zero_pressure is not None:
         note.append(f"extrapolated to zero pressure {quantity(law.at_zero_pressure, 'N/m')}")
     if law.exponent is not None:
@@ -180,9 +215,13 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
     if len(records) != len(bench.decays):
         records = [(f"decay {k}", (), ()) for k in range(1, len(bench.decays) + 1)]  # type: ignore[misc]
     pictures: list[Chart] = []
-    files = unique_slugs([f"bench decay {Path(name).stem.removeprefix('decay')}" for name, _, _ in records])
+    files = unique_slugs(
+        [f"bench decay {Path(name).stem.removeprefix('decay')}" for name, _, _ in records]
+    )
     for file, (name, time, signal), decay in zip(files, records, bench.decays, strict=True):
-        pictures.append(decay_chart(decay, np.asarray(time, float), np.asarray(signal, float), name, file))
+        pictures.append(
+            decay_chart(decay, np.asarray(time, float), np.asarray(signal, float), name, file)
+        )
     blocks += pictures[:1]
     if len(bench.decays) > 1:
         blocks.append(each_decay(bench.decays, [record[0] for record in records]))
@@ -209,7 +248,9 @@ def decay_table(decay: DecayResult | CombinedDecay, caption: str) -> PageTable:
     """What one or several free decays say of damping."""
     fields = [field for field in fields_of(decay) if hasattr(field.value, "interval")]
     word = MOTIONS[decay.motion].inertia_word
-    note = f"{number(decay.cycles, 3)} cycles in total; values are referred to the {word} that swings."
+    note = (
+        f"{number(decay.cycles, 3)} cycles in total; values are referred to the {word} that swings."
+    )
     return as_table(fields_table(caption, fields), note)
 
 
@@ -226,7 +267,11 @@ def _damping_choices(choices: tuple[DampingChoice, ...]) -> PageTable:
             _METHODS[choice.method],
             *(
                 _with_interval(*estimate_cells(estimate, si))
-                for estimate, si in ((choice.damping_ratio, "1"), (choice.seen, "N*s/m"), (choice.at_strut, "N*s/m"))
+                for estimate, si in (
+                    (choice.damping_ratio, "1"),
+                    (choice.seen, "N*s/m"),
+                    (choice.at_strut, "N*s/m"),
+                )
             ),
             "yes" if choice.is_used else "no",
         )
@@ -234,7 +279,13 @@ def _damping_choices(choices: tuple[DampingChoice, ...]) -> PageTable:
     )
     return PageTable(
         "What each way to read the decays means for the damper",
-        ("way", "damping ratio", damping.label("of the sprung mass"), damping.label("at the strut"), "used"),
+        (
+            "way",
+            "damping ratio",
+            damping.label("of the sprung mass"),
+            damping.label("at the strut"),
+            "used",
+        ),
         rows,
         "lrrrl",
         "With 95 % intervals. The decrement takes dry friction for viscous damping: it is right at the amplitudes of "
@@ -279,7 +330,9 @@ def each_decay(decays: Sequence[DecayResult], names: Sequence[str]) -> PageTable
     )
 
 
-def _decay_records(result: CampaignResult, table: DecayBench | None) -> list[tuple[str, Array, Array]]:
+def _decay_records(
+    result: CampaignResult, table: DecayBench | None
+) -> list[tuple[str, Array, Array]]:
     """File name, time (s) and record (SI) of each decay; none where they cannot be read any more."""
     if table is None:
         return []

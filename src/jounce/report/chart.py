@@ -17,7 +17,9 @@ from numpy.typing import ArrayLike
 from jounce.core.types import Array
 from jounce.plots.thinning import thin
 
-Style = Literal["line", "dashed", "dotted", "thick", "dots", "squares", "rings", "diamonds", "crosses"]
+Style = Literal[
+    "line", "dashed", "dotted", "thick", "dots", "squares", "rings", "diamonds", "crosses"
+]
 MARKS = ("dots", "squares", "rings", "diamonds", "crosses")
 
 
@@ -139,7 +141,9 @@ def chart_svg(chart: Chart, style: str, note: str = "") -> str:
         top += max(panel.height for panel in row)
     if note:
         top += 16
-        parts.append(f'<text class="bad" x="{width - 6}" y="{top - 5}" text-anchor="end">{escape(note)}</text>')
+        parts.append(
+            f'<text class="bad" x="{width - 6}" y="{top - 5}" text-anchor="end">{escape(note)}</text>'
+        )
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="chart" width="{width}" height="{top}" '
         f'viewBox="0 0 {width} {top}" role="img"><title>{escape(chart.alternative)}</title><style>{style}</style>'
@@ -153,10 +157,17 @@ def _draw_panel(panel: Panel, identity: str) -> str:
     names = list(panel.lanes) or [tick_text(value) for value in y_ticks]
     most = int(0.42 * panel.width / _CHARACTER)
     names = [name if len(name) <= most else f"…{name[1 - most :]}" for name in names]
-    left = 12 + (16 if panel.y_label else 0) + int(_CHARACTER * max((len(name) for name in names), default=0))
+    left = (
+        12
+        + (16 if panel.y_label else 0)
+        + int(_CHARACTER * max((len(name) for name in names), default=0))
+    )
     legend = _legend(panel, left)
     top = 8 + (18 if panel.title else 0) + 16 * len(legend)
-    right, bottom = panel.width - 12 - _overhang(panel, x0, x1), panel.height - (40 if panel.x_label else 24)
+    right, bottom = (
+        panel.width - 12 - _overhang(panel, x0, x1),
+        panel.height - (40 if panel.x_label else 24),
+    )
     x_ticks = ticks(x0, x1, max(3, int((right - left) // 75)))
 
     def at_x(value: float) -> float:
@@ -171,12 +182,18 @@ def _draw_panel(panel: Panel, identity: str) -> str:
     out.append("</clipPath>")
     for low, high, _ in panel.bands:
         a, b = sorted((min(max(at_x(low), left), right), min(max(at_x(high), left), right)))
-        out.append(f'<rect class="span" x="{a:.1f}" y="{top}" width="{b - a:.1f}" height="{bottom - top}"/>')
+        out.append(
+            f'<rect class="span" x="{a:.1f}" y="{top}" width="{b - a:.1f}" height="{bottom - top}"/>'
+        )
     if not panel.lanes:
         lines = "".join(f"M{left} {at_y(value):.1f}H{right}" for value in y_ticks)
         out.append(f'<path class="grid" d="{lines}"/>')
-    out.append(f'<path class="grid" d="{"".join(f"M{at_x(value):.1f} {top}V{bottom}" for value in x_ticks)}"/>')
-    places = [at_y(k) for k in range(len(names))] if panel.lanes else [at_y(value) for value in y_ticks]
+    out.append(
+        f'<path class="grid" d="{"".join(f"M{at_x(value):.1f} {top}V{bottom}" for value in x_ticks)}"/>'
+    )
+    places = (
+        [at_y(k) for k in range(len(names))] if panel.lanes else [at_y(value) for value in y_ticks]
+    )
     out += [
         f'<text x="{left - 6}" y="{place + 4:.1f}" text-anchor="end">{escape(name)}</text>'
         for name, place in zip(names, places, strict=True)
@@ -188,17 +205,27 @@ def _draw_panel(panel: Panel, identity: str) -> str:
     out.append(f'<path class="axis" d="M{left} {top}V{bottom}H{right}"/>')
     for place, role, _ in panel.verticals:
         if x0 <= place <= x1:
-            out.append(f'<path class="l {escape(role)} dotted" d="M{at_x(place):.1f} {top}V{bottom}"/>')
-    body = "".join(_series(series, (x0, x1, y0, y1), (left, right, top, bottom)) for series in panel.series)
+            out.append(
+                f'<path class="l {escape(role)} dotted" d="M{at_x(place):.1f} {top}V{bottom}"/>'
+            )
+    body = "".join(
+        _series(series, (x0, x1, y0, y1), (left, right, top, bottom)) for series in panel.series
+    )
     out.append(f'<g clip-path="url(#{identity}-clip)">{body}</g>')
     for x, y, text in panel.notes:
-        out.append(f'<text class="note" x="{at_x(x) + 7:.1f}" y="{at_y(y) + 4:.1f}">{escape(text)}</text>')
+        out.append(
+            f'<text class="note" x="{at_x(x) + 7:.1f}" y="{at_y(y) + 4:.1f}">{escape(text)}</text>'
+        )
     if panel.title:
         fits = panel.width - int(_BOLD * len(panel.title))  # a long title begins left of the axis
-        out.append(f'<text class="title" x="{max(2, min(left, fits))}" y="16">{escape(panel.title)}</text>')
+        out.append(
+            f'<text class="title" x="{max(2, min(left, fits))}" y="16">{escape(panel.title)}</text>'
+        )
     if panel.x_label:
         middle = (left + right) / 2
-        out.append(f'<text x="{middle:.0f}" y="{bottom + 34}" text-anchor="middle">{escape(panel.x_label)}</text>')
+        out.append(
+            f'<text x="{middle:.0f}" y="{bottom + 34}" text-anchor="middle">{escape(panel.x_label)}</text>'
+        )
     if panel.y_label:
         middle = (top + bottom) / 2
         turned = f'transform="translate(13 {middle:.0f}) rotate(-90)"'
@@ -216,7 +243,11 @@ def _draw_panel(panel: Panel, identity: str) -> str:
 def _overhang(panel: Panel, x0: float, x1: float) -> int:
     """Pixels that texts right of points need beyond the axes."""
     return max(
-        (int(_CHARACTER * len(text)) + 8 for x, _, text in panel.notes if len(text) > 4 and x > x0 + 0.7 * (x1 - x0)),
+        (
+            int(_CHARACTER * len(text)) + 8
+            for x, _, text in panel.notes
+            if len(text) > 4 and x > x0 + 0.7 * (x1 - x0)
+        ),
         default=0,
     )
 
@@ -254,15 +285,21 @@ def _sample(kind: str, role: str, x: float, y: float) -> str:
 
 def _ranges(panel: Panel) -> tuple[float, float, float, float]:
     """Ends of both axes; something sensible where nothing finite is drawn."""
-    xs = np.concatenate([np.asarray(series.x, float).ravel() for series in panel.series] or [np.zeros(0)])
-    ys = np.concatenate([np.asarray(series.y, float).ravel() for series in panel.series] or [np.zeros(0)])
+    xs = np.concatenate(
+        [np.asarray(series.x, float).ravel() for series in panel.series] or [np.zeros(0)]
+    )
+    ys = np.concatenate(
+        [np.asarray(series.y, float).ravel() for series in panel.series] or [np.zeros(0)]
+    )
     x0, x1 = panel.x_range or _with_margin(xs, 0.08 if panel.lanes else 0.02)
     if panel.lanes:
         return x0, x1, len(panel.lanes) - 0.4, -0.6
     if panel.y_range:
         return x0, x1, *panel.y_range
     seen = np.interp(xs, [x0, x1], [0.0, 1.0]) if len(xs) else xs
-    inside = ys[(seen >= 0.0) & (seen <= 1.0) & (xs >= x0) & (xs <= x1)] if len(xs) == len(ys) else ys
+    inside = (
+        ys[(seen >= 0.0) & (seen <= 1.0) & (xs >= x0) & (xs <= x1)] if len(xs) == len(ys) else ys
+    )
     y0, y1 = _with_margin(inside, 0.06)
     return x0, x1, min(0.0, y0) if panel.from_zero and inside.min(initial=0.0) >= 0.0 else y0, y1
 
@@ -278,7 +315,11 @@ def _with_margin(values: Array, share: float) -> tuple[float, float]:
     return low - share * (high - low), high + share * (high - low)
 
 
-def _series(series: Series, ranges: tuple[float, float, float, float], box: tuple[float, float, float, float]) -> str:
+def _series(
+    series: Series,
+    ranges: tuple[float, float, float, float],
+    box: tuple[float, float, float, float],
+) -> str:
     x0, x1, y0, y1 = ranges
     left, right, top, bottom = box
     x, y = np.asarray(series.x, float).ravel(), np.asarray(series.y, float).ravel()
@@ -287,7 +328,9 @@ def _series(series: Series, ranges: tuple[float, float, float, float], box: tupl
         known = np.isfinite(x) & np.isfinite(y)
         px = left + (x[known] - x0) / (x1 - x0) * (right - left)
         py = bottom - (y[known] - y0) / (y1 - y0) * (bottom - top)
-        marks = "".join(_mark(series.style, a, b) for a, b in zip(px.tolist(), py.tolist(), strict=True))
+        marks = "".join(
+            _mark(series.style, a, b) for a, b in zip(px.tolist(), py.tolist(), strict=True)
+        )
         return f'<path class="m {role} {series.style}" d="{marks}"/>'
     pieces = []
     for part in _runs(np.isfinite(x) & np.isfinite(y)):
@@ -296,7 +339,9 @@ def _series(series: Series, ranges: tuple[float, float, float, float], box: tupl
             u, v = thin(u, v, x0, x1, int(right - left) // 2)
         px = np.round(_FINE * (left + (u - x0) / (x1 - x0) * (right - left)))
         py = np.round(_FINE * (bottom - (v - y0) / (y1 - y0) * (bottom - top)))
-        pieces.append(_polyline(np.clip(px, -4e5, 4e5).astype(int), np.clip(py, -4e5, 4e5).astype(int)))
+        pieces.append(
+            _polyline(np.clip(px, -4e5, 4e5).astype(int), np.clip(py, -4e5, 4e5).astype(int))
+        )
     return f'<path class="l q {role} {series.style}" transform="scale({1 / _FINE})" d="{"".join(pieces)}"/>'
 
 

@@ -14,12 +14,25 @@ def clearances_page(study: ClearanceStudy, *, title: str) -> Page:
     """Put least distances and lengths of links on a page."""
     least, blocks = study.least, list[Block]()
     if least:
-        columns = {"clearance": "least clearance", "wheel_travel": "at travel", "rack_travel": "at rack"}
-        numbers = (TableColumn(label, [pair[key] for pair in least.values()], "m") for key, label in columns.items())
-        blocks.append(
-            table_of("Clearances, negative where bodies overlap", (TableColumn("between", [*least]), *numbers))
+        columns = {
+            "clearance": "least clearance",
+            "wheel_travel": "at travel",
+            "rack_travel": "at rack",
+        }
+        numbers = (
+            TableColumn(label, [pair[key] for pair in least.values()], "m")
+            for key, label in columns.items()
         )
-    lengths = (TableColumn("between", [*study.lengths]), TableColumn("length", [*study.lengths.values()], "m"))
+        blocks.append(
+            table_of(
+                "Clearances, negative where bodies overlap",
+                (TableColumn("between", [*least]), *numbers),
+            )
+        )
+    lengths = (
+        TableColumn("between", [*study.lengths]),
+        TableColumn("length", [*study.lengths.values()], "m"),
+    )
     blocks.append(table_of("Lengths of links at design", lengths))
     blocks += findings_blocks(study.findings)
     return answer_page(title, blocks)

@@ -56,10 +56,20 @@ def optimisation_page(optimum: Optimisation, *, title: str) -> Page:
     >>> [section.title for section in optimisation_page(found, title="A kart").sections]
     ['Answer', 'Metrics']
     """
-    facts = [Fact(name, _change(optimum, name), f"from {_ends(optimum, name)}") for name in optimum.objective]
+    facts = [
+        Fact(name, _change(optimum, name), f"from {_ends(optimum, name)}")
+        for name in optimum.objective
+    ]
     end, tone = _search_outcome("converged", "did not converge", optimum.converged)
     slopes = "exact gradients" if optimum.derivatives == "exact" else "finite-difference gradients"
-    facts.append(Fact("search", end, f"{optimum.iterations} steps, {optimum.evaluations} designs, {slopes}", tone))
+    facts.append(
+        Fact(
+            "search",
+            end,
+            f"{optimum.iterations} steps, {optimum.evaluations} designs, {slopes}",
+            tone,
+        )
+    )
     answer: list[Block] = [Facts(tuple(facts)), _numbers(optimum.numbers)]
     if optimum.constraints:
         answer.append(_limits(optimum.constraints))
@@ -67,8 +77,12 @@ def optimisation_page(optimum: Optimisation, *, title: str) -> Page:
     names = dict.fromkeys((*optimum.objective, *optimum.before))
     rows = []
     for name in names:
-        unit = display_unit(optimum.units[name], max(abs(optimum.before[name]), abs(optimum.after[name])))
-        ends = (number(value * unit.factor) for value in (optimum.before[name], optimum.after[name]))
+        unit = display_unit(
+            optimum.units[name], max(abs(optimum.before[name]), abs(optimum.after[name]))
+        )
+        ends = (
+            number(value * unit.factor) for value in (optimum.before[name], optimum.after[name])
+        )
         rows.append((name, unit.name or "–", *ends, _change(optimum, name)))
     words = "What is minimised, the limits and the numbers, from the start to the best design."
     metrics = (
@@ -101,14 +115,22 @@ def _search_outcome(well: str, badly: str, is_well: bool) -> tuple[str, Tone]:
 
 def _ends(optimum: Optimisation, name: str) -> str:
     """A metric of the start and of the best design."""
-    unit = display_unit(optimum.units[name], max(abs(optimum.before[name]), abs(optimum.after[name])))
-    return unit.behind(" to ".join(number(values[name] * unit.factor) for values in (optimum.before, optimum.after)))
+    unit = display_unit(
+        optimum.units[name], max(abs(optimum.before[name]), abs(optimum.after[name]))
+    )
+    return unit.behind(
+        " to ".join(
+            number(values[name] * unit.factor) for values in (optimum.before, optimum.after)
+        )
+    )
 
 
 def _from_to(values: Array, si: str) -> str:
     """The least and the greatest of values (n,) of an SI unit, which is written once."""
     unit = display_unit(si, float(abs(values).max()))
-    return unit.behind(" to ".join(number(float(end) * unit.factor) for end in (values.min(), values.max())))
+    return unit.behind(
+        " to ".join(number(float(end) * unit.factor) for end in (values.min(), values.max()))
+    )
 
 
 def _change(optimum: Optimisation, name: str) -> str:
@@ -121,11 +143,22 @@ def _numbers(numbers: Sequence[DesignNumber]) -> PageTable:
     rows = []
     for row in numbers:
         unit = display_unit(row.unit, max(abs(row.lower), abs(row.upper)))
-        values = (number(value * unit.factor) for value in (row.start, row.value, row.lower, row.upper))
+        values = (
+            number(value * unit.factor) for value in (row.start, row.value, row.lower, row.upper)
+        )
         flat = " to ".join(number(end * unit.factor) for end in row.flat) if row.flat else "–"
         at = Cell(f"at its {row.at} bound", "fair") if row.at else "within"
         rows.append((row.path, unit.name or "–", *values, at, flat))
-    header = ("number", "unit", "start", "best", "lower bound", "upper bound", "", "objective within 1 %")
+    header = (
+        "number",
+        "unit",
+        "start",
+        "best",
+        "lower bound",
+        "upper bound",
+        "",
+        "objective within 1 %",
+    )
     return PageTable("Numbers of the design", header, tuple(rows), "llrrrrlr")
 
 
@@ -167,22 +200,37 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
     """
     roles = front.roles
     names = {"comfort": "comfort", "holding": "road holding", "travel": "travel"}
-    ends = [Fact(names[role], _from_to(getattr(front, role), front.units[role]), front.metrics[role]) for role in roles]
-    state, tone = _search_outcome("all designs are optimal", "some designs are not optimal", front.converged)
+    ends = [
+        Fact(names[role], _from_to(getattr(front, role), front.units[role]), front.metrics[role])
+        for role in roles
+    ]
+    state, tone = _search_outcome(
+        "all designs are optimal", "some designs are not optimal", front.converged
+    )
     facts = Facts((*ends, Fact("designs on the front", str(len(front.comfort)), state, tone)))
     marks = (
         TableColumn("design", [mark.name for mark in front.marks]),
         TableColumn("by", [mark.kind for mark in front.marks]),
         *(
-            TableColumn(front.metrics[role], [getattr(mark, role) for mark in front.marks], front.units[role])
+            TableColumn(
+                front.metrics[role],
+                [getattr(mark, role) for mark in front.marks],
+                front.units[role],
+            )
             for role in roles
         ),
         TableColumn("dampers", [_dampers(mark, front.number_units) for mark in front.marks]),
     )
     designs = (
         TableColumn("design", [str(i + 1) for i in range(len(front.comfort))]),
-        *(TableColumn(front.metrics[role], getattr(front, role).tolist(), front.units[role]) for role in roles),
-        *(TableColumn(path, values.tolist(), front.number_units[path]) for path, values in front.numbers.items()),
+        *(
+            TableColumn(front.metrics[role], getattr(front, role).tolist(), front.units[role])
+            for role in roles
+        ),
+        *(
+            TableColumn(path, values.tolist(), front.number_units[path])
+            for path, values in front.numbers.items()
+        ),
     )
     words = f"Designs on the front, from {front.heading}, beside the present one; numbers along the front."
     picture = picture_of(front, "front", words)
@@ -198,7 +246,9 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
 
 def _dampers(mark: ParetoMark, units: Mapping[str, str]) -> str:
     """Write the dampers of a design beside the front."""
-    texts = (f"{path}: {quantity(value, units.get(path, '1'))}" for path, value in mark.values.items())
+    texts = (
+        f"{path}: {quantity(value, units.get(path, '1'))}" for path, value in mark.values.items()
+    )
     return ", ".join(texts) or "–"
 
 
@@ -261,22 +311,30 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
         )
         for name, values in front.goals.items()
     ]
-    state, tone = _search_outcome("all searches came to rest", "some searches did not come to rest", front.converged)
+    state, tone = _search_outcome(
+        "all searches came to rest", "some searches did not come to rest", front.converged
+    )
     facts = Facts((*ends, Fact("designs on the front", str(front.count), state, tone)))
     columns = {**front.goals, **front.numbers}
     si = {**front.goal_units, **front.number_units}
-    units = {name: display_unit(si[name], float(abs(values).max())) for name, values in columns.items()}
+    units = {
+        name: display_unit(si[name], float(abs(values).max())) for name, values in columns.items()
+    }
     present = {**front.present, **front.start}
     rows = [("as it is", *(number(present[name] * unit.factor) for name, unit in units.items()))]
     rows += [
-        (str(i + 1), *(number(float(values[i]) * units[name].factor) for name, values in columns.items()))
+        (
+            str(i + 1),
+            *(number(float(values[i]) * units[name].factor) for name, values in columns.items()),
+        )
         for i in range(front.count)
     ]
     header = ("", *(unit.label(name) for name, unit in units.items()))
     first = next(iter(front.goals))
     every = PageTable(f"From the least {first} on", header, tuple(rows), "r" * len(header))
     words = (
-        "Designs, none of them better in every metric than another: pairs of metrics, and all of them with the numbers."
+        "Designs, none of them better in every metric than another: pairs of metrics, and all "
+        "of them with the numbers."
     )
     answer: list[Block] = [facts, picture_of(front, "front", words)]
     answer += findings_blocks(front.findings)

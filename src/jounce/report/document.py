@@ -48,12 +48,17 @@ def page_pdf(page: Page, figures: Mapping[str, Mapping[str, bytes]], template: b
         "banner": page.banner,
         "note": page.figure_note,
         "foot": f"{page.title} · jounce {jounce.__version__}",
-        "sections": [{"title": section.title, "blocks": _blocks(section.blocks, figures)} for section in page.sections],
+        "sections": [
+            {"title": section.title, "blocks": _blocks(section.blocks, figures)}
+            for section in page.sections
+        ],
     }
     if missing_letters(json.dumps(content, ensure_ascii=False)):
         content["foot"] = f"{content['foot']} · {_BOXES}"
     files = {name: svg for panels in figures.values() for name, svg in panels.items()}
-    data = json.dumps(_restore_file_names(breakable(content)), ensure_ascii=False).encode("utf-8", "replace")
+    data = json.dumps(_restore_file_names(breakable(content)), ensure_ascii=False).encode(
+        "utf-8", "replace"
+    )
     made: bytes = typeset({"main.typ": template, "page.json": data, **files}, "pdf")
     return made
 
@@ -62,16 +67,22 @@ def _restore_file_names(value: Any) -> Any:
     """Give names of files back the form in which they stand beside the document."""
     if isinstance(value, dict):
         return {
-            key: item.replace("\u200b", "") if key in ("file", "kind") else _restore_file_names(item)
+            key: item.replace("\u200b", "")
+            if key in ("file", "kind")
+            else _restore_file_names(item)
             for key, item in value.items()
         }
     return [_restore_file_names(item) for item in value] if isinstance(value, list) else value
 
 
-def _blocks(blocks: Sequence[Block], figures: Mapping[str, Mapping[str, bytes]]) -> list[dict[str, Any]]:
+def _blocks(
+    blocks: Sequence[Block], figures: Mapping[str, Mapping[str, bytes]]
+) -> list[dict[str, Any]]:
     plain_blocks: list[dict[str, Any]] = []
     for block in blocks:
-        if isinstance(block, Details) and block.is_still:  # on paper nothing moves that it would be the same as
+        if (
+            isinstance(block, Details) and block.is_still
+        ):  # on paper nothing moves that it would be the same as
             plain_blocks += _blocks(block.blocks, figures)
         elif (plain := _plain(block, figures)) is not None:
             plain_blocks.append(plain)
@@ -91,14 +102,22 @@ def _plain(block: Block, figures: Mapping[str, Mapping[str, bytes]]) -> dict[str
         widths = [panel.width for panel in block.panels] if isinstance(block, Chart) else [1]
         panels = [{"file": name, "width": width} for name, width in zip(names, widths, strict=True)]
         rows = _arrange_panels(panels)
-        full = max(_FULL, *(sum(panel["width"] for panel in row) for row in rows)) if isinstance(block, Chart) else 1
+        full = (
+            max(_FULL, *(sum(panel["width"] for panel in row) for row in rows))
+            if isinstance(block, Chart)
+            else 1
+        )
         return {"kind": "Figure", "rows": rows, "full": full, "caption": block.caption}
     if isinstance(block, Facts):
         return {"kind": kind, "items": [_fact(fact) for fact in block.items]}
     if isinstance(block, Findings):
         tones = {"problem": "bad", "warning": "fair", "note": "muted"}
         groups = [
-            {"tone": tones[severity], "heading": heading, "items": [{"places": p, "message": m} for p, m in rows]}
+            {
+                "tone": tones[severity],
+                "heading": heading,
+                "items": [{"places": p, "message": m} for p, m in rows],
+            }
             for severity, heading, rows in group_findings(block)
         ]
         return {"kind": kind, "groups": groups}
@@ -132,7 +151,10 @@ def _table(table: PageTable) -> dict[str, Any]:
     align = alignments(table)
     rows = [[_cell(cell) for cell in row] for row in table.rows]
     longest = [
-        max((max(len(row[k]["text"]), len(row[k]["note"])) for row in rows if k < len(row)), default=0)
+        max(
+            (max(len(row[k]["text"]), len(row[k]["note"])) for row in rows if k < len(row)),
+            default=0,
+        )
         for k in range(len(table.header))
     ]
     widths = [
@@ -158,7 +180,10 @@ def _cell(cell: Cell | str) -> dict[str, str]:
 def tables_of(page: Page) -> dict[str, PageTable]:
     """Every table of a page by a file name, in order: ``01-parameters-of-strategy-1``."""
     tables = [block for block in page.blocks() if isinstance(block, PageTable)]
-    return {f"{k:02d}-{slug(table.caption)[:60].rstrip('-')}": table for k, table in enumerate(tables, 1)}
+    return {
+        f"{k:02d}-{slug(table.caption)[:60].rstrip('-')}": table
+        for k, table in enumerate(tables, 1)
+    }
 
 
 _NUMBER = re.compile(r"−?\d+(\.\d+)?(e−?\d+)?")
@@ -229,7 +254,9 @@ def tables_xlsx(page: Page) -> bytes:
         sheet.freeze_panes = "B2"
         for k, column in enumerate(sheet.columns, 1):
             width = max((len(str(cell.value or "")) for cell in column), default=8)
-            sheet.column_dimensions[openpyxl.utils.get_column_letter(k)].width = min(max(width + 2, 8), 60)
+            sheet.column_dimensions[openpyxl.utils.get_column_letter(k)].width = min(
+                max(width + 2, 8), 60
+            )
     return workbook_bytes(book)
 
 

@@ -34,7 +34,9 @@ def equivalence_page(study: Equivalence, *, title: str) -> Page:
         (
             factors[case.factor].label,
             case.method.upper(),
-            Cell(f"{case.rejected_sound} of {case.sound}", "fair" if case.rejected_sound else "plain"),
+            Cell(
+                f"{case.rejected_sound} of {case.sound}", "fair" if case.rejected_sound else "plain"
+            ),
             _range(factors[case.factor], case.rejected_at),
             Cell(f"{case.passed_worn} of {case.worn}", "fair" if case.passed_worn else "plain"),
             _range(factors[case.factor], case.passed_at),
@@ -49,8 +51,14 @@ def equivalence_page(study: Equivalence, *, title: str) -> Page:
     words = "Wear from which each method rejects, over each quantity that varies; dots at the top: never rejected."
     table = PageTable("Where the tests disagree with the damper", header, rows)
     answer: tuple[Block, ...] = (table, Paragraph(about, "muted"))
-    curves = Section("Over what varies", (Picture(lambda: equivalence(study), "equivalence", words, words),))
-    return Page(title, (Section("Answer", answer), curves), "Adhesion, phase angle and THETA of the same wheel")
+    curves = Section(
+        "Over what varies", (Picture(lambda: equivalence(study), "equivalence", words, words),)
+    )
+    return Page(
+        title,
+        (Section("Answer", answer), curves),
+        "Adhesion, phase angle and THETA of the same wheel",
+    )
 
 
 def _range(factor: Factor, ends: tuple[float, float] | None) -> str:

@@ -41,20 +41,26 @@ def equations_page(equations: Equations, *, title: str) -> Page:
 
 def hardpoint_export_page(export: HardpointExport, *, title: str) -> Page:
     """Say how many hardpoints were written."""
-    text = Paragraph(f"{len(export.hardpoints)} hardpoints in mm: x forward, y left, z up from the road")
+    text = Paragraph(
+        f"{len(export.hardpoints)} hardpoints in mm: x forward, y left, z up from the road"
+    )
     return _page(title, "Hardpoints", [text])
 
 
 def chrono_export_page(export: ChronoExport, *, title: str) -> Page:
     """Say which template of Project Chrono was written."""
-    text = Paragraph(f"{export.template} of Project Chrono, left side; heights count from the wheel centre")
+    text = Paragraph(
+        f"{export.template} of Project Chrono, left side; heights count from the wheel centre"
+    )
     return _page(title, "Project Chrono", [text], export.findings)
 
 
 def mjcf_export_page(export: MjcfExport, *, title: str) -> Page:
     """Say what a model of MuJoCo consists of."""
     parts = f"{export.bodies} bodies, {export.joints} joints, {export.loops} loops"
-    return _page(title, "MuJoCo", [Paragraph(f"{parts}; SI, all frames as at design")], export.findings)
+    return _page(
+        title, "MuJoCo", [Paragraph(f"{parts}; SI, all frames as at design")], export.findings
+    )
 
 
 def road_export_page(export: RoadExport, *, title: str) -> Page:

@@ -10,7 +10,16 @@ import numpy as np
 from jounce.core.display import display_unit
 from jounce.plots.display import number, percent, quantity, ratio_unit, setting_text, with_half
 from jounce.report.chart import Chart, Panel, Series
-from jounce.report.page import Block, Cell, Details, PageTable, Paragraph, Section, Subsection, unique_slugs
+from jounce.report.page import (
+    Block,
+    Cell,
+    Details,
+    PageTable,
+    Paragraph,
+    Section,
+    Subsection,
+    unique_slugs,
+)
 
 if TYPE_CHECKING:
     from jounce.analysis.spectrum import RecordSpectra
@@ -21,15 +30,23 @@ if TYPE_CHECKING:
 def records(look: FirstLook) -> Section:
     """Spectra and transfer functions at each pressure, modes of decays and trials, statistics of every channel."""
     blocks: list[Block] = []
-    names = unique_slugs([f"spectra {setting_text(spectra.pressure, 'Pa')}" for spectra in look.spectra])
+    names = unique_slugs(
+        [f"spectra {setting_text(spectra.pressure, 'Pa')}" for spectra in look.spectra]
+    )
     if look.spectra:
-        charts = tuple(_spectra(spectra, name) for spectra, name in zip(look.spectra, names, strict=True))
+        charts = tuple(
+            _spectra(spectra, name) for spectra, name in zip(look.spectra, names, strict=True)
+        )
         blocks.append(Subsection("Spectra and transfer functions", charts))
     if look.modes:
         blocks.append(Subsection("Modal frequencies and damping", (_modes(look.modes),)))
     if look.statistics:
         table = _statistics(look.statistics)
-        blocks.append(Subsection("Statistics of the channels", (Details("Every trial and channel", (table,)),)))
+        blocks.append(
+            Subsection(
+                "Statistics of the channels", (Details("Every trial and channel", (table,)),)
+            )
+        )
     if not blocks:
         blocks.append(Paragraph("No record could be analysed; see Findings."))
     return Section("Records", tuple(blocks))
@@ -42,7 +59,9 @@ def _spectra(spectra: ComparedSpectra, name: str) -> Chart:
         panels += _transfer(spectra.transfer, spectra.model_transfer)
         words += ", and gain and coherence from wheel to body"
     settings = ", ".join(
-        text for text in (setting_text(spectra.pressure, "Pa"), setting_text(spectra.angle, "rad")) if text != "–"
+        text
+        for text in (setting_text(spectra.pressure, "Pa"), setting_text(spectra.angle, "rad"))
+        if text != "–"
     )
     caption = (
         f"{_trials(spectra.trials).capitalize()}{f' ({settings})' if settings else ''}: {words[0].lower()}{words[1:]}. "
@@ -60,7 +79,9 @@ def _density(compared: ComparedSpectra, channel: int) -> Panel:
     series = []
     for spectra, (role, label) in zip(both, _ROLES, strict=True):
         row = spectra.channels[channel]
-        series.append(Series(row.frequency, np.sqrt(row.density) * unit.factor, role, "line", label))
+        series.append(
+            Series(row.frequency, np.sqrt(row.density) * unit.factor, role, "line", label)
+        )
     return Panel(
         tuple(series),
         "frequency [Hz]",
@@ -85,8 +106,20 @@ def _transfer(measured: TransferEstimate, model: TransferEstimate) -> list[Panel
     title = f"{measured.output} over {measured.given}"
     across = "frequency [Hz]"
     return [
-        Panel(tuple(gains), across, f"gain [{ratio_unit(output.name, into.name)}]", title, from_zero=True),
-        Panel(tuple(coherences), across, "coherence [–]", "coherence over the trials", y_range=(0.0, 1.0)),
+        Panel(
+            tuple(gains),
+            across,
+            f"gain [{ratio_unit(output.name, into.name)}]",
+            title,
+            from_zero=True,
+        ),
+        Panel(
+            tuple(coherences),
+            across,
+            "coherence [–]",
+            "coherence over the trials",
+            y_range=(0.0, 1.0),
+        ),
     ]
 
 
@@ -104,14 +137,22 @@ def _modes(modes: Sequence[ComparedMode]) -> PageTable:
         for mode in modes
     ]
     model = ("linear model", "model, same fit")
-    header = ("record", "frequency [Hz]", *(f"{model_name} [Hz]" for model_name in model), "damping ratio", *model)
+    header = (
+        "record",
+        "frequency [Hz]",
+        *(f"{model_name} [Hz]" for model_name in model),
+        "damping ratio",
+        *model,
+    )
     note = (
         "± half of the 95 % interval of what noise does. Undamped natural frequencies of free motion: decays, and "
         "trials after their last obstacle. The linear model is without dry friction, and so is the damping of decays; "
         "in trials friction counts as damping. Same fit: to the model's readings in these trials, friction included; – "
         "where they show no such mode."
     )
-    return PageTable("Modes of the records beside those of the model", header, tuple(rows), "lrrrrrr", note)
+    return PageTable(
+        "Modes of the records beside those of the model", header, tuple(rows), "lrrrrrr", note
+    )
 
 
 def _statistics(statistics: Sequence[TrialStatistics]) -> PageTable:
@@ -131,7 +172,16 @@ def _statistics(statistics: Sequence[TrialStatistics]) -> PageTable:
                     clipped,
                 )
             )
-    header = ("trial", "channel", "mean (offset)", "r.m.s.", "minimum", "maximum", "crest factor", "clipped")
+    header = (
+        "trial",
+        "channel",
+        "mean (offset)",
+        "r.m.s.",
+        "minimum",
+        "maximum",
+        "crest factor",
+        "clipped",
+    )
     note = (
         "Before the fit takes zeros off; behind AC coupling the mean is off already. Clipped: share of the samples "
         "that lie at the channel's limits."

@@ -53,7 +53,11 @@ def measured_damper_page(measured: MeasuredDamper, *, title: str) -> Page:
 
 
 def stiffness_page(
-    fit: StiffnessResult, trials: Sequence[ForceDeflectionTrial], findings: Sequence[Finding], *, title: str
+    fit: StiffnessResult,
+    trials: Sequence[ForceDeflectionTrial],
+    findings: Sequence[Finding],
+    *,
+    title: str,
 ) -> Page:
     """Put a fitted stiffness on a page, with the points that it was fitted to.
 
@@ -74,7 +78,9 @@ def stiffness_page(
         To be written with :data:`jounce.report.REPORTS`.
     """
     first, *others = stiffness_blocks(fit, trials, title, "stiffness")
-    return answer_page(title, [first, *findings_blocks(findings), *others], f"Stiffness, {fit.law} law")
+    return answer_page(
+        title, [first, *findings_blocks(findings), *others], f"Stiffness, {fit.law} law"
+    )
 
 
 def decay_page(
@@ -103,9 +109,16 @@ def decay_page(
         To be written with :data:`jounce.report.REPORTS`.
     """
     several = len(decays) > 1
-    caption = f"Damping from {len(decays)} free decays combined" if several else "Damping from a free decay"
+    caption = (
+        f"Damping from {len(decays)} free decays combined"
+        if several
+        else "Damping from a free decay"
+    )
     files = unique_slugs([f"decay {name}" for name in decays])
-    charts = [decay_chart(*decay, name, file) for file, (name, decay) in zip(files, decays.items(), strict=True)]
+    charts = [
+        decay_chart(*decay, name, file)
+        for file, (name, decay) in zip(files, decays.items(), strict=True)
+    ]
     blocks: list[Block] = [decay_table(fit, caption), *findings_blocks(findings), *charts[:1]]
     if several:
         blocks += [
@@ -151,7 +164,9 @@ def damper_page(
     picture = Picture(lambda: figure_of(curve, law=fit.law), "damper", words, words)
     table = as_table(fields_table(f"Damper, {fit.law} law", parameters), note)
     tables = {"damper": fit.damper, "friction": fit.friction}
-    rig = Bullets(tuple(f"{name} = {_toml(values)}" for name, values in tables.items() if values is not None))
+    rig = Bullets(
+        tuple(f"{name} = {_toml(values)}" for name, values in tables.items() if values is not None)
+    )
     in_rig = Paragraph("In a rig file, below [strut], positive in compression (bump):")
     blocks = [table, Paragraph(counted, "muted"), in_rig, rig, *findings_blocks(findings), picture]
     return answer_page(title, blocks, f"Damper, {fit.law} law")
@@ -162,7 +177,12 @@ def _toml(table: dict[str, Any]) -> str:
     import tomlkit
 
     inline = tomlkit.inline_table()
-    inline.update({key: float(f"{value:.6g}") if isinstance(value, float) else value for key, value in table.items()})
+    inline.update(
+        {
+            key: float(f"{value:.6g}") if isinstance(value, float) else value
+            for key, value in table.items()
+        }
+    )
     return inline.as_string()
 
 
@@ -193,7 +213,9 @@ def hardpoints_page(fit: HardpointFit, *, title: str) -> Page:
     note = f"{fit.agreed} of {fit.starts} starts ended there; {len(fit.wheel_travel)} poses."
     points = PageTable("Points", header, tuple(rows), "lrrrrl", note)
     left = as_table(group_table("What is left, root mean square", fit.quantities))
-    return answer_page(title, [points, left, *findings_blocks(fit.findings)], "Hardpoints from measured poses")
+    return answer_page(
+        title, [points, left, *findings_blocks(fit.findings)], "Hardpoints from measured poses"
+    )
 
 
 def _change_row(label: str, estimate: Estimate, si: str, before: float) -> tuple[str, ...]:
@@ -202,4 +224,10 @@ def _change_row(label: str, estimate: Estimate, si: str, before: float) -> tuple
     change = Estimate(estimate.value - before, estimate.standard_error, ends)
     unit = display_unit(si)
     value, _, interval, name = estimate_cells(change, si, unit)
-    return label, *(number(size * unit.factor, 6) for size in (before, estimate.value)), value, interval, name or "–"
+    return (
+        label,
+        *(number(size * unit.factor, 6) for size in (before, estimate.value)),
+        value,
+        interval,
+        name or "–",
+    )

@@ -50,32 +50,48 @@ def history_page(visits: Sequence[WheelVisit], trends: Sequence[Trend], *, title
             for trend in trends
             if trend.quantity in QUANTITIES
         )
-        answer.insert(0, PageTable("Change per year", ("wheel", "value", "per year", "visits"), rows, "llrr"))
-    names = list(dict.fromkeys(name for visit in visits for name in visit.values if name in QUANTITIES))
+        answer.insert(
+            0, PageTable("Change per year", ("wheel", "value", "per year", "visits"), rows, "llrr")
+        )
+    names = list(
+        dict.fromkeys(name for visit in visits for name in visit.values if name in QUANTITIES)
+    )
     every = tuple(
         (
             visit.date or "–",
             f"{visit.axle} {visit.wheel}".strip(),
             *(_value(visit, name) for name in names),
-            Cell(verdict_words(visit.verdict), _TONES.get(visit.verdict, "fair")) if visit.verdict else "–",
+            Cell(verdict_words(visit.verdict), _TONES.get(visit.verdict, "fair"))
+            if visit.verdict
+            else "–",
             str(visit.record),
         )
         for visit in visits
     )
     header = ("date", "wheel", *(QUANTITIES[name].words() for name in names), "verdict", "record")
     table = PageTable(
-        "Every wheel at every visit, by the newest grading", header, every, "ll" + "r" * len(names) + "lr"
+        "Every wheel at every visit, by the newest grading",
+        header,
+        every,
+        "ll" + "r" * len(names) + "lr",
     )
     return Page(
-        title, (Section("Answer", tuple(answer)), Section("Visits", (table,))), "History of the shock absorbers"
+        title,
+        (Section("Answer", tuple(answer)), Section("Visits", (table,))),
+        "History of the shock absorbers",
     )
 
 
 def _value(visit: WheelVisit, name: str) -> str:
-    return QUANTITIES[name].text(visit.values.get(name)) + (" (unreliable)" if name in visit.unreliable else "")
+    return QUANTITIES[name].text(visit.values.get(name)) + (
+        " (unreliable)" if name in visit.unreliable else ""
+    )
 
 
 def _change(trend: Trend) -> tuple[str, str]:
     quantity = QUANTITIES[trend.quantity]
     sign = "+" if trend.change_per_year > 0.0 else ""
-    return quantity.words(), f"{sign}{number(trend.change_per_year * quantity.factor, 2)} {quantity.unit}".strip()
+    return (
+        quantity.words(),
+        f"{sign}{number(trend.change_per_year * quantity.factor, 2)} {quantity.unit}".strip(),
+    )

@@ -98,9 +98,15 @@ class EvaluatedVehicle(Shown):
         """Give one axle as it is; two with all wheels in one list, each with its axle."""
         plain = self._one_axle() if len(self.graded.axles) == 1 else self._both_axles()
         plain["protocol"] = list(dict.fromkeys(map(str, self.protocols)))
-        plain["store"] = {"location": self.store, "records": list(self.numbers)} if self.store else None
+        plain["store"] = (
+            {"location": self.store, "records": list(self.numbers)} if self.store else None
+        )
         if error := self.refusal:
-            plain["error"] = {"kind": type(error).__name__, "message": str(error), "where": error.where}
+            plain["error"] = {
+                "kind": type(error).__name__,
+                "message": str(error),
+                "where": error.where,
+            }
             plain["error"]["what"] = error.what
         return plain
 
@@ -114,9 +120,14 @@ class EvaluatedVehicle(Shown):
         return {
             "records": [str(record.path) for record in self.records],
             "wheels": [
-                {"axle": name, **wheel} for name, axle in zip(names, axles, strict=True) for wheel in axle["wheels"]
+                {"axle": name, **wheel}
+                for name, axle in zip(names, axles, strict=True)
+                for wheel in axle["wheels"]
             ],
-            "axles": [{**axle["axle"], "facts": axle["facts"], "findings": axle["findings"]} for axle in axles],
+            "axles": [
+                {**axle["axle"], "facts": axle["facts"], "findings": axle["findings"]}
+                for axle in axles
+            ],
             "deciding": axles[0]["deciding"],
             "limits": axles[0]["limits"],
             "vehicle": self.graded.summary(),
@@ -139,28 +150,35 @@ class EvaluatedVehicle(Shown):
 )
 def evaluate_inspection(  # noqa: PLR0913 - each is an option
     records: Annotated[
-        Sequence[Path | str], Texts("Record of one axle (CSV, netCDF, ...), or one of each axle.", "RECORD...")
+        Sequence[Path | str],
+        Texts("Record of one axle (CSV, netCDF, ...), or one of each axle.", "RECORD..."),
     ],
     tester: Annotated[
-        Tester | Path | str, Mark("A tester file, or the name of a shipped one (eusama, egea-specsus2018, ...).")
+        Tester | Path | str,
+        Mark("A tester file, or the name of a shipped one (eusama, egea-specsus2018, ...)."),
     ],
     *,
     vehicle: Annotated[
-        Path | str | None, Mark("Vehicle file or name; its weight is compared with the static loads.")
+        Path | str | None,
+        Mark("Vehicle file or name; its weight is compared with the static loads."),
     ] = None,
     methods: Annotated[
         Sequence[str],
-        Texts("Deciding method: eusama, egea, theta or boge; by default that of the tester. Repeat it."),
+        Texts(
+            "Deciding method: eusama, egea, theta or boge; by default that of the tester. Repeat it."
+        ),
     ] = (),
     limits: Annotated[Path | str | None, LIMITS] = None,
     reports: Annotated[
         Sequence[Path | str],
         Texts(
-            "Write a protocol (.pdf or .html), with its values as .json; CAR.pdf,html writes both. Repeat it.", "FILE"
+            "Write a protocol (.pdf or .html), with its values as .json; CAR.pdf,html writes both. Repeat it.",
+            "FILE",
         ),
     ] = (),
     store: Annotated[
-        Path | str | None, Mark("Store record and result: a SQLite file (created if missing), or a database URL.")
+        Path | str | None,
+        Mark("Store record and result: a SQLite file (created if missing), or a database URL."),
     ] = None,
     language: Annotated[Language, Mark("Language of the protocol: en or de.")] = "en",
     date: Annotated[str | None, Mark("Day of the test, e.g. 2026-11-21.")] = None,
@@ -232,7 +250,9 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
     'pass'
     """
     if len(records) > len(_AXLES):
-        raise DescriptionError("too many records", where="records", found=len(records), allowed="one of each axle")
+        raise DescriptionError(
+            "too many records", where="records", found=len(records), allowed="one of each axle"
+        )
     paths = [existing_file(file, RecordingError) for file in records]
     deciding = check_methods(methods)
     if language not in LANGUAGES:
@@ -260,7 +280,8 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
     digests = [sha256(found.path.read_bytes()).hexdigest()[:12] for found in inspected]
     about = {"vehicle": name, "tester": chosen.name, **facts_of(whole)}
     about["record"] = ", ".join(
-        f"{found.path.name} (sha256 {digest})" for found, digest in zip(inspected, digests, strict=True)
+        f"{found.path.name} (sha256 {digest})"
+        for found, digest in zip(inspected, digests, strict=True)
     )
     signals = {found.graded.axle: found.record for found in inspected}
     written: list[Path] = []
@@ -268,12 +289,16 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
     for file in protocols:
         is_allowed = force or file is not protocols[0]  # their values have one file
         try:
-            written += write_protocol(whole, file, records=signals, language=language, about=about, force=is_allowed)
+            written += write_protocol(
+                whole, file, records=signals, language=language, about=about, force=is_allowed
+            )
         except DrawingError as error:
             written.append(file.with_suffix(".json"))
             missing += error.findings
     location = "" if opened is None else opened.location
-    return EvaluatedVehicle(whole, tuple(inspected), tuple(written), location, tuple(numbers), tuple(missing))
+    return EvaluatedVehicle(
+        whole, tuple(inspected), tuple(written), location, tuple(numbers), tuple(missing)
+    )
 
 
 @dataclass(frozen=True)
@@ -291,10 +316,15 @@ def _formats_of(file: Path) -> list[Path]:
     first, *others = file.name.split(",")
     if not others or any(not suffix.isalnum() for suffix in others):
         return [file]
-    return [file.with_name(first), *(file.with_name(first).with_suffix(f".{suffix}") for suffix in others)]
+    return [
+        file.with_name(first),
+        *(file.with_name(first).with_suffix(f".{suffix}") for suffix in others),
+    ]
 
 
-def _inspected(file: Path, asked: _Asked, store: Store | None) -> tuple[InspectedRecord, int | None]:
+def _inspected(
+    file: Path, asked: _Asked, store: Store | None
+) -> tuple[InspectedRecord, int | None]:
     """Read, evaluate and grade one record and store it; what cannot be read is stored, too, before it is refused.
 
     The name of the vehicle counts where the header names none.
@@ -304,7 +334,9 @@ def _inspected(file: Path, asked: _Asked, store: Store | None) -> tuple[Inspecte
         record, findings = read_record(file, task["tester"])
         record, overruled = with_facts(record, dict(asked.facts), where=str(file))
         read = (record, [*findings, *overruled])
-        found = inspect_record(file, task["tester"], task["vehicle"], task["methods"], asked.limits, read=read)
+        found = inspect_record(
+            file, task["tester"], task["vehicle"], task["methods"], asked.limits, read=read
+        )
     except Exception as error:
         if is_of_system(error):  # the record was not looked at: this is no verdict
             raise

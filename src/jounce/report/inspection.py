@@ -8,7 +8,18 @@ from jounce.inspection.quantities import NUMBERS
 from jounce.inspection.reasons import verdict_words
 from jounce.inspection.result import wheel_table
 from jounce.plots.display import number
-from jounce.report.page import Block, Bullets, Fact, Facts, Findings, Page, PageTable, Section, Tone, as_table
+from jounce.report.page import (
+    Block,
+    Bullets,
+    Fact,
+    Facts,
+    Findings,
+    Page,
+    PageTable,
+    Section,
+    Tone,
+    as_table,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -46,9 +57,16 @@ def axle_blocks(graded: GradedInspection) -> tuple[Block, ...]:
     """What a graded axle has to say, its values first."""
     decides = ", ".join(graded.deciding)
     title = f"{graded.axle or 'axle'}: {graded.verdict} (deciding: {decides}; limits: {graded.limits.label})"
-    reasons = [f"{grade.wheel}: {reason.text()}" for grade in graded.grades for reason in grade.reasons]
+    reasons = [
+        f"{grade.wheel}: {reason.text()}" for grade in graded.grades for reason in grade.reasons
+    ]
     reasons += [f"axle: {reason.text()}" for reason in graded.reasons]
-    weakening = [finding for wheel in graded.wheels for finding in wheel.findings if finding.severity != "problem"]
+    weakening = [
+        finding
+        for wheel in graded.wheels
+        for finding in wheel.findings
+        if finding.severity != "problem"
+    ]
     blocks = (
         as_table(wheel_table(title, graded.wheels)),
         Bullets(tuple(reasons)),
@@ -98,7 +116,11 @@ def wear_page(wear: Sequence[float], wheels: Sequence[WheelResult], *, title: st
     Page
         To be written with :data:`jounce.report.REPORTS`.
     """
-    shown = [quantity for name, quantity in NUMBERS.items() if any(wheel.value(name) is not None for wheel in wheels)]
+    shown = [
+        quantity
+        for name, quantity in NUMBERS.items()
+        if any(wheel.value(name) is not None for wheel in wheels)
+    ]
     rows = tuple(
         (
             number(lost, 3),
@@ -119,7 +141,11 @@ def inspected_rig_page(found: InspectedRig, *, title: str) -> Page:
     if found.axle is not None:
         return inspection_page(grade_vehicle([found.axle]), title=title)
     wheels = [test.wheel for test in found.tests]
-    return wear_page(found.wear, wheels, title=title) if found.is_range else wheel_page(wheels[0], title=title)
+    return (
+        wear_page(found.wear, wheels, title=title)
+        if found.is_range
+        else wheel_page(wheels[0], title=title)
+    )
 
 
 def _verdict(label: str, verdict: str) -> Facts:

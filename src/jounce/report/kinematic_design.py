@@ -39,7 +39,9 @@ _FINE = 1e-6  # of a tolerance: what rounding leaves of nothing
 _SMALLEST = 0.02  # m of travel that is shown at least
 
 
-def kinematic_design_page(design: KinematicDesign, *, title: str, pictures: Mapping[str, Figure] | None = None) -> Page:
+def kinematic_design_page(
+    design: KinematicDesign, *, title: str, pictures: Mapping[str, Figure] | None = None
+) -> Page:
     """Put a kinematic design on a page.
 
     Parameters
@@ -67,7 +69,11 @@ def kinematic_design_page(design: KinematicDesign, *, title: str, pictures: Mapp
                 "within their tolerances",
                 "good" if design.met else "bad",
             ),
-            Fact("Searches that met all", f"{good} of {len(design.starts)}", f"{design.evaluations} designs computed"),
+            Fact(
+                "Searches that met all",
+                f"{good} of {len(design.starts)}",
+                f"{design.evaluations} designs computed",
+            ),
             Fact(
                 "Numbers moved",
                 str(sum(change.before != change.after for change in design.moved.values())),
@@ -105,7 +111,10 @@ def kinematic_design_page(design: KinematicDesign, *, title: str, pictures: Mapp
     if design.spread:
         blocks: list[Block] = []
         for name, spread in design.spread.items():
-            own: list[Block] = [_spread(name, spread), drawn[f"spread-{name}" if name else "spread"]]
+            own: list[Block] = [
+                _spread(name, spread),
+                drawn[f"spread-{name}" if name else "spread"],
+            ]
             own += findings_blocks(spread.findings)
             blocks += [Subsection(name.capitalize(), tuple(own))] if name else own
         sections.append(Section("Tolerances", tuple(blocks)))
@@ -130,7 +139,10 @@ def _targets(design: KinematicDesign) -> PageTable:
             (
                 _name(target) + (", must hold" if target.must else ""),
                 unit.name or "–",
-                *(_target_value(value, target, unit.factor) for value in (target.before, target.after)),
+                *(
+                    _target_value(value, target, unit.factor)
+                    for value in (target.before, target.after)
+                ),
                 _target_range(target, unit.factor),
                 f"± {number(target.tolerance * unit.factor, 2)}",
                 Cell("met", "good") if target.met else Cell("missed", "bad"),
@@ -145,7 +157,11 @@ def _name(target: TargetResult) -> str:
     """Name of a target, with its pose where it is one away from the design."""
     if target.has_curve:
         return f"{target.label}, farthest from its curve"
-    return f"{target.label} at {target.pose(0)}" if len(target.at) == 1 and target.at[0] else target.label
+    return (
+        f"{target.label} at {target.pose(0)}"
+        if len(target.at) == 1 and target.at[0]
+        else target.label
+    )
 
 
 def _target_value(value: float | list[float], target: TargetResult, factor: float) -> str:
@@ -159,7 +175,9 @@ def _target_value(value: float | list[float], target: TargetResult, factor: floa
 def _span(value: float | list[float], factor: float, least: float = 0.0) -> str:
     """Write a value, or the ends of a curve; what is less than ``least`` is nothing."""
     ends = [value, value] if isinstance(value, float) else [min(value), max(value)]
-    return " to ".join(dict.fromkeys(number(0.0 if abs(end) < least else end * factor) for end in ends))
+    return " to ".join(
+        dict.fromkeys(number(0.0 if abs(end) < least else end * factor) for end in ends)
+    )
 
 
 def _target_range(target: TargetResult, factor: float) -> str:
@@ -176,21 +194,34 @@ def _changes(design: KinematicDesign) -> PageTable:
     for path, change in design.moved.items():
         unit = display_unit("m" if "hardpoints." in path else "1", 0.1)
         ends = (change.before, change.after, change.after - change.before)
-        rows.append((path, unit.name or "SI", *(f"{value * unit.factor:.3f}".replace("-", "−") for value in ends)))
-    return PageTable("Numbers of the rig", ("number", "unit", "before", "after", "by"), tuple(rows), "llrrr")
+        rows.append(
+            (
+                path,
+                unit.name or "SI",
+                *(f"{value * unit.factor:.3f}".replace("-", "−") for value in ends),
+            )
+        )
+    return PageTable(
+        "Numbers of the rig", ("number", "unit", "before", "after", "by"), tuple(rows), "llrrr"
+    )
 
 
 def _directions(design: KinematicDesign) -> PageTable:
     rows = []
     for direction in design.identified:
         unit = display_unit(direction.unit, 0.1)
-        ends = ("–" if end is None else number(end * unit.factor, 2) for end in (direction.alone, direction.together))
+        ends = (
+            "–" if end is None else number(end * unit.factor, 2)
+            for end in (direction.alone, direction.together)
+        )
         rows.append((direction.number, unit.name or direction.unit, *ends))
     note = (
         "Standard deviation of each number where the curves are known to their tolerances: all others known, and all "
         "sought at once. A dash: the curves do not tell it."
     )
-    return PageTable("What the curves tell", ("number", "unit", "alone", "together"), tuple(rows), "llrr", note)
+    return PageTable(
+        "What the curves tell", ("number", "unit", "alone", "together"), tuple(rows), "llrr", note
+    )
 
 
 def _spread(name: str, spread: KinematicSpread) -> PageTable:
@@ -210,7 +241,9 @@ def _spread(name: str, spread: KinematicSpread) -> PageTable:
     ]
     head = f"{spread.cars} cars of {name}" if name else f"{spread.cars} cars"
     note = "Shares of the cars as built and adjusted; of an adjustment the range that 95 % of the cars need."
-    return PageTable(head, ("", "unit", "as built, or from", "adjusted, or to"), tuple(rows), "llrr", note)
+    return PageTable(
+        head, ("", "unit", "as built, or from", "adjusted, or to"), tuple(rows), "llrr", note
+    )
 
 
 def _curves(design: KinematicDesign, title: str) -> tuple[Block, ...]:
@@ -226,7 +259,11 @@ def _curves(design: KinematicDesign, title: str) -> tuple[Block, ...]:
             for label, shown_rig in (("after", rig), ("before", start))
         }
         held = set.intersection(*(set(map(str, sweep.data_vars)) for sweep in swept.values()))
-        first = [quantity for quantity in dict.fromkeys(target.quantity for target in mine) if quantity in held][:4]
+        first = [
+            quantity
+            for quantity in dict.fromkeys(target.quantity for target in mine)
+            if quantity in held
+        ][:4]
         label = f"{name} over travel".strip()
         shown = f"{title}, {name}" if name else title
         file = f"curves-{name}" if name else "curves"

@@ -39,11 +39,15 @@ def folder_page(made: FolderCampaign, *, title: str = "") -> Page:
         (
             TableColumn("file", [item.file.name for item in made.files]),
             TableColumn("is", [item.kind for item in made.files]),
-            TableColumn("trial", ["" if item.number is None else str(item.number) for item in made.files]),
+            TableColumn(
+                "trial", ["" if item.number is None else str(item.number) for item in made.files]
+            ),
             TableColumn("because", [item.why for item in made.files]),
         ),
     )
-    return Page(title or "Campaign of a folder", (Section("Files", (files, Findings(made.findings))),))
+    return Page(
+        title or "Campaign of a folder", (Section("Files", (files, Findings(made.findings))),)
+    )
 
 
 def new_campaign_page(start: NewCampaign, *, title: str) -> Page:
@@ -62,7 +66,11 @@ def new_campaign_page(start: NewCampaign, *, title: str) -> Page:
 def calibration_page(calibration: Calibration, *, title: str = "") -> Page:
     """Sensitivity and zero with their intervals, the points beside the line, and the keys of a sensor."""
     sensitivity, zero = fields_of(calibration, "sensitivity", "zero")
-    known = [field for field in fields_of(calibration, "residual", "gain_doubt") if field.value is not None]
+    known = [
+        field
+        for field in fields_of(calibration, "residual", "gain_doubt")
+        if field.value is not None
+    ]
     note = "; ".join(f"{field.label} {field.in_words()}" for field in known) + "."
     results = as_table(fields_table("Calibration", [sensitivity, zero]), note)
     rounding = 1e-12 * max(map(abs, calibration.recorded))
@@ -77,12 +85,18 @@ def calibration_page(calibration: Calibration, *, title: str = "") -> Page:
             ),
         ),
     )
-    keys = Bullets(tuple(f"{name} = {json.dumps(value)}" for name, value in calibration.sensor().items()))
-    in_file = Paragraph("As keys of a sensor in a campaign, or of a channel in the settings of a laboratory:")
+    keys = Bullets(
+        tuple(f"{name} = {json.dumps(value)}" for name, value in calibration.sensor().items())
+    )
+    in_file = Paragraph(
+        "As keys of a sensor in a campaign, or of a channel in the settings of a laboratory:"
+    )
     words = "What was recorded against the known sizes with the fitted line, and the points off that line."
     picture = Picture(lambda: figure_of(calibration), "calibration", words, words)
     blocks = (results, points, in_file, keys, Findings(calibration.findings), picture)
-    return Page(title or "Calibration", (Section("Calibration", blocks),), "Calibration of a sensor")
+    return Page(
+        title or "Calibration", (Section("Calibration", blocks),), "Calibration of a sensor"
+    )
 
 
 def model_choice_page(choice: ModelChoice, *, title: str = "") -> Page:
@@ -97,11 +111,15 @@ def model_choice_page(choice: ModelChoice, *, title: str = "") -> Page:
             TableColumn("BIC above least", [f"{row.bic:.1f}" for row in models]),
             TableColumn("least R2, fitted", [_text(row.fitted) for row in models]),
             TableColumn("least R2, held out", [_text(row.held_out) for row in models]),
-            TableColumn("held-out trials that hold", [f"{row.holds} of {row.trials}" for row in models]),
+            TableColumn(
+                "held-out trials that hold", [f"{row.holds} of {row.trials}" for row in models]
+            ),
         ),
         "AIC and BIC count independent residuals; models within 2 of the least AIC are carried alike.",
     )
-    return Page(title or "Models compared", (Section("Models", (table, Findings(choice.findings))),))
+    return Page(
+        title or "Models compared", (Section("Models", (table, Findings(choice.findings))),)
+    )
 
 
 _NOTES = (
@@ -172,22 +190,35 @@ def _information_table(sheet: TestSheet) -> PageTable:
     columns = [
         TableColumn(
             path.replace(".", " ").replace("_", " "),
-            [f"{100.0 * trial.teaches[path]:.2g} %" if path in trial.teaches else "–" for trial in sheet.trials],
+            [
+                f"{100.0 * trial.teaches[path]:.2g} %" if path in trial.teaches else "–"
+                for trial in sheet.trials
+            ],
         )
         for path in paths
     ]
     names = TableColumn("trial", [str(trial.number) for trial in sheet.trials])
-    return table_of("What each trial would teach: standard error of a parameter", (names, *columns), _TAUGHT)
+    return table_of(
+        "What each trial would teach: standard error of a parameter", (names, *columns), _TAUGHT
+    )
 
 
 def _exercise(sheet: TestSheet) -> list[Section]:
     """Sections in which students predict, measure and compare."""
     numbers = [str(trial.number) for trial in sheet.trials]
     blank = ["" for _ in numbers]
-    quantities = ("peak sprung.az", "peak unsprung.az", "natural frequency of the body", "of the wheel")
+    quantities = (
+        "peak sprung.az",
+        "peak unsprung.az",
+        "natural frequency of the body",
+        "of the wheel",
+    )
 
     def form(caption: str, *columns: str) -> PageTable:
-        return table_of(caption, (TableColumn("trial", numbers), *(TableColumn(name, blank) for name in columns)))
+        return table_of(
+            caption,
+            (TableColumn("trial", numbers), *(TableColumn(name, blank) for name in columns)),
+        )
 
     questions = (
         "Which parameter decides the first peak of the wheel, and why does the body hardly feel it?",
@@ -196,14 +227,21 @@ def _exercise(sheet: TestSheet) -> list[Section]:
     )
     return [
         Section(
-            "Predict", (Paragraph("Before any trial is run."), Bullets(questions), form("Prediction", *quantities))
+            "Predict",
+            (
+                Paragraph("Before any trial is run."),
+                Bullets(questions),
+                form("Prediction", *quantities),
+            ),
         ),
         Section("Measure", (form("Measurement", "file", *quantities),)),
         Section(
             "Compare",
             (
                 form("Comparison", "predicted", "measured", "difference", "because"),
-                Paragraph("Conclusion: which model do the data carry, for which trials, and how do you know?"),
+                Paragraph(
+                    "Conclusion: which model do the data carry, for which trials, and how do you know?"
+                ),
             ),
         ),
     ]

@@ -151,10 +151,22 @@ def named_words(name: str, words: str) -> str:
     return words if words.startswith((name, name.replace("_", " "))) else f"{name}, {words}"
 
 
-def scene_panels(scene: ViewerScene, words: str, unit: str, roles: Sequence[str] = ()) -> tuple[Panel, ...]:
+def scene_panels(
+    scene: ViewerScene, words: str, unit: str, roles: Sequence[str] = ()
+) -> tuple[Panel, ...]:
     """Give a scene's curves as panels of a figure that does not move: what is shown first, of some roles (or all)."""
     panes = [pane for pane in scene.panes if pane.shown] or list(scene.panes[:1])
-    is_alone = len({curve.role for pane in panes for curve in pane.curves if not roles or curve.role in roles}) < 2
+    is_alone = (
+        len(
+            {
+                curve.role
+                for pane in panes
+                for curve in pane.curves
+                if not roles or curve.role in roles
+            }
+        )
+        < 2
+    )
     panels = []
     for k, pane in enumerate(panes):
         curves = [curve for curve in pane.curves if not roles or curve.role in roles]
@@ -212,7 +224,9 @@ class PageArrays:
             even = [float(values[0]), float((values[-1] - values[0]) / (n - 1))]
             return {"n": n, "at": 0, "order": 0, "low": 0.0, "step": 0.0, "even": even}
         finite = np.isfinite(values)
-        low, high = (float(f(values[finite])) for f in (np.min, np.max)) if finite.any() else (0.0, 0.0)
+        low, high = (
+            (float(f(values[finite])) for f in (np.min, np.max)) if finite.any() else (0.0, 0.0)
+        )
         step = (high - low) / (_GAP - 2) or 1.0
         if high > low:
             low = step * float(np.floor(low / step))  # so that 0 is one of the steps
@@ -221,7 +235,10 @@ class PageArrays:
         best = min(range(3), key=lambda order: _size(whole, order))
         folded = _fold_differences(whole, best)
         entry = {"n": n, "at": self.length, "order": best, "low": low, "step": step}
-        self.planes += [(folded & 255).astype(np.uint8).tobytes(), (folded >> 8).astype(np.uint8).tobytes()]
+        self.planes += [
+            (folded & 255).astype(np.uint8).tobytes(),
+            (folded >> 8).astype(np.uint8).tobytes(),
+        ]
         self.length += 2 * n
         return entry
 
@@ -275,7 +292,9 @@ def live_bytes(viewers: Sequence[Viewer], more: Mapping[str, Any]) -> bytes:
     The length of the plain part (four bytes, the least first), that as JSON filled up to whole eights, then all arrays.
     """
     straight = Straight()
-    header = json.dumps({**_content(viewers, straight), **more}, separators=(",", ":"), allow_nan=False).encode()
+    header = json.dumps(
+        {**_content(viewers, straight), **more}, separators=(",", ":"), allow_nan=False
+    ).encode()
     header += b" " * (-(len(header) + 4) % 8)
     return b"".join((len(header).to_bytes(4, "little"), header, *straight.parts))
 
@@ -287,7 +306,9 @@ def _content(viewers: Sequence[Viewer], packed: PageArrays | Straight) -> dict[s
         if shown_motion is None:
             return None
         if id(shown_motion.mechanism) not in mechanisms:
-            whole = mechanism_data(shown_motion.mechanism, packed.add if isinstance(packed, Straight) else None)
+            whole = mechanism_data(
+                shown_motion.mechanism, packed.add if isinstance(packed, Straight) else None
+            )
             mechanisms[id(shown_motion.mechanism)] = len(mechanisms), whole
         index, _ = mechanisms[id(shown_motion.mechanism)]
         road = shown_motion.road and {
@@ -295,8 +316,16 @@ def _content(viewers: Sequence[Viewer], packed: PageArrays | Straight) -> dict[s
             "z": np.round(1e3 * shown_motion.road.height, 3).tolist(),
             "speed": 1e3 * shown_motion.speed,
         }
-        tracks = {name: packed.add(1e3 * getattr(shown_motion, name)[keep]) for name in ("body", "travel", "ground")}
-        return {"mechanism": index, **tracks, "load": packed.add(shown_motion.load[keep]), "road": road}
+        tracks = {
+            name: packed.add(1e3 * getattr(shown_motion, name)[keep])
+            for name in ("body", "travel", "ground")
+        }
+        return {
+            "mechanism": index,
+            **tracks,
+            "load": packed.add(shown_motion.load[keep]),
+            "road": road,
+        }
 
     def scene(viewer_scene: ViewerScene) -> dict[str, Any]:
         keep = _samples_for_page(viewer_scene)
@@ -313,7 +342,11 @@ def _content(viewers: Sequence[Viewer], packed: PageArrays | Straight) -> dict[s
                     "unit": pane.unit,
                     "shown": pane.shown,
                     "curves": [
-                        {"label": curve.label, "role": curve.role, "y": packed.add(curve.values[keep])}
+                        {
+                            "label": curve.label,
+                            "role": curve.role,
+                            "y": packed.add(curve.values[keep]),
+                        }
                         for curve in pane.curves
                     ],
                 }
@@ -327,7 +360,10 @@ def _content(viewers: Sequence[Viewer], packed: PageArrays | Straight) -> dict[s
     models = [
         {
             "title": viewer.title,
-            "roles": [{"role": role, "label": label, "shown": shown} for role, label, shown in viewer.roles],
+            "roles": [
+                {"role": role, "label": label, "shown": shown}
+                for role, label, shown in viewer.roles
+            ],
             "scenes": [scene(viewer_scene) for viewer_scene in viewer.scenes],
             "x": {"words": viewer.words, "unit": viewer.unit},
             "stage": viewer.stage,
@@ -351,7 +387,9 @@ def _samples_for_page(scene: ViewerScene) -> Whole:
     columns = max(_MOST_SAMPLES // (4 * max(len(curves), 1)), 500)
     index = np.arange(n, dtype=float)
     seen = [np.nan_to_num(values) for values in curves]
-    return np.unique(np.concatenate([thin(index, y, 0.0, n - 1.0, columns)[0] for y in seen]).astype(int))
+    return np.unique(
+        np.concatenate([thin(index, y, 0.0, n - 1.0, columns)[0] for y in seen]).astype(int)
+    )
 
 
 def mechanism_data(posed: PosedRig, add: Callable[[Array], int] | None = None) -> dict[str, Any]:
@@ -370,7 +408,9 @@ def mechanism_data(posed: PosedRig, add: Callable[[Array], int] | None = None) -
         "onBody": [name in drawing.on_body for name in names],
         "feet": [index[name] for name in MIDDLE.values() if name in index],
         "points": [placed(poses.points[name][order]) for name in names],
-        "spin": add(poses.spin_axis[order]) if add else np.round(poses.spin_axis[order], 5).tolist(),
+        "spin": add(poses.spin_axis[order])
+        if add
+        else np.round(poses.spin_axis[order], 5).tolist(),
         "contact": placed(poses.contact[order]),
         "parts": [
             {
@@ -383,7 +423,10 @@ def mechanism_data(posed: PosedRig, add: Callable[[Array], int] | None = None) -
             }
             for part in parts
         ],
-        "brackets": [[index[b.point], index[b.first], index[b.second], round(b.share, 4), b.colour] for b in brackets],
+        "brackets": [
+            [index[b.point], index[b.first], index[b.second], round(b.share, 4), b.colour]
+            for b in brackets
+        ],
         "strut": {
             "spring": drawing.spring and [index[name] for name in drawing.spring],
             "damper": drawing.damper and [index[name] for name in drawing.damper],
@@ -392,7 +435,9 @@ def mechanism_data(posed: PosedRig, add: Callable[[Array], int] | None = None) -
             "coils": COILS,
             "colour": drawing.strut_colour,
         },
-        "axis": None if drawing.steering_axis is None else [index[name] for name in drawing.steering_axis],
+        "axis": None
+        if drawing.steering_axis is None
+        else [index[name] for name in drawing.steering_axis],
         "wheel": {
             "centre": index["wheel_centre"],
             "radius": _mm(np.array(drawing.undeformed_radius if posed.rolls else drawing.radius)),

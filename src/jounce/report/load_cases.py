@@ -21,7 +21,9 @@ if TYPE_CHECKING:
     from jounce.parts.corners import Corner
 
 
-def load_cases_page(rig: Corner, loads: xr.Dataset, findings: Sequence[Finding], *, title: str) -> Page:
+def load_cases_page(
+    rig: Corner, loads: xr.Dataset, findings: Sequence[Finding], *, title: str
+) -> Page:
     """Put load cases on a page: every force by case and wheel, then each case drawn.
 
     Parameters
@@ -54,7 +56,10 @@ def load_cases_page(rig: Corner, loads: xr.Dataset, findings: Sequence[Finding],
     cases = [str(name) for name in loads["case"].to_numpy()]
     names = [str(name) for name in loads.data_vars]
     points = [name[:-3] for name in names if name.endswith(".fx")]
-    sizes = {point: np.sqrt(sum(loads[f"{point}.f{axis}"].to_numpy() ** 2 for axis in "xyz")) for point in points}
+    sizes = {
+        point: np.sqrt(sum(loads[f"{point}.f{axis}"].to_numpy() ** 2 for axis in "xyz"))
+        for point in points
+    }
     wheels = _table("Loads and travel of the wheels", cases, loads, {
         name.replace("_", " "): (loads[name].to_numpy(), str(loads[name].attrs["units"]))
         for name in ("vertical_force", "lateral_force", "longitudinal_force", "wheel_travel")
@@ -81,7 +86,10 @@ def _draw_case(rig: Corner, loads: xr.Dataset, case: str) -> Subsection:
     from jounce.plots.mechanisms.load_cases import load_case
 
     words = "Forces of the road on the wheels (red) and of the suspension on the body (blue), front and top view."
-    return Subsection(case[:1].upper() + case[1:], (Picture(load_case(rig, loads, case), slug(case), words, words),))
+    return Subsection(
+        case[:1].upper() + case[1:],
+        (Picture(load_case(rig, loads, case), slug(case), words, words),),
+    )
 
 
 def _table(

@@ -50,7 +50,11 @@ def curve_blocks(*runs: Any, **options: Any) -> tuple[Block, ...]:
 
 
 def modes_page(
-    modes: Sequence[Mode], equilibrium: Mapping[str, float], findings: Sequence[Finding] = (), *, title: str
+    modes: Sequence[Mode],
+    equilibrium: Mapping[str, float],
+    findings: Sequence[Finding] = (),
+    *,
+    title: str,
 ) -> Page:
     """Put the oscillating modes of a rig and its static equilibrium on a page.
 
@@ -83,11 +87,25 @@ def modes_page(
     else:
         names = list(modes[0].shape)
         rows = tuple(
-            (str(k), number(m.frequency_hz), number(m.damped_frequency_hz), number(m.damping_ratio, 3), _largest(m))
+            (
+                str(k),
+                number(m.frequency_hz),
+                number(m.damped_frequency_hz),
+                number(m.damping_ratio, 3),
+                _largest(m),
+            )
             for k, m in enumerate(modes, 1)
         )
-        header = ("mode", "natural frequency [Hz]", "damped [Hz]", "damping ratio [–]", "moves most")
-        shapes = tuple((name, *(number(abs(complex(*m.shape[name])), 3) for m in modes)) for name in names)
+        header = (
+            "mode",
+            "natural frequency [Hz]",
+            "damped [Hz]",
+            "damping ratio [–]",
+            "moves most",
+        )
+        shapes = tuple(
+            (name, *(number(abs(complex(*m.shape[name])), 3) for m in modes)) for name in names
+        )
         words = "Shape of each mode: motion of every coordinate relative to the largest."
         answer = (
             PageTable("Modes by rising natural frequency", header, rows, "lrrrl"),
@@ -117,7 +135,9 @@ def _at_rest(name: str, value: float) -> tuple[str, str]:
     if si == "SI":
         return si, number(value)
     unit = display_unit(si, value)
-    return unit.name or "–", number(0.0 if abs(value) < SMALLEST.get(si, _ROUNDING) else value * unit.factor)
+    return unit.name or "–", number(
+        0.0 if abs(value) < SMALLEST.get(si, _ROUNDING) else value * unit.factor
+    )
 
 
 def _largest(mode: Mode) -> str:
@@ -164,10 +184,20 @@ def roughness_page(
 
     worst = max(roughness.segments, key=lambda part: part.iri_m_per_km, default=None)
     facts = [
-        Fact("IRI of the whole profile", iri(roughness.iri_m_per_km), f"over {along(roughness.end - roughness.start)}")
+        Fact(
+            "IRI of the whole profile",
+            iri(roughness.iri_m_per_km),
+            f"over {along(roughness.end - roughness.start)}",
+        )
     ]
     if worst is not None and len(roughness.segments) > 1:
-        facts.append(Fact("roughest segment", iri(worst.iri_m_per_km), f"{along(worst.start)} to {along(worst.end)}"))
+        facts.append(
+            Fact(
+                "roughest segment",
+                iri(worst.iri_m_per_km),
+                f"{along(worst.start)} to {along(worst.end)}",
+            )
+        )
     rows = tuple(
         (
             f"{length.factor * part.start:g}",
@@ -177,7 +207,9 @@ def roughness_page(
         )
         for part in roughness.segments
     )
-    segments = PageTable("Segments", (length.label("from"), length.label("to"), index.label("IRI"), ""), rows, "rrrl")
+    segments = PageTable(
+        "Segments", (length.label("from"), length.label("to"), index.label("IRI"), ""), rows, "rrrl"
+    )
     note = f"Samples every {roughness.spacing:g} m, slopes over {roughness.base:g} m."
 
     def profile() -> xr.Dataset:
@@ -185,10 +217,16 @@ def roughness_page(
 
         steps = np.full(len(distance), np.nan)
         for part in roughness.segments:
-            steps[(distance >= part.start - 1e-9) & (distance <= part.end + 1e-9)] = part.iri_m_per_km
+            steps[(distance >= part.start - 1e-9) & (distance <= part.end + 1e-9)] = (
+                part.iri_m_per_km
+            )
         return xr.Dataset(
             {
-                "height": ("distance", height, {"units": "m", "long_name": "height of the profile"}),
+                "height": (
+                    "distance",
+                    height,
+                    {"units": "m", "long_name": "height of the profile"},
+                ),
                 "iri": ("distance", steps, {"units": "m/km", "long_name": "IRI of the segment"}),
             },
             {"distance": ("distance", distance, {"units": "m"})},
@@ -196,16 +234,23 @@ def roughness_page(
 
     answer: list[Block] = [Facts(tuple(facts)), segments, Paragraph(note, "muted")]
     answer += findings_blocks(findings)
-    curves = Section("Profile", lambda: curve_blocks({"": {"profile": profile()}}, ["height", "iri"], title=title))
+    curves = Section(
+        "Profile",
+        lambda: curve_blocks({"": {"profile": profile()}}, ["height", "iri"], title=title),
+    )
     return Page(title, (Section("Answer", tuple(answer)), curves), "International roughness index")
 
 
 def profile_page(profile: ProfileRoughness, *, title: str) -> Page:
     """Put a profile of a file with its roughness on a page, as :func:`roughness_page` does."""
-    return roughness_page(profile.roughness, profile.distance, profile.height, profile.findings, title=title)
+    return roughness_page(
+        profile.roughness, profile.distance, profile.height, profile.findings, title=title
+    )
 
 
-def model_comparison_page(comparison: ModelComparison, *, title: str, rig: Rig | None = None) -> Page:
+def model_comparison_page(
+    comparison: ModelComparison, *, title: str, rig: Rig | None = None
+) -> Page:
     """Put a 3-D rig and its lumped model side by side on a page: what differs and why, in trials, and over travel.
 
     Parameters
@@ -227,9 +272,14 @@ def model_comparison_page(comparison: ModelComparison, *, title: str, rig: Rig |
     for row in comparison.rows:
         values = [value for value in (row.spatial, row.lumped) if value is not None]
         unit = display_unit(row.unit, max(map(abs, values), default=0.0))
-        cells = (number(None if value is None else value * unit.factor) for value in (row.spatial, row.lumped))
+        cells = (
+            number(None if value is None else value * unit.factor)
+            for value in (row.spatial, row.lumped)
+        )
         rows.append((row.quantity, unit.name or "–", *cells, as_printed(row.why)))
-    about_rest = PageTable("About rest", ("quantity", "unit", "3-D", "lumped", "reason"), tuple(rows), "llrrl")
+    about_rest = PageTable(
+        "About rest", ("quantity", "unit", "3-D", "lumped", "reason"), tuple(rows), "llrrl"
+    )
     peaks = []
     for peak in comparison.peaks:
         unit = display_unit(peak.unit, peak.spatial)

@@ -91,7 +91,9 @@ def table_of(caption: str, columns: Sequence[TableColumn], note: str = "") -> Pa
     written = [_write_column(column) for column in columns]
     header = tuple(label for label, _ in written)
     rows = tuple(zip(*(cells for _, cells in written), strict=True))
-    return PageTable(caption, header, rows, "".join("r" if column.unit else "l" for column in columns), note)
+    return PageTable(
+        caption, header, rows, "".join("r" if column.unit else "l" for column in columns), note
+    )
 
 
 def quantity_table(caption: str, rows: Sequence[tuple[str, float | None, str]]) -> PageTable:
@@ -103,20 +105,26 @@ def quantity_table(caption: str, rows: Sequence[tuple[str, float | None, str]]) 
     cells = []
     for label, value, si in rows:
         unit = display_unit(si, abs(value or 0.0))
-        cells.append((label, number(None if value is None else value * unit.factor), unit.name or "–"))
+        cells.append(
+            (label, number(None if value is None else value * unit.factor), unit.name or "–")
+        )
     return PageTable(caption, ("quantity", "value", "unit"), tuple(cells), "lrl")
 
 
 def as_table(table: TextTable, note: str = "") -> PageTable:
     """Take a table of a result over into a page."""
     sides = "".join("l" if k in table.texts else "r" for k in range(len(table.header)))
-    return PageTable(table.title, tuple(table.header), tuple(tuple(row) for row in table.rows), sides, note)
+    return PageTable(
+        table.title, tuple(table.header), tuple(tuple(row) for row in table.rows), sides, note
+    )
 
 
 def _write_column(column: TableColumn) -> tuple[str, list[Cell | str]]:
     """Write the label and the cells of a column."""
     if not column.unit:
-        return column.label, [value if isinstance(value, Cell) else str(value) for value in column.values]
+        return column.label, [
+            value if isinstance(value, Cell) else str(value) for value in column.values
+        ]
     numbers = [value for value in column.values if isinstance(value, float)]
     unit = display_unit(column.unit, max(map(abs, numbers), default=0.0))
     cells = [
@@ -192,7 +200,8 @@ class Details:
 
 
 Block: TypeAlias = (
-    "Paragraph | Bullets | PageTable | Picture | Chart | Viewer | Facts | Findings | Details | Subsection"
+    "Paragraph | Bullets | PageTable | Picture | Chart | Viewer | Facts | Findings | "
+    "Details | Subsection"
 )
 
 
@@ -274,7 +283,9 @@ class Page:
             yield from blocks_in(section.blocks)
 
 
-def sections_of(parts: Mapping[str, Callable[[], Section]]) -> tuple[tuple[Section, ...], tuple[Finding, ...]]:
+def sections_of(
+    parts: Mapping[str, Callable[[], Section]],
+) -> tuple[tuple[Section, ...], tuple[Finding, ...]]:
     """Draw sections by title, and say which could not be: a page without one of them is better than none."""
     sections, missing = [], []
     for title, draw in parts.items():
@@ -364,7 +375,11 @@ def group_findings(findings: Findings) -> list[tuple[str, str, list[tuple[str, s
     shown = list(messages.items())[: findings.most]
     result = []
     for severity, heading in _SEVERITIES.items():
-        rows = [(listed_places(places), as_printed(message)) for (kind, message), places in shown if kind == severity]
+        rows = [
+            (listed_places(places), as_printed(message))
+            for (kind, message), places in shown
+            if kind == severity
+        ]
         if rows:
             result.append((severity, heading, rows))
     return result

@@ -11,9 +11,25 @@ from jounce.papers.audi_a6_exciter import EccentricExciter, Range
 from jounce.papers.audi_a6_paper import FREQUENCY, LOAD, POWER, Erratum
 from jounce.papers.proving_ground import FIGURES, LAW, SHOWN_SPEED, ProvingGround
 from jounce.plots import damper_loops, road_profile, sweep, time_history
-from jounce.plots.audi_a6 import case_curve, case_overview, exciter_spring, exciter_torque_curve, start_up_transient
+from jounce.plots.audi_a6 import (
+    case_curve,
+    case_overview,
+    exciter_spring,
+    exciter_torque_curve,
+    start_up_transient,
+)
 from jounce.plots.display import number, percent, quantity
-from jounce.report.page import Block, Fact, Facts, Findings, Page, PageTable, Paragraph, Picture, Section
+from jounce.report.page import (
+    Block,
+    Fact,
+    Facts,
+    Findings,
+    Page,
+    PageTable,
+    Paragraph,
+    Picture,
+    Section,
+)
 from jounce.report.recordings import curve_blocks
 from jounce.report.render import curve_files
 
@@ -71,7 +87,9 @@ def proving_ground_page(study: ProvingGround) -> Page:
 
 def _ride_summary(study: ProvingGround) -> Section:
     facts = tuple(_headline(study, str(name)) for name in study.figures["damper"].to_numpy())
-    return Section("Summary", (Paragraph(_ABOUT_PROVING_GROUND), Facts(facts), Paragraph(_LIMITS, "muted")))
+    return Section(
+        "Summary", (Paragraph(_ABOUT_PROVING_GROUND), Facts(facts), Paragraph(_LIMITS, "muted"))
+    )
 
 
 def _headline(study: ProvingGround, damper: str) -> Fact:
@@ -118,15 +136,24 @@ def _damper(study: ProvingGround) -> Section:
     for damper in study.dampers:
         curve = damper.curves[LAW]
         fits = {law: curve.fitted for law, curve in damper.curves.items() if law != "bouc-wen"}
-        figure = partial(damper_loops, curve.displacement, curve.velocity, curve.measured, fits, damper.name)
+        figure = partial(
+            damper_loops, curve.displacement, curve.velocity, curve.measured, fits, damper.name
+        )
         words = f"Damper at {damper.name}: force against velocity and displacement, measured and fitted."
-        blocks.append(Picture(figure, f"damper-{damper.name.replace(' ', '').replace('.', '')}", words, words))
+        blocks.append(
+            Picture(figure, f"damper-{damper.name.replace(' ', '').replace('.', '')}", words, words)
+        )
     return Section("Measured damper", tuple(blocks))
 
 
 def _quarter_car(study: ProvingGround) -> Section:
     rows = tuple(
-        (item.name, quantity(item.value, item.unit), "estimated" if item.is_estimated else "", item.origin)
+        (
+            item.name,
+            quantity(item.value, item.unit),
+            "estimated" if item.is_estimated else "",
+            item.origin,
+        )
         for item in study.derived
     )
     parameters = tuple(
@@ -146,12 +173,19 @@ def _quarter_car(study: ProvingGround) -> Section:
                 "lrll",
             ),
             Paragraph(_TRANSFORM),
-            Picture(partial(sweep, study.damping, along="amplitude"), "damping-ratio", words, words),
+            Picture(
+                partial(sweep, study.damping, along="amplitude"), "damping-ratio", words, words
+            ),
             Paragraph(
                 "A damper whose force hardly rises with velocity damps small motions strongly and large ones weakly: "
                 "a damping ratio holds at one amplitude only."
             ),
-            PageTable("Dampers referred to the wheel.", ("damper", "parameter", "value (SI)"), parameters, "llr"),
+            PageTable(
+                "Dampers referred to the wheel.",
+                ("damper", "parameter", "value (SI)"),
+                parameters,
+                "llr",
+            ),
         ),
     )
 
@@ -160,13 +194,19 @@ def _course(study: ProvingGround) -> Section:
     words = "Height of the course against distance, as measured and averaged over the tyre's contact patch."
     point = quantity(study.point_contact, "m/s^2", 3)
     first = str(study.figures["damper"].to_numpy()[0])
-    averaged = study.figures["body_acceleration"].sel(damper=first).sel(speed=SHOWN_SPEED, method="nearest")
+    averaged = (
+        study.figures["body_acceleration"]
+        .sel(damper=first)
+        .sel(speed=SHOWN_SPEED, method="nearest")
+    )
     text = (
         f"{_ENVELOPE} For {first} at {3.6 * SHOWN_SPEED:.0f} km/h the r.m.s. body acceleration is "
         f"{quantity(float(averaged), 'm/s^2', 3)}; a point contact would give {point} (both without stops, "
         f"{percent(_travel_used(study, first, SHOWN_SPEED), 0)} of the travel used)."
     )
-    return Section("Course", (Picture(road_profile(study.courses), "course", words, words), Paragraph(text)))
+    return Section(
+        "Course", (Picture(road_profile(study.courses), "course", words, words), Paragraph(text))
+    )
 
 
 def _ride(study: ProvingGround) -> Section:
@@ -183,7 +223,10 @@ def _ride(study: ProvingGround) -> Section:
     rows = tuple(
         (
             f"{words_}, {damper}",
-            *(quantity(float(study.figures[key].sel(damper=damper, speed=speed)), unit, 3) for speed in speeds),
+            *(
+                quantity(float(study.figures[key].sel(damper=damper, speed=speed)), unit, 3)
+                for speed in speeds
+            ),
         )
         for key, (unit, words_) in FIGURES.items()
         for damper in study.figures["damper"].to_numpy()
@@ -218,9 +261,16 @@ def _signals(study: ProvingGround) -> Section:
         file = f"signals-{name.replace(' ', '-').replace('.', '')}"
         pictures.append(Picture(time_history(part, channels), file, words, words))
     blocks = curve_blocks(
-        {"": study.runs}, channels, title="Time histories", name="signals", window=(20.0, 32.0), figures=pictures
+        {"": study.runs},
+        channels,
+        title="Time histories",
+        name="signals",
+        window=(20.0, 32.0),
+        figures=pictures,
     )
-    return Section("Time histories", (Paragraph(f"Driven at {3.6 * SHOWN_SPEED:.0f} km/h."), *blocks))
+    return Section(
+        "Time histories", (Paragraph(f"Driven at {3.6 * SHOWN_SPEED:.0f} km/h."), *blocks)
+    )
 
 
 _ABOUT_CASES = (
@@ -235,18 +285,25 @@ _VARIANTS = (
     f"steps to raised-cosine ramps of {RAMP:g} m (estimated)."
 )
 _SIGNS = "Bounce z (up) and pitch θ (nose down) are changes from static equilibrium. Windows include both ends."
-_SAME = "The paper's figures are scope screens without numerical values; these curves reproduce them."
+_SAME = (
+    "The paper's figures are scope screens without numerical values; these curves reproduce them."
+)
 
 
 def audi_case_files(study: AudiCase) -> dict[str, str | bytes]:
     """Give what a case computed as files, name to content: numbers, and the curves of each run."""
     named = ((f"{run.variant}-{abs(run.moment):.0f}Nm", run.signals) for run in study.runs)
-    return {"results.json": to_json(study.to_dict()), **dict(file for curves in named for file in curve_files(*curves))}
+    return {
+        "results.json": to_json(study.to_dict()),
+        **dict(file for curves in named for file in curve_files(*curves)),
+    }
 
 
 def audi_case_summary(study: AudiCase) -> Page:
     """Put what a case found on a page, without its curves."""
-    return Page(_title_of(study), (_summary(study), _windows(study), _statics(study), *_ending(study)))
+    return Page(
+        _title_of(study), (_summary(study), _windows(study), _statics(study), *_ending(study))
+    )
 
 
 def _title_of(study: AudiCase) -> str:
@@ -262,7 +319,14 @@ def audi_case_page(study: AudiCase) -> Page:
     """Put a case's page together; nothing is computed here."""
     return Page(
         _title_of(study),
-        (_summary(study), _windows(study), _case_curves(study), _statics(study), _demo(study), *_ending(study)),
+        (
+            _summary(study),
+            _windows(study),
+            _case_curves(study),
+            _statics(study),
+            _demo(study),
+            *_ending(study),
+        ),
         subtitle="Half car of the suspension-system paper, section 5",
         files=tuple(audi_case_files(study).items()),
     )
@@ -270,10 +334,16 @@ def audi_case_page(study: AudiCase) -> Page:
 
 def errata_table(errata: tuple[Erratum, ...]) -> PageTable:
     """Table of what the paper prints, what is correct, and how one can tell."""
-    rows = tuple((erratum.place, erratum.printed, erratum.correct, erratum.why) for erratum in errata)
+    rows = tuple(
+        (erratum.place, erratum.printed, erratum.correct, erratum.why) for erratum in errata
+    )
     note = "Every number is computed from the paper's tables; results.json holds them in SI."
     return PageTable(
-        "Statements of the paper that need correction.", ("place", "printed", "correct", "reason"), rows, "llll", note
+        "Statements of the paper that need correction.",
+        ("place", "printed", "correct", "reason"),
+        rows,
+        "llll",
+        note,
     )
 
 
@@ -287,7 +357,13 @@ def _summary(study: AudiCase) -> Section:
             furthest = max(window.min, window.max, key=abs)
             facts.append(Fact("body bounce", quantity(furthest, "m", 4), note))
     return Section(
-        "Summary", (Paragraph(_ABOUT_CASES), Facts(tuple(facts)), Paragraph(_VARIANTS), Paragraph(_SIGNS, "muted"))
+        "Summary",
+        (
+            Paragraph(_ABOUT_CASES),
+            Facts(tuple(facts)),
+            Paragraph(_VARIANTS),
+            Paragraph(_SIGNS, "muted"),
+        ),
     )
 
 
@@ -299,7 +375,11 @@ def _windows(study: AudiCase) -> Section:
     header = ("variant, window", *(text for name in names for text in (name, "at [s]")))
     for moment in dict.fromkeys(run.moment for run in study.runs):
         rows = tuple(
-            (f"{run.variant}, {z.start:g}–{z.end:g} s", *_extremes(z, length.factor), *_extremes(theta, 1e3))
+            (
+                f"{run.variant}, {z.start:g}–{z.end:g} s",
+                *_extremes(z, length.factor),
+                *_extremes(theta, 1e3),
+            )
             for run in study.runs
             if run.moment == moment
             for z, theta in zip(run.outputs["z"], run.outputs["theta"], strict=True)
@@ -316,7 +396,10 @@ def _windows(study: AudiCase) -> Section:
         for run in study.runs
     )
     heads = ("variant, moment", "largest body acceleration, 6–8 s", "least force on a wheel")
-    return Section("Windows", (*tables, PageTable("Peak acceleration and least wheel force.", heads, peaks, "lrr")))
+    return Section(
+        "Windows",
+        (*tables, PageTable("Peak acceleration and least wheel force.", heads, peaks, "lrr")),
+    )
 
 
 def _extremes(window: Window, factor: float) -> tuple[str, str, str, str]:
@@ -352,7 +435,10 @@ def _case_curves(study: AudiCase) -> Section:
         }
         for moment in moments
     }
-    return Section("Curves", (Paragraph(_SAME), *curve_blocks(groups, list(titles), title="Curves", figures=pictures)))
+    return Section(
+        "Curves",
+        (Paragraph(_SAME), *curve_blocks(groups, list(titles), title="Curves", figures=pictures)),
+    )
 
 
 def _statics(study: AudiCase) -> Section:
@@ -386,7 +472,10 @@ def _statics(study: AudiCase) -> Section:
         (
             Paragraph(text),
             PageTable(
-                "Axle loads in equilibrium.", ("axle", "force", "per wheel", "compression of a spring"), axles, "lrrr"
+                "Axle loads in equilibrium.",
+                ("axle", "force", "per wheel", "compression of a spring"),
+                axles,
+                "lrrr",
             ),
             PageTable("Modes; the last two columns are their shapes.", names, modes, "rrrrr"),
         ),
@@ -410,7 +499,10 @@ def _demo(study: AudiCase) -> Section:
     )
     rows = tuple(
         (name, *(_eigenvalue(*value) for value in values))
-        for name, values in (("as printed", printed.eigenvalues), ("correct", printed.correct_eigenvalues))
+        for name, values in (
+            ("as printed", printed.eigenvalues),
+            ("correct", printed.correct_eigenvalues),
+        )
     )
     return Section(
         "Initial state of the demo, and the printed sign",
@@ -424,7 +516,11 @@ def _demo(study: AudiCase) -> Section:
 
 
 def _eigenvalue(real: float, imaginary: float) -> str:
-    text = f"{real:+.4f}" if imaginary == 0.0 else f"{real:+.4f} {'+' if imaginary > 0 else '-'} {abs(imaginary):.4f} i"
+    text = (
+        f"{real:+.4f}"
+        if imaginary == 0.0
+        else f"{real:+.4f} {'+' if imaginary > 0 else '-'} {abs(imaginary):.4f} i"
+    )
     return text.replace("-", "−")
 
 
@@ -475,10 +571,18 @@ def exciter_page(study: EccentricExciter) -> Page:
 
 def _exciter_summary(study: EccentricExciter) -> Section:
     facts = tuple(
-        Fact(f"compression, {run.variant}", quantity(run.statics["compression"], "m", 5), "static, of all springs")
+        Fact(
+            f"compression, {run.variant}",
+            quantity(run.statics["compression"], "m", 5),
+            "static, of all springs",
+        )
         for run in study.runs
     )
-    torque = Fact("torque of eq. (5)", quantity(study.torque, "N*m", 4), f"the paper: {study.printed_torque:.1f} N·m")
+    torque = Fact(
+        "torque of eq. (5)",
+        quantity(study.torque, "N*m", 4),
+        f"the paper: {study.printed_torque:.1f} N·m",
+    )
     inputs = (
         f"Inputs of Table 1: load {LOAD:g} N, power {POWER:g} W, frequency {FREQUENCY:g} Hz, spring 38 N/mm with "
         "2 N·s/mm, tyre 300 N/mm with 1 N·s/mm. Estimated: amplitude "
@@ -486,13 +590,20 @@ def _exciter_summary(study: EccentricExciter) -> Section:
         f"{study.rig.unsprung.mass:g} kg."
     )
     return Section(
-        "Summary", (Paragraph(_ABOUT_EXCITER), Facts((*facts, torque)), Paragraph(_RUN), Paragraph(inputs, "muted"))
+        "Summary",
+        (
+            Paragraph(_ABOUT_EXCITER),
+            Facts((*facts, torque)),
+            Paragraph(_RUN),
+            Paragraph(inputs, "muted"),
+        ),
     )
 
 
 def _spring_curves(study: EccentricExciter) -> tuple[Block, ...]:
     words = (
-        "Plate position, spring length and spring force, starting from the uncompressed spring (figure 8 of the paper)."
+        "Plate position, spring length and spring force, starting from the uncompressed "
+        "spring (figure 8 of the paper)."
     )
     return curve_blocks(
         {"": {run.variant: run.signals for run in study.runs}},
@@ -512,7 +623,13 @@ def _spring_table(study: EccentricExciter) -> tuple[Block, ...]:
         )
         for run in study.runs
     )
-    header = ("model", "static length", "length in steady motion", "force in steady motion", "shortest while loading")
+    header = (
+        "model",
+        "static length",
+        "length in steady motion",
+        "force in steady motion",
+        "shortest while loading",
+    )
     text = (
         "The paper reads 328.8 mm. Only the summed spring comes near it: its static length is "
         f"{quantity(study.runs[0].statics['spring_length'], 'm', 4)}. As the least compression in steady motion, "
@@ -532,7 +649,10 @@ def _linear(study: EccentricExciter) -> tuple[Block, ...]:
             quantity(run.statics["spring_compression"], "m", 5),
             quantity(run.statics["compression"], "m", 5),
             quantity(run.statics["contact_force"], "N", 5),
-            "; ".join(f"{number(mode.frequency_hz, 5)} Hz, ζ {number(mode.damping_ratio, 4)}" for mode in run.modes),
+            "; ".join(
+                f"{number(mode.frequency_hz, 5)} Hz, ζ {number(mode.damping_ratio, 4)}"
+                for mode in run.modes
+            ),
         )
         for run in study.runs
     )
@@ -596,7 +716,9 @@ def _drive(study: EccentricExciter) -> tuple[Block, ...]:
     header = ("model", "mean torque", "torque", "mean power", "heat in dampers")
     return (
         Picture(partial(exciter_torque_curve, study), "torque", words, words),
-        PageTable("Torque and power required of the drive in steady motion.", header, rows, "lrrrr"),
+        PageTable(
+            "Torque and power required of the drive in steady motion.", header, rows, "lrrrr"
+        ),
         Paragraph(text),
     )
 

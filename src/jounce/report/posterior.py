@@ -72,10 +72,18 @@ def posterior_page(posterior: Posterior, *, title: str, synthetic: str = "") -> 
         "Answer": lambda: Section("Answer", _answer(posterior)),
         "Draws": lambda: Section(
             "Draws",
-            (Picture(posterior_draws(posterior), "draws", _DRAWS[posterior.counted], _DRAWS[posterior.counted]),),
+            (
+                Picture(
+                    posterior_draws(posterior),
+                    "draws",
+                    _DRAWS[posterior.counted],
+                    _DRAWS[posterior.counted],
+                ),
+            ),
         ),
         "Profile likelihood": lambda: Section(
-            "Profile likelihood", (Picture(profile_likelihood(posterior), "profiles", _PROFILES, _PROFILES),)
+            "Profile likelihood",
+            (Picture(profile_likelihood(posterior), "profiles", _PROFILES, _PROFILES),),
         ),
     }
     if posterior.predictions:
@@ -101,7 +109,9 @@ def campaign_posterior_summary(answer: CampaignPosterior, *, title: str) -> Page
 def posterior_summary(posterior: Posterior, *, title: str) -> Page:
     """Put a posterior on a page without its figures; ``title`` names what was fitted."""
     blocks = (*_answer(posterior), *(_bands(posterior) if posterior.predictions else ()))
-    return Page(title, (Section("Answer", blocks),), f"Posterior of {posterior.name}; {posterior.counted}")
+    return Page(
+        title, (Section("Answer", blocks),), f"Posterior of {posterior.name}; {posterior.counted}"
+    )
 
 
 def _answer(posterior: Posterior) -> tuple[Block, ...]:
@@ -109,7 +119,8 @@ def _answer(posterior: Posterior) -> tuple[Block, ...]:
 
     worst = max(parameter.convergence.r_hat for parameter in posterior.parameters.values())
     least = min(
-        min(parameter.convergence.bulk, parameter.convergence.tail) for parameter in posterior.parameters.values()
+        min(parameter.convergence.bulk, parameter.convergence.tail)
+        for parameter in posterior.parameters.values()
     )
     facts = (
         Fact("Counted", posterior.counted, ""),
@@ -125,7 +136,9 @@ def _answer(posterior: Posterior) -> tuple[Block, ...]:
     )  # fmt: skip
     rows = []
     for path, parameter in posterior.parameters.items():
-        unit = display_unit(parameter.unit or "1", max(abs(parameter.interval[0]), abs(parameter.interval[1])))
+        unit = display_unit(
+            parameter.unit or "1", max(abs(parameter.interval[0]), abs(parameter.interval[1]))
+        )
 
         def ends(pair: tuple[float, float] | None, factor: float = unit.factor) -> str:
             return "–" if pair is None else " to ".join(number(end * factor) for end in pair)
@@ -137,11 +150,19 @@ def _answer(posterior: Posterior) -> tuple[Block, ...]:
             ends(parameter.likelihood),
         )
         rows.append(
-            (path, unit.name or "–", *shown, f"{parameter.convergence.r_hat:.3f}", f"{parameter.convergence.bulk:.0f}")
+            (
+                path,
+                unit.name or "–",
+                *shown,
+                f"{parameter.convergence.r_hat:.3f}",
+                f"{parameter.convergence.bulk:.0f}",
+            )
         )
     intervals = ("95 % of draws", "Gaussian", "profile likelihood")
     header = ("parameter", "unit", "value", *intervals, "R-hat", "effective draws")
-    table = PageTable("What is known of each parameter", header, tuple(rows), "llrrrrrr", _note(posterior))
+    table = PageTable(
+        "What is known of each parameter", header, tuple(rows), "llrrrrrr", _note(posterior)
+    )
     blocks: list[Block] = [Paragraph(_COUNTED[posterior.counted]), Facts(facts), table]
     blocks += findings_blocks(posterior.findings)
     return tuple(blocks)
@@ -161,7 +182,14 @@ def _bands(posterior: Posterior) -> tuple[Block, ...]:
     for trial, channels in posterior.predictions.items():
         for channel, band in channels.items():
             share = f"{100.0 * band.inside:.0f} %"
-            inside = Cell(share, "good" if band.inside >= _INSIDE else "fair" if band.inside >= _FEW_INSIDE else "bad")
+            inside = Cell(
+                share,
+                "good"
+                if band.inside >= _INSIDE
+                else "fair"
+                if band.inside >= _FEW_INSIDE
+                else "bad",
+            )
             rows.append((trial, "fitted" if band.is_fitted else "held out", channel, inside))
     header = ("trial", "use", "channel", "samples in the 95 % band")
     return (PageTable("How much of every recording lies in its band", header, tuple(rows), "lllr"),)
@@ -194,7 +222,9 @@ def next_trials_page(ranking: NextTrials, *, title: str) -> Page:
     shown = ranking.candidates[:_MOST_TRIALS]
     errors = [
         TableColumn(
-            f"± {path}", [now, *(candidate.standard_errors[path] for candidate in shown)], ranking.units[path] or "1"
+            f"± {path}",
+            [now, *(candidate.standard_errors[path] for candidate in shown)],
+            ranking.units[path] or "1",
         )
         for path, now in ranking.now.items()
     ]
@@ -202,9 +232,14 @@ def next_trials_page(ranking: NextTrials, *, title: str) -> Page:
     gains = TableColumn("gain [nat]", [None, *(candidate.gain for candidate in shown)], "1")
     left = len(ranking.candidates) - len(shown)
     more = f"{left} more trials tell less; --json has all. " if left else ""
-    series = "one after the other: " + ", then ".join(candidate.name for candidate in ranking.series)
+    series = "one after the other: " + ", then ".join(
+        candidate.name for candidate in ranking.series
+    )
     caption = f"What the next trial would tell, {ranking.counted}"
-    blocks = (table_of(caption, [names, gains, *errors], f"{more}{series}"), Findings(ranking.findings))
+    blocks = (
+        table_of(caption, [names, gains, *errors], f"{more}{series}"),
+        Findings(ranking.findings),
+    )
     return Page(title, (Section("Answer", blocks),), "Trials to run next")
 
 

@@ -19,7 +19,13 @@ from jounce.core.findings import DrawingError, not_drawn
 from jounce.core.serialise import to_json, to_plain
 from jounce.core.writing import Formats, check_writable, write_atomically
 from jounce.inspection.findings import sentence_of
-from jounce.inspection.grading import Difference, GradedInspection, VehicleGrade, WheelGrade, grade_vehicle
+from jounce.inspection.grading import (
+    Difference,
+    GradedInspection,
+    VehicleGrade,
+    WheelGrade,
+    grade_vehicle,
+)
 from jounce.inspection.limits import Criterion, Limits, VerdictBand
 from jounce.inspection.methods import METHODS, QUANTITIES, method_names
 from jounce.inspection.quantities import LANGUAGES, Language, WheelQuantity, with_decimal_sign
@@ -125,11 +131,15 @@ class _Page:
 
 
 def _write_pdf(page: _Page, file: Path) -> None:
-    file.write_bytes(protocol_pdf(page.vehicle, records=page.records, language=page.language, about=page.about))
+    file.write_bytes(
+        protocol_pdf(page.vehicle, records=page.records, language=page.language, about=page.about)
+    )
 
 
 def _write_html(page: _Page, file: Path) -> None:
-    text = protocol_html(page.vehicle, records=page.records, language=page.language, about=page.about)
+    text = protocol_html(
+        page.vehicle, records=page.records, language=page.language, about=page.about
+    )
     file.write_bytes(text.encode())
 
 
@@ -140,7 +150,11 @@ def facts_of(vehicle: VehicleGrade) -> dict[str, str]:
     """What the records say for the head of the page; texts of two records that differ are both given."""
     facts: dict[str, str] = {}
     for name in SAID:
-        texts = [str(axle.inspection.facts[name]) for axle in vehicle.axles if axle.inspection.facts.get(name)]
+        texts = [
+            str(axle.inspection.facts[name])
+            for axle in vehicle.axles
+            if axle.inspection.facts.get(name)
+        ]
         if texts:
             facts[name] = ", ".join(dict.fromkeys(texts))
     return facts
@@ -162,7 +176,9 @@ def protocol_html(
     about: Mapping[str, str] | None = None,
 ) -> str:
     """Give the protocol as one self-contained HTML text; arguments as in `write_protocol`."""
-    content = protocol_content(vehicle, _facts(vehicle, about), language=_language(language), software=_software())
+    content = protocol_content(
+        vehicle, _facts(vehicle, about), language=_language(language), software=_software()
+    )
     figures = _figures(vehicle, records, language)
     alternative = content["words"]["curves"]
     return fill_template(
@@ -170,19 +186,26 @@ def protocol_html(
         _viewers(vehicle, records or {}, content["words"]),
         c=content,
         svg=lambda axle: inline_svg(
-            figures[axle["figure"]], axle["figure"].removesuffix(".svg"), f"{alternative}, {axle['title']}"
+            figures[axle["figure"]],
+            axle["figure"].removesuffix(".svg"),
+            f"{alternative}, {axle['title']}",
         ),
     )
 
 
-def _viewers(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset], words: Mapping[str, str]) -> tuple[Viewer, ...]:
+def _viewers(
+    vehicle: VehicleGrade, records: Mapping[str, xr.Dataset], words: Mapping[str, str]
+) -> tuple[Viewer, ...]:
     """What was recorded of each axle over time, both wheels over each other, to be zoomed."""
     groups: dict[str, dict[str, xr.Dataset]] = {}
     for graded in vehicle.axles:
         record = records.get(graded.axle)
         if record is None:
             continue
-        sides = {side: [name for name in record.data_vars if str(name).startswith(f"{side}.plate.")] for side in _SIDES}
+        sides = {
+            side: [name for name in record.data_vars if str(name).startswith(f"{side}.plate.")]
+            for side in _SIDES
+        }
         wheels = {
             words[side]: _of_side(record[names], side)
             for side, names in sides.items()
@@ -252,14 +275,19 @@ def protocol_png(
 
 
 def _fit_on_page(
-    vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, language: Language, said: Mapping[str, str]
+    vehicle: VehicleGrade,
+    records: Mapping[str, xr.Dataset] | None,
+    language: Language,
+    said: Mapping[str, str],
 ) -> tuple[dict[str, bytes], tuple[int, int, int] | None]:
     """Files of the typst document with as many reasons and remarks as one page holds, and the day of the test."""
     figures = _figures(vehicle, records, language)
     fits, too_many = 0, _MOST + 1
     while True:
         most = (fits + too_many) // 2 if too_many <= _MOST else _MOST
-        content = protocol_content(vehicle, said, language=language, software=_software(), most=most)
+        content = protocol_content(
+            vehicle, said, language=language, software=_software(), most=most
+        )
         day = _day(content["date"])
         data = json.dumps(breakable({**content, "day": day}), ensure_ascii=False)
         files = {
@@ -277,7 +305,9 @@ def _fit_on_page(
             too_many = most
 
 
-def _figures(vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, language: Language) -> dict[str, bytes]:
+def _figures(
+    vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, language: Language
+) -> dict[str, bytes]:
     """Curves of each axle as SVG by file name."""
     files = {}
     for i, graded in enumerate(vehicle.axles):
@@ -337,19 +367,28 @@ Plain = dict[str, Any]
 @cache
 def words_in(language: Language) -> Mapping[str, str]:
     """Words of the protocol in a language."""
-    words: dict[str, dict[str, str]] = tomllib.loads((TEMPLATES / "protocol.toml").read_text(encoding="utf-8"))
+    words: dict[str, dict[str, str]] = tomllib.loads(
+        (TEMPLATES / "protocol.toml").read_text(encoding="utf-8")
+    )
     return words[language]
 
 
 def protocol_content(
-    vehicle: VehicleGrade, about: Mapping[str, str], *, language: Language = "en", software: str = "", most: int = 99
+    vehicle: VehicleGrade,
+    about: Mapping[str, str],
+    *,
+    language: Language = "en",
+    software: str = "",
+    most: int = 99,
 ) -> Plain:
     """Put the texts of a protocol together, with their tones (``green``, ``yellow``, ``orange``, ``red``, ``grey``).
 
     At most ``most`` reasons and remarks are shown; the rest is counted.
     """
     words = dict(words_in(language))
-    if current_units() != "metric":  # limits are in the units of the test methods, and so is what is held against them
+    if (
+        current_units() != "metric"
+    ):  # limits are in the units of the test methods, and so is what is held against them
         words["differences_note"] += f" {words['units_note']}"
     reasons, remarks = _reasons(vehicle, language), _remarks(vehicle, language)
     shown = reasons[:most]
@@ -361,14 +400,17 @@ def protocol_content(
         "words": words,
         "title": words["title"],
         "simulated": any(is_simulated(axle.inspection.facts) for axle in vehicle.axles),
-        "head": [{"label": words[name], "text": _head_text(name, about, language)} for name in HEAD],
+        "head": [
+            {"label": words[name], "text": _head_text(name, about, language)} for name in HEAD
+        ],
         "date": about.get("date", ""),
         "comment": {"label": words["comment"], "text": _head_text("comment", about, language)},
         "deciding": method_names(vehicle.axles[0].deciding) or "–",
         "verdict": _verdict(vehicle.verdict, language),
         "axles": [_axle(axle, i, language) for i, axle in enumerate(vehicle.axles)],
         "front_rear": _front_rear(vehicle, language),
-        "reasons": shown or [{"place": "", "text": words["fine"], "tone": "green"}][: vehicle.verdict == "pass"],
+        "reasons": shown
+        or [{"place": "", "text": words["fine"], "tone": "green"}][: vehicle.verdict == "pass"],
         "remarks": noted,
         "more": words["more"].format(count=left_out) if left_out else "",
         "sources": _sources(vehicle, limits, language),
@@ -378,7 +420,11 @@ def protocol_content(
 
 def _head_text(name: str, about: Mapping[str, str], language: Language) -> str:
     text = about.get(name, "")
-    german = re.fullmatch(r"(\d{4})-(\d\d)-(\d\d)", text) if name == "date" and language == "de" else None
+    german = (
+        re.fullmatch(r"(\d{4})-(\d\d)-(\d\d)", text)
+        if name == "date" and language == "de"
+        else None
+    )
     return f"{german[3]}.{german[2]}.{german[1]}" if german else shorten(text, _LONGEST_HEAD)
 
 
@@ -438,18 +484,26 @@ def _number(value: float, decimals: int, language: Language) -> str:
     return with_decimal_sign(f"{value:.{decimals}f}", language)
 
 
-def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], language: Language) -> list[Plain]:
+def _value_rows(
+    graded: GradedInspection, wheels: Mapping[str, WheelResult], language: Language
+) -> list[Plain]:
     rows = []
     for name, quantity in QUANTITIES.items():
         methods = {m: band for m, band in graded.limits.methods.items() if band.quantity == name}
         asked = set(methods) & {*graded.deciding, *graded.inspection.methods}
         if not asked and all(wheel.value(name) is None for wheel in wheels.values()):
             continue
-        if not asked and name == "theta_rig" and all(wheel.theta_rig == wheel.theta_road for wheel in wheels.values()):
+        if (
+            not asked
+            and name == "theta_rig"
+            and all(wheel.theta_rig == wheel.theta_road for wheel in wheels.values())
+        ):
             continue  # a rigid plate has no value of its own
         cells = [_value_cell(graded, wheels.get(side), quantity, language) for side in _SIDES]
         limiting = next(iter(methods.values()), None) or _condition(graded.limits, name)
-        difference = next((candidate for candidate in graded.differences if candidate.quantity == name), None)
+        difference = next(
+            (candidate for candidate in graded.differences if candidate.quantity == name), None
+        )
         decides = bool(set(methods) & set(graded.deciding))
         passing = _limit_text(limiting, language)
         apart = _gap_limit(graded.limits, name, language) if decides else ""
@@ -457,7 +511,11 @@ def _value_rows(graded: GradedInspection, wheels: Mapping[str, WheelResult], lan
         rows.append(
             {
                 "label": label,
-                "cells": [*cells, _gap_cell(difference, quantity, language, graded.limits), _cell(passing, apart)],
+                "cells": [
+                    *cells,
+                    _gap_cell(difference, quantity, language, graded.limits),
+                    _cell(passing, apart),
+                ],
                 "decides": decides,
             }
         )
@@ -479,7 +537,11 @@ def _value_cell(
     edges = criterion.edges() if criterion is not None else ()
     text = quantity.text(value, language, apart_from=edges)
     shown = "" if half is None or value is None else f"± {quantity.rounded_up(half, language)}"
-    if quantity.name == "phase_angle_min_deg" and value is not None and wheel.phase_frequency_hz is not None:
+    if (
+        quantity.name == "phase_angle_min_deg"
+        and value is not None
+        and wheel.phase_frequency_hz is not None
+    ):
         place = f"{words_in(language)['at']} {_number(wheel.phase_frequency_hz, 1, language)} Hz"
         shown = f"{shown} {place}".strip()
     if quantity.name == "adhesion" and wheel.lift_off and value is not None:
@@ -508,11 +570,16 @@ def _band_of(
 
 
 def _condition(limits: Limits, name: str) -> Criterion | None:
-    return next((condition for condition in limits.conditions.values() if condition.quantity == name), None)
+    return next(
+        (condition for condition in limits.conditions.values() if condition.quantity == name), None
+    )
 
 
 def _gap_cell(
-    difference: Difference | None, quantity: WheelQuantity, language: Language, limits: Limits | None = None
+    difference: Difference | None,
+    quantity: WheelQuantity,
+    language: Language,
+    limits: Limits | None = None,
 ) -> Plain:
     if difference is None:
         return _cell("–")
@@ -534,15 +601,27 @@ def _gap_cell(
 
 def _gap_limit(limits: Limits, name: str, language: Language) -> str:
     """How far apart two wheels may be by the limits that decide, e.g. ``Δ up to 12°``."""
-    between = (limit for limit in limits.differences.values() if (limit.quantity, limit.across) == (name, "wheels"))
+    between = (
+        limit
+        for limit in limits.differences.values()
+        if (limit.quantity, limit.across) == (name, "wheels")
+    )
     texts = [text for limit in between if (text := _limit_text(limit, language)) not in ("", "–")]
     return f"Δ {texts[0]}" if texts else ""
 
 
 def _limit_text(criterion: Criterion | None, language: Language) -> str:
     """Where a value passes, and where it fails if there is something between: ``from 45°, fail below 30°``."""
-    text, below = _passing(criterion, language), None if criterion is None else criterion.failing_below()
-    if criterion is None or not criterion.verified or below is None or below == criterion.passing_from():
+    text, below = (
+        _passing(criterion, language),
+        None if criterion is None else criterion.failing_below(),
+    )
+    if (
+        criterion is None
+        or not criterion.verified
+        or below is None
+        or below == criterion.passing_from()
+    ):
         return text
     words = f"{verdict_words('fail', language)} {'below' if language == 'en' else 'unter'}"
     return f"{text}, {words} {criterion.kind.limit_text(below, language)}"
@@ -557,7 +636,11 @@ def _passing(criterion: Criterion | None, language: Language) -> str:
         return "–"
     first, last = criterion.bands[passing[0]], criterion.bands[passing[-1]]
     start = criterion.kind.limit_text(first.start, language) if passing[0] > 0 else ""
-    end = criterion.kind.limit_text(last.end, language) if passing[-1] < len(criterion.bands) - 1 else ""
+    end = (
+        criterion.kind.limit_text(last.end, language)
+        if passing[-1] < len(criterion.bands) - 1
+        else ""
+    )
     since, up_to, to = ("from", "up to", "to") if language == "en" else ("ab", "bis", "bis")
     if start and end:
         return f"{start.removesuffix(criterion.kind.unit).strip()} {to} {end}"
@@ -597,14 +680,17 @@ def _reasons(vehicle: VehicleGrade, language: Language) -> list[Plain]:
         title = words_in(language).get(graded.axle, words_in(language)["axle"])
         for reason in graded.reasons:
             if reason.kind != "wheel" and _must_be_read(reason, graded):
-                reasons.setdefault(_reason_text(reason, graded, language), (reason, []))[1].append(title)
+                reasons.setdefault(_reason_text(reason, graded, language), (reason, []))[1].append(
+                    title
+                )
     for reason in vehicle.reasons:
         if reason.kind == "difference" and reason.verdict not in ("", "pass"):
             text = _reason_text(reason, vehicle.axles[0], language)
             reasons.setdefault(text, (reason, []))[1].append(words_in(language)["front_rear"])
     deciding = vehicle.axles[0].deciding
     listed = sorted(
-        reasons.items(), key=lambda item: (_is_information(item[1][0], deciding), _ORDER.get(item[1][0].verdict, 3))
+        reasons.items(),
+        key=lambda item: (_is_information(item[1][0], deciding), _ORDER.get(item[1][0].verdict, 3)),
     )
     return [
         {
@@ -618,7 +704,11 @@ def _reasons(vehicle: VehicleGrade, language: Language) -> list[Plain]:
 
 def _reason_text(reason: Reason, graded: GradedInspection, language: Language) -> str:
     text = reason.text(language, with_source=False)
-    return words_in(language)["information"] + text if _is_information(reason, graded.deciding) else _capital(text)
+    return (
+        words_in(language)["information"] + text
+        if _is_information(reason, graded.deciding)
+        else _capital(text)
+    )
 
 
 def _is_information(reason: Reason, deciding: Sequence[str]) -> bool:
@@ -629,7 +719,15 @@ def _is_information(reason: Reason, deciding: Sequence[str]) -> bool:
 def _must_be_read(reason: Reason, graded: GradedInspection) -> bool:
     if reason.kind in _EXPLAINING or reason.kind == "finding":
         return True
-    if reason.kind in ("missing", "outside", "unlimited", "unverified", "unreliable", "near", "over_range"):
+    if reason.kind in (
+        "missing",
+        "outside",
+        "unlimited",
+        "unverified",
+        "unreliable",
+        "near",
+        "over_range",
+    ):
         return reason.values.get("method") in graded.deciding
     return reason.verdict not in ("", "pass")
 
@@ -649,7 +747,11 @@ def _remarks(vehicle: VehicleGrade, language: Language) -> list[Plain]:
                         _places(graded, wheel.wheel, language)
                     )
     return [
-        {"place": _join_places(places, vehicle, language), "text": _capital(shorten(as_printed(text), 400)), "tone": ""}
+        {
+            "place": _join_places(places, vehicle, language),
+            "text": _capital(shorten(as_printed(text), 400)),
+            "tone": "",
+        }
         for text, places in remarks.items()
     ]
 
@@ -678,7 +780,11 @@ def _front_rear(vehicle: VehicleGrade, language: Language) -> list[Plain]:
 
 def _sources(vehicle: VehicleGrade, limits: Limits, language: Language) -> list[str]:
     """Where the limits that were used are from, one line for each method."""
-    used = [m for m in limits.methods if any(m in grade.bands for a in vehicle.axles for grade in a.grades)]
+    used = [
+        m
+        for m in limits.methods
+        if any(m in grade.bands for a in vehicle.axles for grade in a.grades)
+    ]
     lines, said = [], set[str]()
     for method in used:
         others = [*limits.conditions.values(), *limits.differences.values()]
@@ -690,7 +796,10 @@ def _sources(vehicle: VehicleGrade, limits: Limits, language: Language) -> list[
 
 
 def _foot(limits: Limits, about: Mapping[str, str], software: str, words: Mapping[str, str]) -> str:
-    parts = [software, f"{words['limits']}: {shorten(limits.label, 80)}, {shorten(limits.date, 40)}"]
+    parts = [
+        software,
+        f"{words['limits']}: {shorten(limits.label, 80)}, {shorten(limits.date, 40)}",
+    ]
     if about.get("record"):
         parts.append(f"{words['record']}: {shorten(about['record'], 140)}")
     return " · ".join(part for part in parts if part)

@@ -14,10 +14,26 @@ from jounce.core.errors import JounceError
 from jounce.core.findings import Finding
 from jounce.core.text import slug
 from jounce.core.types import Array
-from jounce.plots.comparison import apart, common_axis, common_channels, line_of, named_runs, through
+from jounce.plots.comparison import (
+    apart,
+    common_axis,
+    common_channels,
+    line_of,
+    named_runs,
+    through,
+)
 from jounce.plots.display import number, settle, words_of
 from jounce.report.chart import Chart
-from jounce.report.live import Curve, Motion, Pane, PosedRig, Viewer, ViewerScene, named_words, scene_panels
+from jounce.report.live import (
+    Curve,
+    Motion,
+    Pane,
+    PosedRig,
+    Viewer,
+    ViewerScene,
+    named_words,
+    scene_panels,
+)
 from jounce.report.page import Block, Details, Page, PageTable, Section, findings_blocks
 
 if TYPE_CHECKING:
@@ -93,7 +109,9 @@ def recordings_page(
     if others:
         answer.append(Details("All other channels", (_extremes(named, axis, unit, others, units),)))
     answer += findings_blocks(findings)
-    curves = Section("Curves", lambda: curve_blocks({"": named}, first, title=title, rig=rig, trial=trial))
+    curves = Section(
+        "Curves", lambda: curve_blocks({"": named}, first, title=title, rig=rig, trial=trial)
+    )
     sections = (Section("Extremes", tuple(answer)), curves)
     return Page(title or ", ".join(named), sections, subtitle)
 
@@ -131,7 +149,9 @@ def curve_blocks(
     tuple of Block
         The viewer, and the figures folded away.
     """
-    viewer = curve_viewer(groups, channels, title=title, name=name, rig=rig, trial=trial, window=window)
+    viewer = curve_viewer(
+        groups, channels, title=title, name=name, rig=rig, trial=trial, window=window
+    )
     if not figures:
         figures = [
             Chart(
@@ -144,7 +164,9 @@ def curve_blocks(
             for scene in viewer.scenes
         ]
     many = "figure" if len(figures) == 1 else "figures"
-    return viewer, Details(f"The same as {'a ' * (many == 'figure')}{many}", tuple(figures), is_still=True)
+    return viewer, Details(
+        f"The same as {'a ' * (many == 'figure')}{many}", tuple(figures), is_still=True
+    )
 
 
 def curve_viewer(
@@ -177,10 +199,16 @@ def curve_viewer(
         motion = _motion(next(iter(named.values())), axis, rig, trial)
         scene = _scene(named, axis, along, chosen, first, units, motion, roles, numbers)
         part = None if window is None else (window[0] * along.factor, window[1] * along.factor)
-        scenes.append(replace(scene, name=slug(label) if label else name, label=label or name, window=part))
+        scenes.append(
+            replace(scene, name=slug(label) if label else name, label=label or name, window=part)
+        )
         words, unit = axis.replace("_", " "), along.name
     shown = tuple((role, label, True) for label, role in roles.items())
-    caption = f"{left_out} more channels do not fit into a page; the recording holds them." if left_out else ""
+    caption = (
+        f"{left_out} more channels do not fit into a page; the recording holds them."
+        if left_out
+        else ""
+    )
     return Viewer(title, tuple(scenes), shown, caption, words, unit)
 
 
@@ -197,7 +225,9 @@ _LEAST_SAMPLES = 2000
 def _most_channels(named: Mapping[str, xr.Dataset], axis: str) -> int:
     """How many channels of these runs a page holds with ease, differences counted."""
     samples = max(data.sizes[axis] for data in named.values())
-    thinned = math.isqrt(_MOST_NUMBERS // _LEAST_SAMPLES)  # of long records each curve keeps so many samples for all
+    thinned = math.isqrt(
+        _MOST_NUMBERS // _LEAST_SAMPLES
+    )  # of long records each curve keeps so many samples for all
     return max(_MOST_NUMBERS // samples, thinned) // (2 * len(named) - 1)
 
 
@@ -209,8 +239,14 @@ def _channels(named: Mapping[str, xr.Dataset], axis: str, first: Sequence[str]) 
     channels = dict.fromkeys(first)
     for data in named.values():
         for name in data.data_vars:
-            values = data.variables[name]  # what stands on it: a data array of each takes as long as a sweep
-            is_curve = values.dims == (axis,) and values.dtype.kind in "fiu" and not str(name).endswith(_REACTIONS)
+            values = data.variables[
+                name
+            ]  # what stands on it: a data array of each takes as long as a sweep
+            is_curve = (
+                values.dims == (axis,)
+                and values.dtype.kind in "fiu"
+                and not str(name).endswith(_REACTIONS)
+            )
             if is_curve and not _is_place(str(name), data):
                 channels.setdefault(str(name))
     return list(channels)
@@ -232,8 +268,12 @@ def _axis_unit(data: xr.Dataset, axis: str) -> DisplayUnit:
 
 def _unit(named: Mapping[str, xr.Dataset], name: str) -> DisplayUnit:
     held = [data.variables[name] for data in named.values() if name in data]
-    largest = max(float(np.nanmax(np.abs(values.to_numpy().astype(float)), initial=0.0)) for values in held)
-    return display_unit(str(held[0].attrs.get("units", "1")), largest if np.isfinite(largest) else 0.0)
+    largest = max(
+        float(np.nanmax(np.abs(values.to_numpy().astype(float)), initial=0.0)) for values in held
+    )
+    return display_unit(
+        str(held[0].attrs.get("units", "1")), largest if np.isfinite(largest) else 0.0
+    )
 
 
 def _scene(
@@ -257,7 +297,11 @@ def _scene(
 
     for name in every:
         curves, gaps, reference = [], [], None
-        holders = [label for label, data in named.items() if name in data and data.variables[name].dims == (axis,)]
+        holders = [
+            label
+            for label, data in named.items()
+            if name in data and data.variables[name].dims == (axis,)
+        ]
         is_apart = is_held(f"{DIFFERENCE}{name}")
         for label in holders if is_apart or is_held(name) else ():
             data, role = named[label], roles[label]
@@ -270,13 +314,27 @@ def _scene(
                 reference = read
             elif is_apart:
                 gaps.append(Curve(label, role, apart(read, reference) * units[name].factor))
-        words = str(next(data.variables[name].attrs.get("long_name", "") for data in named.values() if name in data))
+        words = str(
+            next(
+                data.variables[name].attrs.get("long_name", "")
+                for data in named.values()
+                if name in data
+            )
+        )
         panes.append(
-            Pane(name, named_words(name, words or words_of(name)), units[name].name, tuple(curves), name in first)
+            Pane(
+                name,
+                named_words(name, words or words_of(name)),
+                units[name].name,
+                tuple(curves),
+                name in first,
+            )
         )
         if len(holders) > 1:
             words = f"{DIFFERENCE}{name}, difference from {next(iter(named))}"
-            differences.append(Pane(f"{DIFFERENCE}{name}", words, units[name].name, tuple(gaps), shown=False))
+            differences.append(
+                Pane(f"{DIFFERENCE}{name}", words, units[name].name, tuple(gaps), shown=False)
+            )
     made = motion(x) if motion is not None else None
     return ViewerScene("curves", "curves", x * unit.factor, (*panes, *differences), motion=made)
 
@@ -290,7 +348,9 @@ def _motion(data: xr.Dataset, axis: str, rig: Rig | None, trial: Trial | None) -
     try:
         if "wheel_centre.z" in data and data.sizes[axis] <= _MOST_POSES:
             return _motion_at_poses(data, axis, rig, trial)
-        if axis == "wheel_travel" or (axis == "time" and {"sprung.z", "unsprung.z"} <= set(map(str, data.data_vars))):
+        if axis == "wheel_travel" or (
+            axis == "time" and {"sprung.z", "unsprung.z"} <= set(map(str, data.data_vars))
+        ):
             return _moving(data, axis, rig, trial)
     except JounceError:  # the curves are shown all the same
         pass
@@ -307,8 +367,12 @@ def _motion_at_poses(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None)
     mechanism, over = PosedRig(drawing, poses, axis == "time"), poses.over
 
     def motion(x: Array) -> Motion:
-        ground, load = (np.interp(x, over, values) for values in (poses.ground, poses.touches.astype(float)))
-        return Motion(mechanism, np.zeros_like(x), x, ground, load, *_passing_road(trial, x, drawing, axis))
+        ground, load = (
+            np.interp(x, over, values) for values in (poses.ground, poses.touches.astype(float))
+        )
+        return Motion(
+            mechanism, np.zeros_like(x), x, ground, load, *_passing_road(trial, x, drawing, axis)
+        )
 
     return motion
 
@@ -338,7 +402,11 @@ def _moving(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
 
     def motion(x: Array) -> Motion:
         def read(name: str, default: float) -> Array:
-            return np.nan_to_num(through(line_of(data, name, axis), x)) if name in data else np.full(len(x), default)
+            return (
+                np.nan_to_num(through(line_of(data, name, axis), x))
+                if name in data
+                else np.full(len(x), default)
+            )
 
         if axis == "wheel_travel":  # a plate lifts the wheel
             order = np.argsort(poses.over)
@@ -347,7 +415,9 @@ def _moving(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
         body = read("sprung.z", 0.0)
         moved = read("unsprung.z", 0.0) - body
         road, speed = _passing_road(trial, x, drawing, axis)
-        return Motion(mechanism, body, moved, read("road.z", 0.0), read("tyre.force", 1.0), road, speed)
+        return Motion(
+            mechanism, body, moved, read("road.z", 0.0), read("tyre.force", 1.0), road, speed
+        )
 
     return motion
 
@@ -372,9 +442,14 @@ def _extremes(
             cells = [name if reference is None else "", *((label,) if several else ())]
             known = np.isfinite(y)
             if not known.any():
-                rows.append((*cells, units[name].name or "–", *("–" for _ in range(4 + 2 * several))))
+                rows.append(
+                    (*cells, units[name].name or "–", *("–" for _ in range(4 + 2 * several)))
+                )
                 continue
-            for at in (int(np.nanargmin(np.where(known, y, np.nan))), int(np.nanargmax(np.where(known, y, np.nan)))):
+            for at in (
+                int(np.nanargmin(np.where(known, y, np.nan))),
+                int(np.nanargmax(np.where(known, y, np.nan))),
+            ):
                 cells += [number(y[at] * units[name].factor), number(x[at] * unit.factor)]
             if several:
                 cells += _furthest(reference, (x, y), units[name], unit)
@@ -386,11 +461,16 @@ def _extremes(
     header += ["largest difference", place] if several else []
     align = "l" + "l" * several + "l" + "r" * (4 + 2 * several)
     note = f"Differences are from {next(iter(named))}, where both are known." if several else ""
-    return PageTable(f"Extremes over {axis.replace('_', ' ')}", tuple(header), tuple(rows), align, note)
+    return PageTable(
+        f"Extremes over {axis.replace('_', ' ')}", tuple(header), tuple(rows), align, note
+    )
 
 
 def _furthest(
-    reference: tuple[Array, Array] | None, line: tuple[Array, Array], unit: DisplayUnit, along: DisplayUnit
+    reference: tuple[Array, Array] | None,
+    line: tuple[Array, Array],
+    unit: DisplayUnit,
+    along: DisplayUnit,
 ) -> list[str]:
     if reference is None:
         return ["–", "–"]

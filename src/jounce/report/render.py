@@ -131,18 +131,24 @@ drawn, or it could not be.</p></html>
 """
 
 
-def _documents(page: Page, tables: Sequence[str], *, pdf: bool) -> dict[str, Callable[[], Mapping[str, bytes | str]]]:
+def _documents(
+    page: Page, tables: Sequence[str], *, pdf: bool
+) -> dict[str, Callable[[], Mapping[str, bytes | str]]]:
     """Give what else a page is written as by wish: what it is, and how its files are made."""
     wanted: dict[str, Callable[[], Mapping[str, bytes | str]]] = {}
     if "csv" in tables:
-        wanted["tables as CSV"] = lambda: {f"tables/{k}.csv": table_csv(table) for k, table in tables_of(page).items()}
+        wanted["tables as CSV"] = lambda: {
+            f"tables/{k}.csv": table_csv(table) for k, table in tables_of(page).items()
+        }
     if "xlsx" in tables:
         wanted["workbook"] = lambda: {"tables.xlsx": tables_xlsx(page)}
     if pdf:
         template = (TEMPLATES / "page.typ").read_bytes()
         name = str(Path(page.name).with_suffix(".pdf"))
         wanted["PDF"] = lambda: {
-            name: page_pdf(page, {picture.name: _panels(picture) for picture in page.pictures()}, template)
+            name: page_pdf(
+                page, {picture.name: _panels(picture) for picture in page.pictures()}, template
+            )
         }
     return wanted
 
@@ -158,7 +164,9 @@ def _draw(
     names = [picture.name for picture in pictures]
     for k, picture in enumerate(pictures, 1):
         if names.index(picture.name) < k - 1:
-            raise OutputError("two figures have the same name", where=page.title, found=picture.name)
+            raise OutputError(
+                "two figures have the same name", where=page.title, found=picture.name
+            )
         progress(progress_through("draw: figure {which} of {count}", k, len(pictures)))
         try:
             files = _files(picture, page.figure_note, formats)
@@ -206,7 +214,8 @@ def _panels(picture: Picture | Chart) -> dict[str, bytes]:
         panels = (replace(panel, x_label=panel.x_label or last) for panel in picture.panels)
         alone = (Chart((panel,), picture.name, "", picture.alternative) for panel in panels)
         return {
-            f"{name}-{k}.svg": plain_colours(chart_svg(panel, chart_style())).encode() for k, panel in enumerate(alone)
+            f"{name}-{k}.svg": plain_colours(chart_svg(panel, chart_style())).encode()
+            for k, panel in enumerate(alone)
         }
     from jounce.plots.figures import render_figure
 
@@ -233,7 +242,11 @@ def chart_html(chart: Chart) -> str:
     """Give the panels of a chart as SVG elements for a page."""
     identity = f"fig-{slug(chart.name)}"
     return "\n".join(
-        panel_svg(panel, f"{identity}-{k}", chart.alternative if k == 0 else panel.title or panel.x_label or "panel")
+        panel_svg(
+            panel,
+            f"{identity}-{k}",
+            chart.alternative if k == 0 else panel.title or panel.x_label or "panel",
+        )
         for k, panel in enumerate(chart.panels)
     )
 
@@ -286,12 +299,20 @@ def page_html(page: Page, figures: Mapping[str, str]) -> str:
 def fill_template(template: str, viewers: Sequence[Viewer], **content: Any) -> str:
     """Fill an HTML template, whose style sheet has the same name, with its viewers and the script of all pages."""
     script = bundle("viewer.js" if viewers else "page.js")
-    data = json.dumps(live_data(viewers), ensure_ascii=False, allow_nan=False, separators=(",", ":")) if viewers else ""
+    data = (
+        json.dumps(live_data(viewers), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+        if viewers
+        else ""
+    )
     text: str = (
         _environment()
         .get_template(f"{template}.html.j2")
         .render(
-            css=_css("colours") + _css("figures") + _css(template) + CSS + (bundle("viewer.css") if viewers else ""),
+            css=_css("colours")
+            + _css("figures")
+            + _css(template)
+            + CSS
+            + (bundle("viewer.css") if viewers else ""),
             viewers=viewers,
             data=data.replace("<", "\\u003c"),
             script=script,
@@ -366,7 +387,9 @@ def inline_svg(svg: bytes, name: str, alternative: str) -> str:
     return f'{head} {label}{limit}><title id="{name}-title">{escape(alternative)}</title>{body}'.strip()
 
 
-def write_folder(out: Path | str, files: Mapping[str, bytes | str], *, force: bool = False) -> list[Path]:
+def write_folder(
+    out: Path | str, files: Mapping[str, bytes | str], *, force: bool = False
+) -> list[Path]:
     """Write files into a folder that is empty or, with ``force``, keeps what else it holds: all of them, or none.
 
     Parameters

@@ -69,7 +69,9 @@ def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
     findings = _findings(study)
     answer += findings_blocks(findings)
     moving = study.rig if rig is None else rig
-    curves, spectra = (Section(name, partial(draw, study, title, moving)) for name, draw in _DRAWN.items())
+    curves, spectra = (
+        Section(name, partial(draw, study, title, moving)) for name, draw in _DRAWN.items()
+    )
     sections = [Section("Answer", tuple(answer)), curves, spectra]
     if several:
         words = "Comfort against road holding of every controller; the area of a point shows the travel."
@@ -78,7 +80,9 @@ def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
     against = _stationary(study)
     if against:
         sections.append(Section("Linear model", tuple(against)))
-    counted = f"{setting_text(lasting, 's')} counted, from {setting_text(study.trial.settling, 's')} on"
+    counted = (
+        f"{setting_text(lasting, 's')} counted, from {setting_text(study.trial.settling, 's')} on"
+    )
     return Page(title, tuple(sections), f"Simulated ride; {counted}")
 
 
@@ -98,14 +102,20 @@ def _merits(study: RideStudy) -> PageTable:
         (
             ride.control,
             *(
-                number(None if (value := ride.merits.get(m.name)) is None else value * units[m.name].factor)
+                number(
+                    None
+                    if (value := ride.merits.get(m.name)) is None
+                    else value * units[m.name].factor
+                )
                 for m in shown
             ),
         )
         for ride in study.rides
     )
     header = ("controller", *(units[merit.name].label(merit.label) for merit in shown))
-    return PageTable("Controllers over the same road; smaller is better", header, rows, "l" + "r" * len(shown))
+    return PageTable(
+        "Controllers over the same road; smaller is better", header, rows, "l" + "r" * len(shown)
+    )
 
 
 def _facts(study: RideStudy) -> Facts:
@@ -116,22 +126,37 @@ def _facts(study: RideStudy) -> Facts:
         if merit.name in ride.merits:
             unit = display_unit(merit.unit)
             value = f"{number(ride.merits[merit.name] * unit.factor)} {unit.name}".strip()
-            facts.append(Fact(merit.label, value, next(iter(comfort.values()), "") if merit.name == "comfort" else ""))
+            facts.append(
+                Fact(
+                    merit.label,
+                    value,
+                    next(iter(comfort.values()), "") if merit.name == "comfort" else "",
+                )
+            )
     return Facts(tuple(facts))
 
 
 def _metrics(rides: Mapping[str, RideMetrics]) -> PageTable:
     """Every metric at every place, a column for each ride."""
-    values = {name: {(row.metric, row.place): row for row in ride.values} for name, ride in rides.items()}
+    values = {
+        name: {(row.metric, row.place): row for row in ride.values} for name, ride in rides.items()
+    }
     every = dict.fromkeys(key for of_ride in values.values() for key in of_ride)
     rows, last = [], ""
     for key in every:
         value = next(of_ride[key] for of_ride in values.values() if key in of_ride)
         unit = display_unit(value.unit, value.value)
-        cells = (number(of_ride[key].value * unit.factor) if key in of_ride else "–" for of_ride in values.values())
-        rows.append((value.label if value.label != last else "", value.place, unit.name or "–", *cells))
+        cells = (
+            number(of_ride[key].value * unit.factor) if key in of_ride else "–"
+            for of_ride in values.values()
+        )
+        rows.append(
+            (value.label if value.label != last else "", value.place, unit.name or "–", *cells)
+        )
         last = value.label
-    return PageTable("Ride metrics", ("metric", "place", "unit", *values), tuple(rows), "lll" + "r" * len(values))
+    return PageTable(
+        "Ride metrics", ("metric", "place", "unit", *values), tuple(rows), "lll" + "r" * len(values)
+    )
 
 
 def _metrics_by_name(study: RideStudy) -> dict[str, RideMetrics]:
@@ -189,20 +214,28 @@ def _curves(study: RideStudy, title: str, rig: Rig | None) -> tuple[Block, ...]:
     first = [names[0] for names in groups if names]
     start = study.trial.settling
     window = (start, start + _SHOWN) if study.trial.trial.duration > start + _SHOWN else None
-    return curve_blocks({"": runs}, first or None, title=title, rig=rig, trial=study.trial.trial, window=window)
+    return curve_blocks(
+        {"": runs}, first or None, title=title, rig=rig, trial=study.trial.trial, window=window
+    )
 
 
 def _names(study: RideStudy) -> list[str]:
     """Channels that every ride holds."""
     held = [set(map(str, ride.run.data_vars)) for ride in study.rides]
-    return [str(name) for name in study.rides[0].run.data_vars if all(name in others for others in held)]
+    return [
+        str(name) for name in study.rides[0].run.data_vars if all(name in others for others in held)
+    ]
 
 
 def _spectra(study: RideStudy, title: str, _: Rig | None) -> tuple[Block, ...]:
     from jounce.plots.design import ride_spectra
 
     words = "Power spectral densities of the body's acceleration and of every wheel load."
-    return (Picture(lambda: ride_spectra(study.rides, study.stationary, title), "spectra", words, words),)
+    return (
+        Picture(
+            lambda: ride_spectra(study.rides, study.stationary, title), "spectra", words, words
+        ),
+    )
 
 
 _DRAWN = {"Curves": _curves, "Spectra": _spectra}

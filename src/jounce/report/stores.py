@@ -29,7 +29,10 @@ def record_search_page(search: FoundRecords, *, title: str) -> Page:
     from jounce.inspection.archive.questions import COLUMNS
 
     records = search.to_dict()["records"]
-    columns = [TableColumn(name, [_text(record[name]) for record in records]) for name in (*COLUMNS, "verdict")]
+    columns = [
+        TableColumn(name, [_text(record[name]) for record in records])
+        for name in (*COLUMNS, "verdict")
+    ]
     count = f"{len(records)} record{'' if len(records) == 1 else 's'}"
     return _page(title, count, [table_of(count, columns) if records else Paragraph(count)])
 
@@ -41,7 +44,9 @@ def exported_records_page(export: ExportedRecords, *, title: str) -> Page:
 
 def verified_store_page(verified: VerifiedStore, *, title: str) -> Page:
     """Say that a store is sound."""
-    return _page(title, "Verified", [Paragraph(f"{verified.store}: sound, {verified.records} records")])
+    return _page(
+        title, "Verified", [Paragraph(f"{verified.store}: sound, {verified.records} records")]
+    )
 
 
 def reevaluated_store_page(reevaluated: ReevaluatedStore, *, title: str) -> Page:
@@ -50,7 +55,8 @@ def reevaluated_store_page(reevaluated: ReevaluatedStore, *, title: str) -> Page
     counts = f"{result.added} gradings added, {result.unchanged} unchanged"
     text = Paragraph(f"{result.records} records under limits {reevaluated.limits}: {counts}")
     changes = [
-        f"{before or 'without a grading'} → {after}: {count}" for (before, after), count in result.changes.items()
+        f"{before or 'without a grading'} → {after}: {count}"
+        for (before, after), count in result.changes.items()
     ]
     problems = [f"problem: record {number}: {problem}" for number, problem in result.failed.items()]
     lists = [Bullets(tuple(lines)) for lines in (changes, problems) if lines]

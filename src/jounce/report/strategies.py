@@ -19,7 +19,11 @@ if TYPE_CHECKING:
 _METRICS: tuple[tuple[str, str, Callable[[ChannelComparison], float]], ...] = (
     ("R²", "R² of every trial before and after each update", lambda channel: channel.r2),
     ("NRMSE", "NRMSE of every trial before and after each update", lambda channel: channel.nrmse),
-    ("ISO 18571", "ISO/TS 18571 rating of every trial before and after each update", lambda channel: channel.iso18571),
+    (
+        "ISO 18571",
+        "ISO/TS 18571 rating of every trial before and after each update",
+        lambda channel: channel.iso18571,
+    ),
 )
 
 
@@ -33,7 +37,10 @@ def progress(result: CampaignResult) -> Subsection:
         _parts(result),
     ]
     tables = [_metric(result, label, caption, value) for label, caption, value in _METRICS]
-    blocks += [tables[0], Details("The same as NRMSE and as ISO/TS 18571 rating", tuple(tables[1:]))]
+    blocks += [
+        tables[0],
+        Details("The same as NRMSE and as ISO/TS 18571 rating", tuple(tables[1:])),
+    ]
     return Subsection("Every update on every trial", tuple(blocks))
 
 
@@ -49,7 +56,10 @@ def _parts(result: CampaignResult) -> PageTable:
                 if trial.is_fitted and trial.after is not None and name in trial.after.channels
             ]
             explained = Cell(f"{min(r2):.3f}".replace("-", "−"), _tone(min(r2)))
-            shares = (percent(pair[0] / before) if before else "–", percent(pair[1] / after) if after else "–")
+            shares = (
+                percent(pair[0] / before) if before else "–",
+                percent(pair[1] / after) if after else "–",
+            )
             rows.append(
                 (
                     strategy.update.name if k == 0 else "",
@@ -74,15 +84,21 @@ def _tone(r2: float) -> Tone:
     return "good" if r2 > CLOSE else "fair" if r2 > LOOSE else "bad"
 
 
-def _metric(result: CampaignResult, label: str, caption: str, value: Callable[[ChannelComparison], float]) -> PageTable:
+def _metric(
+    result: CampaignResult, label: str, caption: str, value: Callable[[ChannelComparison], float]
+) -> PageTable:
     rows: list[tuple[Cell | str, ...]] = []
     for trial in result.trials:
         if trial.after is None and trial.before is None:
             continue
         fitted = [strategy.trial(trial.entry.number) for strategy in result.strategies]
-        channels = dict.fromkeys(name for trial_result in fitted for name in _channels(trial_result))
+        channels = dict.fromkeys(
+            name for trial_result in fitted for name in _channels(trial_result)
+        )
         for k, name in enumerate(channels):
-            cells = tuple(_cell(trial_result, name, value, colour=label == "R²") for trial_result in fitted)
+            cells = tuple(
+                _cell(trial_result, name, value, colour=label == "R²") for trial_result in fitted
+            )
             rows.append((str(trial.entry.number) if k == 0 else "", name, *cells))
     header = ("trial", "channel", *(strategy.update.name for strategy in result.strategies))
     return PageTable(caption, header, tuple(rows), "ll" + "r" * len(result.strategies))
@@ -93,9 +109,13 @@ def _channels(trial: StrategyTrial) -> list[str]:
     return [] if known is None else list(known.channels)
 
 
-def _cell(trial: StrategyTrial, name: str, value: Callable[[ChannelComparison], float], *, colour: bool) -> Cell | str:
+def _cell(
+    trial: StrategyTrial, name: str, value: Callable[[ChannelComparison], float], *, colour: bool
+) -> Cell | str:
     texts = [
-        "–" if fit is None or name not in fit.channels else f"{value(fit.channels[name]):.3f}".replace("-", "−")
+        "–"
+        if fit is None or name not in fit.channels
+        else f"{value(fit.channels[name]):.3f}".replace("-", "−")
         for fit in (trial.before, trial.after)
     ]
     text = " → ".join(texts) + (" •" if trial.is_fitted else "")

@@ -24,7 +24,9 @@ def swept_page(sweep: Swept, *, title: str) -> Page:
     def blocks(number: int) -> tuple[Block, ...]:
         from jounce.report.recordings import recordings_page
 
-        return recordings_page({title: sweep.data}, title=title, rig=sweep.rig).sections[number].blocks
+        return (
+            recordings_page({title: sweep.data}, title=title, rig=sweep.rig).sections[number].blocks
+        )
 
     drawn = (Section("Extremes", partial(blocks, 0)), Section("Curves", partial(blocks, 1)))
     return Page(title, (*drawn, Section("Poses", poses_table(sweep))), "Kinematic sweep")
@@ -42,10 +44,21 @@ def poses_table(sweep: Swept) -> tuple[Block, ...]:
         values, si = variable.to_numpy(), str(variable.attrs["units"])
         own = display_unit(si, float(np.nanmax(np.abs(values), initial=0.0)))
         cells = (kinematic_value(str(name), float(value), si) for value in values[at])
-        rows.append((str(name), own.name or "–", *(cell if isinstance(cell, str) else number(cell) for cell in cells)))
-    places = (f"{value * unit.factor:.4g} {unit.name}".strip() for value in shown[along].to_numpy()[at])
+        rows.append(
+            (
+                str(name),
+                own.name or "–",
+                *(cell if isinstance(cell, str) else number(cell) for cell in cells),
+            )
+        )
+    places = (
+        f"{value * unit.factor:.4g} {unit.name}".strip() for value in shown[along].to_numpy()[at]
+    )
     caption = f"Quantities over {along.replace('_', ' ')}"
-    many = "".join(f" at each of {sweep.data.sizes[name]} values of {name.replace('_', ' ')}" for name in others)
+    many = "".join(
+        f" at each of {sweep.data.sizes[name]} values of {name.replace('_', ' ')}"
+        for name in others
+    )
     words = f"{count} poses{many}{', shown for the one nearest to 0' if others else ''}"
     header = ("quantity", "unit", *places)
     return PageTable(caption, header, tuple(rows), "ll" + "r" * len(at)), Paragraph(words, "muted")

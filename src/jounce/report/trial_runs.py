@@ -18,13 +18,21 @@ def trial_run_page(trial_run: TrialRun, *, title: str) -> Page:
     for name, channel in trial_run.extremes().items():
         unit, least, most = channel["unit"], channel["minimum"], channel["maximum"]
         shown = display_unit(unit, max(abs(least), abs(most)))
-        static, low, high = (settle_number(value, unit, shown) for value in (channel["static"], least, most))
+        static, low, high = (
+            settle_number(value, unit, shown) for value in (channel["static"], least, most)
+        )
         times = (number(channel[key]) for key in ("time_of_minimum", "time_of_maximum"))
         rows.append((name, shown.name or "–", static, low, next(times), high, next(times)))
     header = ("channel", "unit", "static", "minimum", "at [s]", "maximum", "at [s]")
-    answer: list[Block] = [PageTable("Extremes", header, tuple(rows), "llrrrrr"), Paragraph(_words(trial_run), "muted")]
+    answer: list[Block] = [
+        PageTable("Extremes", header, tuple(rows), "llrrrrr"),
+        Paragraph(_words(trial_run), "muted"),
+    ]
     answer += findings_blocks(trial_run.findings)
-    sections = (Section("Extremes", tuple(answer)), Section("Curves", lambda: _curves(trial_run, title)))
+    sections = (
+        Section("Extremes", tuple(answer)),
+        Section("Curves", lambda: _curves(trial_run, title)),
+    )
     return Page(title, sections, f"Simulation of {trial_run.trial.duration:g} s")
 
 
@@ -41,4 +49,6 @@ def _words(trial_run: TrialRun) -> str:
 def _curves(trial_run: TrialRun, title: str) -> tuple[Block, ...]:
     from jounce.report.recordings import curve_blocks
 
-    return curve_blocks({"": {title: trial_run.recording()}}, title=title, rig=trial_run.rig, trial=trial_run.trial)
+    return curve_blocks(
+        {"": {title: trial_run.recording()}}, title=title, rig=trial_run.rig, trial=trial_run.trial
+    )

@@ -39,34 +39,47 @@ def scene_name(number: int) -> str:
     return f"trial-{number:02d}"
 
 
-def trials_viewer(result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone]]) -> Viewer | None:
+def trials_viewer(
+    result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone]]
+) -> Viewer | None:
     """Put all trials that have signals into one viewer; ``verdicts`` has word and tone of each by number."""
     others = result.strategies[:-1][-_MOST_OTHERS:]
     mechanisms = _mechanisms(result)
     shown = select_trials(result, verdicts)
-    scenes = tuple(_scene(result, trial, others, verdicts[trial.entry.number], mechanisms) for trial in shown)
+    scenes = tuple(
+        _scene(result, trial, others, verdicts[trial.entry.number], mechanisms) for trial in shown
+    )
     if not scenes:
         return None
-    roles = [(_MEASURED, "measured", True), (_BEFORE, "before updating" if result.strategies else "simulated", True)]
+    roles = [
+        (_MEASURED, "measured", True),
+        (_BEFORE, "before updating" if result.strategies else "simulated", True),
+    ]
     roles += [(f"other-{k}", strategy.update.name, False) for k, strategy in enumerate(others, 1)]
     roles += [(_AFTER, strategy.update.name, True) for strategy in result.strategies[-1:]]
     caption = "Measured and simulated signals of every trial; shaded: wheel on the obstacle."
     if len(scenes) == MOST_SCENES < len(result.trials):
         caption += (
-            f" Shown are {MOST_SCENES} of {len(result.trials)} trials: the fitted ones, then those predicted worst."
+            f" Shown are {MOST_SCENES} of {len(result.trials)} trials: the fitted ones, then those "
+            "predicted worst."
         )
     if mechanisms:
         caption += " The mechanism moves as the model after the last update does, true to scale."
     return Viewer(result.campaign.title, scenes, tuple(roles), caption)
 
 
-def select_trials(result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone]]) -> list[TrialResult]:
+def select_trials(
+    result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone]]
+) -> list[TrialResult]:
     """Trials with signals; of very many the fitted ones and those predicted worst, in their order."""
     drawn = [trial for trial in result.trials if trial.signals or trial.signals_before]
     order = {"bad": 0, "fair": 1}
     ranked = sorted(
         range(len(drawn)),
-        key=lambda k: (drawn[k].entry.use != "fit", order.get(verdicts[drawn[k].entry.number][1], 2)),
+        key=lambda k: (
+            drawn[k].entry.use != "fit",
+            order.get(verdicts[drawn[k].entry.number][1], 2),
+        ),
     )
     return [drawn[k] for k in sorted(ranked[:MOST_SCENES])]
 
@@ -117,9 +130,22 @@ def _scene(
         if before is not None:
             curves.append(Curve("before", _BEFORE, before.simulated * unit.factor))
         for k, strategy in enumerate(others, 1):
-            fitted = next((candidate for candidate in strategy.trials if candidate.number == trial.entry.number), None)
+            fitted = next(
+                (
+                    candidate
+                    for candidate in strategy.trials
+                    if candidate.number == trial.entry.number
+                ),
+                None,
+            )
             if fitted is not None and name in fitted.signals:
-                curves.append(Curve(strategy.update.name, f"other-{k}", fitted.signals[name].simulated * unit.factor))
+                curves.append(
+                    Curve(
+                        strategy.update.name,
+                        f"other-{k}",
+                        fitted.signals[name].simulated * unit.factor,
+                    )
+                )
         if after is not None and result.strategies:
             curves.append(Curve("after", _AFTER, after.simulated * unit.factor))
         panes.append(Pane(name, _words(name), unit.name, tuple(curves)))
@@ -130,7 +156,15 @@ def _scene(
             if name in motion.outputs and name not in shown:
                 values = motion.outputs[name]
                 unit = display_unit(_si(name), float(np.abs(values).max(initial=0.0)))
-                panes.append(Pane(name, _words(name), unit.name, (Curve("model", role, values * unit.factor),), False))
+                panes.append(
+                    Pane(
+                        name,
+                        _words(name),
+                        unit.name,
+                        (Curve("model", role, values * unit.factor),),
+                        False,
+                    )
+                )
     return ViewerScene(
         scene_name(trial.entry.number),
         trial_label(trial),
@@ -159,7 +193,11 @@ def obstacle_pass(trial: TrialResult) -> tuple[float, float] | None:
         return None
     drive, last = trial.motion.trial, float(trial.motion.time[-1])
     edges = drive.segments().edges
-    begin = float(edges[1]) if drive.road is not None and drive.road.start > 0.0 and len(edges) > 2 else 0.0
+    begin = (
+        float(edges[1])
+        if drive.road is not None and drive.road.start > 0.0 and len(edges) > 2
+        else 0.0
+    )
     loops = 0.0  # a record that begins on a running belt
     if drive.road is not None and drive.road.recurrence is not None and drive.speed is not None:
         period = drive.road.recurrence / drive.speed
@@ -171,7 +209,9 @@ def obstacle_pass(trial: TrialResult) -> tuple[float, float] | None:
 def _mechanisms(result: CampaignResult) -> dict[float | None, PosedRig]:
     mechanisms = {}
     for angle, sweep in result.poses.items():
-        motion = next(t.motion for t in result.trials if t.motion is not None and t.entry.strut_angle == angle)
+        motion = next(
+            t.motion for t in result.trials if t.motion is not None and t.entry.strut_angle == angle
+        )
         if not isinstance(motion.rig, Corner):
             continue
         try:

@@ -21,7 +21,11 @@ def typeset(files: Mapping[str, bytes], form: str, **options: Any) -> Any:
     Fonts of the computer are used for nothing but letters that those of matplotlib do not have, such as Chinese ones.
     """
     typst = require(*TYPESETTER)
-    texts = (content.decode(errors="replace") for name, content in files.items() if name.endswith((".json", ".svg")))
+    texts = (
+        content.decode(errors="replace")
+        for name, content in files.items()
+        if name.endswith((".json", ".svg"))
+    )
     is_covered = not any(missing_letters(text) for text in texts)
     compile_files: Any = typst.compile  # its types do not know files by name
     fonts = {"font_paths": [str(_fonts())], "ignore_system_fonts": is_covered}
@@ -37,7 +41,13 @@ def missing_letters(text: str) -> str:
     >>> missing_letters("Größe ω² ≤ 漢字漢")
     '字漢'
     """
-    return "".join(sorted(letter for letter in set(text) - _letters() if letter.isprintable() and ord(letter) > _ASCII))
+    return "".join(
+        sorted(
+            letter
+            for letter in set(text) - _letters()
+            if letter.isprintable() and ord(letter) > _ASCII
+        )
+    )
 
 
 _ASCII = 0x7F
@@ -64,6 +74,8 @@ def breakable(value: Any) -> Any:
     if not isinstance(value, str):
         return value
     return " ".join(
-        "\u200b".join(word[i : i + _PIECE] for i in range(0, len(word), _PIECE)) if len(word) > _LONGEST_WORD else word
+        "\u200b".join(word[i : i + _PIECE] for i in range(0, len(word), _PIECE))
+        if len(word) > _LONGEST_WORD
+        else word
         for word in value.split(" ")
     )

@@ -86,7 +86,9 @@ def sweep_page(
     parts: dict[str, Callable[[], Section]] = {"Answer": lambda: Section("Answer", _answer(sweep))}
     if summary.metrics and summary.influences:
         parts["What matters"] = lambda: Section("What matters", _matters(summary, data))
-        parts["Scatter"] = lambda: _picture_section("Scatter", partial(scatter_matrix, data), "scatter", _SCATTER)
+        parts["Scatter"] = lambda: _picture_section(
+            "Scatter", partial(scatter_matrix, data), "scatter", _SCATTER
+        )
         parts["Parallel coordinates"] = lambda: _picture_section(
             "Parallel coordinates", partial(parallel_coordinates, data), "parallel", _PARALLEL
         )
@@ -125,7 +127,9 @@ _SCATTER = (
 )
 _PARALLEL = "Every variant as a line through its numbers and metrics, coloured by the first metric."
 _BANDS = "Median of the channels over the variants, with bands that hold half and nine tenths of them at each time."
-_TORNADO = "Means of the metrics where each number is low and high, and indices with 95 % intervals."
+_TORNADO = (
+    "Means of the metrics where each number is low and high, and indices with 95 % intervals."
+)
 
 
 def _picture_section(title: str, draw: Callable[[], Figure], name: str, words: str) -> Section:
@@ -137,8 +141,17 @@ def _answer(sweep: SweepResult) -> tuple[Block, ...]:
     lost = sum(failure["variants"] for failure in summary.failed.values())
     finished = summary.ran + lost
     facts = [
-        Fact("Variants", str(summary.count), "all finished" if finished == summary.count else f"{finished} finished"),
-        Fact("Ran", str(summary.ran), f"{summary.side_by_side} side by side", "good" if not lost else "fair"),
+        Fact(
+            "Variants",
+            str(summary.count),
+            "all finished" if finished == summary.count else f"{finished} finished",
+        ),
+        Fact(
+            "Ran",
+            str(summary.ran),
+            f"{summary.side_by_side} side by side",
+            "good" if not lost else "fair",
+        ),
     ]
     if sweep.seed is not None:
         facts.append(Fact("Seed", str(sweep.seed), "the same points each time"))
@@ -150,7 +163,11 @@ def _answer(sweep: SweepResult) -> tuple[Block, ...]:
             (Cell(reason, "bad"), str(failure["variants"]), str(failure["first"]))
             for reason, failure in summary.failed.items()
         )
-        blocks.append(PageTable("Variants without a run", ("reason", "variants", "first of them"), rows, "lrr"))
+        blocks.append(
+            PageTable(
+                "Variants without a run", ("reason", "variants", "first of them"), rows, "lrr"
+            )
+        )
     blocks += findings_blocks(summary.findings)
     return tuple(blocks)
 
@@ -162,12 +179,23 @@ def _statistics(summary: Summary) -> PageTable:
         levels = [number(level["value"] * unit.factor) for level in metric.percentiles.values()]
         ends = [
             f"{number(value * unit.factor)} ({at})"
-            for value, at in ((metric.least, metric.least_at), (metric.greatest, metric.greatest_at))
+            for value, at in (
+                (metric.least, metric.least_at),
+                (metric.greatest, metric.greatest_at),
+            )
         ]
         middle = [number(value * unit.factor) for value in (metric.mean, metric.standard_deviation)]
         rows.append((metric.name, unit.name or "–", *middle, ends[0], *levels, ends[1]))
     levels = [f"{key} %" for key in summary.metrics[0].percentiles]
-    header = ("metric", "unit", "mean", "standard deviation", "least (variant)", *levels, "greatest (variant)")
+    header = (
+        "metric",
+        "unit",
+        "mean",
+        "standard deviation",
+        "least (variant)",
+        *levels,
+        "greatest (variant)",
+    )
     return PageTable("Every metric over the variants", header, tuple(rows), "ll" + "r" * 7)
 
 
@@ -186,7 +214,11 @@ def _percentiles(summary: Summary) -> Details:
 def _with_interval(level: Mapping[str, Any], factor: float) -> str:
     value = number(level["value"] * factor)
     ends = level["interval"]
-    return value if ends is None else f"{value} ({' … '.join(number(end * factor, 3) for end in ends)})"
+    return (
+        value
+        if ends is None
+        else f"{value} ({' … '.join(number(end * factor, 3) for end in ends)})"
+    )
 
 
 def _share(measure: Mapping[str, Any]) -> str:
@@ -208,21 +240,37 @@ def _table(summary: Summary, metric: str) -> PageTable:
     """What one metric depends on, the number that matters most first."""
     own = [influence for influence in summary.influences if influence.metric == metric]
     measures = [name for name in own[0].measures if name in _WORDS]
-    unit = display_unit(next(described.unit for described in summary.metrics if described.name == metric))
-    writers = {name: partial(_with_interval, factor=unit.factor) if name in _IN_UNITS else _share for name in measures}
+    unit = display_unit(
+        next(described.unit for described in summary.metrics if described.name == metric)
+    )
+    writers = {
+        name: partial(_with_interval, factor=unit.factor) if name in _IN_UNITS else _share
+        for name in measures
+    }
 
     def weight(influence: Influence) -> float:
-        return -abs(float(influence.measures["total" if "total" in influence.measures else measures[0]]["value"]))
+        return -abs(
+            float(
+                influence.measures["total" if "total" in influence.measures else measures[0]][
+                    "value"
+                ]
+            )
+        )
 
     rows = tuple(
         (influence.number, *(writers[name](influence.measures[name]) for name in measures))
         for influence in sorted(own, key=weight)
     )
-    header = ("number", *(unit.label(_WORDS[name]) if name in _IN_UNITS else _WORDS[name] for name in measures))
+    header = (
+        "number",
+        *(unit.label(_WORDS[name]) if name in _IN_UNITS else _WORDS[name] for name in measures),
+    )
     return PageTable(f"What {metric} depends on", header, rows, "l" + "r" * len(measures))
 
 
-def _curves(runs: Mapping[str, xr.Dataset], title: str, rig: Rig | None, trial: Trial | None) -> tuple[Block, ...]:
+def _curves(
+    runs: Mapping[str, xr.Dataset], title: str, rig: Rig | None, trial: Trial | None
+) -> tuple[Block, ...]:
     first = next(iter(runs.values()))
     held = [str(name) for name in first.data_vars if all(name in run for run in runs.values())]
     ends = ("road.z", "body.az", "sprung.az", "strut.deflection", "tyre.force")
@@ -230,7 +278,12 @@ def _curves(runs: Mapping[str, xr.Dataset], title: str, rig: Rig | None, trial: 
     long = float(first["time"][-1]) > _SHOWN
     window = (0.0, _SHOWN) if long else None
     return curve_blocks(
-        {"": runs}, [number for number in chosen if number] or None, title=title, rig=rig, trial=trial, window=window
+        {"": runs},
+        [number for number in chosen if number] or None,
+        title=title,
+        rig=rig,
+        trial=trial,
+        window=window,
     )
 
 

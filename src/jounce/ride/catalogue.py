@@ -42,7 +42,9 @@ def peak_to_peak(values: Array) -> float:
 def peak_use(deflection: Array, rebound: float, bump: float) -> float:
     """Largest share (1) of the bump or rebound travel (m from the mean deflection) that a deflection (m) takes."""
     middle = mean(deflection)
-    return max((float(deflection.max()) - middle) / bump, (middle - float(deflection.min())) / rebound)
+    return max(
+        (float(deflection.max()) - middle) / bump, (middle - float(deflection.min())) / rebound
+    )
 
 
 def contacts(deflection: Array, gap: float) -> int:
@@ -80,7 +82,9 @@ def stress_factor(load: Array) -> float:
 def _static(load: Array) -> float:
     average = mean(load)
     if not average > 0.0:
-        raise RecordingError("the mean wheel load is not positive", found=f"{average:g} N", allowed="above 0 N")
+        raise RecordingError(
+            "the mean wheel load is not positive", found=f"{average:g} N", allowed="above 0 N"
+        )
     return average
 
 
@@ -89,7 +93,17 @@ def _static(load: Array) -> float:
 
 Pair = tuple[float | None, float | None]
 USUAL_WEIGHTING = {"x": "Wd", "y": "Wd", "z": "Wk", "roll": "We", "pitch": "We", "yaw": "We"}
-_NO_PASSENGER = {"unsprung", "wheel", "tyre", "road", "platform", "knuckle", "upright", "axle", "strut"}
+_NO_PASSENGER = {
+    "unsprung",
+    "wheel",
+    "tyre",
+    "road",
+    "platform",
+    "knuckle",
+    "upright",
+    "axle",
+    "strut",
+}
 
 
 @dataclass(frozen=True)
@@ -179,7 +193,9 @@ class CornerSignals:
         """Gap of the ``"bump"`` or ``"rebound"`` stop in m."""
         gap = self.stop_gaps[which == "bump"]
         if gap is None:
-            raise RecordingError(Phrase("no {which} stop's gap is given", which=which), where=self.name)
+            raise RecordingError(
+                Phrase("no {which} stop's gap is given", which=which), where=self.name
+            )
         return gap
 
     @property
@@ -190,7 +206,9 @@ class CornerSignals:
             deflection = self.signals["strut.deflection"]
             middle, (below, above) = mean(deflection), self.stop_gaps
             if below is None or above is None:
-                raise RecordingError("no available travel is given, nor both stops' gaps", where=self.name)
+                raise RecordingError(
+                    "no available travel is given, nor both stops' gaps", where=self.name
+                )
             rebound, bump = below + middle, above - middle
         if not (rebound > 0.0 and bump > 0.0):
             raise RecordingError(
@@ -211,7 +229,11 @@ def carries_passengers(place: str) -> bool:
 
 
 Scope = Literal["motion", "rotation", "comfort", "point", "corner"]
-LINEAR, VERTICAL, TURNING = ("ax", "ay", "az"), ("az",), ("roll_acceleration", "pitch_acceleration", "yaw_acceleration")
+LINEAR, VERTICAL, TURNING = (
+    ("ax", "ay", "az"),
+    ("az",),
+    ("roll_acceleration", "pitch_acceleration", "yaw_acceleration"),
+)
 _STRUT, _TYRE = "strut.deflection", "tyre.force"
 
 
@@ -237,7 +259,9 @@ class RideMetric:
 
 
 def _total(view: Point) -> float:
-    return comfort.total_value({axis: comfort.rms(m.filtered(), m.rate) for axis, m in view.motions.items()})
+    return comfort.total_value(
+        {axis: comfort.rms(m.filtered(), m.rate) for axis, m in view.motions.items()}
+    )
 
 
 def _exposure(view: Acceleration) -> float:

@@ -30,7 +30,10 @@ class LumpedCorner:
             may_vanish = name == "damping_coefficient"
             if not (math.isfinite(value) and (value >= 0.0 if may_vanish else value > 0.0)):
                 raise DescriptionError(
-                    "out of range", where=name, found=value, allowed="at least 0" if may_vanish else "above 0"
+                    "out of range",
+                    where=name,
+                    found=value,
+                    allowed="at least 0" if may_vanish else "above 0",
                 )
 
     @property
@@ -63,13 +66,18 @@ def white_noise_variances(corner: LumpedCorner, intensity: float) -> Variances:
     """
     m, u, k, kt, c = _numbers(corner)
     if c == 0.0:
-        raise DescriptionError("no stationary response", where="damping_coefficient", found=c, allowed="above 0 N*s/m")
+        raise DescriptionError(
+            "no stationary response", where="damping_coefficient", found=c, allowed="above 0 N*s/m"
+        )
     total = m + u
     acceleration = (c**2 * kt + k**2 * total) / (2.0 * c * m**2)
     tyre = c**2 * kt * total**2 + _holding_term(m, u, k, kt)
     deflection, tyre_deflection = total / (2.0 * c), tyre / (2.0 * c * kt**2 * m**2)
     return Variances(
-        *(intensity * value for value in (acceleration, deflection, tyre_deflection, kt**2 * tyre_deflection))
+        *(
+            intensity * value
+            for value in (acceleration, deflection, tyre_deflection, kt**2 * tyre_deflection)
+        )
     )
 
 
@@ -172,13 +180,19 @@ def invariants(sprung_mass: float, unsprung_mass: float, tyre_stiffness: float) 
     (3.39319, 1.1)
     """
     total = sprung_mass + unsprung_mass
-    first, second = (math.sqrt(tyre_stiffness / mass) / (2.0 * math.pi) for mass in (unsprung_mass, total))
+    first, second = (
+        math.sqrt(tyre_stiffness / mass) / (2.0 * math.pi) for mass in (unsprung_mass, total)
+    )
     return Invariants(first, tyre_stiffness / sprung_mass, second, total / sprung_mass)
 
 
 def ride_rate(wheel_rate: float, tyre_stiffness: float | None) -> float:
     """Wheel rate and tyre stiffness (N/m) in series, N/m; None is a rigid tyre."""
-    return wheel_rate if tyre_stiffness is None else wheel_rate * tyre_stiffness / (wheel_rate + tyre_stiffness)
+    return (
+        wheel_rate
+        if tyre_stiffness is None
+        else wheel_rate * tyre_stiffness / (wheel_rate + tyre_stiffness)
+    )
 
 
 def approximate_frequencies(corner: LumpedCorner) -> tuple[float, float]:
@@ -199,7 +213,9 @@ def static_deflection(sprung_mass: float, wheel_rate: float, gravity: float = GR
     return sprung_mass * gravity / wheel_rate
 
 
-def corner_masses(body_mass: float, front_distance: float, rear_distance: float) -> tuple[float, float]:
+def corner_masses(
+    body_mass: float, front_distance: float, rear_distance: float
+) -> tuple[float, float]:
     """Sprung mass (kg) on one front and one rear wheel, by the lever rule; distances (m) from the centre of gravity.
 
     >>> [round(mass, 2) for mass in corner_masses(1636.0, 1.29, 1.62)]
@@ -291,11 +307,18 @@ def spring_and_damper(
     wanted = positive_si(frequency, "Hz", where="frequency")
     share = positive_si(damping_ratio, "1", where="damping_ratio", zero=True)
     ratio = positive_si(motion_ratio, "1", where="motion_ratio")
-    stiffness = None if tyre_stiffness is None else positive_si(tyre_stiffness, "N/m", where="tyre_stiffness")
+    stiffness = (
+        None
+        if tyre_stiffness is None
+        else positive_si(tyre_stiffness, "N/m", where="tyre_stiffness")
+    )
     ride = mass * (2.0 * math.pi * wanted) ** 2
     if ride < _SOFTEST:
         raise DescriptionError(
-            "an implausibly low frequency", where="frequency", found=f"{wanted:g} Hz", allowed="about 1 Hz"
+            "an implausibly low frequency",
+            where="frequency",
+            found=f"{wanted:g} Hz",
+            allowed="about 1 Hz",
         )
     rate = ride
     if stiffness is not None:
@@ -312,7 +335,9 @@ def spring_and_damper(
     lever = ratio**2
     gravity = to_si(gravity, "m/s^2", where="gravity")
     sag = static_deflection(mass, rate, gravity)
-    return SpringAndDamper(rate / lever, damping / lever, rate, damping, ride, wanted, share, sag, mass * gravity)
+    return SpringAndDamper(
+        rate / lever, damping / lever, rate, damping, ride, wanted, share, sag, mass * gravity
+    )
 
 
 def as_built(
@@ -339,4 +364,6 @@ def as_built(
     share = damping / (2.0 * math.sqrt(rate * sprung_mass))
     sag = static_deflection(sprung_mass, rate, gravity)
     load = sprung_mass * gravity
-    return SpringAndDamper(spring_rate, damping_coefficient, rate, damping, ride, frequency, share, sag, load)
+    return SpringAndDamper(
+        spring_rate, damping_coefficient, rate, damping, ride, frequency, share, sag, load
+    )

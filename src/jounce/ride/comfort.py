@@ -23,7 +23,9 @@ Averaging = Literal["linear", "exponential"]
 TIME_CONSTANT = 1.0  # s; ISO 2631-1, 6.3.1
 LARGEST_CREST_FACTOR = 9.0  # 1; ISO 2631-1, 6.2.1
 LARGEST_MTVV_RATIO, LARGEST_VDV_RATIO = 1.5, 1.75  # 1; ISO 2631-1, 6.3.3
-SICK_PER_DOSE = 1.0 / 3.0 / 100.0  # share of people per m/s^1.5: ISO 2631-1, annex D, gives 1/3 in per cent
+SICK_PER_DOSE = (
+    1.0 / 3.0 / 100.0
+)  # share of people per m/s^1.5: ISO 2631-1, annex D, gives 1/3 in per cent
 WORKING_DAY = 8.0 * 3600.0  # s; A(8) of directive 2002/44/EC
 ACTION_VALUE, LIMIT_VALUE = 0.5, 1.15  # m/s^2; directive 2002/44/EC, article 3
 COMFORT_FACTORS = {"x": 1.0, "y": 1.0, "z": 1.0}  # ISO 2631-1, 8.2.2
@@ -56,7 +58,11 @@ def rms(values: ArrayLike, sample_rate: float) -> float:
 
 
 def running_rms(
-    values: ArrayLike, sample_rate: float, *, averaging: Averaging = "linear", time_constant: float = TIME_CONSTANT
+    values: ArrayLike,
+    sample_rate: float,
+    *,
+    averaging: Averaging = "linear",
+    time_constant: float = TIME_CONSTANT,
 ) -> Array:
     """Running root mean square of a weighted acceleration (m/s^2, rate in Hz), which is zero before the record.
 
@@ -71,13 +77,17 @@ def running_rms(
     total = duration_of(signal, sample_rate)
     if not total >= time_constant * (1.0 - 1e-9):  # rounding of (n - 1) / rate
         raise RecordingError(
-            "the record is too short for the running r.m.s.", found=f"{total:g} s", allowed=f"{time_constant:g} s"
+            "the record is too short for the running r.m.s.",
+            found=f"{total:g} s",
+            allowed=f"{time_constant:g} s",
         )
     squares = signal * signal
     if averaging == "exponential":
         return np.asarray(np.sqrt(_decaying_mean(squares, 1.0 / (sample_rate * time_constant))))
     if averaging != "linear":
-        raise unknown(str(averaging), ("linear", "exponential"), what="averaging", where="running r.m.s.")
+        raise unknown(
+            str(averaging), ("linear", "exponential"), what="averaging", where="running r.m.s."
+        )
     energy = np.concatenate([[0.0], np.cumsum(0.5 * (squares[1:] + squares[:-1]))]) / sample_rate
     index = np.arange(signal.size)
     before = np.interp(index - time_constant * sample_rate, index, energy)
@@ -122,11 +132,17 @@ def crest_factor(values: ArrayLike, sample_rate: float) -> float:
     signal, sample_rate = _check_signal(values, sample_rate)
     average = rms(signal, sample_rate)
     if not average > 0.0:
-        raise RecordingError("the signal is zero, so it has no crest factor", found="0 m/s^2", allowed="above 0 m/s^2")
+        raise RecordingError(
+            "the signal is zero, so it has no crest factor",
+            found="0 m/s^2",
+            allowed="above 0 m/s^2",
+        )
     return float(abs(signal).max()) / average
 
 
-def total_value(values: Mapping[str, float], factors: Mapping[str, float] = COMFORT_FACTORS) -> float:
+def total_value(
+    values: Mapping[str, float], factors: Mapping[str, float] = COMFORT_FACTORS
+) -> float:
     """Vibration total value, m/s^2: root of the sum of squares of ``values`` by axis (m/s^2) times ``factors`` (1)."""
     return math.sqrt(sum((factors[axis] * value) ** 2 for axis, value in values.items()))
 
@@ -161,7 +177,10 @@ def advice(values: ArrayLike, sample_rate: float, *, place: str) -> tuple[Findin
     average, total = rms(signal, sample_rate), duration_of(signal, sample_rate)
     if average <= 0.0:
         return ()
-    crest, dose = crest_factor(signal, sample_rate), vdv(signal, sample_rate) / (average * total**0.25)
+    crest, dose = (
+        crest_factor(signal, sample_rate),
+        vdv(signal, sample_rate) / (average * total**0.25),
+    )
     findings = []
     if crest > LARGEST_CREST_FACTOR:
         findings.append(finding("ride.crest_factor", place, crest, factor=crest))
@@ -175,9 +194,14 @@ def advice(values: ArrayLike, sample_rate: float, *, place: str) -> tuple[Findin
 
 
 def _check_signal(values: ArrayLike, sample_rate: float) -> tuple[Array, float]:
-    signal, sample_rate = as_samples(values, where="signal"), as_number(sample_rate, "Hz", where="sample_rate")
+    signal, sample_rate = (
+        as_samples(values, where="signal"),
+        as_number(sample_rate, "Hz", where="sample_rate"),
+    )
     if signal.ndim != 1 or signal.size < 2 or not sample_rate > 0.0:
         raise RecordingError(
-            "not a signal", found=f"shape {signal.shape} at {sample_rate:g} Hz", allowed="at least 2 samples at a rate"
+            "not a signal",
+            found=f"shape {signal.shape} at {sample_rate:g} Hz",
+            allowed="at least 2 samples at a rate",
         )
     return signal, sample_rate

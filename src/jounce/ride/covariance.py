@@ -65,7 +65,9 @@ class Relative:
 
 def check_stable(values: Complex) -> None:
     """Refuse models that are not asymptotically stable, by their eigenvalues (..., n) in 1/s."""
-    grows = np.max(values.real, axis=-1) > -1e-9 * np.max(np.abs(values), axis=-1, initial=1e-300)  # above rounding
+    grows = np.max(values.real, axis=-1) > -1e-9 * np.max(
+        np.abs(values), axis=-1, initial=1e-300
+    )  # above rounding
     if np.any(grows):
         unstable = values[grows][0]
         worst = unstable[np.argmax(unstable.real)]
@@ -167,7 +169,9 @@ class Lyapunov:
         solution = self._by_eigenvectors(q)
         a = self._beside(self.a, q)
         residual = a @ solution + solution @ _transpose(a) + q
-        solution = solution + self._by_eigenvectors(residual)  # one refinement removes the rounding of the eigenvectors
+        solution = solution + self._by_eigenvectors(
+            residual
+        )  # one refinement removes the rounding of the eigenvectors
         for k in np.flatnonzero(~self.eigen.is_sound):
             for place in np.ndindex(q.shape[1:-2]):
                 solution[(k, *place)] = self._by_schur(int(k), q[(k, *place)])
@@ -221,7 +225,9 @@ class Flow:
         safe = np.where(is_near, 1.0, half)
         sinh_over_half = 1.0 + half**2 / 6.0 + half**4 / 120.0
         divided = np.where(
-            is_near, np.exp(0.5 * (first + second)) * sinh_over_half, (np.exp(first) - np.exp(second)) / (2.0 * safe)
+            is_near,
+            np.exp(0.5 * (first + second)) * sinh_over_half,
+            (np.exp(first) - np.exp(second)) / (2.0 * safe),
         )
         vectors, inverse = eigen.vectors[:, None], eigen.inverse[:, None]
         inner = (divided * time[:, None, None])[:, None] * (inverse @ along @ vectors)
@@ -256,8 +262,12 @@ class Covariance:
         size = np.abs(model.C) @ np.abs(model.b)
         for source in self.sources:
             wheels = [i for group in source for i in group.wheels]
-            wanders = np.abs(model.d[..., wheels].sum(axis=-1)) > _NOTHING * model.scale[..., wheels].sum(axis=-1)
-            kicked = np.any(np.abs(_sum_groups(model.f, source)) > _NOTHING * _sum_groups(size, source), axis=-1)
+            wanders = np.abs(model.d[..., wheels].sum(axis=-1)) > _NOTHING * model.scale[
+                ..., wheels
+            ].sum(axis=-1)
+            kicked = np.any(
+                np.abs(_sum_groups(model.f, source)) > _NOTHING * _sum_groups(size, source), axis=-1
+            )
             wanders, kicked = wanders.any(axis=0), kicked.any(axis=0)
             reasons.update(dict.fromkeys(map(int, np.flatnonzero(wanders)), WANDERS))
             reasons.update(dict.fromkeys(map(int, np.flatnonzero(kicked & ~wanders)), KICKED))
@@ -281,12 +291,16 @@ class Covariance:
         covariance = self._lyapunov.solve(_sum(_outer(b, b) for _, b in drives))
         for i, (delay, b) in enumerate(drives):
             for later_delay, later_b in drives[i + 1 :]:
-                cross = self._flows.at(later_delay - delay) @ self._lyapunov.solve(_outer(b, later_b))
+                cross = self._flows.at(later_delay - delay) @ self._lyapunov.solve(
+                    _outer(b, later_b)
+                )
                 covariance = covariance + cross + _transpose(cross)
         return np.asarray(covariance)
 
     def _drives(self, source: Source) -> list[tuple[Array, Array]]:
-        return [(group.delay, self.model.b[..., list(group.wheels)].sum(axis=-1)) for group in source]
+        return [
+            (group.delay, self.model.b[..., list(group.wheels)].sum(axis=-1)) for group in source
+        ]
 
     def _steps(self, source: Source, d: Array) -> list[tuple[Array, Array, Array]]:
         """Intervals between delays: start, end (s), and the step of each output by then for a unit step of the road."""
@@ -299,7 +313,9 @@ class Covariance:
     def _reach(self, time: Array) -> Array:
         """Integral of the flow from 0 to a time."""
         a = self.model.A
-        return np.asarray(np.linalg.solve(a, self._flows.at(time) - np.eye(a.shape[-1])), dtype=np.float64)
+        return np.asarray(
+            np.linalg.solve(a, self._flows.at(time) - np.eye(a.shape[-1])), dtype=np.float64
+        )
 
     def _offset(self, source: Source) -> Array:
         """Variance added by heights that differ between wheels."""
@@ -308,7 +324,9 @@ class Covariance:
             variance += reached**2 * (end - begin)[:, None]
             for delay, b in self._drives(source):
                 if delay[0] <= begin[0]:
-                    response = (self._reach(end - delay) - self._reach(begin - delay)) @ b[:, :, None]
+                    response = (self._reach(end - delay) - self._reach(begin - delay)) @ b[
+                        :, :, None
+                    ]
                     variance += 2.0 * reached * (self.model.C @ response)[:, :, 0]
         return variance
 
@@ -325,11 +343,15 @@ class Covariance:
             total += np.einsum("sij,snjk,sik->sni", self.model.C, change, self.model.C)
             total += self._offset_slopes(source, along, later)
             wheels = [i for group in source for i in group.wheels]
-            begins = np.abs(along.d[..., wheels].sum(axis=-1)) > _BEGINS * along.scale[..., wheels].sum(axis=-1)
+            begins = np.abs(along.d[..., wheels].sum(axis=-1)) > _BEGINS * along.scale[
+                ..., wheels
+            ].sum(axis=-1)
             total[begins] = np.nan
         return total
 
-    def _moving(self, source: Source, along: Relative, later: Array) -> list[tuple[Array, Array, Array, Array]]:
+    def _moving(
+        self, source: Source, along: Relative, later: Array
+    ) -> list[tuple[Array, Array, Array, Array]]:
         """Delay, drive, and the slopes of both for each group."""
         return [
             (time, b, later[..., group.wheels[0]], along.b[..., list(group.wheels)].sum(axis=-1))
@@ -351,7 +373,9 @@ class Covariance:
                 x = self._lyapunov.solve(_outer(b, later_b))
                 noise = _outer(b_slopes, later_b[:, None]) + _outer(b[:, None], later_b_slopes)
                 slopes = self._solve_slopes(x, noise, along.A)
-                flow, flow_slopes = self._flow_slopes(second - first, second_later - first_later, along.A)
+                flow, flow_slopes = self._flow_slopes(
+                    second - first, second_later - first_later, along.A
+                )
                 cross = flow_slopes @ x[:, None] + flow[:, None] @ slopes
                 total = total + cross + _transpose(cross)
         return np.asarray(total)
@@ -359,7 +383,9 @@ class Covariance:
     def _flow_slopes(self, time: Array, later: Array, along: Array) -> tuple[Array, Array]:
         """Flow over a time and its slopes along parameters that change A and the time."""
         flow = self._flows.at(time)
-        return flow, self._flows.slopes(time, along) + (self.model.A @ flow)[:, None] * later[:, :, None, None]
+        return flow, self._flows.slopes(time, along) + (self.model.A @ flow)[:, None] * later[
+            :, :, None, None
+        ]
 
     def _reach_slopes(self, time: Array, later: Array, along: Array) -> tuple[Array, Array]:
         flow, slopes = self._flow_slopes(time, later, along)
@@ -373,16 +399,33 @@ class Covariance:
         groups = self._moving(source, along, later)
         step_slopes = self._steps(source, along.d)
         for i, (begin, end, before) in enumerate(self._steps(source, model.d)):
-            step, lengthening, reached = step_slopes[i][2], groups[i + 1][2] - groups[i][2], before[:, None]
-            total += 2.0 * reached * step * (end - begin)[:, None, None] + reached**2 * lengthening[:, :, None]
+            step, lengthening, reached = (
+                step_slopes[i][2],
+                groups[i + 1][2] - groups[i][2],
+                before[:, None],
+            )
+            total += (
+                2.0 * reached * step * (end - begin)[:, None, None]
+                + reached**2 * lengthening[:, :, None]
+            )
             for delay, b, delayed, b_slopes in groups[: i + 1]:
-                late, late_slopes = self._reach_slopes(end - delay, groups[i + 1][2] - delayed, along.A)
-                soon, soon_slopes = self._reach_slopes(begin - delay, groups[i][2] - delayed, along.A)
+                late, late_slopes = self._reach_slopes(
+                    end - delay, groups[i + 1][2] - delayed, along.A
+                )
+                soon, soon_slopes = self._reach_slopes(
+                    begin - delay, groups[i][2] - delayed, along.A
+                )
                 reach = (late - soon)[:, None]
                 path = (late - soon) @ b[:, :, None]
-                path_slopes = (late_slopes - soon_slopes) @ b[:, None, :, None] + reach @ b_slopes[..., None]
+                path_slopes = (late_slopes - soon_slopes) @ b[:, None, :, None] + reach @ b_slopes[
+                    ..., None
+                ]
                 total += 2.0 * step * (model.C @ path)[:, None, :, 0]
-                total += 2.0 * reached * (along.C @ path[:, None] + model.C[:, None] @ path_slopes)[..., 0]
+                total += (
+                    2.0
+                    * reached
+                    * (along.C @ path[:, None] + model.C[:, None] @ path_slopes)[..., 0]
+                )
         return total
 
 
@@ -397,7 +440,10 @@ def with_cut_off(model: Matrices, rate: float) -> Matrices:
     """
     b, d = (np.moveaxis(part, -3, 0) for part in (model.B, model.D))
     *stack, n, wheels = b.shape[1:]
-    zero, identity = np.zeros((*stack, wheels, n)), np.broadcast_to(np.eye(wheels), (*stack, wheels, wheels))
+    zero, identity = (
+        np.zeros((*stack, wheels, n)),
+        np.broadcast_to(np.eye(wheels), (*stack, wheels, wheels)),
+    )
     a = np.block([[model.A, b[0] - rate * b[1]], [zero, -rate * identity]])
     c = np.concatenate([model.C, d[0] - rate * d[1]], axis=-1)
     inputs = np.concatenate([b[1], identity], axis=-2)
@@ -448,7 +494,11 @@ def frequencies(low: float, high: float, values: Complex, delay: Array) -> tuple
     extra = np.where(is_needed, extra, high).reshape(len(values), -1)
     most_extra = int(np.max(np.count_nonzero(extra < high, axis=1), initial=0))
     common = np.geomspace(low, high, count + 1)
-    edges = np.sort(np.concatenate([np.tile(common, (len(values), 1)), np.sort(extra, axis=1)[:, :most_extra]], axis=1))
+    edges = np.sort(
+        np.concatenate(
+            [np.tile(common, (len(values), 1)), np.sort(extra, axis=1)[:, :most_extra]], axis=1
+        )
+    )
     if np.any(delay > 0.0):
         edges = _subdivide(edges, delay)
     points, weights = _gauss()
@@ -467,7 +517,9 @@ def _subdivide(edges: Array, delay: Array) -> Array:
     place = np.arange(len(first)) - np.repeat(np.cumsum(flat) - flat, flat)
     finer = np.tile(edges[:, -1:], (1, int(counts.max()) + 1))
     member = np.repeat(np.arange(len(edges)), counts)
-    finer[member, np.arange(len(first)) - np.repeat(np.cumsum(counts) - counts, counts)] = first + place * width
+    finer[member, np.arange(len(first)) - np.repeat(np.cumsum(counts) - counts, counts)] = (
+        first + place * width
+    )
     return finer
 
 
@@ -491,7 +543,9 @@ class Inverse:
         modal = (c @ self.eigen.vectors)[:, :, :, None] * self._shares[:, None]
         product = _in_parts(_transpose(self.eigen.inverse)[:, None], modal)
         for k in np.flatnonzero(~self.eigen.is_sound):
-            product[k] = np.moveaxis(np.linalg.solve(_transpose(self._shift(int(k))), c[k].T), (0, 2), (2, 0))
+            product[k] = np.moveaxis(
+                np.linalg.solve(_transpose(self._shift(int(k))), c[k].T), (0, 2), (2, 0)
+            )
         return np.asarray(product)
 
     def _shift(self, k: int) -> Complex:
@@ -556,7 +610,10 @@ class BandVariance:
     @cached_property
     def _states(self) -> list[list[Complex]]:
         """States for a unit rate of the road, for each source and group: shape (members, n, f)."""
-        return [[self._inverse.times(b) for b in _groups(self.model.b, source)] for source in self.sources]
+        return [
+            [self._inverse.times(b) for b in _groups(self.model.b, source)]
+            for source in self.sources
+        ]
 
     @cached_property
     def _by_group(self) -> list[list[Complex]]:
@@ -566,7 +623,11 @@ class BandVariance:
             d, f = _groups(self.model.d, source), _groups(self.model.f, source)
             responses.append(
                 [
-                    ((_in_parts(self.model.C, states[g]) + f[g][:, :, None]) * self._s[:, None, :] + d[g][:, :, None])
+                    (
+                        (_in_parts(self.model.C, states[g]) + f[g][:, :, None])
+                        * self._s[:, None, :]
+                        + d[g][:, :, None]
+                    )
                     * waves[:, g, None, :]
                     for g in range(len(source))
                 ]
@@ -613,13 +674,24 @@ class BandVariance:
         waves, n = self._waves[i], self.model.A.shape[-1]
         rates = waves * self._s[:, None, :]
         state = sum(states * rates[:, g, None, :] for g, states in enumerate(self._states[i]))
-        late = np.stack([np.sum(answer * self._s[:, None, :] * part, axis=2).real for part in self._by_group[i]], -1)
+        late = np.stack(
+            [
+                np.sum(answer * self._s[:, None, :] * part, axis=2).real
+                for part in self._by_group[i]
+            ],
+            -1,
+        )
         driven = np.concatenate([state, rates], axis=1)
         inner = _summed_products(modal * answer[:, :, None, :], driven[:, None])
         outer = _summed_products(answer, np.concatenate([driven, waves], axis=1))
         end = driven.shape[1]
         return _VarianceSlopes(
-            inner[..., :n], inner[..., n:], outer[..., :n], outer[..., end:], outer[..., n:end], late
+            inner[..., :n],
+            inner[..., n:],
+            outer[..., :n],
+            outer[..., end:],
+            outer[..., n:end],
+            late,
         )
 
     def slopes(self, along: Relative, later: Array, coherence: Array | None = None) -> Array:
@@ -632,7 +704,9 @@ class BandVariance:
             late = np.stack([later[..., group.wheels[0]] for group in source], axis=-1)
             total += np.einsum("srji,snji->snr", pull.matrix, along.A)
             total += np.einsum("srjg,snjg->snr", pull.drive, _sum_groups(along.b, source))
-            total += np.einsum("srj,snrj->snr", pull.state, along.C) - np.einsum("srg,sng->snr", pull.delay, late)
+            total += np.einsum("srj,snrj->snr", pull.state, along.C) - np.einsum(
+                "srg,sng->snr", pull.delay, late
+            )
             total += np.einsum("srg,snrg->snr", pull.height, _sum_groups(along.d, source))
             total += np.einsum("srg,snrg->snr", pull.rate, _sum_groups(along.f, source))
         if coherence is not None:
@@ -677,7 +751,9 @@ def longest_delay(sources: Sequence[Source]) -> Array:
 
 Gain = Callable[[Array], Array]
 """Magnitude (1) of a weighting at frequencies (Hz)."""
-_TRACK_STEP = 1e-4  # relative, of the difference that gives the slope of a coherence: 1e-8 of truncation
+_TRACK_STEP = (
+    1e-4  # relative, of the difference that gives the slope of a coherence: 1e-8 of truncation
+)
 _AT_ONCE = 256  # members times states times signals: with more, the work no longer fits the processor's cache
 
 
@@ -731,7 +807,9 @@ class RandomVibration:
             linear,
         )
 
-    def _members(self, linear: LinearModels, values: Array, group: slice) -> list[tuple[Array, Array, dict[int, str]]]:
+    def _members(
+        self, linear: LinearModels, values: Array, group: slice
+    ) -> list[tuple[Array, Array, dict[int, str]]]:
         """Variances, their slopes and absent signals of some members: together, or one by one if they differ."""
         sources = self._sources(values, group)
         count = len(values[group])
@@ -744,7 +822,11 @@ class RandomVibration:
         eigen = linear.eigen.of(group)
         if has_neutral(eigen.values):
             reduced, reduced_along = without_unreached(model[0], along[0])
-            model, along, eigen = side_by_side([reduced]), side_by_side([reduced_along]), Eigen(reduced.A[None])
+            model, along, eigen = (
+                side_by_side([reduced]),
+                side_by_side([reduced_along]),
+                Eigen(reduced.A[None]),
+            )
         part = _Part(self, model, along, eigen, sources, values, group)
         return [part.white() if self.surface.band is None else part.over_band()]
 
@@ -770,8 +852,12 @@ class RandomVibration:
         track = float(self.families.geometry_at(values)[0, -1])
         coherence = surface.root_coherence(n, track) if len(sources) == 2 else None
         power = inside * surface.heights(n) / surface.speed
-        band = RoadExcitation(frequency[None], power[None], None, None if coherence is None else coherence[None])
-        shares: Array = BandVariance(relative(reduced, eigen.values), eigen, sources, band).shares()[0]
+        band = RoadExcitation(
+            frequency[None], power[None], None, None if coherence is None else coherence[None]
+        )
+        shares: Array = BandVariance(
+            relative(reduced, eigen.values), eigen, sources, band
+        ).shares()[0]
         return shares
 
 
@@ -796,7 +882,9 @@ class _Part:
     @property
     def _geometry_slopes(self) -> Array:
         """Slopes of delays (times speed) and of the width, m, for the requested parameters."""
-        return np.asarray(self.analysis.families.geometry_slopes[self.group, : self.along.A.shape[1]])
+        return np.asarray(
+            self.analysis.families.geometry_slopes[self.group, : self.along.A.shape[1]]
+        )
 
     @property
     def _later(self) -> Array:
@@ -819,7 +907,9 @@ class _Part:
         covariance = Covariance(relative_model, eigen, self.sources)
         slopes = np.zeros(along.C.shape[:-1])
         if slopes.size:
-            relative_along = relative_slopes(model, relative_model, along, self._sizes[:, : along.A.shape[1]])
+            relative_along = relative_slopes(
+                model, relative_model, along, self._sizes[:, : along.A.shape[1]]
+            )
             slopes = intensity * covariance.slopes(relative_along, self._later)
         return intensity * covariance.variances(), slopes, covariance.absent()
 
@@ -830,7 +920,9 @@ class _Part:
         variance = BandVariance(relative_model, self.eigen, self.sources, band)
         slopes = np.zeros(along.C.shape[:-1])
         if slopes.size:
-            relative_along = relative_slopes(self.model, relative_model, along, self._sizes[:, : along.A.shape[1]])
+            relative_along = relative_slopes(
+                self.model, relative_model, along, self._sizes[:, : along.A.shape[1]]
+            )
             slopes = variance.slopes(relative_along, self._later, self._coherence_slopes(band))
         return variance.variances(), slopes, {}
 
@@ -842,7 +934,10 @@ class _Part:
         n, flat = frequency / surface.speed, frequency.ravel()
         gain = None
         if any(signal.gain is not None for signal in signals):
-            gains = [np.ones(flat.shape) if signal.gain is None else signal.gain(flat) for signal in signals]
+            gains = [
+                np.ones(flat.shape) if signal.gain is None else signal.gain(flat)
+                for signal in signals
+            ]
             gain = np.stack([(np.abs(values) ** 2).reshape(n.shape) for values in gains], axis=1)
         coherence = surface.root_coherence(n, self._track) if len(self.sources) == 2 else None
         heights = surface.heights(n.ravel()).reshape(n.shape)

@@ -17,7 +17,9 @@ _STEEP = 15.0  # dB from the octave below 1 Hz to that above; roads and suspensi
 _TRAVELS = {_BODY: (0.7, 0.06), _WHEEL: (4.0, 0.025)}
 """Frequency (Hz) above which motion comes from suspension or tyre, and an r.m.s. motion (m) beyond any vehicle."""
 _STEPS = 0.02  # share of a signal's power that its resolution may add (step^2 / 12)
-_EXCHANGED = 2.0  # r.m.s. of body over wheel; a suspension isolates, so the ratio is well below 1 on a road
+_EXCHANGED = (
+    2.0  # r.m.s. of body over wheel; a suspension isolates, so the ratio is well below 1 on a road
+)
 _RESPONSE = (0.7, 30.0)  # Hz: band in which the response of body to wheel is fitted
 _FEWEST_LINES = 20  # lines in that band: ten for each fitted number and more
 _COHERENT = 0.9  # median coherence (1) below which noise decides the fit
@@ -77,7 +79,9 @@ def _pairs(names: Iterable[str]) -> Iterator[tuple[str, str]]:
 def _spectrum(centred: Array, rate: float) -> tuple[Array, Array]:
     from scipy import signal
 
-    frequency, density = signal.welch(centred, rate, nperseg=min(round(8.0 * rate), centred.size), detrend="linear")
+    frequency, density = signal.welch(
+        centred, rate, nperseg=min(round(8.0 * rate), centred.size), detrend="linear"
+    )
     return np.asarray(frequency), np.asarray(density)
 
 
@@ -88,10 +92,14 @@ def _check_steps(name: str, values: Array, power: float) -> Iterator[Finding]:
         yield finding("ride.coarse_steps", name, step, step=step, rms=power**0.5, share=share)
 
 
-def _check_travel(name: str, frequency: Array, density: Array, kind: tuple[str, ...]) -> Iterator[Finding]:
+def _check_travel(
+    name: str, frequency: Array, density: Array, kind: tuple[str, ...]
+) -> Iterator[Finding]:
     lowest, most = _TRAVELS[kind]
     inside = frequency > lowest
-    motion = float(np.sqrt(np.sum(density[inside] / (2.0 * np.pi * frequency[inside]) ** 4) * frequency[1]))
+    motion = float(
+        np.sqrt(np.sum(density[inside] / (2.0 * np.pi * frequency[inside]) ** 4) * frequency[1])
+    )
     if motion > most:
         code = "ride.body_travels" if kind is _BODY else "ride.wheel_travels"
         yield finding(code, name, motion, lowest=lowest, motion=motion)
@@ -99,13 +107,18 @@ def _check_travel(name: str, frequency: Array, density: Array, kind: tuple[str, 
 
 def _check_bands(name: str, frequency: Array, density: Array) -> Iterator[Finding]:
     level = {
-        low: 10.0 * np.log10(max(float(np.sum(density[(frequency >= low) & (frequency < 2.0 * low)])), 1e-300))
+        low: 10.0
+        * np.log10(
+            max(float(np.sum(density[(frequency >= low) & (frequency < 2.0 * low)])), 1e-300)
+        )
         for low in (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
         if 2.0 * low <= frequency[-1]
     }
     strongest = max(level.values())
     if 16.0 in level and (strongest - level[16.0] > _EMPTY or level[8.0] - level[16.0] > _FALLING):
-        yield finding("ride.band_empty", name, strongest - level[16.0], fall=strongest - level[16.0])
+        yield finding(
+            "ride.band_empty", name, strongest - level[16.0], fall=strongest - level[16.0]
+        )
     if 1.0 in level and level[1.0] - level[0.5] > _STEEP:
         yield finding("ride.high_pass", name, level[1.0] - level[0.5], fall=level[1.0] - level[0.5])
 
@@ -116,7 +129,9 @@ def _check_exchange(wheel: str, body: str, accelerations: Mapping[str, Array]) -
         yield finding("ride.exchanged", body, ratio, ratio=ratio, wheel=wheel)
 
 
-def _check_filter(wheel: str, body: str, accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]:
+def _check_filter(
+    wheel: str, body: str, accelerations: Mapping[str, Array], rate: float
+) -> Iterator[Finding]:
     """Report a filter in one channel if the body follows its wheel through spring, damper and a filter."""
     given, answer = accelerations[wheel], accelerations[body]
     if given.size < _SHORTEST * rate * (1.0 - 1e-9) or min(np.ptp(given), np.ptp(answer)) == 0.0:
@@ -163,7 +178,9 @@ _FILTERS: dict[str, tuple[Callable[[Complex], Complex], float]] = {
 """Response of each kind of filter (1) at s over its corner frequency, and the initial corner (Hz)."""
 
 
-def _fit(frequency: Array, transfer: Complex, coherence: Array, what: str = "") -> tuple[float, float]:
+def _fit(
+    frequency: Array, transfer: Complex, coherence: Array, what: str = ""
+) -> tuple[float, float]:
     """Fit a body on spring and damper, optionally behind a filter, to a response (n,) at frequencies (n,) in Hz.
 
     Returns the residual, as the r.m.s. logarithm of the ratio (1), and the corner in Hz.
@@ -184,7 +201,12 @@ def _fit(frequency: Array, transfer: Complex, coherence: Array, what: str = "") 
     low, high = [-5.0, -5.0, np.log(0.01)], [10.0, 10.0, np.log(1e3)]
     count, corner = (3, np.log(_FILTERS[what][1])) if what else (2, 0.0)
     # bounce and wheel hop, Hz: two starts, since the error has two minima
-    starts = ([np.log(2.0 * np.pi * own), np.log(np.pi * own), corner][:count] for own in (1.2, 5.0))
-    fits = (least_squares(gap, start, bounds=(low[:count], high[:count]), max_nfev=60) for start in starts)
+    starts = (
+        [np.log(2.0 * np.pi * own), np.log(np.pi * own), corner][:count] for own in (1.2, 5.0)
+    )
+    fits = (
+        least_squares(gap, start, bounds=(low[:count], high[:count]), max_nfev=60)
+        for start in starts
+    )
     best = min(fits, key=lambda fit: float(fit.cost))
     return float(np.sqrt(2.0 * best.cost)), float(np.exp(best.x[2])) if what else 0.0

@@ -31,10 +31,15 @@ _TO_THE_END = (
     "otherwise until the rear axle reaches the end of the road, the front axle being a wheelbase beyond it, or until "
     "the front axle reaches it if the road ends at another height than it begins."
 )
-ROAD = File("A class of ISO 8608 (iso:A to iso:H), a road file, or a name of `jounce library`.", shipped=("roads",))
+ROAD = File(
+    "A class of ISO 8608 (iso:A to iso:H), a road file, or a name of `jounce library`.",
+    shipped=("roads",),
+)
 SPEED = Number('Speed over the road, e.g. "20 m/s".', "SPEED", "m/s", is_positive=True)
 SEED = Count("Seed of the random road.", least=0)
-TRUST = Switch("Run FMUs of controllers in the process of the run: faster, and a crash ends all of it.")
+TRUST = Switch(
+    "Run FMUs of controllers in the process of the run: faster, and a crash ends all of it."
+)
 _OPTIONS: dict[str, Any] = {
     "named": {"rig": "vehicle", "changes": "set", "controls": "control"},
     "echo": {"vehicle": "vehicle", "changes": "set", "road": "road", "seed": "seed"},
@@ -49,7 +54,10 @@ def check_single_recording(out: Path | None, control: Sequence[str] | None, **_:
     if out is not None and len(names) > 1:
         listed = ", ".join(map(str, names))
         raise DescriptionError(
-            "a file holds a single run", where="--out", found=listed, allowed="one --control with --out"
+            "a file holds a single run",
+            where="--out",
+            found=listed,
+            allowed="one --control with --out",
         )
 
 
@@ -70,12 +78,18 @@ def ride_road(
     controls: Annotated[
         Sequence[AnyControl] | None,
         Texts(
-            "A controller (see `jounce compare --help`), its file, or all; passive by default. Repeat it.", "CONTROL"
+            "A controller (see `jounce compare --help`), its file, or all; passive by default. Repeat it.",
+            "CONTROL",
         ),
     ] = None,
     duration: Annotated[
         float | str | None,
-        Number(f"Time over the road; by default 60 s on ISO roads, {_TO_THE_END}", "TIME", "s", is_positive=True),
+        Number(
+            f"Time over the road; by default 60 s on ISO roads, {_TO_THE_END}",
+            "TIME",
+            "s",
+            is_positive=True,
+        ),
     ] = None,
     seed: Annotated[int, SEED] = 0,
     trust: Annotated[bool, TRUST] = False,
@@ -121,7 +135,9 @@ def ride_road(
     rig = as_rig(rig)
     names = named_controls(controls or ["passive"])
     with trusting(trust):
-        return compare_rides(rig, trial_over(rig, road, speed, duration, seed), names, progress=progress)
+        return compare_rides(
+            rig, trial_over(rig, road, speed, duration, seed), names, progress=progress
+        )
 
 
 @operation(
@@ -143,7 +159,12 @@ def compare_controllers(
     speed: Annotated[float | str, SPEED] = 20.0,
     duration: Annotated[
         float | str | None,
-        Number(f"Time over the road; by default 20 s on ISO roads, {_TO_THE_END}", "TIME", "s", is_positive=True),
+        Number(
+            f"Time over the road; by default 20 s on ISO roads, {_TO_THE_END}",
+            "TIME",
+            "s",
+            is_positive=True,
+        ),
     ] = None,
     seed: Annotated[int, SEED] = 0,
     trust: Annotated[bool, TRUST] = False,
@@ -182,7 +203,12 @@ def compare_controllers(
     True
     """
     lasting = COMPARED_DURATION if duration is None and is_class(road) else duration
-    shared: dict[str, Any] = {"duration": lasting, "seed": seed, "trust": trust, "progress": progress}
+    shared: dict[str, Any] = {
+        "duration": lasting,
+        "seed": seed,
+        "trust": trust,
+        "progress": progress,
+    }
     return ride_road(rig, road, speed, controls=controls or ["all"], **shared)
 
 
@@ -192,12 +218,20 @@ def named_controls(given: Sequence[AnyControl]) -> list[AnyControl]:
     >>> named_controls(["passive, skyhook", "passive"])
     ['passive', 'skyhook']
     """
-    parts = [part for item in given for part in (item.split(",") if isinstance(item, str) else [item])]
+    parts = [
+        part for item in given for part in (item.split(",") if isinstance(item, str) else [item])
+    ]
     names = [part.strip() if isinstance(part, str) else part for part in parts]
     named = [name for name in names if name != ""]
     if not named:
-        raise DescriptionError("no controller is named", where="--control", allowed="a controller, its file, or all")
-    return list(dict.fromkeys(control for name in named for control in (all_controls() if name == "all" else (name,))))
+        raise DescriptionError(
+            "no controller is named", where="--control", allowed="a controller, its file, or all"
+        )
+    return list(
+        dict.fromkeys(
+            control for name in named for control in (all_controls() if name == "all" else (name,))
+        )
+    )
 
 
 def trial_over(
@@ -209,7 +243,9 @@ def trial_over(
     name, own = class_and_seed(road)
     if own is not None and seed not in (0, own):
         raise DescriptionError(
-            "two different seeds are given", where="--seed", found=f"{seed}, and {own} in --road {road}"
+            "two different seeds are given",
+            where="--seed",
+            found=f"{seed}, and {own} in --road {road}",
         )
     lasting = DEFAULT_DURATION if duration is None else duration
     return iso_trial(rig, name, speed, duration=lasting, seed=seed if own is None else own)

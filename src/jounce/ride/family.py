@@ -19,10 +19,20 @@ from jounce.parts import Rig
 from jounce.parts.rig import structure_of, unit_of, unknown_path
 from jounce.parts.vehicles import Place, Vehicle, track_width
 from jounce.simulation.compiled import Compiled, compile_rig
-from jounce.simulation.statics import find_equilibrium, for_small_motions, in_terms_of, rests_for_small_motions
+from jounce.simulation.statics import (
+    find_equilibrium,
+    for_small_motions,
+    in_terms_of,
+    rests_for_small_motions,
+)
 
 _STEP = 1e-3  # relative, of differences for mechanisms: fourth order, so 1e-12 of truncation beside 1e-13 of rounding
-_ASIDE = 0.5, -0.5, 1e-3, -1e-3  # relative steps for distances: these are affine, so any step is exact
+_ASIDE = (
+    0.5,
+    -0.5,
+    1e-3,
+    -1e-3,
+)  # relative steps for distances: these are affine, so any step is exact
 _DEPENDENT = 1e5  # condition of the eigenvectors: beyond it five digits are lost, and Lyapunov equations are solved
 
 
@@ -44,7 +54,9 @@ class Matrices:
     def of_rows(self, rows: Sequence[int]) -> Matrices:
         """Return the model with some of its outputs only."""
         chosen = list(rows)
-        return Matrices(self.A, self.B, self.C[..., chosen, :], self.D[..., chosen, :], self.static[..., chosen])
+        return Matrices(
+            self.A, self.B, self.C[..., chosen, :], self.D[..., chosen, :], self.static[..., chosen]
+        )
 
     def __getitem__(self, k: Any) -> Matrices:
         """Return one or some of the stacked models."""
@@ -73,10 +85,15 @@ class Eigen:
         with np.errstate(all="ignore"):
             sound = np.linalg.det(vectors) != 0.0
             inverse = np.linalg.inv(np.where(sound[..., None, None], vectors, unit))
-            condition = np.linalg.norm(vectors, axis=(-2, -1)) * np.linalg.norm(inverse, axis=(-2, -1))
+            condition = np.linalg.norm(vectors, axis=(-2, -1)) * np.linalg.norm(
+                inverse, axis=(-2, -1)
+            )
         self.is_sound = sound & (condition < _DEPENDENT)
         chosen = self.is_sound[..., None, None]
-        self.vectors, self.inverse = np.where(chosen, vectors, unit), np.where(chosen, inverse, unit)
+        self.vectors, self.inverse = (
+            np.where(chosen, vectors, unit),
+            np.where(chosen, inverse, unit),
+        )
 
     def of(self, members: slice) -> Eigen:
         """Return those of some of the matrices."""
@@ -132,7 +149,9 @@ class LinearFamily:
     def wheels(self) -> tuple[str, ...]:
         """Corner of each wheel; "" for a single wheel."""
         tracks = self.compiled.facts.tracks
-        return tuple(track.removesuffix(ROAD).removesuffix(".") for track in tracks if is_road(track))
+        return tuple(
+            track.removesuffix(ROAD).removesuffix(".") for track in tracks if is_road(track)
+        )
 
     @cached_property
     def places(self) -> tuple[Place, ...]:
@@ -163,7 +182,9 @@ class LinearFamily:
                 changed = self.rig.with_changes({path: value + float(step)})
                 return np.asarray((_geometry(changed, self.wheels) - first) / step)
         raise DescriptionError(
-            "no value other than this one is allowed", where=f"parameters: {path}", found=f"{value:g} m"
+            "no value other than this one is allowed",
+            where=f"parameters: {path}",
+            found=f"{value:g} m",
         )
 
     def at(self, values: Array | None = None, *, slopes: bool = True) -> tuple[Matrices, Matrices]:
@@ -201,7 +222,9 @@ class Families:
     @cached_property
     def _geometry(self) -> tuple[Array, Array]:
         geometries = [member.geometry for member in self.members]
-        return np.array([first for first, _ in geometries]), np.array([slopes for _, slopes in geometries])
+        return np.array([first for first, _ in geometries]), np.array(
+            [slopes for _, slopes in geometries]
+        )
 
     @property
     def geometry_slopes(self) -> Array:
@@ -212,7 +235,9 @@ class Families:
         """Models at values (members, parameters), SI, and their slopes."""
         wanted = np.asarray(values, dtype=float)
         key = wanted.tobytes(), slopes
-        last: tuple[object, LinearModels] | None = self._last.get("models")  # one set serves several roads
+        last: tuple[object, LinearModels] | None = self._last.get(
+            "models"
+        )  # one set serves several roads
         if last is None or last[0] != key:
             last = self._last["models"] = key, LinearModels(*self._at(wanted, slopes))
         return last[1]
@@ -225,13 +250,17 @@ class Families:
         if not self.first.compiled.facts.projects:
             return self._exactly(p, slopes=slopes)
         models = [self._by_differences(row, slopes=slopes) for row in p]
-        return side_by_side([model for model, _ in models]), side_by_side([along for _, along in models])
+        return side_by_side([model for model, _ in models]), side_by_side(
+            [along for _, along in models]
+        )
 
     @cached_property
     def _parameters(self) -> Array:
         """Model parameters of each rig, shape (members, parameters)."""
         compiled = self.first.compiled
-        return np.array([compiled.parameter_values(member.rig.parameters()) for member in self.members])
+        return np.array(
+            [compiled.parameter_values(member.rig.parameters()) for member in self.members]
+        )
 
     @cached_property
     def _places(self) -> list[int | None]:
@@ -254,15 +283,21 @@ class Families:
         dp = directions.reshape(-1, p.shape[1])
         where = [np.repeat(part, count, axis=0) for part in (x, u, p, modes)]
         push = graphs.push(*where, dp)[0].reshape(len(p), count, -1)
-        inverse = np.linalg.pinv(model.A, rcond=len(model.A[0]) * np.finfo(float).eps)  # neutral motions do not move
+        inverse = np.linalg.pinv(
+            model.A, rcond=len(model.A[0]) * np.finfo(float).eps
+        )  # neutral motions do not move
         dx = -np.einsum("sij,snj->sni", inverse, push).reshape(-1, x.shape[1])
         along = graphs.along(*where, dx, dp)
-        return model, self._reshape([part.reshape(len(p), count, *part.shape[1:]) for part in along])
+        return model, self._reshape(
+            [part.reshape(len(p), count, *part.shape[1:]) for part in along]
+        )
 
     def _reshape(self, parts: Sequence[Array]) -> Matrices:
         a, b, c, d, static = parts
         order, wheels = self.first.compiled.facts.track_order, len(self.first.wheels)
-        b3, d3 = (np.moveaxis(part.reshape(*part.shape[:-1], wheels, order), -1, -3) for part in (b, d))
+        b3, d3 = (
+            np.moveaxis(part.reshape(*part.shape[:-1], wheels, order), -1, -3) for part in (b, d)
+        )
         return Matrices(a, b3, c, d3, static.reshape((*static.shape[: a.ndim - 2], -1)))
 
     def _by_differences(self, p: Array, *, slopes: bool) -> tuple[Matrices, Matrices]:
@@ -281,7 +316,8 @@ class Families:
             slope_matrices.append(
                 Matrices(
                     *(
-                        sum(w * getattr(side, name) for w, side in zip(weights, sides, strict=True)) / (12.0 * step)
+                        sum(w * getattr(side, name) for w, side in zip(weights, sides, strict=True))
+                        / (12.0 * step)
                         for name in PARTS
                     )
                 )
@@ -317,7 +353,12 @@ class Families:
 
 def _none_of(model: Matrices) -> Matrices:
     """Return empty slopes for models (members, ...): no parameters."""
-    return Matrices(*(np.zeros((len(part), 0, *part.shape[1:])) for part in (getattr(model, name) for name in PARTS)))
+    return Matrices(
+        *(
+            np.zeros((len(part), 0, *part.shape[1:]))
+            for part in (getattr(model, name) for name in PARTS)
+        )
+    )
 
 
 def _places(rig: Rig, wheels: Sequence[str]) -> tuple[Place, ...]:
@@ -332,7 +373,12 @@ def _geometry(rig: Rig, wheels: Sequence[str]) -> Array:
 def _road_columns(compiled: Compiled) -> list[int]:
     facts = compiled.facts
     order = facts.track_order
-    return [i * order + j for i, track in enumerate(facts.tracks) if is_road(track) for j in range(order)]
+    return [
+        i * order + j
+        for i, track in enumerate(facts.tracks)
+        if is_road(track)
+        for j in range(order)
+    ]
 
 
 @dataclass(frozen=True)
@@ -363,7 +409,10 @@ def _build_graphs(compiled: Compiled) -> _Graphs:
     by_x = ca.jacobian(ca.vertcat(model.rate, model.output), model.x)
     by_u = ca.jacobian(ca.vertcat(model.rate, model.output), model.u)[:, columns]
     n = model.x.shape[0]
-    parts = [ca.densify(part) for part in (by_x[:n, :], by_u[:n, :], by_x[n:, :], by_u[n:, :], model.output)]
+    parts = [
+        ca.densify(part)
+        for part in (by_x[:n, :], by_u[:n, :], by_x[n:, :], by_u[n:, :], model.output)
+    ]
     where = [model.x, model.u, model.p, model.m]
     dx, dp = ca.SX.sym("dx", n), ca.SX.sym("dp", model.p.shape[0])
     flat = ca.vertcat(*(ca.vec(part) for part in parts))
@@ -374,7 +423,9 @@ def _build_graphs(compiled: Compiled) -> _Graphs:
         begin += part.numel()
     push = ca.densify(ca.jtimes(model.rate, model.p, dp))
     return _Graphs(
-        _Each("rest", where, [ca.densify(part) for part in (model.rate, by_x[:n, :], model.switch)]),
+        _Each(
+            "rest", where, [ca.densify(part) for part in (model.rate, by_x[:n, :], model.switch)]
+        ),
         _Each("values", where, parts),
         _Each("push", [*where, dp], [push]),
         _Each("along", [*where, dx, dp], changes),
@@ -413,7 +464,9 @@ class _Each:
         plain = self._function
         buffer, call = function.buffer()
         into = [np.zeros((count, plain.size1_in(i))) for i in range(plain.n_in())]
-        outputs = [np.zeros((count, plain.size2_out(i), plain.size1_out(i))) for i in range(plain.n_out())]
+        outputs = [
+            np.zeros((count, plain.size2_out(i), plain.size1_out(i))) for i in range(plain.n_out())
+        ]
         for i, place in enumerate(into):
             buffer.set_arg(i, place.data)
         for i, place in enumerate(outputs):
@@ -447,10 +500,14 @@ def without_unreached(model: Matrices, slopes: Matrices) -> tuple[Matrices, Matr
         return model, slopes
     reached, unreached = basis[:, :count], basis[:, count:]
     for b in model.B:
-        if np.max(np.abs(unreached.T @ b), initial=0.0) > _UNREACHED * max(float(np.max(np.abs(b), initial=0.0)), 1.0):
+        if np.max(np.abs(unreached.T @ b), initial=0.0) > _UNREACHED * max(
+            float(np.max(np.abs(b), initial=0.0)), 1.0
+        ):
             return model, slopes
     reduced = _reduce(model, reached)
-    along = [_reduce_slope(model, slopes[k], form, reached, unreached) for k in range(len(slopes.A))]
+    along = [
+        _reduce_slope(model, slopes[k], form, reached, unreached) for k in range(len(slopes.A))
+    ]
     return reduced, side_by_side(along) if along else _none_of(reduced[None])[0]
 
 
@@ -459,12 +516,19 @@ def _reduce(model: Matrices, reached: Array) -> Matrices:
     return Matrices(reached.T @ model.A @ reached, b, model.C @ reached, model.D, model.static)
 
 
-def _reduce_slope(model: Matrices, along: Matrices, form: Array, reached: Array, unreached: Array) -> Matrices:
+def _reduce_slope(
+    model: Matrices, along: Matrices, form: Array, reached: Array, unreached: Array
+) -> Matrices:
     """Slope of the reduced model; the subspace turns with the parameter."""
     from scipy.linalg import solve_sylvester
 
     count = reached.shape[1]
-    turn = solve_sylvester(form[count:, count:], -form[:count, :count], -unreached.T @ along.A @ reached)
+    turn = solve_sylvester(
+        form[count:, count:], -form[:count, :count], -unreached.T @ along.A @ reached
+    )
     reduced = _reduce(along, reached)
-    a, c = reduced.A + reached.T @ model.A @ unreached @ turn, reduced.C + model.C @ unreached @ turn
+    a, c = (
+        reduced.A + reached.T @ model.A @ unreached @ turn,
+        reduced.C + model.C @ unreached @ turn,
+    )
     return Matrices(a, reduced.B, c, reduced.D, reduced.static)

@@ -63,13 +63,19 @@ def measured_ride(
     recording: AnyRecording,
     rig: MaybeRig = None,
     *,
-    settling: Annotated[float | str, Number('Time at the start that does not count, e.g. "5 s".', "TIME", "s")] = 0.0,
+    settling: Annotated[
+        float | str, Number('Time at the start that does not count, e.g. "5 s".', "TIME", "s")
+    ] = 0.0,
     start: Annotated[
         Start,
-        Mark("What was before the record: rest, first or mean (for signals with gravity in them).", "START"),
+        Mark(
+            "What was before the record: rest, first or mean (for signals with gravity in them).",
+            "START",
+        ),
     ] = "mean",
     exposure: Annotated[
-        float | str, Number("Daily duration of the vibration, for A(8).", "TIME", "s", is_positive=True)
+        float | str,
+        Number("Daily duration of the vibration, for A(8).", "TIME", "s", is_positive=True),
     ] = "8 h",
     lift_off_load: Annotated[
         float | str, Number("Wheel load up to which a tyre counts as lifted.", "FORCE", "N")
@@ -112,5 +118,7 @@ def measured_ride(
     choices: dict[str, Any] = {"settling": settling, "start": start, "exposure": exposure}
     metrics = ride_metrics(run, chosen, lift_off_load=lift_off_load, **choices)
     known = {(finding.severity, finding.message) for finding in notes}
-    more = [finding for finding in metrics.findings if (finding.severity, finding.message) not in known]
+    more = [
+        finding for finding in metrics.findings if (finding.severity, finding.message) not in known
+    ]
     return MeasuredRide(metrics, (*notes, *more))

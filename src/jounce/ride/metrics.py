@@ -55,7 +55,9 @@ def by_corner(given: Given, corners: Sequence[str], where: str) -> dict[str, Pai
         return dict.fromkeys(corners, pair)
     for key in given:
         if not any(key in (corner, _axle(corner)) for corner in corners):
-            raise unknown(str(key), {*corners, *map(_axle, corners)} - {""}, what="corner", where=where)
+            raise unknown(
+                str(key), {*corners, *map(_axle, corners)} - {""}, what="corner", where=where
+            )
     pairs = {}
     for corner in corners:
         for key in (corner, _axle(corner)):
@@ -69,7 +71,10 @@ def gaps_of(rig: Rig | None, corners: Sequence[str]) -> dict[str, Pair]:
     if rig is None:
         return {}
     numbers = rig.parameters()
-    return {corner: (_gap(numbers, corner, _STOPS[0]), _gap(numbers, corner, _STOPS[1])) for corner in corners}
+    return {
+        corner: (_gap(numbers, corner, _STOPS[0]), _gap(numbers, corner, _STOPS[1]))
+        for corner in corners
+    }
 
 
 def _gap(numbers: Mapping[str, float], corner: str, stop: str) -> float | None:
@@ -86,8 +91,12 @@ def _axle(corner: str) -> str:
 def _pair(given: Any, where: str) -> Pair:
     if isinstance(given, (list, tuple)):
         if len(given) != 2:
-            raise DescriptionError("not a pair", where=where, found=given, allowed="rebound and bump, e.g. 0.06, 0.08")
-        rebound, bump = (None if value is None else to_si(value, "m", where=where) for value in given)
+            raise DescriptionError(
+                "not a pair", where=where, found=given, allowed="rebound and bump, e.g. 0.06, 0.08"
+            )
+        rebound, bump = (
+            None if value is None else to_si(value, "m", where=where) for value in given
+        )
         return rebound, bump
     return None, to_si(given, "m", where=where)
 
@@ -97,7 +106,14 @@ def _pair(given: Any, where: str) -> Pair:
 
 _AXES = {"ax": "x", "ay": "y", "az": "z"}
 _TURNS = {"roll_acceleration": "roll", "pitch_acceleration": "pitch", "yaw_acceleration": "yaw"}
-_PARTS = ("strut.deflection", "strut.velocity", "strut.force", "strut.damper_force", "tyre.force", "tyre.deflection")
+_PARTS = (
+    "strut.deflection",
+    "strut.velocity",
+    "strut.force",
+    "strut.damper_force",
+    "tyre.force",
+    "tyre.deflection",
+)
 _OFFSET = 3.0  # standard deviations; a ride's mean acceleration is near zero, gravity is 5 or more on any road
 
 
@@ -189,7 +205,9 @@ class RideMetrics(Shown):
             lines += _table([item for item in self.values if scope[item.metric] in kind])
         for item in self.values:
             if scope[item.metric] == "point":
-                lines.append(f"{item.metric} {item.place}: {item.value:.4g} {item.unit}, {self.comfort[item.place]}")
+                lines.append(
+                    f"{item.metric} {item.place}: {item.value:.4g} {item.unit}, {self.comfort[item.place]}"
+                )
         return "\n".join([*lines, *_absences(self.absent), *map(str, self.findings)])
 
 
@@ -266,8 +284,12 @@ def ride_metrics(
             raise unknown(name, rows, what="metric", where="metrics")
     wanted = [row for row in CATALOGUE if metrics is None or row.name in metrics]
     names = [str(name) for name in run.data_vars]
-    prefixes = [name.removesuffix(part) for name in names for part in _PARTS if is_channel(name, part)]
-    corners = tuple(dict.fromkeys(prefix.removesuffix(".") for prefix in prefixes))  # "" for channels without a prefix
+    prefixes = [
+        name.removesuffix(part) for name in names for part in _PARTS if is_channel(name, part)
+    ]
+    corners = tuple(
+        dict.fromkeys(prefix.removesuffix(".") for prefix in prefixes)
+    )  # "" for channels without a prefix
     if start not in STARTS:
         raise unknown(str(start), STARTS, what="start of the record", where="start")
     choices = Choices(
@@ -275,7 +297,9 @@ def ride_metrics(
         weighting=_weightings(weighting or {}, names),
         start=start,
         travel=by_corner(travel, corners, "travel"),
-        stop_gap=by_corner(stop_gap, corners, "stop_gap") if stop_gap is not None else gaps_of(rig, corners),
+        stop_gap=by_corner(stop_gap, corners, "stop_gap")
+        if stop_gap is not None
+        else gaps_of(rig, corners),
         exposure=positive_si(exposure, "s", where="exposure"),
         lift_off_load=to_si(lift_off_load, "N", where="lift_off_load"),
     )
@@ -285,24 +309,47 @@ def ride_metrics(
     for row in wanted:
         # accelerations are selected by their axis; places and corners have every row of their scope
         by_axis = row.scope not in ("point", "corner")
-        parts = [(at, view) for at, view in views[row.scope] if not by_axis or at.rpartition(".")[2] in row.needs]
+        parts = [
+            (at, view)
+            for at, view in views[row.scope]
+            if not by_axis or at.rpartition(".")[2] in row.needs
+        ]
         if not parts:
-            absent.append(AbsentMetric(row.name, "", Phrase("no channel {needs}", needs=" or ".join(row.needs))))
+            absent.append(
+                AbsentMetric(
+                    row.name, "", Phrase("no channel {needs}", needs=" or ".join(row.needs))
+                )
+            )
         for place, view in parts:
             try:
-                values.append(MetricValue(row.name, place, float(row.formula(view)), row.unit, row.label))
+                values.append(
+                    MetricValue(row.name, place, float(row.formula(view)), row.unit, row.label)
+                )
             except RecordingError as error:
                 absent.append(AbsentMetric(row.name, place, Clause(error.message(within=place))))
         if metrics is not None and not any(item.metric == row.name for item in values):
             reason = next(item.reason for item in absent if item.metric == row.name)
-            raise RecordingError(Phrase("the metric is not available: {reason}", reason=reason), where=row.name)
+            raise RecordingError(
+                Phrase("the metric is not available: {reason}", reason=reason), where=row.name
+            )
     totals = {item.place: item.value for item in values if item.metric == "vibration_total_value"}
     words = {place: comfort.comfort_words(value) for place, value in totals.items()}
-    used = {name for row in wanted for name in names if any(is_channel(name, part) for part in row.needs)}
-    signals = {name: run[name].to_numpy()[first:] for name in names if name in used and quantity_of(name) != "command"}
+    used = {
+        name
+        for row in wanted
+        for name in names
+        if any(is_channel(name, part) for part in row.needs)
+    }
+    signals = {
+        name: run[name].to_numpy()[first:]
+        for name in names
+        if name in used and quantity_of(name) != "command"
+    }
     findings = (
         *implausible(signals, 1.0 / rate, where=""),
-        *doubts({name: values for name, values in signals.items() if quantity_of(name) == "az"}, rate),
+        *doubts(
+            {name: values for name, values in signals.items() if quantity_of(name) == "az"}, rate
+        ),
         *_findings(views, values, {row.name for row in wanted}, rate, choices.exposure / 3600.0),
     )
     duration = (run["time"].size - 1 - first) / rate
@@ -315,7 +362,9 @@ def _time(run: xr.Dataset, settling: float | str) -> tuple[float, int, float]:
     time = np.asarray(run["time"].values, dtype=float)
     if check_time(time, where="recording")[1]:
         hint = "Read it with read_recording, or resample it."
-        raise RecordingError("time is not uniform", where="recording", allowed="constant steps", hint=hint)
+        raise RecordingError(
+            "time is not uniform", where="recording", allowed="constant steps", hint=hint
+        )
     duration = float(time[-1] - time[0])
     skipped = to_si(settling, "s", where="settling")
     if not 0.0 <= skipped < duration:
@@ -323,7 +372,9 @@ def _time(run: xr.Dataset, settling: float | str) -> tuple[float, int, float]:
             "no part of the record remains",
             where="settling",
             found=f"{skipped:g} s",
-            allowed=Phrase("0 s up to less than {duration:g} s, the duration of the record", duration=duration),
+            allowed=Phrase(
+                "0 s up to less than {duration:g} s, the duration of the record", duration=duration
+            ),
         )
     rate = (time.size - 1) / duration
     first = min(int(np.ceil(skipped * rate - 1e-6)), time.size - 2)
@@ -333,7 +384,9 @@ def _time(run: xr.Dataset, settling: float | str) -> tuple[float, int, float]:
 def _weightings(given: Mapping[str, str], names: Sequence[str]) -> Mapping[str, str]:
     for key, name in given.items():
         if key not in (*names, *USUAL_WEIGHTING):
-            raise unknown(key, (*names, *USUAL_WEIGHTING), what="channel or axis", where="weighting")
+            raise unknown(
+                key, (*names, *USUAL_WEIGHTING), what="channel or axis", where="weighting"
+            )
         weighting(name)
     return given
 
@@ -342,7 +395,12 @@ Views = dict[Scope, list[tuple[str, Any]]]
 
 
 def _views(
-    run: xr.Dataset, names: Sequence[str], corners: Sequence[str], rate: float, first: int, choices: Choices
+    run: xr.Dataset,
+    names: Sequence[str],
+    corners: Sequence[str],
+    rate: float,
+    first: int,
+    choices: Choices,
 ) -> Views:
     """Views of the recording by scope, each with its place."""
     signals = {name: np.asarray(run[name].values, dtype=float) for name in names}
@@ -354,7 +412,9 @@ def _views(
                 yield Acceleration(name, axis, values, rate, first, choices)
 
     linear = list(motions(_AXES))
-    comfort_motions = [motion for motion in linear if carries_passengers(motion.channel.rpartition(".")[0])]
+    comfort_motions = [
+        motion for motion in linear if carries_passengers(motion.channel.rpartition(".")[0])
+    ]
     places: dict[str, dict[str, Acceleration]] = {}
     for motion in comfort_motions:
         places.setdefault(motion.channel.rpartition(".")[0], {})[motion.axis] = motion
@@ -382,10 +442,14 @@ def _findings(
     for item in values:
         if item.metric == "daily_exposure" and item.value > comfort.ACTION_VALUE:
             is_over = item.value > comfort.LIMIT_VALUE
-            name, limit = ("limit", comfort.LIMIT_VALUE) if is_over else ("action", comfort.ACTION_VALUE)
+            name, limit = (
+                ("limit", comfort.LIMIT_VALUE) if is_over else ("action", comfort.ACTION_VALUE)
+            )
             exposure = item.value
             code = "ride.daily_exposure"
-            yield finding(code, item.place, exposure, hours=hours, exposure=exposure, name=name, limit=limit)
+            yield finding(
+                code, item.place, exposure, hours=hours, exposure=exposure, name=name, limit=limit
+            )
         if item.metric == "motion_sickness" and item.value > 1.0:
             yield finding("ride.sick_people", item.place, item.value, share=item.value)
     struts_without_damper = [corner for corner, view in views["corner"] if view.has("strut.force")]
@@ -399,8 +463,12 @@ def _about_signal(place: str, motion: Acceleration, rate: float) -> Iterator[Fin
     if motion.choices.start == "rest" and abs(average) > _OFFSET * spread:
         yield finding("ride.offset", place, average, offset=average)
     row = weighting(motion.usual)
-    if rate < 2.0 * row.limits[2] and rate >= row.slowest_rate:  # half the rate lies within the weighting's band
-        yield finding("ride.sampled_slowly", place, rate, rate=rate, metric=row.name, highest=0.5 * rate)
+    if (
+        rate < 2.0 * row.limits[2] and rate >= row.slowest_rate
+    ):  # half the rate lies within the weighting's band
+        yield finding(
+            "ride.sampled_slowly", place, rate, rate=rate, metric=row.name, highest=0.5 * rate
+        )
 
 
 def _advice(place: str, motion: Acceleration) -> tuple[Finding, ...]:
@@ -420,7 +488,10 @@ def _table(values: Sequence[MetricValue]) -> list[str]:
     cells = {(item.metric, item.place): f"{item.value:.4g}" for item in values}
     names = {item.metric: item.unit for item in values}
     rows = [["", "", *places]] if any(places) else []
-    rows += [[name, unit, *(cells.get((name, place), "–") for place in places)] for name, unit in names.items()]
+    rows += [
+        [name, unit, *(cells.get((name, place), "–") for place in places)]
+        for name, unit in names.items()
+    ]
     return align_columns(rows, left=2)
 
 
@@ -429,7 +500,9 @@ def _absences(absent: Iterable[AbsentMetric]) -> list[str]:
     names: dict[tuple[str, tuple[str, ...]], list[str]] = {}
     places: dict[tuple[str, str], list[str]] = {}
     for item in absent:
-        reason = item.reason.replace(f"channel {item.place}.", "channel ") if item.place else item.reason
+        reason = (
+            item.reason.replace(f"channel {item.place}.", "channel ") if item.place else item.reason
+        )
         places.setdefault((item.metric, reason), []).append(item.place)
     for (metric, reason), corners in places.items():
         names.setdefault((reason, tuple(corners)), []).append(metric)

@@ -26,7 +26,9 @@ if TYPE_CHECKING:
 
 WINDOWS = {"hann": 1.5, "boxcar": 1.0}
 """Windows, each with its noise bandwidth (1) in frequency steps."""
-_USUAL_PARTS = 8  # segments of a record by default: 15 averages with Hann, so a standard error of 27 %
+_USUAL_PARTS = (
+    8  # segments of a record by default: 15 averages with Hann, so a standard error of 27 %
+)
 _FEWEST_SAMPLES = 8  # a segment: fewer leave at most three frequencies between 0 and half the rate
 _HALF_BAND = 10.0**0.05  # edge over centre of a third-octave band, base ten (IEC 61260)
 
@@ -116,7 +118,11 @@ class Bands:
 
 
 def power_spectrum(
-    values: ArrayLike, sample_rate: float | None = None, *, segment: float | str | None = None, window: str = "hann"
+    values: ArrayLike,
+    sample_rate: float | None = None,
+    *,
+    segment: float | str | None = None,
+    window: str = "hann",
 ) -> Spectrum:
     """One-sided power spectral density by Welch's method.
 
@@ -152,12 +158,18 @@ def power_spectrum(
     >>> float(spectrum.frequency[spectrum.density.argmax()]), round(spectrum.mean_square(), 3)    # 3^2 / 2
     (10.0, 4.5)
     """
-    rate = rate_of_channels([values], where="signal") if sample_rate is None else as_number(sample_rate, "Hz")
+    rate = (
+        rate_of_channels([values], where="signal")
+        if sample_rate is None
+        else as_number(sample_rate, "Hz")
+    )
     signal = _check_signal(values, rate, "signal")
     count = _segment_length(signal, rate, segment, window)
     frequency, density = cross_spectrum(signal, signal, rate, count, window)
     resolution = WINDOWS[window] * rate / count
-    return Spectrum(frequency, density.real.copy(), resolution, independent_segments(signal.size, count, window))
+    return Spectrum(
+        frequency, density.real.copy(), resolution, independent_segments(signal.size, count, window)
+    )
 
 
 def transfer_function(
@@ -204,11 +216,17 @@ def transfer_function(
     (True, True)
     """
     is_sampled = sample_rate is None
-    rate = rate_of_channels([given, answer], where="transfer function") if is_sampled else as_number(sample_rate, "Hz")
+    rate = (
+        rate_of_channels([given, answer], where="transfer function")
+        if is_sampled
+        else as_number(sample_rate, "Hz")
+    )
     x, y = _check_signal(given, rate, "input"), _check_signal(answer, rate, "output")
     if x.shape != y.shape:
         raise RecordingError(
-            "input and output have different lengths", where="transfer function", found=f"{x.size} and {y.size} samples"
+            "input and output have different lengths",
+            where="transfer function",
+            found=f"{x.size} and {y.size} samples",
         )
     count = _segment_length(x, rate, segment, window)
     averages = independent_segments(x.size, count, window)
@@ -224,12 +242,19 @@ def transfer_function(
     output_power = cross_spectrum(y, y, rate, count, window)[1].real
     response = np.divide(cross, input_power, out=np.zeros_like(cross), where=input_power > 0.0)
     product = input_power * output_power
-    coherence = np.divide(abs(cross) ** 2, product, out=np.zeros_like(input_power), where=product > 0.0)
+    coherence = np.divide(
+        abs(cross) ** 2, product, out=np.zeros_like(input_power), where=product > 0.0
+    )
     return Transfer(frequency, response, np.clip(coherence, 0.0, 1.0), averages)
 
 
 def channel_transfer(
-    run: xr.Dataset, output: str, given: str = "road.z", *, segment: float | str | None = None, settling: float = 0.0
+    run: xr.Dataset,
+    output: str,
+    given: str = "road.z",
+    *,
+    segment: float | str | None = None,
+    settling: float = 0.0,
 ) -> Transfer:
     """Transfer function (SI) between two channels of a recording on uniform time, see `transfer_function`.
 
@@ -246,14 +271,18 @@ def channel_transfer(
             )
     time = np.asarray(run["time"].values, dtype=float)
     if check_time(time, where="recording")[1]:
-        raise RecordingError("time is not uniform", where="recording", hint="Resample the recording first.")
+        raise RecordingError(
+            "time is not uniform", where="recording", hint="Resample the recording first."
+        )
     rate = (time.size - 1) / float(time[-1] - time[0])
     first = math.ceil(settling * rate - 1e-6)  # rounding must not skip one sample more
     x, y = (np.asarray(run[name].values, dtype=float)[first:] for name in (given, output))
     return transfer_function(x, y, rate, segment=segment)
 
 
-def model_transfer(model: LinearModel, frequency: ArrayLike, output: str, given: str = "road.z") -> Transfer:
+def model_transfer(
+    model: LinearModel, frequency: ArrayLike, output: str, given: str = "road.z"
+) -> Transfer:
     """Transfer function (SI) of a linearised model at frequencies in Hz, comparable with `transfer_function`."""
     f = np.atleast_1d(as_samples(frequency, "Hz", where="frequency"))
     response = np.asarray(model.frequency_response(f, output, given), dtype=np.complex128)
@@ -288,7 +317,9 @@ def third_octaves(spectrum: Spectrum) -> Bands:
     band is refused.
     """
     width = _HALF_BAND - 1.0 / _HALF_BAND
-    lowest = math.ceil(10.0 * math.log10(spectrum.resolution / width) - 1e-9)  # 1e-9: rounding of the logarithms
+    lowest = math.ceil(
+        10.0 * math.log10(spectrum.resolution / width) - 1e-9
+    )  # 1e-9: rounding of the logarithms
     highest = math.floor(10.0 * math.log10(float(spectrum.frequency[-1]) / _HALF_BAND) + 1e-9)
     if highest < lowest:
         raise RecordingError(
@@ -309,16 +340,24 @@ def _check_signal(values: ArrayLike, sample_rate: float, what: str) -> Array:
             "too little for a spectrum",
             where=what,
             found=f"shape {signal.shape} at {sample_rate:g} Hz",
-            allowed=Phrase("at least {fewest_samples} samples at a rate", fewest_samples=_FEWEST_SAMPLES),
+            allowed=Phrase(
+                "at least {fewest_samples} samples at a rate", fewest_samples=_FEWEST_SAMPLES
+            ),
         )
     if not np.isfinite(signal).all():
         raise RecordingError(
-            Phrase("sample {argmin} is not a finite number", argmin=int(np.argmin(np.isfinite(signal))) + 1), where=what
+            Phrase(
+                "sample {argmin} is not a finite number",
+                argmin=int(np.argmin(np.isfinite(signal))) + 1,
+            ),
+            where=what,
         )
     return signal
 
 
-def _segment_length(signal: Array, sample_rate: float, segment: float | str | None, window: str) -> int:
+def _segment_length(
+    signal: Array, sample_rate: float, segment: float | str | None, window: str
+) -> int:
     """Number of samples of a segment."""
     if window not in WINDOWS:
         raise unknown(str(window), WINDOWS, what="window", where="spectrum")
@@ -340,7 +379,9 @@ def _segment_length(signal: Array, sample_rate: float, segment: float | str | No
 def relative_error(coherence: Array, averages: float) -> Array:
     """Relative standard error of a gain (H1, H2), and that of its phase in rad; infinite without coherence."""
     with np.errstate(divide="ignore"):
-        return np.asarray(np.sqrt(np.clip(1.0 - coherence, 0.0, None) / (2.0 * averages * coherence)))
+        return np.asarray(
+            np.sqrt(np.clip(1.0 - coherence, 0.0, None) / (2.0 * averages * coherence))
+        )
 
 
 def cross_spectrum(
@@ -350,7 +391,12 @@ def cross_spectrum(
     from scipy import signal
 
     overlap = count // 2 if window == "hann" else 0
-    options: dict[str, Any] = {"fs": sample_rate, "window": window, "nperseg": count, "noverlap": overlap}
+    options: dict[str, Any] = {
+        "fs": sample_rate,
+        "window": window,
+        "nperseg": count,
+        "noverlap": overlap,
+    }
     frequency, density = signal.csd(x, y, detrend="constant", scaling="density", **options)
     return np.asarray(frequency, dtype=float), np.asarray(density, dtype=np.complex128)
 

@@ -103,10 +103,14 @@ class StationaryResponse(Plain):
         """
         if channel in self.standard_deviation:
             return self.standard_deviation[channel]
-        error = unknown(channel, self.standard_deviation, what="stationary channel", where="stationary response")
+        error = unknown(
+            channel, self.standard_deviation, what="stationary channel", where="stationary response"
+        )
         if channel in self.absent:
             error = type(error)(
-                f"{channel!r} has no stationary variance", where="stationary response", hint=self.absent[channel] + "."
+                f"{channel!r} has no stationary variance",
+                where="stationary response",
+                hint=self.absent[channel] + ".",
             )
         raise error
 
@@ -117,7 +121,9 @@ class StationaryResponse(Plain):
             unit = "" if self.units[name] == "1" else self.units[name]
             static = self.static[name] if abs(self.static[name]) > _TINY else 0.0
             lines.append(f"{name:{width}}  {value:10.4g} {unit:7}  {static:11.4g}")
-        lines += [f"{name:{width}}  {value:10.4g}, weighted" for name, value in self.weighted.items()]
+        lines += [
+            f"{name:{width}}  {value:10.4g}, weighted" for name, value in self.weighted.items()
+        ]
         reasons = dict.fromkeys(self.absent.values())
         lines += [
             f"absent: {', '.join(name for name in self.absent if self.absent[name] == reason)}: {reason}"
@@ -203,7 +209,13 @@ def stationary(
     (0.575, 0.104)
     """
     road_surface = surface(
-        road, speed, waviness=waviness, band=band, cut_off=cut_off, sides=sides, contact_length=contact_length
+        road,
+        speed,
+        waviness=waviness,
+        band=band,
+        cut_off=cut_off,
+        sides=sides,
+        contact_length=contact_length,
     )
     family = LinearFamily(as_rig(rig), tuple(parameters))
     outputs = family.compiled.facts.outputs
@@ -211,10 +223,14 @@ def stationary(
     gains = _gains(weighting or {}, names)
     if gains and road_surface.band is None:
         raise DescriptionError(
-            "this needs a band of frequencies", where="weighting", hint='Give band="iso" (0.011 to 2.83 1/m).'
+            "this needs a band of frequencies",
+            where="weighting",
+            hint='Give band="iso" (0.011 to 2.83 1/m).',
         )
     count = len(names)
-    signals = [Signal(i) for i in range(count)] + [Signal(names.index(name), gain) for name, gain in gains.items()]
+    signals = [Signal(i) for i in range(count)] + [
+        Signal(names.index(name), gain) for name, gain in gains.items()
+    ]
     moments = RandomVibration(Families((family,)), road_surface, tuple(signals)).at()
     sigma = np.sqrt(np.maximum(moments.variances[0], 0.0))
     slopes = moments.variance_slopes[0] / np.where(sigma > 0.0, 2.0 * sigma, np.inf)
@@ -240,7 +256,9 @@ def stationary(
     )
 
 
-def with_spectra(response: StationaryResponse, rig: Rig, *, points: int = 800) -> StationaryResponse:
+def with_spectra(
+    response: StationaryResponse, rig: Rig, *, points: int = 800
+) -> StationaryResponse:
     """Add the densities of a rig's channels over the band of the road, at ``points`` frequencies."""
     surface_ = response.surface
     if surface_.band is None:
@@ -249,10 +267,14 @@ def with_spectra(response: StationaryResponse, rig: Rig, *, points: int = 800) -
     names = [output.name for output in family.compiled.facts.outputs]
     low, high = (n * surface_.speed for n in surface_.band)
     frequency = np.geomspace(low, high, points)
-    densities = RandomVibration(Families((family,)), surface_, tuple(Signal(i) for i in range(len(names)))).densities(
-        frequency
-    )
-    known = {name: row for name, row in zip(names, densities, strict=True) if name in response.standard_deviation}
+    densities = RandomVibration(
+        Families((family,)), surface_, tuple(Signal(i) for i in range(len(names)))
+    ).densities(frequency)
+    known = {
+        name: row
+        for name, row in zip(names, densities, strict=True)
+        if name in response.standard_deviation
+    }
     return replace(response, spectra=known, frequency=frequency)
 
 
@@ -273,17 +295,23 @@ def _gains(weighting: Mapping[str, str | Gain], names: Sequence[str]) -> dict[st
     return gains
 
 
-def linear_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]) -> list[Finding]:
+def linear_findings(
+    rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]
+) -> list[Finding]:
     """Report where the linear model leaves the limits of the rig, from standard deviations and static values (SI)."""
     findings = []
     for name, value in sigma.items():
         if is_channel(name, "tyre.force") and 0.0 < static[name] < _LIFTS * value:
             times = static[name] / value
             share = 0.5 * math.erfc(times / math.sqrt(2.0))
-            findings.append(finding("ride.contact_lost", name, share, share=share, deviations=times))
+            findings.append(
+                finding("ride.contact_lost", name, share, share=share, deviations=times)
+            )
     numbers = rig.parameters()
     findings += _stop_findings(rig, sigma, static)
-    frictions = [path for path, value in numbers.items() if path.endswith("friction.force") and value > _TINY]
+    frictions = [
+        path for path, value in numbers.items() if path.endswith("friction.force") and value > _TINY
+    ]
     for path in frictions:
         findings.append(finding("ride.friction_at_rest", path, numbers[path]))
     for path in (path for path in numbers if path.endswith("damper.hysteretic_force")):
@@ -302,20 +330,37 @@ def _nonlinear_dampers(rig: Rig, sigma: Mapping[str, float]) -> Iterator[Finding
         if "third_spring" in path or law.remembers or isinstance(law, MapDamper):
             continue
         place = path.partition(".")[0]  # "strut", or the axle
-        speeds = [sigma[name] for name in sigma if is_channel(name, "strut.velocity") and name.startswith(place)]
-        speed, whence = max(speeds, default=_USUAL_SPEED), "standard deviation" if speeds else "assumed"
+        speeds = [
+            sigma[name]
+            for name in sigma
+            if is_channel(name, "strut.velocity") and name.startswith(place)
+        ]
+        speed, whence = (
+            max(speeds, default=_USUAL_SPEED),
+            "standard deviation" if speeds else "assumed",
+        )
         if speed <= 0.0:
             continue
         equivalent, at_rest = law.statistical_coefficient(speed), law.slope_at_rest()
         if abs(equivalent - at_rest) > _BENDS * abs(equivalent):
             yield finding(
-                "ride.curve_bends", path, equivalent, speed=speed, whence=whence, equivalent=equivalent, at_rest=at_rest
+                "ride.curve_bends",
+                path,
+                equivalent,
+                speed=speed,
+                whence=whence,
+                equivalent=equivalent,
+                at_rest=at_rest,
             )
 
 
-def _stop_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]) -> list[Finding]:
+def _stop_findings(
+    rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]
+) -> list[Finding]:
     struts = [name for name in sigma if is_channel(name, "strut.deflection") and sigma[name] > 0.0]
-    gaps = gaps_of(rig, [name.removesuffix("strut.deflection").removesuffix(".") for name in struts])
+    gaps = gaps_of(
+        rig, [name.removesuffix("strut.deflection").removesuffix(".") for name in struts]
+    )
     findings = []
     for name, (rebound, bump) in zip(struts, gaps.values(), strict=True):
         for stop, gap, sign in (("bump", bump, 1.0), ("rebound", rebound, -1.0)):
@@ -323,5 +368,7 @@ def _stop_findings(rig: Rig, sigma: Mapping[str, float], static: Mapping[str, fl
                 continue
             room = (gap - sign * static[name]) / sigma[name]
             if room < _LIFTS:
-                findings.append(finding("ride.stop_near", name, room, stop=f"{stop} stop", room=room))
+                findings.append(
+                    finding("ride.stop_near", name, room, stop=f"{stop} stop", room=room)
+                )
     return findings

@@ -104,10 +104,15 @@ def iso_trial(
     ('right', 0.646, 10.646)
     """
     check_rig(rig)
-    velocity, rough = positive_si(speed, "m/s", where="speed"), positive_si(duration, "s", where="duration")
+    velocity, rough = (
+        positive_si(speed, "m/s", where="speed"),
+        positive_si(duration, "s", where="duration"),
+    )
     settling = _whole_samples((_RUN_IN + _wheelbase(rig)) / velocity)
     run_time = settling + _whole_samples(rough)
-    left = Iso8608(class_=class_, length=velocity * run_time + _RUN_IN, step=step, seed=seed, run_in=_RUN_IN)
+    left = Iso8608(
+        class_=class_, length=velocity * run_time + _RUN_IN, step=step, seed=seed, run_in=_RUN_IN
+    )
     right: Road | None = None
     if isinstance(rig, FullCar | FullCar3D):
         left = left.model_copy(update={"track": track_width(rig)})
@@ -115,7 +120,9 @@ def iso_trial(
     return RideTrial(Trial(road=left, right=right, speed=velocity, duration=run_time), settling)
 
 
-def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | str | None = None) -> RideTrial:
+def road_trial(
+    rig: Rig, road: Road, speed: float | str, *, duration: float | str | None = None
+) -> RideTrial:
     """Drive over a given road; a full car follows both tracks of a measured course with a width.
 
     Parameters
@@ -155,7 +162,9 @@ def road_trial(rig: Rig, road: Road, speed: float | str, *, duration: float | st
     beyond = behind if all(side.ends_level() for side in (left, right) if side is not None) else 0.0
     longest = (road.end() + beyond) / velocity
     if duration is None and longest <= 0.0:
-        raise DescriptionError("the road ends where it begins", where="road", hint="Give the duration.")
+        raise DescriptionError(
+            "the road ends where it begins", where="road", hint="Give the duration."
+        )
     run_time = longest if duration is None else positive_si(duration, "s", where="duration")
     road.check_covers(velocity * run_time, behind=beyond, where="duration")
     _check_fine_enough(road, velocity)
@@ -194,7 +203,9 @@ def _tracks(rig: Rig, road: Road) -> tuple[Road, Road | None]:
     if isinstance(rig, FullCar | FullCar3D) and isinstance(road, Crg):
         half = 0.5 * track_width(rig)
         try:
-            left, right = (road.model_copy(update={"v": road.v + side * half}) for side in (1.0, -1.0))
+            left, right = (
+                road.model_copy(update={"v": road.v + side * half}) for side in (1.0, -1.0)
+            )
             left.profile()
             right.profile()
         except RecordingError:  # too narrow for the car: both sides follow the given offset
@@ -235,7 +246,12 @@ MERITS: tuple[Merit, ...] = (
     Merit("body_acceleration", "m/s^2", "body r.m.s.", "rms_acceleration", worst=False),
     Merit("travel", "m", "strut travel r.m.s., worst corner", "travel_rms"),
     Merit("travel_range", "m", "strut travel, peak to peak, worst corner", "travel_peak_to_peak"),
-    Merit("load_coefficient", "1", "dynamic wheel load coefficient, worst corner", "dynamic_load_coefficient"),
+    Merit(
+        "load_coefficient",
+        "1",
+        "dynamic wheel load coefficient, worst corner",
+        "dynamic_load_coefficient",
+    ),
     Merit("lift_off", "1", "time off the ground, worst corner", "lift_off_time"),
 )
 """Comfort, travel and road holding, the columns of the comparison."""
@@ -289,7 +305,9 @@ class Ride(Plain):
         matches = [channels_of(name, channels) for name in (*_BODY, "tyre.force")]
         names = [*(matches[0] or matches[1])[:1], *matches[2]]
         segment = min(max(self.duration / 8.0, _SEGMENT), self.duration / 2.0)
-        return {name: power_spectrum(signals[name].to_numpy(), rate, segment=segment) for name in names}
+        return {
+            name: power_spectrum(signals[name].to_numpy(), rate, segment=segment) for name in names
+        }
 
     def standard_deviation(self, channel: str) -> float:
         """Standard deviation of a channel after settling, in its SI unit."""
@@ -345,7 +363,10 @@ class RideStudy(Plain):
         passive = next((ride for ride in self.rides if ride.control == "passive"), None)
         if self.stationary is None or passive is None:
             return {}
-        return {name: self.stationary.chance(name, passive.duration) for name in self.stationary.standard_deviation}
+        return {
+            name: self.stationary.chance(name, passive.duration)
+            for name in self.stationary.standard_deviation
+        }
 
     def ride(self, control: str) -> Ride:
         """Return the ride of a controller by its name."""
@@ -358,7 +379,9 @@ class RideStudy(Plain):
     def recording(self) -> xr.Dataset:
         """Return the signals of the only ride, SI."""
         if len(self.rides) != 1:
-            raise DescriptionError("a recording holds one ride", found=", ".join(ride.control for ride in self.rides))
+            raise DescriptionError(
+                "a recording holds one ride", found=", ".join(ride.control for ride in self.rides)
+            )
         return self.rides[0].run
 
     @property
@@ -426,7 +449,9 @@ def drive(rig: Rig, trial: RideTrial | Trial, control: AnyControl | None = None)
     metrics = ride_metrics(run, rig, settling=trial.settling)
     for missing in metrics.absent:
         if missing.metric == "weighted_rms":
-            raise RecordingError(missing.reason, where=missing.place, hint="Drive for longer (duration).")
+            raise RecordingError(
+                missing.reason, where=missing.place, hint="Drive for longer (duration)."
+            )
     metrics = replace(metrics, findings=(*metrics.findings, *findings_of(run.attrs)))
     return Ride(control_name(control), run, metrics, _merits(metrics), trial.settling)
 
@@ -479,7 +504,9 @@ def compare_rides(
         name = control_name(given)
         progress(progress_through("driving {which} of {count}: {name}", k, len(chosen), name=name))
         try:
-            rides.append(replace(drive(rig, trial, None if name == PASSIVE else control), control=name))
+            rides.append(
+                replace(drive(rig, trial, None if name == PASSIVE else control), control=name)
+            )
         except JounceError as error:
             failed[name], first_error = error.message(), first_error or error
     if first_error is not None and not rides:
@@ -525,4 +552,6 @@ def _stationary(rig: Rig, trial: RideTrial, names: Sequence[str]) -> StationaryR
         return None
     channels = compile_rig(rig).output_names
     weighting = {name: "Wk" for name in _BODY if channels_of(name, channels)}
-    return with_spectra(stationary(rig, road.degree_of_roughness, speed, band="iso", weighting=weighting), rig)
+    return with_spectra(
+        stationary(rig, road.degree_of_roughness, speed, band="iso", weighting=weighting), rig
+    )

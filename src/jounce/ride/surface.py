@@ -71,9 +71,15 @@ class Surface(Plain):
         """Density (m^3) of the height as averaged by the tyre, at spatial frequencies (1/m)."""
         if self.density is not None:
             density = np.asarray(self.density(n), dtype=float)
-            if density.shape != n.shape or not np.all(np.isfinite(density)) or np.any(density < 0.0):
+            if (
+                density.shape != n.shape
+                or not np.all(np.isfinite(density))
+                or np.any(density < 0.0)
+            ):
                 raise DescriptionError(
-                    "the spectrum does not give densities", where="road", allowed="finite and at least 0 m^3"
+                    "the spectrum does not give densities",
+                    where="road",
+                    allowed="finite and at least 0 m^3",
                 )
         elif self.cut_off is not None:
             density = float(self.roughness or 0.0) * REFERENCE**2 / (n**2 + self.cut_off**2)
@@ -113,7 +119,9 @@ def surface(
         raise DescriptionError("out of range", where="speed", found=speed, allowed="above 0 m/s")
     length = to_si(contact_length, "m", where="contact_length")
     if length < 0.0:
-        raise DescriptionError("out of range", where="contact_length", found=contact_length, allowed="at least 0 m")
+        raise DescriptionError(
+            "out of range", where="contact_length", found=contact_length, allowed="at least 0 m"
+        )
     density = road if callable(road) else None
     roughness = None if callable(road) else read_roughness(road)
     limits = _band(band)
@@ -150,7 +158,10 @@ def _band(band: tuple[float, float] | Literal["iso"] | None) -> tuple[float, flo
         low, high = math.nan, math.nan
     if not (0.0 < low < high < math.inf):
         raise DescriptionError(
-            "not a band of spatial frequencies", where="band", found=str(band), allowed='"iso" or (low, high) in 1/m'
+            "not a band of spatial frequencies",
+            where="band",
+            found=str(band),
+            allowed='"iso" or (low, high) in 1/m',
         )
     return low, high
 
@@ -158,11 +169,19 @@ def _band(band: tuple[float, float] | Literal["iso"] | None) -> tuple[float, flo
 def _check(surface: Surface) -> None:
     # A choice; ISO 8608 describes roads by 2.
     if not (math.isfinite(surface.waviness) and 0.0 < surface.waviness < 4.0):
-        raise DescriptionError("out of range", where="waviness", found=surface.waviness, allowed="above 0, below 4")
-    if surface.cut_off is not None and not (math.isfinite(surface.cut_off) and surface.cut_off > 0.0):
-        raise DescriptionError("out of range", where="cut_off", found=surface.cut_off, allowed="above 0 1/m")
+        raise DescriptionError(
+            "out of range", where="waviness", found=surface.waviness, allowed="above 0, below 4"
+        )
+    if surface.cut_off is not None and not (
+        math.isfinite(surface.cut_off) and surface.cut_off > 0.0
+    ):
+        raise DescriptionError(
+            "out of range", where="cut_off", found=surface.cut_off, allowed="above 0 1/m"
+        )
     if surface.cut_off is not None and (surface.waviness != _TWO or surface.density is not None):
-        raise DescriptionError("a cut-off belongs to a road of waviness 2", where="cut_off", found=surface.cut_off)
+        raise DescriptionError(
+            "a cut-off belongs to a road of waviness 2", where="cut_off", found=surface.cut_off
+        )
     if surface.band is not None:
         return
     hint = 'Give band="iso" (0.011 to 2.83 1/m).'
@@ -172,4 +191,6 @@ def _check(surface: Surface) -> None:
         ("sides", surface.sides, surface.sides in ("uncorrelated", "same")),
     ):
         if not is_fit:
-            raise DescriptionError("this needs a band of frequencies", where=name, found=value, hint=hint)
+            raise DescriptionError(
+                "this needs a band of frequencies", where=name, found=value, hint=hint
+            )

@@ -75,17 +75,33 @@ class Weighting:
     @property
     def memory(self) -> float:
         """Duration of its impulse response, s."""
-        slowest = min(2.0 * math.pi * self.f1 * 0.5 / _Q, 2.0 * math.pi * min(self.f4, self.f6) * 0.5)
+        slowest = min(
+            2.0 * math.pi * self.f1 * 0.5 / _Q, 2.0 * math.pi * min(self.f4, self.f6) * 0.5
+        )
         return _MEMORY / slowest
 
 
 WEIGHTINGS: dict[str, Weighting] = {
     row.name: row
     for row in (
-        Weighting("Wk", "vertical, seat and feet", 0.4, 100.0, 12.5, 12.5, 0.63, 2.37, 0.91, 3.35, 0.91),
+        Weighting(
+            "Wk", "vertical, seat and feet", 0.4, 100.0, 12.5, 12.5, 0.63, 2.37, 0.91, 3.35, 0.91
+        ),
         Weighting("Wd", "horizontal, seat", 0.4, 100.0, 2.0, 2.0, 0.63),
         Weighting(
-            *("Wf", "vertical, motion sickness", 0.08, 0.63, math.inf, 0.25, 0.86, 0.0625, 0.80, 0.1, 0.80),
+            *(
+                "Wf",
+                "vertical, motion sickness",
+                0.08,
+                0.63,
+                math.inf,
+                0.25,
+                0.86,
+                0.0625,
+                0.80,
+                0.1,
+                0.80,
+            ),
             limits=(10**-1.3, 10**-0.9, 10**-0.4, 1.0),
         ),
         Weighting("Wc", "fore and aft, seat back", 0.4, 100.0, 8.0, 8.0, 0.63),
@@ -110,7 +126,9 @@ def check_duration(name: str, duration: float, *, where: str) -> None:
             Phrase("the measurement is too short for {name}", name=row.name),
             where=where,
             found=f"{duration:g} s",
-            allowed=Phrase("{shortest:g} s or more, one period of its lower limit", shortest=row.shortest),
+            allowed=Phrase(
+                "{shortest:g} s or more, one period of its lower limit", shortest=row.shortest
+            ),
         )
 
 
@@ -134,11 +152,18 @@ def weighting_response(name: str, frequency: ArrayLike) -> NDArray[np.complex128
     if math.isfinite(row.f3):
         response = response * (1.0 + s / (2.0 * math.pi * row.f3))
     if math.isfinite(row.f5):
-        response = response * _low_pass(s, row.f6, row.q6) / _low_pass(s, row.f5, row.q5) * (row.f5 / row.f6) ** 2
+        response = (
+            response
+            * _low_pass(s, row.f6, row.q6)
+            / _low_pass(s, row.f5, row.q5)
+            * (row.f5 / row.f6) ** 2
+        )
     return np.asarray(response, dtype=np.complex128)
 
 
-def _low_pass(s: NDArray[np.complex128], frequency: float, quality: float = _Q) -> NDArray[np.complex128]:
+def _low_pass(
+    s: NDArray[np.complex128], frequency: float, quality: float = _Q
+) -> NDArray[np.complex128]:
     p = s / (2.0 * math.pi * frequency)
     return np.asarray(1.0 / (1.0 + p * (1.0 / quality + p)))
 
@@ -217,11 +242,15 @@ def _check_signal(values: ArrayLike, sample_rate: float, row: Weighting, start: 
     if start not in STARTS:
         raise unknown(str(start), STARTS, what="start of the record", where=at)
     if signal.ndim != 1 or signal.size < 2:
-        raise RecordingError("not a signal", where=at, found=f"shape {signal.shape}", allowed="at least 2 samples")
+        raise RecordingError(
+            "not a signal", where=at, found=f"shape {signal.shape}", allowed="at least 2 samples"
+        )
     if not np.isfinite(signal).all():
         sample = int(np.argmin(np.isfinite(signal)))
         raise RecordingError(
-            Phrase("sample {sample} is not a finite number", sample=sample + 1), where=at, found=float(signal[sample])
+            Phrase("sample {sample} is not a finite number", sample=sample + 1),
+            where=at,
+            found=float(signal[sample]),
         )
     if not (math.isfinite(sample_rate) and sample_rate >= row.slowest_rate):
         raise RecordingError(
@@ -237,7 +266,9 @@ def _continuation(signal: Array) -> Array:
     """Mirror image of the end about its last point, fading to zero."""
     count = min(_FADE, signal.size - 1)
     image = 2.0 * signal[-1] - signal[-2 : -2 - count : -1]
-    return np.asarray(image * (0.5 + 0.5 * np.cos(math.pi * np.arange(1, count + 1) / count)), dtype=float)
+    return np.asarray(
+        image * (0.5 + 0.5 * np.cos(math.pi * np.arange(1, count + 1) / count)), dtype=float
+    )
 
 
 def _convolve(signal: Array, name: str, sample_rate: float, memory: int) -> Array:
@@ -254,7 +285,9 @@ def _convolve(signal: Array, name: str, sample_rate: float, memory: int) -> Arra
     for first in range(0, count, _BLOCKS_AT_ONCE):
         spectra = np.fft.rfft(windows[first : first + _BLOCKS_AT_ONCE], axis=1)
         spectra *= response
-        filtered[first : first + _BLOCKS_AT_ONCE] = np.fft.irfft(spectra, block, axis=1)[:, memory : memory + step]
+        filtered[first : first + _BLOCKS_AT_ONCE] = np.fft.irfft(spectra, block, axis=1)[
+            :, memory : memory + step
+        ]
     return filtered.ravel()[: signal.size]
 
 

@@ -96,17 +96,26 @@ class Enveloped(RoadOf):
         """Refuse missing and superfluous fields; take ``start`` and ``recurrence`` from the road inside."""
         for name in ("start", "recurrence"):
             if name in self.model_fields_set and getattr(self, name) != getattr(self.of, name):
-                raise ValueError(Phrase("{name} belongs to the road inside; write it in the table of", name=name))
+                raise ValueError(
+                    Phrase("{name} belongs to the road inside; write it in the table of", name=name)
+                )
             object.__setattr__(self, name, getattr(self.of, name))
         needed = _NEEDED[self.method]
         for name in ("contact_length", "radius"):
             if (getattr(self, name) is None) == (name in needed):
                 word = "needs" if name in needed else "does not use"
                 raise ValueError(
-                    Phrase("the method {method!r} {word} {name}", method=self.method, word=word, name=name)
+                    Phrase(
+                        "the method {method!r} {word} {name}",
+                        method=self.method,
+                        word=word,
+                        name=name,
+                    )
                 )
         if self.cam_exponent <= 1.0:
-            what = Phrase("cam_exponent {exponent:g} gives a cam with corners", exponent=self.cam_exponent)
+            what = Phrase(
+                "cam_exponent {exponent:g} gives a cam with corners", exponent=self.cam_exponent
+            )
             raise error_at((), what, allowed=Phrase("above {bound:g}", bound=1.0))
 
     @model_validator(mode="after")
@@ -154,14 +163,23 @@ class Enveloped(RoadOf):
 
     def _filter(self, road: Segments, low: float, high: float) -> tuple[Segments, Segments]:
         """Effective height and slope from ``low`` to ``high``; the road must extend beyond both by the reach."""
-        method = (self.method, self.contact_length, self.radius, self.cam_length, self.cam_height, self.cam_exponent)
+        method = (
+            self.method,
+            self.contact_length,
+            self.radius,
+            self.cam_length,
+            self.cam_height,
+            self.cam_exponent,
+        )
         key = _digest(road, *method, self.cam_distance, self.step, self.tolerance, low, high)
         return _RESULTS.get(key, lambda: self._compute(road, low, high))
 
     def _compute(self, road: Segments, low: float, high: float) -> tuple[Segments, Segments]:
         if self.method == "moving-average":
             length = _require(self.contact_length)
-            mean = average(road, 0.5 * length, (low, high), self.step or length / 20.0, self.tolerance)
+            mean = average(
+                road, 0.5 * length, (low, high), self.step or length / 20.0, self.tolerance
+            )
             return mean, mean
         step = self.step or _require(self.radius) / 8.0
         if self.method == "rigid-circle":
@@ -209,7 +227,9 @@ def contact_length(
     """
     if min(load, stiffness, radius) <= 0.0:
         raise DescriptionError(
-            "not a loaded tyre", found=f"{load} N, {stiffness} N/m, {radius} m", allowed="values above 0"
+            "not a loaded tyre",
+            found=f"{load} N, {stiffness} N/m, {radius} m",
+            allowed="values above 0",
         )
     share = load / (stiffness * radius)
     return 2.0 * radius * (root * math.sqrt(share) + linear * share)
@@ -235,7 +255,9 @@ class _Results:
         self.most = most
         self.results: OrderedDict[bytes, tuple[Segments, Segments]] = OrderedDict()
 
-    def get(self, key: bytes, make: Callable[[], tuple[Segments, Segments]]) -> tuple[Segments, Segments]:
+    def get(
+        self, key: bytes, make: Callable[[], tuple[Segments, Segments]]
+    ) -> tuple[Segments, Segments]:
         if key not in self.results:
             self.results[key] = make()
             while len(self.results) > self.most:
@@ -248,13 +270,18 @@ _RESULTS = _Results(4)
 
 
 Numbers = NDArray[np.int64]
-_SHARES = (0.2928932188134524, 0.7071067811865476)  # test points in a cubic: no wave vanishes at both
+_SHARES = (
+    0.2928932188134524,
+    0.7071067811865476,
+)  # test points in a cubic: no wave vanishes at both
 SHORTEST = 1e-9  # m; closer borders coincide
 _STEEPEST = 50.0  # slope (89 degrees) that counts as a wall
 _GRADED = [side * 4.0**-k for k in (1, 2, 3) for side in (-1.0, 1.0)]
 """Shares of a step at which there are borders beside a point of infinite curvature."""
 _SHARP = 0.02  # jump of the contact point, relative to a, that counts as an edge
-_BENT = 0.03  # jump of the curvature times a^2 that a cam's height follows by more than a micrometre
+_BENT = (
+    0.03  # jump of the curvature times a^2 that a cam's height follows by more than a micrometre
+)
 _PAIRS = 1_000_000  # nodes times pieces processed at once: 8 MB
 
 
@@ -293,30 +320,44 @@ class Cam:
         return np.asarray(np.sign(slope) * self.a * (ratio / (1.0 + ratio)) ** (1.0 / self.c))
 
 
-def average(road: Segments, half: float, window: tuple[float, float], step: float, tolerance: float) -> Segments:
+def average(
+    road: Segments, half: float, window: tuple[float, float], step: float, tolerance: float
+) -> Segments:
     """Mean height over ``half`` metres to either side, over a window (m, m).
 
     Exact where the road is made of lines and parabolas; elsewhere cubics at most ``step`` metres long with exact
     heights and slopes at their ends, shorter where they would be off by more than ``tolerance`` (m).
     """
     upright = road.edges[:-1][road.kind == CIRCLE], road.edges[1:][road.kind == CIRCLE]
-    near = [feet + by + step * share for feet in upright for by in (-half, half) for share in _GRADED]
+    near = [
+        feet + by + step * share for feet in upright for by in (-half, half) for share in _GRADED
+    ]
     borders = _borders([road.edges - half, road.edges + half, *near], *window)
     behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
     simple = (road.kind == POLYNOMIAL) & (road.coefficients[:, 3] == 0.0)
     borders = _subdivide(borders, np.where(simple[behind] & simple[ahead], np.inf, step))
-    whole = np.concatenate([[0.0], np.cumsum(_area(road, np.arange(len(road.kind)), road.edges[1:]))])
+    whole = np.concatenate(
+        [[0.0], np.cumsum(_area(road, np.arange(len(road.kind)), road.edges[1:]))]
+    )
 
     def mean(x: Array) -> tuple[Array, Array]:
         """Height and slope at one place of each interval between borders."""
-        area = whole[ahead] - whole[behind] + _area(road, ahead, x + half) - _area(road, behind, x - half)
+        area = (
+            whole[ahead]
+            - whole[behind]
+            + _area(road, ahead, x + half)
+            - _area(road, behind, x - half)
+        )
         slope = road.on_pieces(ahead, x + half)[0] - road.on_pieces(behind, x - half)[0]
         return area / (2.0 * half), slope / (2.0 * half)
 
     while True:
         behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
         span, begin, end = np.diff(borders), mean(borders[:-1]), mean(borders[1:])
-        errors = [_cubic(span, begin, end, share) - mean(borders[:-1] + share * span)[0] for share in _SHARES]
+        errors = [
+            _cubic(span, begin, end, share) - mean(borders[:-1] + share * span)[0]
+            for share in _SHARES
+        ]
         off = np.flatnonzero((np.max(np.abs(errors), axis=0) > tolerance) & (span > 1e3 * SHORTEST))
         if not len(off):
             return _join(borders, begin, end)
@@ -330,14 +371,19 @@ def combine(road: Segments, apart: float, low: float, high: float) -> tuple[Segm
     behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
     ends: tuple[list[Array], list[Array]] = ([], [])
     for x in (borders[:-1], borders[1:]):
-        front, rear = np.array(road.on_pieces(ahead, x + half)), np.array(road.on_pieces(behind, x - half))
+        front, rear = (
+            np.array(road.on_pieces(ahead, x + half)),
+            np.array(road.on_pieces(behind, x - half)),
+        )
         ends[0].append(0.5 * (front + rear))
         ends[1].append((front - rear) / apart)
     mean, slope = ([(left[0], left[1]), (right[0], right[1])] for left, right in ends)
     return _join(borders, *mean), _join(borders, *slope)
 
 
-def roll_cam(road: Segments, cam: Cam, window: tuple[float, float], step: float, tolerance: float) -> Segments:
+def roll_cam(
+    road: Segments, cam: Cam, window: tuple[float, float], step: float, tolerance: float
+) -> Segments:
     """Height in m of a cam that rests on the road, less its height on a level road, over a window (m, m).
 
     Cubics at most ``step`` metres long with exact heights and slopes at their ends, shorter where they would be off by
@@ -376,7 +422,9 @@ class _Parts:
         longest = np.full(len(length), np.inf)
         longest[_is_curved(road)] = cam.a / 16.0
         waves, arcs = road.kind == SINE, road.kind == CIRCLE
-        longest[waves] = np.minimum(longest[waves], np.pi / 8.0 / np.maximum(road.coefficients[waves, 2], 1e-9))
+        longest[waves] = np.minimum(
+            longest[waves], np.pi / 8.0 / np.maximum(road.coefficients[waves, 2], 1e-9)
+        )
         longest[arcs] = np.minimum(longest[arcs], road.coefficients[arcs, 1] / 16.0)
         border = _subdivide(road.edges, longest)
         piece = road.piece_at(0.5 * (border[:-1] + border[1:]))
@@ -385,28 +433,38 @@ class _Parts:
         slopes = [road.on_pieces(piece, x)[1] for x in (border[:-1] + nudge, border[1:] - nudge)]
         corner = np.maximum(np.append(left, right[-1]), np.insert(right, 0, left[0]))
         offset = np.array([cam.offset(slope) for slope in slopes])
-        edge = (np.abs(offset[1, :-1] - offset[0, 1:]) > _SHARP * cam.a) | (np.abs(left[1:] - right[:-1]) > 1e-12)
-        bend = np.abs(_curvature(road, piece[1:], border[1:-1]) - _curvature(road, piece[:-1], border[1:-1]))
+        edge = (np.abs(offset[1, :-1] - offset[0, 1:]) > _SHARP * cam.a) | (
+            np.abs(left[1:] - right[:-1]) > 1e-12
+        )
+        bend = np.abs(
+            _curvature(road, piece[1:], border[1:-1]) - _curvature(road, piece[:-1], border[1:-1])
+        )
         edge |= (np.diff(piece) > 0) & (bend * cam.a**2 > _BENT)
         return cls(road, cam, border, piece, corner, offset, edge)
 
     def transitions(self) -> Array:
         """Places in m of the cam at which an edge may begin or cease to touch; smaller ones are found as errors."""
         corner = self.border[1:-1][self.edge]
-        return np.concatenate([corner - self.offset[1, :-1][self.edge], corner - self.offset[0, 1:][self.edge]])
+        return np.concatenate(
+            [corner - self.offset[1, :-1][self.edge], corner - self.offset[0, 1:][self.edge]]
+        )
 
     def contact(self, x: Array) -> tuple[Array, Array]:
         """Height of the cam at its places ``x`` and the distance at which it touches, in m."""
         first = np.searchsorted(self.border, x - self.cam.a, side="right") - 1
         last = np.searchsorted(self.border, x + self.cam.a, side="left")
         count = np.minimum(last, len(self.piece)) - np.maximum(first, 0) + 1
-        stops = np.searchsorted(np.cumsum(count), np.arange(_PAIRS, int(count.sum()) + _PAIRS, _PAIRS), side="right")
+        stops = np.searchsorted(
+            np.cumsum(count), np.arange(_PAIRS, int(count.sum()) + _PAIRS, _PAIRS), side="right"
+        )
         height, at = np.empty_like(x), np.empty_like(x)
         begin = 0
         for end in sorted({*(int(stop) for stop in np.maximum(stops, 1)), len(x)}):
             if end > begin:
                 chosen = slice(begin, end)
-                height[chosen], at[chosen] = self._contact(x[chosen], np.maximum(first[chosen], 0), count[chosen])
+                height[chosen], at[chosen] = self._contact(
+                    x[chosen], np.maximum(first[chosen], 0), count[chosen]
+                )
                 begin = end
         return height, at
 
@@ -423,9 +481,13 @@ class _Parts:
         a = self.cam.a
         rises = (here + self.offset[0, part] > left) | (here - a > left)
         falls = (here + self.offset[1, part] < right) | (here + a < right)
-        inside = np.flatnonzero(rises & falls & (number < len(self.piece)) & (here + a > left) & (here - a < right))
+        inside = np.flatnonzero(
+            rises & falls & (number < len(self.piece)) & (here + a > left) & (here - a < right)
+        )
         touch = self._inside(part[inside], here[inside])
-        level = self.road.on_pieces(self.piece[part[inside]], touch)[0] + self.cam.drop(touch - here[inside])
+        level = self.road.on_pieces(self.piece[part[inside]], touch)[0] + self.cam.drop(
+            touch - here[inside]
+        )
         better = level > height[inside]
         height[inside[better]], at[inside[better]] = level[better], touch[better]
         best = np.maximum.reduceat(height, starts)
@@ -435,7 +497,10 @@ class _Parts:
 
     def _inside(self, part: Numbers, x: Array) -> Array:
         """Contact point inside a part: in closed form on a line, by bisection on a curve."""
-        low, high = np.maximum(self.border[part], x - self.cam.a), np.minimum(self.border[part + 1], x + self.cam.a)
+        low, high = (
+            np.maximum(self.border[part], x - self.cam.a),
+            np.minimum(self.border[part + 1], x + self.cam.a),
+        )
         ends = self.offset[:, part]
         touch = np.clip(x + ends[0], low, high)
         curved = np.flatnonzero(_is_curved(self.road)[self.piece[part]])
@@ -474,7 +539,9 @@ def _add_kinks(
         # At a kink the contact point jumps ahead, by more than the nodes are apart and than bisection leaves.
         wide = np.flatnonzero((jump > 1.1 * apart + 1e-4 * parts.cam.a) & (apart > 4.0 * SHORTEST))
         before, after = _bisect_kink(parts, right[:, wide], left[:, wide + 1])
-        kink = after[3] - before[3] > 1e-4 * parts.cam.a  # otherwise the contact moves fast along a hollow
+        kink = (
+            after[3] - before[3] > 1e-4 * parts.cam.a
+        )  # otherwise the contact moves fast along a hollow
         if not kink.any():
             break
         left = np.insert(left, wide[kink] + 1, before[:, kink], axis=1)
@@ -514,7 +581,9 @@ def _error(parts: _Parts, begin: Array, end: Array, share: float) -> tuple[Array
     return np.array([x, height, parts.cam.slope(at - x), at]), np.abs(difference)
 
 
-def _cubic(span: Array, begin: tuple[Array, Array], end: tuple[Array, Array], share: float) -> Array:
+def _cubic(
+    span: Array, begin: tuple[Array, Array], end: tuple[Array, Array], share: float
+) -> Array:
     """Height in m at a share of intervals of a span (m), of the cubics with these heights and slopes at their ends."""
     rise = share**2 * (3.0 - 2.0 * share) * (end[0] - begin[0])
     lean = span * share * (1.0 - share) * ((1.0 - share) * begin[1] - share * end[1])
@@ -559,7 +628,9 @@ def _borders(places: list[Array], low: float, high: float) -> Array:
 def _subdivide(borders: Array, longest: Array) -> Array:
     """Cut the intervals between borders into equal parts of at most ``longest`` (m), one value or one for each."""
     span = np.diff(borders)
-    count = np.maximum(np.ceil(span / np.broadcast_to(longest, span.shape) - 1e-9), 1.0).astype(np.int64)
+    count = np.maximum(np.ceil(span / np.broadcast_to(longest, span.shape) - 1e-9), 1.0).astype(
+        np.int64
+    )
     owner = np.repeat(np.arange(len(span)), count)
     number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
     return np.append(borders[owner] + span[owner] * number / count[owner], borders[-1])
@@ -578,8 +649,12 @@ def _area(road: Segments, piece: Numbers, x: Array) -> Array:
     area = s * (c0 + s * (c1 / 2.0 + s * (c2 / 3.0 + s * c3 / 4.0)))
     wave, arc = kind == SINE, kind == CIRCLE
     rate, phase = c2[wave], c3[wave]
-    area[wave] = c0[wave] * s[wave] + c1[wave] / rate * (np.cos(phase) - np.cos(rate * s[wave] + phase))
-    area[arc] = c0[arc] * s[arc] + c3[arc] * (_disc(s[arc] - c2[arc], c1[arc]) - _disc(-c2[arc], c1[arc]))
+    area[wave] = c0[wave] * s[wave] + c1[wave] / rate * (
+        np.cos(phase) - np.cos(rate * s[wave] + phase)
+    )
+    area[arc] = c0[arc] * s[arc] + c3[arc] * (
+        _disc(s[arc] - c2[arc], c1[arc]) - _disc(-c2[arc], c1[arc])
+    )
     return np.asarray(area)
 
 
@@ -605,4 +680,6 @@ def _join(borders: Array, left: tuple[Array, Array], right: tuple[Array, Array])
         & (np.abs(c[1:, 0] - ends_at) < 1e-13)
     )
     is_start = np.concatenate([[True], ~goes_on])
-    return Segments(np.append(borders[:-1][is_start], borders[-1]), pieces.kind[is_start], c[is_start])
+    return Segments(
+        np.append(borders[:-1][is_start], borders[-1]), pieces.kind[is_start], c[is_start]
+    )

@@ -40,7 +40,11 @@ def source_of_course(file: Path) -> str:
     sources = file.parent / "SOURCE.md"
     lines = sources.read_text(encoding="utf-8").splitlines() if sources.is_file() else []
     about = [line for line in lines if file.name in line]
-    return "; ".join(cell.replace("`", "").strip() for cell in about[0].strip("|").split("|")[1:]) if about else ""
+    return (
+        "; ".join(cell.replace("`", "").strip() for cell in about[0].strip("|").split("|")[1:])
+        if about
+        else ""
+    )
 
 
 def load_road(path: Path | str, *, length: float | None = None) -> Road:
@@ -81,10 +85,14 @@ def load_road(path: Path | str, *, length: float | None = None) -> Road:
         return Crg(file=file)
     if suffix == ".toml":
         table, text = read_toml(file)
-        return _Reader({}, str(file), text, file.parent).build(_without_schema(table, str(file)), ())
+        return _Reader({}, str(file), text, file.parent).build(
+            _without_schema(table, str(file)), ()
+        )
     if suffix in _SUFFIXES:
         return Table(file=file)
-    raise DescriptionError("not a road file", where=str(file), found=suffix, allowed=", ".join(_SUFFIXES))
+    raise DescriptionError(
+        "not a road file", where=str(file), found=suffix, allowed=", ".join(_SUFFIXES)
+    )
 
 
 def read_roads(
@@ -141,7 +149,9 @@ def class_and_seed(text: str) -> tuple[str, int | None]:
     """
     _, name, *seeds = text.split(":")
     if len(seeds) > 1 or (seeds and not seeds[0].isdecimal()):
-        raise DescriptionError("not a road class", where=text, allowed="iso:CLASS or iso:CLASS:SEED, e.g. iso:C:7")
+        raise DescriptionError(
+            "not a road class", where=text, allowed="iso:CLASS or iso:CLASS:SEED, e.g. iso:C:7"
+        )
     try:
         class_roughness(name)
     except DescriptionError as error:
@@ -165,7 +175,10 @@ def _without_schema(table: dict[str, Any], where: str) -> dict[str, Any]:
     schema = table.get("schema", SCHEMA)
     if schema != SCHEMA:
         raise DescriptionError(
-            "not a road file", where=where, found=schema, allowed=Phrase('schema = "{schema}", or none', schema=SCHEMA)
+            "not a road file",
+            where=where,
+            found=schema,
+            allowed=Phrase('schema = "{schema}", or none', schema=SCHEMA),
         )
     return {key: value for key, value in table.items() if key != "schema"}
 
@@ -174,9 +187,20 @@ class _Reader:
     """Builds the roads of one file; remembers those already built."""
 
     def __init__(
-        self, tables: Mapping[str, Any], where: str, text: str, folder: Path, above: tuple[str, ...] = ()
+        self,
+        tables: Mapping[str, Any],
+        where: str,
+        text: str,
+        folder: Path,
+        above: tuple[str, ...] = (),
     ) -> None:
-        self.tables, self.where, self.text, self.folder, self.above = tables, where, text, folder, above
+        self.tables, self.where, self.text, self.folder, self.above = (
+            tables,
+            where,
+            text,
+            folder,
+            above,
+        )
         self.built: dict[str, Road] = {}
 
     def build_named(self, name: str, asked_by: tuple[str, ...]) -> Road:
@@ -184,7 +208,11 @@ class _Reader:
         if name in asked_by:
             circle = " of ".join(repr(step) for step in (*asked_by[asked_by.index(name) :], name))
             raise DescriptionError(
-                Phrase("the {tables} contains itself: {circle}", tables=self.tables[name]["kind"], circle=circle),
+                Phrase(
+                    "the {tables} contains itself: {circle}",
+                    tables=self.tables[name]["kind"],
+                    circle=circle,
+                ),
                 where=self._place((*self.above, name, "of")),
                 hint="Break the circle.",
             )
@@ -198,15 +226,21 @@ class _Reader:
         kind: type[Road] = ROADS[resolved["kind"]]
         return kind.from_table(resolved, where=self.where, text=self.text, path=path)
 
-    def _resolve(self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...]) -> dict[str, Any]:
+    def _resolve(
+        self, table: Any, path: tuple[str, ...], asked_by: tuple[str, ...]
+    ) -> dict[str, Any]:
         """Return the table with its kind checked, a named ``of`` built, and ``file`` relative to the right folder."""
         if not isinstance(table, dict):
             place = self._place(path)
-            raise DescriptionError("not a road table", where=place, found=table, allowed='{kind = "...", ...}')
+            raise DescriptionError(
+                "not a road table", where=place, found=table, allowed='{kind = "...", ...}'
+            )
         kind = table.get("kind")
         if kind is None:
             kinds = ", ".join(sorted(ROADS))
-            raise DescriptionError("the key 'kind' is missing", where=self._place(path), allowed=kinds)
+            raise DescriptionError(
+                "the key 'kind' is missing", where=self._place(path), allowed=kinds
+            )
         if not isinstance(kind, str) or kind not in ROADS:
             raise unknown(str(kind), ROADS, what="kind of road", where=self._place((*path, "kind")))
         resolved = dict(table)
@@ -221,7 +255,10 @@ class _Reader:
             return self._resolve(of, path, asked_by)
         if not isinstance(of, str):
             raise DescriptionError(
-                "not a road", where=self._place(path), found=of, allowed='the name of a road, or {kind = "...", ...}'
+                "not a road",
+                where=self._place(path),
+                found=of,
+                allowed='the name of a road, or {kind = "...", ...}',
             )
         if of not in self.tables:
             if not self.tables:

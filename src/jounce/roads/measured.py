@@ -27,7 +27,10 @@ from jounce.roads.road import SampledRoad
 
 Interpolation = Literal["linear", "cubic"]
 FEWEST = {"linear": 2, "cubic": 4}
-_JUMP, _STEEP = 1.0, 10.0  # m and 1; a step from one row to the next that is higher and steeper is padding, no road
+_JUMP, _STEEP = (
+    1.0,
+    10.0,
+)  # m and 1; a step from one row to the next that is higher and steeper is padding, no road
 
 
 Lengths = Annotated[tuple[Annotated[float, Unit("m")], ...], Listed]
@@ -107,7 +110,9 @@ class Crg(SampledRoad):
     def check(self) -> None:
         """Read the file, so that its errors are reported immediately."""
         if self.is_endless() and self.recurrence is not None:
-            raise ValueError("the options of the file say that the course repeats; leave out recurrence")
+            raise ValueError(
+                "the options of the file say that the course repeats; leave out recurrence"
+            )
 
     def profile(self) -> Profile:
         """Lines between the cross sections."""
@@ -121,7 +126,10 @@ class Crg(SampledRoad):
         DescriptionError
             If the run leaves a file that declares no road beyond its ends.
         """
-        if self._course().beyond == "nothing" and not self.start <= -behind <= distance - behind <= self.end():
+        if (
+            self._course().beyond == "nothing"
+            and not self.start <= -behind <= distance - behind <= self.end()
+        ):
             raise DescriptionError(
                 "the run leaves the course, and the option BORDER_MODE_U = 0 says that there is no road",
                 where=str(self.file),
@@ -158,7 +166,9 @@ class Crg(SampledRoad):
         return lay_out(course.profile, places, low, high)
 
 
-def check_source(file: Path | None, points: dict[str, tuple[float, ...]], interpolation: str) -> None:
+def check_source(
+    file: Path | None, points: dict[str, tuple[float, ...]], interpolation: str
+) -> None:
     """Refuse (ValueError) a mixture of file and points, lists of unequal length, too few points, x not ascending."""
     (x_name, x), (y_name, y) = points.items()
     if file is not None:
@@ -172,7 +182,9 @@ def check_source(file: Path | None, points: dict[str, tuple[float, ...]], interp
             )
         return
     if not x and not y:
-        raise ValueError(Phrase("no points; give {x_name} and {y_name}, or file", x_name=x_name, y_name=y_name))
+        raise ValueError(
+            Phrase("no points; give {x_name} and {y_name}, or file", x_name=x_name, y_name=y_name)
+        )
     if len(x) != len(y):
         raise ValueError(
             Phrase(
@@ -212,7 +224,9 @@ def point_profile(x: tuple[float, ...], height: tuple[float, ...], interpolation
     return make(np.asarray(x, dtype=float), np.asarray(height, dtype=float))
 
 
-def file_profile(file: Path, columns: dict[str, str], interpolation: str, fewest: int = 2) -> Profile:
+def file_profile(
+    file: Path, columns: dict[str, str], interpolation: str, fewest: int = 2
+) -> Profile:
     """Pieces through the two columns (name to SI unit) of a text file with at least ``fewest`` rows."""
     key = _key(file, columns, max(fewest, FEWEST[interpolation]))
     return _file_profile(key, interpolation)
@@ -245,7 +259,10 @@ def _file_points(key: _Key) -> tuple[Array, Array]:
     name, unit = columns[0]
     if len(x) < fewest:
         raise RecordingError(
-            "too few rows", where=file, found=len(x), allowed=Phrase("at least {fewest}", fewest=fewest)
+            "too few rows",
+            where=file,
+            found=len(x),
+            allowed=Phrase("at least {fewest}", fewest=fewest),
         )
     steps = np.diff(x)
     if (steps < 0.0).all():
@@ -259,7 +276,12 @@ def _file_points(key: _Key) -> tuple[Array, Array]:
     if len(stays):
         i = int(stays[0])
         raise RecordingError(
-            Phrase("{name} does not ascend from row {i} to row {second_i}", name=name, i=i + 1, second_i=i + 2),
+            Phrase(
+                "{name} does not ascend from row {i} to row {second_i}",
+                name=name,
+                i=i + 1,
+                second_i=i + 2,
+            ),
             where=f"{file}: column {table[name].label!r}",
             found=f"{x[i]:g} {unit}, then {x[i + 1]:g} {unit}",
             hint="Sort the rows, and remove repeated ones.",
@@ -276,7 +298,11 @@ def _check_jumps(x: Array, height: Array, where: str) -> None:
     if len(wild):
         i = int(wild[0])
         raise RecordingError(
-            Phrase("the height jumps implausibly from row {i} to row {second_i}", i=i + 1, second_i=i + 2),
+            Phrase(
+                "the height jumps implausibly from row {i} to row {second_i}",
+                i=i + 1,
+                second_i=i + 2,
+            ),
             where=where,
             found=f"{height[i]:g} m, then {height[i + 1]:g} m",
             hint="Fill the gap or remove the padding, and check the unit of the heights.",
@@ -390,19 +416,36 @@ def _read(file: str) -> Any:
             if road.mods and not problems:
                 road = road.apply_mods()
     except FileNotFoundError as error:
-        raise RecordingError(_one_line(error, file), where=file, hint="Put it there or change the name.") from None
-    except (ValueError, OSError, IndexError, KeyError, ArithmeticError, TypeError, MemoryError) as error:
+        raise RecordingError(
+            _one_line(error, file), where=file, hint="Put it there or change the name."
+        ) from None
+    except (
+        ValueError,
+        OSError,
+        IndexError,
+        KeyError,
+        ArithmeticError,
+        TypeError,
+        MemoryError,
+    ) as error:
         if is_of_system(error):
             raise resource_error(error, file) from None
         raise RecordingError(
-            Phrase("not a readable OpenCRG file: {one_line}", one_line=_one_line(error, file)), where=file
+            Phrase("not a readable OpenCRG file: {one_line}", one_line=_one_line(error, file)),
+            where=file,
         ) from None
-    problems += [text for text in road.read_warnings if not _HARMLESS.search(text) or _is_misspelt(text)]
     problems += [
-        f"{name} above 100 %" for name in ("slope", "banking") if np.abs(np.asarray(getattr(road, name))).max() > 1.0
+        text for text in road.read_warnings if not _HARMLESS.search(text) or _is_misspelt(text)
+    ]
+    problems += [
+        f"{name} above 100 %"
+        for name in ("slope", "banking")
+        if np.abs(np.asarray(getattr(road, name))).max() > 1.0
     ]
     if problems:
-        text = "; ".join(problem.removeprefix("(reading) ") for problem in dict.fromkeys(problems[:2]))
+        text = "; ".join(
+            problem.removeprefix("(reading) ") for problem in dict.fromkeys(problems[:2])
+        )
         raise RecordingError(
             Phrase("the OpenCRG file is damaged or contradicts itself: {text}", text=text),
             where=file,
@@ -416,7 +459,13 @@ def _is_misspelt(warning: str) -> bool:
     from pyopencrg.keywords import MODIFIER_KEYWORDS, OPTION_DEFAULTS, ROAD_CRG_KEYWORDS
 
     name = (re.findall(r"'([^',]*)", warning) or [""])[0].strip().lower()
-    known = [*ROAD_CRG_KEYWORDS, *MODIFIER_KEYWORDS, *OPTION_DEFAULTS, "reference line slope", "reference line banking"]
+    known = [
+        *ROAD_CRG_KEYWORDS,
+        *MODIFIER_KEYWORDS,
+        *OPTION_DEFAULTS,
+        "reference line slope",
+        "reference line banking",
+    ]
     near = get_close_matches(name, [*known, "reference line phi"], n=1, cutoff=0.93)
     return bool(near) or bool(get_close_matches(name[:12], ["long section"], n=1, cutoff=0.9))
 
@@ -432,7 +481,13 @@ def _overlong_rows(file: str) -> list[str]:
     rows = Path(file).read_bytes()[header.data_offset :].splitlines()
     longest = width * min(len(header.kd_def), 80 // width)
     bad = [number for number, row in enumerate(rows, 1) if len(row.rstrip()) > longest]
-    return [f"row {bad[0]} of the data holds more than the {len(header.kd_def)} channels of the header"] if bad else []
+    return (
+        [
+            f"row {bad[0]} of the data holds more than the {len(header.kd_def)} channels of the header"
+        ]
+        if bad
+        else []
+    )
 
 
 def _one_line(error: Exception, file: str) -> str:
@@ -455,7 +510,12 @@ def _height(road: Any, offset: float, file: str) -> Array:
             hint="Programs differ in how they repeat a banked road sideways." if is_said else "",
         )
     inside = road.copy()
-    inside.opts = {**road.opts, "border_smooth_ubeg": 0.0, "border_smooth_uend": 0.0, "refline_continuation": 0}
+    inside.opts = {
+        **road.opts,
+        "border_smooth_ubeg": 0.0,
+        "border_smooth_uend": 0.0,
+        "refline_continuation": 0,
+    }
     inside.opts["border_mode_u"] = 2
     return np.asarray(inside.uv_to_z(road.u, np.full(road.nu, offset)), dtype=float)
 
@@ -478,20 +538,30 @@ def _check_heights(road: Any, height: Array, offset: float, file: str) -> None:
     if max(np.nanmax(np.abs(height), initial=0.0), np.nanmax(grid, initial=0.0)) > HIGHEST:
         damage = "heights above 10 km"
     elif ((grid > 0.0) & (grid < _SMALLEST)).any():
-        damage = Phrase("heights below {smallest:g} m, as a wrong byte order produces", smallest=_SMALLEST)
+        damage = Phrase(
+            "heights below {smallest:g} m, as a wrong byte order produces", smallest=_SMALLEST
+        )
     elif len(height) > 2:
         out = np.abs(height[1:-1] - height[:-2]), np.abs(height[1:-1] - height[2:])
-        spikes = np.flatnonzero((out[0] > _SPIKE) & (out[1] > _SPIKE) & (np.abs(height[2:] - height[:-2]) < _SPIKE))
+        spikes = np.flatnonzero(
+            (out[0] > _SPIKE) & (out[1] > _SPIKE) & (np.abs(height[2:] - height[:-2]) < _SPIKE)
+        )
         if len(spikes):
             damage = f"a single height at u = {road.u[spikes[0] + 1]:g} m stands out by {out[0][spikes[0]]:.3g} m"
     if damage:
         raise RecordingError(
-            Phrase("the OpenCRG file is damaged: {damage}", damage=damage), where=file, hint="Use an original copy."
+            Phrase("the OpenCRG file is damaged: {damage}", damage=damage),
+            where=file,
+            hint="Use an original copy.",
         )
     if not np.isfinite(height).all():
         bad = int(np.flatnonzero(~np.isfinite(height))[0])
         raise RecordingError(
-            Phrase("no height at u = {u:g} m for the lateral offset {offset:g} m", u=road.u[bad], offset=offset),
+            Phrase(
+                "no height at u = {u:g} m for the lateral offset {offset:g} m",
+                u=road.u[bad],
+                offset=offset,
+            ),
             where=file,
             hint="Choose another lateral offset, or fill the gap in the file.",
         )
@@ -536,7 +606,9 @@ def _smooth(road: Any, s: Array, height: Array, file: str) -> Profile:
         if zone > 0.0:
             weight = np.minimum(near / zone, 1.0)
             pieces[:, 0] -= base
-            pieces = weight[:-1, None] * pieces + np.diff(weight)[:, None] * np.roll(pieces, 1, axis=1)
+            pieces = weight[:-1, None] * pieces + np.diff(weight)[:, None] * np.roll(
+                pieces, 1, axis=1
+            )
             pieces[:, 0] += base
     edges = np.interp(nodes, u, s)
     pieces /= np.diff(edges)[:, None] ** np.arange(4)
@@ -571,7 +643,9 @@ def _add_mirror(profile: Profile) -> Profile:
     )
     edges = np.concatenate([profile.edges, profile.edges[-1] + np.cumsum(span)])
     kind = np.concatenate([profile.kind, profile.kind[::-1]])
-    return Profile(edges, kind, np.concatenate([profile.coefficients, shifted]), profile.before, profile.before)
+    return Profile(
+        edges, kind, np.concatenate([profile.coefficients, shifted]), profile.before, profile.before
+    )
 
 
 def _link(road: Any, offset: float, file: str) -> tuple[float, float] | None:
@@ -589,7 +663,10 @@ def _link(road: Any, offset: float, file: str) -> tuple[float, float] | None:
         )
     turn = float(road.phi_start - road.phi_end)
     half = np.tan(0.5 * np.arctan2(np.sin(turn), np.cos(turn)))  # the lines meet on the bisector
-    after, before = float(end - road.u_end - offset * half), float(road.u_start - begin - offset * half)
+    after, before = (
+        float(end - road.u_end - offset * half),
+        float(road.u_start - begin - offset * half),
+    )
     if min(after, before) < -_EDGE:
         raise RecordingError(
             "the lateral offset lies beyond the corner that closes the track",
@@ -602,8 +679,14 @@ def _link(road: Any, offset: float, file: str) -> tuple[float, float] | None:
 
 def _close(profile: Profile, link: tuple[float, float], levels: tuple[float, float]) -> Profile:
     """Add the link after the course: level at the height of its end, then of its start."""
-    lines = [(length, level) for length, level in zip(link, reversed(levels), strict=True) if length > _EDGE]
-    edges = np.concatenate([profile.edges, profile.edges[-1] + np.cumsum([length for length, _ in lines])])
+    lines = [
+        (length, level)
+        for length, level in zip(link, reversed(levels), strict=True)
+        if length > _EDGE
+    ]
+    edges = np.concatenate(
+        [profile.edges, profile.edges[-1] + np.cumsum([length for length, _ in lines])]
+    )
     kind = np.append(profile.kind, np.zeros(len(lines), dtype=np.int64))
     level = [[height, 0.0, 0.0, 0.0] for _, height in lines]
     coefficients = np.concatenate([profile.coefficients, np.reshape(level, (-1, 4))])

@@ -84,7 +84,9 @@ class Versine(Road):
     def profile(self) -> Profile:
         """One sine piece around half the height."""
         half = 0.5 * self.height
-        return profile((self.length, SINE, (half, half, 2.0 * math.pi / self.length, -0.5 * math.pi)))
+        return profile(
+            (self.length, SINE, (half, half, 2.0 * math.pi / self.length, -0.5 * math.pi))
+        )
 
 
 class Rectangle(Road):
@@ -343,7 +345,9 @@ class Pothole(Road):
         if 2.0 * self.edge_radius > self.length * (1.0 + 1e-9):
             text = "two edges of radius {radius:g} m do not fit into the length {length:g} m"
             most = Phrase("an edge_radius up to {most:g} m", most=0.5 * self.length)
-            raise error_at((), Phrase(text, radius=self.edge_radius, length=self.length), allowed=most)
+            raise error_at(
+                (), Phrase(text, radius=self.edge_radius, length=self.length), allowed=most
+            )
 
     def profile(self) -> Profile:
         """Edge, bottom, edge."""
@@ -391,7 +395,9 @@ class Train(RoadOf):
                 pitch=self.pitch,
                 length=length,
             )
-            raise error_at((), what, allowed=Phrase("a pitch of at least {length:g} m", length=length))
+            raise error_at(
+                (), what, allowed=Phrase("a pitch of at least {length:g} m", length=length)
+            )
 
     def profile(self) -> Profile:
         """Pieces of the whole train."""
@@ -399,7 +405,11 @@ class Train(RoadOf):
 
     def known_length(self) -> float:
         """Distance in m up to which it is known: infinite if that of the obstacle is."""
-        return math.inf if self.recurrence is not None or math.isinf(self.of.known_length()) else self.end()
+        return (
+            math.inf
+            if self.recurrence is not None or math.isinf(self.of.known_length())
+            else self.end()
+        )
 
 
 def _half_wave(length: float, height: float, quarter: float) -> Piece:
@@ -417,4 +427,6 @@ def _check_edge(radius: float, height: float, name: str) -> None:
     if radius > abs(height) * (1.0 + 1e-9):
         text = "an edge of radius {radius:g} m is rounder than the {name} {height:g} m"
         most = Phrase("an edge_radius up to {most:g} m", most=abs(height))
-        raise error_at((), Phrase(text, radius=radius, name=Phrase(name), height=abs(height)), allowed=most)
+        raise error_at(
+            (), Phrase(text, radius=radius, name=Phrase(name), height=abs(height)), allowed=most
+        )

@@ -17,7 +17,9 @@ AnyTrial: TypeAlias = Annotated[
     Trial, MadeBy("jounce.roads.options:trial_of_options", "jounce.roads.options:trial_in_python")
 ]
 """A trial; faces ask for its road, speed and duration, or for an excitation."""
-ROAD = File("A road: TOML, OpenCRG or table file, or a name of `jounce library`.", shipped=("roads",))
+ROAD = File(
+    "A road: TOML, OpenCRG or table file, or a name of `jounce library`.", shipped=("roads",)
+)
 SPEED = Number('Speed over the road, e.g. "1.95 m/s".', "SPEED", "m/s")
 DURATION = Number('Length of the run, e.g. "3 s".', "TIME", "s", is_positive=True)
 EXCITATION = File("Instead of --road and --speed: a file with columns time and road.z.")
@@ -29,14 +31,22 @@ def trial_of_options(
     duration: Annotated[float | None, DURATION] = None,
     excitation: Annotated[str | None, EXCITATION] = None,
     right_road: Annotated[
-        str | None, File("Full cars: road under the right wheels; by default that of the left.", shipped=("roads",))
+        str | None,
+        File(
+            "Full cars: road under the right wheels; by default that of the left.",
+            shipped=("roads",),
+        ),
     ] = None,
     pitch_moment: Annotated[
-        str | None, Mark('Vehicles: moment on the body, nose-down positive, "100 N*m@3 s".', "VALUE[@TIME]")
+        str | None,
+        Mark('Vehicles: moment on the body, nose-down positive, "100 N*m@3 s".', "VALUE[@TIME]"),
     ] = None,
-    deceleration: Annotated[str | None, Mark('Vehicles: braking deceleration, "3 m/s^2@1 s".', "VALUE[@TIME]")] = None,
+    deceleration: Annotated[
+        str | None, Mark('Vehicles: braking deceleration, "3 m/s^2@1 s".', "VALUE[@TIME]")
+    ] = None,
     lateral_acceleration: Annotated[
-        str | None, Mark('Full cars: lateral acceleration to the left, "4 m/s^2@1 s".', "VALUE[@TIME]")
+        str | None,
+        Mark('Full cars: lateral acceleration to the left, "4 m/s^2@1 s".', "VALUE[@TIME]"),
     ] = None,
 ) -> Trial:
     """Build the trial that the options describe.
@@ -57,32 +67,51 @@ def trial_of_options(
         return Trial(excitation=excitation, **given)
     driven = given["speed"] * given["duration"]
     roads = {"road": road, "right": right_road}
-    return Trial(**{name: load_road(text, length=driven) for name, text in roads.items() if text is not None}, **given)
+    return Trial(
+        **{
+            name: load_road(text, length=driven) for name, text in roads.items() if text is not None
+        },
+        **given,
+    )
 
 
 def _check_options(
-    road: str | None, speed: float | None, duration: float | None, excitation: str | None, right_road: str | None
+    road: str | None,
+    speed: float | None,
+    duration: float | None,
+    excitation: str | None,
+    right_road: str | None,
 ) -> dict[str, Any]:
     """Check that the options fit together; return those given of speed and duration."""
     if (road is None) == (excitation is None):
         raise DescriptionError(
-            "either a road or an excitation is needed" if road is None else "both a road and an excitation are given",
+            "either a road or an excitation is needed"
+            if road is None
+            else "both a road and an excitation are given",
             where="--road, --excitation",
             allowed='--road ROAD --speed "1.95 m/s" --duration "3 s", or --excitation base.csv',
         )
     if excitation is not None:
-        for option, value, what in (("--speed", speed, "speed"), ("--right-road", right_road, "road")):
+        for option, value, what in (
+            ("--speed", speed, "speed"),
+            ("--right-road", right_road, "road"),
+        ):
             if value is not None:
                 hint = Phrase("Leave out the {what}.", what=what)
-                raise DescriptionError("an excitation is already a function of time", where=option, hint=hint)
+                raise DescriptionError(
+                    "an excitation is already a function of time", where=option, hint=hint
+                )
         return {} if duration is None else {"duration": duration}
     for option, value, example in (("--speed", speed, "1.95 m/s"), ("--duration", duration, "3 s")):
         if value is None:
             raise DescriptionError(
-                Phrase("{option} is missing; a road needs it", option=option), allowed=f'{option} "{example}"'
+                Phrase("{option} is missing; a road needs it", option=option),
+                allowed=f'{option} "{example}"',
             )
     if speed is not None and speed <= 0.0:
-        raise DescriptionError("out of range", where="--speed", found=f"{speed:g} m/s", allowed="above 0 m/s")
+        raise DescriptionError(
+            "out of range", where="--speed", found=f"{speed:g} m/s", allowed="above 0 m/s"
+        )
     return {"speed": speed, "duration": duration}
 
 
@@ -94,7 +123,9 @@ def _load(name: str, text: str) -> dict[str, float]:
     if at:
         load["start"] = quantity(start.strip(), "s", option)
         if load["start"] < 0.0:
-            raise DescriptionError("out of range", where=option, found=start.strip(), allowed="a time of at least 0 s")
+            raise DescriptionError(
+                "out of range", where=option, found=start.strip(), allowed="a time of at least 0 s"
+            )
     return load
 
 
@@ -111,7 +142,9 @@ def trial_in_python(**options: Any) -> str:
     written = []
     for name, key in (("road", "road"), ("right_road", "right")):
         if name in options:
-            written.append(f"{key}={_road_in_python(options[name], given['speed'] * given['duration'])}")
+            written.append(
+                f"{key}={_road_in_python(options[name], given['speed'] * given['duration'])}"
+            )
     given |= {name: _load(name, text) for name, text in options.items() if name not in known}
     given |= {name: options[name] for name in ("excitation",) if name in options}
     return f"jn.Trial({', '.join([*written, *(f'{name}={value!r}' for name, value in given.items())])})"

@@ -51,7 +51,9 @@ def profile(*pieces: Piece, after: float = 0.0) -> Profile:
     return Profile(
         edges=np.concatenate([[0.0], np.cumsum(lengths)]),
         kind=np.array([piece[1] for piece in long_pieces], dtype=np.int64),
-        coefficients=np.array([piece[2] for piece in long_pieces], dtype=float).reshape(len(long_pieces), 4),
+        coefficients=np.array([piece[2] for piece in long_pieces], dtype=float).reshape(
+            len(long_pieces), 4
+        ),
         after=after,
     )
 
@@ -74,7 +76,9 @@ def cubic_profile(x: Array, height: Array) -> Profile:
 
     coefficients = np.ascontiguousarray(CubicSpline(x, height).c[::-1].T)
     kind = np.zeros(len(coefficients), dtype=np.int64)
-    return Profile(np.asarray(x, dtype=float), kind, coefficients, float(height[0]), float(height[-1]))
+    return Profile(
+        np.asarray(x, dtype=float), kind, coefficients, float(height[0]), float(height[-1])
+    )
 
 
 def hermite_profile(x: Array, height: Array, slope: Array) -> Profile:
@@ -82,7 +86,9 @@ def hermite_profile(x: Array, height: Array, slope: Array) -> Profile:
     return hermite_pieces(x, height[:-1], height[1:], slope[:-1], slope[1:])
 
 
-def hermite_pieces(x: Array, left: Array, right: Array, left_slope: Array, right_slope: Array) -> Profile:
+def hermite_pieces(
+    x: Array, left: Array, right: Array, left_slope: Array, right_slope: Array
+) -> Profile:
     """Cubics between edges ``x`` (m or s), each with its own heights in m and slopes at both ends; jumps are kept."""
     span = np.diff(x)
     mean = (right - left) / span
@@ -92,7 +98,9 @@ def hermite_pieces(x: Array, left: Array, right: Array, left_slope: Array, right
     coefficients[:, 2] = (3.0 * mean - 2.0 * left_slope - right_slope) / span
     coefficients[:, 3] = (left_slope + right_slope - 2.0 * mean) / span**2
     edges = np.asarray(x, dtype=float)
-    return Profile(edges, np.zeros(len(span), dtype=np.int64), coefficients, float(left[0]), float(right[-1]))
+    return Profile(
+        edges, np.zeros(len(span), dtype=np.int64), coefficients, float(left[0]), float(right[-1])
+    )
 
 
 def repeat(profile: Profile, count: int, pitch: float) -> Profile:
@@ -101,11 +109,17 @@ def repeat(profile: Profile, count: int, pitch: float) -> Profile:
         return profile
     rise = profile.after - profile.before
     places = [(k * pitch, k * rise) for k in range(count)]
-    laid = lay_out(profile, places, float(profile.edges[0]), (count - 1) * pitch + float(profile.edges[-1]))
-    return Profile(laid.edges, laid.kind, laid.coefficients, profile.before, profile.after + (count - 1) * rise)
+    laid = lay_out(
+        profile, places, float(profile.edges[0]), (count - 1) * pitch + float(profile.edges[-1])
+    )
+    return Profile(
+        laid.edges, laid.kind, laid.coefficients, profile.before, profile.after + (count - 1) * rise
+    )
 
 
-def lay_out(profile: Profile, places: Iterable[tuple[float, float]], low: float, high: float) -> Segments:
+def lay_out(
+    profile: Profile, places: Iterable[tuple[float, float]], low: float, high: float
+) -> Segments:
     """Lay a profile at ascending ``places``; return the heights over [``low``, ``high``] (m or s).
 
     A place is the position of the profile's coordinate 0, and its rise in m. Level pieces fill the gaps; the
@@ -117,7 +131,9 @@ def lay_out(profile: Profile, places: Iterable[tuple[float, float]], low: float,
     cursor, level = low, profile.before
 
     def fill(until: float) -> None:
-        if until - cursor > _rounding(until) or (until == high and not starts):  # a course may be shorter than that
+        if until - cursor > _rounding(until) or (
+            until == high and not starts
+        ):  # a course may be shorter than that
             starts.append(np.array([cursor]))
             kinds.append(np.array([POLYNOMIAL]))
             coefficients.append(np.array([[level, 0.0, 0.0, 0.0]]))
@@ -131,7 +147,9 @@ def lay_out(profile: Profile, places: Iterable[tuple[float, float]], low: float,
             starts.append(position + profile.edges[:-1])
             kinds.append(profile.kind)
             coefficients.append(
-                profile.coefficients + np.array([lift, 0.0, 0.0, 0.0]) if lift else profile.coefficients
+                profile.coefficients + np.array([lift, 0.0, 0.0, 0.0])
+                if lift
+                else profile.coefficients
             )
             cursor = end
         level = profile.after + lift
@@ -148,7 +166,9 @@ def _rounding(x: float) -> float:
     return SHORTEST * max(1.0, abs(x))
 
 
-def _cut(starts: Array, kind: NDArray[np.int64], coefficients: Array, low: float, high: float) -> Segments:
+def _cut(
+    starts: Array, kind: NDArray[np.int64], coefficients: Array, low: float, high: float
+) -> Segments:
     """Cut the pieces to [low, high]; a piece cut at its front keeps its heights."""
     first = max(int(np.searchsorted(starts, low + _rounding(low), side="right")) - 1, 0)
     last = max(int(np.searchsorted(starts, high - _rounding(high), side="left")), first + 1)
@@ -183,7 +203,9 @@ def passes(first: float, recurrence: float | None, high: float) -> Iterable[tupl
     return ((first + k * recurrence, 0.0) for k in range(count))
 
 
-def periodic_places(start: float, period: float, low: float, high: float) -> list[tuple[float, float]]:
+def periodic_places(
+    start: float, period: float, low: float, high: float
+) -> list[tuple[float, float]]:
     """Places (m) at which periods that go on forever to both sides begin, over the window from ``low`` to ``high``."""
     first, last = math.floor((low - start) / period) - 1, math.ceil((high - start) / period) + 1
     return [(start + k * period, 0.0) for k in range(first, last)]

@@ -85,9 +85,14 @@ class Road(Description, ABC):
         >>> Rectangle(height="10 mm", length="60 mm", start="0.2 m").segments(1.0).edges.tolist()
         [0.0, 0.2, 0.26, 1.0]
         """
-        distance, behind = as_number(distance, "m", where="distance"), as_number(behind, "m", where="behind")
+        distance, behind = (
+            as_number(distance, "m", where="distance"),
+            as_number(behind, "m", where="behind"),
+        )
         if not (np.isfinite(distance) and distance > 0.0):
-            raise DescriptionError("not a distance to drive", found=f"{distance} m", allowed="above 0 m and finite")
+            raise DescriptionError(
+                "not a distance to drive", found=f"{distance} m", allowed="above 0 m and finite"
+            )
         if not distance > SHORTEST * abs(behind):  # otherwise start and end are the same float
             raise DescriptionError(
                 "the wheel is too far behind the front axle for its road to be laid out",
@@ -210,9 +215,13 @@ class Road(Description, ABC):
     def _evaluate(self, x: ArrayLike) -> tuple[Array, Array]:
         at = as_samples(x, "m", where="x", error=DescriptionError)
         if not np.isfinite(at).all():
-            raise DescriptionError("not a distance", found="NaN or infinity", allowed="finite distances in m")
+            raise DescriptionError(
+                "not a distance", found="NaN or infinity", allowed="finite distances in m"
+            )
         low, high = (float(at.min()), float(at.max())) if at.size else (0.0, 0.0)
-        height, slope = self._between(min(low, 0.0) - 1.0, max(high, 0.0) + 1.0).evaluate(at.ravel())
+        height, slope = self._between(min(low, 0.0) - 1.0, max(high, 0.0) + 1.0).evaluate(
+            at.ravel()
+        )
         return height.reshape(at.shape), slope.reshape(at.shape)
 
 

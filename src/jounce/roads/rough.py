@@ -17,7 +17,14 @@ from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.segments import Segments
 from jounce.core.types import Array
-from jounce.core.units import Length, NonNegativeLength, PositiveLength, PositiveNumber, Unit, as_number
+from jounce.core.units import (
+    Length,
+    NonNegativeLength,
+    PositiveLength,
+    PositiveNumber,
+    Unit,
+    as_number,
+)
 from jounce.roads.profile import Profile, hermite_profile, lay_out, linear_profile, periodic_places
 from jounce.roads.road import Road, SampledRoad
 
@@ -74,11 +81,15 @@ def as_roughness(road: str | float, *, where: str = "") -> float:
     except DescriptionError:  # a table, or an integer beyond all numbers
         roughness = math.nan
     if not (math.isfinite(roughness) and roughness > 0.0):
-        raise DescriptionError("not a degree of roughness", where=where, found=road, allowed="above 0 m^3, or A to H")
+        raise DescriptionError(
+            "not a degree of roughness", where=where, found=road, allowed="above 0 m^3, or A to H"
+        )
     return roughness
 
 
-def height_variance(roughness: float, low: ArrayLike, high: ArrayLike, waviness: float = 2.0) -> Array:
+def height_variance(
+    roughness: float, low: ArrayLike, high: ArrayLike, waviness: float = 2.0
+) -> Array:
     """Integral of G_d from ``low`` to ``high`` (1/m), in m^2; ``roughness`` in m^3.
 
     Examples
@@ -95,7 +106,12 @@ def height_variance(roughness: float, low: ArrayLike, high: ArrayLike, waviness:
 
 
 def track_coherence(
-    n: ArrayLike, track: float | Array, *, model: str = "isotropic", decay: float = 5.7, waviness: float = 2.0
+    n: ArrayLike,
+    track: float | Array,
+    *,
+    model: str = "isotropic",
+    decay: float = 5.7,
+    waviness: float = 2.0,
 ) -> Array:
     """Coherence gamma^2 between the heights under the left and the right wheels.
 
@@ -149,9 +165,16 @@ ClassName = Annotated[RoadClass, BeforeValidator(_letter)]
 
 def _one_roughness(class_: str | None, roughness: float | None) -> float:
     if (class_ is None) == (roughness is None):
-        given = "neither a class nor a roughness is" if class_ is None else "both a class and a roughness are"
+        given = (
+            "neither a class nor a roughness is"
+            if class_ is None
+            else "both a class and a roughness are"
+        )
         raise ValueError(
-            Phrase('{given} given; give class = "A" to "H", or roughness = G_d(0.1 1/m) in m^3', given=given)
+            Phrase(
+                '{given} given; give class = "A" to "H", or roughness = G_d(0.1 1/m) in m^3',
+                given=given,
+            )
         )
     return class_roughness(class_) if class_ is not None else float(roughness or 0.0)
 
@@ -230,7 +253,11 @@ class Iso8608(SampledRoad):
         low, high = self.band
         if high <= low:
             raise ValueError(
-                Phrase("band: {high:g} 1/m does not lie above {low:g} 1/m; give [lowest, highest]", high=high, low=low)
+                Phrase(
+                    "band: {high:g} 1/m does not lie above {low:g} 1/m; give [lowest, highest]",
+                    high=high,
+                    low=low,
+                )
             )
         if low >= 0.5 / self.step:
             raise ValueError(
@@ -281,7 +308,9 @@ class Iso8608(SampledRoad):
         return self.length / _points(self.length, self.step)
 
     def _key(self) -> tuple[Any, ...]:
-        coherence = (self.track, self.coherence, self.coherence_decay) if self.side == "right" else None
+        coherence = (
+            (self.track, self.coherence, self.coherence_decay) if self.side == "right" else None
+        )
         spectrum = (self.degree_of_roughness, self.waviness, self.band)
         return spectrum, self.length, self.step, self.seed, self.fade, coherence, self.interpolation
 
@@ -314,7 +343,10 @@ def _track_offset(spread: Array, seed: int) -> Array:
 
 @lru_cache(maxsize=2)  # as long as profiles
 def _track_spread(
-    spectrum: tuple[float, float, tuple[float, float]], length: float, step: float, coherence: tuple[float, str, float]
+    spectrum: tuple[float, float, tuple[float, float]],
+    length: float,
+    step: float,
+    coherence: tuple[float, str, float],
 ) -> Array:
     """Standard deviation of the phase difference, the same for any seed."""
     track, model, decay = coherence
@@ -344,7 +376,11 @@ def _sample(
     x = np.linspace(0.0, length, count + 1)
     height = _over_length(waves, total, count)
     if interpolation == "linear":
-        return x, height * _fade(x, length, fade)[0] + 0.0, None  # + 0.0 turns -0.0 at a zero fade into 0.0
+        return (
+            x,
+            height * _fade(x, length, fade)[0] + 0.0,
+            None,
+        )  # + 0.0 turns -0.0 at a zero fade into 0.0
     waves[lines] *= 2j * math.pi * n
     slope = _over_length(waves, total, count)
     share, share_slope = _fade(x, length, fade)
@@ -364,7 +400,10 @@ def _amplitudes(
     n: Array = np.asarray(np.arange(first, last + 1) * spacing, dtype=float)
     # each line has the power of its bin, limited to the band for the first and the last one
     power = height_variance(
-        roughness, np.clip(n - 0.5 * spacing, low, high), np.clip(n + 0.5 * spacing, low, high), waviness
+        roughness,
+        np.clip(n - 0.5 * spacing, low, high),
+        np.clip(n + 0.5 * spacing, low, high),
+        waviness,
     )
     return slice(first, max(last + 1, first)), n, 0.5 * total * np.sqrt(2.0 * power)
 
@@ -446,9 +485,13 @@ class SineSum(Road):
             raise ValueError("the sum of sines repeats by itself; leave out recurrence")
         self._roughness()
         if self.last < self.first:
-            raise ValueError(Phrase("last = {last} is below first = {first}", last=self.last, first=self.first))
+            raise ValueError(
+                Phrase("last = {last} is below first = {first}", last=self.last, first=self.first)
+            )
         shortest = 1.0 / (self.last * self.spacing)
-        if self.step > 0.25 * shortest:  # a cubic over a quarter of a wave misses 1.6 % of its height
+        if (
+            self.step > 0.25 * shortest
+        ):  # a cubic over a quarter of a wave misses 1.6 % of its height
             raise ValueError(
                 Phrase(
                     "points every {step:g} m do not follow waves of {shortest:g} m; make step smaller",
@@ -459,7 +502,8 @@ class SineSum(Road):
         if _points(self.period(), self.step) > MOST_POINTS:
             raise ValueError(
                 Phrase(
-                    "more than {most_points} points in one period; make step or spacing larger", most_points=MOST_POINTS
+                    "more than {most_points} points in one period; make step or spacing larger",
+                    most_points=MOST_POINTS,
                 )
             )
 
@@ -473,7 +517,9 @@ class SineSum(Road):
 
     def profile(self) -> Profile:
         """Pieces of one period."""
-        return _sum_profile(self._roughness(), self.spacing, self.first, self.last, self.waviness, self.step)
+        return _sum_profile(
+            self._roughness(), self.spacing, self.first, self.last, self.waviness, self.step
+        )
 
     def _roughness(self) -> float:
         if self.class_ is None and self.roughness is None:
@@ -481,11 +527,15 @@ class SineSum(Road):
         return _one_roughness(self.class_, self.roughness)
 
     def _between(self, low: float, high: float) -> Segments:
-        return lay_out(self.profile(), periodic_places(self.start, self.period(), low, high), low, high)
+        return lay_out(
+            self.profile(), periodic_places(self.start, self.period(), low, high), low, high
+        )
 
 
 @lru_cache(maxsize=8)
-def _sum_profile(roughness: float, spacing: float, first: int, last: int, waviness: float, step: float) -> Profile:
+def _sum_profile(
+    roughness: float, spacing: float, first: int, last: int, waviness: float, step: float
+) -> Profile:
     count = _points(1.0 / spacing, step)
     i = np.arange(first, last + 1)
     n = spacing * i
@@ -494,4 +544,6 @@ def _sum_profile(roughness: float, spacing: float, first: int, last: int, wavine
     waves[i] = 0.5 * count * amplitude * np.exp(2j * math.pi * np.mod(GOLDEN * i, 1.0))
     height = _over_length(waves, count, count)
     waves[i] *= 2j * math.pi * n
-    return hermite_profile(np.linspace(0.0, 1.0 / spacing, count + 1), height, _over_length(waves, count, count))
+    return hermite_profile(
+        np.linspace(0.0, 1.0 / spacing, count + 1), height, _over_length(waves, count, count)
+    )

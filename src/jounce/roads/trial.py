@@ -71,7 +71,11 @@ class Load(Description):
     @model_validator(mode="before")
     @classmethod
     def _plain_value(cls, table: Any) -> Any:
-        return {"value": table} if isinstance(table, (str, int, float)) and not isinstance(table, bool) else table
+        return (
+            {"value": table}
+            if isinstance(table, (str, int, float)) and not isinstance(table, bool)
+            else table
+        )
 
     @model_validator(mode="after")
     def _check_form(self) -> Self:
@@ -193,7 +197,10 @@ class Excitation(RecordingFormat):
             self.profile()
         elif self._keys():
             raise ValueError(
-                Phrase("{keys}: says how a file is read, and none is given; give file", keys=", ".join(self._keys()))
+                Phrase(
+                    "{keys}: says how a file is read, and none is given; give file",
+                    keys=", ".join(self._keys()),
+                )
             )
         return self
 
@@ -210,7 +217,9 @@ class Excitation(RecordingFormat):
         if self.file is None:
             return point_profile(self.time, self.height, self.interpolation)
         if self._is_plain():
-            return file_profile(self.file, {"time": "s", "road.z": "m"}, self.interpolation, FEWEST_SAMPLES)
+            return file_profile(
+                self.file, {"time": "s", "road.z": "m"}, self.interpolation, FEWEST_SAMPLES
+            )
         return self._read_recording(self.file)[0]
 
     def findings(self) -> list[Finding]:
@@ -223,7 +232,11 @@ class Excitation(RecordingFormat):
         if abs(profile.before) > np.ptp(heights):
             result.append(
                 finding(
-                    "roads.datum", f"{self.file}: road.z", profile.before, start=profile.before, range=np.ptp(heights)
+                    "roads.datum",
+                    f"{self.file}: road.z",
+                    profile.before,
+                    start=profile.before,
+                    range=np.ptp(heights),
                 )
             )
         return result
@@ -250,7 +263,9 @@ def _read_recording(
     file: Path, keys: str, interpolation: Interpolation, _state: State
 ) -> tuple[Profile, tuple[Finding, ...]]:
     """Read the heights of a recording as pieces, with the findings of its reader."""
-    time, height, findings = RecordingFormat.model_validate_json(keys).signal(file, Path(), "road.z")
+    time, height, findings = RecordingFormat.model_validate_json(keys).signal(
+        file, Path(), "road.z"
+    )
     if len(time) < FEWEST_SAMPLES:
         raise RecordingError(
             "too few samples",
@@ -300,14 +315,18 @@ class ActuatorForce(Description):
 
     def segments(self, duration: float) -> Segments:
         """Return the force (N) over [0, ``duration``] (s) as pieces."""
-        return lay_out(point_profile(self.time, self.force, self.interpolation), [(0.0, 0.0)], 0.0, duration)
+        return lay_out(
+            point_profile(self.time, self.force, self.interpolation), [(0.0, 0.0)], 0.0, duration
+        )
 
 
 def _from_file(value: object) -> object:
     return {"file": value} if isinstance(value, str | Path) else value
 
 
-_SAME_MEAN = 1e-6  # share by which a speed that is stated, too, may differ from the mean of those over time
+_SAME_MEAN = (
+    1e-6  # share by which a speed that is stated, too, may differ from the mean of those over time
+)
 
 
 class SpeedOverTime(Description):
@@ -343,7 +362,10 @@ class SpeedOverTime(Description):
             )
         if self.time[0] != 0.0:
             raise ValueError(
-                Phrase("time begins at {time:g} s; it must begin at 0, where the trial starts", time=self.time[0])
+                Phrase(
+                    "time begins at {time:g} s; it must begin at 0, where the trial starts",
+                    time=self.time[0],
+                )
             )
         for a, b in pairwise(self.time):
             if b <= a:
@@ -421,8 +443,14 @@ class Trial(Description):
     @model_validator(mode="after")
     def _check_fields(self) -> Self:
         if (self.road is None) == (self.excitation is None):
-            given = "both a road and an excitation are" if self.road else "neither a road nor an excitation is"
-            raise error_at((), Phrase("{given} given", given=given), allowed="road and speed, or excitation")
+            given = (
+                "both a road and an excitation are"
+                if self.road
+                else "neither a road nor an excitation is"
+            )
+            raise error_at(
+                (), Phrase("{given} given", given=given), allowed="road and speed, or excitation"
+            )
         if self.speeds is not None and self.road is None:
             raise ValueError("speeds are given without a road; an excitation is in time already")
         if self.speeds is not None and "duration" in self.model_fields_set:
@@ -437,11 +465,17 @@ class Trial(Description):
                 )
             object.__setattr__(self, "speed", mean)
         if self.road is not None and self.speed is None:
-            raise ValueError("the speed is missing; a road is driven over at a speed, e.g. speed = '1.95 m/s'")
+            raise ValueError(
+                "the speed is missing; a road is driven over at a speed, e.g. speed = '1.95 m/s'"
+            )
         if self.excitation is not None and self.speed is not None:
-            raise ValueError("a speed is given with an excitation, which is in time already; leave out the speed")
+            raise ValueError(
+                "a speed is given with an excitation, which is in time already; leave out the speed"
+            )
         if self.right is not None and self.road is None:
-            raise ValueError("a road under the right wheels is given without road, the one under the left wheels")
+            raise ValueError(
+                "a road under the right wheels is given without road, the one under the left wheels"
+            )
         if "duration" not in self.model_fields_set:
             object.__setattr__(self, "duration", self._default_duration())
         return self
@@ -463,7 +497,9 @@ class Trial(Description):
             return self
         if self.speeds is not None:
             faster = [factor * speed for speed in self.speeds.speed]
-            return self.with_fields(speeds=SpeedOverTime(time=self.speeds.time, speed=faster), speed=None)
+            return self.with_fields(
+                speeds=SpeedOverTime(time=self.speeds.time, speed=faster), speed=None
+            )
         return self.with_fields(speed=factor * self.speed)
 
     def _default_duration(self) -> float:
@@ -472,7 +508,10 @@ class Trial(Description):
         end = self.excitation.end()
         if end <= 0.0:
             raise ValueError(
-                Phrase("the excitation's last time is {end:g} s; it must lie after 0, where the trial starts", end=end)
+                Phrase(
+                    "the excitation's last time is {end:g} s; it must lie after 0, where the trial starts",
+                    end=end,
+                )
             )
         return end
 
@@ -591,7 +630,9 @@ def _check_side_forces(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
         yield finding("roads.side_forces_left_out", "trial: lateral_acceleration")
 
 
-def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float | None = None) -> list[Finding]:
+def trial_findings(
+    trial: Trial, rig: Rig | None = None, *, output_step: float | None = None
+) -> list[Finding]:
     """Report findings about the road and the loads of a run.
 
     Parameters
@@ -625,7 +666,9 @@ def trial_findings(trial: Trial, rig: Rig | None = None, *, output_step: float |
         result += unit_question("trial: speed", Unit("m/s"), trial.speed)
         for name, road in (("road", trial.road), ("right", trial.right)):
             if road is not None:
-                result += _check_road(road, trial.speed, trial.duration, f"trial: {name}", output_step)
+                result += _check_road(
+                    road, trial.speed, trial.duration, f"trial: {name}", output_step
+                )
         result += _check_rear(trial, behind)
         if isinstance(rig, HalfCar) and rig.compat == "physical" and _jumps(trial.segments()):
             result.append(finding("roads.jump_through_dampers", "trial: road"))
@@ -643,7 +686,13 @@ def _check_tracks(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
         if not wide or not isinstance(road, Iso8608) or road.side != "right":
             continue
         if abs(road.track - wide) > _AS_FAR * wide:
-            yield finding("roads.tracks_apart", f"trial: {name}", road.track, track=road.track, wheel_track=wide)
+            yield finding(
+                "roads.tracks_apart",
+                f"trial: {name}",
+                road.track,
+                track=road.track,
+                wheel_track=wide,
+            )
 
 
 def road_findings(road: Road, place: str = "") -> list[Finding]:
@@ -654,7 +703,11 @@ def road_findings(road: Road, place: str = "") -> list[Finding]:
     findings = [at_place(f"{start}{item.place}", item) for item in questions(road)]
     while isinstance(road, Train):
         road = road.of
-    if not findings and isinstance(road, (HalfSine, Versine)) and abs(road.height) > _STEEPEST * road.length:
+    if (
+        not findings
+        and isinstance(road, (HalfSine, Versine))
+        and abs(road.height) > _STEEPEST * road.length
+    ):
         numbers = {"height": road.height, "length": road.length}
         findings.append(finding("roads.higher_than_long", f"{start}height", road.height, **numbers))
     return findings
@@ -664,7 +717,9 @@ _STEEPEST = 1.0
 """Height over length of a rounded obstacle, above which a wheel meets a step: one of the two has a slip in its unit."""
 
 
-def _check_road(road: Road, speed: float, duration: float, place: str, output_step: float | None) -> Iterator[Finding]:
+def _check_road(
+    road: Road, speed: float, duration: float, place: str, output_step: float | None
+) -> Iterator[Finding]:
     yield from road_findings(road, place)
     driven = speed * duration
     if road.start >= driven:
@@ -686,7 +741,13 @@ def _check_road(road: Road, speed: float, duration: float, place: str, output_st
                 hop=FASTEST,
             )
     elif output_step is not None and 0.0 < span < FEWEST_OUTPUTS * output_step * speed:
-        yield finding("roads.output_coarse", place, span / speed, duration=span / speed, output_step=output_step)
+        yield finding(
+            "roads.output_coarse",
+            place,
+            span / speed,
+            duration=span / speed,
+            output_step=output_step,
+        )
 
 
 def _check_rear(trial: Trial, behind: float) -> Iterator[Finding]:
@@ -694,7 +755,11 @@ def _check_rear(trial: Trial, behind: float) -> Iterator[Finding]:
     if road is None or speed is None or behind == 0.0:
         return
     driven = speed * trial.duration
-    if road.start < driven <= road.start + behind and road.profile().span > 0.0 and not isinstance(road, SampledRoad):
+    if (
+        road.start < driven <= road.start + behind
+        and road.profile().span > 0.0
+        and not isinstance(road, SampledRoad)
+    ):
         yield finding("roads.rear_after_run", "trial: duration", trial.duration, wheelbase=behind)
 
 
@@ -704,17 +769,28 @@ def _check_loads(trial: Trial) -> Iterator[Finding]:
         heights = load.evaluate(np.linspace(0.0, trial.duration, 2 * len(load.edges) + 1))[0]
         given = getattr(trial, name)
         if not np.any(heights) and (given.value or any(given.values)):
-            yield finding("roads.load_after_run", f"trial: {name}", trial.duration, duration=trial.duration)
+            yield finding(
+                "roads.load_after_run", f"trial: {name}", trial.duration, duration=trial.duration
+            )
 
 
 def _check_blows(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
     """Report the impulse of a damped tyre on a road that rises vertically; where it falls, the tyre lifts off."""
     numbers = {} if rig is None else rig.parameters()
-    damping = max((value for path, value in numbers.items() if path.endswith("tyre.damping_coefficient")), default=0.0)
+    damping = max(
+        (value for path, value in numbers.items() if path.endswith("tyre.damping_coefficient")),
+        default=0.0,
+    )
     sides = (1,) if trial.right is None else (1, -1)
     rise = max(float(np.max(trial.segments(side=side).jumps, initial=0.0)) for side in sides)
     if damping > 0.0 and rise > JUMP:
-        yield finding("roads.jump_under_tyre_damper", "trial: road", damping * rise, rise=rise, blow=damping * rise)
+        yield finding(
+            "roads.jump_under_tyre_damper",
+            "trial: road",
+            damping * rise,
+            rise=rise,
+            blow=damping * rise,
+        )
     if damping > 0.0 and any(_rises_upright(trial.segments(side=side)) for side in sides):
         yield finding("roads.upright_under_tyre_damper", "trial: road")
 

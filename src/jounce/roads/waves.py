@@ -94,7 +94,9 @@ class SineSweep(Road):
 
     def check(self) -> None:
         """Refuse more waves than can sensibly be driven over."""
-        waves = _cycles(1.0 / self.first_wavelength, 1.0 / self.last_wavelength, self.length, self.law)
+        waves = _cycles(
+            1.0 / self.first_wavelength, 1.0 / self.last_wavelength, self.length, self.law
+        )
         if waves > MOST_WAVES:
             most = Phrase("up to {most}; make the sweep shorter", most=MOST_WAVES)
             raise error_at((), Phrase("{waves:.0f} waves", waves=waves), allowed=most)
@@ -102,7 +104,11 @@ class SineSweep(Road):
     def profile(self) -> Profile:
         """Cubics with the exact slopes, 64 to a wave."""
         return _sweep_profile(
-            self.amplitude, 1.0 / self.first_wavelength, 1.0 / self.last_wavelength, self.length, self.law
+            self.amplitude,
+            1.0 / self.first_wavelength,
+            1.0 / self.last_wavelength,
+            self.length,
+            self.law,
         )
 
 
@@ -146,7 +152,8 @@ def swept_sine(
     a = to_si(amplitude, "m", where="amplitude")
     named = (("first_frequency", first_frequency, "Hz"), ("last_frequency", last_frequency, "Hz"))
     first, last, length = (
-        positive_si(value, si, where=name) for name, value, si in (*named, ("duration", duration, "s"))
+        positive_si(value, si, where=name)
+        for name, value, si in (*named, ("duration", duration, "s"))
     )
     if law not in ("linear", "logarithmic"):
         raise DescriptionError("unknown law", where="law", found=law, allowed="linear, logarithmic")
@@ -192,4 +199,6 @@ def _swept(first: float, last: float, length: float, law: str) -> tuple[Array, A
 @lru_cache(maxsize=8)
 def _sweep_profile(amplitude: float, first: float, last: float, length: float, law: str) -> Profile:
     x, phase, n = _swept(first, last, length, law)
-    return hermite_profile(x, amplitude * np.sin(phase), amplitude * 2.0 * math.pi * n * np.cos(phase))
+    return hermite_profile(
+        x, amplitude * np.sin(phase), amplitude * 2.0 * math.pi * n * np.cos(phase)
+    )

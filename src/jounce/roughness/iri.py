@@ -29,11 +29,21 @@ from jounce.roads.loading import road_library
 from jounce.roads.measured import read_crg_profile
 
 SPEED = 80.0 / 3.6  # m/s; with the golden car's numbers by definition of the IRI
-TYRE, SPRING, DAMPER, MASS_RATIO = 653.0, 63.3, 6.0, 0.15  # per sprung mass: 1/s^2, 1/s^2, 1/s; unsprung over sprung
+TYRE, SPRING, DAMPER, MASS_RATIO = (
+    653.0,
+    63.3,
+    6.0,
+    0.15,
+)  # per sprung mass: 1/s^2, 1/s^2, 1/s; unsprung over sprung
 BASE = 0.25  # m, of a slope, and
 RUN_UP = 11.0  # m, whose mean slope starts the car: WTP-46
-COARSEST, COARSE = 0.61, 0.3  # m between samples: WTP-46 takes up to 0.61 m (2 ft); beyond BASE short waves are lost
-LARGEST_JITTER = 0.01  # of the spacing: rows written with too few digits pass, a missing row (1) does not
+COARSEST, COARSE = (
+    0.61,
+    0.3,
+)  # m between samples: WTP-46 takes up to 0.61 m (2 ft); beyond BASE short waves are lost
+LARGEST_JITTER = (
+    0.01  # of the spacing: rows written with too few digits pass, a missing row (1) does not
+)
 SMOOTHEST, ROUGHEST, NO_ROAD = 0.1, 30.0, 300.0
 """m/km. The scale of WTP-46 reaches from runways (0.25) to rough unpaved roads (20). Ten times ``ROUGHEST`` is refused:
 heights in mm read as m give a thousand times the index of a road."""
@@ -93,10 +103,14 @@ class Roughness(Shown):
     findings: tuple[Finding, ...] = ()
 
     def __str__(self) -> str:
-        lines = [f"IRI {self.iri_m_per_km:.3f} m/km from {self.start:g} m to {self.end:g} m, every {self.spacing:g} m"]
+        lines = [
+            f"IRI {self.iri_m_per_km:.3f} m/km from {self.start:g} m to {self.end:g} m, every {self.spacing:g} m"
+        ]
         for part in self.segments:
             rest = " (partial)" if part.partial else ""
-            lines.append(f"{part.start:12.3f} m {part.end:12.3f} m {part.iri_m_per_km:9.3f} m/km{rest}")
+            lines.append(
+                f"{part.start:12.3f} m {part.end:12.3f} m {part.iri_m_per_km:9.3f} m/km{rest}"
+            )
         return "\n".join([*lines, *map(str, self.findings)])
 
 
@@ -183,9 +197,12 @@ def rectified_slope(height: Array, spacing: float, run_up: float = RUN_UP) -> Ar
     drive = (factors - 1.0) / values * (inverse @ _drive())
     shown = vectors[0] - vectors[2]
     rest = inverse @ np.array([ahead, 0.0, ahead, 0.0])
-    upper = [i for i, value in enumerate(values) if value.imag > 0.0]  # the other two are their conjugates
+    upper = [
+        i for i, value in enumerate(values) if value.imag > 0.0
+    ]  # the other two are their conjugates
     result = sum(
-        2.0 * (shown[i] * first_order(slope * drive[i], complex(factors[i]), complex(rest[i]))).real for i in upper
+        2.0 * (shown[i] * first_order(slope * drive[i], complex(factors[i]), complex(rest[i]))).real
+        for i in upper
     )
     return np.asarray(abs(result), dtype=float)
 
@@ -219,7 +236,12 @@ def _system() -> Array:
             [0.0, 1.0, 0.0, 0.0],
             [-SPRING, -DAMPER, SPRING, DAMPER],
             [0.0, 0.0, 0.0, 1.0],
-            [SPRING / MASS_RATIO, DAMPER / MASS_RATIO, -(TYRE + SPRING) / MASS_RATIO, -DAMPER / MASS_RATIO],
+            [
+                SPRING / MASS_RATIO,
+                DAMPER / MASS_RATIO,
+                -(TYRE + SPRING) / MASS_RATIO,
+                -DAMPER / MASS_RATIO,
+            ],
         ]
     )
 
@@ -260,11 +282,15 @@ def _check_spacing(x: Array, z: Array, place: str) -> float:
         problem = "distance and height are not two columns of the same length"
         raise RecordingError(problem, where=place, found=f"shapes {x.shape} and {z.shape}")
     if x.size < 3:
-        raise RecordingError("too few samples", where=place, found=x.size, allowed="a profile longer than 11 m")
+        raise RecordingError(
+            "too few samples", where=place, found=x.size, allowed="a profile longer than 11 m"
+        )
     for name, values in (("distance", x), ("height", z)):
         _check_finite(values, f"{place}: {name}")
     if np.all(np.diff(x) < 0.0):
-        raise RecordingError("distance runs backwards", where=place, hint="Reverse the order of the rows.")
+        raise RecordingError(
+            "distance runs backwards", where=place, hint="Reverse the order of the rows."
+        )
     steps = check_ascending(x, "distance", "m", where=place)
     spacing = float(x[-1] - x[0]) / (x.size - 1)
     usual = float(np.median(steps))
@@ -289,11 +315,17 @@ def _check_finite(values: Array, where: str) -> None:
     row = int(np.argmax(bad))
     padding = inside.size > 0 and not bad[inside[0] : inside[-1] + 1].any()
     hint = "Cut the padding off." if padding else "Fill the gap, or evaluate the parts one by one."
-    what = Phrase("{count} values are not finite numbers, the first at row {row}", count=int(bad.sum()), row=row + 1)
+    what = Phrase(
+        "{count} values are not finite numbers, the first at row {row}",
+        count=int(bad.sum()),
+        row=row + 1,
+    )
     raise RecordingError(what, where=where, found=str(values[row]), hint=hint)
 
 
-def _check_lengths(x: Array, spacing: float, base: float, segment: float, run_up: float, place: str) -> None:
+def _check_lengths(
+    x: Array, spacing: float, base: float, segment: float, run_up: float, place: str
+) -> None:
     if spacing > COARSEST:
         raise RecordingError(
             "the samples are too far apart for the roughness index",
@@ -373,7 +405,10 @@ def read_profile(
         return *read_crg_profile(file, lateral_offset), []
     if lateral_offset:
         raise RecordingError(
-            "only OpenCRG roads have lateral offsets", where=str(file), found=f"{lateral_offset:g} m", allowed="0 m"
+            "only OpenCRG roads have lateral offsets",
+            where=str(file),
+            found=f"{lateral_offset:g} m",
+            allowed="0 m",
         )
     if columns is None and file.suffix.lower() in _TEXT and file.is_file() and _is_bare(file):
         return _bare_columns(file)
@@ -409,7 +444,12 @@ class ProfileRoughness(Plain):
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, SI."""
         result = to_plain(self.roughness)
-        return {"profile": self.profile, "offset": self.offset, **result, "findings": to_plain(self.findings)}
+        return {
+            "profile": self.profile,
+            "offset": self.offset,
+            **result,
+            "findings": to_plain(self.findings),
+        }
 
     def rows(self) -> list[dict[str, Any]]:
         """Return the segments as rows of a table, SI."""
@@ -427,11 +467,16 @@ class ProfileRoughness(Plain):
 )
 def profile_roughness(
     profile: Annotated[
-        Path | str, File("Columns x [m] and z [m], or a straight .crg road.", "PROFILE", shipped=("roads",))
+        Path | str,
+        File("Columns x [m] and z [m], or a straight .crg road.", "PROFILE", shipped=("roads",)),
     ],
     *,
-    segment: Annotated[float | str, Number("Length of the segments.", "LENGTH", "m", is_positive=True)] = 100.0,
-    offset: Annotated[float | str, Number("Lateral offset of the profile in a .crg road.", "LENGTH", "m")] = 0.0,
+    segment: Annotated[
+        float | str, Number("Length of the segments.", "LENGTH", "m", is_positive=True)
+    ] = 100.0,
+    offset: Annotated[
+        float | str, Number("Lateral offset of the profile in a .crg road.", "LENGTH", "m")
+    ] = 0.0,
     columns: Annotated[Mapping[str, str] | None, COLUMNS] = None,
 ) -> ProfileRoughness:
     r"""Return the international roughness index (IRI) of a profile and of its segments.
@@ -499,7 +544,10 @@ def _bare_columns(file: Path) -> tuple[Array, Array, list[Finding]]:
         row = _numbers(cells)
         if row is None or len(row) != 2:
             raise RecordingError(
-                "not two numbers", where=at_line(file, number), found=" ".join(cells), allowed="distance and height"
+                "not two numbers",
+                where=at_line(file, number),
+                found=" ".join(cells),
+                allowed="distance and height",
             )
         if not np.isfinite(row).all():
             raise RecordingError(

@@ -33,7 +33,9 @@ def roughness_class(roughness: float) -> RoadClass:
     ('C', 'A', 'B')
     """
     if not (math.isfinite(roughness) and roughness > 0.0):
-        raise DescriptionError("not a degree of roughness", found=f"{roughness} m^3", allowed="above 0 m^3")
+        raise DescriptionError(
+            "not a degree of roughness", found=f"{roughness} m^3", allowed="above 0 m^3"
+        )
     place = math.floor(math.log(roughness / (0.5 * MEAN_A), 4.0))
     return CLASSES[min(max(place, 0), len(CLASSES) - 1)]
 
@@ -71,8 +73,12 @@ def road_psd(road: str | float, n: ArrayLike, *, waviness: float = 2.0) -> Array
     """
     at = as_samples(n, "1/m", where="n", error=DescriptionError)
     if not (np.isfinite(at).all() and (at > 0.0).all()):
-        raise DescriptionError("not a spatial frequency", found="0, negative, or not finite", allowed="above 0 1/m")
-    return np.asarray(as_roughness(road) * (at / REFERENCE) ** -as_number(waviness, "1", where="waviness"))
+        raise DescriptionError(
+            "not a spatial frequency", found="0, negative, or not finite", allowed="above 0 1/m"
+        )
+    return np.asarray(
+        as_roughness(road) * (at / REFERENCE) ** -as_number(waviness, "1", where="waviness")
+    )
 
 
 def white_noise_intensity(road: str | float, speed: float) -> float:
@@ -102,7 +108,9 @@ def white_noise_intensity(road: str | float, speed: float) -> float:
     return 2.0 * math.pi**2 * REFERENCE**2 * as_roughness(road) * speed
 
 
-def filtered_noise(road: str | float, speed: float, *, cutoff: float = BAND[0]) -> tuple[float, float]:
+def filtered_noise(
+    road: str | float, speed: float, *, cutoff: float = BAND[0]
+) -> tuple[float, float]:
     """First-order filter that shapes white noise into the height of a road with waviness 2, at a speed in m/s above 0.
 
     Its pole and gain belong to dz/dt = -pole z + gain w with w of one-sided density 1 per Hz (two-sided 1/2):
@@ -117,7 +125,9 @@ def filtered_noise(road: str | float, speed: float, *, cutoff: float = BAND[0]) 
     """
     intensity = white_noise_intensity(road, speed)
     if not (math.isfinite(cutoff) and cutoff > 0.0):
-        raise DescriptionError("not a spatial frequency", found=f"{cutoff} 1/m", allowed="above 0 1/m")
+        raise DescriptionError(
+            "not a spatial frequency", found=f"{cutoff} 1/m", allowed="above 0 1/m"
+        )
     return 2.0 * math.pi * cutoff * speed, math.sqrt(2.0 * intensity)
 
 
@@ -151,7 +161,11 @@ class RoadSpectrum(Shown):
 
 
 def estimate_roughness(
-    x: ArrayLike, height: ArrayLike, *, band: tuple[float, float] = BAND, waviness: float | None = None
+    x: ArrayLike,
+    height: ArrayLike,
+    *,
+    band: tuple[float, float] = BAND,
+    waviness: float | None = None,
 ) -> RoadSpectrum:
     """Spectrum, degree of roughness and class of a profile with evenly spaced points.
 
@@ -201,7 +215,9 @@ def estimate_roughness(
             "the profile is too short or too coarse for its roughness",
             found=f"{step * (len(z) - 1):g} m with points every {step:g} m",
             allowed=Phrase(
-                "waves over two octaves between {band:g} and {second_band:g} 1/m", band=band[0], second_band=band[1]
+                "waves over two octaves between {band:g} and {second_band:g} 1/m",
+                band=band[0],
+                second_band=band[1],
             ),
         )
     across = np.log10(centre / REFERENCE)
@@ -214,7 +230,13 @@ def estimate_roughness(
     roughness = float(10.0**offset)
     deviation = 10.0 * float(np.sqrt(np.average(rest**2, weights=weight)))
     return RoadSpectrum(
-        roughness, -float(slope), roughness_class(roughness), (float(low), float(high)), deviation, n, psd
+        roughness,
+        -float(slope),
+        roughness_class(roughness),
+        (float(low), float(high)),
+        deviation,
+        n,
+        psd,
     )
 
 
@@ -222,10 +244,14 @@ def _check_profile(x: ArrayLike, height: ArrayLike) -> tuple[float, Array]:
     at, z = as_samples(x, "m", where="x"), as_samples(height, "m", where="height")
     if at.ndim != 1 or at.shape != z.shape or len(at) < 16:
         raise RecordingError(
-            "not a profile", found=f"{at.shape} distances, {z.shape} heights", allowed="16 or more of both"
+            "not a profile",
+            found=f"{at.shape} distances, {z.shape} heights",
+            allowed="16 or more of both",
         )
     if not (np.isfinite(at).all() and np.isfinite(z).all()):
-        raise RecordingError("the profile holds NaN or infinite values", hint="Fill the gaps or cut them off.")
+        raise RecordingError(
+            "the profile holds NaN or infinite values", hint="Fill the gaps or cut them off."
+        )
     steps = np.diff(at)
     step = float((at[-1] - at[0]) / (len(at) - 1))
     if step <= 0.0 or np.abs(steps - step).max() > _UNEVEN * step:
@@ -248,7 +274,9 @@ def _welch(step: float, z: Array, low: float) -> tuple[Array, Array, float]:
     return n, slope_psd / (2.0 * np.sin(np.pi * n * step) / step) ** 2, (len(z) - 1) / segment
 
 
-def _average_bands(n: Array, psd: Array, band: tuple[float, float], averages: float) -> tuple[Array, Array, Array]:
+def _average_bands(
+    n: Array, psd: Array, band: tuple[float, float], averages: float
+) -> tuple[Array, Array, Array]:
     """Average the level (log10 m^3) in bands of a third of an octave; return also the weight of each (1)."""
     low, high = band[0], band[1] - n[0]  # the window smears the end of the band over two lines
     count = int(np.ceil(_PER_OCTAVE * np.log2(high / low) - 1e-9)) if high > low else 0
@@ -259,7 +287,9 @@ def _average_bands(n: Array, psd: Array, band: tuple[float, float], averages: fl
         if inside.any():
             centre = 10.0 ** np.log10(n[inside]).mean()
             flat = psd[inside] * (n[inside] / centre) ** 2
-            values = float(inside.sum()) * averages  # independent ones, of two degrees of freedom each
+            values = (
+                float(inside.sum()) * averages
+            )  # independent ones, of two degrees of freedom each
             # the mean of a logarithm is below the logarithm of the mean
             levels.append(np.log10(np.mean(flat)) + 0.5 / (values * np.log(10.0)))
             centres.append(centre)

@@ -17,14 +17,21 @@ _BALANCED, _LEAST = 1e-9, 1e-6  # of the element's force, and N: rounding of a b
 
 
 def balanced_commands(
-    regulator: Regulator, compiled: Compiled, p: Array, still: Array, columns: NDArray[np.int64], where: str
+    regulator: Regulator,
+    compiled: Compiled,
+    p: Array,
+    still: Array,
+    columns: NDArray[np.int64],
+    where: str,
 ) -> tuple[Array, Equilibrium]:
     """Commands (N) under which the rig rests and for which the element returns just these; Newton's method.
 
     The ``regulator`` returns commands and their slopes for measurements, the rig its equilibrium under commands; these
     are the inputs ``columns`` of ``still``. ``where`` is the element's file.
     """
-    rows = np.array([compiled.output_names.index(name) for name in regulator.channels], dtype=np.int64)
+    rows = np.array(
+        [compiled.output_names.index(name) for name in regulator.channels], dtype=np.int64
+    )
     still, commands = still.copy(), np.zeros(len(columns))
     rest = find_equilibrium(compiled, p, still)
     if regulator.from_rest:
@@ -42,7 +49,9 @@ def balanced_commands(
         slopes = regulator.answer(outputs[rows])
         if slopes is None:
             break
-        improved = _newton_step(compiled, p, still, columns, rest, rows, slopes[1][: len(commands)], gap)
+        improved = _newton_step(
+            compiled, p, still, columns, rest, rows, slopes[1][: len(commands)], gap
+        )
         if improved is None:
             break
         commands, rest = improved
@@ -80,7 +89,10 @@ def _newton_step(
     pushed = np.zeros((len(rest.balance), len(columns)))
     pushed[: len(rest.rows)] = along["rate"][np.ix_(rest.rows, columns)]
     shift = rest.moved @ np.linalg.lstsq(rest.balance, -pushed, rcond=None)[0]
-    measured_slopes = compiled.slopes("x", *where)["output"][rows] @ shift + along["output"][np.ix_(rows, columns)]
+    measured_slopes = (
+        compiled.slopes("x", *where)["output"][rows] @ shift
+        + along["output"][np.ix_(rows, columns)]
+    )
     try:
         step = np.linalg.solve(np.eye(len(columns)) - slopes @ measured_slopes, gap)
     except np.linalg.LinAlgError:
@@ -89,7 +101,9 @@ def _newton_step(
         inputs = still.copy()
         inputs[columns] += step
         try:
-            return inputs[columns], find_equilibrium(compiled, p, inputs, rest.x[: compiled.facts.counts[0]])
+            return inputs[columns], find_equilibrium(
+                compiled, p, inputs, rest.x[: compiled.facts.counts[0]]
+            )
         except SimulationError:
             step = 0.5 * step
     return None

@@ -114,7 +114,9 @@ class Compiled:
         if not self.free:
             return values
         inputs = np.concatenate([p, (np.eye(len(self.free)) if along is None else along).ravel()])
-        lanes = self.native.evaluate("derived_lanes", (self.lanes * len(self.free),), inputs, *_NOTHING)
+        lanes = self.native.evaluate(
+            "derived_lanes", (self.lanes * len(self.free),), inputs, *_NOTHING
+        )
         return np.concatenate([values, lanes])
 
     def evaluate(self, name: str, x: Array, u: Array, p: Array, m: Array) -> Array:
@@ -125,7 +127,9 @@ class Compiled:
             return plain.slopes(by, x, u, p, m)[part]
         rows, columns = plain.shapes[name]
         values = p if len(p) == plain.scalars else plain.extend(p)
-        return plain.native.evaluate(name, (rows,) if columns == 1 else (rows, columns), x, u, values, m)
+        return plain.native.evaluate(
+            name, (rows,) if columns == 1 else (rows, columns), x, u, values, m
+        )
 
     def slopes(self, by: str, x: Array, u: Array, p: Array, m: Array) -> dict[str, Array]:
         """Slopes of ``rate``, ``output``, ``switch``, ``constraint`` by states (``"x"``) or inputs, one column each."""
@@ -143,16 +147,22 @@ class Compiled:
             columns = plain.native.evaluate("slopes", (rows * lanes,), states, u, values, m)
             table[:, first : first + len(group)] = columns.reshape(rows, lanes)[:, : len(group)]
         parts, begin = {}, 0
-        for name, names in zip(SLOPES, (facts.states, facts.outputs, facts.switches, facts.constraints), strict=True):
+        for name, names in zip(
+            SLOPES, (facts.states, facts.outputs, facts.switches, facts.constraints), strict=True
+        ):
             parts[name], begin = table[begin : begin + len(names)], begin + len(names)
         return parts
 
-    def free_slopes(self, x: Array, u: Array, p: Array, m: Array, along: Array | None = None) -> tuple[Array, Array]:
+    def free_slopes(
+        self, x: Array, u: Array, p: Array, m: Array, along: Array | None = None
+    ) -> tuple[Array, Array]:
         """Slopes of rates and constraints by the free parameters at constant states; one column each."""
         n, count, values = len(x), len(self.free), self.extend(p, along)
         states = np.concatenate([x, np.zeros(n * count)])
         rate = self.native.evaluate("rate_s", (n * (1 + count),), states, u, values, m)[n:]
-        loops = self.native.evaluate("constraint_s", (len(self.facts.constraints) * count,), states, u, values, m)
+        loops = self.native.evaluate(
+            "constraint_s", (len(self.facts.constraints) * count,), states, u, values, m
+        )
         return rate.reshape(-1, count), loops.reshape(-1, count)
 
     def project(self, x: Array, u: Array, p: Array, m: Array) -> Array:
@@ -165,13 +175,19 @@ class Compiled:
 
     def sides(self, x: Array, u: Array, p: Array) -> Array:
         """Modes that follow the sides of their switches."""
-        return (self.evaluate("switch", x, u, p, np.ones(len(self.facts.switches))) > 0.0).astype(float)
+        return (self.evaluate("switch", x, u, p, np.ones(len(self.facts.switches))) > 0.0).astype(
+            float
+        )
 
     def inputs(self, values: dict[str, float] | float = 0.0) -> Array:
         """Inputs at rest: the height (m) of all roads, or values of tracks by name; their rates are zero."""
         facts = self.facts
         u = np.zeros(len(facts.tracks) * facts.track_order)
-        given = values if isinstance(values, dict) else dict.fromkeys(filter(is_road, facts.tracks), values)
+        given = (
+            values
+            if isinstance(values, dict)
+            else dict.fromkeys(filter(is_road, facts.tracks), values)
+        )
         for name, value in given.items():
             u[facts.tracks.index(name) * facts.track_order] = value
         return u
@@ -198,7 +214,11 @@ def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
 
 
 def compile_rig(
-    rig: Rig, free: tuple[str, ...] = (), *, detail: bool = False, actuator: AnyActuator | None = None
+    rig: Rig,
+    free: tuple[str, ...] = (),
+    *,
+    detail: bool = False,
+    actuator: AnyActuator | None = None,
 ) -> Compiled:
     """Compile the model of a rig; if the cache holds the code, the model is not even built.
 
@@ -206,14 +226,22 @@ def compile_rig(
     :func:`jounce.models.build`; the numbers of an ``actuator`` of every strut become parameters.
     """
     check_rig(rig)
-    key = (type(rig).__name__, structure_of(rig), detail, free, actuator.structure if actuator else "")
+    key = (
+        type(rig).__name__,
+        structure_of(rig),
+        detail,
+        free,
+        actuator.structure if actuator else "",
+    )
 
     def model() -> Model:
         from jounce.models import build
 
         return build(rig, detail=detail, actuator=actuator)
 
-    return compile_described(key, model, free, lambda: compile_rig(rig, detail=detail, actuator=actuator))
+    return compile_described(
+        key, model, free, lambda: compile_rig(rig, detail=detail, actuator=actuator)
+    )
 
 
 def compile_described(
@@ -238,7 +266,9 @@ def compile_described(
         plain = without() if free and without is not None else None
         shapes = {name: (rows, columns) for name, (rows, columns) in table["shapes"].items()}
         numbers = (shapes, table["scalars"], table["lanes"])
-        return Compiled(_facts(table["facts"]), free, native, *numbers, model, plain, changed, identity)
+        return Compiled(
+            _facts(table["facts"]), free, native, *numbers, model, plain, changed, identity
+        )
 
     return _compiled.of(key, make)
 
@@ -251,12 +281,19 @@ def _program(model: Model, moved: tuple[str, ...], count: int) -> ModelProgram:
 
 def _source(model: Model, moved: tuple[str, ...], count: int) -> Source:
     program = _program(model, moved, count)
-    table = {"facts": asdict(model.facts), "shapes": program.shapes, "scalars": program.scalars, "lanes": program.lanes}
+    table = {
+        "facts": asdict(model.facts),
+        "shapes": program.shapes,
+        "scalars": program.scalars,
+        "lanes": program.lanes,
+    }
     return Source(program.functions, program.step, json.dumps(table))
 
 
 def _facts(table: dict[str, Any]) -> ModelFacts:
-    values: dict[str, Any] = {name: tuple(value) if isinstance(value, list) else value for name, value in table.items()}
+    values: dict[str, Any] = {
+        name: tuple(value) if isinstance(value, list) else value for name, value in table.items()
+    }
     values["outputs"] = tuple(Output(**output) for output in table["outputs"])
     return ModelFacts(**values)
 

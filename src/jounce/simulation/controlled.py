@@ -14,7 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.control.actuators import ActiveActuator, AnyActuator
-from jounce.control.controller import CallbackController, Controller, Regulator, RunSetting, as_controller
+from jounce.control.controller import (
+    CallbackController,
+    Controller,
+    Regulator,
+    RunSetting,
+    as_controller,
+)
 from jounce.control.design import CornerModel
 from jounce.control.laws import Passive
 from jounce.control.program import Program, program, sensor_noise, values
@@ -37,10 +43,16 @@ from jounce.simulation.settings import MAX_STEPS
 from jounce.simulation.statics import Equilibrium, find_equilibrium, for_small_motions
 
 AnyControl = Controller | str | Path | Callable[..., Any]
-_FAR, _AT_LEAST = 1e3, 10.0  # typical motions, and m or rad, beyond which a closed loop counts as diverged
+_FAR, _AT_LEAST = (
+    1e3,
+    10.0,
+)  # typical motions, and m or rad, beyond which a closed loop counts as diverged
 _COMMAND = "command"
 _HALVES = 12  # halvings of the period in search of a stable one: a factor of 4096
-_NEARER, _DAMPED = "give the rig's own element numbers nearer to it", "let the rig's own damper stay"
+_NEARER, _DAMPED = (
+    "give the rig's own element numbers nearer to it",
+    "let the rig's own damper stay",
+)
 _GROWING = 1e-3  # 1/s below which a pole counts as rounding: it grows by 6 % in a minute
 
 
@@ -89,7 +101,9 @@ class ControlLoop:
         """Numbers of the actuators that the model has, by path; corners of an axle share theirs."""
         numbers = {}
         for path in compiled.facts.parameters:
-            place, _, name = path.rpartition("actuator.") if path.startswith("actuator.") else _split(path)
+            place, _, name = (
+                path.rpartition("actuator.") if path.startswith("actuator.") else _split(path)
+            )
             if name:
                 corner = next(corner for corner in self.corners if corner.startswith(place))
                 numbers[path] = self.controllers[corner].actuator.plant_numbers[name]
@@ -100,19 +114,25 @@ class ControlLoop:
         """The spring, stops or tyre whose force comes from another program; None without one."""
         return self.actuator.in_place_of if isinstance(self.actuator, ActiveActuator) else None
 
-    def with_rest(self, compiled: Compiled, signals: Sequence[Segments], p: Array | None = None) -> list[Segments]:
+    def with_rest(
+        self, compiled: Compiled, signals: Sequence[Segments], p: Array | None = None
+    ) -> list[Segments]:
         """Signals of a run with the commands before the first control instant, for a model with the numbers ``p``."""
         driven = list(signals)
         tracks = _tracks(compiled, self)
         for corner, track in zip(self.corners, tracks, strict=True):
-            driven[track] = flat(float(driven[track].edges[-1]), self.controllers[corner].actuator.rest)
+            driven[track] = flat(
+                float(driven[track].edges[-1]), self.controllers[corner].actuator.rest
+            )
         if self.element is None or p is None:
             return driven
         for track, force in zip(tracks, _in_balance(self, compiled, p, driven), strict=True):
             driven[track] = flat(float(driven[track].edges[-1]), force)
         return driven
 
-    def around(self, compiled: Compiled, prepared: PreparedRun, signals: Sequence[Segments]) -> PreparedRun:
+    def around(
+        self, compiled: Compiled, prepared: PreparedRun, signals: Sequence[Segments]
+    ) -> PreparedRun:
         """Add the law to a prepared run."""
         pieces = np.array(_tracks(compiled, self), dtype=np.int64)
         law = _Law(self.with_rates(prepared.equilibrium), compiled, prepared, signals, pieces)
@@ -125,7 +145,10 @@ class ControlLoop:
             return self
         fastest = rest.fastest_oscillation
         return replace(
-            self, controllers={corner: law.with_rate_for(fastest) for corner, law in self.controllers.items()}
+            self,
+            controllers={
+                corner: law.with_rate_for(fastest) for corner, law in self.controllers.items()
+            },
         )
 
     def _scale(self, compiled: Compiled, scale: Array) -> Array:
@@ -134,7 +157,9 @@ class ControlLoop:
         for i, name in enumerate(compiled.facts.states):
             place, _, word = name.rpartition("actuator.")
             if word in ("coefficient", "force", "voltage", "force rate"):
-                corner = next(corner for corner in self.corners if corner.startswith(place.removesuffix(".")))
+                corner = next(
+                    corner for corner in self.corners if corner.startswith(place.removesuffix("."))
+                )
                 actuator = self.controllers[corner].actuator
                 sizes[i] = 0.1 * max(map(abs, actuator.limits))
                 if word == "force rate":
@@ -156,22 +181,33 @@ def _tracks(compiled: Compiled, loop: ControlLoop) -> list[int]:
     tracks = compiled.facts.tracks
     if loop.element is not None and any(_command(corner) not in tracks for corner in loop.corners):
         raise SimulationError(
-            Phrase("the rig has no {element} that a force could take the place of", element=loop.element),
+            Phrase(
+                "the rig has no {element} that a force could take the place of",
+                element=loop.element,
+            ),
             where="control: actuator: in_place_of",
             allowed="another rig, or another element",
         )
     return [tracks.index(_command(corner)) for corner in loop.corners]
 
 
-def _in_balance(loop: ControlLoop, compiled: Compiled, p: Array, signals: Sequence[Segments]) -> Array:
+def _in_balance(
+    loop: ControlLoop, compiled: Compiled, p: Array, signals: Sequence[Segments]
+) -> Array:
     """Commands (N) at which an element of another program balances the rest of the rig."""
     tracks = zip(compiled.facts.tracks, signals, strict=True)
-    still = compiled.inputs({name: float(signal.evaluate(signal.edges[:1])[0][0]) for name, signal in tracks})
+    still = compiled.inputs(
+        {name: float(signal.evaluate(signal.edges[:1])[0][0]) for name, signal in tracks}
+    )
     law = loop.with_rates(find_equilibrium(compiled, p, still))
     assert isinstance(law.first, CallbackController)
-    setting = RunSetting(law.controllers, law.models, _units(compiled), 1, lambda _, times: np.zeros(len(times)))
+    setting = RunSetting(
+        law.controllers, law.models, _units(compiled), 1, lambda _, times: np.zeros(len(times))
+    )
     columns = np.array(_tracks(compiled, loop), dtype=np.int64) * compiled.facts.track_order
-    return balanced_commands(law.first.regulator(setting), compiled, p, still, columns, law.first.place)[0]
+    return balanced_commands(
+        law.first.regulator(setting), compiled, p, still, columns, law.first.place
+    )[0]
 
 
 def _units(compiled: Compiled) -> dict[str, str]:
@@ -185,7 +221,9 @@ def close_loop(rig: Rig, control: AnyControl | None) -> ControlLoop | None:
     does not fit the rig's corners.
     """
     controller = None if control is None else as_controller(control)
-    if controller is None or (isinstance(controller, Passive) and controller.damping_coefficient is None):
+    if controller is None or (
+        isinstance(controller, Passive) and controller.damping_coefficient is None
+    ):
         return None
     models = corner_models(rig)
     if controller.needs_wheel and any(model.unsprung_mass <= 0.0 for model in models.values()):
@@ -195,7 +233,9 @@ def close_loop(rig: Rig, control: AnyControl | None) -> ControlLoop | None:
             found=f"massless axles ({type(rig).__name__})",
             allowed="skyhook, pid and others that need the body only, or a model with wheels",
         )
-    return ControlLoop({corner: controller.complete_for(model) for corner, model in models.items()}, models)
+    return ControlLoop(
+        {corner: controller.complete_for(model) for corner, model in models.items()}, models
+    )
 
 
 class _Law:
@@ -209,7 +249,12 @@ class _Law:
         signals: Sequence[Segments],
         tracks: NDArray[np.int64],
     ) -> None:
-        self._loop, self._compiled, self._prepared, self._signals = loop, compiled, prepared, signals
+        self._loop, self._compiled, self._prepared, self._signals = (
+            loop,
+            compiled,
+            prepared,
+            signals,
+        )
         self._rest_commands = prepared.still[tracks * compiled.facts.track_order]
         self._begin: list[Callable[[], None]] = []
         pieces = prepared.problem.tracks.first[tracks]
@@ -243,16 +288,25 @@ class _Law:
         prepared = self._prepared
         if prepared.equilibrium is None:
             raise AssertionError("a controlled run starts from rest")
-        where = (prepared.equilibrium.x, prepared.still, prepared.problem.p, prepared.equilibrium.modes)
+        where = (
+            prepared.equilibrium.x,
+            prepared.still,
+            prepared.problem.p,
+            prepared.equilibrium.modes,
+        )
         return self._compiled.evaluate("output", *where)
 
-    def _around(self, law: int, channels: tuple[str, ...], p: Array, memory: int, *, from_rest: bool) -> Feedback:
+    def _around(
+        self, law: int, channels: tuple[str, ...], p: Array, memory: int, *, from_rest: bool
+    ) -> Feedback:
         prepared, first = self._prepared, self._loop.first
         names, n_q = self._compiled.output_names, self._compiled.facts.counts[0]
         missing = [name for name in channels if name not in names]
         if missing:
             raise SimulationError(
-                Phrase("the law {name!r} needs a channel that the model does not have", name=first.name),
+                Phrase(
+                    "the law {name!r} needs a channel that the model does not have", name=first.name
+                ),
                 where="control",
                 found=", ".join(missing),
                 allowed="a law that needs other channels, or a model with wheels of their own",
@@ -290,7 +344,9 @@ class _Law:
     def _python(self) -> Feedback:
         loop, first = self._loop, self._loop.first
         assert isinstance(first, CallbackController)
-        setting = RunSetting(loop.controllers, loop.models, _units(self._compiled), self._instants, self._road)
+        setting = RunSetting(
+            loop.controllers, loop.models, _units(self._compiled), self._instants, self._road
+        )
         regulator = first.regulator(setting)
         loop.regulators[:] = [regulator]
         feedback: list[Feedback] = []
@@ -300,11 +356,17 @@ class _Law:
 
         def fail() -> None:
             feedback[0].result[:] = np.nan
-            loop.raised[:] = [(float(feedback[0].measured[-1]), callback.raised)] if callback.raised else []
+            loop.raised[:] = (
+                [(float(feedback[0].measured[-1]), callback.raised)] if callback.raised else []
+            )
 
         callback = Callback(call, fail)
         memory = np.zeros(1)
-        feedback.append(self._around(callback.address, regulator.channels, memory, 0, from_rest=regulator.from_rest))
+        feedback.append(
+            self._around(
+                callback.address, regulator.channels, memory, 0, from_rest=regulator.from_rest
+            )
+        )
         result, measured = feedback[0].result.ravel().data, feedback[0].measured.tolist
         put = struct.Struct(f"{len(result)}d").pack_into
         self._begin += [regulator.start, loop.raised.clear]
@@ -386,14 +448,20 @@ def closed_loop_poles(rig: Rig, control: AnyControl) -> Complex:
 
 def is_linear(loop: ControlLoop) -> bool:
     """Whether the law is a formula with a force actuator: apart from its limits such a loop is linear."""
-    return isinstance(loop.actuator, ActiveActuator) and not isinstance(loop.first, CallbackController)
+    return isinstance(loop.actuator, ActiveActuator) and not isinstance(
+        loop.first, CallbackController
+    )
 
 
-def poles(loop: ControlLoop, compiled: Compiled, p: Array, rest: Equilibrium, still: Array) -> Complex:
+def poles(
+    loop: ControlLoop, compiled: Compiled, p: Array, rest: Equilibrium, still: Array
+) -> Complex:
     """Poles (1/s) of a loop around a model with actuators at rest, by falling real part; ``still`` are the inputs."""
     law = program(loop.first, loop.corners)
     slopes = _slopes(law, values(loop.controllers, loop.models, law.numbers))
-    return _sampled_poles(loop, compiled, p, rest, still, law.channels, slopes, 1.0 / loop.first.rate)
+    return _sampled_poles(
+        loop, compiled, p, rest, still, law.channels, slopes, 1.0 / loop.first.rate
+    )
 
 
 def _sampled_poles(
@@ -424,7 +492,9 @@ def _sampled_poles(
     by_memory, by_channels = slopes
     u_x, u_memory, u_u = by_channels[:m] @ C, by_memory[:m], by_channels[:m] @ D
     next_x, next_memory, next_u = by_channels[m:] @ C, by_memory[m:], by_channels[m:] @ D
-    transition = np.block([[F + H @ u_x, H @ u_memory, H @ u_u], [next_x, next_memory, next_u], [u_x, u_memory, u_u]])
+    transition = np.block(
+        [[F + H @ u_x, H @ u_memory, H @ u_u], [next_x, next_memory, next_u], [u_x, u_memory, u_u]]
+    )
     rates = np.log(np.linalg.eigvals(transition).astype(complex) + 1e-300) / period
     return np.asarray(rates[np.argsort(-rates.real)])
 
@@ -432,15 +502,23 @@ def _sampled_poles(
 def _slopes(law: Program, p: Array) -> tuple[Array, Array]:
     """Slopes of (commands, next memory) by memory and measurements, at rest."""
     function = law.function
-    memory, measured, numbers, nothing = (ca.SX.sym(f"i{i}", function.size1_in(i)) for i in range(function.n_in()))
+    memory, measured, numbers, nothing = (
+        ca.SX.sym(f"i{i}", function.size1_in(i)) for i in range(function.n_in())
+    )
     result = function(memory, measured, numbers, nothing)
     slopes = [ca.jacobian(result, memory), ca.jacobian(result, measured)]
-    evaluate = ca.Function("slopes", [memory, measured, numbers], [ca.densify(part) for part in slopes])
-    by_memory, by_channels = evaluate(np.zeros(function.size1_in(0)), np.zeros(function.size1_in(1)), p)
+    evaluate = ca.Function(
+        "slopes", [memory, measured, numbers], [ca.densify(part) for part in slopes]
+    )
+    by_memory, by_channels = evaluate(
+        np.zeros(function.size1_in(0)), np.zeros(function.size1_in(1)), p
+    )
     return np.asarray(by_memory), np.asarray(by_channels)[:, :-1]  # the last one is the time
 
 
-def check_stable(loop: ControlLoop, compiled: Compiled, p: Array, rest: Equilibrium, still: Array) -> None:
+def check_stable(
+    loop: ControlLoop, compiled: Compiled, p: Array, rest: Equilibrium, still: Array
+) -> None:
     """Refuse a linear loop with a growing pole; arguments as for :func:`poles`."""
     if not is_linear(loop):
         return
@@ -472,7 +550,9 @@ def check_coupling(loop: ControlLoop, compiled: Compiled, p: Array, prepared: Pr
     pole = worst(period)
     if pole.real <= _GROWING:
         return
-    finer = next((period / 2**i for i in range(1, _HALVES) if worst(period / 2**i).real <= _GROWING), None)
+    finer = next(
+        (period / 2**i for i in range(1, _HALVES) if worst(period / 2**i).real <= _GROWING), None
+    )
     growing = f"{1.0 / period:.6g} Hz, at which {abs(pole.imag) / (2.0 * np.pi):.3g} Hz grow with {pole.real:.3g} 1/s"
     if finer is not None:
         raise SimulationError(

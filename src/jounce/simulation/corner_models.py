@@ -13,7 +13,9 @@ from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.linear_model import numbers_without_friction
 from jounce.simulation.statics import Equilibrium, find_equilibrium
 
-_TYPICAL_VELOCITY = 0.3  # m/s of the damper's mean coefficient; r.m.s. on a class C road at 20 m/s is 0.2 to 0.25
+_TYPICAL_VELOCITY = (
+    0.3  # m/s of the damper's mean coefficient; r.m.s. on a class C road at 20 m/s is 0.2 to 0.25
+)
 
 
 def corners_of(rig: Rig) -> tuple[str, ...]:
@@ -52,14 +54,19 @@ def corner_models(rig: Rig) -> dict[str, CornerModel]:
     gravity = values.get("gravity", 0.0)
     if gravity <= 0.0:
         raise SimulationError(
-            "no gravity: nothing says what a corner carries", where="gravity", found=gravity, allowed="above 0 m/s^2"
+            "no gravity: nothing says what a corner carries",
+            where="gravity",
+            found=gravity,
+            allowed="above 0 m/s^2",
         )
     compiled = compile_rig(rig)
     p = compiled.parameter_values(values)
     still = compiled.inputs(0.0)
     rest = find_equilibrium(compiled, p, still)
     view = _View(compiled, p, rest, still)
-    return {corner: _corner(view, f"{corner}." if corner else "", gravity) for corner in corners_of(rig)}
+    return {
+        corner: _corner(view, f"{corner}." if corner else "", gravity) for corner in corners_of(rig)
+    }
 
 
 class _View:
@@ -85,7 +92,9 @@ class _View:
 
     def driven(self, name: str, track: str) -> float:
         facts = self._compiled.facts
-        return float(self._driven[self._names.index(name), facts.tracks.index(track) * facts.track_order])
+        return float(
+            self._driven[self._names.index(name), facts.tracks.index(track) * facts.track_order]
+        )
 
     def at_velocity(self, name: str, velocity: str, value: float) -> float:
         """An output when a velocity channel has a value (m/s) and all displacements are those at rest."""
@@ -94,15 +103,24 @@ class _View:
         reduced[len(row) : 2 * len(row)] = row / (row @ row) * value
         x = self._rest.x + self._rest.lift @ reduced
         modes = self._compiled.sides(x, self._still, self._p)
-        return float(self._compiled.evaluate("output", x, self._still, self._p, modes)[self._names.index(name)])
+        return float(
+            self._compiled.evaluate("output", x, self._still, self._p, modes)[
+                self._names.index(name)
+            ]
+        )
 
 
 def _corner(view: _View, prefix: str, gravity: float) -> CornerModel:
-    force, deflection, velocity = (f"{prefix}strut.{word}" for word in ("force", "deflection", "velocity"))
+    force, deflection, velocity = (
+        f"{prefix}strut.{word}" for word in ("force", "deflection", "velocity")
+    )
     body, wheel = f"{prefix}sprung.vz", f"{prefix}unsprung.vz"
     if not view.has(body):
         raise SimulationError(
-            "nothing to control: the body is held", where="guide", found="fixed", allowed="a body that moves"
+            "nothing to control: the body is held",
+            where="guide",
+            found="fixed",
+            allowed="a body that moves",
         )
     parting = -view.row(body, rates=True)
     if view.has(wheel):
@@ -119,8 +137,12 @@ def _corner(view: _View, prefix: str, gravity: float) -> CornerModel:
         load = view.value(tyre) - mass * gravity
     if load <= 0.0:
         place = prefix.removesuffix(".") or "the wheel"
-        raise SimulationError("a corner carries nothing of the body", where=place, found=f"{load:.4g} N")
-    return CornerModel(load / gravity, mass, spring, stiffness, damping, r, gravity, view.value(deflection))
+        raise SimulationError(
+            "a corner carries nothing of the body", where=place, found=f"{load:.4g} N"
+        )
+    return CornerModel(
+        load / gravity, mass, spring, stiffness, damping, r, gravity, view.value(deflection)
+    )
 
 
 def _share(row: Array, of: Array) -> float:

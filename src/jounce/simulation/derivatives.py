@@ -103,7 +103,11 @@ def sensitivities(
     facts, solution = _run(rig, trial, parameters, times, tolerance)
     variables = {}
     for output, slopes in zip(facts.outputs, solution.output_slopes, strict=True):
-        attrs = {"units": output.unit, "long_name": output.long_name, "place": place_of(output.name)}
+        attrs = {
+            "units": output.unit,
+            "long_name": output.long_name,
+            "place": place_of(output.name),
+        }
         variables[output.name] = (("parameter", "time"), slopes, attrs)
     units = [unit_of(rig, path) for path in parameters]
     coordinates = {
@@ -182,14 +186,22 @@ def gradient(
         check_recording(measured.drop_vars(others), where="objective")
         times = _times_of(measured, trial)
     elif weights is not None:
-        raise SimulationError("weights go with a recording", where="weights", hint="The objective has its own.")
+        raise SimulationError(
+            "weights go with a recording", where="weights", hint="The objective has its own."
+        )
     else:
         wanted = {name: objective[name] for name in objective}
     facts, solution = _run(rig, trial, parameters, times, tolerance)
-    names, shares, slopes = tuple(output.name for output in facts.outputs), {}, np.zeros(len(parameters))
+    names, shares, slopes = (
+        tuple(output.name for output in facts.outputs),
+        {},
+        np.zeros(len(parameters)),
+    )
     for name, weight in wanted.items():
         _check_channel(name, weight, names, measured)
-        signal, along = (part[names.index(name)] for part in (solution.outputs, solution.output_slopes))
+        signal, along = (
+            part[names.index(name)] for part in (solution.outputs, solution.output_slopes)
+        )
         if measured is None:
             errors, weight = signal, weight / len(signal)  # noqa: PLW2901
         else:
@@ -197,7 +209,9 @@ def gradient(
             errors, along = signal[-count:] - measured[name].to_numpy(), along[:, -count:]
         shares[name] = float(weight * (errors @ errors))
         slopes += 2.0 * weight * (along @ errors)
-    return Gradient(sum(shares.values()), dict(zip(parameters, map(float, slopes), strict=True)), shares)
+    return Gradient(
+        sum(shares.values()), dict(zip(parameters, map(float, slopes), strict=True)), shares
+    )
 
 
 def _run(
@@ -207,7 +221,9 @@ def _run(
     values = check_rig(rig).parameters()
     if isinstance(parameters, str) or not parameters or len(set(parameters)) < len(parameters):
         allowed = "at least one path, each once, in a list"
-        raise SimulationError("not a choice of parameters", where="parameters", found=parameters, allowed=allowed)
+        raise SimulationError(
+            "not a choice of parameters", where="parameters", found=parameters, allowed=allowed
+        )
     for path in parameters:
         if path not in values:
             raise unknown_path(f"parameters: {path}", values, name=path)
@@ -216,7 +232,9 @@ def _run(
     solution = with_slopes(rig, trial, values, signals, times, tolerance, free)
     if solution is None:
         compiled = compile_rig(rig, free, actuator=force_actuator(trial))
-        solution = solve(compiled, compiled.parameter_values(values), signals, times, tolerance=tolerance)
+        solution = solve(
+            compiled, compiled.parameter_values(values), signals, times, tolerance=tolerance
+        )
     if solution.status is not Status.COMPLETED:
         raise SimulationError("the run did not reach its end", found=solution.status.help)
     return plain.facts, solution
@@ -225,7 +243,12 @@ def _run(
 def _times_of(measured: xr.Dataset, trial: Trial) -> Array:
     """Times of a recording, with 0 added if it starts later: the run begins there."""
     times = np.asarray(measured["time"].to_numpy(), dtype=np.float64)
-    if not len(times) or not np.all(np.diff(times) > 0.0) or times[0] < 0.0 or times[-1] > trial.duration * (1 + 1e-9):
+    if (
+        not len(times)
+        or not np.all(np.diff(times) > 0.0)
+        or times[0] < 0.0
+        or times[-1] > trial.duration * (1 + 1e-9)
+    ):
         raise SimulationError(
             "the recording does not fit the trial",
             where="objective: time",
@@ -235,10 +258,16 @@ def _times_of(measured: xr.Dataset, trial: Trial) -> Array:
     return times if times[0] == 0.0 else np.concatenate([[0.0], times])
 
 
-def _check_channel(name: str, weight: float, names: tuple[str, ...], measured: xr.Dataset | None) -> None:
+def _check_channel(
+    name: str, weight: float, names: tuple[str, ...], measured: xr.Dataset | None
+) -> None:
     if name not in names:
         raise unknown(name, names, what="channel", where="objective")
     if measured is not None and name not in measured:
-        raise unknown(name, [str(channel) for channel in measured.data_vars], what="channel", where="weights")
+        raise unknown(
+            name, [str(channel) for channel in measured.data_vars], what="channel", where="weights"
+        )
     if not (np.isfinite(weight) and weight >= 0.0):
-        raise SimulationError("not a weight", where=f"objective: {name}", found=weight, allowed="0 or more")
+        raise SimulationError(
+            "not a weight", where=f"objective: {name}", found=weight, allowed="0 or more"
+        )

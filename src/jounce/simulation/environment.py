@@ -91,7 +91,9 @@ class Stepper:
         p = compiled.parameter_values({**rig.parameters(), **loop.parameters(compiled)})
         signals = loop.with_rest(compiled, excitation(compiled.facts, rig, trial))
         end = trial.duration
-        prepared = prepare(compiled, p, signals, np.array([0.0, end]), tolerance=tolerance, method="explicit")
+        prepared = prepare(
+            compiled, p, signals, np.array([0.0, end]), tolerance=tolerance, method="explicit"
+        )
         self._prepared = loop.around(compiled, prepared, signals)
         tracks = [compiled.facts.tracks.index(name) for name in command_names(loop.corners)]
         self._pieces = self._prepared.problem.tracks.first[tracks]
@@ -101,7 +103,9 @@ class Stepper:
         self._out = room(compiled, self._times)
         self._counts = np.zeros(3, dtype=np.int64)
         self.corners, self.channels = loop.corners, compiled.output_names
-        self.limits = np.array([controller.actuator.limits for controller in loop.controllers.values()])
+        self.limits = np.array(
+            [controller.actuator.limits for controller in loop.controllers.values()]
+        )
         self.period, self.end = 1.0 / rate, end
         self.time, self.status, self._steps = 0.0, Status.COMPLETED, 0
 
@@ -133,9 +137,13 @@ class Stepper:
                 allowed=Phrase("{count} finite numbers", count=len(self.corners)),
             )
         if self.is_finished or self.status is not Status.COMPLETED:
-            raise SimulationError("the run is over", where=f"t = {self.time:.6g} s", hint="Start it again.")
+            raise SimulationError(
+                "the run is over", where=f"t = {self.time:.6g} s", hint="Start it again."
+            )
         out, problem = self._out, self._problem
-        problem.tracks.coefficients[self._pieces, 0] = np.clip(given, self.limits[:, 0], self.limits[:, 1])
+        problem.tracks.coefficients[self._pieces, 0] = np.clip(
+            given, self.limits[:, 0], self.limits[:, 1]
+        )
         self._steps += 1
         until = min(self._steps * self.period, self.end)
         self._times[:] = self.time + self._shares * (until - self.time)
@@ -208,7 +216,9 @@ def ride_environment(
     >>> bool(reward <= 0.0), terminated, truncated
     (True, False, False)
     """
-    return _environment_class()(rig, trial, actuator or SemiActiveDamper(), rate, observed, dict(cost or COST))
+    return _environment_class()(
+        rig, trial, actuator or SemiActiveDamper(), rate, observed, dict(cost or COST)
+    )
 
 
 @cache
@@ -230,11 +240,15 @@ def _environment_class() -> Any:
             cost: dict[str, float],
         ) -> None:
             self._trial = trial
-            self._make: Callable[[Trial], Stepper] = lambda chosen: _stepper(rig, chosen, actuator, rate)
+            self._make: Callable[[Trial], Stepper] = lambda chosen: _stepper(
+                rig, chosen, actuator, rate
+            )
             first = trial if isinstance(trial, Trial) else trial(np.random.default_rng(0))
             if not isinstance(first, Trial):
                 raise DescriptionError(
-                    Phrase("the function gives {first}", first=value_or_kind(first)), where="trial", allowed="a trial"
+                    Phrase("the function gives {first}", first=value_or_kind(first)),
+                    where="trial",
+                    allowed="a trial",
                 )
             self._run = self._make(first)
             self._observed, self._scales = _columns(self._run, observed, default=OBSERVED)
@@ -254,10 +268,14 @@ def _environment_class() -> Any:
             self._rest = self._run.start()
             return self._observation(self._rest), {"time": 0.0}
 
-        def step(self, action: Any) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
+        def step(
+            self, action: Any
+        ) -> tuple[NDArray[np.float32], float, bool, bool, dict[str, Any]]:
             """Hold the commands of an action for one period."""
             low, high = self._run.limits.T
-            share = 0.5 + 0.5 * np.clip(as_samples(action, where="step", error=SimulationError), -1.0, 1.0)
+            share = 0.5 + 0.5 * np.clip(
+                as_samples(action, where="step", error=SimulationError), -1.0, 1.0
+            )
             commands = low + (high - low) * share
             outputs = self._run.step(commands)
             info: dict[str, Any] = {
@@ -268,8 +286,16 @@ def _environment_class() -> Any:
                 info["status"] = self._run.status.name.lower()
                 return self._observation(self._rest), -_LOST, True, False, info
             change = outputs - self._rest[:, None]
-            info["cost"] = {name: weight * float(np.mean(change[row] ** 2)) for name, row, weight in self._cost}
-            return self._observation(outputs[:, -1]), -sum(info["cost"].values()), False, self._run.is_finished, info
+            info["cost"] = {
+                name: weight * float(np.mean(change[row] ** 2)) for name, row, weight in self._cost
+            }
+            return (
+                self._observation(outputs[:, -1]),
+                -sum(info["cost"].values()),
+                False,
+                self._run.is_finished,
+                info,
+            )
 
         def _observation(self, outputs: Array) -> NDArray[np.float32]:
             """Observation of a sample."""
@@ -285,20 +311,28 @@ def _stepper(rig: Rig, trial: Trial, actuator: AnyActuator, rate: float) -> Step
     return Stepper(rig, trial, actuator, rate, samples=max(1, round(1.0 / (rate * _FINEST))))
 
 
-def _columns(run: Stepper, words: Sequence[str], default: Sequence[str]) -> tuple[NDArray[np.intp], Array]:
+def _columns(
+    run: Stepper, words: Sequence[str], default: Sequence[str]
+) -> tuple[NDArray[np.intp], Array]:
     """Observed outputs and their typical sizes, corner after corner."""
     names = [name for corner in run.corners for name in _present(run, corner, words, default)]
     scales = [_SCALES.get(name.rpartition(".")[2], 1.0) for name in names]
     return np.array([run.channels.index(name) for name in names], dtype=np.intp), np.array(scales)
 
 
-def _weights(run: Stepper, cost: Mapping[str, float], default: Mapping[str, float]) -> list[tuple[str, int, float]]:
+def _weights(
+    run: Stepper, cost: Mapping[str, float], default: Mapping[str, float]
+) -> list[tuple[str, int, float]]:
     """Channel, output index and weight of every term of the cost."""
     terms = []
     for word, weight in cost.items():
         if not (np.isfinite(weight) and weight >= 0.0):
-            raise SimulationError("not a weight", where=f"cost: {word}", found=weight, allowed="0 or more")
-        names = [name for corner in run.corners for name in _present(run, corner, [word], list(default))]
+            raise SimulationError(
+                "not a weight", where=f"cost: {word}", found=weight, allowed="0 or more"
+            )
+        names = [
+            name for corner in run.corners for name in _present(run, corner, [word], list(default))
+        ]
         terms += [(name, run.channels.index(name), weight) for name in names]
     return terms
 

@@ -45,14 +45,17 @@ def free_motions(compiled: Compiled, p: Array, still: Array) -> list[FreeVibrati
     poles, shapes = np.linalg.eig(rest.reduced)
     lengths = [i for i, output in enumerate(compiled.facts.outputs) if output.unit == "m"]
     motions = []
-    for pole, shape in sorted(zip(poles, (rest.lift @ shapes).T, strict=True), key=lambda pair: pair[0].imag):
+    for pole, shape in sorted(
+        zip(poles, (rest.lift @ shapes).T, strict=True), key=lambda pair: pair[0].imag
+    ):
         if pole.imag <= _SWINGS * abs(pole):
             continue
 
         def motion_of(part: Array) -> Array:
             step = _SMALL / float(np.max(np.abs(part), initial=1e-300))
             above, below = (
-                compiled.evaluate("output", rest.x + sign * step * part, still, p, rest.modes) for sign in (1.0, -1.0)
+                compiled.evaluate("output", rest.x + sign * step * part, still, p, rest.modes)
+                for sign in (1.0, -1.0)
             )
             return np.asarray((above - below)[lengths] / (2.0 * step))
 

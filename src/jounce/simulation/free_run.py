@@ -24,7 +24,13 @@ from jounce.mechanics.mechanism import BALANCE
 from jounce.parts.advice import size_findings
 from jounce.recordings.schema import recording_of
 from jounce.simulation.compiled import Compiled, compile_model
-from jounce.simulation.prepare import IMPLICIT_SHARE, STEP_SHARE, PreparedRun, longest_implicit_step, room
+from jounce.simulation.prepare import (
+    IMPLICIT_SHARE,
+    STEP_SHARE,
+    PreparedRun,
+    longest_implicit_step,
+    room,
+)
 from jounce.simulation.result import Solution, samples_reached
 from jounce.simulation.settings import COARSEST, MAX_STEPS, Method, RunSettings
 from jounce.simulation.singular_configurations import Begin, run_through
@@ -34,26 +40,49 @@ if TYPE_CHECKING:
     import xarray as xr
 
 # Sizes and steps of the integration.
-_SMALLEST = 1e-3  # m, rad, m/s or rad/s: smaller motions need not be resolved relative to themselves
+_SMALLEST = (
+    1e-3  # m, rad, m/s or rad/s: smaller motions need not be resolved relative to themselves
+)
 _LONGEST = 1.2  # radians of the fastest motion at the start in one step
 _SHARE = 0.02  # of the duration, the longest step
 _DECAYING = 0.9  # share of decay in the rate of a motion above which it is no oscillation
-_STIFF, _LONG_RUN = 20.0, 1e4  # decay over oscillation, and decays in a run, beyond which the implicit method pays
-_MASSLESS = 1e-12  # mass that a motion moves, relative to that of the coordinates by themselves: rounding
+_STIFF, _LONG_RUN = (
+    20.0,
+    1e4,
+)  # decay over oscillation, and decays in a run, beyond which the implicit method pays
+_MASSLESS = (
+    1e-12  # mass that a motion moves, relative to that of the coordinates by themselves: rounding
+)
 _MOVING = 1e-3  # share of a coordinate in a motion from which it is named
 # Probes of a run for rounding.
 _PROBES, _PROBED, _MANY_STEPS, _LOOSEST_PROBE = 6, 60, 1000, 1e-3
-_CLOSE, _DIFFERENCES, _ORDER = 1e-3, 6, 8.0  # of the longest step; differences of the rates; order of the methods
-_UNSEEN, _SEEN, _CHEAP = 0.01, 0.3, 0.1  # share of a step's error caused by rounding: negligible, large, small
+_CLOSE, _DIFFERENCES, _ORDER = (
+    1e-3,
+    6,
+    8.0,
+)  # of the longest step; differences of the rates; order of the methods
+_UNSEEN, _SEEN, _CHEAP = (
+    0.01,
+    0.3,
+    0.1,
+)  # share of a step's error caused by rounding: negligible, large, small
 _ROUNDED = 3.0  # times more steps than the motion requires
 # Search for a state of rest.
-_ITERATIONS, _MANY_ITERATIONS, _NEARER = 200, 10_000, 0.1  # without progress, and with progress of that share of a step
+_ITERATIONS, _MANY_ITERATIONS, _NEARER = (
+    200,
+    10_000,
+    0.1,
+)  # without progress, and with progress of that share of a step
 _PROJECTIONS = 3  # Newton steps onto the loops, after a step of 5 cm
 # m or rad: a step of a mechanism on its way to rest, and one that shows that nothing holds it
 _STRIDE, _FAR = 0.05, 1e6
 # slopes, relative to the largest, that are rounding, and motions that no force decides
 _NOISE, _UNDECIDED = 1e-11, 1e-9
-_SETTLED, _UNBALANCED, _SHARE_OF_NEUTRAL = 1e-10, 1e-6, 0.1  # relative step, relative rate at rest, share in a motion
+_SETTLED, _UNBALANCED, _SHARE_OF_NEUTRAL = (
+    1e-10,
+    1e-6,
+    0.1,
+)  # relative step, relative rate at rest, share in a motion
 _HINT = "Check masses, springs, stops and where it starts: something must carry every weight."
 
 
@@ -130,12 +159,19 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     """
     seconds = to_si(duration, "s", where="duration")
     if not seconds > 0.0:
-        raise SimulationError("not a duration", where="duration", found=f"{seconds:g} s", allowed="above 0 s")
+        raise SimulationError(
+            "not a duration", where="duration", found=f"{seconds:g} s", allowed="above 0 s"
+        )
     times = RunSettings(output_step, tolerance, method).times(seconds)
     if redundant not in ("refuse", "remove"):
         raise unknown(redundant, ("refuse", "remove"), what="choice", where="redundant")
-    parameters, motions_by_track = _values(mechanism, values or {}), _motions(mechanism, motions or {})
-    inputs = {name: float(track.evaluate(np.zeros(1))[0][0]) for name, track in motions_by_track.items()}
+    parameters, motions_by_track = (
+        _values(mechanism, values or {}),
+        _motions(mechanism, motions or {}),
+    )
+    inputs = {
+        name: float(track.evaluate(np.zeros(1))[0][0]) for name, track in motions_by_track.items()
+    }
     model = mechanism.model(redundant, start, values=parameters, inputs=inputs)
     p = np.array([parameters[name] for name in model.parameters])
     tracks = [motions_by_track[name] for name in model.tracks]
@@ -144,12 +180,23 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     _check_masses(mechanism, model, pose.x, u, p)
     _check_reaches(mechanism, model, pose.x, u, p)
     compiled = compile_model(model)
-    first, notes = pose.x, [_assembly_findings(pose), [*size_findings(mechanism.places(parameters), "points")]]
+    first, notes = (
+        pose.x,
+        [_assembly_findings(pose), [*size_findings(mechanism.places(parameters), "points")]],
+    )
     if at_rest:
-        running = {name for name in start or {} if name in model.speeds and pose.x[model.states.index(name)] != 0.0}
+        running = {
+            name
+            for name in start or {}
+            if name in model.speeds and pose.x[model.states.index(name)] != 0.0
+        }
         first, neutral = _at_rest(compiled, p, u, pose.x, running, model.quaternions.values())
         if model.constraints:  # close the loops again, now with the speeds of the tracks
-            prescribed = [i for i, name in enumerate(model.states) if name not in model.speeds or name in running]
+            prescribed = [
+                i
+                for i, name in enumerate(model.states)
+                if name not in model.speeds or name in running
+            ]
             moving = {model.states[i]: float(first[i]) for i in prescribed}
             first = assemble(model, p, u, moving, redundant="keep").x
         if neutral:
@@ -157,9 +204,17 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
         is_moving = bool(running) or bool(u[1 :: model.facts.track_order].any())
         # a spinning body may hold itself up
         if not is_moving and (names := falling(compiled, first, u, p)):
-            notes.append([finding("simulation.on_top", ", ".join(dict.fromkeys(map(motion_of_speed, names))))])
+            notes.append(
+                [
+                    finding(
+                        "simulation.on_top", ", ".join(dict.fromkeys(map(motion_of_speed, names)))
+                    )
+                ]
+            )
 
-    mobility = mechanism.freedoms(model).at(first, u, p) if mechanism.collection.constraints else None
+    mobility = (
+        mechanism.freedoms(model).at(first, u, p) if mechanism.collection.constraints else None
+    )
 
     def begin(x: Array, after: Array, error: float) -> PreparedRun:
         u = _inputs(model.facts.track_order, tracks, float(after[0]))
@@ -173,10 +228,19 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     attainable = _attainable(begin, solution, tolerance)
     if attainable is not None:
         steps = solution.steps + solution.rejected
-        note = finding("simulation.tolerance", "tolerance", tolerance=tolerance, steps=steps, attainable=attainable)
+        note = finding(
+            "simulation.tolerance",
+            "tolerance",
+            tolerance=tolerance,
+            steps=steps,
+            attainable=attainable,
+        )
         if check and solution.status is Status.TOO_MANY_STEPS:
             raise SimulationError(
-                "a tolerance below what rounding allows", where="tolerance", found=tolerance, hint=note.message
+                "a tolerance below what rounding allows",
+                where="tolerance",
+                found=tolerance,
+                hint=note.message,
             )
         notes.append([note])
     if mobility is not None:  # without loops, every freedom is that of a named joint
@@ -189,8 +253,14 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     }
     run = recording_of(solution.time[:reach], channels)
     run.attrs["status"] = solution.status.name.lower()
-    run.attrs["method"], run.attrs["steps"], run.attrs["events"] = solution.method, solution.steps, solution.events
-    run.attrs["degrees_of_freedom"] = len(model.speeds) if mobility is None else mobility.degrees_of_freedom
+    run.attrs["method"], run.attrs["steps"], run.attrs["events"] = (
+        solution.method,
+        solution.steps,
+        solution.events,
+    )
+    run.attrs["degrees_of_freedom"] = (
+        len(model.speeds) if mobility is None else mobility.degrees_of_freedom
+    )
     run.attrs |= finding_attributes(item for group in notes for item in group)
     return run
 
@@ -200,7 +270,9 @@ def _values(mechanism: Mechanism, values: Mapping[str, float | str]) -> dict[str
     every = mechanism.with_values(values)
     lacking = [name for name in mechanism.parameters if name not in every]
     if lacking:
-        raise SimulationError("parameters without a value", where=", ".join(lacking), hint="Give them in values.")
+        raise SimulationError(
+            "parameters without a value", where=", ".join(lacking), hint="Give them in values."
+        )
     mechanism.check_values(every)
     return every
 
@@ -211,12 +283,18 @@ def _motions(mechanism: Mechanism, motions: Mapping[str, Segments]) -> dict[str,
             raise unknown(name, mechanism.tracks, what="track", where="motions")
         if not isinstance(motion, Segments):
             hint = "Take constant(), constant_rate(), harmonic(), step() or interpolated() of jounce.mechanics."
-            raise SimulationError("not a motion", where=f"motions: {name}", found=str(motion), hint=hint)
+            raise SimulationError(
+                "not a motion", where=f"motions: {name}", found=str(motion), hint=hint
+            )
         if not (np.all(np.isfinite(motion.coefficients)) and np.all(np.isfinite(motion.edges))):
-            raise SimulationError("not a motion", where=f"motions: {name}", found="not a finite number")
+            raise SimulationError(
+                "not a motion", where=f"motions: {name}", found="not a finite number"
+            )
     lacking = [name for name in mechanism.tracks if name not in motions]
     if lacking:
-        raise SimulationError("tracks without a motion", where=", ".join(lacking), hint="Give them in motions.")
+        raise SimulationError(
+            "tracks without a motion", where=", ".join(lacking), hint="Give them in motions."
+        )
     return {name: motion.with_finite_slopes() for name, motion in motions.items()}
 
 
@@ -268,7 +346,9 @@ def _check_reaches(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Ar
     if not pushing:
         return
     rows = [ca.vertcat(force, second.point - first.point) for _, force, (first, second) in pushing]
-    table = ca.Function("reaches", [model.x, model.u, model.p], [ca.horzcat(*rows)])(x, u, p).full().T
+    table = (
+        ca.Function("reaches", [model.x, model.u, model.p], [ca.horzcat(*rows)])(x, u, p).full().T
+    )
     for (name, _, _), (force, *reach) in zip(pushing, table, strict=True):
         if abs(force) > _NO_FORCE:
             refuse_one_point(name, np.array(reach), "at the start")
@@ -288,10 +368,17 @@ def _prepare(
     modes = (compiled.evaluate("switch", x, u, p, np.ones(len(facts.switches))) > 0.0).astype(float)
     rate = compiled.evaluate("rate", x, u, p, modes)
     if not np.all(np.isfinite(rate)):
-        names = [name for name, value in zip(facts.states, rate, strict=True) if not np.isfinite(value)]
+        names = [
+            name for name, value in zip(facts.states, rate, strict=True) if not np.isfinite(value)
+        ]
         hint = "Check the forces and the start."
-        raise SimulationError("the start has no finite rates", where=", ".join(names), found="not a number", hint=hint)
-    pace, duration = np.linalg.eigvals(compiled.evaluate("rate_x", x, u, p, modes)), float(times[-1] - times[0])
+        raise SimulationError(
+            "the start has no finite rates", where=", ".join(names), found="not a number", hint=hint
+        )
+    pace, duration = (
+        np.linalg.eigvals(compiled.evaluate("rate_x", x, u, p, modes)),
+        float(times[-1] - times[0]),
+    )
     fastest = float(np.max(np.abs(pace), initial=1e-3))
     moving = float(np.max(np.abs(pace[-pace.real < _DECAYING * np.abs(pace)]), initial=1e-3))
     longest = min(_LONGEST / fastest, _SHARE * duration)
@@ -305,14 +392,18 @@ def _prepare(
         return prepared
     coarse = min(longest_implicit_step(moving, tolerance), _SHARE * duration)
     stiff = control._replace(tolerance=IMPLICIT_SHARE * tolerance, longest=coarse)
-    implicitly = method == "implicit" or (fastest > _STIFF * moving and fastest * duration > _LONG_RUN)
+    implicitly = method == "implicit" or (
+        fastest > _STIFF * moving and fastest * duration > _LONG_RUN
+    )
     return replace(prepared, stiff=lambda: stiff, method="implicit" if implicitly else "explicit")
 
 
 def _assembly_findings(pose: Assembly) -> list[Finding]:
     """Report coordinates and given speeds that assembly changed."""
     return [
-        finding("simulation.assembly_moved", moved.coordinate, before=moved.before, after=moved.after)
+        finding(
+            "simulation.assembly_moved", moved.coordinate, before=moved.before, after=moved.after
+        )
         for moved in pose.displacements
     ]
 
@@ -335,12 +426,17 @@ def _attainable(begin: Begin, solution: Solution, tolerance: float) -> float | N
     samples = [(reached - 1) * i // _PROBES for i in range(1, _PROBES)]
     at = samples[_PROBES // 2 - 1]
     rounded = np.median(
-        [_rounding(begin(states[:, i], times[i : i + 2], tolerance), states[:, i], scale) for i in samples]
+        [
+            _rounding(begin(states[:, i], times[i : i + 2], tolerance), states[:, i], scale)
+            for i in samples
+        ]
     )
     duration = float(times[-1] - times[0])
     if duration / steps_taken * rounded < _UNSEEN * share * tolerance:
         return None
-    longest = begin(states[:, at], times[at] + np.array([0.0, _LONG_RUN]), tolerance).control.longest
+    longest = begin(
+        states[:, at], times[at] + np.array([0.0, _LONG_RUN]), tolerance
+    ).control.longest
     loose = min(max(longest * rounded / (_UNSEEN * share), tolerance), _LOOSEST_PROBE)
     ahead = np.linspace(times[at], times[at] + _PROBED * longest, _PROBED + 1)
     probe = begin(states[:, at], ahead, loose)
@@ -374,7 +470,8 @@ def _rounding(prepared: PreparedRun, x: Array, scale: Array) -> float:
     close = _CLOSE * prepared.control.longest
     along = compiled.evaluate("rate", x, prepared.still, p, modes)
     rates = [
-        compiled.evaluate("rate", x + i * close * along, prepared.still, p, modes) for i in range(_DIFFERENCES + 4)
+        compiled.evaluate("rate", x + i * close * along, prepared.still, p, modes)
+        for i in range(_DIFFERENCES + 4)
     ]
     left = np.diff(np.array(rates) / scale, n=_DIFFERENCES, axis=0)
     return float(np.sqrt(np.mean(left**2) / comb(2 * _DIFFERENCES, _DIFFERENCES)))
@@ -397,16 +494,24 @@ def _at_rest(
     p = compiled.plain.extend(p)
     runs = np.array([name in running for name in facts.speeds], dtype=bool)
     others = np.flatnonzero(~runs)
-    modes = (compiled.evaluate("switch", x, still, p, np.ones(len(facts.switches))) > 0.0).astype(float)
+    modes = (compiled.evaluate("switch", x, still, p, np.ones(len(facts.switches))) > 0.0).astype(
+        float
+    )
     x, fallen = x.copy(), False
 
     def onto_loops(x: Array, modes: Array) -> Array:
         """Close the loops by the shortest motion of the free coordinates, and normalise quaternions."""
         for _ in range(_PROJECTIONS if facts.constraints else 0):
-            slopes, gap = compiled.slopes("x", x, still, p, modes), compiled.evaluate("constraint", x, still, p, modes)
+            slopes, gap = (
+                compiled.slopes("x", x, still, p, modes),
+                compiled.evaluate("constraint", x, still, p, modes),
+            )
             speeds = slopes["rate"][:n_q, n_q + others]
             x = x.copy()
-            x[:n_q] -= speeds @ np.linalg.lstsq(slopes["constraint"][:, :n_q] @ speeds, gap, rcond=1e-12)[0]
+            x[:n_q] -= (
+                speeds
+                @ np.linalg.lstsq(slopes["constraint"][:, :n_q] @ speeds, gap, rcond=1e-12)[0]
+            )
         for i in quaternions:
             x[i : i + 4] /= np.linalg.norm(x[i : i + 4])
         return x
@@ -418,13 +523,17 @@ def _at_rest(
         slopes = compiled.slopes("x", x, still, p, modes)
         if facts.constraints:  # the other speeds follow from the loops
             loops = slopes["constraint"][:, :n_q] @ slopes["rate"][:n_q, n_q:end]
-            x[n_q + others] = -np.linalg.lstsq(loops[:, others], loops[:, runs] @ x[n_q:end][runs], rcond=1e-12)[0]
+            x[n_q + others] = -np.linalg.lstsq(
+                loops[:, others], loops[:, runs] @ x[n_q:end][runs], rcond=1e-12
+            )[0]
             slopes = compiled.slopes("x", x, still, p, modes) if runs.any() else slopes
         else:
             loops = np.zeros((0, n_v))
             x[n_q + others] = 0.0
         slope = slopes["rate"]
-        internal = [i for i in range(end, len(x)) if slope[i, i] != 0.0]  # others change only with motion
+        internal = [
+            i for i in range(end, len(x)) if slope[i, i] != 0.0
+        ]  # others change only with motion
         lift = np.zeros((len(x), len(others) + len(internal)))
         lift[:n_q, : len(others)] = slope[:n_q, n_q + others]
         lift[internal, range(len(others), lift.shape[1])] = 1.0
@@ -434,23 +543,34 @@ def _at_rest(
         matrix, residual = slope[rows] @ lift, rate
         closing: Array = np.zeros(lift.shape[1])
         directions: Array = np.eye(lift.shape[1])
-        if facts.constraints:  # first the shortest step that closes the loops, then along the motions that they allow
+        if (
+            facts.constraints
+        ):  # first the shortest step that closes the loops, then along the motions that they allow
             across = slopes["constraint"] @ lift
             left = compiled.evaluate("constraint", x, still, p, modes)
             closing = np.asarray(-np.linalg.lstsq(across, left, rcond=1e-12)[0], dtype=np.float64)
             _, values, right = np.linalg.svd(across)
             directions = right[int(np.sum(values > _UNDECIDED * np.max(values, initial=0.0))) :].T
         size = np.max(np.abs(matrix), axis=1, initial=0.0)
-        scale = np.maximum(size, _NOISE * (np.max(size, initial=0.0) or 1.0))[:, None]  # rounding stays small
+        scale = np.maximum(size, _NOISE * (np.max(size, initial=0.0) or 1.0))[
+            :, None
+        ]  # rounding stays small
         residual = (residual + matrix @ closing) / scale[:, 0]
         balance = matrix @ directions / scale
         _, values, right = np.linalg.svd(balance)
         decided = int(np.sum(values > _UNDECIDED * max(1.0, np.max(values, initial=0.0))))
         # as many accelerations as undetermined motions; the others vanish with them, or nothing is at rest
-        chosen = qr(balance.T, mode="r", pivoting=True)[1][:decided] if balance.size else np.zeros(0, dtype=int)
+        chosen = (
+            qr(balance.T, mode="r", pivoting=True)[1][:decided]
+            if balance.size
+            else np.zeros(0, dtype=int)
+        )
         step = closing
         if decided:
-            step = step + directions @ np.linalg.lstsq(balance[chosen], -residual[chosen], rcond=1e-12)[0]
+            step = (
+                step
+                + directions @ np.linalg.lstsq(balance[chosen], -residual[chosen], rcond=1e-12)[0]
+            )
         left_to_go = np.max(np.abs(step[: len(others)]), initial=0.0)
         if not np.all(np.isfinite(step)) or left_to_go > _FAR:
             break
@@ -464,15 +584,25 @@ def _at_rest(
             1.0 + np.max(np.abs(x[:n_q]))
         ):
             rate = compiled.evaluate("rate", x, still, p, modes)
-            falling = [facts.states[i] for i in rows if abs(rate[i]) > _UNBALANCED * max(1.0, np.max(np.abs(rate)))]
+            falling = [
+                facts.states[i]
+                for i in rows
+                if abs(rate[i]) > _UNBALANCED * max(1.0, np.max(np.abs(rate)))
+            ]
             fall = rate[n_q + others]
             if falling and not fallen and np.any(fall):
                 fallen = True
-                x = onto_loops(x + lift[:, : len(others)] @ (fall * (_STRIDE / np.max(np.abs(fall)))), modes)
+                x = onto_loops(
+                    x + lift[:, : len(others)] @ (fall * (_STRIDE / np.max(np.abs(fall)))), modes
+                )
                 continue
             if falling:
                 names = ", ".join(dict.fromkeys(motion_of_speed(name) for name in falling))
-                raise SimulationError("no static equilibrium was found: nothing holds it", where=names, hint=_HINT)
-            neutral = np.any(np.abs((directions @ right[decided:].T)[: len(others)]) > _SHARE_OF_NEUTRAL, axis=1)
+                raise SimulationError(
+                    "no static equilibrium was found: nothing holds it", where=names, hint=_HINT
+                )
+            neutral = np.any(
+                np.abs((directions @ right[decided:].T)[: len(others)]) > _SHARE_OF_NEUTRAL, axis=1
+            )
             return x, [motion_of_speed(facts.speeds[i]) for i in others[neutral]]
     raise SimulationError("no static equilibrium was found", where="the mechanism", hint=_HINT)

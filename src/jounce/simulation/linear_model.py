@@ -44,7 +44,9 @@ class LinearModel(Shown):
     D: Array
     equilibrium: dict[str, float]
 
-    def frequency_response(self, frequency: ArrayLike, output: str, track: str = "road.z") -> NDArray[np.complex128]:
+    def frequency_response(
+        self, frequency: ArrayLike, output: str, track: str = "road.z"
+    ) -> NDArray[np.complex128]:
         """Complex amplitude of an output for unit harmonic motion of a track.
 
         Parameters
@@ -74,7 +76,9 @@ class LinearModel(Shown):
         amplitudes = []
         for s in 2j * np.pi * np.atleast_1d(as_samples(frequency, "Hz", where="frequency")):
             drive = np.array([1.0, s])
-            x = np.linalg.solve(s * np.eye(len(self.states)) - self.A, self.B[:, first : first + 2] @ drive)
+            x = np.linalg.solve(
+                s * np.eye(len(self.states)) - self.A, self.B[:, first : first + 2] @ drive
+            )
             amplitudes.append(self.C[row] @ x + self.D[row, first : first + 2] @ drive)
         return np.array(amplitudes)
 
@@ -137,7 +141,10 @@ def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
 
 def numbers_without_friction(rig: Rig) -> dict[str, float]:
     """Return the parameters of a rig, SI by path, without dry friction."""
-    return {path: 0.0 if path.endswith("friction.force") else value for path, value in rig.parameters().items()}
+    return {
+        path: 0.0 if path.endswith("friction.force") else value
+        for path, value in rig.parameters().items()
+    }
 
 
 def _linearise(rig: Rig, road_height: float, *, slides: bool = False) -> LinearModel:
@@ -148,9 +155,13 @@ def _linearise(rig: Rig, road_height: float, *, slides: bool = False) -> LinearM
     inputs = tuple(f"{track}{order}" for track in facts.tracks for order in orders)
     b, d = rest.pick @ along["rate"], along["output"]
     equilibrium = dict(zip(facts.states, map(float, rest.x), strict=True))
-    speeds = [facts.speeds[i] for i in rest.free]  # states: the free motions, their speeds, and the internal states
+    speeds = [
+        facts.speeds[i] for i in rest.free
+    ]  # states: the free motions, their speeds, and the internal states
     states = (*map(motion_of_speed, speeds), *speeds, *facts.internal)
-    return LinearModel(states, inputs, compiled.output_names, rest.reduced, b, c @ rest.lift, d, equilibrium)
+    return LinearModel(
+        states, inputs, compiled.output_names, rest.reduced, b, c @ rest.lift, d, equilibrium
+    )
 
 
 def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
@@ -181,13 +192,19 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     """
     model = _linearise(rig, road_height, slides=True)
     values, vectors = np.linalg.eig(model.A)
-    heights = [i for i, name in enumerate(model.outputs) if _is_shown(name, model.outputs) and np.any(model.C[i])]
+    heights = [
+        i
+        for i, name in enumerate(model.outputs)
+        if _is_shown(name, model.outputs) and np.any(model.C[i])
+    ]
     names = [model.outputs[i] for i in heights]
     oscillations = []
     for value, vector in zip(values, (model.C[heights] @ vectors).T, strict=True):
         if value.imag > 1e-9 * abs(value) and abs(value) > _NOTHING_HOLDS * np.max(np.abs(values)):
             shape = vector / vector[np.argmax(np.abs(vector))]
-            shapes = {name: (float(z.real), float(z.imag)) for name, z in zip(names, shape, strict=True)}
+            shapes = {
+                name: (float(z.real), float(z.imag)) for name, z in zip(names, shape, strict=True)
+            }
             undamped, damped = float(abs(value)) / (2 * np.pi), float(value.imag) / (2 * np.pi)
             oscillations.append(Mode(undamped, damped, float(-value.real / abs(value)), shapes))
     return tuple(sorted(oscillations, key=lambda mode: mode.frequency_hz))
@@ -229,10 +246,14 @@ def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
     }
 
 
-def _at_rest(rig: Rig, road_height: float, *, slides: bool = False) -> tuple[Compiled, Array, Equilibrium, Array]:
+def _at_rest(
+    rig: Rig, road_height: float, *, slides: bool = False
+) -> tuple[Compiled, Array, Equilibrium, Array]:
     road_height = as_number(road_height, "m", where="road_height")
     if not np.isfinite(road_height):
-        raise SimulationError("not a finite number", where="road_height", found=road_height, allowed="a height in m")
+        raise SimulationError(
+            "not a finite number", where="road_height", found=road_height, allowed="a height in m"
+        )
     compiled = compile_rig(rig)
     p = compiled.parameter_values(numbers_without_friction(rig) if slides else rig.parameters())
     u = compiled.inputs(road_height)

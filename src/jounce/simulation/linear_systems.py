@@ -40,7 +40,9 @@ def _slopes_of(plain: Compiled) -> tuple[Slopes, Native]:
         source = _source(plain.model)
         native, notes = compile_functions(source.functions, source.step), source.notes
     look, along_input, factor, interpolant = (native.address[name] for name in _FUNCTIONS)
-    stages = np.array([address for name, address in native.address.items() if name.startswith("stage_")])
+    stages = np.array(
+        [address for name, address in native.address.items() if name.startswith("stage_")]
+    )
     size, room = json.loads(notes)
     return Slopes(look, along_input, factor, stages, interpolant, size, room), native
 
@@ -48,7 +50,11 @@ def _slopes_of(plain: Compiled) -> tuple[Slopes, Native]:
 def _source(model: Model) -> Source:
     functions = linear_functions(model)
     step = RosenbrockStep(model.x.shape[0])
-    return Source(functions, step, notes=json.dumps([functions[name].size1_out(0) for name in ("look", "factor")]))
+    return Source(
+        functions,
+        step,
+        notes=json.dumps([functions[name].size1_out(0) for name in ("look", "factor")]),
+    )
 
 
 def linear_functions(model: Model) -> dict[str, ca.Function]:
@@ -72,7 +78,9 @@ def linear_functions(model: Model) -> dict[str, ca.Function]:
     factor = ca.vertcat(factors.soundness, factors.values)
     return {
         "look": ca.Function(
-            "look", known, [ca.cse(ca.densify(_eliminate(model, ca.vertcat(looked, model.balance.rate))))]
+            "look",
+            known,
+            [ca.cse(ca.densify(_eliminate(model, ca.vertcat(looked, model.balance.rate))))],
         ),
         "along_input": ca.Function("along_input", known, [ca.cse(ca.densify(_along_input(model)))]),
         "factor": ca.Function("factor", [flat, shift, none, none], [ca.cse(ca.densify(factor))]),
@@ -179,7 +187,10 @@ class Factors:
     def __init__(self, matrix: ca.SX) -> None:
         size = matrix.shape[0]
         self._diagonal = [matrix[i, i] for i in range(size)]
-        rows = [{j: matrix[i, j] for j in range(size) if matrix.sparsity().has_nz(i, j)} for i in range(size)]
+        rows = [
+            {j: matrix[i, j] for j in range(size) if matrix.sparsity().has_nz(i, j)}
+            for i in range(size)
+        ]
         self._lower: list[dict[int, ca.SX]] = [{} for _ in range(size)]
         self._pivots: list[ca.SX] = []
         self._inverses: list[ca.SX] = []
@@ -198,7 +209,10 @@ class Factors:
     @property
     def values(self) -> ca.SX:
         """All input of ``solve``, flat."""
-        parts = (*(ca.vertcat(*row.values()) for row in (*self._lower, *self._upper)), *self._inverses)
+        parts = (
+            *(ca.vertcat(*row.values()) for row in (*self._lower, *self._upper)),
+            *self._inverses,
+        )
         return ca.vertcat(*parts)
 
     @property

@@ -30,16 +30,31 @@ from jounce.simulation.statics import Equilibrium, find_equilibrium, state_scale
 # controlled.
 STEP_SHARE = 0.003  # of the tolerance for one step of the explicit method
 _SHORT_SHARE = 0.03  # the same for the pair of lower order, whose total error is smaller for the same error per step
-IMPLICIT_SHARE = 0.08  # the same for the implicit method: stiff parts with dry friction need the smaller share
-_LONGEST, _SHORT, _IMPLICIT = 1.2, 0.4, 1.2  # radians of the fastest motion in one step of each at a tolerance of 1e-5
-_STAGES, _SHORT_STAGES = 16.0, 7.0  # rates that a step of either pair evaluates, with its interpolant
+IMPLICIT_SHARE = (
+    0.08  # the same for the implicit method: stiff parts with dry friction need the smaller share
+)
+_LONGEST, _SHORT, _IMPLICIT = (
+    1.2,
+    0.4,
+    1.2,
+)  # radians of the fastest motion in one step of each at a tolerance of 1e-5
+_STAGES, _SHORT_STAGES = (
+    16.0,
+    7.0,
+)  # rates that a step of either pair evaluates, with its interpolant
 _STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: sticking friction soon slides
-_LONG_RUN = 5000.0  # radians of the fastest motion: shorter runs take less time than the choice of a method
+_LONG_RUN = (
+    5000.0  # radians of the fastest motion: shorter runs take less time than the choice of a method
+)
 _FASTER = 4.0  # steps of the explicit method for one of the implicit method, above which the latter is faster
 _CARRIED = 1e-2  # share of the quasi-static motion from which a mode must be visible in the samples
 _FELT = 300.0  # tolerances: share from which a mode must be followed through its oscillations
-_HOPELESS = MAX_STEPS  # of the longest length that a run needs: it would stop there after ten seconds
-_SINGULAR = 0.05  # share of the loops' initial conditioning below which a mechanism counts as locked up
+_HOPELESS = (
+    MAX_STEPS  # of the longest length that a run needs: it would stop there after ten seconds
+)
+_SINGULAR = (
+    0.05  # share of the loops' initial conditioning below which a mechanism counts as locked up
+)
 
 
 @dataclass(frozen=True)
@@ -74,7 +89,9 @@ class PreparedRun:
             method, code = self._integrate(counts)
         out, free = self.out, len(self.compiled.free)
         tables = ((out.states, out.tangents), (out.outputs, out.carried[:, len(out.outputs) :]))
-        slopes = [table.reshape(len(out.times), len(of), free).transpose(1, 2, 0) for of, table in tables]
+        slopes = [
+            table.reshape(len(out.times), len(of), free).transpose(1, 2, 0) for of, table in tables
+        ]
         steps, rejected, events = (int(count) for count in counts)
         arrays = (out.times, out.states, out.outputs, self._status_of(Status.of(code)))
         return Solution(*arrays, steps, rejected, events, slopes[0], slopes[1], method)
@@ -106,7 +123,9 @@ class PreparedRun:
 
         self.start()
         counts[:] = 0
-        return "implicit", implicit.integrate(self.problem, slopes_of(self.compiled), self.stiff(), self.out, counts)
+        return "implicit", implicit.integrate(
+            self.problem, slopes_of(self.compiled), self.stiff(), self.out, counts
+        )
 
 
 def prepare(
@@ -136,12 +155,22 @@ def prepare(
             allowed="auto, explicit",
         )
     n_q, n_v = compiled.facts.counts
-    tracks = dict(zip(compiled.facts.tracks, [signals] if isinstance(signals, Segments) else signals, strict=True))
-    still = compiled.inputs({name: float(signal.evaluate(times[:1])[0][0]) for name, signal in tracks.items()})
+    tracks = dict(
+        zip(
+            compiled.facts.tracks,
+            [signals] if isinstance(signals, Segments) else signals,
+            strict=True,
+        )
+    )
+    still = compiled.inputs(
+        {name: float(signal.evaluate(times[:1])[0][0]) for name, signal in tracks.items()}
+    )
     rest = find_equilibrium(compiled, p, still)
     x = rest.x if offset is None else rest.x + offset
     modes = rest.modes if offset is None else compiled.sides(x, still, p)
-    scale = state_scale(rest, n_q, n_v, _motion_size(tracks, rest.x[:n_q] - compiled.facts.start, offset))
+    scale = state_scale(
+        rest, n_q, n_v, _motion_size(tracks, rest.x[:n_q] - compiled.facts.start, offset)
+    )
     band = dead_band(compiled, p, rest, scale, still)
     pieces = flatten([signal.with_finite_slopes() for signal in tracks.values()])
     problem = Problem(
@@ -153,7 +182,9 @@ def prepare(
         np.concatenate([x, _equilibrium_sensitivity(compiled, p, rest, still, along)]),
         len(still),
     )
-    control = Control(STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, float(times[-1] - times[0]))
+    control = Control(
+        STEP_SHARE * tolerance, 0.1 * scale, band, MAX_STEPS, float(times[-1] - times[0])
+    )
     exact = _exact(compiled, problem, control, times) if method == "auto" else None
     out = room(compiled, times) if out is None else out
     prepared = PreparedRun(compiled, problem, control, out, exact, modes, rest, still)
@@ -181,7 +212,9 @@ def prepare(
         return control._replace(tolerance=IMPLICIT_SHARE * tolerance, longest=longest)
 
     long = limit * duration > _LONG_RUN
-    implicitly = method == "implicit" or (long and implicit_is_faster(shares(), waves, limit, tolerance))
+    implicitly = method == "implicit" or (
+        long and implicit_is_faster(shares(), waves, limit, tolerance)
+    )
     if implicitly or duration / control.longest > hopeless:
         implicitly = True  # otherwise it would start after all steps of the explicit method
         fastest = shares().fastest(_CARRIED)
@@ -194,7 +227,9 @@ def dead_band(compiled: Compiled, p: Array, rest: Equilibrium, scale: Array, u: 
     """Tolerance of each switching function about zero: 1e-9 of its change in a typical motion."""
     if not compiled.facts.switches:
         return np.zeros(0)
-    changed, at_rest = (compiled.evaluate("switch", where, u, p, rest.modes) for where in (rest.x + scale, rest.x))
+    changed, at_rest = (
+        compiled.evaluate("switch", where, u, p, rest.modes) for where in (rest.x + scale, rest.x)
+    )
     return np.asarray(1e-9 * np.abs(changed - at_rest) + 1e-14)
 
 
@@ -236,7 +271,9 @@ def solve(
     method: Method = "auto",
 ) -> Solution:
     """Run a model once; arguments as for :func:`prepare`."""
-    return prepare(compiled, p, signals, times, tolerance=tolerance, offset=offset, method=method).run()
+    return prepare(
+        compiled, p, signals, times, tolerance=tolerance, offset=offset, method=method
+    ).run()
 
 
 def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array) -> Plan | None:
@@ -245,7 +282,13 @@ def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array)
     if compiled.free or zero is None or any(problem.p[names.index(name)] != 0.0 for name in zero):
         return None
     address = compiled.native.address
-    calls = Calls(address["rate"], address["switch"], address.get("switch_many", 0), address["slopes"], SLOPE_LANES)
+    calls = Calls(
+        address["rate"],
+        address["switch"],
+        address.get("switch_many", 0),
+        address["slopes"],
+        SLOPE_LANES,
+    )
     return plan(problem, control, calls, compiled.shapes["slopes"][0], times)
 
 
@@ -274,15 +317,21 @@ def modal_shares(compiled: Compiled, p: Array, rest: Equilibrium, u: Array) -> M
     f, order = len(rest.free), compiled.facts.track_order
     squares, shapes = np.linalg.eig(-rest.reduced[f : 2 * f, :f])
     pull = rest.pick[f : 2 * f] @ compiled.evaluate("rate_u", rest.x, u, p, rest.modes)[:, ::order]
-    firm = np.where(squares == 0.0, np.inf, squares)  # a neutral motion, such as yaw, has no quasi-static response
-    weights = np.linalg.norm(np.linalg.lstsq(shapes, pull.astype(complex), rcond=None)[0] / firm[:, None], axis=1)
+    firm = np.where(
+        squares == 0.0, np.inf, squares
+    )  # a neutral motion, such as yaw, has no quasi-static response
+    weights = np.linalg.norm(
+        np.linalg.lstsq(shapes, pull.astype(complex), rcond=None)[0] / firm[:, None], axis=1
+    )
     displacements = rest.lift[: compiled.facts.counts[0], :f] @ shapes
     sizes = weights * np.linalg.norm(displacements, axis=0)
     shares = sizes / max(float(np.max(sizes, initial=0.0)), 1e-300)
     return ModalShares(np.sqrt(np.abs(squares)), shares, np.argmax(np.abs(displacements), axis=0))
 
 
-def implicit_is_faster(shares: ModalShares, waves: float, explicit: float, tolerance: float) -> bool:
+def implicit_is_faster(
+    shares: ModalShares, waves: float, explicit: float, tolerance: float
+) -> bool:
     """Compare the limit of the explicit method with the fastest relevant motion or wave of the road (all rad/s)."""
     return explicit > _FASTER * max(shares.fastest(_FELT * tolerance), waves)
 
@@ -307,15 +356,22 @@ def longest_step(fastest: float, tolerance: float) -> float:
     return float(_LONGEST * (tolerance / 1e-5) ** 0.125 / fastest)
 
 
-def _edges_set_the_step(signals: Iterable[Segments], times: Array, limit: float, tolerance: float) -> bool:
+def _edges_set_the_step(
+    signals: Iterable[Segments], times: Array, limit: float, tolerance: float
+) -> bool:
     """Whether edges of the inputs keep steps so short that the pair of lower order needs fewer stages in total.
 
     Both pairs land on every edge; between edges each takes as many steps as the tolerance requires.
     """
-    inner = [signal.edges[(signal.edges > times[0]) & (signal.edges < times[-1])] for signal in signals]
+    inner = [
+        signal.edges[(signal.edges > times[0]) & (signal.edges < times[-1])] for signal in signals
+    ]
     gaps = np.diff(np.unique(np.concatenate([times[:1], *inner, times[-1:]])))
     long, short = longest_step(limit, tolerance), _SHORT * (tolerance / 1e-5) ** 0.2 / limit
-    stages = [each * float(np.sum(np.ceil(gaps / step))) for each, step in ((_STAGES, long), (_SHORT_STAGES, short))]
+    stages = [
+        each * float(np.sum(np.ceil(gaps / step)))
+        for each, step in ((_STAGES, long), (_SHORT_STAGES, short))
+    ]
     return stages[1] < stages[0]
 
 
@@ -325,7 +381,9 @@ def explicit_limit(oscillation: Array | float, decay: Array | float, waves: floa
     return np.maximum(np.maximum(oscillation, _STABLE * np.asarray(decay)), max(waves, 1e-3))
 
 
-def _equilibrium_sensitivity(compiled: Compiled, p: Array, rest: Equilibrium, u: Array, along: Array | None) -> Array:
+def _equilibrium_sensitivity(
+    compiled: Compiled, p: Array, rest: Equilibrium, u: Array, along: Array | None
+) -> Array:
     """Derivatives of the equilibrium by the free parameters (implicit function theorem), state after state."""
     if not compiled.free:
         return np.zeros(0)

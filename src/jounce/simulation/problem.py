@@ -19,7 +19,9 @@ if TYPE_CHECKING:
 _ONE_WHEEL = {"": Place(0.0, 1)}
 
 
-def excitation(facts: ModelFacts, rig: Rig, trial: Trial, free: tuple[str, ...] = ()) -> list[Segments]:
+def excitation(
+    facts: ModelFacts, rig: Rig, trial: Trial, free: tuple[str, ...] = ()
+) -> list[Segments]:
     """Every track of a model against time (s), in the order of the model.
 
     ``free`` are parameters that a run is differentiated by, or that vary under the same tracks. A trial with an input
@@ -33,7 +35,11 @@ def excitation(facts: ModelFacts, rig: Rig, trial: Trial, free: tuple[str, ...] 
     for track in facts.tracks:
         if is_road(track):
             place = wheels[track.removesuffix(ROAD).removesuffix(".")]
-            tracks.append(trial.segments(place.behind, place.side).with_ramps(_SHORTEST * max(1.0, trial.duration)))
+            tracks.append(
+                trial.segments(place.behind, place.side).with_ramps(
+                    _SHORTEST * max(1.0, trial.duration)
+                )
+            )
         elif track == COMMAND and trial.actuator_force is not None:
             tracks.append(trial.actuator_force.segments(trial.duration))
         else:
@@ -61,7 +67,9 @@ def _refuse_unknown_ground(trial: Trial) -> None:
     """Refuse a drive beyond the end of a road that ends at another height: its continuation is unknown."""
     for name, road in (("road", trial.road), ("right", trial.right)):
         if road is not None and trial.speed is not None:
-            road.check_covers(trial.speed * trial.duration, where=f"trial: {name}", continue_level=True)
+            road.check_covers(
+                trial.speed * trial.duration, where=f"trial: {name}", continue_level=True
+            )
 
 
 _lasting_ground = once_per_object(_refuse_unknown_ground)
@@ -70,12 +78,15 @@ _lasting_ground = once_per_object(_refuse_unknown_ground)
 def _refuse_unfelt(facts: ModelFacts, rig: Rig, trial: Trial) -> None:
     for load in trial.loads:
         if load not in facts.tracks:
-            missing = isinstance(rig, Vehicle) and (load == "deceleration" or any(wheel.side for wheel in _sides(rig)))
+            missing = isinstance(rig, Vehicle) and (
+                load == "deceleration" or any(wheel.side for wheel in _sides(rig))
+            )
             hint = "Give body.height, the height of its centre of gravity." if missing else ""
             raise SimulationError(
                 "the model has no such input",
                 where=f"trial: {load}",
-                allowed=", ".join(track for track in facts.tracks if not is_road(track)) or "the road only",
+                allowed=", ".join(track for track in facts.tracks if not is_road(track))
+                or "the road only",
                 hint=hint,
             )
     if trial.actuator_force is not None and COMMAND not in facts.tracks:
@@ -96,7 +107,12 @@ def _refuse_unfelt(facts: ModelFacts, rig: Rig, trial: Trial) -> None:
 def _refuse_shifts(rig: Rig, trial: Trial, free: tuple[str, ...]) -> None:
     """Refuse derivatives by the wheelbase on a road: it also delays the rear axle."""
     shifting = [path for path in free if path in MOVES_TRACKS]
-    if not shifting or not isinstance(rig, Vehicle) or trial.road is None or isinstance(trial.road, Flat):
+    if (
+        not shifting
+        or not isinstance(rig, Vehicle)
+        or trial.road is None
+        or isinstance(trial.road, Flat)
+    ):
         return
     if any(place.behind for place in rig.wheels.values()):
         raise SimulationError(

@@ -38,7 +38,10 @@ class ModelProgram:
     def graphs(self) -> dict[str, ca.Function]:
         """The functions as graphs, those with lanes for a single one."""
         functions = self.functions.items()
-        return {name: part if isinstance(part, ca.Function) else part.function for name, part in functions}
+        return {
+            name: part if isinstance(part, ca.Function) else part.function
+            for name, part in functions
+        }
 
 
 def plain_program(model: Model) -> ModelProgram:
@@ -50,7 +53,12 @@ def plain_program(model: Model) -> ModelProgram:
     generic, model = model.generic, model.generic.model if model.generic else model
     dx, du = (ca.SX.sym(f"d{name}", getattr(model, name).shape[0]) for name in "xu")
     along = tangent(model, dx, du, ca.SX(model.p.shape[0], 1))
-    parts = {"rate": model.rate, "output": model.output, "switch": model.switch, "constraint": model.constraint}
+    parts = {
+        "rate": model.rate,
+        "output": model.output,
+        "switch": model.switch,
+        "constraint": model.constraint,
+    }
     if model.projection.shape[0]:
         parts["project_many"] = residual_first(model)
     slopes = ca.vertcat(*(getattr(along, name) for name in SLOPES))
@@ -79,7 +87,9 @@ def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> Model
     """
     for path in moved:
         if path not in model.parameters:
-            raise SimulationError("not a parameter of the model", where=path, allowed=", ".join(model.parameters))
+            raise SimulationError(
+                "not a parameter of the model", where=path, allowed=", ".join(model.parameters)
+            )
     generic, model = model.generic, model.generic.model if model.generic else model
     n = model.x.shape[0]
     dx, chosen, dp = ca.SX.sym("S", n), ca.SX.sym("dp", len(moved)), ca.SX(model.p.shape[0], 1)
@@ -95,7 +105,12 @@ def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> Model
     parts["constraint_s"] = along.constraint
     hoisted = Hoisted(parts, model.p, chosen, generic)
     functions: dict[str, AnyFunction] = {}
-    scalars = {"rate_s": n, "output_s": model.output.shape[0], "project_s": n + 2, "constraint_s": 0}
+    scalars = {
+        "rate_s": n,
+        "output_s": model.output.shape[0],
+        "project_s": n + 2,
+        "constraint_s": 0,
+    }
     scalars["switch_slope"] = model.switch.shape[0] * (n + 1)
     for name in parts:
         if name in scalars:
@@ -108,15 +123,26 @@ def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> Model
     return ModelProgram(functions, step, shapes, hoisted.scalars, hoisted.lanes_count)
 
 
-def labels_of(hoisted: Hoisted, model: Model, parts: Parts) -> tuple[Labels, Labels, Labels, Labels]:
+def labels_of(
+    hoisted: Hoisted, model: Model, parts: Parts
+) -> tuple[Labels, Labels, Labels, Labels]:
     """Name and parts of every state, input, extended parameter and mode."""
     order = range(model.track_order)
-    inputs = tuple((f"{name}/{i}", mask) for name, mask in map(parts.label, model.tracks) for i in order)
+    inputs = tuple(
+        (f"{name}/{i}", mask) for name, mask in map(parts.label, model.tracks) for i in order
+    )
     states = tuple(map(parts.label, (*model.coordinates, *model.speeds, *model.internal)))
-    return states, inputs, hoisted.labels(parts, model.parameters), tuple(map(parts.label, model.switches))
+    return (
+        states,
+        inputs,
+        hoisted.labels(parts, model.parameters),
+        tuple(map(parts.label, model.switches)),
+    )
 
 
-def _side_by_side(functions: Mapping[str, AnyFunction], hoisted: Hoisted, model: Model) -> dict[str, AnyFunction]:
+def _side_by_side(
+    functions: Mapping[str, AnyFunction], hoisted: Hoisted, model: Model
+) -> dict[str, AnyFunction]:
     """The same functions with similar parts of the model computed in parallel; an extra one projects one sample."""
     assert model.alike
     parts = Parts(*model.alike)
@@ -146,7 +172,10 @@ def _switch_slope(model: Model) -> ca.SX:
     """Slopes of each switching function by the states, then by time."""
     order = model.track_order
     along_time = sum(
-        (ca.jtimes(model.switch, model.u[i::order], model.u[i + 1 :: order]) for i in range(order - 1)),
+        (
+            ca.jtimes(model.switch, model.u[i::order], model.u[i + 1 :: order])
+            for i in range(order - 1)
+        ),
         ca.SX(model.switch.shape[0], 1),
     )
     return ca.horzcat(ca.jacobian(model.switch, model.x), along_time)
@@ -165,18 +194,33 @@ class Hoisted:
         Symbols that stand for numbers.
     """
 
-    def __init__(self, parts: dict[str, ca.SX], p: ca.SX, dp: ca.SX, generic: Generic | None) -> None:
+    def __init__(
+        self, parts: dict[str, ca.SX], p: ca.SX, dp: ca.SX, generic: Generic | None
+    ) -> None:
         self._p, self._dp = p, dp
         self._names, self._constants, self._fixed = (
-            (generic.names, generic.symbols, generic.values) if generic else ((), ca.SX(0, 1), ca.SX(0, 1))
+            (generic.names, generic.symbols, generic.values)
+            if generic
+            else ((), ca.SX(0, 1), ca.SX(0, 1))
         )
         self._copies: list[int] = []
         together = ca.cse(ca.densify(ca.vertcat(*(ca.vec(part) for part in parts.values()))))
-        remaining, symbols, values = ca.extract_parametric(together, ca.vertcat(p, dp, self._constants))
-        symbols, values = [*ca.vertsplit(self._constants), *symbols], [*ca.vertsplit(self._constants), *values]
+        remaining, symbols, values = ca.extract_parametric(
+            together, ca.vertcat(p, dp, self._constants)
+        )
+        symbols, values = (
+            [*ca.vertsplit(self._constants), *symbols],
+            [*ca.vertsplit(self._constants), *values],
+        )
         wide = [ca.depends_on(value, dp) for value in values]
-        self._single = [pair for pair, lane in zip(zip(symbols, values, strict=True), wide, strict=True) if not lane]
-        self._wide = [pair for pair, lane in zip(zip(symbols, values, strict=True), wide, strict=True) if lane]
+        self._single = [
+            pair
+            for pair, lane in zip(zip(symbols, values, strict=True), wide, strict=True)
+            if not lane
+        ]
+        self._wide = [
+            pair for pair, lane in zip(zip(symbols, values, strict=True), wide, strict=True) if lane
+        ]
         ends = [0]
         for part in parts.values():
             ends.append(ends[-1] + part.numel())
@@ -195,11 +239,18 @@ class Hoisted:
         """Name and parts of every extended parameter."""
         own = tuple(parts.label(path) for path in (*paths, *self._names))
         values = ca.densify(ca.vertcat(*(value for _, value in self._single)))
-        graph = Graph(ca.Function("derived", [ca.vertcat(self._p, self._constants)], [values]), parts, [own])
+        graph = Graph(
+            ca.Function("derived", [ca.vertcat(self._p, self._constants)], [values]), parts, [own]
+        )
         results = [graph.results[i] for i in range(len(self._single))]
         masks = graph.masks
-        kinds = (("", SHARED) if masks[i] == SHARED else (f"of {graph.shapes[i]}", masks[i]) for i in results)
-        return own[: len(paths)] + tuple((name or f"shared {k}", mask) for k, (name, mask) in enumerate(kinds))
+        kinds = (
+            ("", SHARED) if masks[i] == SHARED else (f"of {graph.shapes[i]}", masks[i])
+            for i in results
+        )
+        return own[: len(paths)] + tuple(
+            (name or f"shared {k}", mask) for k, (name, mask) in enumerate(kinds)
+        )
 
     def copy(self, elements: tuple[int, ...]) -> int:
         """Append consecutive copies of extended parameters; return the index of the first."""
@@ -214,14 +265,21 @@ class Hoisted:
     def _lanes(self) -> ca.SX:
         return ca.vertcat(self._dp, *(symbol for symbol, _ in self._wide))
 
-    def function(self, name: str, model: Model, seeds: ca.SX | None = None, more: Sequence[ca.SX] = ()) -> ca.Function:
+    def function(
+        self, name: str, model: Model, seeds: ca.SX | None = None, more: Sequence[ca.SX] = ()
+    ) -> ca.Function:
         """A function of (states, inputs, extended parameters, modes) and ``more``; ``seeds`` follow the states."""
         x = model.x if seeds is None else ca.vertcat(model.x, seeds)
         return ca.Function(name, [x, model.u, self._numbers, model.m, *more], [self._parts[name]])
 
     def lanes(self, name: str, model: Model, seeds: ca.SX, count: int, scalars: int) -> Lanes:
         """The same with lanes after states and parameters; ``scalars`` elements of the result have none."""
-        inputs = [ca.vertcat(model.x, seeds), model.u, ca.vertcat(self._numbers, self._lanes), model.m]
+        inputs = [
+            ca.vertcat(model.x, seeds),
+            model.u,
+            ca.vertcat(self._numbers, self._lanes),
+            model.m,
+        ]
         function = ca.Function(name, inputs, [self._parts[name]])
         first = (model.x.shape[0], model.u.shape[0], self.scalars, model.m.shape[0], scalars)
         return Lanes(function, count, first)
@@ -234,7 +292,9 @@ class Hoisted:
         none = [ca.SX.sym(name, 0) for name in "upm"]
         values = ca.densify(ca.vertcat(self._p, *(value for _, value in self._single)))
         values = self._with_fixed_numbers(ca.vertcat(values, values[self._copies]))
-        wide = self._with_fixed_numbers(ca.densify(ca.vertcat(self._dp, *(value for _, value in self._wide))))
+        wide = self._with_fixed_numbers(
+            ca.densify(ca.vertcat(self._dp, *(value for _, value in self._wide)))
+        )
         single = ca.Function("derived", [self._p, *none], [ca.cse(values)])
         if not self.lanes_count:
             return {"derived": single}

@@ -58,7 +58,9 @@ if TYPE_CHECKING:
     from jounce.mechanics.model import Model
     from jounce.models.reduced import SampledCorner
 
-_SLOPES_SHARE = 0.1  # of the tolerance: allowed relative error of a parameter's effect on a lever or mass
+_SLOPES_SHARE = (
+    0.1  # of the tolerance: allowed relative error of a parameter's effect on a lever or mass
+)
 _UNFELT = 1e-4  # relative change of a quantity by a unit (SI) of a parameter, below which its error counts as absolute
 _LANES = 8  # parameters of a description whose slopes are computed at once
 _RACK = "steering.rack_travel"
@@ -91,7 +93,9 @@ class Reduction(Sampling):
         free_table = tuple(path for path in free if path in places.given)
         if any(map(self.is_sampled, free)):
             free_table += tuple(path for path in places.table if path not in (MIDDLE, HALF))
-        return replace(_sensitive(self.rig, structure_of(self.rig), degree, free_table, len(free)), free=free)
+        return replace(
+            _sensitive(self.rig, structure_of(self.rig), degree, free_table, len(free)), free=free
+        )
 
     @once
     def are_factors(self) -> NDArray[np.bool_]:
@@ -111,10 +115,14 @@ class Reduction(Sampling):
             own += [path for name in self.names[1:] for path in of_travel(name, degree)]
             place = {path: i for i, path in enumerate(paths)}
             given = tuple(path for path in paths if path not in set(own))
-            self.placed[degree] = _TableLayout(given, tuple(own), _numbers(place, given), _numbers(place, own))
+            self.placed[degree] = _TableLayout(
+                given, tuple(own), _numbers(place, given), _numbers(place, own)
+            )
         return self.placed[degree]
 
-    def tables(self, p: Array, rack: float, low: float, high: float, degree: int) -> tuple[Array, Array]:
+    def tables(
+        self, p: Array, rack: float, low: float, high: float, degree: int
+    ) -> tuple[Array, Array]:
         """Sample the poses over a range of travel (m) for each row of ``p``; return the tables' numbers, and bounds.
 
         ``p`` holds the values of ``parameters``, ``rack`` (m) is the fixed rack travel. The bound is that of the
@@ -127,9 +135,14 @@ class Reduction(Sampling):
         leading, dropped = np.abs(series[..., : degree + 1]), np.abs(series[..., degree + 1 :])
         size = self._sizes(leading, half)
         # Forces and masses feel the slope of a quantity, channels the quantity itself.
-        slope_errors, value_errors = dropped @ squares[degree + 1 :], SHARE / SHOWN * dropped.sum(axis=-1)
+        slope_errors, value_errors = (
+            dropped @ squares[degree + 1 :],
+            SHARE / SHOWN * dropped.sum(axis=-1),
+        )
         errors = np.where(self.only_shown[:, None], value_errors, slope_errors) / size
-        may_flip = self.only_shown[:, None] & ((leading[..., 1:].sum(axis=-1) > TURNED) | (leading[..., 0] > TURNED))
+        may_flip = self.only_shown[:, None] & (
+            (leading[..., 1:].sum(axis=-1) > TURNED) | (leading[..., 0] > TURNED)
+        )
         errors[may_flip] = np.inf  # such a wheel may flip over, which only the mechanism shows
         coefficients = (series[..., : degree + 1] @ powers).transpose(1, 0, 2).reshape(len(p), -1)
         first = np.column_stack([np.full(len(p), middle), np.full(len(p), half), values[0, :, 0]])
@@ -141,7 +154,9 @@ class Reduction(Sampling):
         ``kept`` are the absolute values of its coefficients along the last axis.
         """
         levers = np.maximum(sizes[..., 1:].sum(axis=-1), FLAT * half)
-        size = np.where(self.are_factors.reshape(-1, *[1] * (sizes.ndim - 2)), sizes[..., 0], levers)
+        size = np.where(
+            self.are_factors.reshape(-1, *[1] * (sizes.ndim - 2)), sizes[..., 0], levers
+        )
         size[0] = size[1]  # momentum and inertia belong to one matrix
         return size
 
@@ -160,10 +175,19 @@ class Reduction(Sampling):
         leading, dropped = np.abs(moves[..., : degree + 1]), np.abs(moves[..., degree + 1 :])
         size = self._sizes(np.abs(series[..., : degree + 1]), half)[:, None]
         rounding = ROUNDINGS * np.abs(along[1:]).max(axis=-1)
-        slope_errors = np.maximum(dropped @ squares[degree + 1 :] - rounding * squares[degree + 1 :].sum(), 0.0) / size
+        slope_errors = (
+            np.maximum(
+                dropped @ squares[degree + 1 :] - rounding * squares[degree + 1 :].sum(), 0.0
+            )
+            / size
+        )
         value_errors = np.maximum(dropped.sum(axis=-1) - rounding * len(points), 0.0)
-        first = np.where(self.are_factors, 0, 1)  # the constant term of a length has no effect on levers
-        changes = np.array([each[:, begin:].sum(axis=-1) for each, begin in zip(leading, first, strict=True)])
+        first = np.where(
+            self.are_factors, 0, 1
+        )  # the constant term of a length has no effect on levers
+        changes = np.array(
+            [each[:, begin:].sum(axis=-1) for each, begin in zip(leading, first, strict=True)]
+        )
         largest = (changes / size)[~self.only_shown].max(axis=0)
         errors = np.where(
             self.only_shown[:, None],
@@ -175,7 +199,9 @@ class Reduction(Sampling):
         numbers[3:] = (moves[..., : degree + 1] @ powers).transpose(0, 2, 1).reshape(-1, len(free))
         return numbers, float(errors.max(initial=0.0))
 
-    def _along(self, p: Array, rack: float, travel: Array, free: Sequence[str]) -> tuple[Array, Array]:
+    def _along(
+        self, p: Array, rack: float, travel: Array, free: Sequence[str]
+    ) -> tuple[Array, Array]:
         """Quantities at ascending travels, and their slopes by parameters: shape (quantities, parameters, travels)."""
         walk, place = self.walk(p, rack, travel)
         poses_found, work = space_for(walk, len(self.names))
@@ -195,7 +221,9 @@ class Reduction(Sampling):
             x = np.concatenate([self.start, change.ravel()])
             for k in range(poses):
                 x[: len(self.start)] = poses_found.poses[:, k]
-                slope = self.tangents.evaluate("tangent", (count * _LANES,), x, walk.targets[k], p, work.m)
+                slope = self.tangents.evaluate(
+                    "tangent", (count * _LANES,), x, walk.targets[k], p, work.m
+                )
                 slopes[:, group, place[k]] = slope.reshape(count, _LANES)[:, : len(group)]
         return values, slopes
 
@@ -210,7 +238,9 @@ class Reduction(Sampling):
             first = (len(self.start), len(self.tracks), len(self.parameters), 1, 0)
             return Source({"tangent": Lanes(sampled_corner(self.rig).tangent(), _LANES, first)})
 
-        return code_from_cache(f"{sources()} tangents {type(self.rig).__name__} {structure_of(self.rig)}", source)[0]
+        return code_from_cache(
+            f"{sources()} tangents {type(self.rig).__name__} {structure_of(self.rig)}", source
+        )[0]
 
     def alike(
         self, base: TravelTable, degree: int, paths: Sequence[str], values: Array, limit: float
@@ -234,7 +264,9 @@ class Reduction(Sampling):
         rows[~sound] = rows[0]
         return rows, sound
 
-    def table(self, p: Array, rack: float, low: float, high: float, degree: int) -> TravelTable | None:
+    def table(
+        self, p: Array, rack: float, low: float, high: float, degree: int
+    ) -> TravelTable | None:
         """The same for one row; None if the mechanism does not reach the whole range."""
 
         def make() -> TravelTable:
@@ -271,7 +303,9 @@ def reduction_of(rig: Rig) -> Reduction | None:
     if not isinstance(rig, Corner):
         return None
     structure = structure_of(rig)
-    return _reductions.of(structure, lambda: _reduction(rig, structure) if rig.only_travels else None)
+    return _reductions.of(
+        structure, lambda: _reduction(rig, structure) if rig.only_travels else None
+    )
 
 
 def _reduction(rig: Corner, structure: str) -> Reduction:
@@ -281,10 +315,14 @@ def _reduction(rig: Corner, structure: str) -> Reduction:
         return sampled_corner(rig)
 
     sampling = sampling_of(f"sampled {type(rig).__name__} {structure}", make)
-    return Reduction(sampling.native, sampling.names, sampling.tracks, sampling.parameters, sampling.start, rig)
+    return Reduction(
+        sampling.native, sampling.names, sampling.tracks, sampling.parameters, sampling.start, rig
+    )
 
 
-def _sensitive(rig: Corner, structure: str, degree: int, varied: tuple[str, ...], count: int) -> Compiled:
+def _sensitive(
+    rig: Corner, structure: str, degree: int, varied: tuple[str, ...], count: int
+) -> Compiled:
     """The same for any ``count`` numbers that change the parameters ``moved``."""
     key = ("reduced", type(rig).__name__, structure, degree, varied, count)
     plain, free = _compile(rig, structure, degree), tuple(f"direction {i}" for i in range(count))
@@ -321,7 +359,9 @@ class ReducedRun:
         travel, rate = states[n - 1], states[2 * n - 1]
         if n > 1:
             travel, rate = travel - states[0], rate - states[n]
-        between = np.maximum(rate.max(axis=-1), -rate.min(axis=-1)) * np.diff(times).max(initial=0.0)
+        between = np.maximum(rate.max(axis=-1), -rate.min(axis=-1)) * np.diff(times).max(
+            initial=0.0
+        )
         return travel.min(axis=-1) - between, travel.max(axis=-1) + between
 
     def holds(self, states: Array) -> NDArray[np.bool_]:
@@ -349,7 +389,10 @@ class ReducedCorner:
                 return None
             solution = laid_out.prepared.run()
             compiled = laid_out.prepared.compiled
-            if solution.status is not Status.COMPLETED or cut_at_branch(compiled, solution) is not solution:
+            if (
+                solution.status is not Status.COMPLETED
+                or cut_at_branch(compiled, solution) is not solution
+            ):
                 return None
             if laid_out.holds(solution.states):
                 return replace(solution, method=f"reduced {solution.method}"), laid_out.prepared
@@ -376,14 +419,21 @@ class ReducedCorner:
 
     def over(self, low: float, high: float) -> ReducedRun | None:
         """Prepare a run for a range of travel, m."""
-        p, rack = np.array([self.values[path] for path in self.reduction.parameters]), self.values.get(_RACK, 0.0)
+        p, rack = (
+            np.array([self.values[path] for path in self.reduction.parameters]),
+            self.values.get(_RACK, 0.0),
+        )
         for degree in DEGREES:
             table = self.reduction.table(p, rack, low, high, degree)
             if table is None:
                 return None
             if table.error > self.limit:
                 continue
-            slopes, error = self.reduction.slopes(table, degree, p, rack, self.free) if self.free else (None, 0.0)
+            slopes, error = (
+                self.reduction.slopes(table, degree, p, rack, self.free)
+                if self.free
+                else (None, 0.0)
+            )
             if error <= _SLOPES_SHARE * self.tolerance:
                 return self._with(table, degree, slopes)
         return None
@@ -391,7 +441,9 @@ class ReducedCorner:
     def _with(self, table: TravelTable, degree: int, slopes: Array | None) -> ReducedRun | None:
         """Prepare a run over a table, whose numbers change with the free ones by ``slopes``."""
         reduction, places = self.reduction, self.reduction.places(degree)
-        compiled = reduction.sensitive(degree, self.free) if self.free else reduction.compiled(degree)
+        compiled = (
+            reduction.sensitive(degree, self.free) if self.free else reduction.compiled(degree)
+        )
         paths = compiled.facts.parameters
         p = np.empty(len(paths))
         p[places.of_given] = [self.values[path] for path in places.given]
@@ -406,7 +458,9 @@ class ReducedCorner:
             along = derivatives[[paths.index(path) for path in compiled.moved]]
         try:
             tolerance = STEPS_SHARE * self.tolerance
-            prepared = prepare(compiled, p, self.signals, self.times, tolerance=tolerance, along=along)
+            prepared = prepare(
+                compiled, p, self.signals, self.times, tolerance=tolerance, along=along
+            )
         except SimulationError:  # the full mechanism gives the reason
             return None
         return ReducedRun(prepared, table, degree)

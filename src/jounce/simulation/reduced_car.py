@@ -94,7 +94,9 @@ class CarReduction:
 
             return reduced_car(self.rig, degree)
 
-        return compile_described(("reduced", type(self.rig).__name__, structure_of(self.rig), degree), model)
+        return compile_described(
+            ("reduced", type(self.rig).__name__, structure_of(self.rig), degree), model
+        )
 
     def places(self, degree: int) -> _CarLayout:
         """Indices of numbers among the parameters of the model of a degree."""
@@ -103,7 +105,9 @@ class CarReduction:
             reach, own, names = [place.pop(f"{corner}.{REACH}") for corner in PLACES], [], []
             for corner in PLACES:
                 sampled = self.axles[corner.partition("_")[0]].names
-                required = [name for name in sampled[1:] if f"{corner}.{of_travel(name, 0)[0]}" in place]
+                required = [
+                    name for name in sampled[1:] if f"{corner}.{of_travel(name, 0)[0]}" in place
+                ]
                 paths = [MIDDLE, HALF, *of_travel(sampled[0], 0)]
                 paths += [path for name in required for path in of_travel(name, degree)]
                 own.append([place.pop(f"{corner}.{path}") for path in paths])
@@ -111,7 +115,9 @@ class CarReduction:
             self.placed[degree] = _CarLayout(place, reach, own, names)
         return self.placed[degree]
 
-    def table(self, values: Mapping[str, float], which: int, low: float, high: float, degree: int) -> TravelTable:
+    def table(
+        self, values: Mapping[str, float], which: int, low: float, high: float, degree: int
+    ) -> TravelTable:
         """Sample the poses of a corner over a range of travel (m); the error is infinite if it does not reach that.
 
         ``values`` are the numbers of the vehicle by path.
@@ -121,13 +127,19 @@ class CarReduction:
         key = which, low, high, degree, rack, p.tobytes()
         return self.made.of(key, lambda: self._table(p, rack, which, low, high, degree))
 
-    def _table(self, p: Array, rack: float, which: int, low: float, high: float, degree: int) -> TravelTable:
+    def _table(
+        self, p: Array, rack: float, which: int, low: float, high: float, degree: int
+    ) -> TravelTable:
         end = PLACES[which].partition("_")[0]
         sampling = self.axles[end]
         points, transform, powers, _ = basis(degree)
         middle, half = 0.5 * (high + low), 0.5 * (high - low)
         sampled = dict(
-            zip(sampling.names, sampling.sample(p[None, :], rack, middle + half * points)[:, 0], strict=True)
+            zip(
+                sampling.names,
+                sampling.sample(p[None, :], rack, middle + half * points)[:, 0],
+                strict=True,
+            )
         )
         names = self.places(DEGREES[0]).names[which]
         series = np.array([sampled[name] for name in names]) @ transform.T
@@ -141,9 +153,13 @@ class CarReduction:
         """Parameters of the poses of a corner, including its position on the car."""
         end, _, side = PLACES[which].partition("_")
         before = f"{end}.corner."
-        ahead = _ENDS[end] * values[f"{end}.distance"] - values[f"{before}hardpoints.wheel_centre[0]"]
+        ahead = (
+            _ENDS[end] * values[f"{end}.distance"] - values[f"{before}hardpoints.wheel_centre[0]"]
+        )
         own = {"ahead": ahead, "turned": _SIDES[side]}
-        for i, centre in enumerate((0.0, 0.0, values["body.height"])):  # the joint about which the body turns
+        for i, centre in enumerate(
+            (0.0, 0.0, values["body.height"])
+        ):  # the joint about which the body turns
             own[f"origin[{i}]"] = values.get(f"body.joint[{i}]", centre)
         paths = self.axles[end].parameters
         return np.array([own[path] if path in own else values[f"{before}{path}"] for path in paths])
@@ -163,8 +179,13 @@ def error_of(names: Sequence[str], series: Array, degree: int, half: float, mass
     second_slope = significant @ (orders**2 * (orders**2 - 1.0) / 3.0)
     rows: dict[str, list[int]] = {}
     for i, name in enumerate(names):
-        rows.setdefault(name if name.endswith((".length", ".angle")) else name.partition(".")[0], []).append(i)
-    errors, in_motion = [0.0], SHARE / SHOWN  # in_motion: weight of quantities without a static load
+        rows.setdefault(
+            name if name.endswith((".length", ".angle")) else name.partition(".")[0], []
+        ).append(i)
+    errors, in_motion = (
+        [0.0],
+        SHARE / SHOWN,
+    )  # in_motion: weight of quantities without a static load
     for name, group in rows.items():
         error, size = slope[group], leading[group, 0].max()
         if name in ("inertia", "angular", "tensor"):
@@ -178,13 +199,18 @@ def error_of(names: Sequence[str], series: Array, degree: int, half: float, mass
             if max(turns[:, 0].max(), turns[:, 1:].sum(axis=1).max()) > TURNED:
                 return float("inf")  # such a wheel may flip over, which only the mechanism shows
             # It also inclines the tyre's deflection and the lever of its force.
-            error, size = np.maximum(in_motion * value[group] / variation[group].max(), value[group]), 1.0
+            error, size = (
+                np.maximum(in_motion * value[group] / variation[group].max(), value[group]),
+                1.0,
+            )
         elif name in ("wheel_centre", "arb_link_end", "third_spring_end"):
             size = half
         else:
             size = variation[group].max()
         errors.append(float(np.max(error) / size))
-    return float(np.nan_to_num(np.max(errors), nan=np.inf))  # a quantity of zero size bounds nothing
+    return float(
+        np.nan_to_num(np.max(errors), nan=np.inf)
+    )  # a quantity of zero size bounds nothing
 
 
 _reductions: Recent[CarReduction | None] = Recent()
@@ -192,7 +218,11 @@ _reductions: Recent[CarReduction | None] = Recent()
 
 def car_reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> CarReduction | None:
     """Reduction of a rig if runs on a trial may use it; None if the full mechanism has to run."""
-    return car_reduction_of(rig) if isinstance(rig, FullCar3D) and may_reduce(trial, settings) else None
+    return (
+        car_reduction_of(rig)
+        if isinstance(rig, FullCar3D) and may_reduce(trial, settings)
+        else None
+    )
 
 
 def car_reduction_of(rig: FullCar3D) -> CarReduction | None:
@@ -245,7 +275,10 @@ class ReducedCar:
     def run(self) -> tuple[Solution, PreparedRun] | None:
         """Run, over a wider range of travel if a wheel leaves the first; None if that fails."""
         left = 0.0
-        for around, degrees in ((self.first_range, DEGREES[:1]), *((wide, DEGREES) for wide in _WIDE)):
+        for around, degrees in (
+            (self.first_range, DEGREES[:1]),
+            *((wide, DEGREES) for wide in _WIDE),
+        ):
             laid_out = self.lay_out(around, degrees) if around > left else None
             if laid_out is None:
                 continue
@@ -270,7 +303,9 @@ class ReducedCar:
 
     @property
     def _courses(self) -> dict[str, Segments]:
-        return dict(zip(self.reduction.compiled(DEGREES[0]).facts.tracks, self.signals, strict=True))
+        return dict(
+            zip(self.reduction.compiled(DEGREES[0]).facts.tracks, self.signals, strict=True)
+        )
 
     def lay_out(self, around: float, degrees: Sequence[int] = DEGREES) -> CarRun | None:
         """Prepare a run for a range (m) about the pose at rest; None if no polynomial suffices, or nothing rests."""
@@ -281,7 +316,10 @@ class ReducedCar:
         degree, p = table
         compiled = self.reduction.compiled(degree)
         still = compiled.inputs(
-            {name: float(each.evaluate(self.times[:1])[0][0]) for name, each in self._courses.items()}
+            {
+                name: float(each.evaluate(self.times[:1])[0][0])
+                for name, each in self._courses.items()
+            }
         )
         try:
             x = find_equilibrium(compiled, p, still).x
@@ -297,11 +335,15 @@ class ReducedCar:
         """Prepare a run for ranges of travel, m."""
         compiled = self.reduction.compiled(degree)
         try:
-            prepared = prepare(compiled, p, self.signals, self.times, tolerance=STEPS_SHARE * self.tolerance)
+            prepared = prepare(
+                compiled, p, self.signals, self.times, tolerance=STEPS_SHARE * self.tolerance
+            )
         except SimulationError:
             return None
         p[self.reduction.places(degree).reach] = 1.0
-        return CarRun(replace(prepared, problem=prepared.problem._replace(p=compiled.extend(p))), ranges)
+        return CarRun(
+            replace(prepared, problem=prepared.problem._replace(p=compiled.extend(p))), ranges
+        )
 
     def _numbers(self, ranges: Ranges, degrees: Sequence[int]) -> tuple[int, Array] | None:
         """The first degree that suffices for all ranges, and parameters of its model, without limits of travel."""

@@ -139,4 +139,6 @@ def ran_away_at(names: tuple[str, ...], outputs: Array) -> int | None:
 def branch_limits(names: tuple[str, ...]) -> dict[int, float]:
     """Limit (SI) of each channel that shows whether it still is a suspension, by its row in ``names``."""
     limits = {row: 1.0 for row, name in enumerate(names) if name in _TURNS}
-    return limits | {row: _APART for row, name in enumerate(names) if name.endswith("strut.deflection")}
+    return limits | {
+        row: _APART for row, name in enumerate(names) if name.endswith("strut.deflection")
+    }

@@ -85,4 +85,8 @@ def simulate(
         run = solved_running(rig, as_trial(trial), settings, start, **more)
     warnings = [item for item in rig_findings(rig) if item.severity != "note"]
     dataset = run.recording()
-    return dataset.assign_attrs(finding_attributes([*warnings, *findings_of(dataset.attrs)])) if warnings else dataset
+    return (
+        dataset.assign_attrs(finding_attributes([*warnings, *findings_of(dataset.attrs)]))
+        if warnings
+        else dataset
+    )

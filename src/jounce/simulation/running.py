@@ -74,7 +74,9 @@ def period_of(trial: Trial) -> float:
     return road.recurrence / speed
 
 
-def solved_running(rig: Rig, trial: Trial, settings: RunSettings, start: Start, **more: Any) -> RunOutput:
+def solved_running(
+    rig: Rig, trial: Trial, settings: RunSettings, start: Start, **more: Any
+) -> RunOutput:
     """Run a trial whose belt has made some loops before; ``more`` is for :func:`jounce.simulation.solve.solve`.
 
     The run is begun from rest so many loops earlier and its time counts from where the trial begins.
@@ -87,16 +89,26 @@ def solved_running(rig: Rig, trial: Trial, settings: RunSettings, start: Start, 
         raise SimulationError("the speed changes during the run", where="start", allowed="rest")
     if any(trial.load(name).jumps.size for name in trial.loads):
         raise SimulationError(
-            "a load sets in during the run", where="start", allowed="rest", hint="Leave out the load."
+            "a load sets in during the run",
+            where="start",
+            allowed="rest",
+            hint="Leave out the load.",
         )
     step = settings.output_step
     before = math.ceil(loops * period / step - 1e-9)  # a whole number of samples
     longer = _begun_earlier(trial, before * step, loops)
     run = solve(rig, longer, settings, **more)
     times = settings.times(trial.duration)
-    channels = {name: (values[before:], unit, words) for name, (values, unit, words) in run.channels.items()}
-    attributes = {**run.attributes, "start": f"{start if start == 'periodic' else ''} after {loops} loops".strip()}
-    return replace(run, time=times[: len(run.time) - before], channels=channels, attributes=attributes)
+    channels = {
+        name: (values[before:], unit, words) for name, (values, unit, words) in run.channels.items()
+    }
+    attributes = {
+        **run.attributes,
+        "start": f"{start if start == 'periodic' else ''} after {loops} loops".strip(),
+    }
+    return replace(
+        run, time=times[: len(run.time) - before], channels=channels, attributes=attributes
+    )
 
 
 def _count(start: Start) -> int:

@@ -45,7 +45,11 @@ it may flip over, as only the mechanism shows."""
 BESIDE, OFF, TRIES = 0.25, 0.5, 3
 """Share of the range used by a wheel by which the next range is wider on either side; share of the range by which the
 pose at rest may lie off its middle; number of ranges that are tried."""
-_NARROW, _WIDE, _FOLLOWED = 0.02, 0.06, 1.5  # m, m, road heights: limits and factor of the first range on either side
+_NARROW, _WIDE, _FOLLOWED = (
+    0.02,
+    0.06,
+    1.5,
+)  # m, m, road heights: limits and factor of the first range on either side
 
 
 def first_range(road: float) -> float:
@@ -112,7 +116,10 @@ class Sampling:
 
     def walk(self, p: Array, rack: float, travel: Array) -> tuple[Walk, NDArray[np.intp]]:
         """Path through poses at ascending travels (m), and the index of each of its targets among them."""
-        up, down = np.flatnonzero(travel >= 0.0), np.flatnonzero(travel < 0.0)[::-1]  # from design to both sides
+        up, down = (
+            np.flatnonzero(travel >= 0.0),
+            np.flatnonzero(travel < 0.0)[::-1],
+        )  # from design to both sides
         place = np.concatenate([up, down])
         targets = np.zeros((len(travel), len(self.tracks)))
         targets[:, 0] = travel[place]
@@ -121,14 +128,18 @@ class Sampling:
         before = np.arange(-1, len(travel) - 1, dtype=np.int64)
         before[len(up) : len(up) + 1] = -1
         address, origin = self.native.address, np.zeros(len(self.tracks))
-        return Walk(address["pose"], address["output"], p, self.start, origin, targets, before), place
+        return Walk(
+            address["pose"], address["output"], p, self.start, origin, targets, before
+        ), place
 
     def sample(self, p: Array, rack: float, travel: Array) -> Array:
         """Quantities of every row at ascending travels: shape (quantities, rows, travels)."""
         walk, place = self.walk(p[0].copy(), rack, travel)
         values = np.empty((len(self.names), len(p), len(travel)))
         every = np.arange(len(self.names), dtype=np.int64)
-        walk_variants(walk, np.ascontiguousarray(p), *space_for(walk, len(self.names)), place, every, values)
+        walk_variants(
+            walk, np.ascontiguousarray(p), *space_for(walk, len(self.names)), place, every, values
+        )
         return values
 
 
@@ -137,7 +148,12 @@ def sampling_of(identity: str, make: Callable[[], SampledCorner]) -> Sampling:
 
     def source() -> Source:
         corner = make()
-        notes = {"names": corner.names, "tracks": corner.tracks, "parameters": corner.parameters, "start": corner.start}
+        notes = {
+            "names": corner.names,
+            "tracks": corner.tracks,
+            "parameters": corner.parameters,
+            "start": corner.start,
+        }
         return Source({"pose": corner.pose, "output": corner.output}, None, json.dumps(notes))
 
     native, notes = code_from_cache(f"{sources()} {identity}", source)

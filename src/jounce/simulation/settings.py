@@ -19,7 +19,9 @@ Start = Literal["rest", "periodic"] | int | str
 METHODS: tuple[str, ...] = get_args(Method)
 MAX_STEPS = 5_000_000
 """Steps, accepted and rejected, after which a run gives up: minutes of computing."""
-_MAX_SAMPLES = 20_000_000  # a dozen channels of that many samples (2 GB) fill the memory of a small computer
+_MAX_SAMPLES = (
+    20_000_000  # a dozen channels of that many samples (2 GB) fill the memory of a small computer
+)
 _SHARED_SAMPLES = 100_000  # times that runs share: 0.8 MB each, eight at most
 _FINEST, COARSEST = 1e-13, 1e-1
 """Tolerances: rounding, and the largest that is still an approximation."""
@@ -63,18 +65,28 @@ class RunSettings:
             value = getattr(self, name)
             if isinstance(value, str):
                 raise SimulationError(
-                    "not a number", where=name, found=value, allowed=Phrase("a number{unit}", unit=unit)
+                    "not a number",
+                    where=name,
+                    found=value,
+                    allowed=Phrase("a number{unit}", unit=unit),
                 )
             object.__setattr__(self, name, as_number(value, si, where=name))
         if not (np.isfinite(self.output_step) and self.output_step > 0.0):
             raise SimulationError(
-                "not an output step", where="output_step", found=self.output_step, allowed="above 0 s"
+                "not an output step",
+                where="output_step",
+                found=self.output_step,
+                allowed="above 0 s",
             )
         if not _FINEST <= self.tolerance <= COARSEST:
             allowed = Phrase("{finest:g} to {coarsest:g}", finest=_FINEST, coarsest=COARSEST)
-            raise SimulationError("not a tolerance", where="tolerance", found=self.tolerance, allowed=allowed)
+            raise SimulationError(
+                "not a tolerance", where="tolerance", found=self.tolerance, allowed=allowed
+            )
         if self.method not in METHODS:
-            raise SimulationError("not a method", where="method", found=self.method, allowed=", ".join(METHODS))
+            raise SimulationError(
+                "not a method", where="method", found=self.method, allowed=", ".join(METHODS)
+            )
 
     def times(self, duration: float) -> Array:
         """Output times of a run of ``duration`` (s); refuses more samples than fit into memory."""
@@ -92,7 +104,9 @@ class RunSettings:
 
 def output_times(duration: float, output_step: float) -> Array:
     """Times from 0 to ``duration`` (s), both included; the last step may be shorter."""
-    count = int(np.floor(duration / output_step + 1e-9))  # 0.3 s of 0.1 s are three steps in spite of rounding
+    count = int(
+        np.floor(duration / output_step + 1e-9)
+    )  # 0.3 s of 0.1 s are three steps in spite of rounding
     times = np.arange(count + 1, dtype=np.float64) * np.float64(output_step)
     return times if duration - times[-1] < 1e-9 * duration else np.append(times, duration)
 

@@ -22,8 +22,30 @@ from jounce.simulation.result import Solution
 _LOST = 1e-3  # share of the largest kinetic energy by which the energy balance may jump
 _STILL = 1e-12  # J: smaller energies are zero
 _KINK = 1e-9  # change of a rate that counts as a kink
-_BEFORE = (1, 2, 4, 8, 16, 32, 3, 6, 12, 24, 48, 5, 7, 14, 28)  # samples before the pose from which it is tried again
-_LOOSER = (*(1.0,) * 3, *(10.0,) * 3, *(100.0,) * 3, *(1e3,) * 3, *(1e4,) * 3)  # times the tolerance, until past it
+_BEFORE = (
+    1,
+    2,
+    4,
+    8,
+    16,
+    32,
+    3,
+    6,
+    12,
+    24,
+    48,
+    5,
+    7,
+    14,
+    28,
+)  # samples before the pose from which it is tried again
+_LOOSER = (
+    *(1.0,) * 3,
+    *(10.0,) * 3,
+    *(100.0,) * 3,
+    *(1e3,) * 3,
+    *(1e4,) * 3,
+)  # times the tolerance, until past it
 _LOOSEST = 1e-5  # tolerance of such a step
 # samples carried over a pose; samples before it for each; interpolation nodes
 _AHEAD, _WIDTH, _NODES = (2, 4, 8), 8, 13
@@ -55,7 +77,9 @@ def run_through(
             break
         crossings.append(float(times[reached - 1]))
         at = _sample_count(past) - 1
-        remainder = _run_and_judge(begin(past.states[:, at], times[at:], tolerance), tolerance, strict=strict)
+        remainder = _run_and_judge(
+            begin(past.states[:, at], times[at:], tolerance), tolerance, strict=strict
+        )
         run, reached = _join(past, remainder, at), at + _sample_count(remainder)
     return run, tuple(crossings)
 
@@ -68,10 +92,15 @@ def _pass_pose(begin: Begin, run: Solution, reached: int, tolerance: float) -> S
         part = _run_and_judge(begin(run.states[:, at], run.time[at:end], loose), loose, strict=True)
         if part.status is Status.COMPLETED:
             return _join(run, part, at)
-    return next(filter(None, (_carried_over(begin, run, reached, ahead, tolerance) for ahead in _AHEAD)), None)
+    return next(
+        filter(None, (_carried_over(begin, run, reached, ahead, tolerance) for ahead in _AHEAD)),
+        None,
+    )
 
 
-def _carried_over(begin: Begin, run: Solution, reached: int, ahead: int, tolerance: float) -> Solution | None:
+def _carried_over(
+    begin: Begin, run: Solution, reached: int, ahead: int, tolerance: float
+) -> Solution | None:
     """The run continued over a pose along its smooth curve; None if that fails.
 
     Where two branches of motion meet (two hinges of a loop become collinear, so that the part between them could also
@@ -84,7 +113,9 @@ def _carried_over(begin: Begin, run: Solution, reached: int, ahead: int, toleran
     if target + _PAST >= len(run.time) or width < ahead:
         return None
     begins, ends = float(run.time[last - width]), float(run.time[last])
-    nodes = 0.5 * (begins + ends) - 0.5 * (ends - begins) * np.cos(np.pi * np.arange(_NODES) / (_NODES - 1))
+    nodes = 0.5 * (begins + ends) - 0.5 * (ends - begins) * np.cos(
+        np.pi * np.arange(_NODES) / (_NODES - 1)
+    )
     before = begin(run.states[:, last - width], nodes, tolerance).run()
     if _sample_count(before) < _NODES:
         return None
@@ -105,9 +136,15 @@ def _carried_over(begin: Begin, run: Solution, reached: int, ahead: int, toleran
     times = run.time[target : target + _PAST + 1]
     remainder = _run_and_judge(begin(states[:, target], times, tolerance), tolerance, strict=True)
     names = at_pose.compiled.output_names
-    balance, taken = outputs[names.index(BALANCE)], states[at_pose.compiled.facts.states.index(BALANCE)]
+    balance, taken = (
+        outputs[names.index(BALANCE)],
+        states[at_pose.compiled.facts.states.index(BALANCE)],
+    )
     size = abs(balance[target] + taken[target]) + abs(taken[target] - taken[0]) + _STILL
-    if remainder.status is not Status.COMPLETED or abs(balance[target] - balance[last]) > _LOST * size:
+    if (
+        remainder.status is not Status.COMPLETED
+        or abs(balance[target] - balance[last]) > _LOST * size
+    ):
         return None
     return _join(replace(run, states=states, outputs=outputs), remainder, target)
 
@@ -118,9 +155,17 @@ def _join(run: Solution, part: Solution, at: int) -> Solution:
     states[:, :at], outputs[:, :at] = run.states[:, :at], run.outputs[:, :at]
     end = at + len(part.time)
     states[:, at:end], outputs[:, at:end] = part.states, part.outputs
-    steps, rejected, events = (getattr(run, name) + getattr(part, name) for name in ("steps", "rejected", "events"))
+    steps, rejected, events = (
+        getattr(run, name) + getattr(part, name) for name in ("steps", "rejected", "events")
+    )
     return replace(
-        run, states=states, outputs=outputs, status=part.status, steps=steps, rejected=rejected, events=events
+        run,
+        states=states,
+        outputs=outputs,
+        status=part.status,
+        steps=steps,
+        rejected=rejected,
+        events=events,
     )
 
 
@@ -132,7 +177,11 @@ def _run_and_judge(prepared: PreparedRun, tolerance: float, *, strict: bool) -> 
     if strict and BALANCE in facts.internal and reached:
         balance = outputs[prepared.compiled.output_names.index(BALANCE), :reached]
         taken = states[facts.states.index(BALANCE), :reached]
-        size = np.maximum.accumulate(np.abs(balance + taken)) + np.maximum.accumulate(np.abs(taken - taken[0])) + _STILL
+        size = (
+            np.maximum.accumulate(np.abs(balance + taken))
+            + np.maximum.accumulate(np.abs(taken - taken[0]))
+            + _STILL
+        )
         # The balance is integrated like the state; errors of many steps add up to more than the tolerance of one.
         wrong = np.abs(balance - balance[0]) > max(_LOST, 100.0 * tolerance) * size
         if wrong.any():

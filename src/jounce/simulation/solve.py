@@ -60,7 +60,12 @@ def solve(
             return reduced
     loop = None
     if control is not None:
-        from jounce.simulation.controlled import check_coupling, check_stable, close_loop, raise_controller_error
+        from jounce.simulation.controlled import (
+            check_coupling,
+            check_stable,
+            close_loop,
+            raise_controller_error,
+        )
 
         loop = close_loop(rig, control)
     if loop and trial.actuator_force is not None:
@@ -69,15 +74,23 @@ def solve(
             where="trial: actuator_force",
             allowed="one of the two",
         )
-    compiled = compile_rig(rig, detail=detail, actuator=loop.actuator if loop else force_actuator(trial))
-    p = compiled.parameter_values({**rig.parameters(), **(loop.parameters(compiled) if loop else {})})
+    compiled = compile_rig(
+        rig, detail=detail, actuator=loop.actuator if loop else force_actuator(trial)
+    )
+    p = compiled.parameter_values(
+        {**rig.parameters(), **(loop.parameters(compiled) if loop else {})}
+    )
     start = start_offset(compiled, offset)
     signals = excitation(compiled.facts, rig, trial)
     if loop and method == "implicit":
-        raise SimulationError("controlled runs are explicit", where="method", found=method, allowed="auto, explicit")
+        raise SimulationError(
+            "controlled runs are explicit", where="method", found=method, allowed="auto, explicit"
+        )
     if loop:
         signals, method = loop.with_rest(compiled, signals, p), "explicit"
-    prepared = prepare(compiled, p, signals, times, tolerance=settings.tolerance, offset=start, method=method)
+    prepared = prepare(
+        compiled, p, signals, times, tolerance=settings.tolerance, offset=start, method=method
+    )
     if loop:
         if check and prepared.equilibrium is not None:
             check_stable(loop, compiled, p, prepared.equilibrium, prepared.still)
@@ -122,7 +135,9 @@ def _output(compiled: Compiled, solution: Solution, reach: int) -> RunOutput:
         for i, output in enumerate(compiled.facts.outputs)
     }
     times = solution.time
-    times = times if reach == len(times) else times[:reach]  # the whole array: its derived data are cached
+    times = (
+        times if reach == len(times) else times[:reach]
+    )  # the whole array: its derived data are cached
     how = {"status": solution.status.name.lower(), "method": solution.method}
     return RunOutput(times, channels, {**how, "steps": solution.steps, "events": solution.events})
 
@@ -136,9 +151,13 @@ def start_offset(compiled: Compiled, offset: Mapping[str, float] | None) -> Arra
     for name, value in offset.items():
         if name not in names:
             hint = nearest(name, names)
-            raise SimulationError("not a state of the model", where=name, allowed=", ".join(names), hint=hint)
+            raise SimulationError(
+                "not a state of the model", where=name, allowed=", ".join(names), hint=hint
+            )
         si = channel_unit(name) if quantity_of(name) else "1"
         shift[names.index(name)] = number = as_number(value, si, where=f"offset: {name}")
         if not np.isfinite(number):
-            raise SimulationError("not a finite number", where=f"offset: {name}", found=number, allowed="m or m/s")
+            raise SimulationError(
+                "not a finite number", where=f"offset: {name}", found=number, allowed="m or m/s"
+            )
     return shift

@@ -17,7 +17,13 @@ from jounce.roads.trial import LOADS
 from jounce.simulation.compiled import Compiled
 
 _ITERATIONS = 60  # of Newton's method, at most; rigs of the library take up to 7
-_SAGS = (0.0, 1e-4, 1e-3, 1e-2, 1e-1)  # m: compressions to start from, for springs that are soft at first
+_SAGS = (
+    0.0,
+    1e-4,
+    1e-3,
+    1e-2,
+    1e-1,
+)  # m: compressions to start from, for springs that are soft at first
 _FAR = 1e3  # m: a step of that length means that nothing holds the weight
 _UNDECIDED = 1e13  # condition of the balance beyond which something turns or slides freely: 1e-3 over rounding
 _HEAVE = "sprung.distance"  # the coordinate that lowers a whole rig onto its tyre
@@ -78,7 +84,9 @@ class Equilibrium:
     def fastest_oscillation(self) -> float:
         """Highest undamped angular frequency of the free motions, rad/s."""
         f = len(self.free)
-        return float(np.sqrt(np.max(np.abs(np.linalg.eigvals(self.reduced[f : 2 * f, :f])), initial=0.0)))
+        return float(
+            np.sqrt(np.max(np.abs(np.linalg.eigvals(self.reduced[f : 2 * f, :f])), initial=0.0))
+        )
 
     @cached_property
     def fastest_decay(self) -> float:
@@ -86,7 +94,9 @@ class Equilibrium:
         return float(np.max(np.abs(np.linalg.eigvals(self.reduced)), initial=0.0))
 
 
-def find_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None = None) -> Equilibrium:
+def find_equilibrium(
+    compiled: Compiled, p: Array, u: Array, start: Array | None = None
+) -> Equilibrium:
     """Static equilibrium for given inputs; recent ones of the model are cached.
 
     Solved by :func:`_solve_equilibrium`; its arrays are read-only.
@@ -111,17 +121,27 @@ def for_small_motions(compiled: Compiled, rest: Equilibrium, p: Array, u: Array)
     still = np.zeros_like(u)
     still[:: compiled.facts.track_order] = u[:: compiled.facts.track_order]
     edge = np.abs(compiled.evaluate("switch", rest.x, still, p, rest.modes)) < _EDGE
-    halved = _rest(compiled, rest.x, still, p, np.where(edge, 0.5, rest.modes)) if edge.any() else None
+    halved = (
+        _rest(compiled, rest.x, still, p, np.where(edge, 0.5, rest.modes)) if edge.any() else None
+    )
     return rest if halved is None else halved
 
 
-def in_terms_of(compiled: Compiled, rest: Equilibrium, free: NDArray[np.intp]) -> tuple[Array, Array]:
+def in_terms_of(
+    compiled: Compiled, rest: Equilibrium, free: NDArray[np.intp]
+) -> tuple[Array, Array]:
     """Return ``lift`` and ``pick`` of a state of rest for other ``free`` speeds, such as those of another state."""
     (n_q, n_v), count = compiled.facts.counts, len(rest.free)
     if np.array_equal(free, rest.free):
         return rest.lift, rest.pick
     motions = rest.lift[n_q : n_q + n_v, count : 2 * count]
-    return _lift(rest.slope, n_q, n_v, free, np.asarray(motions @ np.linalg.inv(motions[free]), dtype=np.float64))
+    return _lift(
+        rest.slope,
+        n_q,
+        n_v,
+        free,
+        np.asarray(motions @ np.linalg.inv(motions[free]), dtype=np.float64),
+    )
 
 
 def falling(compiled: Compiled, x: Array, u: Array, p: Array) -> list[str]:
@@ -143,16 +163,23 @@ Balanced = Callable[[Array, Array, Array, Array], Sequence[Array]]
 """Rates (members, n, 1), their slopes (members, n, n) and switches (members, k, 1) of many x, u, p and m."""
 
 
-def rests_for_small_motions(compiled: Compiled, balanced: Balanced, p: Array, u: Array) -> tuple[Array, Array]:
+def rests_for_small_motions(
+    compiled: Compiled, balanced: Balanced, p: Array, u: Array
+) -> tuple[Array, Array]:
     """States of rest and modes as in :func:`for_small_motions`, of a model without loops, for many parameter sets.
 
     Newton's method runs step by step for all (members, ...) at once; members that do not settle are solved one by one,
     with an error if there is no equilibrium. ``balanced`` returns the rates that must vanish.
     """
-    x, modes = np.zeros((len(p), compiled.state_count)), np.zeros((len(p), len(compiled.facts.switches)))
+    x, modes = (
+        np.zeros((len(p), compiled.state_count)),
+        np.zeros((len(p), len(compiled.facts.switches))),
+    )
     remaining = np.arange(len(p))
     for guess in _starts(compiled, u[0], None):
-        states, sides, settled = _newton_side_by_side(compiled, balanced, p[remaining], u[remaining], guess)
+        states, sides, settled = _newton_side_by_side(
+            compiled, balanced, p[remaining], u[remaining], guess
+        )
         x[remaining[settled]], modes[remaining[settled]] = states[settled], sides[settled]
         remaining = remaining[~settled]
         if not len(remaining):
@@ -187,15 +214,21 @@ def _newton_side_by_side(
         motions[:, :n_q, :n_v] = slope[:, :n_q, n_q:first]
         motions[:, internal, range(n_v, len(rows))] = 1.0
         try:
-            step = np.asarray(np.linalg.solve(slope[:, rows] @ motions, -rate[:, rows]), dtype=np.float64)
+            step = np.asarray(
+                np.linalg.solve(slope[:, rows] @ motions, -rate[:, rows]), dtype=np.float64
+            )
         except np.linalg.LinAlgError:
             break
         steps = (motions @ step)[:, :, 0]
         x = np.where(settled[:, None], x, x + steps)
         rate, slope, switch = balanced(x, u, p, modes)
         sides = (switch[:, :, 0] > 0.0).astype(float)
-        small = _are_small(step[:, :n_v, 0], x[:, :n_q]) & _are_small(step[:, n_v:, 0], x[:, first:])
-        lost |= ~np.all(np.abs(step[:, :n_v, 0]) <= _FAR, axis=1)  # and where a step is not a number
+        small = _are_small(step[:, :n_v, 0], x[:, :n_q]) & _are_small(
+            step[:, n_v:, 0], x[:, first:]
+        )
+        lost |= ~np.all(
+            np.abs(step[:, :n_v, 0]) <= _FAR, axis=1
+        )  # and where a step is not a number
         settled |= (sides == modes).all(axis=1) & small & ~lost
         if (settled | lost).all():
             break
@@ -203,7 +236,11 @@ def _newton_side_by_side(
             modes = np.where(settled[:, None], modes, sides)
             rate, slope, _ = balanced(x, u, p, modes)
     settled &= _are_balanced(x, rate, slope, rows)
-    edge = np.abs(balanced(x, u, p, modes)[2][:, :, 0]) < _EDGE if modes.size else np.zeros(modes.shape, dtype=bool)
+    edge = (
+        np.abs(balanced(x, u, p, modes)[2][:, :, 0]) < _EDGE
+        if modes.size
+        else np.zeros(modes.shape, dtype=bool)
+    )
     if edge.any():
         halved = np.where(edge, 0.5, modes)
         rate, slope, _ = balanced(x, u, p, halved)
@@ -220,7 +257,9 @@ def _are_small(steps: Array, sizes: Array) -> NDArray[np.bool_]:
 
 def _are_balanced(x: Array, rate: Array, slope: Array, rows: list[int]) -> NDArray[np.bool_]:
     """Whether the remaining imbalance of each of many states is rounding; see :func:`_rest`."""
-    rounding = _EPSILON * np.max(np.abs(slope[:, rows]) @ np.abs(x)[:, :, None], axis=(1, 2), initial=0.0)
+    rounding = _EPSILON * np.max(
+        np.abs(slope[:, rows]) @ np.abs(x)[:, :, None], axis=(1, 2), initial=0.0
+    )
     left = np.max(np.abs(rate[:, rows]), axis=(1, 2), initial=0.0)
     return np.asarray(left <= _UNBALANCED + _ROUNDINGS * rounding)
 
@@ -235,7 +274,9 @@ def _solve_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | No
     order = compiled.facts.track_order
     still[::order] = u[::order]
     p = compiled.plain.extend(p)
-    for guess in _starts(compiled, still, start):  # springs that are soft at first need a start that compresses them
+    for guess in _starts(
+        compiled, still, start
+    ):  # springs that are soft at first need a start that compresses them
         rest = _newton(compiled, p, still, guess)
         if rest is not None:
             return rest
@@ -294,7 +335,11 @@ def _sinking(facts: ModelFacts) -> tuple[Array, Array, Array]:
     """Which states lower a mechanism, which are heights, and how far each sinks with a sag of 1 m of each spring."""
     heave = np.array([name == _HEAVE for name in facts.states], dtype=float)
     heights = np.array([name.endswith(".z") for name in facts.states], dtype=float)
-    return heave, heights, heights * np.cumsum(heights[::-1])[::-1]  # the upper masses sag with the springs below
+    return (
+        heave,
+        heights,
+        heights * np.cumsum(heights[::-1])[::-1],
+    )  # the upper masses sag with the springs below
 
 
 def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | None:
@@ -304,7 +349,9 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | N
     """
     n_q, n_v = compiled.facts.counts
     modes, pace = compiled.sides(x, u, p), _SLOWEST
-    x = first = _close_loops(compiled, x, u, p, modes)  # a steered wheel opens the loops of the design pose
+    x = first = _close_loops(
+        compiled, x, u, p, modes
+    )  # a steered wheel opens the loops of the design pose
     for _ in range(_STRIDES if compiled.facts.projects else _ITERATIONS):
         if not np.isfinite(x).all():
             return None
@@ -320,7 +367,11 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | N
             step, pace = damped_step
         x = _close_loops(compiled, x + now.moved @ step, u, p, modes)
         sides = (compiled.evaluate("switch", x, u, p, modes) > 0.0).astype(float)
-        settled = (sides == modes).all() and _is_small(step[:n_v], x[:n_q]) and _is_small(step[n_v:], x[n_q + n_v :])
+        settled = (
+            (sides == modes).all()
+            and _is_small(step[:n_v], x[:n_q])
+            and _is_small(step[n_v:], x[n_q + n_v :])
+        )
         modes = sides
         if settled:
             toggled = pace != _SLOWEST and _is_past_toggle(compiled, first, x, u, p, modes)
@@ -328,30 +379,48 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | N
     return None
 
 
-def _is_past_toggle(compiled: Compiled, first: Array, x: Array, u: Array, p: Array, modes: Array) -> bool:
+def _is_past_toggle(
+    compiled: Compiled, first: Array, x: Array, u: Array, p: Array, modes: Array
+) -> bool:
     """Whether a wheel has travelled far, and its strut is longer instead of shorter, or has hardly a lever."""
     before, after = (_struts(compiled, at, u, p, modes) for at in (first, x))
     for (lever, *start), (levered, *end) in zip(before, after, strict=True):
         travel, shorter = end[0] - start[0], end[1] - start[1]
-        if abs(travel) > _STRIDE and (lever * travel * shorter < 0.0 or abs(levered) > _TOGGLE * abs(lever)):
+        if abs(travel) > _STRIDE and (
+            lever * travel * shorter < 0.0 or abs(levered) > _TOGGLE * abs(lever)
+        ):
             return True
     return False
 
 
-def _struts(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> list[tuple[float, float, float]]:
+def _struts(
+    compiled: Compiled, x: Array, u: Array, p: Array, modes: Array
+) -> list[tuple[float, float, float]]:
     """Each strut's shortening by a rise of its wheel against the body [1], that rise, and its deflection (m)."""
     names, now = compiled.output_names, _balance(compiled, x, u, p, modes)
     lift, _ = _lift(now.slope, *compiled.facts.counts, now.free, now.motions)
-    along = compiled.slopes("x", x, u, p, modes)["output"] @ lift[:, len(now.free) : 2 * len(now.free)]
+    along = (
+        compiled.slopes("x", x, u, p, modes)["output"] @ lift[:, len(now.free) : 2 * len(now.free)]
+    )
     values, struts = compiled.evaluate("output", x, u, p, modes), []
-    for place in (name.removesuffix("strut.velocity") for name in names if name.endswith("strut.velocity")):
-        required = [f"{place}{word}" for word in ("unsprung.vz", "sprung.vz", "unsprung.z", "sprung.z")]
+    for place in (
+        name.removesuffix("strut.velocity") for name in names if name.endswith("strut.velocity")
+    ):
+        required = [
+            f"{place}{word}" for word in ("unsprung.vz", "sprung.vz", "unsprung.z", "sprung.z")
+        ]
         if not set(required) <= set(names):
             continue
         wheel, body, up, down = (names.index(name) for name in required)
         parting, velocity = along[wheel] - along[body], along[names.index(f"{place}strut.velocity")]
         lever = float(velocity @ parting / (parting @ parting))
-        struts.append((lever, float(values[up] - values[down]), float(values[names.index(f"{place}strut.deflection")])))
+        struts.append(
+            (
+                lever,
+                float(values[up] - values[down]),
+                float(values[names.index(f"{place}strut.deflection")]),
+            )
+        )
     return struts
 
 
@@ -413,7 +482,9 @@ def _solve(matrix: Array, rhs: Array) -> Array | None:
     try:
         square = scaled.shape[0] == scaled.shape[1] and np.linalg.cond(scaled) < _UNDECIDED
         solution = (
-            np.linalg.solve(scaled, target) if square else np.linalg.lstsq(scaled, target, rcond=1.0 / _UNDECIDED)[0]
+            np.linalg.solve(scaled, target)
+            if square
+            else np.linalg.lstsq(scaled, target, rcond=1.0 / _UNDECIDED)[0]
         )
     except np.linalg.LinAlgError:
         return None
@@ -436,7 +507,11 @@ class _Balance:
     @property
     def pull(self) -> Array:
         """Accelerations of the free motions per small displacement, 1/s^2: negative for a restoring force."""
-        return np.asarray(self.slope[self.rows[: len(self.free)]] @ self.moved[:, : len(self.motions)] @ self.motions)
+        return np.asarray(
+            self.slope[self.rows[: len(self.free)]]
+            @ self.moved[:, : len(self.motions)]
+            @ self.motions
+        )
 
     @property
     def growth(self) -> float:
@@ -450,7 +525,9 @@ class _Balance:
     def leaves_open(self, x: Array, step: Array) -> bool:
         """Whether a step leaves an imbalance: nothing holds some motion, and something drives it."""
         left = _largest(self.matrix @ step + self.residual)
-        return left > _UNBALANCED * (1.0 + _largest(self.residual)) + self.rounding(np.maximum(np.abs(x), _PLACES))
+        return left > _UNBALANCED * (1.0 + _largest(self.residual)) + self.rounding(
+            np.maximum(np.abs(x), _PLACES)
+        )
 
 
 def _balance(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> _Balance:
@@ -466,7 +543,10 @@ def _balance(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> 
     loops = slopes["constraint"] @ motions_of_states if facts.constraints else None
     free, motions = _every_motion(n_v) if loops is None else free_motions(loops[:, :n_v], n_v)
     rows = np.append(n_q + free, internal) if internal else n_q + free
-    matrix, residual = slope[rows] @ motions_of_states, compiled.evaluate("rate", x, u, p, modes)[rows]
+    matrix, residual = (
+        slope[rows] @ motions_of_states,
+        compiled.evaluate("rate", x, u, p, modes)[rows],
+    )
     if loops is not None:
         matrix = np.vstack([matrix, loops])
         residual = np.concatenate([residual, compiled.evaluate("constraint", x, u, p, modes)])
@@ -482,7 +562,9 @@ def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Equ
         return None
     lift, pick = _lift(now.slope, *compiled.facts.counts, now.free, now.motions)
     reduced = pick @ now.slope @ lift
-    return Equilibrium(x, modes, now.slope, now.free, lift, pick, reduced, now.matrix, now.moved, now.rows)
+    return Equilibrium(
+        x, modes, now.slope, now.free, lift, pick, reduced, now.matrix, now.moved, now.rows
+    )
 
 
 def free_motions(loops: Array | None, n_v: int) -> tuple[NDArray[np.intp], Array]:
@@ -516,7 +598,9 @@ def _every_motion(n_v: int) -> tuple[NDArray[np.intp], Array]:
     return free, motions
 
 
-def _lift(slope: Array, n_q: int, n_v: int, free: NDArray[np.intp], motions: Array) -> tuple[Array, Array]:
+def _lift(
+    slope: Array, n_q: int, n_v: int, free: NDArray[np.intp], motions: Array
+) -> tuple[Array, Array]:
     """States by the reduced ones, and the reduced ones' rates by those of the states.
 
     The rate of a reduced displacement is its speed; that of a reduced speed the acceleration of the free motion.

@@ -96,10 +96,18 @@ def run_trial(
     output_step: Annotated[
         float, Number("Time step of the output.", "STEP", "s", is_positive=True, most=LONGEST_STEP)
     ] = 1e-3,
-    tolerance: Annotated[float, Number("Relative error of displacements.", "TOLERANCE", "1", is_positive=True)] = 1e-5,
-    method: Annotated[Method, Mark("Integration method: auto, explicit, or implicit (stiff rigs).", "METHOD")] = "auto",
+    tolerance: Annotated[
+        float, Number("Relative error of displacements.", "TOLERANCE", "1", is_positive=True)
+    ] = 1e-5,
+    method: Annotated[
+        Method, Mark("Integration method: auto, explicit, or implicit (stiff rigs).", "METHOD")
+    ] = "auto",
     start: Annotated[
-        Start, Mark("Start on a belt (a road with recurrence): rest, periodic, or a number of loops before.", "START")
+        Start,
+        Mark(
+            "Start on a belt (a road with recurrence): rest, periodic, or a number of loops before.",
+            "START",
+        ),
     ] = "rest",
 ) -> TrialRun:
     """Simulate a rig or vehicle on a road or a shaker, starting from static equilibrium.

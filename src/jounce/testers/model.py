@@ -105,7 +105,10 @@ def _guide(linkage: Linkage) -> None:
     if rig.guide != "fixed":
         heave = mechanism.coordinate_named("sprung.distance")
         mechanism.force(
-            heave, -friction_force(mechanism, rig.guide_friction, "guide_friction", mechanism.rate_of(heave))
+            heave,
+            -friction_force(
+                mechanism, rig.guide_friction, "guide_friction", mechanism.rate_of(heave)
+            ),
         )
         show_height(mechanism, "sprung", heave, "sprung mass above design")
     centre = linkage.wheel_centre.value[2] - linkage.number("hardpoints.wheel_centre[2]")
@@ -135,7 +138,9 @@ def _front_view(rig: Rig, form: PlateForm) -> System:
     return system
 
 
-def _add_wheel(system: System, side: Side, height: ca.SX, plate: Plate, gravity: ca.SX) -> tuple[ca.SX, ca.SX]:
+def _add_wheel(
+    system: System, side: Side, height: ca.SX, plate: Plate, gravity: ca.SX
+) -> tuple[ca.SX, ca.SX]:
     """Wheel of one side under the body; return its height (m) and contact force (N)."""
     if isinstance(side.wheel, QuarterCar):
         return add_quarter_car(system, side.wheel, plate.height, sprung=height)
@@ -147,7 +152,9 @@ def _add_plate(system: System, form: PlateForm, place: str) -> Plate:
     begin = f"{place}." if place else ""
     free = place in form.free
     if free:
-        angle = system.coordinates([begin + ANGLE], [f"{begin}{ANGLE} rate"], [_BOTTOM], ["rad"])[0][0]
+        angle = system.coordinates([begin + ANGLE], [f"{begin}{ANGLE} rate"], [_BOTTOM], ["rad"])[
+            0
+        ][0]
         _add_drive(system, angle, begin)
     else:
         angle = system.track(begin + ANGLE).value
@@ -187,13 +194,20 @@ def _show_plate(system: System, plate: Plate, contact: ca.SX) -> None:
     begin, mass = plate.begin, system.parameter("tester.plate_mass")
     acceleration, speed = system.acceleration_of(plate.height), system.rate_of(plate.angle)
     under = contact + mass * acceleration
-    pushed = plate.pushed if plate.pushed is not None else under + mass * system.parameter("gravity")
+    pushed = (
+        plate.pushed if plate.pushed is not None else under + mass * system.parameter("gravity")
+    )
     torque = pushed * ca.jacobian(plate.exciter, plate.angle)
     for name, value, unit, text in (
         ("plate.z", plate.height, "m", "plate, height"),
         ("plate.vz", system.rate_of(plate.height), "m/s", "plate, vertical velocity"),
         ("plate.az", acceleration, "m/s^2", "plate, vertical acceleration"),
-        ("plate.force", under, "N", "force of a cell under the plate: contact force and plate inertia"),
+        (
+            "plate.force",
+            under,
+            "N",
+            "force of a cell under the plate: contact force and plate inertia",
+        ),
         ("excenter.z", plate.exciter, "m", "eccentric exciter, height"),
         ("excenter.frequency", speed / (2.0 * ca.pi), "Hz", "exciter, turns per second"),
         ("excenter.torque", torque, "N*m", "torque that the exciter takes from its drive"),

@@ -37,7 +37,9 @@ class Periodic:
     # EGEA phase angle, rad: from the plate's top to the middle of the turn's low-force half; where the motion does
     # not repeat, from the parts of plate and force that turn with the exciter
     phase_angle: float
-    values: Mapping[str, Array]  # outputs over one turn (512 samples), SI; the plate's mean height comes first
+    values: Mapping[
+        str, Array
+    ]  # outputs over one turn (512 samples), SI; the plate's mean height comes first
     state: Mapping[str, float]  # at the turn's begin
 
 
@@ -63,11 +65,17 @@ def periodic(
     (True, 0.725)
     """
     if not (np.isfinite(frequency) and frequency > 0.0):
-        raise SimulationError("not a frequency", where="frequency", found=frequency, allowed="above 0 Hz")
+        raise SimulationError(
+            "not a frequency", where="frequency", found=frequency, allowed="above 0 Hz"
+        )
     place, rate = place_of(on, wheel), 2.0 * np.pi * frequency
     turns = max(3, int(np.ceil(_BLOCK * frequency)))
     times, angles = np.arange(turns + 1) / frequency, {place: constant_rate(rate)}
-    state = dict(start) if start is not None else _linear_start(linear_rig_on_tester(on), frequency, place)
+    state = (
+        dict(start)
+        if start is not None
+        else _linear_start(linear_rig_on_tester(on), frequency, place)
+    )
     settled = False
     for _ in range(_BLOCKS):
         solution = on.run(angles, times, start=state, fastest=rate, tolerance=tolerance)
@@ -87,7 +95,9 @@ def periodic(
     else:
         phase = np.pi - _greatest_at(height, length) + _greatest_at(force, length)
     phase = float(wrap_phase(phase))
-    return Periodic(frequency, settled, float(force.min()), float(force.max()), phase, values, state)
+    return Periodic(
+        frequency, settled, float(force.min()), float(force.max()), phase, values, state
+    )
 
 
 def _linear_start(linear: LinearTesterRig, frequency: float, place: str) -> dict[str, float]:
@@ -96,7 +106,9 @@ def _linear_start(linear: LinearTesterRig, frequency: float, place: str) -> dict
     return dict(zip(linear.on.compiled.facts.states, map(float, x), strict=True))
 
 
-def _carry_state(near: Periodic, linear: LinearTesterRig, frequency: float, place: str) -> dict[str, float]:
+def _carry_state(
+    near: Periodic, linear: LinearTesterRig, frequency: float, place: str
+) -> dict[str, float]:
     """State at a nearby frequency, corrected by the change of the linear model."""
     there, here = (_linear_start(linear, f, place) for f in (near.frequency, frequency))
     return {name: value + here[name] - there[name] for name, value in near.state.items()}
@@ -107,7 +119,9 @@ def _remaining_change(ends: Array, scale: Array) -> float:
     changes = np.max(np.abs(np.diff(ends, axis=1)) / scale[:, None], axis=0)
     if changes[-1] < _ROUNDING:
         return float(changes[-1])
-    shrinking = min(float((changes[-1] / max(changes[0], 1e-300)) ** (1.0 / (len(changes) - 1))), 1.0 - 1e-4)
+    shrinking = min(
+        float((changes[-1] / max(changes[0], 1e-300)) ** (1.0 / (len(changes) - 1))), 1.0 - 1e-4
+    )
     return float(changes[-1]) / (1.0 - shrinking)
 
 
@@ -160,7 +174,9 @@ def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySwee
 
     lowest = min(limits.frequency_min, _STEP)
     grid = np.unique(
-        np.append(np.arange(lowest, highest, _STEP), [highest, limits.frequency_min, limits.frequency_max])
+        np.append(
+            np.arange(lowest, highest, _STEP), [highest, limits.frequency_min, limits.frequency_max]
+        )
     )
     for frequency in grid[::-1]:
         at(float(frequency))
@@ -171,7 +187,9 @@ def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySwee
     static = on.static_load(place)
     states = tuple(known[f] for f in sorted(known))
     amplitude = 0.5 * (top.force_max - top.force_min)
-    return SteadySweep(max(0.0, force / static), here, phase, there, amplitude, force <= 1e-9 * static, states)
+    return SteadySweep(
+        max(0.0, force / static), here, phase, there, amplitude, force <= 1e-9 * static, states
+    )
 
 
 def _refine_minimum(value: Callable[[float], float], grid: Array) -> tuple[float, float]:

@@ -35,7 +35,9 @@ class LinearTesterRig:
         row, (first, last) = self._row(output), self._inputs(place)
         s = 2j * np.pi * np.atleast_1d(as_samples(frequency, "Hz", where="frequency"))
         if s.ndim > 1:
-            raise DescriptionError("not a list of frequencies", where="frequency", found=f"shape {s.shape}")
+            raise DescriptionError(
+                "not a list of frequencies", where="frequency", found=f"shape {s.shape}"
+            )
         drive = s[:, None] ** np.arange(last - first)
         size = len(self.A)
         states = np.linalg.solve(
@@ -47,7 +49,9 @@ class LinearTesterRig:
         """Complex amplitudes of all states for 1 rad of an eccentric exciter's angle."""
         first, last = self._inputs(place)
         s = 2j * np.pi * frequency
-        result = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B[:, first:last] @ s ** np.arange(last - first))
+        result = np.linalg.solve(
+            s * np.eye(len(self.A)) - self.A, self.B[:, first:last] @ s ** np.arange(last - first)
+        )
         return np.asarray(self.on.rest.lift @ result)
 
     def _row(self, output: str) -> int:
@@ -118,11 +122,15 @@ def steady_response(
 
 def _steady(linear: LinearTesterRig, frequency: Array, wheel: str) -> SteadyResponse:
     if not np.all(np.isfinite(frequency)) or np.any(frequency <= 0.0):
-        raise SimulationError("not frequencies", where="frequency", found=float(frequency.min()), allowed="above 0 Hz")
+        raise SimulationError(
+            "not frequencies", where="frequency", found=float(frequency.min()), allowed="above 0 Hz"
+        )
     place, amplitude = place_of(linear.on, wheel), linear.on.tester.amplitude
     force = linear.transfer(frequency, channel(place, "tyre.force"), place)
     plate = linear.transfer(frequency, channel(place, "plate.z"), place)
-    return SteadyResponse(frequency, force / plate, plate / amplitude, linear.on.static_load(place), amplitude)
+    return SteadyResponse(
+        frequency, force / plate, plate / amplitude, linear.on.static_load(place), amplitude
+    )
 
 
 def place_of(on: TesterRig, wheel: str) -> str:
@@ -154,7 +162,9 @@ def closed_form_adhesion(rig: Rig, tester: Tester, *, wheel: str = "left") -> tu
 def least_phase_angle(rig: Rig, tester: Tester, *, wheel: str = "left") -> tuple[float, float]:
     """Least EGEA phase angle (rad) of steady states, and its frequency (Hz, to 0.01 Hz), in the tester's band."""
     linear, limits = linear_rig_on_tester(rig_on_tester(rig, tester)), tester.limits
-    return least(lambda f: _steady(linear, f, wheel).phase_angle, limits.frequency_min, limits.frequency_max)
+    return least(
+        lambda f: _steady(linear, f, wheel).phase_angle, limits.frequency_min, limits.frequency_max
+    )
 
 
 @dataclass(frozen=True)
@@ -165,7 +175,9 @@ class WheelMode:
     damping_ratio: float
 
 
-def wheel_mode(rig: Rig, tester: Tester, *, wheel: str = "left", on: str = "road") -> WheelMode | None:
+def wheel_mode(
+    rig: Rig, tester: Tester, *, wheel: str = "left", on: str = "road"
+) -> WheelMode | None:
     """Mode of the wheel from the poles of the linear model; None where the wheel does not oscillate.
 
     ``on="road"`` blocks the plate, ``on="rig"`` leaves it free on its spring: only there does the tester matter. Of an
@@ -186,7 +198,9 @@ def wheel_mode(rig: Rig, tester: Tester, *, wheel: str = "left", on: str = "road
     values, vectors = np.linalg.eig(linear.A)
     unsprung, sprung, plate = (_shapes(linear, channel(place, name), vectors) for name in _HEIGHTS)
     is_wheel = (values.imag > 1e-9 * np.abs(values)) & (np.abs(unsprung) > np.abs(sprung))
-    is_wheel &= (unsprung * plate.conj()).real >= 0.0  # opposite motion of plate and wheel is the plate's mode
+    is_wheel &= (
+        unsprung * plate.conj()
+    ).real >= 0.0  # opposite motion of plate and wheel is the plate's mode
     if not is_wheel.any():
         return None
     lowest = np.min(np.abs(values[is_wheel]))

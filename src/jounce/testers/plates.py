@@ -11,7 +11,10 @@ from numpy.typing import ArrayLike
 from jounce.core.shown import Shown
 from jounce.core.types import Array, Complex
 
-_COARSE, _FINE = 0.1, 0.01  # Hz: steps of the first look for a least value, and of the second around it
+_COARSE, _FINE = (
+    0.1,
+    0.01,
+)  # Hz: steps of the first look for a least value, and of the second around it
 RIGIDITY = 0.571, 46e3
 """EGEA: rigidity = 0.571 H25 / e_p + 46 N/mm."""
 RIGIDITY_FREQUENCY = 25.0

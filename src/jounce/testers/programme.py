@@ -19,7 +19,9 @@ from jounce.parts.vehicles import FrontViewAxle
 from jounce.testers.model import ANGLE
 from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
-_RUN_OUT = 10.0  # Hz/s: deceleration of an eccentric exciter that still turns at the end of its sweep
+_RUN_OUT = (
+    10.0  # Hz/s: deceleration of an eccentric exciter that still turns at the end of its sweep
+)
 
 
 @dataclass(frozen=True)
@@ -37,7 +39,9 @@ class SweptAngle:
         return float(angle + length * (rate + length * half))
 
 
-def swept_angle(programme: Programme, static_load: float, begin: float = 0.0, angle: float = 0.0) -> SweptAngle:
+def swept_angle(
+    programme: Programme, static_load: float, begin: float = 0.0, angle: float = 0.0
+) -> SweptAngle:
     """Return the exciter's angle over a programme, exact: quadratic in time while the frequency changes.
 
     The hold depends on the static load (N); it starts to turn at ``begin`` (s) from an angle in rad.
@@ -53,7 +57,9 @@ def swept_angle(programme: Programme, static_load: float, begin: float = 0.0, an
     slope = np.copysign(2.0 * np.pi * programme.sweep_rate, last - first)
     lengths = programme.hold(static_load), (last - first) / slope, last / (2.0 * np.pi * _RUN_OUT)
     rows, edges = [], [begin]
-    for length, rate, half in zip(lengths, (first, first, last), (0.0, 0.5 * slope, -np.pi * _RUN_OUT), strict=True):
+    for length, rate, half in zip(
+        lengths, (first, first, last), (0.0, 0.5 * slope, -np.pi * _RUN_OUT), strict=True
+    ):
         rows.append([angle, rate, half])
         angle += length * (rate + length * half)
         edges.append(edges[-1] + length)
@@ -72,7 +78,11 @@ def angle_of(tests: list[SweptAngle]) -> Segments:
     used = [i for i in range(len(rows)) if edges[i + 1] > edges[i]]
     coefficients = np.zeros((len(used), 4))
     coefficients[:, :3] = np.array(rows)[used]
-    return Segments(np.array([*(edges[i] for i in used), edges[-1]]), np.zeros(len(used), np.int64), coefficients)
+    return Segments(
+        np.array([*(edges[i] for i in used), edges[-1]]),
+        np.zeros(len(used), np.int64),
+        coefficients,
+    )
 
 
 Wheel = Literal["left", "right", "both"]
@@ -89,7 +99,9 @@ class ProgrammeRun:
     outputs: tuple[Output, ...]  # names, units and labels
 
 
-def run_programme(rig: Rig, tester: Tester, *, wheel: Wheel = "both", other: Other = "still") -> ProgrammeRun:
+def run_programme(
+    rig: Rig, tester: Tester, *, wheel: Wheel = "both", other: Other = "still"
+) -> ProgrammeRun:
     """Run a tester's programme; arguments as for :func:`simulate_test`, without sensors and without a Dataset."""
     chosen = _choose_tests(rig, wheel, other)
     return (_free if tester.programme.run_down == "free" else _run_controlled)(rig, tester, chosen)
@@ -97,7 +109,10 @@ def run_programme(rig: Rig, tester: Tester, *, wheel: Wheel = "both", other: Oth
 
 def _choose_tests(rig: Rig, wheel: str, other: str) -> list[tuple[str, ...]]:
     """Wheels that are excited together, test after test."""
-    for name, value, allowed in (("wheel", wheel, ("left", "right", "both")), ("other", other, ("still", "excited"))):
+    for name, value, allowed in (
+        ("wheel", wheel, ("left", "right", "both")),
+        ("other", other, ("still", "excited")),
+    ):
         if value not in allowed:
             raise unknown(str(value), allowed, what=name, where=name)
     if not isinstance(rig, FrontViewAxle):
@@ -137,22 +152,34 @@ def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRu
         for here, kind, length in _phases(on, rig_on_tester(rig, tester, test), hold, rest):
             times = begin + _times(0.0, length, tester.sampling_frequency)
             courses = {
-                place: _track(kind if place in test else "still", state.get(channel(place, ANGLE), 0.0), rate, begin)
+                place: _track(
+                    kind if place in test else "still",
+                    state.get(channel(place, ANGLE), 0.0),
+                    rate,
+                    begin,
+                )
                 for place in on.places
             }
             solution = here.run(courses, times, start=state or None, fastest=_fastest(programme))
             state = _state(here, courses, solution.states[:, -1], times[-1:])
-            values = dict(zip(here.compiled.output_names, solution.outputs[:, bool(pieces) :], strict=True))
+            values = dict(
+                zip(here.compiled.output_names, solution.outputs[:, bool(pieces) :], strict=True)
+            )
             outputs = outputs or here.compiled.facts.outputs
             pieces.append((times[bool(pieces) :], values))
             begin = float(times[-1])
     time = np.concatenate([times for times, _ in pieces])
     common = [output for output in outputs if all(output.name in values for _, values in pieces)]
-    joined = {output.name: np.concatenate([values[output.name] for _, values in pieces]) for output in common}
+    joined = {
+        output.name: np.concatenate([values[output.name] for _, values in pieces])
+        for output in common
+    }
     return ProgrammeRun(time, joined, on.static, tuple(common))
 
 
-def _phases(driven: TesterRig, free: TesterRig, hold: float, rest: float) -> Iterator[tuple[TesterRig, str, float]]:
+def _phases(
+    driven: TesterRig, free: TesterRig, hold: float, rest: float
+) -> Iterator[tuple[TesterRig, str, float]]:
     """Rig, what the exciters under test do, and length (s) of each part of one test."""
     motor = driven.tester.drive is not None and driven.tester.drive.motor is not None
     if hold > 0.0:
@@ -163,7 +190,11 @@ def _phases(driven: TesterRig, free: TesterRig, hold: float, rest: float) -> Ite
 def _track(kind: str, angle: float, rate: float, begin: float) -> Segments:
     """Angle (rad) of an exciter at rest or driven (rad/s), or the share of its motor's torque."""
     if kind == "driven":
-        return Segments(np.array([begin, begin + 1.0]), np.zeros(1, np.int64), np.array([[angle, rate, 0.0, 0.0]]))
+        return Segments(
+            np.array([begin, begin + 1.0]),
+            np.zeros(1, np.int64),
+            np.array([[angle, rate, 0.0, 0.0]]),
+        )
     return constant({"still": angle, "motor on": 1.0, "motor off": 0.0}[kind])
 
 

@@ -48,7 +48,9 @@ class TesterRig:
     def static(self) -> dict[str, float]:
         """Every output at rest, SI."""
         rest, prepared = self.rest, self.prepared
-        values = self.compiled.evaluate("output", rest.x, prepared.still, prepared.problem.p, rest.modes)
+        values = self.compiled.evaluate(
+            "output", rest.x, prepared.still, prepared.problem.p, rest.modes
+        )
         return dict(zip(self.compiled.output_names, map(float, values), strict=True))
 
     @cached_property
@@ -83,25 +85,39 @@ class TesterRig:
             x = np.array([start.get(name, x[i]) for i, name in enumerate(facts.states)])
             inputs = np.zeros_like(prepared.still)
             inputs[:: facts.track_order] = [signal.evaluate(times[:1])[0][0] for signal in signals]
-            sides = self.compiled.evaluate("switch", x, inputs, problem.p, np.ones(len(facts.switches)))
+            sides = self.compiled.evaluate(
+                "switch", x, inputs, problem.p, np.ones(len(facts.switches))
+            )
             modes = (sides > 0.0).astype(float)
         longest = prepared.control.longest
         if fastest > 0.0:
-            longest = min(longest, _LONGEST * (tolerance / RunSettings.tolerance) ** 0.125 * 2.0 * np.pi / fastest)
+            longest = min(
+                longest,
+                _LONGEST * (tolerance / RunSettings.tolerance) ** 0.125 * 2.0 * np.pi / fastest,
+            )
         control = prepared.control._replace(
             scale=0.1 * self.scale,
             longest=longest,
             tolerance=prepared.control.tolerance * tolerance / RunSettings.tolerance,
         )
-        problem = problem._replace(tracks=pieces, piece=pieces.first[:-1].copy(), m=modes.copy(), x0=x)
+        problem = problem._replace(
+            tracks=pieces, piece=pieces.first[:-1].copy(), m=modes.copy(), x0=x
+        )
         solution = replace(
-            prepared, problem=problem, control=control, modes=modes, out=room(self.compiled, times), exact=None
+            prepared,
+            problem=problem,
+            control=control,
+            modes=modes,
+            out=room(self.compiled, times),
+            exact=None,
         ).run()
         samples_reached(solution, facts, check=True)
         return solution
 
 
-def rig_on_tester(rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool = False) -> TesterRig:
+def rig_on_tester(
+    rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool = False
+) -> TesterRig:
     """Put a rig on a tester, ready to run.
 
     The exciters of the wheels in ``free`` (places ``""``, ``"left"``, ``"right"``) are moved by their drive's inertia;

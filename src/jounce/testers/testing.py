@@ -57,7 +57,9 @@ class Sensors:
 
 def _refuse_below_zero(name: str, value: float | None, unit: str) -> None:
     if value is not None and not (np.isfinite(value) and value >= 0.0):
-        raise SimulationError("out of range", where=name, found=value, allowed=Phrase("0 {unit} or more", unit=unit))
+        raise SimulationError(
+            "out of range", where=name, found=value, allowed=Phrase("0 {unit} or more", unit=unit)
+        )
 
 
 def simulate_test(
@@ -139,22 +141,34 @@ def simulate_test(
     }
     for side, place in sides.items():
         static = run.static[channel(place, "tyre.force")]
-        attributes[f"{side}.static_load"], attributes[f"{side}.plate_mass"] = static, tester.plate_mass
-        channels.update(_measure(run, tester, side, place, sensors or Sensors(), (generator, noise)))
+        attributes[f"{side}.static_load"], attributes[f"{side}.plate_mass"] = (
+            static,
+            tester.plate_mass,
+        )
+        channels.update(
+            _measure(run, tester, side, place, sensors or Sensors(), (generator, noise))
+        )
     if truth:
         channels.update(_truth(run, sides))
     return recording_of(run.time, channels, attributes=attributes)
 
 
 def _measure(
-    run: ProgrammeRun, tester: Tester, side: str, place: str, sensors: Sensors, noise: tuple[np.random.Generator, float]
+    run: ProgrammeRun,
+    tester: Tester,
+    side: str,
+    place: str,
+    sensors: Sensors,
+    noise: tuple[np.random.Generator, float],
 ) -> dict[str, tuple[Array, str, str]]:
     """Readings of one side of the tester; ``noise`` is its generator and its size in shares of the static load."""
     cell = "plate.force" if tester.force_cell == "under-plate" else "tyre.force"
     static = run.static[channel(place, "tyre.force")]
     height = run.values[channel(place, "plate.z")] - run.static[channel(place, "plate.z")]
     generator, share = noise
-    force = _noisy(run.values[channel(place, cell)] + sensors.force_offset, share * static, generator)
+    force = _noisy(
+        run.values[channel(place, cell)] + sensors.force_offset, share * static, generator
+    )
     if sensors.force_limit is not None:
         force = np.clip(force, -sensors.force_limit, sensors.force_limit)
     height = _noisy(height, sensors.displacement_noise, generator)
@@ -164,12 +178,20 @@ def _measure(
     }
     if sensors.tacho:
         turns = run.values[channel(place, "excenter.frequency")]
-        result[f"{side}.plate.frequency"] = turns, "Hz", f"{side} plate, turns of the exciter per second"
+        result[f"{side}.plate.frequency"] = (
+            turns,
+            "Hz",
+            f"{side} plate, turns of the exciter per second",
+        )
     return result
 
 
 def _noisy(values: Array, size: float, generator: np.random.Generator) -> Array:
-    return values if size <= 0.0 else np.asarray(values + size * generator.standard_normal(len(values)))
+    return (
+        values
+        if size <= 0.0
+        else np.asarray(values + size * generator.standard_normal(len(values)))
+    )
 
 
 def _truth(run: ProgrammeRun, sides: Mapping[str, str]) -> dict[str, tuple[Array, str, str]]:
@@ -217,7 +239,9 @@ def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> 
         header.append(f"{name} [{unit}]")
     facts = [f"# {key} = {_quote(str(key), value)}" for key, value in record.attrs.items()]
     rows = [",".join(f"{value:.10g}" for value in row) for row in np.column_stack(columns)]
-    return write_atomically(Path(path), "\n".join([*facts, ",".join(header), *rows]) + "\n", force=force)
+    return write_atomically(
+        Path(path), "\n".join([*facts, ",".join(header), *rows]) + "\n", force=force
+    )
 
 
 def _quote(key: str, value: object) -> str:

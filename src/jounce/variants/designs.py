@@ -84,7 +84,9 @@ class Design(Shown):
         if self.kind != "grid":
             self._refuse_outside(self._laws(number, whole), limit)
 
-    def _refuse_outside(self, laws: Mapping[str, Callable[[Array], Array]], limit: Callable[[str], Unit]) -> None:
+    def _refuse_outside(
+        self, laws: Mapping[str, Callable[[Array], Array]], limit: Callable[[str], Unit]
+    ) -> None:
         for path, law in laws.items():
             low, high = law(np.array([0.0, 1.0])).tolist()
             least, most = limit(path).limits
@@ -136,7 +138,9 @@ def grid(values: Mapping[str, Sequence[float | str]]) -> Design:
     """
     for path, given in _check_paths(values).items():
         if not is_list(given):
-            raise DescriptionError("not a list of values", where=path, found=given, allowed='e.g. ["14 kg", "16 kg"]')
+            raise DescriptionError(
+                "not a list of values", where=path, found=given, allowed='e.g. ["14 kg", "16 kg"]'
+            )
     return Design("grid", dict(values), _count(math.prod(len(given) for given in values.values())))
 
 
@@ -315,14 +319,18 @@ def saltelli(spreads: Mapping[str, Spread], pairs: int, *, seed: int = 0) -> Des
 def _spread(kind: Kind, spreads: Mapping[str, Spread], count: int, seed: int) -> Design:
     for path, spread in _check_paths(spreads).items():
         if not isinstance(spread, str | Mapping) and not is_list(spread):
-            raise DescriptionError("nothing to spread over", where=path, found=spread, allowed=_FORMS)
+            raise DescriptionError(
+                "nothing to spread over", where=path, found=spread, allowed=_FORMS
+            )
     check_seed(seed)
     return Design(kind, dict(spreads), _count(count), int(seed))
 
 
 def _check_paths(given: object) -> Mapping[str, Any]:
     if not isinstance(given, Mapping) or not given:
-        raise DescriptionError("nothing to vary", where="variants", found=given, allowed="path of a number to values")
+        raise DescriptionError(
+            "nothing to vary", where="variants", found=given, allowed="path of a number to values"
+        )
     return given
 
 
@@ -337,7 +345,10 @@ def is_list(values: Any) -> bool:
 def _count(count: int) -> int:
     if not is_whole(count) or not 1 <= count <= MOST:
         raise DescriptionError(
-            "not a number of variants", where="count", found=count, allowed=Phrase("1 to {most}", most=MOST)
+            "not a number of variants",
+            where="count",
+            found=count,
+            allowed=Phrase("1 to {most}", most=MOST),
         )
     return int(count)
 
@@ -364,7 +375,9 @@ def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
 
 _BITS = 30  # of a Sobol sequence: a billion points, as in SciPy
 _FIRST = 1024  # points made one by one; below it doubling costs more
-_TURNS = np.array([(i & -i).bit_length() - 1 for i in range(1, _FIRST)])  # along which direction each moves
+_TURNS = np.array(
+    [(i & -i).bit_length() - 1 for i in range(1, _FIRST)]
+)  # along which direction each moves
 _PLACES = 2 ** np.arange(_BITS - 1, -1, -1)
 _BELOW, _DIAGONAL = np.tri(_BITS, k=-1), np.eye(_BITS)
 
@@ -407,7 +420,9 @@ def _directions(numbers: int, count: int) -> Array:
             sequence.fast_forward(2**i - 1)
         before, after = (sequence.random(2) * 2.0**_BITS).astype(np.int64)
         directions.append(before ^ after)
-    return np.asarray(np.array(directions).T[:, None] >> np.arange(_BITS - 1, -1, -1)[:, None] & 1, dtype=float)
+    return np.asarray(
+        np.array(directions).T[:, None] >> np.arange(_BITS - 1, -1, -1)[:, None] & 1, dtype=float
+    )
 
 
 LEVELS = 8
@@ -426,7 +441,11 @@ def _trajectories(numbers: int, count: int, random: np.random.Generator) -> Arra
 
 def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], Array]:
     """Map shares between 0 and 1 to values, SI."""
-    if isinstance(spread, str) and spread.strip().startswith("±") and not spread.strip().endswith("%"):
+    if (
+        isinstance(spread, str)
+        and spread.strip().startswith("±")
+        and not spread.strip().endswith("%")
+    ):
         reach = to_si(spread.strip().removeprefix("±"), unit, where=path)
         if not 0.0 < reach < math.inf:
             raise DescriptionError("not a range", where=path, found=spread, allowed=_FORMS)
@@ -434,7 +453,9 @@ def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], A
     if isinstance(spread, str):
         part = _percent(spread, path)
         if value == 0.0:
-            raise DescriptionError("a share of zero", where=path, found=spread, allowed=_FORMS.removeprefix('"20 %", '))
+            raise DescriptionError(
+                "a share of zero", where=path, found=spread, allowed=_FORMS.removeprefix('"20 %", ')
+            )
         return lambda share: value + abs(value) * part * (2.0 * share - 1.0)
     if not isinstance(spread, Mapping):
         low, high = _ends(_list(spread, unit, path), path, spread)
@@ -445,18 +466,28 @@ def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], A
         mean = to_si(spread["mean"], unit, where=f"{path}: mean") if "mean" in spread else value
         given = spread["sd"]
         relative = isinstance(given, str) and given.strip().endswith("%")
-        sd = abs(mean) * _percent(str(given), path) if relative else to_si(given, unit, where=f"{path}: sd")
+        sd = (
+            abs(mean) * _percent(str(given), path)
+            if relative
+            else to_si(given, unit, where=f"{path}: sd")
+        )
         if not (sd > 0.0 and math.isfinite(sd) and math.isfinite(mean)):
-            raise DescriptionError("not a standard deviation", where=f"{path}: sd", found=given, allowed="above 0")
+            raise DescriptionError(
+                "not a standard deviation", where=f"{path}: sd", found=given, allowed="above 0"
+            )
         from scipy.special import ndtri
 
         return lambda share: np.asarray(mean + sd * ndtri(share), dtype=float)
-    low, high = _ends([to_si(spread[key], unit, where=f"{path}: {key}") for key in ("low", "high")], path, spread)
+    low, high = _ends(
+        [to_si(spread[key], unit, where=f"{path}: {key}") for key in ("low", "high")], path, spread
+    )
     if "mode" not in spread:
         return lambda share: low + (high - low) * share
     mode = to_si(spread["mode"], unit, where=f"{path}: mode")
     if not low <= mode <= high:
-        raise DescriptionError("the mode lies outside its range", where=path, found=dict(spread), allowed="low to high")
+        raise DescriptionError(
+            "the mode lies outside its range", where=path, found=dict(spread), allowed="low to high"
+        )
     bend = (mode - low) / (high - low)
 
     def triangular(share: Array) -> Array:
@@ -474,9 +505,13 @@ def _in_whole(law: Callable[[Array], Array], spread: object, path: str) -> Calla
         return lambda share: np.rint(law(share))
     low, high = math.ceil(begin), math.floor(end)
     if low > high:
-        raise DescriptionError("no whole number lies within", where=path, found=spread, allowed="e.g. [1, 100]")
+        raise DescriptionError(
+            "no whole number lies within", where=path, found=spread, allowed="e.g. [1, 100]"
+        )
     stretch = (high + 1 - low) / (end - begin)
-    return lambda share: np.asarray(np.clip(np.floor(low + stretch * (law(share) - begin)), low, high), dtype=float)
+    return lambda share: np.asarray(
+        np.clip(np.floor(low + stretch * (law(share) - begin)), low, high), dtype=float
+    )
 
 
 def _percent(text: str, path: str) -> float:
@@ -492,7 +527,9 @@ def _percent(text: str, path: str) -> float:
 
 def _ends(values: Sequence[float], path: str, given: object) -> tuple[float, float]:
     if len(values) != 2 or not values[0] < values[1]:
-        raise DescriptionError("not a range", where=path, found=given, allowed="a lower and a higher value")
+        raise DescriptionError(
+            "not a range", where=path, found=given, allowed="a lower and a higher value"
+        )
     return values[0], values[1]
 
 

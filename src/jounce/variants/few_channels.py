@@ -41,7 +41,11 @@ class FewChannels:
     def names(self) -> tuple[str, ...]:
         """Computed channels: the requested ones, and those that show whether it still is a suspension."""
         known = self.compiled.output_names
-        return tuple(dict.fromkeys([*self.wanted, *(known[row] for row in branch_limits(known)), *angles_of(known)]))
+        return tuple(
+            dict.fromkeys(
+                [*self.wanted, *(known[row] for row in branch_limits(known)), *angles_of(known)]
+            )
+        )
 
     @once
     def _rows(self) -> list[int]:
@@ -60,16 +64,29 @@ class FewChannels:
         """
         samples = self._samples(times)
         prepared = prepare(
-            self.compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method, out=samples
+            self.compiled,
+            p,
+            signals,
+            times,
+            tolerance=settings.tolerance,
+            method=settings.method,
+            out=samples,
         )
         problem, at = prepared.problem, prepared.equilibrium
         assert at is not None
-        prepared = replace(prepared, problem=problem._replace(engine=problem.engine._replace(output=self._address)))
+        prepared = replace(
+            prepared, problem=problem._replace(engine=problem.engine._replace(output=self._address))
+        )
         result = prepared.run()
-        lost = result.status is not Status.COMPLETED or flipped_at(self.names, result.outputs) is not None
+        lost = (
+            result.status is not Status.COMPLETED
+            or flipped_at(self.names, result.outputs) is not None
+        )
         if lost or ran_away_at(self.names, result.outputs) is not None:
             return None
-        return result.outputs, self.compiled.evaluate("output", at.x, prepared.still, p, at.modes)[self._rows]
+        return result.outputs, self.compiled.evaluate("output", at.x, prepared.still, p, at.modes)[
+            self._rows
+        ]
 
     def _samples(self, times: Array) -> Samples:
         """The arrays of this thread."""

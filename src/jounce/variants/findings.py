@@ -27,8 +27,12 @@ class Tally:
 
     def merge(self, attributes: Mapping[str, Any]) -> None:
         """Add the findings in the attributes of other results."""
-        plain = {name: _as_list(attributes[name]) for name in ("findings", COUNTS) if name in attributes}
-        items = findings_of(plain | {name: attributes[name] for name in (DATA,) if name in attributes})
+        plain = {
+            name: _as_list(attributes[name]) for name in ("findings", COUNTS) if name in attributes
+        }
+        items = findings_of(
+            plain | {name: attributes[name] for name in (DATA,) if name in attributes}
+        )
         for item, count in zip(items, plain.get(COUNTS, []), strict=True):
             self._count(item, count)
 
@@ -48,7 +52,15 @@ class Tally:
     def findings(self, ran: int) -> list[Finding]:
         """Return the findings, each with the number of variants that had it, of those that ``ran``."""
         return [
-            finding("variants.of_many", item.place, count, severity=item.severity, count=count, ran=ran, found=item)
+            finding(
+                "variants.of_many",
+                item.place,
+                count,
+                severity=item.severity,
+                count=count,
+                ran=ran,
+                found=item,
+            )
             for item, count in self._found.values()
         ]
 
@@ -66,7 +78,12 @@ def _kind(item: Finding) -> tuple[str, ...]:
     """
     if not item.code:  # of a controller in Python, or of an older version
         return item.place, item.severity, _NUMBER.sub("#", item.message)
-    return item.place, item.severity, item.code, *(str(word) for word in item.numbers.values() if isinstance(word, str))
+    return (
+        item.place,
+        item.severity,
+        item.code,
+        *(str(word) for word in item.numbers.values() if isinstance(word, str)),
+    )
 
 
 def findings_of_variants(attributes: Mapping[str, Any], ran: int) -> list[Finding]:

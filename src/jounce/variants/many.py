@@ -28,14 +28,27 @@ from jounce.simulation.prepare import PreparedRun, prepare
 from jounce.simulation.problem import MOVES_TRACKS, excitation, force_actuator
 from jounce.simulation.reduced import ReducedCorner, ReducedRun, Reduction, reduction_for
 from jounce.simulation.reduced_car import CarReduction, ReducedCar, car_reduction_for
-from jounce.simulation.result import angles_of, branch_limits, cut_at_branch, samples_reached, turns_little
+from jounce.simulation.result import (
+    angles_of,
+    branch_limits,
+    cut_at_branch,
+    samples_reached,
+    turns_little,
+)
 from jounce.simulation.sampled import STEPS_SHARE, TRIES
 from jounce.simulation.settings import RunSettings
 from jounce.variants import few_channels, stepped
 from jounce.variants.designs import MOST, Design, is_list
 from jounce.variants.few_channels import FewChannels
 from jounce.variants.findings import Tally
-from jounce.variants.metrics import RunMetric, check_durations, of_course, of_courses, of_sums, read_metrics
+from jounce.variants.metrics import (
+    RunMetric,
+    check_durations,
+    of_course,
+    of_courses,
+    of_sums,
+    read_metrics,
+)
 from jounce.variants.side_by_side import LEAST, SharedLayout, lay_out, sums_side_by_side
 from jounce.variants.threads import Item, processors, share
 
@@ -73,11 +86,15 @@ class VariantWork:
     channels: list[str]
     design: dict[str, str | int]
 
-    def run(self, columns: Mapping[str, Array], *, first: int = 0, threads: int | None = None) -> xr.Dataset:
+    def run(
+        self, columns: Mapping[str, Array], *, first: int = 0, threads: int | None = None
+    ) -> xr.Dataset:
         """Run variants, given by their values (SI) by path; ``first`` is the number of the first one."""
         count = len(next(iter(columns.values())))
         few = self.study.few_of(self.metrics, self.channels, count)
-        results = _Results(self.metrics, self.channels, count, few, _Frame(self.study, columns, first))
+        results = _Results(
+            self.metrics, self.channels, count, few, _Frame(self.study, columns, first)
+        )
         groups = list(self.study.groups(columns))
         small = [pair for pair in groups if len(pair[1]) < LEAST]  # whose variants no threads share
         if small and not self.study.adjusts(columns):
@@ -109,14 +126,20 @@ def read_request(
 ) -> tuple[VariantWork, dict[str, Array]]:
     """Read a request: the work, and the values (SI) of every variant by path."""
     if metrics is not None and not len(metrics) and not outputs:
-        raise DescriptionError("nothing to keep of the runs", where="metrics", allowed="e.g. ['rms sprung.az']")
+        raise DescriptionError(
+            "nothing to keep of the runs", where="metrics", allowed="e.g. ['rms sprung.az']"
+        )
     study = VariantStudy(rig, trial, settings, control)
     columns = study.columns(variants)
     wanted = read_metrics(metrics, study.units) if metrics is not None else []
     check_durations(wanted, columns.get("trial.duration", [trial.duration]))
-    channels = study.channels(outputs if outputs is not None or metrics is not None else list(study.units))
+    channels = study.channels(
+        outputs if outputs is not None or metrics is not None else list(study.units)
+    )
     if channels and "trial.duration" in columns and np.ptp(columns["trial.duration"]) > 0.0:
-        raise DescriptionError("channels of runs that differ in length", where="outputs", hint="Ask for metrics.")
+        raise DescriptionError(
+            "channels of runs that differ in length", where="outputs", hint="Ask for metrics."
+        )
     design: dict[str, str | int] = (
         {"design": variants.kind, "seed": variants.seed} if isinstance(variants, Design) else {}
     )
@@ -144,7 +167,10 @@ class _Frame:
     def beside(self) -> dict[str, xr.Variable]:
         """The numbers that vary."""
         study = self.study
-        return {path: _variant_column(column, study.number(path)[1], path) for path, column in self.columns.items()}
+        return {
+            path: _variant_column(column, study.number(path)[1], path)
+            for path, column in self.columns.items()
+        }
 
     @cached_property
     def outside(self) -> int:
@@ -174,7 +200,9 @@ class _Results:
 
     @cached_property
     def reasons(self) -> NDArray[np.object_]:
-        return np.full(self.count, "", dtype=object)  # texts of their own length: one long one is not that of all
+        return np.full(
+            self.count, "", dtype=object
+        )  # texts of their own length: one long one is not that of all
 
     @cached_property
     def courses(self) -> list[Array | None]:
@@ -199,7 +227,9 @@ class _Results:
         study, axes = self.frame.study, self.frame.axes
         result: dict[str, xr.Variable] = {}
         for i, metric in enumerate(self.metrics):
-            result[metric.text] = _variant_column(self.numbers[:, i].copy(), metric.unit, metric.long_name)
+            result[metric.text] = _variant_column(
+                self.numbers[:, i].copy(), metric.unit, metric.long_name
+            )
         if self.channels:
             given = self.frame.columns.get("trial.duration", [study.trial.duration])
             times = study.settings.times(float(given[0]))
@@ -251,7 +281,9 @@ class VariantStudy:
             from jounce.simulation.controlled import close_loop
 
             loop = close_loop(self.rig, self.control)
-            return compile_rig(self.rig, actuator=loop.actuator if loop else force_actuator(self.trial))
+            return compile_rig(
+                self.rig, actuator=loop.actuator if loop else force_actuator(self.trial)
+            )
         return compile_rig(self.rig, actuator=force_actuator(self.trial))
 
     @cached_property
@@ -262,7 +294,9 @@ class VariantStudy:
     @cached_property
     def car(self) -> CarReduction | None:
         """The same of a car, with a coordinate for each wheel."""
-        return car_reduction_for(self.rig, self.trial, self.settings) if self.control is None else None
+        return (
+            car_reduction_for(self.rig, self.trial, self.settings) if self.control is None else None
+        )
 
     @cached_property
     def units(self) -> dict[str, str]:
@@ -289,9 +323,15 @@ class VariantStudy:
             result += channels
         return list(dict.fromkeys(result))
 
-    def few_of(self, metrics: Iterable[RunMetric], channels: Iterable[str], runs: int) -> FewChannels | None:
+    def few_of(
+        self, metrics: Iterable[RunMetric], channels: Iterable[str], runs: int
+    ) -> FewChannels | None:
         """Code for the requested channels only; None if it does not pay for so few runs."""
-        if self.control is not None or runs < few_channels.LEAST or not few_channels.are_worth_it(self.compiled):
+        if (
+            self.control is not None
+            or runs < few_channels.LEAST
+            or not few_channels.are_worth_it(self.compiled)
+        ):
             return None
         wanted = dict.fromkeys([*(metric.channel for metric in metrics), *channels])
         return FewChannels(self.compiled, tuple(wanted)) if len(wanted) < len(self.units) else None
@@ -301,7 +341,9 @@ class VariantStudy:
         for prefix, of in ((_TRIAL, self.trial), (_CONTROL, self.control)):
             if path.startswith(prefix):
                 if of is None:
-                    raise DescriptionError("there is no controller", where=f"variants: {path}", hint="Give control=...")
+                    raise DescriptionError(
+                        "there is no controller", where=f"variants: {path}", hint="Give control=..."
+                    )
                 return of, path.removeprefix(prefix)
         return self.rig, path
 
@@ -324,8 +366,13 @@ class VariantStudy:
             elif of is self.rig and rest in self.adjustments:
                 quantities[rest] = self._adjustment(rest)
             else:
-                others = [*self.adjustments, *(f"{_TRIAL}{name}" for name in _numbers_of(self.trial))]
-                raise unknown_path(f"variants: {path}", [*known, *(others if of is self.rig else [])], name=rest)
+                others = [
+                    *self.adjustments,
+                    *(f"{_TRIAL}{name}" for name in _numbers_of(self.trial)),
+                ]
+                raise unknown_path(
+                    f"variants: {path}", [*known, *(others if of is self.rig else [])], name=rest
+                )
         return quantities[rest]
 
     @cached_property
@@ -347,12 +394,17 @@ class VariantStudy:
     def adjusts(self, paths: Iterable[str]) -> bool:
         """Whether one of some paths is that of an adjustment."""
         known = _numbers(self.rig)
-        return any(path not in known and path in self.adjustments for path in _of_the_rig(dict.fromkeys(paths)))
+        return any(
+            path not in known and path in self.adjustments
+            for path in _of_the_rig(dict.fromkeys(paths))
+        )
 
     def changed_rig(self, changes: Mapping[str, float]) -> Rig:
         """Rig with some of its numbers (SI) changed, and then adjusted."""
         names = [path for path in changes if self.adjusts([path])]
-        rig = self.rig.with_changes({path: value for path, value in changes.items() if path not in names})
+        rig = self.rig.with_changes(
+            {path: value for path, value in changes.items() if path not in names}
+        )
         if not names:
             return rig
         from jounce.kinematics.adjustments import apply_adjustments
@@ -373,7 +425,9 @@ class VariantStudy:
             low, high = float(column.min()), float(column.max())
             if high <= most and (low > least if limit.above is not None else low >= least):
                 continue
-            beyond = (column < least) | (column > most) | (limit.above is not None and column == least)
+            beyond = (
+                (column < least) | (column > most) | (limit.above is not None and column == least)
+            )
             result = beyond if result is None else result | beyond
         return 0 if result is None else int(np.sum(result))
 
@@ -381,25 +435,47 @@ class VariantStudy:
         """Values of every variant, SI."""
         if isinstance(variants, Design):
             result = variants.values(self.number, self.whole, self.limit)
-        elif not variants or not hasattr(variants, "items") or not all(isinstance(path, str) for path in variants):
+        elif (
+            not variants
+            or not hasattr(variants, "items")
+            or not all(isinstance(path, str) for path in variants)
+        ):
             allowed = "path of a number to its values, or a design such as jn.sobol(...)"
-            raise DescriptionError("nothing to vary", where="variants", found=variants, allowed=allowed)
+            raise DescriptionError(
+                "nothing to vary", where="variants", found=variants, allowed=allowed
+            )
         else:
-            result = {path: _column(given, self.number(path)[1], path) for path, given in variants.items()}
+            result = {
+                path: _column(given, self.number(path)[1], path) for path, given in variants.items()
+            }
         lengths = {path: len(column) for path, column in result.items()}
         if len(set(lengths.values())) > 1:
-            raise DescriptionError("the values have different lengths", where="variants", found=lengths)
+            raise DescriptionError(
+                "the values have different lengths", where="variants", found=lengths
+            )
         if not 1 <= max(lengths.values()) <= MOST:
-            raise DescriptionError("not a number of variants", where="variants", found=max(lengths.values()))
+            raise DescriptionError(
+                "not a number of variants", where="variants", found=max(lengths.values())
+            )
         for path in result:
             of, rest = self.owner(path)
-            if of is self.rig and rest not in self.compiled.facts.parameters and not self.adjusts([rest]):
-                raise DescriptionError("does not enter the model", where=f"variants: {path}", hint="Leave it out.")
+            if (
+                of is self.rig
+                and rest not in self.compiled.facts.parameters
+                and not self.adjusts([rest])
+            ):
+                raise DescriptionError(
+                    "does not enter the model", where=f"variants: {path}", hint="Leave it out."
+                )
         return result
 
     def variant(self, changes: Mapping[str, float]) -> tuple[Rig, Trial, Controller | None]:
         """Rig, trial and controller with the numbers (SI) of one variant."""
-        own = {path: value for path, value in changes.items() if not path.startswith((_TRIAL, _CONTROL))}
+        own = {
+            path: value
+            for path, value in changes.items()
+            if not path.startswith((_TRIAL, _CONTROL))
+        }
         trial, control = (
             _change(description, changes, prefix)
             for description, prefix in ((self.trial, _TRIAL), (self.control, _CONTROL))
@@ -417,11 +493,15 @@ class VariantStudy:
         box = [(float(column.min()), float(column.max())) for column in own.values()]
         known = _allowed_boxes(self.rig)
         inside = known.get(tuple(own))
-        if inside is not None and all(a <= c and d <= b for (a, b), (c, d) in zip(inside, box, strict=True)):
+        if inside is not None and all(
+            a <= c and d <= b for (a, b), (c, d) in zip(inside, box, strict=True)
+        ):
             return True
         if 2 ** len(own) < len(next(iter(own.values()))):
             for reach in (1.0, 0.0):  # also beyond the ends: the next sweeps may lie there
-                wide = [(low - reach * (high - low), high + reach * (high - low)) for low, high in box]
+                wide = [
+                    (low - reach * (high - low), high + reach * (high - low)) for low, high in box
+                ]
                 if all(map(partial(self.is_allowed, own), itertools.product(*wide))):
                     known[tuple(own)] = wide
                     return True
@@ -435,7 +515,9 @@ class VariantStudy:
             return False
         return True
 
-    def groups(self, columns: Mapping[str, Array]) -> Iterator[tuple[_TrialGroup, NDArray[np.int64]]]:
+    def groups(
+        self, columns: Mapping[str, Array]
+    ) -> Iterator[tuple[_TrialGroup, NDArray[np.int64]]]:
         """Variants that share a trial and a controller, and the numbers of these variants."""
         outer = [path for path in columns if path.startswith((_TRIAL, _CONTROL))]
         count = len(next(iter(columns.values())))
@@ -466,7 +548,11 @@ class _TrialGroup:
     reason: str = ""
 
     def fill(
-        self, results: _Results, columns: Mapping[str, Array], rows: NDArray[np.int64], threads: int | None
+        self,
+        results: _Results,
+        columns: Mapping[str, Array],
+        rows: NDArray[np.int64],
+        threads: int | None,
     ) -> None:
         own = _of_the_rig(columns)
         if len(rows) < results.count:
@@ -493,7 +579,11 @@ class _TrialGroup:
 
         def run_some(some: Iterable[int]) -> None:
             for i in some:
-                self._run_alone(results, int(rows[i]), partial(self._solve, parameters[i], self._signals, results.few))
+                self._run_alone(
+                    results,
+                    int(rows[i]),
+                    partial(self._solve, parameters[i], self._signals, results.few),
+                )
 
         left = np.flatnonzero(careful).tolist()
         workers = min(threads or processors(), len(left))
@@ -511,7 +601,11 @@ class _TrialGroup:
 
     def _needs_description(self, own: Mapping[str, Array], count: int) -> NDArray[np.bool_] | None:
         """Flags of variants that need their own description, to report why it forbids them; None if no variant does."""
-        if self.control is not None or any(path in MOVES_TRACKS for path in own) or self.study.adjusts(own):
+        if (
+            self.control is not None
+            or any(path in MOVES_TRACKS for path in own)
+            or self.study.adjusts(own)
+        ):
             return np.ones(count, dtype=bool)
         if self.study.allows_all(own):
             return None
@@ -539,7 +633,10 @@ class _TrialGroup:
         for place, limit in limits.items():  # a single run reports variants that run away
             j = channels.index(place)
             careful |= ~(
-                np.maximum(np.abs(sums.rest[:, j] + sums.least[:, j]), np.abs(sums.rest[:, j] + sums.most[:, j]))
+                np.maximum(
+                    np.abs(sums.rest[:, j] + sums.least[:, j]),
+                    np.abs(sums.rest[:, j] + sums.most[:, j]),
+                )
                 <= limit
             )
         sound = ~careful
@@ -591,7 +688,9 @@ class _TrialGroup:
             low, high = travelled.low[beyond], travelled.high[beyond]
             stepping = self._prepare_steps(parameters[left], (float(low.min()), float(high.max())))
             if stepping is None:
-                stepping = self._prepare_steps(parameters[left], (float(np.median(low)), float(np.median(high))))
+                stepping = self._prepare_steps(
+                    parameters[left], (float(np.median(low)), float(np.median(high)))
+                )
         return careful
 
     def _step_through(
@@ -603,12 +702,21 @@ class _TrialGroup:
         base, numbers, sound, corner, tolerance = stepping
         outputs = study.compiled.output_names
         limits = {outputs[row]: limit for row, limit in branch_limits(outputs).items()}
-        angles = angles_of(outputs) if base.compiled.facts.projects else []  # one coordinate cannot flip
-        wanted = [*(metric.channel for metric in results.metrics), *results.channels, *limits, *angles]
+        angles = (
+            angles_of(outputs) if base.compiled.facts.projects else []
+        )  # one coordinate cannot flip
+        wanted = [
+            *(metric.channel for metric in results.metrics),
+            *results.channels,
+            *limits,
+            *angles,
+        ]
         channels = [outputs.index(name) for name in dict.fromkeys(wanted)]
         row_of = {outputs[number]: i for i, number in enumerate(channels)}
         extended = stepped.in_blocks(base.compiled, numbers)
-        blocks = stepped.LaneBlocks(base.compiled, base, extended, self._signals, channels, tolerance)
+        blocks = stepped.LaneBlocks(
+            base.compiled, base, extended, self._signals, channels, tolerance
+        )
         rest, wide = blocks.rest(), extended.shape[2]
         sound &= ~rest.lost.ravel()[: len(rows)]
         results.make_room()
@@ -616,7 +724,9 @@ class _TrialGroup:
         def take(block: int, states: Array, courses: Array) -> None:
             first = block * wide
             count = min(wide, len(rows) - first)
-            inside = corner.holds(states)[:count] if corner is not None else np.ones(count, dtype=bool)
+            inside = (
+                corner.holds(states)[:count] if corner is not None else np.ones(count, dtype=bool)
+            )
             valid = np.ones(wide, dtype=bool)
             for name, limit in limits.items():  # a single run reports variants that run away
                 course = courses[row_of[name]]
@@ -646,7 +756,9 @@ class _TrialGroup:
         results.tally["side_by_side"] += int(np.sum(travelled.held))
         return travelled
 
-    def _prepare_steps(self, parameters: Array, travel: tuple[float, float] | None = None) -> _Stepping | None:
+    def _prepare_steps(
+        self, parameters: Array, travel: tuple[float, float] | None = None
+    ) -> _Stepping | None:
         """Prepare the stepping of variants in vectors; None if impossible, or if the rig itself cannot run.
 
         The tables reach beyond ``travel`` (m), the known travel of the wheel.
@@ -658,7 +770,14 @@ class _TrialGroup:
                 return None
             try:
                 method = study.settings.method
-                base = prepare(study.compiled, study.base, self._signals, times, tolerance=tolerance, method=method)
+                base = prepare(
+                    study.compiled,
+                    study.base,
+                    self._signals,
+                    times,
+                    tolerance=tolerance,
+                    method=method,
+                )
             except SimulationError:
                 return None
             every = np.ones(len(parameters), dtype=bool)
@@ -671,10 +790,18 @@ class _TrialGroup:
             if stepper is None:
                 return None
             whole = np.concatenate([study.base[None, :], parameters])
-            numbers, sound = study.reduction.alike(stepper.table, stepper.degree, names, whole, corner.limit)
-            stepping = _Stepping(stepper.prepared, numbers[1:], sound[1:], stepper, STEPS_SHARE * tolerance)
+            numbers, sound = study.reduction.alike(
+                stepper.table, stepper.degree, names, whole, corner.limit
+            )
+            stepping = _Stepping(
+                stepper.prepared, numbers[1:], sound[1:], stepper, STEPS_SHARE * tolerance
+            )
         base = stepping.base
-        steps = base.exact is None and base.method == "explicit" and stepped.can_step(base.compiled, len(parameters))
+        steps = (
+            base.exact is None
+            and base.method == "explicit"
+            and stepped.can_step(base.compiled, len(parameters))
+        )
         return stepping if steps else None
 
     def _run_alone(self, results: _Results, row: int, run: Callable[[], _RunSamples]) -> None:
@@ -692,11 +819,17 @@ class _TrialGroup:
                 metric, run_samples.outputs[j], run_samples.rest[j], self.study.settings.output_step
             )
         if results.channels:
-            results.courses[row] = run_samples.outputs[[run_samples.names.index(name) for name in results.channels]]
+            results.courses[row] = run_samples.outputs[
+                [run_samples.names.index(name) for name in results.channels]
+            ]
 
     def _run(self, changes: Mapping[str, float], few: FewChannels | None) -> _RunSamples:
         """Run the rig with some of its numbers changed."""
-        settings, compiled, rig = self.study.settings, self.study.compiled, self.study.changed_rig(changes)
+        settings, compiled, rig = (
+            self.study.settings,
+            self.study.compiled,
+            self.study.changed_rig(changes),
+        )
         if self.control is not None:
             from jounce.simulation.solve import solve
 
@@ -717,7 +850,9 @@ class _TrialGroup:
         some = few.run(p, signals, times, settings) if few is not None else None
         if few is not None and some is not None:
             return _RunSamples(few.names, *some)
-        prepared_run = prepare(compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method)
+        prepared_run = prepare(
+            compiled, p, signals, times, tolerance=settings.tolerance, method=settings.method
+        )
         solution = cut_at_branch(compiled, prepared_run.run())
         samples_reached(solution, compiled.facts, check=True)
         at = prepared_run.equilibrium
@@ -726,7 +861,9 @@ class _TrialGroup:
             rest = compiled.evaluate("output", at.x, prepared_run.still, p, at.modes)
         return _RunSamples(compiled.output_names, solution.outputs, rest)
 
-    def _run_reduced(self, p: Array, signals: list[Segments], times: Array) -> tuple[Array, Array] | None:
+    def _run_reduced(
+        self, p: Array, signals: list[Segments], times: Array
+    ) -> tuple[Array, Array] | None:
         """Run the model with one coordinate for each corner; None where that is not possible."""
         study = self.study
         values = dict(zip(study.compiled.facts.parameters, p.tolist(), strict=True))
@@ -743,7 +880,9 @@ class _TrialGroup:
         at = prepared_run.equilibrium
         assert at is not None
         still, values_there = prepared_run.still, prepared_run.problem.p
-        return solution.outputs, prepared_run.compiled.evaluate("output", at.x, still, values_there, at.modes)
+        return solution.outputs, prepared_run.compiled.evaluate(
+            "output", at.x, still, values_there, at.modes
+        )
 
 
 def _share_out(items: Sequence[Item], take: Callable[[Iterable[Item]], None], workers: int) -> None:
@@ -821,7 +960,9 @@ def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:
         if isinstance(value, int) and not isinstance(value, bool):
             numbers[name] = float(value)
         elif hasattr(type(value), "model_fields"):
-            numbers |= {f"{name}.{path}": number for path, number in _numbers_of(value, whole=whole).items()}
+            numbers |= {
+                f"{name}.{path}": number for path, number in _numbers_of(value, whole=whole).items()
+            }
     return numbers
 
 
@@ -832,24 +973,39 @@ def _numbers(rig: Rig) -> dict[str, float]:
 
 
 def _of_the_rig(columns: Mapping[str, _Value]) -> dict[str, _Value]:
-    return {path: column for path, column in columns.items() if not path.startswith((_TRIAL, _CONTROL))}
+    return {
+        path: column for path, column in columns.items() if not path.startswith((_TRIAL, _CONTROL))
+    }
 
 
 def _change(description: Any, changes: Mapping[str, float], prefix: str) -> Any:
     own: dict[str, float] = {
-        path.removeprefix(prefix): value for path, value in changes.items() if path.startswith(prefix)
+        path.removeprefix(prefix): value
+        for path, value in changes.items()
+        if path.startswith(prefix)
     }
     if description is None or not own:
         return description
     whole = _numbers_of(description, whole=True)
-    own = {path: int(value) if path in whole and value.is_integer() else value for path, value in own.items()}
-    return type(description).from_table(change_table(description, own), where=prefix.removesuffix("."))
+    own = {
+        path: int(value) if path in whole and value.is_integer() else value
+        for path, value in own.items()
+    }
+    return type(description).from_table(
+        change_table(description, own), where=prefix.removesuffix(".")
+    )
 
 
 def _column(given: object, unit: str, path: str) -> Array:
     if not is_list(given):
-        raise DescriptionError("not a list of values", where=f"variants: {path}", found=given, allowed="one a variant")
-    column = np.array(as_values(given, unit, where=f"variants: {path}"))  # of our own: results keep it
+        raise DescriptionError(
+            "not a list of values", where=f"variants: {path}", found=given, allowed="one a variant"
+        )
+    column = np.array(
+        as_values(given, unit, where=f"variants: {path}")
+    )  # of our own: results keep it
     if column.ndim != 1 or not len(column) or not np.all(np.isfinite(column)):
-        raise DescriptionError("not a list of finite numbers", where=f"variants: {path}", found=str(given)[:60])
+        raise DescriptionError(
+            "not a list of finite numbers", where=f"variants: {path}", found=str(given)[:60]
+        )
     return column

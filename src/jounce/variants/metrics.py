@@ -55,7 +55,10 @@ class RunMetric:
     @property
     def long_name(self) -> str:
         """Label."""
-        what = WORDS.get(self.word) or f"root mean square, weighted by {self.word}, about the value at rest"
+        what = (
+            WORDS.get(self.word)
+            or f"root mean square, weighted by {self.word}, about the value at rest"
+        )
         return f"{self.channel}: {what}"
 
     @property
@@ -70,7 +73,9 @@ def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[R
     for text in [texts] if isinstance(texts, str) else texts:
         words = str(text).split()
         if len(words) != 2:
-            raise DescriptionError("not a metric", where="metrics", found=text, allowed="e.g. 'rms sprung.az'")
+            raise DescriptionError(
+                "not a metric", where="metrics", found=text, allowed="e.g. 'rms sprung.az'"
+            )
         if words[0] not in WORDS and words[0] not in WEIGHTINGS:
             known = (*WORDS, *WEIGHTINGS)
             raise DescriptionError(
@@ -83,7 +88,9 @@ def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[R
         channels = channels_of(words[1], list(units))
         if not channels:
             raise _unknown_channel(words[1], units)
-        metrics += [RunMetric(f"{words[0]} {name}", words[0], name, units[name]) for name in channels]
+        metrics += [
+            RunMetric(f"{words[0]} {name}", words[0], name, units[name]) for name in channels
+        ]
     return list({metric.text: metric for metric in metrics}.values())
 
 
@@ -102,7 +109,8 @@ def _unknown_channel(name: str, units: Mapping[str, str]) -> DescriptionError:
     if name not in {row.name for row in CATALOGUE}:
         return error
     hint = Phrase(
-        "{name} is no channel of a run, but kinematics: jn.sweep_variants gives it over wheel travel.", name=name
+        "{name} is no channel of a run, but kinematics: jn.sweep_variants gives it over wheel travel.",
+        name=name,
     )
     return DescriptionError(error.what, where=error.where, allowed=error.allowed, hint=hint)
 

@@ -84,7 +84,9 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
 
     names, paths = metrics_of(many, metrics), numbers_of(many)
     if not paths:
-        raise DescriptionError("no number varies", where="many", hint="Give what simulate_many or load_sweep gives.")
+        raise DescriptionError(
+            "no number varies", where="many", hint="Give what simulate_many or load_sweep gives."
+        )
     values = np.column_stack([many[path].to_numpy() for path in paths])
     design = str(many.attrs.get("design", "list"))
     size = {"saltelli": len(paths) + 2, "morris": len(paths) + 1}.get(design, 1)
@@ -94,10 +96,12 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
     for i, name in enumerate(names):
         y = many[name].to_numpy().astype(float)
         good = np.isfinite(y) & _are_whole(belong, np.isfinite(y), size)
-        _check_count(int(np.sum(good)) // size, _FEWEST if size > 1 else max(_FEWEST, len(paths) + 2))
-        results = {"saltelli": _sobol_indices, "morris": _elementary_effects}.get(design, _regression)(
-            values[good], y[good]
+        _check_count(
+            int(np.sum(good)) // size, _FEWEST if size > 1 else max(_FEWEST, len(paths) + 2)
         )
+        results = {"saltelli": _sobol_indices, "morris": _elementary_effects}.get(
+            design, _regression
+        )(values[good], y[good])
         if design != "morris":  # whose few places would mix the effects of the numbers
             results |= _ends(values[good], y[good])
         left_out = max(left_out, int(np.sum(~good)))
@@ -146,7 +150,9 @@ def metrics_of(many: xr.Dataset, chosen: Sequence[str] | str | None = None) -> l
         if name not in known:
             raise unknown(name, known, what="metric", where="metrics")
     if not wanted:
-        raise DescriptionError("no metric was kept of the runs", where="metrics", hint="Ask for metrics.")
+        raise DescriptionError(
+            "no metric was kept of the runs", where="metrics", hint="Ask for metrics."
+        )
     return wanted
 
 
@@ -163,12 +169,17 @@ def _varies(y: Array) -> bool:
     return bool(np.ptp(y) > _LEAST * np.max(np.abs(y)))
 
 
-def _resample(rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, ...]]) -> list[tuple[Array, Array]]:
+def _resample(
+    rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, ...]]
+) -> list[tuple[Array, Array]]:
     """Bootstrap the interval of each estimate, from rows drawn again with replacement."""
     random = np.random.default_rng(0)
     times = _RESAMPLES if rows * numbers <= _MANY else _FEWER
     drawn = [estimate(random.integers(0, rows, rows)) for _ in range(times)]
-    ends = [np.percentile(np.array(estimates), _CONFIDENCE, axis=0) for estimates in zip(*drawn, strict=True)]
+    ends = [
+        np.percentile(np.array(estimates), _CONFIDENCE, axis=0)
+        for estimates in zip(*drawn, strict=True)
+    ]
     return [(low, high) for low, high in ends]
 
 
@@ -183,14 +194,21 @@ def _estimate_with_ends(
     for name, value, (low, high) in zip(names, values, ends, strict=False):
         below, above = wider * np.maximum(value - low, 0.0), wider * np.maximum(high - value, 0.0)
         least = 0.0 if name in _NEVER_NEGATIVE else -np.inf
-        results |= {name: value, f"{name}_low": np.maximum(value - below, least), f"{name}_high": value + above}
+        results |= {
+            name: value,
+            f"{name}_low": np.maximum(value - below, least),
+            f"{name}_high": value + above,
+        }
     return results
 
 
 def _check_count(count: int, least: int) -> None:
     if count < least:
         raise DescriptionError(
-            "too few variants that ran", where="many", found=count, allowed=Phrase("at least {least}", least=least)
+            "too few variants that ran",
+            where="many",
+            found=count,
+            allowed=Phrase("at least {least}", least=least),
         )
 
 
@@ -205,7 +223,9 @@ def _sobol_indices(values: Array, y: Array) -> dict[str, Array]:
     runs = y.reshape(-1, numbers + 2)
     if not _varies(runs):
         return dict.fromkeys(("first", "total"), np.zeros(numbers))
-    runs = runs - np.mean(runs[:, [0, -1]])  # estimators are products: a large mean would only add to their scatter
+    runs = runs - np.mean(
+        runs[:, [0, -1]]
+    )  # estimators are products: a large mean would only add to their scatter
 
     def estimate(rows: Any) -> tuple[Array, ...]:
         first, exchanged, second = runs[rows, :1], runs[rows, 1:-1], runs[rows, -1:]
@@ -223,11 +243,17 @@ def _elementary_effects(values: Array, y: Array) -> dict[str, Array]:
     effects = np.zeros((len(runs), numbers))
     number = np.argmax(np.abs(steps) > 0.0, axis=2)
     signs = np.sign(np.take_along_axis(steps, number[:, :, None], axis=2)[:, :, 0])
-    np.put_along_axis(effects, number, 2.0 * signs * np.diff(runs, axis=1), axis=1)  # a step is half of the shares
+    np.put_along_axis(
+        effects, number, 2.0 * signs * np.diff(runs, axis=1), axis=1
+    )  # a step is half of the shares
 
     def estimate(rows: Any) -> tuple[Array, ...]:
         chosen = effects[rows]
-        return np.mean(np.abs(chosen), axis=0), np.mean(chosen, axis=0), np.std(chosen, axis=0, ddof=1)
+        return (
+            np.mean(np.abs(chosen), axis=0),
+            np.mean(chosen, axis=0),
+            np.std(chosen, axis=0, ddof=1),
+        )
 
     names = ("mean_absolute_effect", "mean_effect", "effect_spread")
     return _estimate_with_ends(names, len(runs), numbers, estimate)

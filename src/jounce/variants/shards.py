@@ -61,8 +61,12 @@ _OVERHEAD = 60_000  # bytes of a netCDF file without its numbers
 _MOST_NUMBERS = 400_000_000  # numbers in one dataset: 3.2 GB
 _COUNTED = ("side_by_side", "outside")  # attributes that add up over shards
 _MOST_DIFFERENCES = 5  # that an error lists
-_COLUMN = re.compile(r"(\d+) from (\S+) to (\S+), [0-9a-f]{16}")  # values of a number, as `study_of` writes them
-_NEAR = 0.02  # share of its range by which the ends of a parameter move when its values are drawn again
+_COLUMN = re.compile(
+    r"(\d+) from (\S+) to (\S+), [0-9a-f]{16}"
+)  # values of a number, as `study_of` writes them
+_NEAR = (
+    0.02  # share of its range by which the ends of a parameter move when its values are drawn again
+)
 _LONG_LIST = 50  # values, from which on a digest stands for them in an error
 
 
@@ -118,7 +122,9 @@ class KeptSweep:
     def write(self, number: int, content: bytes) -> None:
         """Store a shard, given as a netCDF file, and remove damaged ones of its number."""
         if self.is_zarr:
-            content = zarr_shards.put(self.folder, number, _dataset(content), self.count, int(self.about["shard"]))
+            content = zarr_shards.put(
+                self.folder, number, _dataset(content), self.count, int(self.about["shard"])
+            )
         name = f"{number:06d}.{checksum(content)}{self._suffix}"
         (self.folder / SHARDS).mkdir(exist_ok=True)
         write_atomically(self.folder / SHARDS / name, content, force=True)
@@ -197,11 +203,23 @@ def keep_in_shards(
         if begins:
             _begin(shards)
         done = shards.whole()
-        _check_disk(shards, work, [shards.spans[number] for number in range(len(shards.spans)) if number not in done])
-        version, finished = _version(), sum(shards.spans[number][1] - shards.spans[number][0] for number in done)
+        _check_disk(
+            shards,
+            work,
+            [shards.spans[number] for number in range(len(shards.spans)) if number not in done],
+        )
+        version, finished = (
+            _version(),
+            sum(shards.spans[number][1] - shards.spans[number][0] for number in done),
+        )
         say(finished, shards.count)
         tasks = [
-            Task(number, first, {path: column[first:end] for path, column in columns.items()}, version)
+            Task(
+                number,
+                first,
+                {path: column[first:end] for path, column in columns.items()},
+                version,
+            )
             for number, (first, end) in enumerate(shards.spans)
             if number not in done
         ]
@@ -241,7 +259,9 @@ def _write(shards: KeptSweep, number: int, content: bytes) -> None:
         shards.write(number, content)
     except OutputError as error:
         hint = f"What is finished is kept: make room, then resume. {error.hint}".rstrip()
-        raise OutputError(error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint) from None
+        raise OutputError(
+            error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint
+        ) from None
 
 
 def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Dataset:
@@ -288,7 +308,9 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
         if shard is None:
             continue
         if channels is None:
-            over_time = [variable for variable in shard.data_vars.values() if "time" in variable.dims]
+            over_time = [
+                variable for variable in shard.data_vars.values() if "time" in variable.dims
+            ]
             channels = count * sum(array[0].size for array in over_time) <= _MOST_NUMBERS
         if not channels:
             shard = shard.drop_dims("time", errors="ignore")
@@ -296,7 +318,8 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
             first_shard = shard
             arrays = {
                 str(name): np.empty(
-                    (count, *variable.shape[1:]), dtype=variable.dtype if variable.dtype.kind in "fi" else object
+                    (count, *variable.shape[1:]),
+                    dtype=variable.dtype if variable.dtype.kind in "fi" else object,
                 )
                 for name, variable in shard.variables.items()
                 if "variant" in variable.dims
@@ -312,13 +335,20 @@ def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Datase
         return xr.Dataset(attrs={"variants": shards.count})
     variables = {
         str(name): xr.Variable(
-            variable.dims, arrays[str(name)][:row] if str(name) in arrays else variable.to_numpy(), variable.attrs
+            variable.dims,
+            arrays[str(name)][:row] if str(name) in arrays else variable.to_numpy(),
+            variable.attrs,
         )
         for name, variable in first_shard.variables.items()
     }
     coordinates = {name: variables[str(name)] for name in map(str, first_shard.coords)}
     data = {name: variable for name, variable in variables.items() if name not in coordinates}
-    attributes = {**to_plain(first_shard.attrs), **tally, **findings.attributes(), "variants": shards.count}
+    attributes = {
+        **to_plain(first_shard.attrs),
+        **tally,
+        **findings.attributes(),
+        "variants": shards.count,
+    }
     return xr.Dataset(data, coordinates, attributes)
 
 
@@ -328,16 +358,27 @@ def read_kept(folder: Path) -> KeptSweep:
     try:
         if not file.is_file():
             raise OutputError(
-                "the folder holds no sweep", where=str(folder), allowed=Phrase("one with {manifest}", manifest=MANIFEST)
+                "the folder holds no sweep",
+                where=str(folder),
+                allowed=Phrase("one with {manifest}", manifest=MANIFEST),
             )
         about = json.loads(content_of(file, OutputError))
         shards = KeptSweep(folder, about)
         size = int(about["shard"])
-        if about["schema"] == SCHEMA and 1 <= shards.count <= _MOST_SHARDS * size and size >= 1 and "study" in about:
+        if (
+            about["schema"] == SCHEMA
+            and 1 <= shards.count <= _MOST_SHARDS * size
+            and size >= 1
+            and "study" in about
+        ):
             return shards
     except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
         pass
-    raise OutputError("this says nothing of a sweep", where=str(file), hint="Begin the sweep anew in another folder.")
+    raise OutputError(
+        "this says nothing of a sweep",
+        where=str(file),
+        hint="Begin the sweep anew in another folder.",
+    )
 
 
 # identity of a sweep --------------------------------------------------------------------------------------------------
@@ -355,7 +396,10 @@ def study_of(work: VariantWork, columns: Mapping[str, Array]) -> dict[str, Any]:
         )
     described = {"rig": study.rig, "trial": study.trial, "control": study.control}
     return {
-        **{name: None if part is None else _plain(part.model_dump(by_alias=True)) for name, part in described.items()},
+        **{
+            name: None if part is None else _plain(part.model_dump(by_alias=True))
+            for name, part in described.items()
+        },
         "settings": to_plain(study.settings),
         "metrics": [metric.text for metric in work.metrics],
         "outputs": list(work.channels),
@@ -408,7 +452,10 @@ def _check_same(shards: KeptSweep, study: Mapping[str, Any]) -> None:
     if not changed:
         return
     drawn_anew = bool({"variants.seed", "variants.design"} & set(changed))
-    texts = [_change_text(path, before.get(path), now.get(path), drawn_anew=drawn_anew) for path in changed]
+    texts = [
+        _change_text(path, before.get(path), now.get(path), drawn_anew=drawn_anew)
+        for path in changed
+    ]
     texts = list(dict.fromkeys(filter(None, texts)))
     more = f" and {len(texts) - _MOST_DIFFERENCES} more" if len(texts) > _MOST_DIFFERENCES else ""
     raise OutputError(
@@ -424,7 +471,9 @@ def _change_text(path: str, before: Any, now: Any, *, drawn_anew: bool) -> str:
     columns = [_COLUMN.fullmatch(str(value)) for value in (before, now)]
     if columns[0] is None or columns[1] is None:
         return f"{path}: {_short(before)} before, {_short(now)} now"
-    (count, *ends), (others, *other_ends) = (column.groups()[:3] for column in columns if column is not None)
+    (count, *ends), (others, *other_ends) = (
+        column.groups()[:3] for column in columns if column is not None
+    )
     low, high, other_low, other_high = map(float, (*ends, *other_ends))
     near = _NEAR * max(high - low, other_high - other_low)
     if count == others and abs(low - other_low) <= near and abs(high - other_high) <= near:
@@ -445,7 +494,12 @@ def _short(value: Any) -> str:
 
 
 def _plan(
-    folder: Path, work: VariantWork, columns: Mapping[str, Array], study: Mapping[str, Any], size: int, command: str
+    folder: Path,
+    work: VariantWork,
+    columns: Mapping[str, Array],
+    study: Mapping[str, Any],
+    size: int,
+    command: str,
 ) -> KeptSweep:
     """Plan a new sweep; refuse it without enough room on the disk."""
     about = {
@@ -488,7 +542,9 @@ def _pace(work: VariantWork, columns: Mapping[str, Array]) -> _Pace:
         dataset = work.run({path: column[:tried] for path, column in columns.items()}, threads=1)
         took, size = time.perf_counter() - started, dataset.sizes["variant"]
         together = dataset.attrs["side_by_side"]
-        if together > before and took > _TRIED:  # the first that ran side by side waited for their code
+        if (
+            together > before and took > _TRIED
+        ):  # the first that ran side by side waited for their code
             before = together
             continue
         if took > _TRIED or tried >= count:
@@ -502,12 +558,18 @@ def _size(work: VariantWork, columns: Mapping[str, Array], workers: int, pace: _
     most = [_AIM / pace.seconds, _MOST_BYTES / _bytes_of_a_variant(work, columns), _LARGEST]
     if workers > 1:
         worth = _TASK / pace.seconds  # below which handing it on takes longer than the work
-        most.append(max(count / (workers * _PER_WORKER), 2.0 ** math.ceil(math.log2(max(worth, 1.0)))))
+        most.append(
+            max(count / (workers * _PER_WORKER), 2.0 ** math.ceil(math.log2(max(worth, 1.0))))
+        )
     return int(2 ** math.floor(math.log2(max(min(most), 1.0))))
 
 
 def _bytes_of_a_variant(work: VariantWork, columns: Mapping[str, Array]) -> int:
-    samples = len(work.study.settings.times(float(columns.get("trial.duration", [work.study.trial.duration])[0])))
+    samples = len(
+        work.study.settings.times(
+            float(columns.get("trial.duration", [work.study.trial.duration])[0])
+        )
+    )
     return 8 * (len(columns) + len(work.metrics) + len(work.channels) * samples + 1) + 32
 
 
@@ -543,7 +605,9 @@ def _lock(folder: Path) -> Iterator[None]:
     held = hold(folder)
     if held is None:
         raise OutputError(
-            "another process works on this sweep", where=str(folder), hint="Wait for it, or end it first."
+            "another process works on this sweep",
+            where=str(folder),
+            hint="Wait for it, or end it first.",
         )
     try:
         yield

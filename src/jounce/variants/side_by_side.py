@@ -13,7 +13,14 @@ from jounce.core.segments import CIRCLE, Segments
 from jounce.core.types import Array
 from jounce.kernel.engine import Control, Problem, Samples, flatten
 from jounce.kernel.methods import lanes
-from jounce.kernel.methods.exact import MOST_WAVES, parts_for, rate_bound_of, run_of, signals_of, typical_step
+from jounce.kernel.methods.exact import (
+    MOST_WAVES,
+    parts_for,
+    rate_bound_of,
+    run_of,
+    signals_of,
+    typical_step,
+)
 from jounce.kernel.methods.propagators import Calls, propagators, terms_of
 from jounce.mechanics.facts import SLOPE_LANES
 from jounce.simulation.compiled import Compiled
@@ -21,7 +28,9 @@ from jounce.simulation.prepare import dead_band
 from jounce.simulation.statics import find_equilibrium, state_scale
 from jounce.variants.threads import processors, share
 
-_SPARE = 1.3  # ratio by which motions of a variant may be faster than those for which the step is chosen
+_SPARE = (
+    1.3  # ratio by which motions of a variant may be faster than those for which the step is chosen
+)
 LEAST = 4
 """Variants below which the common preparation takes longer than single runs."""
 _FEW = 64  # variants below which another thread gains nothing
@@ -81,7 +90,10 @@ class SharedLayout:
 
 
 def sums_side_by_side(
-    layout: SharedLayout, parameters: Array, threads: int | None = None, meanwhile: Callable[[], object] | None = None
+    layout: SharedLayout,
+    parameters: Array,
+    threads: int | None = None,
+    meanwhile: Callable[[], object] | None = None,
 ) -> Sums | None:
     """Run variants, one row of parameter values (SI) each; None where they cannot run in vectors, or are too few.
 
@@ -113,7 +125,11 @@ def sums_side_by_side(
 
 
 def lay_out(
-    compiled: Compiled, base: Array, signals: Sequence[Segments], times: Array, channels: Sequence[int]
+    compiled: Compiled,
+    base: Array,
+    signals: Sequence[Segments],
+    times: Array,
+    channels: Sequence[int],
 ) -> SharedLayout | None:
     """Lay out what variants of a model share over one course; None where model or course are not for it.
 
@@ -134,21 +150,36 @@ def lay_out(
     if len(frequency) > MOST_WAVES:
         return None
     still = compiled.inputs(
-        {name: float(s.evaluate(times[:1])[0][0]) for name, s in zip(facts.tracks, signals, strict=True)}
+        {
+            name: float(s.evaluate(times[:1])[0][0])
+            for name, s in zip(facts.tracks, signals, strict=True)
+        }
     )
     try:
         rest = find_equilibrium(compiled, base, still)
     except SimulationError:  # one by one those that have an equilibrium run
         return None
-    some = (rest.modes, np.ones_like(rest.modes), np.zeros_like(rest.modes))[: 3 if len(rest.modes) else 1]
-    if not all(_outputs_are_linear(compiled, base, rest.x, modes, still, channels) for modes in some):
+    some = (rest.modes, np.ones_like(rest.modes), np.zeros_like(rest.modes))[
+        : 3 if len(rest.modes) else 1
+    ]
+    if not all(
+        _outputs_are_linear(compiled, base, rest.x, modes, still, channels) for modes in some
+    ):
         return None
     scale = state_scale(rest, *facts.counts, 1.0)
     inputs, each = order * count, signals_of(tracks, order * count)
     address = compiled.native.address
-    calls = Calls(address["rate"], address["switch"], address.get("switch_many", 0), address["slopes"], SLOPE_LANES)
+    calls = Calls(
+        address["rate"],
+        address["switch"],
+        address.get("switch_many", 0),
+        address["slopes"],
+        SLOPE_LANES,
+    )
     sizes = (len(facts.states), count, order, each)
-    props = propagators(calls, sizes, compiled.shapes["slopes"][0], len(facts.switches), frequency, scale)
+    props = propagators(
+        calls, sizes, compiled.shapes["slopes"][0], len(facts.switches), frequency, scale
+    )
     problem = Problem(
         compiled.engine,
         tracks,
@@ -169,7 +200,8 @@ def lay_out(
     band = dead_band(compiled, base, rest, scale, still)
     control = Control(0.0, scale, band, _MOST_STEPS, float(times[-1] - times[0]))
     nothing = Samples(
-        np.zeros(0), *(np.zeros((rows, 0)) for rows in (len(facts.states), inputs, len(facts.outputs), 0))
+        np.zeros(0),
+        *(np.zeros((rows, 0)) for rows in (len(facts.states), inputs, len(facts.outputs), 0)),
     )
     props = props._replace(step=step / parts)
     run = run_of(problem, control, props, nothing, np.zeros(3, dtype=np.int64))
@@ -192,12 +224,18 @@ def lay_out(
         parts > 1,
     )
     functions = compiled.functions
-    code = lanes.code(compiled.identity, lane_sizes, lambda: (functions["switch"], functions["rate"]))
+    code = lanes.code(
+        compiled.identity, lane_sizes, lambda: (functions["switch"], functions["rate"])
+    )
     look, glance = code.address[:2]
     work = lanes.Work(
         run,
         lanes.Addresses(
-            address["derived"], address["output"], look, glance, np.array(code.address[2:], dtype=np.int64)
+            address["derived"],
+            address["output"],
+            look,
+            glance,
+            np.array(code.address[2:], dtype=np.int64),
         ),
         course,
         lanes.room(code.sizes, run, compiled.scalars, len(facts.outputs)),
@@ -236,13 +274,20 @@ def _with_own_arrays(work: lanes.Work) -> lanes.Work:
     """The same work on other variants, with arrays of its own to work in."""
     run = work.run
     problem = run.problem._replace(piece=run.problem.piece.copy(), m=run.problem.m.copy())
-    props = run.props._replace(scratch=type(run.props.scratch)(*(array.copy() for array in run.props.scratch)))
-    own = {name: getattr(run, name).copy() for name in ("x", "trial", "time", "u", "part", "orders", "counts", "marks")}
+    props = run.props._replace(
+        scratch=type(run.props.scratch)(*(array.copy() for array in run.props.scratch))
+    )
+    own = {
+        name: getattr(run, name).copy()
+        for name in ("x", "trial", "time", "u", "part", "orders", "counts", "marks")
+    }
     room = work.room._replace(**{name: array.copy() for name, array in work.room._asdict().items()})
     room = room._replace(  # what a step reads and writes a vector at a time
         kept=_align(room.kept), next=_align(room.next), variant=_align(room.variant)
     )
-    return work._replace(run=run._replace(problem=problem, props=props, **own), room=room, span=work.span.copy())
+    return work._replace(
+        run=run._replace(problem=problem, props=props, **own), room=room, span=work.span.copy()
+    )
 
 
 def _align(array: Array) -> Array:

@@ -123,7 +123,9 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     trial = as_trial(trial)
     _check_threads(threads)
     if not is_whole(workers) or workers < 1:
-        raise DescriptionError("not a number of processes", where="workers", found=workers, allowed="1 or more")
+        raise DescriptionError(
+            "not a number of processes", where="workers", found=workers, allowed="1 or more"
+        )
     work, columns = read_request(
         as_rig(rig),
         trial,
@@ -135,8 +137,14 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     )
     count = len(next(iter(columns.values())))
     if out is not None:
-        return keep_in_shards(work, columns, out, resume=resume, workers=workers, client=client, threads=threads)
-    for name, given in (("resume", resume), ("workers", workers > 1), ("client", client is not None)):
+        return keep_in_shards(
+            work, columns, out, resume=resume, workers=workers, client=client, threads=threads
+        )
+    for name, given in (
+        ("resume", resume),
+        ("workers", workers > 1),
+        ("client", client is not None),
+    ):
         if given:
             hint = "Give out=, a folder in which results are kept as they come."
             raise DescriptionError("goes with a folder of results", where=name, hint=hint)
@@ -155,7 +163,9 @@ def _as_controller(control: AnyControl | None) -> Controller | None:
 
 def _check_threads(threads: int | None) -> None:
     if threads is not None and (not is_whole(threads) or threads < 1):
-        raise DescriptionError("not a number of threads", where="threads", found=threads, allowed="1 or more")
+        raise DescriptionError(
+            "not a number of threads", where="threads", found=threads, allowed="1 or more"
+        )
 
 
 def _check_size(count: int, channels: int, samples: int) -> None:

@@ -76,7 +76,9 @@ def can_step(compiled: Compiled, count: int) -> bool:
     return worth and not facts.internal and bool(compiled.identity)
 
 
-def code_of(compiled: Compiled, channels: Sequence[int], width: int = WIDTH) -> tuple[Native, Native]:
+def code_of(
+    compiled: Compiled, channels: Sequence[int], width: int = WIDTH
+) -> tuple[Native, Native]:
     """Native code of a block: rate, switch, projection and steps; and some outputs."""
 
     def steps() -> Source:
@@ -86,9 +88,13 @@ def code_of(compiled: Compiled, channels: Sequence[int], width: int = WIDTH) -> 
         graphs, facts = compiled.functions, compiled.facts
         functions = {name: Wide(graphs[name], width) for name in ("rate", "switch")}
         if facts.projects:
-            functions |= {name: Wide(graphs["project_many"], width) for name in ("project", "project_many")}
+            functions |= {
+                name: Wide(graphs["project_many"], width) for name in ("project", "project_many")
+            }
         inputs, n = len(facts.tracks) * facts.track_order, len(facts.states)
-        return Source(functions, Step("rate", n * width, n * width, inputs, len(facts.switches) * width))
+        return Source(
+            functions, Step("rate", n * width, n * width, inputs, len(facts.switches) * width)
+        )
 
     return _code(compiled, f"stepped {width}", steps), code_of_outputs(compiled, channels, width)
 
@@ -103,7 +109,9 @@ def code_of_outputs(compiled: Compiled, channels: Sequence[int], width: int = 0)
 
         graph = compiled.functions["output"]
         arguments = [ca.SX.sym(name, graph.size1_in(i)) for i, name in enumerate("xupm")]
-        shown = ca.Function("output", arguments, [ca.cse(ca.densify(graph(*arguments)[list(channels)]))])
+        shown = ca.Function(
+            "output", arguments, [ca.cse(ca.densify(graph(*arguments)[list(channels)]))]
+        )
         return Source({"output": Wide(shown, width) if width else shown})
 
     return _code(compiled, f"outputs {width} {[*channels]}", outputs)
@@ -142,7 +150,8 @@ class LaneBlocks:
         wide, still, native = self.numbers.shape[2], self.base.still, self.native[0]
         blocks = zip(x, self.numbers, modes, strict=True)
         blocks_of_results = [
-            native.evaluate(name, (rows * wide,), a.ravel(), still, p.ravel(), m.ravel()) for a, p, m in blocks
+            native.evaluate(name, (rows * wide,), a.ravel(), still, p.ravel(), m.ravel())
+            for a, p, m in blocks
         ]
         return np.array(blocks_of_results).reshape(len(x), rows, wide)
 
@@ -162,11 +171,17 @@ class LaneBlocks:
         slopes = self._slopes(x, modes)
         for turn in range(_ITERATIONS):
             falling = self._evaluate("rate", len(at.x), x, modes)[:, rows].transpose(0, 2, 1)
-            step = -np.linalg.solve(slopes[..., free:, :free], np.where(np.isfinite(falling), falling, 0.0)[..., None])
-            x, opened = self._close_loops(x + np.einsum("sf,blf->bsl", at.lift[:, :free], step[..., 0]), modes, 1)
+            step = -np.linalg.solve(
+                slopes[..., free:, :free], np.where(np.isfinite(falling), falling, 0.0)[..., None]
+            )
+            x, opened = self._close_loops(
+                x + np.einsum("sf,blf->bsl", at.lift[:, :free], step[..., 0]), modes, 1
+            )
             sides = modes
             if switches:
-                sides = (self._evaluate("switch", switches, x, np.ones_like(modes)) > 0.0).astype(float)
+                sides = (self._evaluate("switch", switches, x, np.ones_like(modes)) > 0.0).astype(
+                    float
+                )
             size = 1e-13 + _SETTLED * np.abs(x[:, : len(facts.coordinates)]).max(axis=1)
             settled = (np.abs(step[..., 0]).max(axis=2) <= size) & (sides == modes).all(axis=1)
             changed, modes = not np.array_equal(sides, modes), sides
@@ -187,7 +202,9 @@ class LaneBlocks:
         self.numbers[:] = np.where(lost[:, None], self.base.problem.p[:, None], self.numbers)
         return Rest(x, modes, lost, np.where(lost, usual, limit))
 
-    def _close_loops(self, x: Array, modes: Array, times: int = _PROJECTIONS) -> tuple[Array, Array]:
+    def _close_loops(
+        self, x: Array, modes: Array, times: int = _PROJECTIONS
+    ) -> tuple[Array, Array]:
         """Project states onto the loops some times; return them, and how far open these were last: (blocks, lanes)."""
         residual = np.zeros((len(x), 2, x.shape[2]))
         for _ in range(times if self.compiled.facts.projects else 0):
@@ -205,16 +222,23 @@ class LaneBlocks:
         assert at is not None
         displacements, rates = [], []
         for motion in at.lift.T:
-            there = [self._close_loops(x + side * motion[None, :, None], modes, 1)[0] for side in (_MOVE, -_MOVE)]
+            there = [
+                self._close_loops(x + side * motion[None, :, None], modes, 1)[0]
+                for side in (_MOVE, -_MOVE)
+            ]
             rate = [self._evaluate("rate", len(at.x), place, modes) for place in there]
             displacements.append(np.einsum("rn,bnl->blr", at.pick, there[0] - there[1]))
             rates.append(np.einsum("rn,bnl->blr", at.pick, rate[0] - rate[1]))
         by, rate_slopes = np.stack(displacements, axis=-1), np.stack(rates, axis=-1)
         identity = np.eye(at.lift.shape[1])
         usable = np.isfinite(by).all(axis=(2, 3)) & np.isfinite(rate_slopes).all(axis=(2, 3))
-        by, rate_slopes = (np.where(usable[..., None, None], part, identity) for part in (by, rate_slopes))
+        by, rate_slopes = (
+            np.where(usable[..., None, None], part, identity) for part in (by, rate_slopes)
+        )
         usable &= np.linalg.det(by) != 0.0  # loops that cannot be closed leave no free motion
-        by, rate_slopes = (np.where(usable[..., None, None], part, identity) for part in (by, rate_slopes))
+        by, rate_slopes = (
+            np.where(usable[..., None, None], part, identity) for part in (by, rate_slopes)
+        )
         slopes = np.linalg.solve(by.swapaxes(2, 3), rate_slopes.swapaxes(2, 3)).swapaxes(2, 3)
         free = len(at.free)
         usable &= np.linalg.det(slopes[..., free:, :free]) != 0.0
@@ -225,7 +249,8 @@ class LaneBlocks:
         numbers, compiled, still = self.numbers[block], self.compiled, self.base.still
         x, modes = rest.x[block].T.copy(), rest.modes[block].T.copy()
         result = [
-            compiled.evaluate("output", a, still, p, m) for a, p, m in zip(x, numbers.T.copy(), modes, strict=True)
+            compiled.evaluate("output", a, still, p, m)
+            for a, p, m in zip(x, numbers.T.copy(), modes, strict=True)
         ]
         return np.array(result)[:, list(self.channels)].T
 
@@ -240,7 +265,10 @@ class LaneBlocks:
                 if self._integrate(rest, block, out) is Status.COMPLETED:
                     wide, samples = self.numbers.shape[2], len(out.times)
                     ran[block] = True
-                    take(block, *(part.reshape(-1, wide, samples) for part in (out.states, out.outputs)))
+                    take(
+                        block,
+                        *(part.reshape(-1, wide, samples) for part in (out.states, out.outputs)),
+                    )
 
         share(range(len(ran)), follow, workers)
         return ran
@@ -253,7 +281,9 @@ class LaneBlocks:
             steps |= SHORT_NAMES
         address, output = self.native[0].address, self.native[1].address["output"]
         loops = (address.get(name, 0) for name in ("project", "project_many"))
-        engine = Engine(address["rate"], output, 0, *loops, *(address[steps[name]] for name in STEP_NAMES))
+        engine = Engine(
+            address["rate"], output, 0, *loops, *(address[steps[name]] for name in STEP_NAMES)
+        )
         if short:
             engine = shorten(engine, engine.step, engine.dense, engine.error)
         problem = base.problem._replace(
@@ -270,12 +300,15 @@ class LaneBlocks:
             MAX_STEPS,
             longest_step(float(rest.limit[block].max()), self.tolerance),
         )
-        return Status.of(explicit.integrate(problem, control, out, np.zeros(3, dtype=np.int64), systems=wide))
+        return Status.of(
+            explicit.integrate(problem, control, out, np.zeros(3, dtype=np.int64), systems=wide)
+        )
 
     def _room(self) -> Samples:
         wide, samples = self.numbers.shape[2], self.base.out
         states, outputs = (
-            np.empty((rows * wide, len(samples.times))) for rows in (len(samples.states), len(self.channels))
+            np.empty((rows * wide, len(samples.times)))
+            for rows in (len(samples.states), len(self.channels))
         )
         projected = np.empty((len(samples.projected) * wide, len(samples.times)))
         return Samples(samples.times, states, np.empty_like(samples.inputs), outputs, projected)

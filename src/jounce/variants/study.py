@@ -54,7 +54,11 @@ class SweepDesign(Description):
     @model_validator(mode="after")
     def _check_count(self) -> SweepDesign:
         if (self.kind in ("list", "grid")) != (self.count is None):
-            said = "has as many variants as its values give" if self.kind in ("list", "grid") else "needs a count"
+            said = (
+                "has as many variants as its values give"
+                if self.kind in ("list", "grid")
+                else "needs a count"
+            )
             raise error_at(
                 ("count",),
                 Phrase("a design of kind {kind!r} {said}", kind=self.kind, said=said),
@@ -87,7 +91,8 @@ class SweepStudy(Description):
     def _check_results(self) -> SweepStudy:
         if not self.metrics and not self.outputs:
             raise error_at(
-                ("metrics",), "nothing is kept of the runs; give metrics, e.g. ['rms sprung.az'], or outputs"
+                ("metrics",),
+                "nothing is kept of the runs; give metrics, e.g. ['rms sprung.az'], or outputs",
             )
         return self
 
@@ -143,14 +148,24 @@ class SweepResult(Plain):
     def files(self) -> dict[str, bytes | str]:
         """Return the study, the summary, and a table of the variants by file name."""
         study = Path(self.study).read_text(encoding="utf-8")
-        return {"study.toml": study, "summary.json": f"{to_json(self)}\n", "variants.csv": self.table()}
+        return {
+            "study.toml": study,
+            "summary.json": f"{to_json(self)}\n",
+            "variants.csv": self.table(),
+        }
 
     def table(self) -> str:
         """Return the variants with their numbers and metrics as CSV, SI; only the first of very many."""
         data = self.data.drop_dims("time", errors="ignore").isel(variant=slice(0, _MOST_ROWS))
-        names = [str(name) for name in (*data.coords, *data.data_vars) if name not in ("variant", "reason")]
+        names = [
+            str(name)
+            for name in (*data.coords, *data.data_vars)
+            if name not in ("variant", "reason")
+        ]
         frame = data.reset_coords()[[*names, "reason"]].to_dataframe().reset_index()
-        header = {name: guard_formula(f"{name} [{data[name].attrs.get('units', '1')}]") for name in names}
+        header = {
+            name: guard_formula(f"{name} [{data[name].attrs.get('units', '1')}]") for name in names
+        }
         frame = frame.map(lambda cell: guard_formula(cell) if isinstance(cell, str) else cell)
         return str(frame.rename(columns=header).to_csv(index=False, lineterminator="\n"))
 
@@ -230,7 +245,9 @@ def run_sweep(
     )
     shards = read_kept(resolve_path(out, home=True))
     seed = sweep.study.design.seed if sweep.study.design.count is not None else None
-    return SweepResult(str(study), str(out), str(shards.about["command"]), seed, summarise(data), data)
+    return SweepResult(
+        str(study), str(out), str(shards.about["command"]), seed, summarise(data), data
+    )
 
 
 def extreme_runs(sweep: ReadSweep, data: xr.Dataset) -> dict[str, xr.Dataset]:
@@ -274,7 +291,13 @@ def read_sweep(path: Path | str) -> ReadSweep:
         variants = _variants(study)
         settings = RunSettings(study.output_step, study.tolerance, study.method)
         work, columns = read_request(
-            rig, trial, variants, settings, list(study.metrics), list(study.outputs), _control(study, file)
+            rig,
+            trial,
+            variants,
+            settings,
+            list(study.metrics),
+            list(study.outputs),
+            _control(study, file),
         )
     except JounceError as error:
         raise _place_error(error, file, text, study) from None
@@ -286,10 +309,16 @@ def _variants(study: SweepStudy) -> Variants:
     if design.kind == "list":
         return study.vary
     make: Callable[..., Variants] = DESIGNS[design.kind]
-    return make(study.vary) if design.count is None else make(study.vary, design.count, seed=design.seed)
+    return (
+        make(study.vary)
+        if design.count is None
+        else make(study.vary, design.count, seed=design.seed)
+    )
 
 
-def read_trial(table: dict[str, Any], file: Path, text: str, place: tuple[str, ...] = ("trial",)) -> Trial:
+def read_trial(
+    table: dict[str, Any], file: Path, text: str, place: tuple[str, ...] = ("trial",)
+) -> Trial:
     """A trial whose roads may be tables, files beside the study, names or classes."""
     trial = dict(table)
     for side in ("road", "right"):
@@ -298,13 +327,20 @@ def read_trial(table: dict[str, Any], file: Path, text: str, place: tuple[str, .
             beside = file.parent / given
             driven = _metres(table) if given.lower().startswith("iso:") else None
             try:
-                trial[side] = load_road(beside if beside.suffix and beside.is_file() else given, length=driven)
+                trial[side] = load_road(
+                    beside if beside.suffix and beside.is_file() else given, length=driven
+                )
             except JounceError as error:
                 raise _with_place(
-                    error, file, line_of(text, (*place, side)), f"{'.'.join(place)}.{side}: {error.where}"
+                    error,
+                    file,
+                    line_of(text, (*place, side)),
+                    f"{'.'.join(place)}.{side}: {error.where}",
                 ) from None
         elif isinstance(given, dict):
-            read = read_roads({side: given}, where=str(file), text=text, folder=file.parent, path=place)
+            read = read_roads(
+                {side: given}, where=str(file), text=text, folder=file.parent, path=place
+            )
             trial[side] = read[side]
     given = table.get("excitation")
     if isinstance(given, str):
@@ -319,7 +355,9 @@ def _metres(table: dict[str, Any]) -> float | None:
     from jounce.core.units import positive_si
 
     try:
-        return positive_si(table["speed"], "m/s", where="") * positive_si(table["duration"], "s", where="")
+        return positive_si(table["speed"], "m/s", where="") * positive_si(
+            table["duration"], "s", where=""
+        )
     except (JounceError, KeyError):
         return None
 
@@ -337,7 +375,12 @@ def _place_error(error: JounceError, file: Path, text: str, study: SweepStudy) -
     """Add file and line to an error whose place is one of the study."""
     place = error.where.removeprefix("variants: ")
     varied_path = next(
-        (path for path in study.vary if place == path or place.startswith((f"{path}:", f"{path}["))), None
+        (
+            path
+            for path in study.vary
+            if place == path or place.startswith((f"{path}:", f"{path}["))
+        ),
+        None,
     )
     head = place.partition("[")[0].partition(":")[0]
     if varied_path is not None:
@@ -354,4 +397,6 @@ def _place_error(error: JounceError, file: Path, text: str, study: SweepStudy) -
 
 def _with_place(error: JounceError, file: Path, line: int | None, place: str) -> JounceError:
     where = below(at_line(file, line), place)
-    return type(error)(error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint)
+    return type(error)(
+        error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
+    )

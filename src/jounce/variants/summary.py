@@ -108,7 +108,9 @@ def summarise(many: xr.Dataset) -> Summary:
         text = str(reasons[row])
         if text not in failed and len(failed) >= _MOST_REASONS:
             text = "other reasons"
-        failed.setdefault(text, {"variants": 0, "first": int(many["variant"][row])})["variants"] += 1
+        failed.setdefault(text, {"variants": 0, "first": int(many["variant"][row])})[
+            "variants"
+        ] += 1
     ran = int(np.sum(reasons == ""))
     count = int(many.attrs.get("variants", len(reasons)))
     numbers = {}
@@ -116,14 +118,18 @@ def summarise(many: xr.Dataset) -> Summary:
         ends = {"least": float(many[path].min()), "greatest": float(many[path].max())}
         numbers[path] = {**ends, "unit": str(many[path].attrs["units"])}
     columns = many.data_vars.values()
-    has_metrics = any(column.dims == ("variant",) and column.dtype.kind in "fi" for column in columns)
+    has_metrics = any(
+        column.dims == ("variant",) and column.dtype.kind in "fi" for column in columns
+    )
     names = metrics_of(many) if has_metrics and ran else []
     influences, findings = _influences(many, names) if numbers and names else ((), list[Finding]())
     if names and many.attrs.get("design") == "morris":
         findings.append(finding("variants.points_on_trajectories", "statistics"))
     if failed:
         lost = len(reasons) - ran
-        findings.insert(0, finding("variants.without_run", "variants", lost, lost=lost, all=len(reasons)))
+        findings.insert(
+            0, finding("variants.without_run", "variants", lost, lost=lost, all=len(reasons))
+        )
     outside = int(many.attrs.get("outside", 0))
     if outside and many.attrs.get("design") in DESIGNS.keys() - {"grid"}:
         share = outside / len(reasons)
@@ -160,26 +166,37 @@ def _percentile(ordered: np.ndarray, level: float) -> dict[str, Any]:
     return {"value": float(np.percentile(ordered, level)), "interval": interval}
 
 
-def _influences(many: xr.Dataset, names: Sequence[str]) -> tuple[tuple[Influence, ...], list[Finding]]:
+def _influences(
+    many: xr.Dataset, names: Sequence[str]
+) -> tuple[tuple[Influence, ...], list[Finding]]:
     try:
         indices = sensitivity_indices(many, names)
     except DescriptionError as error:
         return (), [finding("variants.dependencies_unknown", "sensitivity", error=error.what)]
     influences, findings = [], []
-    measures = [str(name) for name in indices.data_vars if not str(name).endswith(("_low", "_high"))]
+    measures = [
+        str(name) for name in indices.data_vars if not str(name).endswith(("_low", "_high"))
+    ]
     for metric in names:
         for number in map(str, indices["number"].to_numpy()):
             at = indices.sel(metric=metric, number=number)
             measured = {name: _measure(at, name) for name in measures if name != "explained"}
             ends = {name: float(at[name]) for name in ("at_low", "at_high") if name in at}
             influences.append(Influence(metric, number, {**measured, **ends}))
-        explained = float(indices["explained"].sel(metric=metric)) if "explained" in indices else 1.0
+        explained = (
+            float(indices["explained"].sel(metric=metric)) if "explained" in indices else 1.0
+        )
         if explained < _LITTLE:
-            findings.append(finding("variants.lines_explain_little", metric, explained, explained=explained))
+            findings.append(
+                finding("variants.lines_explain_little", metric, explained, explained=explained)
+            )
     if indices.attrs["left_out"] and indices.attrs["design"] in ("morris", "saltelli"):
         findings.append(
             finding(
-                "variants.variants_left_out", "sensitivity", indices.attrs["left_out"], count=indices.attrs["left_out"]
+                "variants.variants_left_out",
+                "sensitivity",
+                indices.attrs["left_out"],
+                count=indices.attrs["left_out"],
             )
         )
     return tuple(influences), findings
@@ -190,7 +207,9 @@ def _measure(at: xr.Dataset, name: str) -> dict[str, Any]:
     return {"value": float(at[name]), "interval": ends}
 
 
-def bands(many: xr.Dataset, channel: str, percentiles: Sequence[float] = _PERCENTILES) -> xr.DataArray:
+def bands(
+    many: xr.Dataset, channel: str, percentiles: Sequence[float] = _PERCENTILES
+) -> xr.DataArray:
     """Return percentiles of a channel over the variants at every time: the spread of runs.
 
     The band between two of them contains that share of the variants at each time; no single run need follow it.
@@ -226,12 +245,18 @@ def bands(many: xr.Dataset, channel: str, percentiles: Sequence[float] = _PERCEN
     """
     import xarray as xr
 
-    known = [str(name) for name, variable in many.data_vars.items() if variable.dims == ("variant", "time")]
+    known = [
+        str(name)
+        for name, variable in many.data_vars.items()
+        if variable.dims == ("variant", "time")
+    ]
     if channel not in known:
         raise unknown(channel, known, what="channel over time", where="channel")
     levels = np.asarray(percentiles, dtype=float)
     if levels.ndim != 1 or not len(levels) or not np.all((levels >= 0.0) & (levels <= 100.0)):
-        raise DescriptionError("not percentiles", where="percentiles", found=percentiles, allowed="0 to 100")
+        raise DescriptionError(
+            "not percentiles", where="percentiles", found=percentiles, allowed="0 to 100"
+        )
     values = many[channel].to_numpy()
     values = values[np.all(np.isfinite(values), axis=1)]
     if not len(values):

@@ -27,18 +27,27 @@ from jounce.variants.workers import cluster_at
 )
 def sweep_study(
     study: Annotated[Path | str, File('Study file, schema = "jounce.sweep/1".', "STUDY.toml")],
-    out: Annotated[Path | str, File("Folder of shards, summary.json, variants.csv, report and pictures.", "DIR")],
+    out: Annotated[
+        Path | str,
+        File("Folder of shards, summary.json, variants.csv, report and pictures.", "DIR"),
+    ],
     *,
     workers: Annotated[
         int | None,
-        Count("Processes; by default one, or one a processor where variants run alone for long.", least=1),
+        Count(
+            "Processes; by default one, or one a processor where variants run alone for long.",
+            least=1,
+        ),
     ] = None,
     cluster: Annotated[
-        str | None, Mark('A Dask scheduler that does the work instead, e.g. "tcp://10.0.0.5:8786".', "URL")
+        str | None,
+        Mark('A Dask scheduler that does the work instead, e.g. "tcp://10.0.0.5:8786".', "URL"),
     ] = None,
     trust: Annotated[
         bool,
-        Switch("Run FMUs of controllers in the process of the run: faster, and a crash ends all of it."),
+        Switch(
+            "Run FMUs of controllers in the process of the run: faster, and a crash ends all of it."
+        ),
     ] = False,
     resume: Annotated[bool, Switch("Go on where the sweep in the folder was stopped.")] = False,
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
@@ -50,10 +59,14 @@ def sweep_study(
     """
     if resume and force:
         allowed = "one of them"
-        raise DescriptionError("--force begins anew, --resume goes on", where="--resume, --force", allowed=allowed)
+        raise DescriptionError(
+            "--force begins anew, --resume goes on", where="--resume, --force", allowed=allowed
+        )
     if cluster is not None and workers is not None:
         allowed = "one of them: the workers of a cluster are its own"
-        raise DescriptionError("two places to work in", where="--workers, --cluster", allowed=allowed)
+        raise DescriptionError(
+            "two places to work in", where="--workers, --cluster", allowed=allowed
+        )
 
     def say(done: int, count: int) -> None:
         share, variants = done / count, f"{count:,}".replace(",", " ")
@@ -61,7 +74,12 @@ def sweep_study(
         progress(Stage(template, share=share, percent=100.0 * share, variants=variants))
 
     def run(client: Any = None) -> SweepResult:
-        options: dict[str, Any] = {"resume": resume, "force": force, "workers": workers, "client": client}
+        options: dict[str, Any] = {
+            "resume": resume,
+            "force": force,
+            "workers": workers,
+            "client": client,
+        }
         return run_sweep(study, out, **options, say=say, command=typed_command("sweep"))
 
     try:

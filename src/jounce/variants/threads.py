@@ -31,12 +31,16 @@ def processors() -> int:
     >>> processors() >= 1
     True
     """
-    there = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    there = (
+        len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    )
     return max(1, math.ceil(min(there, time_share())))
 
 
 @cache
-def time_share(groups: Path = Path("/sys/fs/cgroup"), own: Path = Path("/proc/self/cgroup")) -> float:
+def time_share(
+    groups: Path = Path("/sys/fs/cgroup"), own: Path = Path("/proc/self/cgroup")
+) -> float:
     """Processor time per time that the control groups of this process allow; infinite without a limit.
 
     That of version 2: ``cpu.max`` has the time and the period in which it may be used, for the group and those above.
@@ -83,7 +87,9 @@ def share(
         done.put(error)
 
     others = 0
-    with contextlib.suppress(RuntimeError):  # no more threads available: the existing ones do the work
+    with contextlib.suppress(
+        RuntimeError
+    ):  # no more threads available: the existing ones do the work
         while others < workers - 1:
             _hand_over(work)
             others += 1

@@ -111,7 +111,9 @@ def on_processes(workers: int, work: VariantWork, tasks: Sequence[Task]) -> Resu
 def _run_pool(workers: int, packed: bytes, tasks: Sequence[Task]) -> Results:
     others = set(multiprocessing.active_children())
     with starting_workers():
-        pool = ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"), initializer=_begin)
+        pool = ProcessPoolExecutor(
+            workers, mp_context=multiprocessing.get_context("spawn"), initializer=_begin
+        )
     waiting: set[Future[tuple[int, bytes]]] = set()
     pending = iter(tasks)
     is_done = False
@@ -202,7 +204,9 @@ def check_cluster(client: Any) -> None:
     try:
         client.wait_for_workers(1, timeout=_JOINING)
     except (TimeoutError, distributed.TimeoutError):
-        hint: str = Phrase("Start some: dask worker {where} --nworkers auto --nthreads 1", where=where)
+        hint: str = Phrase(
+            "Start some: dask worker {where} --nworkers auto --nthreads 1", where=where
+        )
         raise JounceError("no worker has joined the cluster", where=where, hint=hint) from None
     own = _versions()
     try:
@@ -211,12 +215,16 @@ def check_cluster(client: Any) -> None:
         raise _not_there(error) from None
     for worker, versions in others.items():
         differs = {
-            name: f"{version} there, {own[name]} here" for name, version in versions.items() if version != own[name]
+            name: f"{version} there, {own[name]} here"
+            for name, version in versions.items()
+            if version != own[name]
         }
         if differs:
             differences = "; ".join(f"{name} {words}" for name, words in differs.items())
             hint = "Install the same on all machines."
-            raise JounceError("a worker has other versions", where=str(worker), found=differences, hint=hint)
+            raise JounceError(
+                "a worker has other versions", where=str(worker), found=differences, hint=hint
+            )
 
 
 def _versions() -> dict[str, str]:
@@ -226,7 +234,9 @@ def _versions() -> dict[str, str]:
 
 
 def _not_there(error: ModuleNotFoundError) -> JounceError:
-    return JounceError("a package is missing on a worker", found=error.name, hint="Install jounce on all machines.")
+    return JounceError(
+        "a package is missing on a worker", found=error.name, hint="Install jounce on all machines."
+    )
 
 
 def on_cluster(client: Any, work: VariantWork, tasks: Sequence[Task]) -> Results:
@@ -257,9 +267,13 @@ def on_cluster(client: Any, work: VariantWork, tasks: Sequence[Task]) -> Results
         raise _not_there(error) from None
     except distributed.KilledWorker as error:
         hint = "Is there memory enough? What was done is kept: resume."
-        raise JounceError("workers were ended again and again", found=str(error), hint=hint) from None
+        raise JounceError(
+            "workers were ended again and again", found=str(error), hint=hint
+        ) from None
     except (distributed.comm.CommClosedError, distributed.CancelledError):
-        raise JounceError("the scheduler went away", hint="What was done is kept: resume.") from None
+        raise JounceError(
+            "the scheduler went away", hint="What was done is kept: resume."
+        ) from None
     finally:
         with suppress(Exception):  # a scheduler that went away
             client.cancel(list(waiting))

@@ -86,7 +86,10 @@ def is_whole(folder: Path, record: bytes) -> bool:
 def describe(folder: Path, attributes: Mapping[str, Any]) -> None:
     """Write the group's own attributes, and all metadata in the one file that is read first."""
     known = _read(folder / _ATTRIBUTES) if (folder / _ATTRIBUTES).is_file() else {}
-    metadata = {**to_plain(dict(attributes)), **{key: text for key, text in known.items() if key == "coordinates"}}
+    metadata = {
+        **to_plain(dict(attributes)),
+        **{key: text for key, text in known.items() if key == "coordinates"},
+    }
     write_atomically(folder / _ATTRIBUTES, to_json(metadata), force=True)
     files = [
         folder / _GROUP,
@@ -95,7 +98,9 @@ def describe(folder: Path, attributes: Mapping[str, Any]) -> None:
         *sorted(folder.glob(f"*/{_ATTRIBUTES}")),
     ]
     gathered = {file.relative_to(folder).as_posix(): _read(file) for file in files}
-    write_atomically(folder / _ALL, to_json({"zarr_consolidated_format": 1, "metadata": gathered}), force=True)
+    write_atomically(
+        folder / _ALL, to_json({"zarr_consolidated_format": 1, "metadata": gathered}), force=True
+    )
 
 
 def clear(folder: Path) -> None:
@@ -152,8 +157,12 @@ def _pack(values: Array, size: int | None) -> bytes:
         filling = np.zeros((missing, *values.shape[1:]), dtype=values.dtype)
         whole = np.concatenate([values, filling]) if missing else values
         return np.ascontiguousarray(whole, dtype=values.dtype.newbyteorder("<")).tobytes()
-    texts = [str(text).encode() for text in values.ravel()] + [b""] * (missing * int(np.prod(values.shape[1:])))
-    return struct.pack("<I", len(texts)) + b"".join(struct.pack("<I", len(text)) + text for text in texts)
+    texts = [str(text).encode() for text in values.ravel()] + [b""] * (
+        missing * int(np.prod(values.shape[1:]))
+    )
+    return struct.pack("<I", len(texts)) + b"".join(
+        struct.pack("<I", len(text)) + text for text in texts
+    )
 
 
 def _unpack(content: bytes, array: Mapping[str, Any]) -> Array:

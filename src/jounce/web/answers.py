@@ -27,8 +27,13 @@ if TYPE_CHECKING:
     from jounce.roads import Trial
 
 Changes = Mapping[str, float | str]
-ONE = threading.Lock()  # a run takes milliseconds: the next request waits, and nothing is compiled twice
-_MOST_DONE, _LARGEST_DONE = 4, 50_000_000  # runs, and bytes of those beyond the two that stand beside each other
+ONE = (
+    threading.Lock()
+)  # a run takes milliseconds: the next request waits, and nothing is compiled twice
+_MOST_DONE, _LARGEST_DONE = (
+    4,
+    50_000_000,
+)  # runs, and bytes of those beyond the two that stand beside each other
 _STEP, _MOST_STEPS = 1e-3, 200_000  # s between samples; samples of a run that somebody waits for
 
 
@@ -101,7 +106,9 @@ def describe_rig(rig: Rig, name: str) -> dict[str, Any]:
     for path, value in rig.parameters().items():
         si = unit_of(rig, path)
         unit = display_unit(si, abs(value))
-        numbers.append({"path": path, "value": value, "si": si, "unit": unit.name, "factor": unit.factor})
+        numbers.append(
+            {"path": path, "value": value, "si": si, "unit": unit.name, "factor": unit.factor}
+        )
     return {
         "name": name,
         "model": getattr(rig, "model", type(rig).__name__),
@@ -140,11 +147,15 @@ def simulate_changes(
         from jounce.report.recordings import curve_viewer
         from jounce.web.spectra import spectra_of
 
-        return CurvesAnswer(curve_viewer({"": spectra_of(runs)}, list(channels or []) or None), ways)
+        return CurvesAnswer(
+            curve_viewer({"": spectra_of(runs)}, list(channels or []) or None), ways
+        )
     return CurvesAnswer(_curves(runs, channels, rigs, on, numbers), ways)
 
 
-_DONE: OrderedDict[str, xr.Dataset] = OrderedDict()  # the last few runs: beside the one that changes, one stays
+_DONE: OrderedDict[str, xr.Dataset] = (
+    OrderedDict()
+)  # the last few runs: beside the one that changes, one stays
 
 
 def _run(rig: Rig, on: Trial) -> xr.Dataset:
@@ -189,26 +200,43 @@ def _measured_part(project: Project, path: str, begins: str, on: Trial) -> xr.Da
     if part.sizes["time"] < 2:
         hint = "Say where the trial begins in it."
         raise DescriptionError(
-            "the recording holds nothing of the trial's time", where="begins", found=begins, hint=hint
+            "the recording holds nothing of the trial's time",
+            where="begins",
+            found=begins,
+            hint=hint,
         )
     return part
 
 
-def _ways_of(name: str, changes: Changes, trial: Mapping[str, Any], measured: str) -> dict[str, Any]:
+def _ways_of(
+    name: str, changes: Changes, trial: Mapping[str, Any], measured: str
+) -> dict[str, Any]:
     """Python and command of a run."""
-    given = {"rig": word(name), "set": changes, "speed": trial["speed"], "duration": trial["duration"]}
+    given = {
+        "rig": word(name),
+        "set": changes,
+        "speed": trial["speed"],
+        "duration": trial["duration"],
+    }
     run, command = (
-        Request(operations()["simulate"], {**given, "road": road}) for road in (dict(trial["road"]), "road.toml")
+        Request(operations()["simulate"], {**given, "road": road})
+        for road in (dict(trial["road"]), "road.toml")
     )
     python = f"import jounce as jn\n\nrun = {run.expression()}\n"
     if measured:
         python += f"measured, findings = jn.read_recording({measured!r})\n"
     words = ["jounce", *command.words(), "--out", "run.nc"]
     road = {"kind": trial["road"]["kind"], **trial["road"]}  # the kind stands first
-    return {"python": python, "command": command_line(words), "files": {"road.toml": tomlkit.dumps(road)}}
+    return {
+        "python": python,
+        "command": command_line(words),
+        "files": {"road.toml": tomlkit.dumps(road)},
+    }
 
 
-def variants(project: Project, name: str, changes: Changes, text: str | None = None) -> dict[str, Rig]:
+def variants(
+    project: Project, name: str, changes: Changes, text: str | None = None
+) -> dict[str, Rig]:
     """Give the rig as text and sliders have it, first, and as it is saved, where that is another one."""
     rig = rig_of(project, name) if text is None else rig_in(project, name, text)
     saved = rig
@@ -234,7 +262,9 @@ def _curves(
 
     rig = next(iter(rigs.values()))
     wanted = common_channels(runs, channels or None)
-    return curve_viewer({"": runs}, wanted, rig=rig if _is_spatial(rig) else None, trial=trial, numbers=numbers)
+    return curve_viewer(
+        {"": runs}, wanted, rig=rig if _is_spatial(rig) else None, trial=trial, numbers=numbers
+    )
 
 
 def trial_of(project: Project, table: Mapping[str, Any]) -> Trial:
@@ -251,7 +281,9 @@ def trial_of(project: Project, table: Mapping[str, Any]) -> Trial:
         trial = Trial(road=ROADS[kind](**road), speed=table["speed"], duration=table["duration"])
     if trial.duration / _STEP > _MOST_STEPS:
         most = Phrase("up to {most_steps:g} s", most_steps=_MOST_STEPS * _STEP)
-        raise DescriptionError("too long to be waited for", where="duration", found=table["duration"], allowed=most)
+        raise DescriptionError(
+            "too long to be waited for", where="duration", found=table["duration"], allowed=most
+        )
     return trial
 
 

@@ -146,7 +146,9 @@ class SweepRequest(Changed):
     study: str = ""
 
 
-def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[], None] = lambda: None) -> Guard:
+def create_app(
+    folder: Path | str, *, token: str, port: int, ready: Callable[[], None] = lambda: None
+) -> Guard:
     """Put the interface over a folder; ``ready`` is called when it answers."""
     from contextlib import asynccontextmanager
 
@@ -195,7 +197,9 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
 
     @app.exception_handler(Exception)
     def handle_crash(_: Request, error: Exception) -> JSONResponse:
-        return JSONResponse({"error": {"what": str(unforeseen(error)), "text": str(unforeseen(error))}}, 500)
+        return JSONResponse(
+            {"error": {"what": str(unforeseen(error)), "text": str(unforeseen(error))}}, 500
+        )
 
     @app.get("/api/health")
     def health() -> dict[str, str]:
@@ -205,7 +209,9 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.get("/api/project")
     def whole() -> dict[str, Any]:
         """What lies in the folder."""
-        name, folder = (os.fsencode(path).decode(errors="replace") for path in (project.root.name, project.root))
+        name, folder = (
+            os.fsencode(path).decode(errors="replace") for path in (project.root.name, project.root)
+        )
         entries = project.entries()
         pages = {entry.path: seal(_document(entry)) for entry in entries if entry.kind == "page"}
         addressed = [{**vars(entry), "address": pages.get(entry.path, "")} for entry in entries]
@@ -217,7 +223,10 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         from jounce.parts.files import library as shipped
 
         texts = {name: file.read_text(encoding="utf-8") for name, file in shipped().items()}
-        return [{"name": name, "has_hardpoints": "hardpoints" in tomllib.loads(text)} for name, text in texts.items()]
+        return [
+            {"name": name, "has_hardpoints": "hardpoints" in tomllib.loads(text)}
+            for name, text in texts.items()
+        ]
 
     @app.post("/api/library")
     def start(asked: Started) -> Text:
@@ -254,7 +263,12 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         with only_below(project.root):
             checked = check_file(project.inside(path))
         problems = [{"text": text, "german": german_of(text)} for text in checked.problems]
-        return {"kind": checked.kind, "what": checked.what, "problems": problems, "notes": to_plain(checked.notes)}
+        return {
+            "kind": checked.kind,
+            "what": checked.what,
+            "problems": problems,
+            "notes": to_plain(checked.notes),
+        }
 
     @app.get("/api/rig")
     def rig(name: str) -> dict[str, Any]:
@@ -284,7 +298,8 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
         high = opened.about["last"] if asked.high is None else asked.high
         shown = opened.viewer(asked.channels, low, high, asked.columns)
         return _curves_response(
-            answers.CurvesAnswer(shown, records.ways(asked.path, opened.about, asked.channels)), request
+            answers.CurvesAnswer(shown, records.ways(asked.path, opened.about, asked.channels)),
+            request,
         )
 
     @app.post("/api/simulate")
@@ -310,7 +325,9 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.post("/api/compare")
     def compare(asked: OverlayRequest, request: Request) -> Response:
         """Draw recordings over each other."""
-        return _curves_response(history.compare_recordings(project, asked.paths, asked.channels), request)
+        return _curves_response(
+            history.compare_recordings(project, asked.paths, asked.channels), request
+        )
 
     @app.post(EXPORT)
     def export(asked: Exported) -> Response:
@@ -322,7 +339,9 @@ def create_app(folder: Path | str, *, token: str, port: int, ready: Callable[[],
     @app.post("/api/kinematics")
     def kinematics(asked: SweepRequest, request: Request) -> Response:
         """A sweep of a corner as curves of the viewer, as for a run, with what it turns about and what is wanted."""
-        return _curves_response(sweeps.swept(project, sweeps.Question(**asked.model_dump())), request)
+        return _curves_response(
+            sweeps.swept(project, sweeps.Question(**asked.model_dump())), request
+        )
 
     app.include_router(routes(project, jobs, seal))
     for path, (name, kind) in _STATIC.items():

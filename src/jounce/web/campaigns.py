@@ -36,7 +36,11 @@ def overview(project: Project, path: str) -> dict[str, Any]:
         "roads": list(campaign.roads),
         "mass": _mass(project, campaign.rig, file),
         "bench": [
-            {"name": name, **table, "found": _matching_files(project, folder, table.get("files", []))}
+            {
+                "name": name,
+                **table,
+                "found": _matching_files(project, folder, table.get("files", [])),
+            }
             for name, table in tables.items()
             if table
         ],
@@ -67,9 +71,17 @@ def enter_file(project: Project, path: str, use: Use, fields: Mapping[str, Any])
         text = _with_file(project, path, was.text, use, fields)
         with only_below(project.root):
             Campaign.from_table(toml_table(text), where=path, text=text)
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:  # of fields, or what is there
+    except (
+        ValueError,
+        TypeError,
+        KeyError,
+        AttributeError,
+        RecursionError,
+    ) as error:  # of fields, or what is there
         cause = f"{type(error).__name__}: {error}"
-        raise DescriptionError("this cannot be entered into the campaign", where=path, found=cause) from None
+        raise DescriptionError(
+            "this cannot be entered into the campaign", where=path, found=cause
+        ) from None
     written = project.write(path, text, was.digest)
     return {"path": path, "text": written.text, "digest": written.digest, "before": was.text}
 
@@ -95,7 +107,9 @@ def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping
         bench = document.setdefault("bench", tomlkit.table(is_super_table=True))
         if use == "tyre":
             if not pressure:
-                raise DescriptionError("a tyre's measurements are named by their pressure", where="pressure")
+                raise DescriptionError(
+                    "a tyre's measurements are named by their pressure", where="pressure"
+                )
             bench = bench.setdefault("tyre", tomlkit.table(is_super_table=True))
         name = pressure if use == "tyre" else use
         own = bench.setdefault(name, tomlkit.table())
@@ -104,11 +118,17 @@ def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping
         if differing:
             said = ", ".join(differing)
             hint = "Put the new files in place of those, or give all of them the same columns."
-            raise DescriptionError("the files that are there are read otherwise", where=name, found=said, hint=hint)
+            raise DescriptionError(
+                "the files that are there are read otherwise", where=name, found=said, hint=hint
+            )
         for key in _READ:
             own.pop(key, None)
         for key, value in plain.items():
-            own[key] = _item([*before, *(file for file in value if file not in before)] if key == "files" else value)
+            own[key] = _item(
+                [*before, *(file for file in value if file not in before)]
+                if key == "files"
+                else value
+            )
     return tomlkit.dumps(document)
 
 
@@ -129,7 +149,9 @@ def _relative(project: Project, campaign: Path, value: Any) -> Any:
     file = project.inside(str(value))
     if not file.is_relative_to(campaign.parent):
         hint = "Upload it there, or copy it."
-        raise DescriptionError("the file does not lie beside the campaign", where=str(value), hint=hint)
+        raise DescriptionError(
+            "the file does not lie beside the campaign", where=str(value), hint=hint
+        )
     return file.relative_to(campaign.parent).as_posix()
 
 
@@ -138,7 +160,12 @@ def _matching_files(project: Project, folder: Path, patterns: list[str]) -> list
     for pattern in patterns:
         try:
             files = sorted(folder.glob(pattern))
-        except (ValueError, NotImplementedError, OSError, RecursionError):  # no pattern, or it leads nowhere
+        except (
+            ValueError,
+            NotImplementedError,
+            OSError,
+            RecursionError,
+        ):  # no pattern, or it leads nowhere
             continue
         matches += [file.resolve() for file in files if file.resolve().is_relative_to(project.root)]
     return [file.relative_to(project.root).as_posix() for file in dict.fromkeys(matches)]
@@ -146,7 +173,11 @@ def _matching_files(project: Project, folder: Path, patterns: list[str]) -> list
 
 def _place(project: Project, folder: Path, trial: Mapping[str, Any]) -> dict[str, Any]:
     """A trial, and where its recording lies in the project."""
-    named = _matching_files(project, folder, [str(trial.get("recording", ""))]) if trial.get("recording") else []
+    named = (
+        _matching_files(project, folder, [str(trial.get("recording", ""))])
+        if trial.get("recording")
+        else []
+    )
     return {**trial, "file": named[0] if named else ""}
 
 

@@ -15,11 +15,19 @@ from jounce.cli.reply import Reply
 
 @add_command
 def serve(
-    folder: Annotated[Path, typer.Argument(metavar="DIR", help="The project: a folder of rigs, roads and records.")],
-    port: Annotated[int, typer.Option(help="Port on 127.0.0.1; 0 takes the folder's own, or else a free one.")] = 0,
+    folder: Annotated[
+        Path,
+        typer.Argument(metavar="DIR", help="The project: a folder of rigs, roads and records."),
+    ],
+    port: Annotated[
+        int, typer.Option(help="Port on 127.0.0.1; 0 takes the folder's own, or else a free one.")
+    ] = 0,
     no_open: Annotated[bool, typer.Option("--no-open", help="Open no browser.")] = False,
     as_json: Annotated[
-        bool, typer.Option("--json", help='Print one line {"url": ..., "token": ...} when it answers, and no text.')
+        bool,
+        typer.Option(
+            "--json", help='Print one line {"url": ..., "token": ...} when it answers, and no text.'
+        ),
     ] = False,
 ) -> Reply:
     """Open the workbench of a folder in the browser, until Ctrl-C. Only this machine reaches it.
@@ -28,7 +36,11 @@ def serve(
     """
 
     def ready(url: str, token: str) -> None:
-        text = json.dumps({"url": url, "token": token}) if as_json else f"The workbench of {folder} is open: {url}"
+        text = (
+            json.dumps({"url": url, "token": token})
+            if as_json
+            else f"The workbench of {folder} is open: {url}"
+        )
         _write(sys.__stdout__, text)  # where answers go, which come at the end of other commands
         if not as_json:
             _write(sys.stderr, "Ctrl-C ends it.")

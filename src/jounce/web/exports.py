@@ -40,7 +40,9 @@ _WIDE, _NARROW = (880, 230), (430, 210)  # pixels of a panel in one column, and 
 
 
 def _read_values(given: Any) -> Array:
-    if not isinstance(given, list) or not all(isinstance(value, int | float) or value is None for value in given):
+    if not isinstance(given, list) or not all(
+        isinstance(value, int | float) or value is None for value in given
+    ):
         raise ValueError("not a list of numbers and nulls")
     return np.array(given, dtype=float)  # null is NaN
 
@@ -89,7 +91,9 @@ class SentChart(_Sent):
         for panel in self.panels:
             for curve in panel.curves:
                 if len(curve.y) != len(self.x):
-                    raise ValueError(f"{panel.title}: {len(curve.y)} values over an axis of {len(self.x)}")
+                    raise ValueError(
+                        f"{panel.title}: {len(curve.y)} values over an axis of {len(self.x)}"
+                    )
         return self
 
 
@@ -106,7 +110,9 @@ class SentTable(_Sent):
     def _check_lengths(self) -> SentTable:
         for number, row in enumerate(self.rows, 1):
             if len(row) != len(self.header):
-                raise ValueError(f"row {number} has {len(row)} cells, the header {len(self.header)}")
+                raise ValueError(
+                    f"row {number} has {len(row)} cells, the header {len(self.header)}"
+                )
         return self
 
 
@@ -160,7 +166,9 @@ def _only_chart(asked: Exported) -> Chart:
     charts = [block for block in asked.blocks if isinstance(block, SentChart)]
     if len(charts) != 1 or len(asked.blocks) != 1:
         hint = "Save each figure from its own menu, or the whole page as PDF."
-        raise JounceError("this format holds one figure", where=asked.form, found=len(charts), hint=hint)
+        raise JounceError(
+            "this format holds one figure", where=asked.form, found=len(charts), hint=hint
+        )
     return chart_of(charts[0], "figure")
 
 
@@ -183,7 +191,9 @@ def _columns_csv(chart: SentChart) -> str:
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(_headers(chart))
-    writer.writerows(zip(*([_written(value) for value in column] for column in _columns(chart)), strict=True))
+    writer.writerows(
+        zip(*([_written(value) for value in column] for column in _columns(chart)), strict=True)
+    )
     return stream.getvalue()
 
 
@@ -218,7 +228,9 @@ def _xlsx(asked: Exported) -> bytes:
 
 def numbers_of(chart: SentChart) -> PageTable:
     """Give the numbers of a figure as a table, as many digits as a workbook shows."""
-    columns = [[_written(value).replace("-", "−") for value in column] for column in _columns(chart)]
+    columns = [
+        [_written(value).replace("-", "−") for value in column] for column in _columns(chart)
+    ]
     rows = tuple(tuple(row) for row in zip(*columns, strict=True))
     return PageTable(chart.caption, tuple(_headers(chart)), rows, "r" * len(columns))
 
@@ -226,7 +238,9 @@ def numbers_of(chart: SentChart) -> PageTable:
 def table_of(table: SentTable) -> PageTable:
     """Give a table as that of a report."""
     align = "".join("r" if k in table.numbers else "l" for k in range(len(table.header)))
-    return PageTable(table.caption, tuple(table.header), tuple(tuple(row) for row in table.rows), align)
+    return PageTable(
+        table.caption, tuple(table.header), tuple(tuple(row) for row in table.rows), align
+    )
 
 
 def chart_of(chart: SentChart, name: str) -> Chart:
@@ -262,7 +276,9 @@ def chart_of(chart: SentChart, name: str) -> Chart:
 _STYLES: dict[str, Style] = {"before": "dashed"}
 
 
-def page_of(asked: Exported, as_table: Callable[[SentChart], Iterable[Block]] | None = None) -> Page:
+def page_of(
+    asked: Exported, as_table: Callable[[SentChart], Iterable[Block]] | None = None
+) -> Page:
     """Give all blocks as a page of a report, a section for each heading; ``as_table`` makes tables of figures."""
     sections: list[Section] = []
     title, blocks = "", list[Block]()

@@ -142,7 +142,9 @@ def _python(project: Project, path: str, saved: str, rig: Rig) -> str:
         if before == rig:
             return f"{load}\nprint(rig)\n"
         known = before.parameters()
-        changes = {name: value for name, value in rig.parameters().items() if known.get(name) != value}
+        changes = {
+            name: value for name, value in rig.parameters().items() if known.get(name) != value
+        }
         if before.with_changes(changes) == rig:
             return f"{load}{changed_by(changes)}\njn.save(rig, {path!r}, force=True)\n"
     except JounceError:
@@ -154,7 +156,9 @@ def _problems(error: JounceError, values: Mapping[str, Any]) -> tuple[FormProble
     """What an error says, each problem at its value; where that is not in the text, words say the place."""
     problems = []
     for each in error.problems or (error,):
-        path = join_path(each.path) or (each.where if each.where.partition(".")[0].partition("[")[0] in values else "")
+        path = join_path(each.path) or (
+            each.where if each.where.partition(".")[0].partition("[")[0] in values else ""
+        )
         text = each.message(placed=not path)
         problems.append(FormProblem(path, each.line or 0, text, text.german()))
     return tuple(problems)

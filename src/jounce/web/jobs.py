@@ -38,9 +38,15 @@ from jounce.web.worker import ALIVE, CANCEL, END, JOB, PROBLEMS, PROGRESS, RESUL
 
 PLACE = "jobs"
 _MOST_RUNNING, _MOST_KEPT, _MOST_LOOKED_AT = 8, 200, 1000
-_NAME, _GREATEST = re.compile(r"[0-9]{1,8}(-[0-9a-f]{1,16}){1,3}"), 99_999_999  # its number, and what tells it apart
+_NAME, _GREATEST = (
+    re.compile(r"[0-9]{1,8}(-[0-9a-f]{1,16}){1,3}"),
+    99_999_999,
+)  # its number, and what tells it apart
 _JUST_BEGUN = 15.0  # s in which a process has locked what says that it lives
-_LONGEST, _LONGEST_RESULT = 2_000_000, 20_000_000  # bytes of what is said of a job, and of what came of it
+_LONGEST, _LONGEST_RESULT = (
+    2_000_000,
+    20_000_000,
+)  # bytes of what is said of a job, and of what came of it
 _FREE = 50  # looks at a file that nobody holds
 _BEHIND = 5  # by which a job is nicer than the page
 _LOOKED = 0.1  # s for which what was read of all jobs is new
@@ -112,7 +118,9 @@ class Jobs:
             clash = next((job for job in running if doing.out and job["out"] == doing.out), None)
             if clash is not None:
                 hint = "Wait for it, or choose another folder."
-                raise OutputError("a job writes there already", where=doing.out, found=clash["title"], hint=hint)
+                raise OutputError(
+                    "a job writes there already", where=doing.out, found=clash["title"], hint=hint
+                )
             self._forget_old()
             number = max((_number(name) for name in self._names()), default=0) + 1
             name = f"{min(number, _GREATEST):06d}-{secrets.token_hex(4)}"
@@ -194,13 +202,23 @@ class Jobs:
         folder = self._place(name)
         job, progress = self._job(name), _read_model(_Progress, folder / PROGRESS) or _Progress()
         is_cancelled = os.path.lexists(folder / CANCEL)
-        answer = {"id": name, **job.model_dump(exclude={"clock"}), "error": None, "german": None, "ended": None}
+        answer = {
+            "id": name,
+            **job.model_dump(exclude={"clock"}),
+            "error": None,
+            "german": None,
+            "ended": None,
+        }
         answer |= progress.model_dump(exclude={"at", "clock"})
         end = _read_model(_End, folder / END)
         if end is None and self._lives(name, folder):
-            lasted = None if job.clock is None else float(round(max(0.0, time.monotonic() - job.clock)))
+            lasted = (
+                None if job.clock is None else float(round(max(0.0, time.monotonic() - job.clock)))
+            )
             return answer | {"state": "cancelling" if is_cancelled else "running", "lasted": lasted}
-        end = end or _read_model(_End, folder / END)  # which it may have written between the two looks
+        end = end or _read_model(
+            _End, folder / END
+        )  # which it may have written between the two looks
         outcome = _outcome(folder, end.code if end else None)
         state = outcome["state"] if not is_cancelled or outcome["state"] == "done" else "cancelled"
         here, error = f"{self.project.root}{os.sep}", outcome["error"] or {}
@@ -211,7 +229,9 @@ class Jobs:
             answer["error"], answer["german"] = (
                 (error.get(key) or "").replace(here, "") or None for key in ("text", "german")
             )
-        if end is None:  # it is asked again: where it was begun just now by another server, it lives in a moment
+        if (
+            end is None
+        ):  # it is asked again: where it was begun just now by another server, it lives in a moment
             return answer | {"error": _LOST, "german": german_of(_LOST)}
         self.ended[name] = answer
         return answer
@@ -303,7 +323,11 @@ class Jobs:
         """Write down what is to be done, and with which words."""
         folder.mkdir(parents=True, mode=0o700)
         own = [word.replace("{folder}", str(folder)) for word in doing.own]
-        about: dict[str, Any] = {"kind": task and task.kind, "asked": task and task.model_dump(), "title": doing.title}
+        about: dict[str, Any] = {
+            "kind": task and task.kind,
+            "asked": task and task.model_dump(),
+            "title": doing.title,
+        }
         about |= {
             "root": str(self.project.root),
             "begun": time.time(),
@@ -312,7 +336,9 @@ class Jobs:
             "page": doing.page,
             **ways(doing),
         }
-        does = {"question": doing.question} if doing.question else {"words": doing.words, "own": own}
+        does = (
+            {"question": doing.question} if doing.question else {"words": doing.words, "own": own}
+        )
         put(folder / JOB, about | does | {"limits": doing.limits})
         return folder
 
@@ -354,7 +380,9 @@ def _start_process(folder: Path, *, waited: bool = False) -> subprocess.Popen[by
         except OSError as error:
             what = f"no process to work in could be started ({error.strerror or error})"
             raise OutputError(what, where="jobs", hint="Close other programs.") from None
-    threading.Thread(target=process.wait, daemon=True).start()  # it is noticed when it ends, whoever looks
+    threading.Thread(
+        target=process.wait, daemon=True
+    ).start()  # it is noticed when it ends, whoever looks
     return process
 
 
@@ -407,12 +435,20 @@ def _outcome(folder: Path, code: int | None) -> dict[str, Any]:
     if code == 130:
         return {"state": "cancelled", "error": None}
     if isinstance(plain, Mapping) and code in (0, 1, 2) and set(plain) != {"error"}:
-        return {"state": "done", "error": None}  # with another code than 0 something in it failed, which it says
+        return {
+            "state": "done",
+            "error": None,
+        }  # with another code than 0 something in it failed, which it says
     if isinstance(own, Mapping):
-        return {"state": "failed", "error": {**own, "text": str(own.get("message", "")), **without_options(own)}}
+        return {
+            "state": "failed",
+            "error": {**own, "text": str(own.get("message", "")), **without_options(own)},
+        }
     if code is None:
         return {"state": "stopped", "error": None}
-    text = said.strip().splitlines()[-1] if said.strip() else f"The process ended (exit code {code})."
+    text = (
+        said.strip().splitlines()[-1] if said.strip() else f"The process ended (exit code {code})."
+    )
     return {"state": "failed", "error": {"text": text.removeprefix("jounce: "), "what": text}}
 
 
@@ -440,7 +476,9 @@ def _remove(folder: Path) -> None:
         shutil.rmtree(folder)
     except (OSError, RecursionError) as error:
         hint = "Remove it by hand."
-        raise OutputError("the folder of the job cannot be removed", where=folder.name, hint=hint) from error
+        raise OutputError(
+            "the folder of the job cannot be removed", where=folder.name, hint=hint
+        ) from error
 
 
 def _read_model(kind: type[_Said], file: Path) -> _Said | None:

@@ -49,7 +49,12 @@ class _Made(BaseModel):
 
 
 def keep(
-    project: Project, name: str, changes: Changes, trial: Mapping[str, Any], title: str, digest: str = ""
+    project: Project,
+    name: str,
+    changes: Changes,
+    trial: Mapping[str, Any],
+    title: str,
+    digest: str = "",
 ) -> dict[str, Any]:
     """Run a rig and write the run into the project; give what stands in its history.
 
@@ -83,7 +88,10 @@ def keep(
         "trial_digest": _digest(on.model_dump(mode="json", by_alias=True)),
         "when": time.time(),
     }
-    run.attrs |= {f"jounce_{key}": value if isinstance(value, str) else to_json(value) for key, value in made.items()}
+    run.attrs |= {
+        f"jounce_{key}": value if isinstance(value, str) else to_json(value)
+        for key, value in made.items()
+    }
     with holding(project.root):  # of two who keep a run under one title, the second is refused
         made["number"] = max((earlier["number"] for earlier in history(project)), default=0) + 1
         entry = _entry(project, path)
@@ -127,12 +135,17 @@ def _is_of(file: Path, made: Mapping[str, Any]) -> bool:
 
     try:
         with h5netcdf.File(file) as run:
-            return all(run.attrs.get(f"jounce_{key}") == made[key] for key in ("rig_digest", "trial_digest"))
+            return all(
+                run.attrs.get(f"jounce_{key}") == made[key]
+                for key in ("rig_digest", "trial_digest")
+            )
     except Exception:  # noqa: BLE001 - whatever it is, it is another one
         return False
 
 
-def compare_recordings(project: Project, paths: Sequence[str], channels: Sequence[str]) -> CurvesAnswer:
+def compare_recordings(
+    project: Project, paths: Sequence[str], channels: Sequence[str]
+) -> CurvesAnswer:
     """Draw recordings of the project over each other."""
     import jounce as jn
     from jounce.report.recordings import curve_viewer
@@ -142,7 +155,8 @@ def compare_recordings(project: Project, paths: Sequence[str], channels: Sequenc
     python = f"import jounce as jn\n\nfigure = jn.plots.compare({{\n{lines}}})\n"
     command = command_line(["jounce", "plot", *map(word, runs), "--figure", "compared.png"])
     return CurvesAnswer(
-        curve_viewer({"": runs}, list(channels) or None), {"python": python, "command": command, "files": {}}
+        curve_viewer({"": runs}, list(channels) or None),
+        {"python": python, "command": command, "files": {}},
     )
 
 

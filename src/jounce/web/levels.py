@@ -22,7 +22,10 @@ if TYPE_CHECKING:
     from jounce.report.live import Viewer
 
 BLOCK = 256
-_PIECE, _UNEVEN = 50_000, 1e-3  # samples; shares of a step by which evenly spaced instants may be off
+_PIECE, _UNEVEN = (
+    50_000,
+    1e-3,
+)  # samples; shares of a step by which evenly spaced instants may be off
 ABOUT = "about.json"
 _MOST_CHANNELS = 200
 
@@ -35,14 +38,21 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
     read = reader_of(file).read(file, ReaderOptions()).tables
     tables = [[channel for channel in table if channel.fault is None] for table in read]
     left_out = [
-        str(channel.fault).replace(str(file), file.name) for table in read for channel in table if channel.fault
+        str(channel.fault).replace(str(file), file.name)
+        for table in read
+        for channel in table
+        if channel.fault
     ]
     table = max(
-        (candidate for candidate in tables if candidate), key=lambda candidate: candidate[0].values.size, default=[]
+        (candidate for candidate in tables if candidate),
+        key=lambda candidate: candidate[0].values.size,
+        default=[],
     )
     time = next((channel for channel in table if channel.name == "time"), None)
     if time is None or time.values.size < 2:
-        raise RecordingError("no time", where=str(file.name), allowed="a column 'time' of two values at least")
+        raise RecordingError(
+            "no time", where=str(file.name), allowed="a column 'time' of two values at least"
+        )
     count = time.values.size
     step = float(time.values[-1] - time.values[0]) / (count - 1)
     even = _is_even(time.values, step, str(file.name))
@@ -50,13 +60,20 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
     if not even:
         np.save(folder / "time.npy", time.values)
     channels: list[dict[str, str]] = []
-    for k, channel in enumerate([channel for channel in table if channel is not time][:_MOST_CHANNELS]):
+    for k, channel in enumerate(
+        [channel for channel in table if channel is not time][:_MOST_CHANNELS]
+    ):
         values = np.asarray(channel.values, np.float32)
         np.save(folder / f"{k}.npy", values)
         starts = np.arange(0, count, BLOCK)
-        np.save(folder / f"{k}.levels.npy", np.stack([end.reduceat(values, starts) for end in (np.fmin, np.fmax)]))
+        np.save(
+            folder / f"{k}.levels.npy",
+            np.stack([end.reduceat(values, starts) for end in (np.fmin, np.fmax)]),
+        )
         same = sum(other["name"].partition(" #")[0] == channel.name for other in channels)
-        channels.append({"name": f"{channel.name} #{same + 1}" if same else channel.name, "unit": channel.unit})
+        channels.append(
+            {"name": f"{channel.name} #{same + 1}" if same else channel.name, "unit": channel.unit}
+        )
     about = {"count": count, "first": float(time.values[0]), "step": float(step), "even": even,
              "last": float(time.values[-1]), "unit": time.unit or "s", "channels": channels,
              "left_out": left_out[:_MOST_CHANNELS]}  # fmt: skip
@@ -94,7 +111,11 @@ class Levels:
         first, last = self._index(low), min(self._index(high) + 1, self.about["count"])
         if last - first < 2:
             first, last = max(0, first - 1), min(first + 2, self.about["count"])
-        edges = None if last - first <= 4 * columns else np.linspace(first, last, columns + 1).astype(np.int64)
+        edges = (
+            None
+            if last - first <= 4 * columns
+            else np.linspace(first, last, columns + 1).astype(np.int64)
+        )
         panes = []
         for name in names:
             y = self._values(known[name], first, last, edges)
@@ -121,9 +142,16 @@ class Levels:
     def _index(self, time: float) -> int:
         count = int(self.about["count"])
         if self.about["even"]:
-            index = int(np.floor(np.clip((time - self.about["first"]) / self.about["step"], 0.0, count - 1)))
+            index = int(
+                np.floor(np.clip((time - self.about["first"]) / self.about["step"], 0.0, count - 1))
+            )
         else:
-            index = int(np.searchsorted(np.load(self.folder / "time.npy", mmap_mode="r"), time, "right")) - 1
+            index = (
+                int(
+                    np.searchsorted(np.load(self.folder / "time.npy", mmap_mode="r"), time, "right")
+                )
+                - 1
+            )
         return min(max(index, 0), count - 1)
 
     def _time(self, places: Any) -> Array:
@@ -132,7 +160,8 @@ class Levels:
         times = np.load(self.folder / "time.npy", mmap_mode="r")
         whole = np.floor(places).astype(np.int64)
         return np.asarray(
-            times[whole] + (places - whole) * (times[np.minimum(whole + 1, len(times) - 1)] - times[whole])
+            times[whole]
+            + (places - whole) * (times[np.minimum(whole + 1, len(times) - 1)] - times[whole])
         )
 
 

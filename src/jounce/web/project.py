@@ -21,7 +21,10 @@ from jounce.core.writing import write_atomically
 from jounce.web.untrusted import content
 
 _DEEPEST, _MOST = 6, 2000  # folders below each other, and files, that are listed
-_OWN, _MOST_OWN = ".jounce", 100_000  # where the workbench keeps what it needs; files of a sweep that are counted
+_OWN, _MOST_OWN = (
+    ".jounce",
+    100_000,
+)  # where the workbench keeps what it needs; files of a sweep that are counted
 _HEAD = 4096  # bytes in which a description says what it is
 _SCHEMA = re.compile(rb"""^\s*schema\s*=\s*["']jounce\.([a-z-]+)/1["']""", re.MULTILINE)
 _ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
@@ -83,11 +86,17 @@ class Project:
         allowed = "a file below the project's folder, by its path relative to it"
         try:
             file = (self.root / path).resolve()
-            plain = not path.startswith(("/", "\\")) and file.is_relative_to(self.root) and file != self.root
+            plain = (
+                not path.startswith(("/", "\\"))
+                and file.is_relative_to(self.root)
+                and file != self.root
+            )
         except (OSError, ValueError, RuntimeError):  # a name that is none, links in a circle
             plain = False
         if not plain:
-            raise DescriptionError("not a place in this project", where="path", found=path, allowed=allowed)
+            raise DescriptionError(
+                "not a place in this project", where="path", found=path, allowed=allowed
+            )
         return file
 
     def own(self, *parts: str) -> Path:
@@ -98,14 +107,20 @@ class Project:
             if place.is_symlink():
                 where = place.relative_to(self.root).as_posix()
                 hint = "Remove it, or replace it by a folder."
-                raise OutputError("a link stands where the workbench keeps its own files", where=where, hint=hint)
+                raise OutputError(
+                    "a link stands where the workbench keeps its own files", where=where, hint=hint
+                )
         return place
 
     def entries(self) -> list[Entry]:
         """List what is here, folder by folder; what a sweep wrote is one entry, its pages beside it."""
         entries: list[Entry] = []
         files = list(self._files())
-        swept = {file.parent: sweep for file in files if file.name == _SWEPT and (sweep := self._swept(file))}
+        swept = {
+            file.parent: sweep
+            for file in files
+            if file.name == _SWEPT and (sweep := self._swept(file))
+        }
         for file in files:
             if file.name == _SWEPT and file.parent in swept:
                 entries.append(swept[file.parent])
@@ -116,7 +131,9 @@ class Project:
                     state = file.stat()
                     path = file.relative_to(self.root).as_posix()
                     is_spatial = kind == "rig" and _has_hardpoints(file, state_of(file))
-                    entries.append(Entry(path, kind, state.st_size, state.st_mtime, has_hardpoints=is_spatial))
+                    entries.append(
+                        Entry(path, kind, state.st_size, state.st_mtime, has_hardpoints=is_spatial)
+                    )
             if len(entries) == _MOST:
                 break
         return entries
@@ -136,31 +153,47 @@ class Project:
         except (OSError, ValueError, JounceError):
             pass  # opened, it says why
         size, modified = _extent(folder)
-        return Entry(folder.relative_to(self.root).as_posix(), "swept", size, modified, finished, count)
+        return Entry(
+            folder.relative_to(self.root).as_posix(), "swept", size, modified, finished, count
+        )
 
     def read(self, path: str) -> Text:
         """Read a description."""
         file = self.inside(path)
         written = content_of(file, most=_LONGEST_READ)
         if len(written) > LONGEST:
-            raise DescriptionError("too long for a description", where=path, found=f"{len(written)} bytes")
+            raise DescriptionError(
+                "too long for a description", where=path, found=f"{len(written)} bytes"
+            )
         try:
             return Text(path, written.decode(), _digest(written))
         except UnicodeDecodeError:
-            raise DescriptionError("not a text", where=path, allowed="a description in UTF-8") from None
+            raise DescriptionError(
+                "not a text", where=path, allowed="a description in UTF-8"
+            ) from None
 
     def write(self, path: str, text: str, was: str = "") -> Text:
         """Write a description; ``was`` is the digest of what it replaces, and nothing for a new file."""
         file = self.inside(path)
         if file.suffix.lower() != ".toml":
-            raise OutputError("only descriptions are written here", where=path, allowed="a name that ends in .toml")
+            raise OutputError(
+                "only descriptions are written here",
+                where=path,
+                allowed="a name that ends in .toml",
+            )
         written = text.encode()
         if len(written) > LONGEST:
-            raise OutputError("too long for a description", where=path, found=f"{len(written)} bytes")
-        with holding(self.root):  # of two who save at once, also from two servers, the second sees the first
+            raise OutputError(
+                "too long for a description", where=path, found=f"{len(written)} bytes"
+            )
+        with holding(
+            self.root
+        ):  # of two who save at once, also from two servers, the second sees the first
             before = content_of(file, most=_LONGEST_READ) if file.exists() else None
             if before is not None and _digest(before) != was:
-                hint = "Load it again, and make your change there." if was else "Choose another name."
+                hint = (
+                    "Load it again, and make your change there." if was else "Choose another name."
+                )
                 what = "the file was changed meanwhile" if was else "the file exists"
                 raise OutputError(what, where=path, hint=hint)
             file.parent.mkdir(parents=True, exist_ok=True)
@@ -184,7 +217,9 @@ class Project:
             with contextlib.suppress(OSError, ValueError):  # gone, or none of ours
                 return path, content(place / f"{version}.toml", LONGEST).decode()
         known = [version.name for version in self.versions(path)]
-        raise DescriptionError("no such version", where="rig", found=name, allowed=", ".join(known[:5]) or "none")
+        raise DescriptionError(
+            "no such version", where="rig", found=name, allowed=", ".join(known[:5]) or "none"
+        )
 
     def _versions_of(self, file: Path) -> Path:
         return self.own(_VERSIONS, *file.relative_to(self.root).parts)
@@ -221,7 +256,11 @@ class Project:
             )
             for name in sorted(files):
                 with contextlib.suppress(OSError):  # nobody may look at it
-                    if _is_text(name) and not name.startswith(".") and S_ISREG((here / name).lstat().st_mode):
+                    if (
+                        _is_text(name)
+                        and not name.startswith(".")
+                        and S_ISREG((here / name).lstat().st_mode)
+                    ):
                         yield here / name
 
 
@@ -251,7 +290,9 @@ def _versions(folder: Path) -> list[str]:
 def unusable(error: OSError, where: str) -> OutputError:
     """Say of a full disk, a name that is too long or a missing permission what it is."""
     hint = "Check the path, the permissions and the space on the disk."
-    return OutputError("cannot be read or written", where=where, found=error.strerror or str(error), hint=hint)
+    return OutputError(
+        "cannot be read or written", where=where, found=error.strerror or str(error), hint=hint
+    )
 
 
 def _is_text(name: str) -> bool:
@@ -296,7 +337,9 @@ def _kind(file: Path) -> str:
 def _has_hardpoints(file: Path, state: State) -> bool:
     """Whether the text of a rig has them, as it is in that state."""
     try:
-        return state[1] <= LONGEST and "hardpoints" in tomllib.loads(file.read_text(encoding="utf-8-sig"))
+        return state[1] <= LONGEST and "hardpoints" in tomllib.loads(
+            file.read_text(encoding="utf-8-sig")
+        )
     except (OSError, ValueError, RecursionError):
         return False
 

@@ -39,7 +39,12 @@ def answer(question: Mapping[str, Any]) -> int:
         sys.stdout.write(to_json(for_page(to_plain(reply))))
     except Exception as error:  # noqa: BLE001 - whatever a file does, it is told
         known = unusable(error, "") if isinstance(error, OSError) else unforeseen(error)
-        plain = {"message": known.message(), "what": known.what, "where": known.where, "hint": known.hint or None}
+        plain = {
+            "message": known.message(),
+            "what": known.what,
+            "where": known.where,
+            "hint": known.hint or None,
+        }
         sys.stdout.write(to_json({"error": with_german(plain)}))
         return 2
     return 0
@@ -64,12 +69,20 @@ def preview(asked: Mapping[str, Any]) -> dict[str, Any]:
         for part in table.tables
         for column in part
     ]
-    answer: dict[str, Any] = {"columns": columns[:_MOST_COLUMNS], "more": max(0, len(columns) - _MOST_COLUMNS)}
+    answer: dict[str, Any] = {
+        "columns": columns[:_MOST_COLUMNS],
+        "more": max(0, len(columns) - _MOST_COLUMNS),
+    }
     try:
         read = _force_deflection if asked["form"] == "force-deflection" else _recording
         shown, findings = read(file, asked)
     except JounceError as error:
-        return answer | {"problem": error.message(), "findings": [], "content": None, "points": None}
+        return answer | {
+            "problem": error.message(),
+            "findings": [],
+            "content": None,
+            "points": None,
+        }
     return answer | {"problem": None, "findings": to_plain(findings)} | shown
 
 
@@ -81,9 +94,14 @@ def _recording(file: Path, asked: Mapping[str, Any]) -> tuple[dict[str, Any], li
 
     given = {name: asked[name] or None for name in ("columns", "sample_time", "resample")}
     record, findings = read_recording(file, variable=asked["variable"], **given)
-    record = compression_positive(record, asked["stroke_positive"] or None, asked["force_positive"] or None)
+    record = compression_positive(
+        record, asked["stroke_positive"] or None, asked["force_positive"] or None
+    )
     blocks = curve_blocks({"": {file.name: record}})
-    return {"content": live_data([block for block in blocks if isinstance(block, Viewer)]), "points": None}, findings
+    return {
+        "content": live_data([block for block in blocks if isinstance(block, Viewer)]),
+        "points": None,
+    }, findings
 
 
 def _force_deflection(file: Path, asked: Mapping[str, Any]) -> tuple[dict[str, Any], list[Finding]]:
@@ -99,7 +117,11 @@ def _force_deflection(file: Path, asked: Mapping[str, Any]) -> tuple[dict[str, A
     deflection = deflection * sign_of(asked["stroke_positive"] or None, "stroke")
     force = force * sign_of(asked["force_positive"] or None, "force")
     step = max(1, -(-len(deflection) // _MOST_POINTS))
-    points = {"x": (1e3 * deflection[::step]).tolist(), "y": force[::step].tolist(), "count": len(deflection)}
+    points = {
+        "x": (1e3 * deflection[::step]).tolist(),
+        "y": force[::step].tolist(),
+        "count": len(deflection),
+    }
     return {"content": None, "points": points}, findings
 
 

@@ -26,7 +26,10 @@ from jounce.web.tasks import Doing
 
 _MOST_KEPT = 6
 _MEMORY, _SECONDS = 6e9, 120.0  # that reading a record may take
-_PIECES, _PIECE = 64, 1 << 16  # of a file's content, by which it is recognised: all of it up to 4 MB
+_PIECES, _PIECE = (
+    64,
+    1 << 16,
+)  # of a file's content, by which it is recognised: all of it up to 4 MB
 
 
 class Records:
@@ -42,8 +45,12 @@ class Records:
         """Read a record, in a process of its own, unless that was done."""
         file = self.project.inside(path)
         if not file.is_file():
-            raise DescriptionError("no such file", where=path, hint="Choose a record of the project.")
-        with self.lock:  # a page that is loaded anew asks again: what is being read is not written twice
+            raise DescriptionError(
+                "no such file", where=path, hint="Choose a record of the project."
+            )
+        with (
+            self.lock
+        ):  # a page that is loaded anew asks again: what is being read is not written twice
             key = _fingerprint(file)
             if key not in self.known:
                 self.known[key] = self._read(path, file, key)
@@ -62,7 +69,11 @@ class Records:
         """The same in Python and on the command line, which read known channels with a unit of theirs only."""
         every = {channel["name"]: channel["unit"] for channel in about["channels"]}
         read = [name for name in channels if _is_known(name) and _is_of(name, every[name])]
-        wrong = [name for name in every if (_is_known(name) and not _is_of(name, every[name])) or " #" in name]
+        wrong = [
+            name
+            for name in every
+            if (_is_known(name) and not _is_of(name, every[name])) or " #" in name
+        ]
         others = [*wrong, *(name for name in channels if name not in read and name not in wrong)]
         python, command = "import jounce as jn\n\n", ""
         if others:
@@ -80,7 +91,16 @@ class Records:
         question = {"kind": "levels", "file": str(file), "folder": str(folder)}
         limits = (_MEMORY, _SECONDS)
         try:
-            self.jobs.ask(Doing(f"Reading {path}", [], limits=limits, patience=90.0, question=question, light=True))
+            self.jobs.ask(
+                Doing(
+                    f"Reading {path}",
+                    [],
+                    limits=limits,
+                    patience=90.0,
+                    question=question,
+                    light=True,
+                )
+            )
         except Exception:
             shutil.rmtree(folder, ignore_errors=True)
             raise
@@ -94,7 +114,10 @@ def _fingerprint(file: Path) -> str:
     so pieces of the content count, too, evenly spread from the first byte to the last.
     """
     state = state_of(file)
-    digest, last = sha256(f"{file}\0{state}".encode(errors="surrogatepass")), max(0, state[1] - _PIECE)
+    digest, last = (
+        sha256(f"{file}\0{state}".encode(errors="surrogatepass")),
+        max(0, state[1] - _PIECE),
+    )
     with file.open("rb") as stream:
         for place in dict.fromkeys(last * k // (_PIECES - 1) for k in range(_PIECES)):
             stream.seek(place)

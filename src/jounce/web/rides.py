@@ -34,12 +34,14 @@ def overlaid(asked: Mapping[str, Any]) -> dict[str, Any]:
             failed[label] = error.message()
     if not rides:
         raise DescriptionError(
-            Phrase("none of them could be driven: {values}", values="; ".join(failed.values())), where="rides"
+            Phrase("none of them could be driven: {values}", values="; ".join(failed.values())),
+            where="rides",
         )
     runs, notes = alike({label: ride.evaluated_run for label, ride in rides.items()})
     spectra = spectra_of(runs, shortest=_SHORTEST)
     viewers = [
-        curve_viewer({"": curves}, _first(curves), name=name) for name, curves in (("time", runs), ("spectra", spectra))
+        curve_viewer({"": curves}, _first(curves), name=name)
+        for name, curves in (("time", runs), ("spectra", spectra))
     ]
     return {"content": live_data(viewers), "notes": notes, "failed": failed}
 
@@ -56,7 +58,11 @@ def _simulate_ride(asked: Mapping[str, Any]) -> Ride:
     if is_class(road):
         name, seed = class_and_seed(road)
         trial = iso_trial(
-            rig, name, speed, duration=duration or ISO_DURATION, seed=asked["seed"] if seed is None else seed
+            rig,
+            name,
+            speed,
+            duration=duration or ISO_DURATION,
+            seed=asked["seed"] if seed is None else seed,
         )
     else:
         trial = road_trial(rig, jn.load_road(road), speed, duration=duration or None)
@@ -72,7 +78,11 @@ def labels(rides: Sequence[Mapping[str, Any]]) -> list[str]:
     >>> labels([one, one | {"control": "skyhook", "speed": "30 m/s"}])
     ['a, passive, 20 m/s', 'a, skyhook, 30 m/s']
     """
-    apart = [name for name in ("road", "speed", "duration", "seed") if len({str(ride.get(name)) for ride in rides}) > 1]
+    apart = [
+        name
+        for name in ("road", "speed", "duration", "seed")
+        if len({str(ride.get(name)) for ride in rides}) > 1
+    ]
     texts: list[str] = []
     for ride in rides:
         changes = (f"{path} = {value}" for path, value in ride["changes"].items())
@@ -101,13 +111,21 @@ def alike(runs: Mapping[str, xr.Dataset]) -> tuple[dict[str, xr.Dataset], list[s
     for label, run in runs.items():
         names = [str(name) for name in run.data_vars]
         if kinds[label] == 1:
-            body = {f"body.{name[7:]}": run[name].assign_attrs(long_name="") for name in names if name[:7] == "sprung."}
+            body = {
+                f"body.{name[7:]}": run[name].assign_attrs(long_name="")
+                for name in names
+                if name[:7] == "sprung."
+            }
             aligned[label] = run.rename({name: f"{place}.{name}" for name in names}).assign(body)
-            notes.append(f"{label}: it has one corner, which is drawn as {place}, its sprung mass as the body, too.")
+            notes.append(
+                f"{label}: it has one corner, which is drawn as {place}, its sprung mass as the body, too."
+            )
         elif kinds[label] == 2 and place == "front_left":
             sides = {"front": "front_left", "rear": "rear_left"}
             parts = {name: name.partition(".") for name in names}
-            aligned[label] = run.rename({name: f"{sides.get(a, a)}{dot}{b}" for name, (a, dot, b) in parts.items()})
+            aligned[label] = run.rename(
+                {name: f"{sides.get(a, a)}{dot}{b}" for name, (a, dot, b) in parts.items()}
+            )
             notes.append(f"{label}: its axles are drawn as left corners.")
         else:
             aligned[label] = run
@@ -123,6 +141,12 @@ def _corners(run: xr.Dataset) -> int:
 
 def _first(runs: Mapping[str, xr.Dataset]) -> list[str]:
     """Name what is looked at first, of what all of them hold."""
-    held = [name for name in map(str, next(iter(runs.values())).data_vars) if all(name in run for run in runs.values())]
-    candidates = [next((name for end in ends for name in held if name.endswith(end)), "") for ends in _FIRST]
+    held = [
+        name
+        for name in map(str, next(iter(runs.values())).data_vars)
+        if all(name in run for run in runs.values())
+    ]
+    candidates = [
+        next((name for end in ends for name in held if name.endswith(end)), "") for ends in _FIRST
+    ]
     return [name for name in candidates if name] or held[:1]

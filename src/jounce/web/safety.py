@@ -57,14 +57,19 @@ class Guard:
         if scope["type"] not in ("http", "websocket"):
             await self.app(scope, receive, send)
             return
-        headers = {name.decode("latin-1").lower(): value.decode("latin-1") for name, value in scope["headers"]}
+        headers = {
+            name.decode("latin-1").lower(): value.decode("latin-1")
+            for name, value in scope["headers"]
+        }
         problem = self._problem(scope, headers)
         if problem is not None:
             await self._refuse(scope, send, *problem)
         else:
             await self.app(scope, receive, _with_headers(send))
 
-    def _problem(self, scope: Mapping[str, Any], headers: Mapping[str, str]) -> tuple[int, str] | None:
+    def _problem(
+        self, scope: Mapping[str, Any], headers: Mapping[str, str]
+    ) -> tuple[int, str] | None:
         if headers.get("host", "").lower() not in self.hosts:
             return 403, "This workbench answers by its own address only."
         if headers.get("origin", "").lower() not in self.origins | {""}:
@@ -77,24 +82,37 @@ class Guard:
             return 413, f"A request has {most} bytes at most, and says how many."
         if scope["path"] == "/" and scope["query_string"]:
             given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[0]
-            return None if self._is_token(given) else (401, "This address is not the one that was printed.")
+            return (
+                None
+                if self._is_token(given)
+                else (401, "This address is not the one that was printed.")
+            )
         if scope["path"] in _OPEN or self._is_known(headers) or self._is_sealed(scope):
             return None
-        return 401, "The token is missing: open the address that `jounce serve` printed, or send it as a bearer."
+        return (
+            401,
+            "The token is missing: open the address that `jounce serve` printed, or send it as a bearer.",
+        )
 
     def _is_known(self, headers: Mapping[str, str]) -> bool:
         scheme, _, given = headers.get("authorization", "").partition(" ")
         if scheme.lower() == "bearer":
             return self._is_token(given.strip())
-        offered = [protocol.strip() for protocol in headers.get("sec-websocket-protocol", "").split(",")]
+        offered = [
+            protocol.strip() for protocol in headers.get("sec-websocket-protocol", "").split(",")
+        ]
         return len(offered) == 2 and offered[0] == PROTOCOL and self._is_token(offered[1])
 
     def _is_sealed(self, scope: Mapping[str, Any]) -> bool:
         if scope.get("method") != "GET":
             return False
-        asked = b"?".join((scope.get("raw_path") or scope["path"].encode(), scope["query_string"])).decode("latin-1")
+        asked = b"?".join(
+            (scope.get("raw_path") or scope["path"].encode(), scope["query_string"])
+        ).decode("latin-1")
         address, _, _ = asked.rpartition("key=")
-        return secrets.compare_digest(asked.encode(), seal_address(self.token, address[:-1]).encode())
+        return secrets.compare_digest(
+            asked.encode(), seal_address(self.token, address[:-1]).encode()
+        )
 
     def _is_token(self, given: str) -> bool:
         return secrets.compare_digest(given.encode(), self.token.encode())
@@ -119,7 +137,10 @@ def _with_headers(send: Any) -> Any:
             own = list(message.get("headers", []))  # a report says more narrowly what it may do
             said = {name.lower() for name, _ in own}
             every = ((name.encode(), value.encode()) for name, value in HEADERS.items())
-            message["headers"] = [*own, *(header for header in every if header[0].lower() not in said)]
+            message["headers"] = [
+                *own,
+                *(header for header in every if header[0].lower() not in said),
+            ]
         await send(message)
 
     return sending

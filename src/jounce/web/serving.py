@@ -23,7 +23,9 @@ from jounce.core.optional import require
 from jounce.core.remembered import Recent
 
 
-def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None] | None = None) -> None:
+def serve(
+    folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None] | None = None
+) -> None:
     """Serve the workbench of a folder until the process is told to end (Ctrl-C, SIGTERM).
 
     Parameters
@@ -49,7 +51,9 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     >>> serve("my-car", port=8123)  # doctest: +SKIP
     """
     if not Path(folder).is_dir():
-        raise DescriptionError("not a folder", where=str(folder), hint="Create it, or give the one with your files.")
+        raise DescriptionError(
+            "not a folder", where=str(folder), hint="Create it, or give the one with your files."
+        )
     uvicorn = require("uvicorn", "web")
     from jounce.kernel.apart import compiling_apart
     from jounce.web.app import create_app
@@ -59,7 +63,9 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
     number = listening.getsockname()[1]
     token = secrets.token_urlsafe(32)
     address = f"http://127.0.0.1:{number}/?token={token}"
-    app = create_app(folder, token=token, port=number, ready=lambda: ready(address, token) if ready else None)
+    app = create_app(
+        folder, token=token, port=number, ready=lambda: ready(address, token) if ready else None
+    )
     require("websockets", "web")
     config = uvicorn.Config(app, log_level="warning", access_log=False, server_header=False, ws="websockets-sansio",
                             timeout_graceful_shutdown=1)  # fmt: skip
@@ -75,11 +81,17 @@ def serve(folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None
 
 def _is_trouble(record: logging.LogRecord) -> bool:
     """Whether a line of the server's log is worth a look: requests that its end cuts off are not."""
-    is_cut_off = record.exc_info is not None and isinstance(record.exc_info[1], asyncio.CancelledError)
+    is_cut_off = record.exc_info is not None and isinstance(
+        record.exc_info[1], asyncio.CancelledError
+    )
     return not (is_cut_off or "timeout graceful shutdown exceeded" in str(record.msg))
 
 
-_ARENAS, _LARGE, _TRIMMED = (-8, 1), (-3, 1 << 16), (-1, 1 << 20)  # M_ARENA_MAX, M_MMAP_THRESHOLD, M_TRIM_THRESHOLD
+_ARENAS, _LARGE, _TRIMMED = (
+    (-8, 1),
+    (-3, 1 << 16),
+    (-1, 1 << 20),
+)  # M_ARENA_MAX, M_MMAP_THRESHOLD, M_TRIM_THRESHOLD
 
 
 def _give_memory_back() -> Callable[[], object]:
@@ -99,7 +111,10 @@ def _give_memory_back() -> Callable[[], object]:
 _MOST_MODELS = 8  # of each kind, soon all taken: one is up to 2 MB, and 10 ms to be loaded again
 _PAUSE = 2.0  # s
 _LONGEST_IMPORT = 10.0  # s
-_IDLE, _BUSY = 0.05, 1.0  # s of processor time: at most in a pause, and at least since garbage was last looked for
+_IDLE, _BUSY = (
+    0.05,
+    1.0,
+)  # s of processor time: at most in a pause, and at least since garbage was last looked for
 _LATER = (
     "scipy.signal",
     "h5netcdf",
@@ -117,13 +132,17 @@ def _within_bounds(trim: Callable[[], object]) -> Iterator[None]:
     """
     before, Recent.most = Recent.most, _MOST_MODELS
     ended = threading.Event()
-    tidying = threading.Thread(target=_tidy_in_pauses, args=(ended, trim), name="pauses", daemon=True)
+    tidying = threading.Thread(
+        target=_tidy_in_pauses, args=(ended, trim), name="pauses", daemon=True
+    )
     tidying.start()
     try:
         yield
     finally:
         ended.set()
-        tidying.join(_LONGEST_IMPORT)  # an import that the end of the process cuts off prints a traceback
+        tidying.join(
+            _LONGEST_IMPORT
+        )  # an import that the end of the process cuts off prints a traceback
         Recent.most = before
 
 
@@ -146,7 +165,9 @@ def _tidy_in_pauses(ended: threading.Event, trim: Callable[[], object]) -> None:
 def usual_port(folder: Path | str) -> int:
     """Give the port on which a folder is served unless another is asked for: the same every time."""
     place = os.path.normcase(Path(folder).resolve())
-    return 20_000 + int.from_bytes(sha256(place.encode()).digest()[:4]) % 10_000  # below those that systems hand out
+    return (
+        20_000 + int.from_bytes(sha256(place.encode()).digest()[:4]) % 10_000
+    )  # below those that systems hand out
 
 
 def _usual(folder: Path | str) -> socket.socket:
@@ -159,7 +180,9 @@ def _usual(folder: Path | str) -> socket.socket:
 def _listening(port: int) -> socket.socket:
     # Named as TCP, connections send at once; else a kept one waits 40 ms for the other side's word after each packet.
     listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
-    if sys.platform != "win32":  # one that was ended a moment ago left its port with connections that fade out
+    if (
+        sys.platform != "win32"
+    ):  # one that was ended a moment ago left its port with connections that fade out
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listener.bind(("127.0.0.1", port))
@@ -167,6 +190,8 @@ def _listening(port: int) -> socket.socket:
         listener.close()
         what = "no such port" if isinstance(error, OverflowError) else "the port cannot be had"
         hint = "Choose another port, or none: a free one is taken then."
-        raise OutputError(what, where="--port", found=port, allowed="0 to 65535", hint=hint) from None
+        raise OutputError(
+            what, where="--port", found=port, allowed="0 to 65535", hint=hint
+        ) from None
     listener.listen(64)
     return listener

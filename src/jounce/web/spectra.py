@@ -16,7 +16,9 @@ if TYPE_CHECKING:
 _HIGHEST = 60.0  # Hz: of what a car does, all is below
 
 
-def spectra_of(runs: Mapping[str, xr.Dataset], *, shortest: float | None = None) -> dict[str, xr.Dataset]:
+def spectra_of(
+    runs: Mapping[str, xr.Dataset], *, shortest: float | None = None
+) -> dict[str, xr.Dataset]:
     """Give the root of each channel's power spectral density, unit/√Hz in the units that are shown.
 
     It is that of one piece as long as the run; with the ``shortest`` (s) piece that is wanted, of an eighth of the run,
@@ -34,7 +36,9 @@ def _spectra(run: xr.Dataset, shortest: float | None) -> xr.Dataset:
     even = np.linspace(time[0], time[-1], len(time))
     duration = float(time[-1] - time[0])
     rate = (len(time) - 1) / duration
-    segment = 0.999 * duration if shortest is None else min(max(duration / 8.0, shortest), duration / 2.0)
+    segment = (
+        0.999 * duration if shortest is None else min(max(duration / 8.0, shortest), duration / 2.0)
+    )
     spectra, frequency = {}, np.zeros(0)
     for name in run.data_vars:
         values = run.variables[name]

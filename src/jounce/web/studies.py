@@ -21,7 +21,9 @@ _MOST_ROWS = 2000  # variants that a page draws
 _SIMPLE = {"kind", "height", "depth", "length", "start"}
 
 
-def write_study(project: Project, path: str, study: Mapping[str, Any], was: str = "") -> dict[str, Any]:
+def write_study(
+    project: Project, path: str, study: Mapping[str, Any], was: str = ""
+) -> dict[str, Any]:
     """Write a study of the schema ``jounce.sweep/1`` and read it again: its text, and how many variants it has.
 
     What cannot be read is not written.
@@ -33,10 +35,17 @@ def write_study(project: Project, path: str, study: Mapping[str, Any], was: str 
         rig = Path(os.path.relpath(project.inside(rig), file.parent)).as_posix()
     try:
         text = tomlkit.dumps({"schema": "jounce.sweep/1", **study, "rig": rig})
-    except (ValueError, TypeError) as error:  # tomlkit's are of these: nothing stands for nothing in TOML
-        raise DescriptionError("this cannot be written as a study", where=path, found=str(error)) from None
+    except (
+        ValueError,
+        TypeError,
+    ) as error:  # tomlkit's are of these: nothing stands for nothing in TOML
+        raise DescriptionError(
+            "this cannot be written as a study", where=path, found=str(error)
+        ) from None
     if file.suffix != ".toml":
-        raise OutputError("only descriptions are written here", where=path, allowed="a name that ends in .toml")
+        raise OutputError(
+            "only descriptions are written here", where=path, allowed="a name that ends in .toml"
+        )
     file.parent.mkdir(parents=True, exist_ok=True)
     trial = temporary_beside(file)  # where the files that it names are looked for
     try:
@@ -69,17 +78,37 @@ def swept(project: Project, folder: str) -> dict[str, Any]:
     except Exception as error:  # noqa: BLE001 - whatever a foreign file does, it is told
         raise unforeseen(error, folder) from None
     if "variant" not in data.dims:
-        return {"count": sweep.count, "finished": 0, "columns": [], "variants": [], "summary": None, "run": None}
+        return {
+            "count": sweep.count,
+            "finished": 0,
+            "columns": [],
+            "variants": [],
+            "summary": None,
+            "run": None,
+        }
     finished = data.sizes["variant"]
     rows = np.unique(np.linspace(0, finished - 1, min(finished, _MOST_ROWS)).round().astype(int))
     numbers, columns = numbers_of(data), []
-    has_metrics = any(values.dims == ("variant",) and values.dtype.kind in "fi" for values in data.data_vars.values())
+    has_metrics = any(
+        values.dims == ("variant",) and values.dtype.kind in "fi"
+        for values in data.data_vars.values()
+    )
     for name in (*numbers, *(metrics_of(data) if has_metrics else ())):
         values = data[name].to_numpy()
         finite = values[np.isfinite(values)]
-        unit = display_unit(str(data[name].attrs.get("units", "1")), float(abs(finite).max()) if finite.size else 1.0)
-        shown = [None if not np.isfinite(value) else float(value) * unit.factor for value in values[rows]]
-        about = {"name": name, "unit": unit.name, "factor": unit.factor, "is_number": name in numbers}
+        unit = display_unit(
+            str(data[name].attrs.get("units", "1")),
+            float(abs(finite).max()) if finite.size else 1.0,
+        )
+        shown = [
+            None if not np.isfinite(value) else float(value) * unit.factor for value in values[rows]
+        ]
+        about = {
+            "name": name,
+            "unit": unit.name,
+            "factor": unit.factor,
+            "is_number": name in numbers,
+        }
         columns.append({**about, "values": shown})
     variants = [int(number) for number in data["variant"].to_numpy()[rows]]
     plain = to_plain(summarise(data))
@@ -93,7 +122,9 @@ def _run(project: Project, place: Path, command: str) -> dict[str, Any] | None:
     named = next((word for word in words[2:] if word.endswith(".toml")), None)
     try:
         study = project.inside(named) if named else place / "study.toml"
-        table = tomllib.loads(content_of(study if study.is_file() else place / "study.toml").decode())
+        table = tomllib.loads(
+            content_of(study if study.is_file() else place / "study.toml").decode()
+        )
         rig, trial = str(table["rig"]), table["trial"]
         beside = (study.parent / rig).resolve()
         if rig.endswith(".toml"):
@@ -103,6 +134,11 @@ def _run(project: Project, place: Path, command: str) -> dict[str, Any] | None:
             if not {"kind"} <= road.keys() <= _SIMPLE:
                 return None
             road = dict(road)
-        return {"rig": rig, "road": road, "speed": str(trial["speed"]), "duration": str(trial["duration"])}
+        return {
+            "rig": rig,
+            "road": road,
+            "speed": str(trial["speed"]),
+            "duration": str(trial["duration"]),
+        }
     except (OSError, ValueError, KeyError, TypeError, DescriptionError):
         return None

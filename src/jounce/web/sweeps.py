@@ -62,9 +62,13 @@ def swept(project: Project, asked: Question) -> CurvesAnswer:
     from jounce.kinematics.sweeps import sweep_values
     from jounce.report.recordings import curve_viewer
 
-    count = len(sweep_values(getattr(asked, asked.over), asked.over, "rad" if asked.over == "roll" else "m"))
+    count = len(
+        sweep_values(getattr(asked, asked.over), asked.over, "rad" if asked.over == "roll" else "m")
+    )
     if count > _MOST:
-        raise DescriptionError("too many poses to be waited for", where=asked.over, found=count, allowed=f"{_MOST}")
+        raise DescriptionError(
+            "too many poses to be waited for", where=asked.over, found=count, allowed=f"{_MOST}"
+        )
     rigs = variants(project, asked.rig, asked.changes, asked.text)
     if asked.against:
         rigs[asked.against] = rig_of(project, asked.against)
@@ -77,7 +81,11 @@ def swept(project: Project, asked: Question) -> CurvesAnswer:
         "digest": digest_of(rigs["as it is"]),
         "centres": _centres(next(iter(runs.values())), viewer),
         "targets": _bands(first, wanted, asked.over, viewer),
-        "notes": [_note(label, run) for label, run in runs.items() if run.attrs.get("status") != "completed"],
+        "notes": [
+            _note(label, run)
+            for label, run in runs.items()
+            if run.attrs.get("status") != "completed"
+        ],
     }
     return CurvesAnswer(viewer, more | _ways(asked))
 
@@ -90,7 +98,10 @@ def _run(rig: Rig, asked: Question) -> xr.Dataset:
     if asked.over == "roll":
         return _sweep_roll(rig, asked.roll, asked.rack or 0.0)
     return jn.sweep_travel(
-        rig, asked.travel, to_si(asked.rack, "m", where="rack travel") if asked.rack else None, points=True
+        rig,
+        asked.travel,
+        to_si(asked.rack, "m", where="rack travel") if asked.rack else None,
+        points=True,
     )
 
 
@@ -107,7 +118,9 @@ def _sweep_roll(rig: Rig, roll: str, rack: float | str) -> xr.Dataset:
         for name in own.data_vars
         if "." in str(name)  # quantities are those of the axle
     }
-    names = sorted(map(str, axle.data_vars), key=lambda name: "." in name)  # what the axle has as a whole comes first
+    names = sorted(
+        map(str, axle.data_vars), key=lambda name: "." in name
+    )  # what the axle has as a whole comes first
     return axle[names].assign(placed)
 
 
@@ -118,7 +131,12 @@ def _note(label: str, run: xr.Dataset) -> str:
 def _centres(run: xr.Dataset, viewer: Viewer) -> dict[str, Any] | None:
     """What the corner turns about at each pose of the mechanism, mm: (y, z) in front, (x, z) beside, heights (z)."""
     motion = viewer.scenes[0].motion
-    names = ("instant_centre_y", "instant_centre_z", "side_instant_centre_x", "side_instant_centre_z")
+    names = (
+        "instant_centre_y",
+        "instant_centre_z",
+        "side_instant_centre_x",
+        "side_instant_centre_z",
+    )
     if motion is None or not all(name in run.variables for name in (*names, "roll_centre_height")):
         return None
     poses = motion.mechanism.poses
@@ -149,10 +167,14 @@ def _study_targets(project: Project, study: str) -> list[Mapping[str, Any]]:
 
     with only_below(project.root):
         description, _ = read_description(KinematicStudy, project.inside(study), SCHEMA)
-    return [target.model_dump(exclude_none=True) for target in description.target if target.rig is None]
+    return [
+        target.model_dump(exclude_none=True) for target in description.target if target.rig is None
+    ]
 
 
-def _bands(rig: Rig, targets: Sequence[Mapping[str, Any]], over: Over, viewer: Viewer) -> list[dict[str, Any]]:
+def _bands(
+    rig: Rig, targets: Sequence[Mapping[str, Any]], over: Over, viewer: Viewer
+) -> list[dict[str, Any]]:
     """Targets that stand on the axis of the sweep, in the units of their panes."""
     if not targets:
         return []
@@ -160,7 +182,9 @@ def _bands(rig: Rig, targets: Sequence[Mapping[str, Any]], over: Over, viewer: V
     from jounce.design.kinematic_targets import read_targets
     from jounce.kinematics.model import check_corner
 
-    wanted = read_targets({"": check_corner(rig)}, [KinematicTarget(**target) for target in targets], {})
+    wanted = read_targets(
+        {"": check_corner(rig)}, [KinematicTarget(**target) for target in targets], {}
+    )
     panes = {pane.name: pane for pane in viewer.scenes[0].panes}
     bands = []
     for target in wanted:
@@ -173,7 +197,9 @@ def _bands(rig: Rig, targets: Sequence[Mapping[str, Any]], over: Over, viewer: V
 def _band(target: Wanted, pane: Pane, along: str) -> dict[str, Any]:
     unit = 1.0 if pane.unit in ("", target.unit) else to_si(f"1 {pane.unit}", target.unit)
     axis = 1.0 if not along else to_si(f"1 {along}", "rad" if target.along == "roll" else "m")
-    low, high = ((end + by * target.tolerance) / unit for end, by in ((target.low, -1.0), (target.high, 1.0)))
+    low, high = (
+        (end + by * target.tolerance) / unit for end, by in ((target.low, -1.0), (target.high, 1.0))
+    )
     return {
         "quantity": target.quantity,
         "at": (target.at / axis).tolist(),
@@ -183,9 +209,13 @@ def _band(target: Wanted, pane: Pane, along: str) -> dict[str, Any]:
 
 
 def _ways(asked: Question) -> dict[str, Any]:
-    over = {"travel": ("travel", "rack"), "rack": ("rack", "travel"), "roll": ("roll", "rack")}[asked.over]
+    over = {"travel": ("travel", "rack"), "rack": ("rack", "travel"), "roll": ("roll", "rack")}[
+        asked.over
+    ]
     coordinates = {name: value for name in over if (value := getattr(asked, name))}
-    request = Request(operations()["kinematics"], {"rig": word(asked.rig), "set": asked.changes, **coordinates})
+    request = Request(
+        operations()["kinematics"], {"rig": word(asked.rig), "set": asked.changes, **coordinates}
+    )
     python = f"import jounce as jn\n\ncurves = {request.expression()}.data\n"
     command = command_line(["jounce", *request.words(), "--out", "curves.csv"])
     return {"python": python, "command": command, "files": {}}

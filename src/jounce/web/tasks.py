@@ -95,7 +95,12 @@ class SweepTask(_Task):
 
     def _doing(self, project: Project) -> Doing:
         study, out = _file(project, self.study), _folder(project, self.out)
-        given = {"study": study, "out": out, "resume": self.resume, "force": self.force and not self.resume}
+        given = {
+            "study": study,
+            "out": out,
+            "resume": self.resume,
+            "force": self.force and not self.resume,
+        }
         request = _request("sweep", given)
         return Doing(f"Sweep {Path(study).stem}", request.words(), python=request.python(), out=out,
                      page=f"{out}/report.html")  # fmt: skip
@@ -131,7 +136,13 @@ class DesignTask(_Task):
         words = [*request.words(), f"--out={out}", *(["--force"] if self.force else [])]
         forced = ", force=True" if self.force else ""
         python = f"{request.python()}jn.write_files({out!r}, result.files(){forced})\n"
-        return Doing(f"Kinematic design {Path(study).stem}", words, python=python, out=out, page=f"{out}/report.html")
+        return Doing(
+            f"Kinematic design {Path(study).stem}",
+            words,
+            python=python,
+            out=out,
+            page=f"{out}/report.html",
+        )
 
 
 class _Drive(BaseModel):
@@ -156,15 +167,22 @@ class _Drive(BaseModel):
 
     def _request(self, project: Project, command: str, control: list[str]) -> Request:
         """Give the request of a ride, or of several."""
-        given = self.model_dump(include={"road", "speed", "seed"}) | {"control": control, "duration": self._lasting}
-        return _request(command, {**given, "vehicle": _rig(project, self.vehicle), "set": self.changes})
+        given = self.model_dump(include={"road", "speed", "seed"}) | {
+            "control": control,
+            "duration": self._lasting,
+        }
+        return _request(
+            command, {**given, "vehicle": _rig(project, self.vehicle), "set": self.changes}
+        )
 
 
 class CompareTask(_Task, _Drive):
     """Drive a vehicle over a road with several controllers: comfort, travel, road holding, spectra."""
 
     kind: Literal["compare"]
-    control: Annotated[list[Text], Field(max_length=40)] = Field(default_factory=lambda: ["passive"])
+    control: Annotated[list[Text], Field(max_length=40)] = Field(
+        default_factory=lambda: ["passive"]
+    )
 
     def _doing(self, project: Project) -> Doing:
         request = self._request(project, "compare", self.control)
@@ -201,7 +219,13 @@ class OverlayTask(_Task):
             python += "figure = jn.plots.compare(runs)\n"
             files = [f"ride-{k}.nc" for k in range(1, len(self.rides) + 1)]
             commands.append(command_line(["jounce", "plot", *files, "--figure=rides.png"]))
-        return Doing("Overlay of rides", [], python=python, question=self.model_dump(), command="\n".join(commands))
+        return Doing(
+            "Overlay of rides",
+            [],
+            python=python,
+            question=self.model_dump(),
+            command="\n".join(commands),
+        )
 
 
 class ParetoTask(_Task):
@@ -220,8 +244,12 @@ class ParetoTask(_Task):
 
     def _doing(self, project: Project) -> Doing:
         vehicle = _rig(project, self.vehicle)
-        request = _request("design pareto", {**self.model_dump(exclude={"kind"}), "vehicle": vehicle})
-        return Doing(f"Best designs of {Path(vehicle).stem}", request.words(), _REPORT, request.python())
+        request = _request(
+            "design pareto", {**self.model_dump(exclude={"kind"}), "vehicle": vehicle}
+        )
+        return Doing(
+            f"Best designs of {Path(vehicle).stem}", request.words(), _REPORT, request.python()
+        )
 
 
 class EvaluateTask(_Task):
@@ -265,7 +293,9 @@ class HistoryTask(_Task):
     def _doing(self, project: Project) -> Doing:
         store = _file(project, self.store)
         request = _request("inspect history", {"plate": self.plate, "store": store})
-        return Doing(f"History of {self.plate}", request.words(), _REPORT, request.python(), patience=60.0)
+        return Doing(
+            f"History of {self.plate}", request.words(), _REPORT, request.python(), patience=60.0
+        )
 
 
 class SearchTask(_Task):
@@ -333,12 +363,16 @@ class _Reading(_Task):
         words = [_file(project, file) for file in self.files]
         words += [f"--columns={name}={column}" for name, column in self.columns.items()]
         for name in ("variable", "stroke_positive", *more):
-            words += [f"--{name.replace('_', '-')}={getattr(self, name)}"] if getattr(self, name) else []
+            words += (
+                [f"--{name.replace('_', '-')}={getattr(self, name)}"] if getattr(self, name) else []
+            )
         return words
 
     def _request(self, project: Project, command: str, **more: str) -> Request:
         files = [_file(project, file) for file in self.files]
-        return _request(command, {**self.model_dump(exclude={"kind", "files"}), "measured": files, **more})
+        return _request(
+            command, {**self.model_dump(exclude={"kind", "files"}), "measured": files, **more}
+        )
 
     def _read(self, *names: str) -> str:
         return arguments({name: getattr(self, name) for name in names if getattr(self, name)}, ", ")
@@ -394,7 +428,11 @@ class PreviewTask(_Reading):
             said = self._read("columns", "variable")
             read = f"\ncolumns, findings = jn.read_columns({self.files[0]!r}, {_WANTED}{said})\n"
             read += "print(columns, findings)\n"
-        command = command_line(["jounce", "plot", *words, "--figure=record.png"]) if self.form == "recording" else ""
+        command = (
+            command_line(["jounce", "plot", *words, "--figure=record.png"])
+            if self.form == "recording"
+            else ""
+        )
         return Doing(f"Preview of {self.files[0]}", [], python=f"import jounce as jn\n{read}", limits=LIMITS,
                      patience=60.0, question=self.model_dump(), command=command)  # fmt: skip
 
@@ -415,7 +453,9 @@ def task_of(plain: Mapping[str, Any]) -> AnyTask:
     except ValidationError as error:
         first = error.errors()[0]
         place = ".".join(("job", *(str(part) for part in first["loc"])))
-        raise DescriptionError("this says nothing of a job", where=place, found=first["msg"]) from None
+        raise DescriptionError(
+            "this says nothing of a job", where=place, found=first["msg"]
+        ) from None
 
 
 def doing_of(task: AnyTask, project: Project) -> Doing:
@@ -425,7 +465,9 @@ def doing_of(task: AnyTask, project: Project) -> Doing:
 
 def _request(command: str, given: Mapping[str, Any]) -> Request:
     """Give a request; fields that a page leaves empty have their defaults."""
-    return Request(operations()[command], {name: value for name, value in given.items() if value != ""})
+    return Request(
+        operations()[command], {name: value for name, value in given.items() if value != ""}
+    )
 
 
 def _file(project: Project, path: str) -> str:
@@ -472,5 +514,7 @@ def _tester(project: Project, name: str) -> str:
 def _store(project: Project, path: str) -> str:
     project.inside(path)
     if not path.endswith((".sqlite", ".db")):
-        raise DescriptionError("not the name of a store", where="store", found=path, allowed="one that ends in .sqlite")
+        raise DescriptionError(
+            "not the name of a store", where="store", found=path, allowed="one that ends in .sqlite"
+        )
     return _plain(path)

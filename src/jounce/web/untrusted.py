@@ -25,7 +25,12 @@ def content(file: Path, most: int) -> bytes:
         Where it holds more than ``most`` bytes.
     """
     # Opened, then looked at: what is looked at is what is read. A pipe must not keep us waiting.
-    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_NOFOLLOW", 0)
+    flags = (
+        os.O_RDONLY
+        | getattr(os, "O_NONBLOCK", 0)
+        | getattr(os, "O_BINARY", 0)
+        | getattr(os, "O_NOFOLLOW", 0)
+    )
     with os.fdopen(os.open(file, flags), "rb") as stream:
         status = os.fstat(stream.fileno())
         if not stat.S_ISREG(status.st_mode):
@@ -55,10 +60,15 @@ def plain_json(text: bytes | str) -> Any:
     waiting = [(plain, 0)]
     while waiting:
         value, depth = waiting.pop()
-        if (isinstance(value, float) and math.isinf(value)) or (isinstance(value, int) and abs(value) > _GREATEST):
+        if (isinstance(value, float) and math.isinf(value)) or (
+            isinstance(value, int) and abs(value) > _GREATEST
+        ):
             raise ValueError("a number is too large")
         if isinstance(value, (dict, list)):
             if depth == _DEEPEST:
                 raise ValueError(f"more than {_DEEPEST} lists and objects within each other")
-            waiting += [(child, depth + 1) for child in (value.values() if isinstance(value, dict) else value)]
+            waiting += [
+                (child, depth + 1)
+                for child in (value.values() if isinstance(value, dict) else value)
+            ]
     return plain

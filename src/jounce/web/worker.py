@@ -27,7 +27,10 @@ from jounce.core.serialise import to_json
 JOB, PROGRESS, RESULT, PROBLEMS, END, ALIVE, CANCEL = (
     "job.json", "progress.json", "result.json", "problems.txt", "end.json", "alive", "cancel",
 )  # fmt: skip
-_BETWEEN, _LOOKS = 0.2, 0.2  # s between two states on the disk, and between two looks for the wish to stop
+_BETWEEN, _LOOKS = (
+    0.2,
+    0.2,
+)  # s between two states on the disk, and between two looks for the wish to stop
 _PATIENCE = 10.0  # s in which a command that is to stop does so, before it is ended
 _TRIALS = 50
 _MOST_STEPS = 400  # of a search that are kept
@@ -83,10 +86,19 @@ class _Told:
             if not last and time.monotonic() - self.written < _BETWEEN:
                 return
             line = self.line
-            state: dict[str, Any] = {"at": time.time(), "clock": time.monotonic(), "steps": list(self.steps)}
+            state: dict[str, Any] = {
+                "at": time.time(),
+                "clock": time.monotonic(),
+                "steps": list(self.steps),
+            }
             if line is not None:
                 said = line.waits or line.said
-                state |= {"said": said, "said_german": german_of(said), "share": line.share(), "left": line.left()}
+                state |= {
+                    "said": said,
+                    "said_german": german_of(said),
+                    "share": line.share(),
+                    "left": line.left(),
+                }
             put(self.file, state)
             self.written = time.monotonic()
 
@@ -95,7 +107,9 @@ def _stop_when_wanted(folder: Path) -> None:
     """Stop the command as Ctrl-C does; where it does not listen, end this process and what it has started."""
     while not (folder / CANCEL).exists():
         time.sleep(_LOOKS)
-    signal.raise_signal(signal.SIGINT) if sys.platform == "win32" else os.kill(os.getpid(), signal.SIGINT)
+    signal.raise_signal(signal.SIGINT) if sys.platform == "win32" else os.kill(
+        os.getpid(), signal.SIGINT
+    )
     time.sleep(_PATIENCE)
     put(folder / END, _end_record(130))
     if sys.platform != "win32" and os.getpgrp() == os.getpid():
@@ -108,7 +122,9 @@ def work(folder: Path) -> int:
     if not _hold(folder / ALIVE):  # another process does it
         return 2
     job = json.loads((folder / JOB).read_text(encoding="utf-8"))
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # which a shell may have told to ignore it
+    signal.signal(
+        signal.SIGINT, signal.default_int_handler
+    )  # which a shell may have told to ignore it
     threading.Thread(target=_stop_when_wanted, args=(folder,), daemon=True).start()
     os.chdir(job["root"])
     progress = _Told(folder / PROGRESS)
@@ -144,7 +160,13 @@ def work(folder: Path) -> int:
     return code
 
 
-_USUAL = ("jounce.campaign", "jounce.identify.decay", "jounce.inspection.evaluation", "jounce.parts", "jounce.plots")
+_USUAL = (
+    "jounce.campaign",
+    "jounce.identify.decay",
+    "jounce.inspection.evaluation",
+    "jounce.parts",
+    "jounce.plots",
+)
 
 
 def split_when_told() -> None:
@@ -154,7 +176,15 @@ def split_when_told() -> None:
     """
     from jounce.cli import main  # noqa: F401
 
-    for name in ("xarray", "scipy.optimize", "scipy.signal", "pandas", "pydantic", "jounce.report.recordings", *_USUAL):
+    for name in (
+        "xarray",
+        "scipy.optimize",
+        "scipy.signal",
+        "pandas",
+        "pydantic",
+        "jounce.report.recordings",
+        *_USUAL,
+    ):
         import_module(name)
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody asks how they ended but by their files
     sys.stdout.write("loaded\n")
@@ -169,7 +199,10 @@ def split_when_told() -> None:
             os.setsid()
             os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
             for stream, name in ((1, RESULT), (2, PROBLEMS)):
-                os.dup2(os.open(Path(folder) / name, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), stream)
+                os.dup2(
+                    os.open(Path(folder) / name, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600),
+                    stream,
+                )
             code = work(Path(folder))
         except Exception:  # noqa: BLE001 - its last line is the reason that the page shows
             traceback.print_exc()

@@ -32,14 +32,22 @@ from fastapi import APIRouter, Request, WebSocket, WebSocketDisconnect  # noqa: 
 from fastapi.responses import Response  # noqa: E402
 
 _BETWEEN = 0.25  # s between two looks at the jobs, for whoever follows them
-_MOST_PAGES, _LARGEST_PAGE = 16, 250_000_000  # reports of quick questions that are kept, bytes of a page
+_MOST_PAGES, _LARGEST_PAGE = (
+    16,
+    250_000_000,
+)  # reports of quick questions that are kept, bytes of a page
 _UPLOADED = (*RECORDS, ".crg", ".dbc")
 _ALONE = (
     "sandbox allow-scripts; default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
     "img-src data: blob:; font-src data:; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
 )
 """What a report may do: run its own script, in a place of its own from which nothing here can be asked or read."""
-_KINDS = {".html": "text/html; charset=utf-8", ".pdf": "application/pdf", ".png": "image/png", ".svg": "image/svg+xml"}
+_KINDS = {
+    ".html": "text/html; charset=utf-8",
+    ".pdf": "application/pdf",
+    ".png": "image/png",
+    ".svg": "image/svg+xml",
+}
 
 
 class Study(BaseModel):
@@ -154,7 +162,9 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
     def past_report(key: str) -> Response:
         """The report of a quick question, as long as it is kept."""
         if key not in pages:
-            raise DescriptionError("the report is not kept any more", where="report", hint="Ask again.")
+            raise DescriptionError(
+                "the report is not kept any more", where="report", hint="Ask again."
+            )
         return _alone(pages[key].encode(), ".html")
 
     @router.get("/api/document")
@@ -162,7 +172,9 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
         """A page or picture of the project, in a place of its own."""
         file = project.inside(path)
         if file.suffix.lower() not in _KINDS or not file.is_file():
-            raise DescriptionError("not a page or a picture", where="path", found=path, allowed=", ".join(_KINDS))
+            raise DescriptionError(
+                "not a page or a picture", where="path", found=path, allowed=", ".join(_KINDS)
+            )
         return _alone(_page(file, path), file.suffix.lower())
 
     @router.post("/api/study")
@@ -176,7 +188,9 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
         """The variants of a sweep that are finished, with their statistics."""
         read_kept(project.inside(folder))
         question = {"kind": "swept", "root": str(project.root), "folder": folder}
-        result: dict[str, Any] = jobs.ask(Doing(f"Reading {folder}", [], limits=LIMITS, question=question))["result"]
+        result: dict[str, Any] = jobs.ask(
+            Doing(f"Reading {folder}", [], limits=LIMITS, question=question)
+        )["result"]
         return result
 
     @router.get("/api/campaign")
@@ -221,8 +235,13 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
                     size += len(part)
                     await asyncio.to_thread(stream.write, part)
             if size != expected:
-                raise OutputError("the file did not arrive whole", where=path, found=f"{size} of {expected} bytes")
-            if not (file.exists() and await asyncio.to_thread(filecmp.cmp, temporary, file, shallow=False)):
+                raise OutputError(
+                    "the file did not arrive whole", where=path, found=f"{size} of {expected} bytes"
+                )
+            if not (
+                file.exists()
+                and await asyncio.to_thread(filecmp.cmp, temporary, file, shallow=False)
+            ):
                 _put_new(temporary, file)
         except OSError as error:
             raise unusable(error, path) from None
@@ -250,7 +269,9 @@ def _page(file: Path, where: str) -> bytes:
     try:
         return content(file, _LARGEST_PAGE)
     except ValueError:
-        raise DescriptionError("too large to be shown", where=where, allowed=f"{_LARGEST_PAGE} bytes") from None
+        raise DescriptionError(
+            "too large to be shown", where=where, allowed=f"{_LARGEST_PAGE} bytes"
+        ) from None
 
 
 def _alone(content: bytes, suffix: str) -> Response:

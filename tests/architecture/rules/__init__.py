@@ -20,7 +20,11 @@ def module_name(file: Path) -> str:
 
 def modules() -> list[str]:
     """Names of all modules of the product."""
-    files = [file for file in SOURCE.rglob("*.py") if file.name != "__main__.py" and SCRIPTS not in file.parents]
+    files = [
+        file
+        for file in SOURCE.rglob("*.py")
+        if file.name != "__main__.py" and SCRIPTS not in file.parents
+    ]
     return sorted(map(module_name, files))
 
 
@@ -28,4 +32,8 @@ def packages_below(name: str) -> list[str]:
     """Packages that stand before ``name`` in the import order, lowest first, as far as they exist."""
     layers = CONFIGURATION["tool"]["importlinter"]["contracts"][0]["layers"]
     order = [layer.strip("()") for layer in reversed(layers)]
-    return [package for package in order[: order.index(name)] if (SOURCE / package / "__init__.py").is_file()]
+    return [
+        package
+        for package in order[: order.index(name)]
+        if (SOURCE / package / "__init__.py").is_file()
+    ]

@@ -12,13 +12,23 @@ _REGISTRY = re.compile(
     re.IGNORECASE,
 )
 _MACHINE = re.compile(
-    r"(?<![\w.])/(?:wo[r]k|ro[o]t|opt)/[\w.]|/(?:ho[m]e|Us[e]rs)/\w+/|/tm[p]/\w|[A-Z]:\\\\?Users\\", re.ASCII
+    r"(?<![\w.])/(?:wo[r]k|ro[o]t|opt)/[\w.]|/(?:ho[m]e|Us[e]rs)/\w+/|/tm[p]/\w|[A-Z]:\\\\?Users\\",
+    re.ASCII,
 )
 
 
 def committed_files(root: Path) -> list[Path]:
     """Files that are, or are about to be, under version control."""
-    command = ["git", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    command = [
+        "git",
+        "-C",
+        str(root),
+        "ls-files",
+        "-z",
+        "--cached",
+        "--others",
+        "--exclude-standard",
+    ]
     names = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split("\0")
     return [root / name for name in names if name and (root / name).is_file()]
 

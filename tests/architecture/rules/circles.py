@@ -30,7 +30,9 @@ def import_circle(package: Path) -> list[str]:
 
 
 def _module(file: Path, package: Path) -> str:
-    return ".".join(file.relative_to(package.parent).with_suffix("").parts).removesuffix(".__init__")
+    return ".".join(file.relative_to(package.parent).with_suffix("").parts).removesuffix(
+        ".__init__"
+    )
 
 
 def _imports(file: Path, package: Path) -> Iterator[tuple[str, str, str]]:
@@ -51,7 +53,10 @@ def _handed_on(file: Path, package: Path) -> Iterator[tuple[str, tuple[str, str]
 
 
 def _homes(
-    file: Path, package: Path, modules: dict[str, Path], handed_on: dict[str, dict[str, tuple[str, str]]]
+    file: Path,
+    package: Path,
+    modules: dict[str, Path],
+    handed_on: dict[str, dict[str, tuple[str, str]]],
 ) -> Iterator[str]:
     """Modules whose names a file uses."""
     for module, name, _ in _imports(file, package):

@@ -33,14 +33,25 @@ def _test_names(node: ast.AST, prefix: str) -> list[str]:
 def collected_tests(folder: Path, *, configuration: Path) -> set[str]:
     """Tests that pytest collects under ``folder``, slow ones too, as ``file::name``."""
     command = [sys.executable, "-m", "pytest", "--collect-only", "-q", "-p", "no:cacheprovider"]
-    command += ["-c", str(configuration), f"--rootdir={folder}", "-m", "slow or not slow", str(folder)]
+    command += [
+        "-c",
+        str(configuration),
+        f"--rootdir={folder}",
+        "-m",
+        "slow or not slow",
+        str(folder),
+    ]
     done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
     if done.returncode not in (0, 5):  # 5: nothing was collected
         raise AssertionError(done.stdout + done.stderr)
     return {re.sub(r"\[.*", "", line) for line in done.stdout.splitlines() if "::" in line}
 
 
-def collection_problems(folder: Path, *, configuration: Path, collected: set[str] | None = None) -> list[str]:
+def collection_problems(
+    folder: Path, *, configuration: Path, collected: set[str] | None = None
+) -> list[str]:
     """Tests that are written but never run; ``collected`` where a run knows what pytest collects there."""
-    missing = written_tests(folder) - (collected or collected_tests(folder, configuration=configuration))
+    missing = written_tests(folder) - (
+        collected or collected_tests(folder, configuration=configuration)
+    )
     return sorted(f"{name}: written but not collected by pytest" for name in missing)

@@ -24,7 +24,9 @@ _UNIT = re.compile(
     r"|(?i:dimensionless|relative|ratio|fraction|per ?cent|radian|degree|metre|inch|second|newton|same unit|units? of)"
     r"|in ``(?:unit|si)``",
 )
-_PHYSICAL = re.compile(r"\bfloat\b|\bnp\.float64\b|\bNDArray\b|\bndarray\b|\bArray\w*\b|\bArrayLike\b|\bFloats?\b")
+_PHYSICAL = re.compile(
+    r"\bfloat\b|\bnp\.float64\b|\bNDArray\b|\bndarray\b|\bArray\w*\b|\bArrayLike\b|\bFloats?\b"
+)
 _WITH_UNIT = {
     name
     for name, value in vars(units).items()
@@ -64,11 +66,19 @@ def documented(section: str) -> dict[str, str]:
 
 def is_physical(annotation: object) -> bool:
     """Tell whether values of this annotation are numbers with a unit."""
-    text = annotation if isinstance(annotation, str) else getattr(annotation, "__name__", str(annotation))
-    text = re.sub(r"^Annotated\[(.*?), (?:\w+\(.*|[A-Z_]+)\]$", r"\1", text)  # a mark says how it is given
+    text = (
+        annotation
+        if isinstance(annotation, str)
+        else getattr(annotation, "__name__", str(annotation))
+    )
+    text = re.sub(
+        r"^Annotated\[(.*?), (?:\w+\(.*|[A-Z_]+)\]$", r"\1", text
+    )  # a mark says how it is given
     if "Callable" in text or "Literal" in text:
         return False
-    return bool(_PHYSICAL.search(text)) or any(re.search(rf"\b{name}\b", text) for name in _WITH_UNIT)
+    return bool(_PHYSICAL.search(text)) or any(
+        re.search(rf"\b{name}\b", text) for name in _WITH_UNIT
+    )
 
 
 def arguments_of(thing: Any) -> dict[str, object]:
@@ -76,7 +86,11 @@ def arguments_of(thing: Any) -> dict[str, object]:
     if isinstance(thing, type) and issubclass(thing, BaseModel):
         return {}  # fields carry their unit in their annotation; see field_problems
     if dataclasses.is_dataclass(thing):
-        return {field.name: field.type for field in dataclasses.fields(thing) if not field.name.startswith("_")}
+        return {
+            field.name: field.type
+            for field in dataclasses.fields(thing)
+            if not field.name.startswith("_")
+        }
     if isinstance(thing, type) and "__init__" not in vars(thing):
         return {}
     parameters = inspect.signature(thing).parameters.values()
@@ -85,8 +99,12 @@ def arguments_of(thing: Any) -> dict[str, object]:
 
 def docstring_problems(name: str, thing: Any, level: Level) -> list[str]:
     """Judge the docstring of one function or class."""
-    text = vars(thing).get("__doc__") if isinstance(thing, type) else getattr(thing, "__doc__", None)
-    if not text or text.startswith(f"{getattr(thing, '__name__', '')}("):  # what dataclasses write themselves
+    text = (
+        vars(thing).get("__doc__") if isinstance(thing, type) else getattr(thing, "__doc__", None)
+    )
+    if not text or text.startswith(
+        f"{getattr(thing, '__name__', '')}("
+    ):  # what dataclasses write themselves
         return [f"{name}: no docstring"]
     parts = sections(text)
     entries = documented(parts.get("Parameters", "")) | documented(parts.get("Attributes", ""))
@@ -106,27 +124,47 @@ def _name_problems(name: str, thing: Any, entries: dict[str, str], level: Level)
     if isinstance(thing, type) and issubclass(thing, BaseModel):
         if inspect.isabstract(thing):
             return []  # its subclasses may have to define what it documents
-        known = {field.alias or key for key, field in thing.model_fields.items()} | {*vars(thing), *thing.model_fields}
-        return [f"{name}: documents {extra!r}, which it does not have" for extra in entries if extra not in known]
+        known = {field.alias or key for key, field in thing.model_fields.items()} | {
+            *vars(thing),
+            *thing.model_fields,
+        }
+        return [
+            f"{name}: documents {extra!r}, which it does not have"
+            for extra in entries
+            if extra not in known
+        ]
     arguments = set(arguments_of(thing))
-    known = arguments | ({key for base in thing.__mro__ for key in vars(base)} if isinstance(thing, type) else set())
-    problems = [f"{name}: documents {extra!r}, which it does not have" for extra in sorted(set(entries) - known)]
+    known = arguments | (
+        {key for base in thing.__mro__ for key in vars(base)} if isinstance(thing, type) else set()
+    )
+    problems = [
+        f"{name}: documents {extra!r}, which it does not have"
+        for extra in sorted(set(entries) - known)
+    ]
     if entries or level == Level.PUBLIC:
-        problems += [f"{name}: {missing!r} is not documented" for missing in sorted(arguments - set(entries))]
+        problems += [
+            f"{name}: {missing!r} is not documented" for missing in sorted(arguments - set(entries))
+        ]
     return problems
 
 
-def _unit_problems(name: str, arguments: dict[str, object], entries: dict[str, str], text: str) -> list[str]:
+def _unit_problems(
+    name: str, arguments: dict[str, object], entries: dict[str, str], text: str
+) -> list[str]:
     problems = []
     for argument, annotation in arguments.items():
         if is_physical(annotation):
-            said = entries.get(argument) or (text if not entries and re.search(rf"\b{argument}\b", text) else "")
+            said = entries.get(argument) or (
+                text if not entries and re.search(rf"\b{argument}\b", text) else ""
+            )
             if not _UNIT.search(said):
                 problems.append(f"{name}: no unit is given for {argument!r}")
     return problems
 
 
-def _return_problems(name: str, thing: Callable[..., Any], parts: dict[str, str], level: Level) -> list[str]:
+def _return_problems(
+    name: str, thing: Callable[..., Any], parts: dict[str, str], level: Level
+) -> list[str]:
     annotation = inspect.signature(thing).return_annotation
     if annotation in (None, "None", inspect.Signature.empty):
         return []
@@ -140,8 +178,12 @@ def _return_problems(name: str, thing: Callable[..., Any], parts: dict[str, str]
 
 def _repeats(name: str, summary: str) -> bool:
     words = set(re.findall(r"[a-z]+", summary.lower())) - _EMPTY_WORDS
-    own = set(re.findall(r"[a-z]+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name.rpartition(".")[2]).lower()))
-    return bool(words) and {word.rstrip("s") for word in words} <= {word.rstrip("s") for word in own}
+    own = set(
+        re.findall(r"[a-z]+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name.rpartition(".")[2]).lower())
+    )
+    return bool(words) and {word.rstrip("s") for word in words} <= {
+        word.rstrip("s") for word in own
+    }
 
 
 def field_problems(name: str, kind: type[BaseModel]) -> list[str]:
@@ -149,11 +191,14 @@ def field_problems(name: str, kind: type[BaseModel]) -> list[str]:
     return [
         f"{name}.{field}: a number without a unit in its annotation"
         for field, detail in kind.model_fields.items()
-        if _has_bare_number(detail.annotation) and not any(isinstance(m, units.Unit) for m in detail.metadata)
+        if _has_bare_number(detail.annotation)
+        and not any(isinstance(m, units.Unit) for m in detail.metadata)
     ]
 
 
 def _has_bare_number(annotation: Any) -> bool:
     if any(isinstance(item, units.Unit) for item in getattr(annotation, "__metadata__", ())):
         return False
-    return annotation is float or any(_has_bare_number(part) for part in getattr(annotation, "__args__", ()))
+    return annotation is float or any(
+        _has_bare_number(part) for part in getattr(annotation, "__args__", ())
+    )

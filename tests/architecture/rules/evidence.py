@@ -39,7 +39,9 @@ CAPABILITIES = (
     "models for other programs",
 )
 ROUNDING = 0.02  # share of what is allowed below which machines may differ as they like
-LAST_BITS = 16 * np.finfo(float).eps  # of numbers of about 1: another library's norm moves an angle by some of these
+LAST_BITS = (
+    16 * np.finfo(float).eps
+)  # of numbers of about 1: another library's norm moves an angle by some of these
 SLACK = 1.25  # by how much more than kept an agreement may take elsewhere: other processors, other libraries
 WIDER = 1.01  # by how much more than kept may be allowed: tolerances are relative to what other libraries may compute
 
@@ -58,12 +60,17 @@ class Seen:
                 self.note(ours[key], theirs[key], allowed(theirs[key]))
             return
         try:
-            a, b = np.asarray(ours, dtype=complex).ravel(), np.asarray(theirs, dtype=complex).ravel()
+            a, b = (
+                np.asarray(ours, dtype=complex).ravel(),
+                np.asarray(theirs, dtype=complex).ravel(),
+            )
         except (TypeError, ValueError):
             return
         if a.size == 0 or (a.size != b.size and 1 not in {a.size, b.size}):
             return
-        room = np.broadcast_to(np.asarray(allowed(b.reshape(np.shape(theirs))), dtype=float).ravel(), b.shape)
+        room = np.broadcast_to(
+            np.asarray(allowed(b.reshape(np.shape(theirs))), dtype=float).ravel(), b.shape
+        )
         a, b, room = np.broadcast_arrays(a, b, room)
         with np.errstate(divide="ignore", invalid="ignore"):
             off = np.abs(a - b)
@@ -72,7 +79,11 @@ class Seen:
         self.room = max(self.room, float(np.max(np.where(np.isfinite(room), room, 0.0))))
         place = int(np.argmax(np.where(np.isfinite(share), share, -1.0)))
         if share[place] > self.worst["share"]:
-            values = {"ours": _plain(a[place]), "theirs": _plain(b[place]), "allowed": float(room[place])}
+            values = {
+                "ours": _plain(a[place]),
+                "theirs": _plain(b[place]),
+                "allowed": float(room[place]),
+            }
             self.worst = values | {"share": float(share[place])}
 
     @contextlib.contextmanager
@@ -87,13 +98,17 @@ class Seen:
             __array_priority__ = 100
             __hash__ = None  # type: ignore[assignment]
 
-            def __init__(self, expected: Any, rel: Any = None, abs: Any = None, nan_ok: bool = False) -> None:  # noqa: A002
+            def __init__(
+                self, expected: Any, rel: Any = None, abs: Any = None, nan_ok: bool = False
+            ) -> None:
                 self.expected, self.rel, self.abs = expected, rel, abs
                 self.real = approx(expected, rel=rel, abs=abs, nan_ok=nan_ok)
 
             def allowed(self, expected: Any) -> Any:
                 least = 1e-12 if self.abs is None else float(self.abs)
-                relative = (1e-6 if self.abs is None else 0.0) if self.rel is None else float(self.rel)
+                relative = (
+                    (1e-6 if self.abs is None else 0.0) if self.rel is None else float(self.rel)
+                )
                 return np.maximum(least, relative * np.abs(np.asarray(expected, dtype=complex)))
 
             def __eq__(self, other: object) -> bool:
@@ -105,11 +120,16 @@ class Seen:
             def __repr__(self) -> str:
                 return repr(self.real)
 
-        def close(actual: Any, desired: Any, rtol: float = 1e-7, atol: float = 0.0, **other: Any) -> None:
+        def close(
+            actual: Any, desired: Any, rtol: float = 1e-7, atol: float = 0.0, **other: Any
+        ) -> None:
             seen.note(actual, desired, lambda b: atol + rtol * np.abs(b))
             allclose(actual, desired, rtol=rtol, atol=atol, **other)
 
-        with mock.patch.object(pytest, "approx", Watched), mock.patch.object(np.testing, "assert_allclose", close):
+        with (
+            mock.patch.object(pytest, "approx", Watched),
+            mock.patch.object(np.testing, "assert_allclose", close),
+        ):
             yield
 
 
@@ -129,18 +149,28 @@ def told(item: pytest.Item) -> dict[str, str] | None:
             empty = [name for name in ("kind", "of", "where", "tolerance") if not row[name]]
             empty += ["key"] if row["kind"] != "computed" and not row["key"] else []
             if unknown or empty or row["kind"] not in KINDS or row["of"] not in CAPABILITIES:
-                raise pytest.UsageError(f"{item.nodeid}: mark `source`: unknown {unknown}, missing {empty}, or a kind")
+                raise pytest.UsageError(
+                    f"{item.nodeid}: mark `source`: unknown {unknown}, missing {empty}, or a kind"
+                )
             row["compares"] = row["compares"] or _words(item)
             return row
     return None
 
 
 NAMES = "ADAMS Butterworth CFC EUSAMA Exudyn Froude Hz Ishigami SI SciPy Wk kHz mm"
-_NAMES = {name.lower(): name for name in NAMES.split()} | {"paper s": "paper's", "0 0965": "0.0965", "1 751": "1.751"}
+_NAMES = {name.lower(): name for name in NAMES.split()} | {
+    "paper s": "paper's",
+    "0 0965": "0.0965",
+    "1 751": "1.751",
+}
 
 
 def _words(item: pytest.Item) -> str:
-    name = str(getattr(item, "originalname", None) or item.name).removeprefix("test_").replace("_", " ")
+    name = (
+        str(getattr(item, "originalname", None) or item.name)
+        .removeprefix("test_")
+        .replace("_", " ")
+    )
     return re.sub(rf"\b({'|'.join(_NAMES)})\b", lambda found: _NAMES[found[0]], name)
 
 
@@ -179,12 +209,17 @@ class Evidence:
         """Take a test that has passed to the page, or hold it against the page."""
         name = name_of(item)
         if seen.count == 0:
-            pytest.fail(f"{name} names a source and compares no number that can be seen: use pytest.approx", False)
+            pytest.fail(
+                f"{name} names a source and compares no number that can be seen: use pytest.approx",
+                False,
+            )
         if self.writes:
             new = {"values": 0, "least": seen.count, "room": 0.0, "seconds": 0.0, "share": -1.0}
             one = self.found.setdefault(name, {"test": name, **row, **new})
             one["values"] += seen.count
-            one["least"] = min(one["least"], seen.count)  # of a case; parts of the cases are run, too
+            one["least"] = min(
+                one["least"], seen.count
+            )  # of a case; parts of the cases are run, too
             one["room"] = max(one["room"], seen.room)
             one["seconds"] += seconds
             if seen.worst["share"] > one["share"]:
@@ -197,15 +232,23 @@ class Evidence:
     def pytest_sessionfinish(self) -> None:
         if not self.writes or not self.found:
             return
-        rows = {name: row for name, row in self.kept.items() if (ROOT / name.partition("::")[0]).is_file()}
+        rows = {
+            name: row
+            for name, row in self.kept.items()
+            if (ROOT / name.partition("::")[0]).is_file()
+        }
         whole = {name.partition("::")[0] for name in self.found}
-        rows = {name: row for name, row in rows.items() if name.partition("::")[0] not in whole} | self.found
+        rows = {
+            name: row for name, row in rows.items() if name.partition("::")[0] not in whole
+        } | self.found
         for row in self.found.values():
             row["seconds"] = float(f"{row['seconds']:.1g}")
             row |= {key: float(f"{row[key]:.4g}") for key in ("allowed", "share", "room")}
             row |= {key: float(f"{row[key]:.7g}") for key in ("ours", "theirs")}
         tests = [rows[name] for name in sorted(rows)]
-        FILE.write_text(json.dumps({"tests": tests}, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+        FILE.write_text(
+            json.dumps({"tests": tests}, indent=1, allow_nan=False) + "\n", encoding="utf-8"
+        )
 
 
 def held(row: dict[str, Any] | None, said: dict[str, str], seen: Seen) -> str:
@@ -222,6 +265,8 @@ def held(row: dict[str, Any] | None, said: dict[str, str], seen: Seen) -> str:
     share, off = seen.worst["share"], abs(seen.worst["ours"] - seen.worst["theirs"])
     if off < LAST_BITS:
         return ""
-    if not math.isfinite(share) or share > max(SLACK * float(row["share"]), float(row["share"]) + ROUNDING):
+    if not math.isfinite(share) or share > max(
+        SLACK * float(row["share"]), float(row["share"]) + ROUNDING
+    ):
         return f"takes {share:.2g} of what is allowed, the page says {row['share']:.2g}"
     return ""

@@ -34,14 +34,24 @@ def made_in(file: Path) -> Iterator[Made]:
 def texts_in(file: Path) -> set[str]:
     """Texts of a module."""
     nodes = ast.walk(ast.parse(file.read_text(encoding="utf-8")))
-    return {node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)}
+    return {
+        node.value
+        for node in nodes
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    }
 
 
 def codes_in(file: Path, packages: set[str]) -> set[str]:
     """Texts of a module that look like codes of packages, wherever they stand."""
-    return {text for text in texts_in(file) if CODE.fullmatch(text) and text.partition(".")[0] in packages}
+    return {
+        text
+        for text in texts_in(file)
+        if CODE.fullmatch(text) and text.partition(".")[0] in packages
+    }
 
 
 def fields_of(text: str) -> dict[str, str]:
     """Fields of a sentence with the format of each."""
-    return {name: spec or "" for _, name, spec, _ in string.Formatter().parse(text) if name is not None}
+    return {
+        name: spec or "" for _, name, spec, _ in string.Formatter().parse(text) if name is not None
+    }

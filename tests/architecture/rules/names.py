@@ -6,7 +6,18 @@ from pathlib import Path
 
 from rules import SCRIPTS
 
-FORBIDDEN_NAMES = {"utils", "util", "helpers", "helper", "manager", "managers", "data", "info", "misc", "common"}
+FORBIDDEN_NAMES = {
+    "utils",
+    "util",
+    "helpers",
+    "helper",
+    "manager",
+    "managers",
+    "data",
+    "info",
+    "misc",
+    "common",
+}
 
 
 def name_problems(source: Path) -> list[str]:
@@ -21,4 +32,6 @@ def name_problems(source: Path) -> list[str]:
 def package_problems(source: Path) -> list[str]:
     """Folders with modules but without ``__init__.py``: the import contract would not see them."""
     folders = {file.parent for file in source.rglob("*.py") if SCRIPTS not in file.parents}
-    return sorted(f"{folder}: no __init__.py" for folder in folders if not (folder / "__init__.py").is_file())
+    return sorted(
+        f"{folder}: no __init__.py" for folder in folders if not (folder / "__init__.py").is_file()
+    )

@@ -40,13 +40,24 @@ def _texts(scope: ast.FunctionDef | ast.Module) -> Iterator[tuple[int, str, ast.
     inside = list(scope.body if isinstance(scope, ast.Module) else ast.walk(scope))
     assigned = [one for one in inside if isinstance(one, ast.Assign)]
     several = {
-        part.id for one in assigned for part in getattr(one.targets[0], "elts", ()) if isinstance(part, ast.Name)
+        part.id
+        for one in assigned
+        for part in getattr(one.targets[0], "elts", ())
+        if isinstance(part, ast.Name)
     }
     for one in assigned:
-        if isinstance(one.targets[0], ast.Name) and one.targets[0].id not in several and _is_text(one.value):
+        if (
+            isinstance(one.targets[0], ast.Name)
+            and one.targets[0].id not in several
+            and _is_text(one.value)
+        ):
             yield one.lineno, one.targets[0].id, one.value
     for more in inside:
-        if isinstance(more, ast.AugAssign) and isinstance(more.target, ast.Name) and _is_text(more.value):
+        if (
+            isinstance(more, ast.AugAssign)
+            and isinstance(more.target, ast.Name)
+            and _is_text(more.value)
+        ):
             so_far = ast.Name(more.target.id, ast.Load())
             yield more.lineno, more.target.id, ast.BinOp(so_far, ast.Add(), more.value)
 
@@ -56,7 +67,9 @@ def _is_text(value: ast.expr) -> bool:
         return _is_text(value.body) and _is_text(value.orelse)
     if isinstance(value, ast.BinOp):
         return _is_text(value.left) or _is_text(value.right)
-    return isinstance(value, ast.JoinedStr) or (isinstance(value, ast.Constant) and isinstance(value.value, str))
+    return isinstance(value, ast.JoinedStr) or (
+        isinstance(value, ast.Constant) and isinstance(value.value, str)
+    )
 
 
 def _said(value: ast.expr, texts: Texts) -> Iterable[str]:
@@ -70,11 +83,19 @@ def _said(value: ast.expr, texts: Texts) -> Iterable[str]:
         return [a + b for a, b in product(_said(value.left, texts), _said(value.right, texts))]
     if isinstance(value, ast.IfExp):
         return [*_said(value.body, texts), *_said(value.orelse, texts)]
-    if isinstance(value, ast.Call) and _called(value) == "format" and isinstance(value.func, ast.Attribute):
+    if (
+        isinstance(value, ast.Call)
+        and _called(value) == "format"
+        and isinstance(value.func, ast.Attribute)
+    ):
         return [re.sub(r"\{[^}]*\}", "#", one) for one in _said(value.func.value, texts)]
     if isinstance(value, ast.Call) and _called(value) in ("Stage", "progress_through", "Phrase"):
         return [re.sub(r"\{[^}]*\}", "#", one) for one in _said(value.args[0], texts)]
-    if isinstance(value, ast.Call) and _called(value) == "replace" and isinstance(value.func, ast.Attribute):
+    if (
+        isinstance(value, ast.Call)
+        and _called(value) == "replace"
+        and isinstance(value.func, ast.Attribute)
+    ):
         return _said(value.func.value, texts)
     if isinstance(value, ast.Name) and value.id in texts:
         each = texts[value.id]
@@ -84,4 +105,6 @@ def _said(value: ast.expr, texts: Texts) -> Iterable[str]:
 
 
 def _is_said(value: ast.expr, texts: Texts) -> bool:
-    return (isinstance(value, ast.IfExp) and _is_text(value)) or (isinstance(value, ast.Name) and value.id in texts)
+    return (isinstance(value, ast.IfExp) and _is_text(value)) or (
+        isinstance(value, ast.Name) and value.id in texts
+    )

@@ -57,12 +57,22 @@ def _broken(word: str, rule: Any, value: Any, schema: Any, file: Path, path: str
     if word in ("anyOf", "oneOf"):
         each = [_problems(value, one, file, path) for one in rule]
         fits = sum(not problems for problems in each)
-        return [] if fits == 1 or (fits and word == "anyOf") else [f"{path}: fits {fits} of {len(rule)}: {each}"]
+        return (
+            []
+            if fits == 1 or (fits and word == "anyOf")
+            else [f"{path}: fits {fits} of {len(rule)}: {each}"]
+        )
     if word == "type":
         kinds = rule if isinstance(rule, list) else [rule]
-        return [] if any(_is(value, kind) for kind in kinds) else [f"{path}: {value!r} is no {rule}"]
+        return (
+            [] if any(_is(value, kind) for kind in kinds) else [f"{path}: {value!r} is no {rule}"]
+        )
     if word in ("const", "enum"):
-        return [] if value in ([rule] if word == "const" else rule) else [f"{path}: {value!r} is not {rule}"]
+        return (
+            []
+            if value in ([rule] if word == "const" else rule)
+            else [f"{path}: {value!r} is not {rule}"]
+        )
     if isinstance(value, dict):
         if word == "required":
             return [f"{path}.{key}".lstrip(".") + ": missing" for key in rule if key not in value]
@@ -70,7 +80,9 @@ def _broken(word: str, rule: Any, value: Any, schema: Any, file: Path, path: str
             return [] if len(value) >= rule else [f"{path}: fewer than {rule} keys"]
         known = schema.get("properties", {})
         rules = {
-            "properties": {key: rule[key] for key in value if key in rule} if word == "properties" else {},
+            "properties": {key: rule[key] for key in value if key in rule}
+            if word == "properties"
+            else {},
             "additionalProperties": dict.fromkeys(value.keys() - known.keys(), rule),
         }
         if word == "propertyNames":
@@ -84,7 +96,11 @@ def _broken(word: str, rule: Any, value: Any, schema: Any, file: Path, path: str
     if isinstance(value, list):
         if word == "items":
             first = len(schema.get("prefixItems", []))
-            return [text for i, one in enumerate(value[first:]) for text in _problems(one, rule, file, f"{path}[{i}]")]
+            return [
+                text
+                for i, one in enumerate(value[first:])
+                for text in _problems(one, rule, file, f"{path}[{i}]")
+            ]
         if word == "prefixItems":
             return [
                 text
@@ -95,10 +111,30 @@ def _broken(word: str, rule: Any, value: Any, schema: Any, file: Path, path: str
             wrong = len(value) < rule if word == "minItems" else len(value) > rule
             return [f"{path}: {len(value)} entries, {word} {rule}"] if wrong else []
     if isinstance(value, (int, float)) and not isinstance(value, bool):
-        limits = {"minimum": value >= rule, "maximum": value <= rule} if isinstance(rule, (int, float)) else {}
+        limits = (
+            {"minimum": value >= rule, "maximum": value <= rule}
+            if isinstance(rule, (int, float))
+            else {}
+        )
         if limits:
             limits |= {"exclusiveMinimum": value > rule, "exclusiveMaximum": value < rule}
             return [] if limits.get(word, True) else [f"{path}: {value} against {word} {rule}"]
-    known = {"required", "properties", "propertyNames", "additionalProperties", "items", "prefixItems", "minItems"}
-    known |= {"maxItems", "minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum", "minLength", "minProperties"}
+    known = {
+        "required",
+        "properties",
+        "propertyNames",
+        "additionalProperties",
+        "items",
+        "prefixItems",
+        "minItems",
+    }
+    known |= {
+        "maxItems",
+        "minimum",
+        "maximum",
+        "exclusiveMinimum",
+        "exclusiveMaximum",
+        "minLength",
+        "minProperties",
+    }
     return [] if word in known else [f"{path}: the word {word!r} of the schema is not checked here"]

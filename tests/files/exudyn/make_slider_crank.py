@@ -81,7 +81,13 @@ def run(substeps: int) -> dict[str, np.ndarray]:
         ends = [marker(first, point, turned), marker(second, point, turned)]
         mbs.AddObject(items.GenericJoint(markerNumbers=ends, constrainedAxes=axes))
 
-    joint(ground, bodies["crank"], MODEL["crank_pivot"], frame(MODEL["crank_axis"]), [1, 1, 1, 1, 1, 0])
+    joint(
+        ground,
+        bodies["crank"],
+        MODEL["crank_pivot"],
+        frame(MODEL["crank_axis"]),
+        [1, 1, 1, 1, 1, 0],
+    )
     joint(ground, bodies["slider"], MODEL["cross"], frame(MODEL["slider_axis"]), [1, 1, 0, 1, 1, 1])
     first, second = cross_axes()
     joint(bodies["slider"], bodies["rod"], MODEL["cross"], frame(second, first), [1, 1, 1, 0, 0, 1])
@@ -93,7 +99,10 @@ def run(substeps: int) -> dict[str, np.ndarray]:
     )
     spring = mbs.AddObject(
         items.SpringDamper(
-            markerNumbers=ends, stiffness=law["rate"], damping=law["damping"], referenceLength=law["free_length"]
+            markerNumbers=ends,
+            stiffness=law["rate"],
+            damping=law["damping"],
+            referenceLength=law["free_length"],
         )
     )
     sensors = _sensors(mbs, marker, bodies, ball, spring)
@@ -110,7 +119,9 @@ def _sensors(mbs, marker, bodies: dict, ball: int, spring: int) -> dict[str, int
     kept, kind = {"storeInternal": True, "writeToFile": False}, exu.OutputVariableType
     sensors = {
         name: mbs.AddSensor(
-            items.SensorMarker(markerNumber=marker(bodies[body], point), outputVariableType=what, **kept)
+            items.SensorMarker(
+                markerNumber=marker(bodies[body], point), outputVariableType=what, **kept
+            )
         )
         for name, body, point, what in (
             ("ball", "crank", MODEL["ball"], kind.Position),
@@ -120,8 +131,13 @@ def _sensors(mbs, marker, bodies: dict, ball: int, spring: int) -> dict[str, int
             ("rod_spin", "rod", MODEL["rod"][1], kind.AngularVelocity),
         )
     }
-    for name, of, what in (("ball_force", ball, kind.Force), ("spring_length", spring, kind.Distance)):
-        sensors[name] = mbs.AddSensor(items.SensorObject(objectNumber=of, outputVariableType=what, **kept))
+    for name, of, what in (
+        ("ball_force", ball, kind.Force),
+        ("spring_length", spring, kind.Distance),
+    ):
+        sensors[name] = mbs.AddSensor(
+            items.SensorObject(objectNumber=of, outputVariableType=what, **kept)
+        )
     return sensors
 
 
@@ -151,12 +167,16 @@ def extrapolated(substeps: int) -> tuple[dict[str, np.ndarray], dict[str, float]
     for name in [name for name in one if name != "time"]:
         first, second = (4.0 * two[name] - one[name]) / 3.0, (4.0 * four[name] - two[name]) / 3.0
         values[name] = second + (second - first) / 7.0
-        change[name] = float(np.abs(values[name] - second).max() / np.ptp(values[name], axis=0).max())
+        change[name] = float(
+            np.abs(values[name] - second).max() / np.ptp(values[name], axis=0).max()
+        )
     return values, change
 
 
 if __name__ == "__main__":
     values, change = extrapolated(50)
     np.savez_compressed(
-        Path(__file__).parent / "slider_crank.npz", **values, **{f"change of {name}": c for name, c in change.items()}
+        Path(__file__).parent / "slider_crank.npz",
+        **values,
+        **{f"change of {name}": c for name, c in change.items()},
     )

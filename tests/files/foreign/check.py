@@ -58,7 +58,9 @@ def _xarray(**more: Any) -> Callable[[Path], Found]:
         with xr.open_dataset(file, **more) as whole:
             assert whole.attrs["made_by"] == "bench 3, Prüfstand"
             assert whole["sprung.az"].attrs["long_name"].endswith("Größe")
-            return {str(name): (one.values, one.attrs["units"]) for name, one in whole.variables.items()}
+            return {
+                str(name): (one.values, one.attrs["units"]) for name, one in whole.variables.items()
+            }
 
     return read
 
@@ -90,7 +92,9 @@ def _pandas_csv(file: Path) -> Found:
 def _pandas_pyarrow(file: Path) -> Found:
     import pandas as pd
 
-    return of_headers({name: one.to_numpy() for name, one in pd.read_csv(file, engine="pyarrow").items()})
+    return of_headers(
+        {name: one.to_numpy() for name, one in pd.read_csv(file, engine="pyarrow").items()}
+    )
 
 
 @opener("numpy .csv")
@@ -129,7 +133,12 @@ def _pandas_parquet(file: Path) -> Found:
 def _fastparquet(file: Path) -> Found:
     import fastparquet
 
-    return _bare({name: one.to_numpy() for name, one in fastparquet.ParquetFile(str(file)).to_pandas().items()})
+    return _bare(
+        {
+            name: one.to_numpy()
+            for name, one in fastparquet.ParquetFile(str(file)).to_pandas().items()
+        }
+    )
 
 
 @opener("polars .parquet")
@@ -150,7 +159,9 @@ def _polars_csv(file: Path) -> Found:
 def _polars_xlsx(file: Path) -> Found:
     import polars as pl
 
-    return of_headers({one.name: one.to_numpy() for one in pl.read_excel(file, sheet_name="recording")})
+    return of_headers(
+        {one.name: one.to_numpy() for one in pl.read_excel(file, sheet_name="recording")}
+    )
 
 
 def _duckdb(words: str, more: Callable[[dict[str, Any]], Found]) -> Callable[[Path], Found]:
@@ -170,14 +181,18 @@ opener("duckdb .csv")(_duckdb("read_csv_auto", of_headers))
 def _pandas_xlsx(file: Path) -> Found:
     import pandas as pd
 
-    return of_headers({name: one.to_numpy() for name, one in pd.read_excel(file, engine="openpyxl").items()})
+    return of_headers(
+        {name: one.to_numpy() for name, one in pd.read_excel(file, engine="openpyxl").items()}
+    )
 
 
 @opener("pandas .xlsx calamine")
 def _pandas_calamine(file: Path) -> Found:
     import pandas as pd
 
-    return of_headers({name: one.to_numpy() for name, one in pd.read_excel(file, engine="calamine").items()})
+    return of_headers(
+        {name: one.to_numpy() for name, one in pd.read_excel(file, engine="calamine").items()}
+    )
 
 
 # --- MATLAB, MDF
@@ -208,7 +223,9 @@ def _asammdf(file: Path) -> Found:
     import asammdf
 
     with asammdf.MDF(file) as whole:
-        found = {one.name: (one.samples, str(one.unit)) for one in whole.iter_channels(skip_master=True)}
+        found = {
+            one.name: (one.samples, str(one.unit)) for one in whole.iter_channels(skip_master=True)
+        }
         return {"time": (whole.get("sprung.az").timestamps, "s"), **found}
 
 
@@ -219,7 +236,10 @@ def _mdfreader(file: Path) -> Found:
     whole = mdfreader.Mdf(str(file))
     (master,) = whole.masterChannelList
     names = {name: "time" if name == master else name for name in whole.masterChannelList[master]}
-    return {name: (whole.get_channel_data(key), str(whole.get_channel_unit(key)) or "s") for key, name in names.items()}
+    return {
+        name: (whole.get_channel_data(key), str(whole.get_channel_unit(key)) or "s")
+        for key, name in names.items()
+    }
 
 
 # --- programs, which write what they read as text: name, unit, values
@@ -284,7 +304,11 @@ table(o, heads, dlmread('@file', ',', 1, 0)); fclose(o);
     )
 )
 opener("octave .xlsx")(
-    _program("octave", OCTAVE + "[t, heads] = xlsread('@file', 'recording', '', 'OCT'); table(o, heads, t); fclose(o);")
+    _program(
+        "octave",
+        OCTAVE
+        + "[t, heads] = xlsread('@file', 'recording', '', 'OCT'); table(o, heads, t); fclose(o);",
+    )
 )
 R = r"""
 one <- function(name, unit, values) {
@@ -317,7 +341,9 @@ def _libreoffice(file: Path) -> Found:
     from make import convert
 
     with tempfile.TemporaryDirectory() as folder:
-        made = convert(file, Path(folder), "csv:Text - txt - csv (StarCalc):44,34,76,1,,1033,false,false")
+        made = convert(
+            file, Path(folder), "csv:Text - txt - csv (StarCalc):44,34,76,1,,1033,false,false"
+        )
         head, *rows = made.read_text(encoding="utf-8").splitlines()
     table = np.array([row.split(",") for row in rows], dtype=float)
     return of_headers(dict(zip(head.split(","), table.T, strict=True)))

@@ -23,7 +23,10 @@ CHANNELS = {
     "sprung.az": (np.round(2.0 * np.sin(9.0 * TIME), 6), "m/s^2"),
     "strut.force": (np.round(200.0 + 50.0 * np.cos(9.0 * TIME), 4), "N"),
 }
-HEADED = {"time [s]": TIME, **{f"{name} [{unit}]": values for name, (values, unit) in CHANNELS.items()}}
+HEADED = {
+    "time [s]": TIME,
+    **{f"{name} [{unit}]": values for name, (values, unit) in CHANNELS.items()},
+}
 SHORT = {"t": TIME, "az": CHANNELS["sprung.az"][0], "F": CHANNELS["strut.force"][0]}
 BEGAN = np.datetime64("2026-11-28T12:00:00", "ns")
 INSTANTS = BEGAN + np.round(1e9 * TIME).astype("timedelta64[ns]")
@@ -63,7 +66,13 @@ def _netcdf4(kind: str, unlimited: bool = False, group: str = "", text: type = s
     return make
 
 
-for kind in ("NETCDF4", "NETCDF4_CLASSIC", "NETCDF3_CLASSIC", "NETCDF3_64BIT_OFFSET", "NETCDF3_64BIT_DATA"):
+for kind in (
+    "NETCDF4",
+    "NETCDF4_CLASSIC",
+    "NETCDF3_CLASSIC",
+    "NETCDF3_64BIT_OFFSET",
+    "NETCDF3_64BIT_DATA",
+):
     writer(f"netCDF4 {kind}.nc")(_netcdf4(kind))
 writer("netCDF4 unlimited.nc")(_netcdf4("NETCDF4", unlimited=True))
 writer("netCDF4 unlimited3.nc")(_netcdf4("NETCDF3_CLASSIC", unlimited=True))
@@ -111,7 +120,9 @@ def _dataset(time: Any = TIME, units: str = "s") -> Any:
     import xarray as xr
 
     data = {name: ("time", values, {"units": unit}) for name, (values, unit) in CHANNELS.items()}
-    return xr.Dataset(data, {"time": ("time", time, {"units": units} if units else {})}, {"title": "a bench run"})
+    return xr.Dataset(
+        data, {"time": ("time", time, {"units": units} if units else {})}, {"title": "a bench run"}
+    )
 
 
 def _xarray(kind: str, engine: str, *time: Any) -> Make:
@@ -137,19 +148,35 @@ def _frame(**more: Any) -> Any:
     return pd.DataFrame(HEADED | more)
 
 
-writer("pandas pyarrow.parquet", "pyarrow")(lambda file: _frame().to_parquet(file, engine="pyarrow"))
-writer("pandas index.parquet", "pyarrow")(lambda file: _frame().set_index("time [s]").to_parquet(file))
-writer("pandas instants.parquet", "pyarrow")(lambda file: _frame(**{"time [s]": INSTANTS}).to_parquet(file))
-writer("pandas durations.parquet", "pyarrow")(lambda file: _frame(**{"time [s]": INSTANTS - BEGAN}).to_parquet(file))
+writer("pandas pyarrow.parquet", "pyarrow")(
+    lambda file: _frame().to_parquet(file, engine="pyarrow")
+)
+writer("pandas index.parquet", "pyarrow")(
+    lambda file: _frame().set_index("time [s]").to_parquet(file)
+)
+writer("pandas instants.parquet", "pyarrow")(
+    lambda file: _frame(**{"time [s]": INSTANTS}).to_parquet(file)
+)
+writer("pandas durations.parquet", "pyarrow")(
+    lambda file: _frame(**{"time [s]": INSTANTS - BEGAN}).to_parquet(file)
+)
 writer("pandas to_csv.csv")(lambda file: _frame().to_csv(file))
-writer("pandas semicolons.csv")(lambda file: _frame().to_csv(file, sep=";", decimal=",", index=False))
-writer("pandas instants.csv")(lambda file: _frame(time=INSTANTS).drop(columns="time [s]").to_csv(file, index=False))
+writer("pandas semicolons.csv")(
+    lambda file: _frame().to_csv(file, sep=";", decimal=",", index=False)
+)
+writer("pandas instants.csv")(
+    lambda file: _frame(time=INSTANTS).drop(columns="time [s]").to_csv(file, index=False)
+)
 writer("pandas durations.csv")(
     lambda file: _frame(time=INSTANTS - BEGAN).drop(columns="time [s]").to_csv(file, index=False)
 )
-writer("pandas bom.csv")(lambda file: _frame().to_csv(file, index=False, encoding="utf-8-sig", lineterminator="\r\n"))
+writer("pandas bom.csv")(
+    lambda file: _frame().to_csv(file, index=False, encoding="utf-8-sig", lineterminator="\r\n")
+)
 writer("pandas openpyxl.xlsx", "openpyxl")(lambda file: _frame().to_excel(file, engine="openpyxl"))
-writer("pandas xlsxwriter.xlsx", "xlsxwriter")(lambda file: _frame().to_excel(file, engine="xlsxwriter", index=False))
+writer("pandas xlsxwriter.xlsx", "xlsxwriter")(
+    lambda file: _frame().to_excel(file, engine="xlsxwriter", index=False)
+)
 
 
 @writer("fastparquet write.parquet", "pandas")
@@ -160,7 +187,9 @@ def _fastparquet(file: Path) -> None:
 
 
 writer("fastparquet gzip.parquet", "pandas")(
-    lambda file: _frame().set_index("time [s]").to_parquet(file, engine="fastparquet", compression="gzip")
+    lambda file: (
+        _frame().set_index("time [s]").to_parquet(file, engine="fastparquet", compression="gzip")
+    )
 )
 
 
@@ -187,22 +216,32 @@ def _duckdb(more: str, columns: str = "*") -> Make:
         import duckdb
 
         with duckdb.connect() as base:
-            base.execute('create table run ("time [s]" double, "sprung.az [m/s^2]" double, "strut.force [N]" double)')
-            base.executemany("insert into run values (?, ?, ?)", np.column_stack([*HEADED.values()]).tolist())
+            base.execute(
+                'create table run ("time [s]" double, "sprung.az [m/s^2]" double, "strut.force [N]" double)'
+            )
+            base.executemany(
+                "insert into run values (?, ?, ?)", np.column_stack([*HEADED.values()]).tolist()
+            )
             base.execute(f"copy (select {columns} from run) to '{file}' ({more})")
 
     return make
 
 
 writer("duckdb copy.parquet")(_duckdb("format parquet", "*, 'a' as remark"))
-writer("duckdb zstd.parquet")(_duckdb("format parquet, compression zstd, row_group_size 2048, parquet_version v2"))
+writer("duckdb zstd.parquet")(
+    _duckdb("format parquet, compression zstd, row_group_size 2048, parquet_version v2")
+)
 writer("duckdb decimal.parquet")(
     _duckdb("format parquet", '"time [s]"::decimal(9, 2) as "time [s]", * exclude "time [s]"')
 )
 writer("duckdb copy.csv")(_duckdb("format csv, header true"))
 INSTANT = "timestamptz '2026-11-28 12:00:00+01' + to_seconds(\"time [s]\")"
-writer("duckdb instants.csv")(_duckdb("format csv, header true", f'{INSTANT} as time, * exclude "time [s]"'))
-writer("duckdb times.parquet")(_duckdb("format parquet", f'({INSTANT})::timestamp::time as time, * exclude "time [s]"'))
+writer("duckdb instants.csv")(
+    _duckdb("format csv, header true", f'{INSTANT} as time, * exclude "time [s]"')
+)
+writer("duckdb times.parquet")(
+    _duckdb("format parquet", f'({INSTANT})::timestamp::time as time, * exclude "time [s]"')
+)
 
 
 def _pyarrow(**more: Any) -> Make:
@@ -216,16 +255,28 @@ def _pyarrow(**more: Any) -> Make:
 
 
 writer("pyarrow write_table.parquet")(_pyarrow())
-writer("pyarrow groups.parquet")(_pyarrow(row_group_size=15, compression="zstd", write_page_index=True, version="1.0"))
-writer("pyarrow checksums.parquet")(_pyarrow(use_dictionary=False, compression="none", write_page_checksum=True))
+writer("pyarrow groups.parquet")(
+    _pyarrow(row_group_size=15, compression="zstd", write_page_index=True, version="1.0")
+)
+writer("pyarrow checksums.parquet")(
+    _pyarrow(use_dictionary=False, compression="none", write_page_checksum=True)
+)
 
 
 @writer("numpy savetxt.csv")
 def _savetxt(file: Path) -> None:
-    np.savetxt(file, np.column_stack([*HEADED.values()]), delimiter=",", header=",".join(HEADED), fmt="%.10g")
+    np.savetxt(
+        file,
+        np.column_stack([*HEADED.values()]),
+        delimiter=",",
+        header=",".join(HEADED),
+        fmt="%.10g",
+    )
 
 
-writer("numpy savetxt.txt")(lambda file: np.savetxt(file, np.column_stack([*HEADED.values()]), header=" ".join(HEADED)))
+writer("numpy savetxt.txt")(
+    lambda file: np.savetxt(file, np.column_stack([*HEADED.values()]), header=" ".join(HEADED))
+)
 
 
 @writer("xlsxwriter constant_memory.xlsx")
@@ -276,14 +327,18 @@ def _hdf5storage(file: Path) -> None:
 def _hdf5storage_struct(file: Path) -> None:
     import hdf5storage
 
-    hdf5storage.savemat(str(file), {"run": {**SHORT, "made_by": "bench 3"}}, format="7.3", oned_as="column")
+    hdf5storage.savemat(
+        str(file), {"run": {**SHORT, "made_by": "bench 3"}}, format="7.3", oned_as="column"
+    )
 
 
 def _asammdf(number: str, **more: Any) -> Make:
     def make(file: Path) -> None:
         import asammdf
 
-        signals = [asammdf.Signal(v, TIME, name=name, unit=unit) for name, (v, unit) in CHANNELS.items()]
+        signals = [
+            asammdf.Signal(v, TIME, name=name, unit=unit) for name, (v, unit) in CHANNELS.items()
+        ]
         with asammdf.MDF(version=number) as whole:
             whole.append(signals, common_timebase=True)
             whole.save(file, overwrite=True, **more)
@@ -319,12 +374,23 @@ def _nptdms(number: int, **more: Any) -> Make:
 
         with TdmsWriter(str(file), version=number) as stream:
             for part in (slice(0, 15), slice(15, None)):
-                clock = [] if more else [ChannelObject("Bench", "time", TIME[part], properties={"unit_string": "s"})]
+                clock = (
+                    []
+                    if more
+                    else [
+                        ChannelObject("Bench", "time", TIME[part], properties={"unit_string": "s"})
+                    ]
+                )
                 stream.write_segment(
                     [
                         *clock,
                         *(
-                            ChannelObject("Bench", name, values[part], properties={"unit_string": unit, **more})
+                            ChannelObject(
+                                "Bench",
+                                name,
+                                values[part],
+                                properties={"unit_string": unit, **more},
+                            )
                             for name, (values, unit) in CHANNELS.items()
                         ),
                     ]
@@ -334,7 +400,9 @@ def _nptdms(number: int, **more: Any) -> Make:
 
 
 writer("nptdms 4712.tdms")(_nptdms(4712))
-writer("nptdms waveform.tdms")(_nptdms(4713, wf_increment=0.01, wf_start_offset=0.0, wf_samples=TIME.size))
+writer("nptdms waveform.tdms")(
+    _nptdms(4713, wf_increment=0.01, wf_start_offset=0.0, wf_samples=TIME.size)
+)
 
 
 def _pyuff(**more: Any) -> Make:
@@ -347,7 +415,11 @@ def _pyuff(**more: Any) -> Make:
             axes = {
                 f"{axis}_{key}": value
                 for axis in ("abscissa", "ordinate", "orddenom", "z_axis")
-                for key, value in {"spec_data_type": 0, "axis_units_lab": "NONE", **exponents}.items()
+                for key, value in {
+                    "spec_data_type": 0,
+                    "axis_units_lab": "NONE",
+                    **exponents,
+                }.items()
             }
             axes |= {"abscissa_axis_units_lab": "s", "ordinate_axis_units_lab": unit}
             whole.write_sets(
@@ -462,12 +534,17 @@ def run_script(program: str, text: str, **places: object) -> None:
     with tempfile.TemporaryDirectory() as folder:
         script = Path(folder) / "script"
         script.write_text(text, encoding="utf-8")
-        subprocess.run([*SCRIPTS[program], str(script)], check=True, capture_output=True, timeout=300)
+        subprocess.run(
+            [*SCRIPTS[program], str(script)], check=True, capture_output=True, timeout=300
+        )
 
 
 def write_table(folder: Path) -> Path:
     """Write the recording as plain text, from which programs make theirs."""
-    rows = [",".join(HEADED), *(",".join(map(repr, row)) for row in np.column_stack([*HEADED.values()]).tolist())]
+    rows = [
+        ",".join(HEADED),
+        *(",".join(map(repr, row)) for row in np.column_stack([*HEADED.values()]).tolist()),
+    ]
     (folder / "run.csv").write_text("\n".join(rows) + "\n")
     return folder / "run.csv"
 
@@ -479,9 +556,20 @@ def _by_program(program: str, text: str, file: Path) -> None:
 
 def convert(file: Path, folder: Path, filters: str) -> Path:
     """Convert a table by LibreOffice."""
-    words = ["soffice", f"-env:UserInstallation=file://{folder}/profile", "--headless", "--convert-to", filters]
+    words = [
+        "soffice",
+        f"-env:UserInstallation=file://{folder}/profile",
+        "--headless",
+        "--convert-to",
+        filters,
+    ]
     words += ["--infilter=CSV:44,34,76,1,,1033"] * (file.suffix == ".csv")
-    subprocess.run([*words, "--outdir", str(folder / "out"), str(file)], check=True, capture_output=True, timeout=300)
+    subprocess.run(
+        [*words, "--outdir", str(folder / "out"), str(file)],
+        check=True,
+        capture_output=True,
+        timeout=300,
+    )
     (made,) = (folder / "out").iterdir()
     return made
 
@@ -495,7 +583,9 @@ def _libreoffice(filters: str) -> Make:
 
 
 writer("libreoffice calc.xlsx")(_libreoffice("xlsx"))
-writer("libreoffice german.csv")(_libreoffice("csv:Text - txt - csv (StarCalc):59,34,76,1,,1031,true,true"))
+writer("libreoffice german.csv")(
+    _libreoffice("csv:Text - txt - csv (StarCalc):59,34,76,1,,1031,true,true")
+)
 
 PROGRAMS = {
     "octave": ["octave-cli", "--eval", "printf('%s', version)"],
@@ -513,7 +603,9 @@ def versions(libraries: Iterable[str]) -> dict[str, str]:
     for library in libraries:
         if library in PROGRAMS:
             if shutil.which(PROGRAMS[library][0]):
-                told = subprocess.run(PROGRAMS[library], check=True, capture_output=True, text=True).stdout
+                told = subprocess.run(
+                    PROGRAMS[library], check=True, capture_output=True, text=True
+                ).stdout
                 found[library] = next(word for word in told.split() if word[0].isdigit())
             continue
         try:

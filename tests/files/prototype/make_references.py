@@ -42,10 +42,14 @@ def main() -> None:
                 change = np.abs(fine[name] - coarse[name]).max() / np.ptp(fine[name])
                 line = f"{tyre} {speed} {name}: range {np.ptp(fine[name]):.6g}, refinement {change:.1e}"
                 if speed == 1.95:
-                    other = given[f"{tyre[:3].replace('bil', 'lin')}_{speed}_{GIVEN.get(name, name)}"]
+                    other = given[
+                        f"{tyre[:3].replace('bil', 'lin')}_{speed}_{GIVEN.get(name, name)}"
+                    ]
                     line += f", from the given reference {np.abs(fine[name] - other).max() / np.ptp(other):.1e}"
                 sys.stdout.write(line + "\n")
-            sys.stdout.write(f"  violation {fine['violation']:.1e}, {len(fine['events'])} contact events\n")
+            sys.stdout.write(
+                f"  violation {fine['violation']:.1e}, {len(fine['events'])} contact events\n"
+            )
 
 
 if __name__ == "__main__":

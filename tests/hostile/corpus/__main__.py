@@ -25,11 +25,15 @@ TITLES = {
 MARK = "<!-- python -m corpus --page writes the following -->"
 
 
-def counts_of(part: str, numbers: list[int], only: list[str], *, verbose: bool) -> dict[str, Counter[str]]:
+def counts_of(
+    part: str, numbers: list[int], only: list[str], *, verbose: bool
+) -> dict[str, Counter[str]]:
     """Run a part; give its counts, and say each case that is bad."""
     module = importlib.import_module(f"corpus.{part}")
     found = []
-    for case, verdict, said in judge(module.__name__, [c for c in module.cases(*numbers) if not only or c[0] in only]):
+    for case, verdict, said in judge(
+        module.__name__, [c for c in module.cases(*numbers) if not only or c[0] in only]
+    ):
         found.append((case[0], verdict))
         if verdict in BAD or verbose:
             print(case, verdict, " ".join(said.split())[:330], file=sys.stderr, flush=True)
@@ -41,7 +45,9 @@ def counts_in(text: str, part: str) -> dict[str, Counter[str]]:
     told = text.partition(f"### {TITLES[part]}\n")[2].partition("###")[0]
     rows = [line.strip("| ").split(" | ") for line in told.splitlines() if line.startswith("|")]
     return {
-        name: Counter({verdict: int(count) for verdict, count in zip(rows[0][2:], counts[1:], strict=True)})
+        name: Counter(
+            {verdict: int(count) for verdict, count in zip(rows[0][2:], counts[1:], strict=True)}
+        )
         for name, *counts in rows[2:-1]
     }
 
@@ -50,10 +56,16 @@ def page_with(text: str, tables: dict[str, str]) -> str:
     """The page with these tables at its end, in the place of those of the same parts."""
     above, _, below = text.partition(MARK)
     sections = dict(
-        section.split("\n\n", 1) for section in below.strip().removeprefix("### ").split("\n\n### ") if section
+        section.split("\n\n", 1)
+        for section in below.strip().removeprefix("### ").split("\n\n### ")
+        if section
     )
     sections |= {TITLES[part]: found for part, found in tables.items()}
-    told = "\n\n".join(f"### {title}\n\n{sections[title].strip()}" for title in TITLES.values() if title in sections)
+    told = "\n\n".join(
+        f"### {title}\n\n{sections[title].strip()}"
+        for title in TITLES.values()
+        if title in sections
+    )
     return f"{above.rstrip()}\n\n{MARK}\n\n{told}\n"
 
 
@@ -69,6 +81,8 @@ if __name__ == "__main__":
             continue
         text = page.read_text(encoding="utf-8")
         rows = {**(counts_in(text, part) if only else {}), **found}
-        order = dict.fromkeys(case[0] for case in importlib.import_module(f"corpus.{part}").cases(*PARTS[part]))
+        order = dict.fromkeys(
+            case[0] for case in importlib.import_module(f"corpus.{part}").cases(*PARTS[part])
+        )
         made = table({name: rows[name] for name in order}, part)
         page.write_text(page_with(text, {part: made}), encoding="utf-8")

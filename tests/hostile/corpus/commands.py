@@ -191,11 +191,18 @@ def cases() -> list[tuple[str, str, str]]:
     found: list[tuple[str, str, str]] = []
     kinds = list(VALUES)
     for name, command in commands().items():
-        found += [(name, place, "") for place in ("no such option", "one word too many", "an option twice", "no value")]
+        found += [
+            (name, place, "")
+            for place in ("no such option", "one word too many", "an option twice", "no value")
+        ]
         for parameter in command.params:
             if name in SLOW and parameter.opts[0] in OUTPUTS:
                 continue
-            option = parameter.opts[0] if parameter.param_type_name == "option" else parameter.name.upper()
+            option = (
+                parameter.opts[0]
+                if parameter.param_type_name == "option"
+                else parameter.name.upper()
+            )
             if getattr(parameter, "is_flag", False):
                 continue
             # A seed of its own, so that an option more changes nothing of the others.
@@ -217,7 +224,12 @@ def words_of(case: tuple[str, str, str], words: list[str] | None = None) -> list
         return [*words, "--json", "--json", "--json=1"]
     if place == "no value":
         option = next(
-            (p.opts[0] for p in commands()[name].params if p.param_type_name == "option" and not p.is_flag), ""
+            (
+                p.opts[0]
+                for p in commands()[name].params
+                if p.param_type_name == "option" and not p.is_flag
+            ),
+            "",
         )
         return [*words, option or "--nothing"]
     value = VALUES[kind]
@@ -254,7 +266,9 @@ def prepare() -> None:
     wave = np.sin(2.0 * np.pi * 3.0 * time)
 
     def write(name: str, head: str, *columns: np.ndarray) -> None:
-        rows = "".join(",".join(f"{v:.9g}" for v in row) + "\n" for row in zip(*columns, strict=True))
+        rows = "".join(
+            ",".join(f"{v:.9g}" for v in row) + "\n" for row in zip(*columns, strict=True)
+        )
         Path(name).write_text(f"{head}\n{rows}", encoding="utf-8")
 
     write("base.csv", "time [s], road.z [m]", time, 0.01 * wave)
@@ -264,30 +278,55 @@ def prepare() -> None:
     force = 900.0 * np.cos(2.0 * np.pi * 3.0 * time)
     poses = np.linspace(-0.03, 0.03, 13)
     write("poses.csv", "wheel_travel [m], toe [deg]", poses, 0.3 - 4.0 * poses)
-    write("tilt.csv", "angle [deg], out [V]", np.array([0.0, 90.0, 180.0]), np.array([2.6, 2.501, 2.4]))
+    write(
+        "tilt.csv",
+        "angle [deg], out [V]",
+        np.array([0.0, 90.0, 180.0]),
+        np.array([2.6, 2.501, 2.4]),
+    )
     write("damper.csv", "time [s], displacement [m], force [N]", time, 0.02 * wave, force)
     long = np.arange(5000) * 0.005
     sweep = np.sin(2.0 * np.pi * (25.0 * long - 0.5 * long**2))
-    loads = [3.0 * sweep, 4000.0 + 900.0 * np.sin(2.0 * np.pi * (25.0 * long - 0.5 * long**2) + 0.6)]
-    write("ride.csv", "time [s], seat.az [m/s^2]", long, np.random.default_rng(2).normal(size=len(long)))
+    loads = [
+        3.0 * sweep,
+        4000.0 + 900.0 * np.sin(2.0 * np.pi * (25.0 * long - 0.5 * long**2) + 0.6),
+    ]
+    write(
+        "ride.csv",
+        "time [s], seat.az [m/s^2]",
+        long,
+        np.random.default_rng(2).normal(size=len(long)),
+    )
     decay = np.exp(-2.0 * long) * np.cos(2.0 * np.pi * 3.0 * long)
     write("decay.csv", "time [s], sprung.az [m/s^2]", long[:1000], decay[:1000])
     write("lane.csv", "time [s], left.plate.z [mm], left.plate.force [N]", long, *loads)
     Path("settings.toml").write_text(_SETTINGS, encoding="utf-8")
-    Path("trials.csv").write_text("trial,speed [m/s],profile\n1,1.95,A\n2,1.97,B 0.10\n", encoding="utf-8")
+    Path("trials.csv").write_text(
+        "trial,speed [m/s],profile\n1,1.95,A\n2,1.97,B 0.10\n", encoding="utf-8"
+    )
     Path("empty").write_bytes(b"")
     Path("loop").symlink_to("loop")
     Path("rubbish.bin").write_bytes(np.random.default_rng(1).bytes(3000))
-    Path("plate.csv").write_text('# plate_number = "B-AB 123"\n' + Path("lane.csv").read_text(encoding="utf-8"))
+    Path("plate.csv").write_text(
+        '# plate_number = "B-AB 123"\n' + Path("lane.csv").read_text(encoding="utf-8")
+    )
     store = ["--store", "lane.sqlite", "--tester", "eusama"]
     code, *said = said_by(["inspect", "import", "lane.csv", "plate.csv", *store])
     Path("plate.csv").unlink()
     assert Path("lane.sqlite").is_file(), (code, said)
-    shutil.copy(Path(__file__).parents[2] / "files" / "chrono" / "DoubleWishbone.json", "chrono.json")
+    shutil.copy(
+        Path(__file__).parents[2] / "files" / "chrono" / "DoubleWishbone.json", "chrono.json"
+    )
     shutil.copy(Path(__file__).parents[2] / "files" / "hardpoints" / "strut.txt", "points.csv")
     shutil.copy(Path(__file__).parents[2] / "files" / "mjcf" / "corner.xml", "corner.xml")
     shutil.copy(
-        Path(__file__).parents[2] / "files" / "adams_car" / "made_up.cdb" / "subsystems.tbl" / "front.sub", "front.sub"
+        Path(__file__).parents[2]
+        / "files"
+        / "adams_car"
+        / "made_up.cdb"
+        / "subsystems.tbl"
+        / "front.sub",
+        "front.sub",
     )
 
 
@@ -312,18 +351,38 @@ def _verdict(case: tuple[str, str, str]) -> tuple[str, str]:
     name, place, kind = case
     words = words_of(case)
     code, out, err = said_by(words)
-    lost = [name for name, size in before.items() if not os.path.lexists(name) or Path(name).lstat().st_size != size]
+    lost = [
+        name
+        for name, size in before.items()
+        if not os.path.lexists(name) or Path(name).lstat().st_size != size
+    ]
     told = f"{code}: {err}"
     if code == 2:
         value = VALUES.get(kind, "")
         key = value.partition("=")[0][:20] + (":" if "=" in value else "")
-        places = [place, place.strip("-").replace("-", "_"), name, key or "''", visible(value)[:10], "--json"]
+        places = [
+            place,
+            place.strip("-").replace("-", "_"),
+            name,
+            key or "''",
+            visible(value)[:10],
+            "--json",
+        ]
         places += ["an argument with a NUL character"] if kind == "a NUL" else []
-        places += ["/proc/", "none.toml", repr(value.partition("=")[0]), value.partition("=")[2][:10] or "--json"]
+        places += [
+            "/proc/",
+            "none.toml",
+            repr(value.partition("=")[0]),
+            value.partition("=")[2][:10] or "--json",
+        ]
         places += (
-            ["jounce: .:", "no such file and no shipped", *words[-8:]] if kind in ("nothing", "no text", "") else []
+            ["jounce: .:", "no such file and no shipped", *words[-8:]]
+            if kind in ("nothing", "no text", "")
+            else []
         )
-        places += [word for word in words if word.startswith("--")]  # two that contradict each other
+        places += [
+            word for word in words if word.startswith("--")
+        ]  # two that contradict each other
         is_said = is_clear(err or out, *places)
         return ("refused" if is_said and not lost else "unclear"), told
     if code == 0:

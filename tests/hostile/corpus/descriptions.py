@@ -136,19 +136,27 @@ KINDS = {
         for kind in _ROADS
     },
     "control": Kind(lambda: 'schema = "jounce.control/1"\nlaw = "skyhook"\n'),
-    "tester": Kind(_shipped(*_LIBRARY, "testers", "eusama.toml"), use="inspect evaluate lane.csv --tester given.toml"),
+    "tester": Kind(
+        _shipped(*_LIBRARY, "testers", "eusama.toml"),
+        use="inspect evaluate lane.csv --tester given.toml",
+    ),
     "limits": Kind(
         _shipped("jounce.inspection", "limits.toml"),
         use="inspect evaluate lane.csv --tester eusama --limits given.toml",
     ),
     "truth": Kind(_shipped("jounce.campaign", "library", "kart-prototype.toml")),
-    "campaign": Kind(_shipped("jounce", "library", "campaigns", "template", "campaign.toml"), name="c/campaign.toml"),
+    "campaign": Kind(
+        _shipped("jounce", "library", "campaigns", "template", "campaign.toml"),
+        name="c/campaign.toml",
+    ),
     "laboratory": Kind(lambda: _LABORATORY, use="campaign sheet given.toml"),
     "sensors": Kind(lambda: _SENSORS, use="analyse statistics lane.csv --sensors given.toml"),
     "design": Kind(lambda: _DESIGN),
     "sweep": Kind(lambda: _SWEEP),
     "optimisation": Kind(lambda: _OPTIMISATION),
-    "header": Kind(lambda: _HEADER, name="lane.toml", use="inspect evaluate lane.csv --tester eusama"),
+    "header": Kind(
+        lambda: _HEADER, name="lane.toml", use="inspect evaluate lane.csv --tester eusama"
+    ),
 }
 """A good file of each kind; a test holds that every schema has one."""
 
@@ -177,9 +185,30 @@ VALUES = {
     "no TOML": "= =",
 }
 """What is written behind the equals sign."""
-NEVER = ("digits", "nested", "dotted", "nan", "infinite", "date", "no TOML", "huge", "long integer", "list")
+NEVER = (
+    "digits",
+    "nested",
+    "dotted",
+    "nan",
+    "infinite",
+    "date",
+    "no TOML",
+    "huge",
+    "long integer",
+    "list",
+)
 """What no key of any description takes."""
-NO_QUANTITY = ("table", "truth", "empty", "many units", "huge with a unit", "bomb", "blanks", "long text", "markup")
+NO_QUANTITY = (
+    "table",
+    "truth",
+    "empty",
+    "many units",
+    "huge with a unit",
+    "bomb",
+    "blanks",
+    "long text",
+    "markup",
+)
 """What no quantity is."""
 WHOLE = ("line twice", "misspelt", "left out", "file cut", "bytes", "another schema")
 """Mutations of the file rather than of a value."""
@@ -190,7 +219,11 @@ _LINE = re.compile(r"(\s*(?:[\w-]+|\"[^\"]*\")(?:\.[\w-]+)*\s*=\s*)([^\s].*)$")
 def lines_of(kind: str) -> tuple[list[str], list[int]]:
     """Lines of the good file, and the indices of those with a key."""
     lines = KINDS[kind].text().splitlines()
-    keys = [index for index, line in enumerate(lines) if _LINE.match(line) and line.count("[") == line.count("]")]
+    keys = [
+        index
+        for index, line in enumerate(lines)
+        if _LINE.match(line) and line.count("[") == line.count("]")
+    ]
     return lines, [index for index in keys if '"""' not in lines[index]]
 
 
@@ -232,7 +265,9 @@ def damaged(kind: str, line: int, wrong: str) -> tuple[bytes, bool]:
         return text[: len("\n".join(lines[:line]).encode()) + len(match[1])], True
     if wrong == "bytes":
         return text[: len(text) // 2] + bytes(range(128, 200)) + text[len(text) // 2 :], True
-    return re.sub(rb'schema = "jounce\.\w+/1"', b'schema = "jounce.nothing/7"', text, count=1), b"schema =" in text
+    return re.sub(
+        rb'schema = "jounce\.\w+/1"', b'schema = "jounce.nothing/7"', text, count=1
+    ), b"schema =" in text
 
 
 def _is_quantity(value: str) -> bool:
@@ -242,7 +277,20 @@ def _is_quantity(value: str) -> bool:
         float(text)
         return text == written  # a number in quotes is the name of something
     except ValueError:
-        for si in ("m", "kg", "N/m", "N*s/m", "m/s", "s", "Hz", "N", "rad", "Pa", "kg*m^2", "m/s^2"):
+        for si in (
+            "m",
+            "kg",
+            "N/m",
+            "N*s/m",
+            "m/s",
+            "s",
+            "Hz",
+            "N",
+            "rad",
+            "Pa",
+            "kg*m^2",
+            "m/s^2",
+        ):
             try:
                 to_si(text, si)
             except DescriptionError:

@@ -49,9 +49,15 @@ def verdict(case: tuple[str, int, int]) -> tuple[str, str]:
 
 def compared(data: Any, findings: Any, sample: recordings.Sample, kind: str) -> tuple[str, str]:
     """Whether what was read is what was recorded."""
-    said = "; ".join(str(finding) for finding in findings if not str(finding.message).startswith("decimal commas"))
+    said = "; ".join(
+        str(finding)
+        for finding in findings
+        if not str(finding.message).startswith("decimal commas")
+    )
     if data.sizes["time"] != recordings.ROWS or set(data.data_vars) != set(recordings.TRUTH):
-        may_be_named_so = sample.reader in ("csv", "lvm") or (kind not in STRUCTURAL and not sample.has_checksums)
+        may_be_named_so = sample.reader in ("csv", "lvm") or (
+            kind not in STRUCTURAL and not sample.has_checksums
+        )
         if may_be_named_so and not said and _is_part_of_the_text(data):
             return "undetectable", kind
         found = f"{kind}: {data.sizes['time']} samples of {', '.join(map(str, data.data_vars))}"
@@ -74,7 +80,8 @@ def _is_part_of_the_text(data: Any) -> bool:
     wanted = [one[begin : begin + rows] for one in (recordings.TIME, *recordings.TRUTH.values())]
     return len(found) == len(wanted) and all(
         any(
-            one.shape == truth.shape and np.sum(np.abs(one - truth) > 1e-9 * np.abs(truth).max()) <= FEW
+            one.shape == truth.shape
+            and np.sum(np.abs(one - truth) > 1e-9 * np.abs(truth).max()) <= FEW
             for one in found
         )
         for truth in wanted

@@ -22,7 +22,9 @@ BAD = ("crashed", "hung", "unclear", "silently wrong")
 VERDICTS = (*GOOD, "undetectable", *BAD)
 
 
-def judge(module: str, names: Sequence[Any], *, clock: float = CLOCK) -> Iterator[tuple[Any, str, str]]:
+def judge(
+    module: str, names: Sequence[Any], *, clock: float = CLOCK
+) -> Iterator[tuple[Any, str, str]]:
     """Run cases by the function ``verdict`` of a module in children; give each name, its verdict and what was said.
 
     A child runs one case after the other. Where it ends or stands still, that is the verdict of the case that it was
@@ -32,7 +34,10 @@ def judge(module: str, names: Sequence[Any], *, clock: float = CLOCK) -> Iterato
     while left:
         with tempfile.TemporaryDirectory(prefix="jounce-corpus-") as folder:
             asked = [sys.executable, "-c", _CHILD, module, str(MEMORY), str(CPU)]
-            environment = {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
+            environment = {
+                **os.environ,
+                "PYTHONPATH": os.pathsep.join(path for path in sys.path if path),
+            }
             with (
                 Path(folder, "stderr").open("w+b") as said,
                 subprocess.Popen(asked, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=said, cwd=folder,
@@ -105,11 +110,17 @@ def counted(found: Sequence[tuple[str, str]]) -> dict[str, Counter[str]]:
 
 def table(counts: dict[str, Counter[str]], title: str) -> str:
     """The counts as a table of Markdown, with their sum."""
-    shown = [verdict for verdict in VERDICTS if verdict in BAD or any(count[verdict] for count in counts.values())]
+    shown = [
+        verdict
+        for verdict in VERDICTS
+        if verdict in BAD or any(count[verdict] for count in counts.values())
+    ]
     rows = {**counts, "**all**": sum(counts.values(), Counter())}
     lines = [f"| {title} | tried | {' | '.join(shown)} |", f"|---|{'---:|' * (len(shown) + 1)}"]
     for name, count in rows.items():
-        lines.append(f"| {name} | {count.total()} | {' | '.join(str(count[verdict]) for verdict in shown)} |")
+        lines.append(
+            f"| {name} | {count.total()} | {' | '.join(str(count[verdict]) for verdict in shown)} |"
+        )
     return "\n".join(lines)
 
 

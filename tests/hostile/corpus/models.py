@@ -53,8 +53,13 @@ def content_of(name: str) -> tuple[str, bytes]:
         return Path(SAMPLES[name]).name, re.sub(rb"\.\./crg-txt/\w+", b"handmade_curved", content)
     if name == "FMU":
         with zipfile.ZipFile(buffer := io.BytesIO(), "w", zipfile.ZIP_DEFLATED) as archive:
-            archive.writestr(zipfile.ZipInfo("modelDescription.xml", (1980, 1, 1, 0, 0, 0)), _DESCRIPTION)
-            archive.writestr(zipfile.ZipInfo("binaries/x86_64-linux/valve.so", (1980, 1, 1, 0, 0, 0)), b"no library")
+            archive.writestr(
+                zipfile.ZipInfo("modelDescription.xml", (1980, 1, 1, 0, 0, 0)), _DESCRIPTION
+            )
+            archive.writestr(
+                zipfile.ZipInfo("binaries/x86_64-linux/valve.so", (1980, 1, 1, 0, 0, 0)),
+                b"no library",
+            )
         return "part.fmu", buffer.getvalue()
     x = np.arange(300) * 0.05
     rows = "".join(f"{one:.3f}, {0.01 * np.sin(one):.9f}\n" for one in x)
@@ -69,7 +74,11 @@ def reader_of(name: str) -> str:
 def cases(count: int, seed: int = SEED) -> list[tuple[str, int, int]]:
     """Sample, number and seed of so many mutations of the files of each kind, which its samples share."""
     kinds = Counter(map(reader_of, SAMPLES))
-    return [(name, number, seed) for name in SAMPLES for number in range(-(-count // kinds[reader_of(name)]))]
+    return [
+        (name, number, seed)
+        for name in SAMPLES
+        for number in range(-(-count // kinds[reader_of(name)]))
+    ]
 
 
 def _chrono(file: Path) -> Any:

@@ -30,11 +30,15 @@ def mutated(content: bytes, seed: int, number: int) -> tuple[str, bytes]:
     if kind == "insert":
         return kind, content[:at] + random.bytes(length) + content[at:]
     if kind == "repeat":
-        return kind, content[:at] + content[at : at + length] * int(random.integers(2, 5)) + content[at + length :]
+        return kind, content[:at] + content[at : at + length] * int(
+            random.integers(2, 5)
+        ) + content[at + length :]
     if kind == "remove":
         return kind, content[:at] + content[at + length :]
     if kind == "number":
         width = int(random.choice([1, 2, 4, 8]))
         size = _NUMBERS[int(random.integers(len(_NUMBERS)))] % 256**width
         return kind, content[:at] + size.to_bytes(width, "little") + content[at + width :]
-    return kind, content[:at] + (b"\0" if kind == "zero" else b"\xff") * length + content[at + length :]
+    return kind, content[:at] + (b"\0" if kind == "zero" else b"\xff") * length + content[
+        at + length :
+    ]

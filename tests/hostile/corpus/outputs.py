@@ -25,7 +25,9 @@ READ = (
     "inspect watch",
 )
 """Commands whose store is there already, or whose folder is looked into."""
-NO_OUTPUTS = [(name, option) for name in ("demo", "campaign run") for option in ("--report", "--figure")]
+NO_OUTPUTS = [
+    (name, option) for name in ("demo", "campaign run") for option in ("--report", "--figure")
+]
 """Options that choose among what is written into the folder."""
 LONG = (
     *SLOW,
@@ -82,7 +84,11 @@ def targets() -> Iterator[tuple[str, str, str]]:
     """Command, option or argument, and suffix of all that is written; the suffix of folders is empty."""
     for name, command in commands().items():
         for parameter in command.params:
-            option = parameter.opts[0] if parameter.param_type_name == "option" else parameter.name.upper()
+            option = (
+                parameter.opts[0]
+                if parameter.param_type_name == "option"
+                else parameter.name.upper()
+            )
             is_read = name in READ and option in ("--store", "FOLDER")
             if option not in OUTPUTS or is_read or (name, option) in NO_OUTPUTS:
                 continue
@@ -108,7 +114,8 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         ("inspect evaluate", "--report"): tuple(PROTOCOLS.writers),
         ("inspect export", "--out"): tuple(TABLES.writers),
         **dict.fromkeys(
-            ((one, "--out") for one in ("kinematics", "clearances", "steering-effort")), (*SWEEP_FILES.writers,)
+            ((one, "--out") for one in ("kinematics", "clearances", "steering-effort")),
+            (*SWEEP_FILES.writers,),
         ),
         ("export fmu", "--out"): (".fmu",),
         ("export equations", "--out"): tuple(EQUATION_FORMATS.writers),
@@ -117,7 +124,10 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         ("export mjcf", "--out"): (".xml",),
         ("export road", "--out"): tuple(ROAD_FORMATS.writers),
         **dict.fromkeys(
-            ((one, "--out") for one in ("simulate", "ride", "inspect simulate", "analyse integrate")),
+            (
+                (one, "--out")
+                for one in ("simulate", "ride", "inspect simulate", "analyse integrate")
+            ),
             (*RECORDING_FILES.writers,),
         ),
         **dict.fromkeys(
@@ -137,14 +147,25 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
             ),
             (".toml",),
         ),
-        **dict.fromkeys(((one, "--out") for one in ("modes", "iri", "study lumped-vs-spatial")), (".csv", ".json")),
         **dict.fromkeys(
-            ((f"analyse {one}", "--out") for one in ("statistics", "spectrum", "transfer", "modes")), (".csv", ".json")
+            ((one, "--out") for one in ("modes", "iri", "study lumped-vs-spatial")),
+            (".csv", ".json"),
+        ),
+        **dict.fromkeys(
+            (
+                (f"analyse {one}", "--out")
+                for one in ("statistics", "spectrum", "transfer", "modes")
+            ),
+            (".csv", ".json"),
         ),
         **dict.fromkeys(((one, "--figure") for one in ("kinematics", "load-cases")), ("",)),
         ("load-cases", "--out"): (".csv",),
     }
-    usual = {"--figure": tuple(FIGURES.writers), "--report": tuple(REPORTS.writers), "--store": (".sqlite",)}
+    usual = {
+        "--figure": tuple(FIGURES.writers),
+        "--report": tuple(REPORTS.writers),
+        "--store": (".sqlite",),
+    }
     return special.get((name, option), usual.get(option, ("",)))
 
 
@@ -182,7 +203,9 @@ def _at(place: str, suffix: str) -> str:
         "no folder": f"no/such/x{suffix}",
         "below a file": f"base.csv/x{suffix}",
         "a name of 300 bytes": "x" * (300 - len(suffix)) + suffix,
-        "a name of 255 bytes": "ä" * ((255 - len(suffix)) // 2) + "x" * ((255 - len(suffix)) % 2) + suffix,
+        "a name of 255 bytes": "ä" * ((255 - len(suffix)) // 2)
+        + "x" * ((255 - len(suffix)) % 2)
+        + suffix,
         "a system that refuses": f"/proc/x{suffix}",
         "right to left": f"\u202eעגלה\u202c{suffix}",
         "emoji, quotes, blanks and markup": f"🚗 'a' \"b\" $x^$ <b>&%{suffix}",
@@ -213,13 +236,17 @@ def _in_place(place: str, name: str, *, is_folder: bool) -> Iterator[None]:
     mine.write_text("mine", encoding="utf-8")
     if place.startswith("there already"):
         (Path(name) / "mine.txt" if is_folder else Path(name)).parent.mkdir(exist_ok=True)
-        (Path(name) / "campaign.toml" if is_folder else Path(name)).write_text("mine", encoding="utf-8")
+        (Path(name) / "campaign.toml" if is_folder else Path(name)).write_text(
+            "mine", encoding="utf-8"
+        )
     elif place.startswith("a folder or file there"):
         Path(name).write_text("mine", encoding="utf-8") if is_folder else Path(name).mkdir()
     elif place.startswith("a link"):
         Path(name).symlink_to(mine if "to a file" in place else "nothing")
     elif place == "a full disk":
-        sys.dont_write_bytecode = True  # of what is imported meanwhile: it would be cut at the limit
+        sys.dont_write_bytecode = (
+            True  # of what is imported meanwhile: it would be cut at the limit
+        )
         resource.setrlimit(resource.RLIMIT_FSIZE, (200, limits[1]))
     try:
         yield
@@ -230,7 +257,11 @@ def _in_place(place: str, name: str, *, is_folder: bool) -> Iterator[None]:
 
 def _listing() -> dict[str, bytes]:
     return {
-        str(file): file.read_bytes() if file.is_file() else b"a link" if file.is_symlink() else b"a folder"
+        str(file): file.read_bytes()
+        if file.is_file()
+        else b"a link"
+        if file.is_symlink()
+        else b"a folder"
         for file in sorted(Path().rglob("*"))
     }
 
@@ -248,21 +279,42 @@ def verdict(case: tuple[str, str, str, str]) -> tuple[str, str]:
     if code not in (0, 1, 2) or "internal error" in err:
         return "crashed", told
     asked = [one for word in words(case, name) for one in (word, word.partition("=")[2]) if one]
-    owned = {*asked, name, str(Path(name).with_suffix(".json")), "lane.sqlite"}  # values stand beside a protocol
-    owned |= {f"{one}{end}" for one in owned for end in ("-wal", "-shm")}  # SQLite's own, while the store is open
+    owned = {
+        *asked,
+        name,
+        str(Path(name).with_suffix(".json")),
+        "lane.sqlite",
+    }  # values stand beside a protocol
+    owned |= {
+        f"{one}{end}" for one in owned for end in ("-wal", "-shm")
+    }  # SQLite's own, while the store is open
     if place.startswith("a link to nothing") and is_folder:
         owned.add("nothing")  # which is made where the link leads to
     lost = [file for file, content in before.items() if after.get(file) != content]
     more = sorted({*after} - {*before})
-    foreign = [file for file in (*lost, *more) if not any(file == one or file.startswith(f"{one}/") for one in owned)]
+    foreign = [
+        file
+        for file in (*lost, *more)
+        if not any(file == one or file.startswith(f"{one}/") for one in owned)
+    ]
     told = f"{told}; changed {lost}, new {more}"
     if foreign or any(Path(file).name.startswith(".") for file in after):
         return "silently wrong", told
     if code == 2:
-        is_said = is_clear(err, name[:20], name.partition("/")[0], option, "--force", *owned, tempfile.gettempdir())
+        is_said = is_clear(
+            err, name[:20], name.partition("/")[0], option, "--force", *owned, tempfile.gettempdir()
+        )
         return ("refused" if is_said and not lost else "unclear"), told
-    own = [file for file in (*lost, *more) if file in owned or file.startswith((f"{name}/", "nothing/"))]
+    own = [
+        file
+        for file in (*lost, *more)
+        if file in owned or file.startswith((f"{name}/", "nothing/"))
+    ]
     if code == 1:  # what was computed is there, and a finding says what is not
         said = "".join((err + out).split())  # which the console breaks into lines
-        return ("flagged" if is_clear(said, "".join(name[:20].split())) and place not in REFUSED else "unclear"), told
+        return (
+            "flagged"
+            if is_clear(said, "".join(name[:20].split())) and place not in REFUSED
+            else "unclear"
+        ), told
     return ("right" if own and place not in REFUSED else "silently wrong"), told

@@ -64,17 +64,22 @@ _TOLD = {"columns": {"time": "t [s]", "strut.stroke": "x [m]", "strut.force": "F
 @_sample
 def csv() -> Sample:
     rows = "".join(
-        f"{t!r}, {x!r}, {f!r}\n" for t, x, f in zip(TIME.tolist(), STROKE.tolist(), FORCE.tolist(), strict=True)
+        f"{t!r}, {x!r}, {f!r}\n"
+        for t, x, f in zip(TIME.tolist(), STROKE.tolist(), FORCE.tolist(), strict=True)
     )
     return Sample("csv", "a.csv", f"time [s], strut.stroke [m], strut.force [N]\n{rows}".encode())
 
 
 @_sample
 def csv_decimal_commas() -> Sample:
-    rows = "".join(f"{t:.3f};{x:.17g};{f:.17g}\n" for t, x, f in zip(TIME, STROKE, FORCE, strict=True)).replace(
-        ".", ","
+    rows = "".join(
+        f"{t:.3f};{x:.17g};{f:.17g}\n" for t, x, f in zip(TIME, STROKE, FORCE, strict=True)
+    ).replace(".", ",")
+    return Sample(
+        "csv",
+        "b.csv",
+        f"# bench 3\n\ntime;strut.stroke;strut.force\ns;m;N\n{rows}".encode("utf-16"),
     )
-    return Sample("csv", "b.csv", f"# bench 3\n\ntime;strut.stroke;strut.force\ns;m;N\n{rows}".encode("utf-16"))
 
 
 @_sample
@@ -100,13 +105,22 @@ def _lvm(columns: str, mark: str) -> str:
         return "\t".join([tag, first, *further, second, ""])
 
     lines = ["LabVIEW Measurement\t", "Writer_Version\t2", "Reader_Version\t2", "Separator\tTab"]
-    lines += [f"Decimal_Separator\t{mark}", "Multi_Headings\tNo", f"X_Columns\t{columns}", "Time_Pref\tRelative"]
+    lines += [
+        f"Decimal_Separator\t{mark}",
+        "Multi_Headings\tNo",
+        f"X_Columns\t{columns}",
+        "Time_Pref\tRelative",
+    ]
     lines += ["Date\t2026/01/01", "***End_of_Header***\t", "\t", of_channels("Channels", "2", "")]
     step, count = "0.005".replace(".", mark), str(ROWS)
     lines += [of_channels("Samples", count, count), of_channels("Y_Unit_Label", "m", "N")]
     lines += [of_channels("X_Dimension", "Time", "Time"), of_channels("X0", "0", "0")]
     lines += [of_channels("Delta_X", step, step), of_channels("***End_of_Header***", "", "")]
-    lines.append("\t".join(["X_Value", "strut.stroke", *["X_Value"] * len(further), "strut.force", "Comment"]))
+    lines.append(
+        "\t".join(
+            ["X_Value", "strut.stroke", *["X_Value"] * len(further), "strut.force", "Comment"]
+        )
+    )
     for t, x, f in zip(TIME.tolist(), STROKE.tolist(), FORCE.tolist(), strict=True):
         own = "" if columns == "No" else repr(t)
         lines.append("\t".join([own, repr(x), *[own] * len(further), repr(f)]).replace(".", mark))
@@ -130,7 +144,11 @@ def netcdf3() -> Sample:
     stream = io.BytesIO()
     with netcdf_file(stream, "w", version=2) as file:
         file.createDimension("time", None)
-        for name, values, unit in (("time", TIME, "s"), ("strut.stroke", STROKE, "m"), ("strut.force", FORCE, "N")):
+        for name, values, unit in (
+            ("time", TIME, "s"),
+            ("strut.stroke", STROKE, "m"),
+            ("strut.force", FORCE, "N"),
+        ):
             made = file.createVariable(name, "f8", ("time",))
             made.units, made[:] = unit, values
         file.flush()
@@ -165,7 +183,13 @@ def mat5_struct() -> Sample:
     from scipy.io import savemat
 
     stream = io.BytesIO()
-    run = {"t": TIME, "x": STROKE, "F": FORCE, "name": "run 3", "list": np.array([{"a": 1.0}, "text"], dtype=object)}
+    run = {
+        "t": TIME,
+        "x": STROKE,
+        "F": FORCE,
+        "name": "run 3",
+        "list": np.array([{"a": 1.0}, "text"], dtype=object),
+    }
     savemat(stream, {"run": run}, do_compression=False)
     return Sample("mat", "s5.mat", stream.getvalue(), _TOLD)
 
@@ -177,7 +201,9 @@ def mat73() -> Sample:
     stream = io.BytesIO()
     with h5py.File(stream, "w", userblock_size=512) as file:
         for name, values in (("t", TIME), ("x", STROKE), ("F", FORCE)):
-            made = file.create_dataset(name, data=values[None, :], chunks=(1, 100), compression="gzip")
+            made = file.create_dataset(
+                name, data=values[None, :], chunks=(1, 100), compression="gzip"
+            )
             made.attrs["MATLAB_class"] = np.bytes_("double")
     content = bytearray(stream.getvalue())
     content[:128] = b"MATLAB 7.3 MAT-file".ljust(124) + b"\x00\x02IM"
@@ -194,19 +220,27 @@ def tdms() -> Sample:
             writer.write_segment(
                 [
                     nptdms.ChannelObject(
-                        "Run", name, values[part], properties={"unit_string": unit, "wf_increment": 0.005}
+                        "Run",
+                        name,
+                        values[part],
+                        properties={"unit_string": unit, "wf_increment": 0.005},
                     )
                     for name, values, unit in (("x", STROKE, "m"), ("F", FORCE, "N"))
                 ]
             )
-    return Sample("tdms", "a.tdms", stream.getvalue(), {"columns": {"strut.stroke": "x", "strut.force": "F"}})
+    return Sample(
+        "tdms", "a.tdms", stream.getvalue(), {"columns": {"strut.stroke": "x", "strut.force": "F"}}
+    )
 
 
 def _mdf(version: str, suffix: str, **more: Any) -> bytes:
     import asammdf
 
     with tempfile.TemporaryDirectory() as folder, asammdf.MDF(version=version) as content:
-        signals = [asammdf.Signal(v, TIME, name=n, unit=u) for n, v, u in (("x", STROKE, "m"), ("F", FORCE, "N"))]
+        signals = [
+            asammdf.Signal(v, TIME, name=n, unit=u)
+            for n, v, u in (("x", STROKE, "m"), ("F", FORCE, "N"))
+        ]
         content.append(signals, common_timebase=True)
         return Path(content.save(Path(folder) / f"a{suffix}", **more)).read_bytes()
 
@@ -226,19 +260,28 @@ def mdf4() -> Sample:
 
 @_sample
 def mdf4_compressed() -> Sample:
-    return Sample("mdf", "c4.mf4", _mdf("4.10", ".mf4", compression=2), _MDF_TOLD, has_checksums=True)
+    return Sample(
+        "mdf", "c4.mf4", _mdf("4.10", ".mf4", compression=2), _MDF_TOLD, has_checksums=True
+    )
 
 
 @_sample
 def uff() -> Sample:
-    return Sample("uff", "a.uff", "".join((_set("x", 1, STROKE, "m"), _set("F", 2, FORCE, "N"))).encode(), _MDF_TOLD)
+    return Sample(
+        "uff",
+        "a.uff",
+        "".join((_set("x", 1, STROKE, "m"), _set("F", 2, FORCE, "N"))).encode(),
+        _MDF_TOLD,
+    )
 
 
 def _set(entity: str, node: int, values: np.ndarray, unit: str) -> str:
     """A time response as the Universal File Format has it: ASCII, double precision, steps of 5 ms."""
     axis = f"{0:10d}{0:5d}{0:5d}{0:5d} "
     lines = ["    -1", "    58", "title", "NONE", "01-Jan-26", "NONE", "NONE"]
-    lines.append(f"{1:5d}{0:10d}{0:5d}{0:10d} {entity:<10s}{node:10d}{3:4d} {'NONE':<10s}{0:10d}{0:4d}")
+    lines.append(
+        f"{1:5d}{0:10d}{0:5d}{0:10d} {entity:<10s}{node:10d}{3:4d} {'NONE':<10s}{0:10d}{0:4d}"
+    )
     lines.append(f"{4:10d}{len(values):10d}{1:10d}{0.0:13.5e}{0.005:13.5e}{0.0:13.5e}")
     for label, of in (("Time", "s"), ("Response", unit), ("NONE", "NONE"), ("NONE", "NONE")):
         lines.append(f"{axis}{label:<20s} {of:<20s}")

@@ -39,12 +39,21 @@ from jounce.core.errors import JounceError
 sys.path.insert(0, str(Path(__file__).parents[1]))
 MODES = {"kill": 1, "half": 2, "full": 3, "once": 4, "refused": 5}
 GROWS, WRITES = 1, 2  # kinds of operations, as faults.c has them
-ALL, SAMPLE, LONG = 100, 24, 240  # operations that are all tried, how many of more, s that work may take
+ALL, SAMPLE, LONG = (
+    100,
+    24,
+    240,
+)  # operations that are all tried, how many of more, s that work may take
 Listing = dict[str, str]
 
 
 class Seen(ctypes.Structure):
-    _fields_ = (("count", ctypes.c_long), ("hit", ctypes.c_long), ("code", ctypes.c_int), ("hung", ctypes.c_int))
+    _fields_ = (
+        ("count", ctypes.c_long),
+        ("hit", ctypes.c_long),
+        ("code", ctypes.c_int),
+        ("hung", ctypes.c_int),
+    )
 
 
 @dataclass
@@ -85,7 +94,9 @@ class Disk:
         shutil.rmtree(self.here, ignore_errors=True)
         shutil.copytree(self.base, self.here, symlinks=True)
 
-    def run(self, work: Callable[[], object], at: int = 0, mode: int = 0, *, armed: bool = True) -> Seen:
+    def run(
+        self, work: Callable[[], object], at: int = 0, mode: int = 0, *, armed: bool = True
+    ) -> Seen:
         """Do work in a process of its own."""
         sys.stdout.flush()
         child = os.fork()
@@ -102,7 +113,11 @@ class Disk:
         return seen
 
     def operations(self) -> list[tuple[str, int, str]]:
-        rows = (line.split("\t") for line in self.log.read_text(errors="replace").splitlines() if line.count("\t") > 1)
+        rows = (
+            line.split("\t")
+            for line in self.log.read_text(errors="replace").splitlines()
+            if line.count("\t") > 1
+        )
         return [(row[0], int(row[1]), row[2]) for row in rows]
 
     def text(self) -> str:
@@ -113,7 +128,11 @@ class Disk:
         found = {}
         for file in sorted((self.here / "work").rglob("*")):
             name = file.relative_to(self.here / "work")
-            if not file.is_file() or any(part.startswith(".jounce-") for part in name.parts) or _is_aside(file):
+            if (
+                not file.is_file()
+                or any(part.startswith(".jounce-") for part in name.parts)
+                or _is_aside(file)
+            ):
                 continue
             if file.suffix == ".sqlite":
                 seen = self.run(partial(_look, file, self.said), armed=False)
@@ -169,10 +188,17 @@ def _look(file: Path, said: Path) -> None:
     store = Store(file, read_only=True)
     found = [str(problem) for problem in store.problems()]
     for number in store.numbers():
-        content, grading = hashlib.sha256(store.content(number)[0]).hexdigest(), store.newest_grading(number)
-        found.append(f"{content} {grading and grading.verdict} {grading and grading.result.get('reasons')}")
+        content, grading = (
+            hashlib.sha256(store.content(number)[0]).hexdigest(),
+            store.newest_grading(number),
+        )
+        found.append(
+            f"{content} {grading and grading.verdict} {grading and grading.result.get('reasons')}"
+        )
     store.close()
-    sys.stdout.write("\n".join(sorted(found)))  # a record that was left out for once gets a later number
+    sys.stdout.write(
+        "\n".join(sorted(found))
+    )  # a record that was left out for once gets a later number
 
 
 def _settle() -> None:
@@ -196,7 +222,9 @@ def _quietly(disk: Disk, work: Callable[[], object]) -> None:
     tempfile.tempdir = before
 
 
-def try_writer(writer: Writer, folder: Path, faults: ctypes.CDLL, modes: list[str], most: int) -> Judged:
+def try_writer(
+    writer: Writer, folder: Path, faults: ctypes.CDLL, modes: list[str], most: int
+) -> Judged:
     from jounce.core import writing
 
     disk = Disk(folder, faults)
@@ -230,7 +258,9 @@ def try_writer(writer: Writer, folder: Path, faults: ctypes.CDLL, modes: list[st
     for mode in modes:
         for at in chosen:
             kind = operations[at - 1][1]
-            if (mode == "half" and not kind & WRITES) or (mode in ("full", "once") and not kind & GROWS):
+            if (mode == "half" and not kind & WRITES) or (
+                mode in ("full", "once") and not kind & GROWS
+            ):
                 continue
             disk.reset()
             seen = disk.run(writer.work, at, MODES[mode])
@@ -240,17 +270,23 @@ def try_writer(writer: Writer, folder: Path, faults: ctypes.CDLL, modes: list[st
             said, hit = disk.text(), " ".join(map(str, disk.operations()[at - 1]))
             killed = mode in ("kill", "half")
             wrong = _said_wrong(seen, said, good, killed=killed)
-            if killed or mode == "full":  # where nothing can be moved back either, the next process does it
+            if (
+                killed or mode == "full"
+            ):  # where nothing can be moved back either, the next process does it
                 disk.run(_settle, armed=False)
             found = disk.listing()
             wrong += _wrong(writer, before, after, found, varied)
             if seen.code == good and not killed and not writer.optional:
                 bad = [
-                    name for name in {*after} | {*found} if name not in varied and found.get(name) != after.get(name)
+                    name
+                    for name in {*after} | {*found}
+                    if name not in varied and found.get(name) != after.get(name)
                 ]
                 wrong += [f"success told, but not whole: {bad}"] if bad else []
             repeated = disk.run(again, armed=False)
-            there = any(text in disk.text() for text in ("output exists", "file exists", "not empty"))  # whole already
+            there = any(
+                text in disk.text() for text in ("output exists", "file exists", "not empty")
+            )  # whole already
             if repeated.code != good and not (not _differing(after, found, varied) and there):
                 wrong.append(f"again: {repeated.code} {disk.text().strip()[:200]}")
             bad = _differing(after, disk.listing(), varied)
@@ -267,7 +303,9 @@ def try_writer(writer: Writer, folder: Path, faults: ctypes.CDLL, modes: list[st
 
 
 def _differing(after: Listing, found: Listing, varied: set[str]) -> list[str]:
-    return sorted(name for name in ({*after} | {*found}) - varied if found.get(name) != after.get(name))
+    return sorted(
+        name for name in ({*after} | {*found}) - varied if found.get(name) != after.get(name)
+    )
 
 
 def _said_wrong(seen: Seen, said: str, good: int, *, killed: bool) -> list[str]:
@@ -282,7 +320,9 @@ def _said_wrong(seen: Seen, said: str, good: int, *, killed: bool) -> list[str]:
     return []
 
 
-def _wrong(writer: Writer, before: Listing, after: Listing, found: Listing, varied: set[str]) -> list[str]:
+def _wrong(
+    writer: Writer, before: Listing, after: Listing, found: Listing, varied: set[str]
+) -> list[str]:
     between = {hashlib.sha256(content).hexdigest() for content in writer.between}
     wrong = []
     for name, digest in found.items():
@@ -292,8 +332,14 @@ def _wrong(writer: Writer, before: Listing, after: Listing, found: Listing, vari
             wrong.append(f"half: {name} {digest if digest.startswith('damaged') else ''}")
     lost = [name for name in before if name in after and name not in found]
     wrong += [f"lost: {lost}"] if lost else []
-    changed = [name for name in {*before} | {*after} if before.get(name) != after.get(name) and name not in varied]
-    is_new = {found.get(name) == after.get(name) for name in changed if found.get(name) not in between}
+    changed = [
+        name
+        for name in {*before} | {*after}
+        if before.get(name) != after.get(name) and name not in varied
+    ]
+    is_new = {
+        found.get(name) == after.get(name) for name in changed if found.get(name) not in between
+    }
     new = {name for name in changed if found.get(name) == after.get(name)}
     if len(is_new) > 1 and new != writer.first and not (writer.parts or writer.optional):
         wrong.append(f"a mixture: {sorted(new)} are new")
@@ -338,8 +384,13 @@ def main() -> int:
             tried += 1
             totals += judged.faults
             broken += len(judged.broken)
-            counts = " ".join(f"{mode} {judged.faults[mode]}" for mode in ("operations", *given.modes))
-            print(f"{writer.name}: {counts} broken {len(judged.broken)} ({time.monotonic() - begun:.0f} s)", flush=True)
+            counts = " ".join(
+                f"{mode} {judged.faults[mode]}" for mode in ("operations", *given.modes)
+            )
+            print(
+                f"{writer.name}: {counts} broken {len(judged.broken)} ({time.monotonic() - begun:.0f} s)",
+                flush=True,
+            )
             for line in judged.broken:
                 print(f"  {line}", flush=True)
         hit = sum(totals[mode] for mode in given.modes)

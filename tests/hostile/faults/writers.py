@@ -31,7 +31,9 @@ def writers() -> Iterator[Writer]:
             tried.add(way)
             yield _output(name, option, suffix)
     yield Writer(
-        "simulate --out .nc, a new file", partial(command, *RUN, "--out", "new.nc"), partial(files, "simulate")
+        "simulate --out .nc, a new file",
+        partial(command, *RUN, "--out", "new.nc"),
+        partial(files, "simulate"),
     )
     study = Path("sweep.toml")
     yield Writer(
@@ -42,15 +44,39 @@ def writers() -> Iterator[Writer]:
         parts=True,
         again=_resumed,
     )
-    yield Writer("report in a folder", partial(_page, "another"), partial(_page, "old"), between=(_not_yet(),))
-    results = frozenset({"out/results.json", "out/rig-damping.toml"})  # beside a page that is not drawn yet
-    yield Writer("campaign run --table xlsx", _campaign, _old_campaign, between=(_not_yet(),), first=results)
-    yield Writer("inspect import, another record", _imported("lane.csv"), partial(_lane, ("plate.csv",)))
+    yield Writer(
+        "report in a folder",
+        partial(_page, "another"),
+        partial(_page, "old"),
+        between=(_not_yet(),),
+    )
+    results = frozenset(
+        {"out/results.json", "out/rig-damping.toml"}
+    )  # beside a page that is not drawn yet
+    yield Writer(
+        "campaign run --table xlsx", _campaign, _old_campaign, between=(_not_yet(),), first=results
+    )
+    yield Writer(
+        "inspect import, another record", _imported("lane.csv"), partial(_lane, ("plate.csv",))
+    )
     yield Writer("inspect watch", _watched, partial(_lane, ()))
     again = partial(
-        command, "inspect", "reevaluate", "--store", "lane.sqlite", "--limits", "own.toml", "--workers", "1"
+        command,
+        "inspect",
+        "reevaluate",
+        "--store",
+        "lane.sqlite",
+        "--limits",
+        "own.toml",
+        "--workers",
+        "1",
     )
-    yield Writer("inspect reevaluate", again, partial(_lane, ("lane.csv",), limits=True), again=lambda: again() and 0)
+    yield Writer(
+        "inspect reevaluate",
+        again,
+        partial(_lane, ("lane.csv",), limits=True),
+        again=lambda: again() and 0,
+    )
     yield Writer("compiled code", _compiled, optional=True)
     yield from _pages()
 
@@ -72,14 +98,21 @@ def files(name: str) -> None:
         made.parent.mkdir(exist_ok=True)
         with contextlib.chdir(made.parent), folder_for(name):
             shutil.copytree(".", made, symlinks=True)
-        for unused in ("loop", "rubbish.bin", *(() if name.startswith("inspect") else ("lane.sqlite",))):
+        for unused in (
+            "loop",
+            "rubbish.bin",
+            *(() if name.startswith("inspect") else ("lane.sqlite",)),
+        ):
             (made / unused).unlink()
     shutil.copytree(made, ".", symlinks=True, dirs_exist_ok=True)
 
 
 def _output(name: str, option: str, suffix: str) -> Writer:
     target, is_store = Path(f"x{suffix}"), option == "--store"
-    asked = words((name, option, suffix, "there already" if is_store else "there already, --force"), str(target))
+    asked = words(
+        (name, option, suffix, "there already" if is_store else "there already, --force"),
+        str(target),
+    )
 
     def prepare() -> None:
         files(name)
@@ -233,8 +266,12 @@ def _pages() -> Iterator[Writer]:
 
     yield Writer("workbench: save a rig", told(saved), rig, parts=True)
     yield Writer("workbench: keep a run", told(kept), rig, parts=True)
-    yield Writer("workbench: write a study", told(partial(_study, write_study, Project, study)), rig)
+    yield Writer(
+        "workbench: write a study", told(partial(_study, write_study, Project, study)), rig
+    )
 
 
-def _study(write_study: Callable[..., Any], project: Callable[..., Any], study: dict[str, Any]) -> None:
+def _study(
+    write_study: Callable[..., Any], project: Callable[..., Any], study: dict[str, Any]
+) -> None:
     write_study(project("."), "study.toml", study)

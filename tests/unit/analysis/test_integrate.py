@@ -13,7 +13,9 @@ RATE = 200.0
 
 
 def _run(acceleration: np.ndarray) -> object:  # type: ignore[type-arg]
-    return jn.recording(np.arange(acceleration.size) / RATE, {"body.az": (acceleration, "m/s^2", "")})
+    return jn.recording(
+        np.arange(acceleration.size) / RATE, {"body.az": (acceleration, "m/s^2", "")}
+    )
 
 
 def test_a_known_random_motion_comes_back_in_its_band() -> None:
@@ -35,7 +37,11 @@ def test_a_known_random_motion_comes_back_in_its_band() -> None:
 
 def test_amplitudes_are_right_within_five_per_cent_from_the_stated_frequency_on() -> None:
     t = np.arange(40_000) / RATE
-    for f, least, most in ((0.5 * 19.0 ** (1.0 / 6.0), 0.945, 0.955), (0.5, 0.49, 0.51), (3.0, 0.9999, 1.0001)):
+    for f, least, most in (
+        (0.5 * 19.0 ** (1.0 / 6.0), 0.945, 0.955),
+        (0.5, 0.49, 0.51),
+        (3.0, 0.9999, 1.0001),
+    ):
         w = 2.0 * np.pi * f
         (one,) = jn.integrate_acceleration(_run(-(w**2) * np.sin(w * t)), above=0.5).channels
         share = np.std(one.displacement[4000:-4000]) * np.sqrt(2.0)
@@ -48,7 +54,9 @@ def test_noise_gives_the_stated_errors(motion: str) -> None:
     options = {"random": {"above": 0.5}, "periodic": {"period": 1.0}}.get(motion, {})
     for seed in range(100):
         noise = np.random.default_rng(seed).normal(size=4000) * density * np.sqrt(RATE / 2.0)
-        (one,) = jn.integrate_acceleration(_run(noise), motion=motion, noise=density, **options).channels  # type: ignore[arg-type]
+        (one,) = jn.integrate_acceleration(
+            _run(noise), motion=motion, noise=density, **options
+        ).channels  # type: ignore[arg-type]
         inner = slice(400, -400) if motion == "random" else slice(None)
         squares += [np.mean(one.velocity[inner] ** 2), np.mean(one.displacement[inner] ** 2)]
         errors = np.array([one.velocity_error, one.displacement_error])
@@ -72,7 +80,11 @@ def test_a_transient_returns_to_its_place_whatever_the_sensor_adds() -> None:
     inside = (t > 1.0) & (t < 3.0)
     phase = np.pi * (t - 1.0) / 2.0
     z = np.where(inside, 0.05 * np.sin(phase) ** 4, 0.0)
-    az = np.where(inside, 0.05 * (np.pi / 2.0) ** 2 * (12.0 * np.sin(phase) ** 2 - 16.0 * np.sin(phase) ** 4), 0.0)
+    az = np.where(
+        inside,
+        0.05 * (np.pi / 2.0) ** 2 * (12.0 * np.sin(phase) ** 2 - 16.0 * np.sin(phase) ** 4),
+        0.0,
+    )
     found = jn.integrate_acceleration(_run(az + 0.3 - 0.02 * t), motion="transient")
     (one,) = found.channels
     assert np.abs(one.displacement - z).max() < 1e-5
@@ -100,7 +112,10 @@ def test_periodic_motion_keeps_only_what_repeats_itself() -> None:
 
 def test_results_are_channels_of_the_same_place() -> None:
     t = np.arange(4000) / RATE
-    signals = {"pitch_acceleration": (np.sin(9.0 * t), "rad/s^2", ""), "body.z": (np.sin(t), "m", "")}
+    signals = {
+        "pitch_acceleration": (np.sin(9.0 * t), "rad/s^2", ""),
+        "body.z": (np.sin(t), "m", ""),
+    }
     found = jn.integrate_acceleration(jn.recording(t, signals), above=0.5)
     assert list(found.recording().data_vars) == ["pitch_acceleration", "pitch_rate", "pitch"]
     assert found.recording()["pitch_rate"].attrs["units"] == "rad/s"
@@ -118,8 +133,12 @@ def test_results_are_channels_of_the_same_place() -> None:
         ({}, RecordingError, "drift hides the motion"),
     ],
 )
-def test_what_cannot_be_integrated_is_refused(options: dict[str, object], error: type[Exception], words: str) -> None:
+def test_what_cannot_be_integrated_is_refused(
+    options: dict[str, object], error: type[Exception], words: str
+) -> None:
     walk = np.cumsum(np.random.default_rng(0).normal(size=4000))
-    run = jn.recording(np.arange(4000) / RATE, {"body.az": (walk, "m/s^2", ""), "body.z": (walk, "m", "")})
+    run = jn.recording(
+        np.arange(4000) / RATE, {"body.az": (walk, "m/s^2", ""), "body.z": (walk, "m", "")}
+    )
     with pytest.raises(error, match=words):
         jn.integrate_acceleration(run, **options)  # type: ignore[arg-type]

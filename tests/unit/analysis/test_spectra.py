@@ -14,7 +14,9 @@ from jounce.core.errors import DescriptionError, RecordingError
 def test_a_sine_has_its_mean_square_and_its_peak() -> None:
     t = np.arange(0.0, 100.0, 0.002)
     noise = np.random.default_rng(1).normal(size=t.size)
-    run = jn.recording(t, {"sprung.az": (2.0 * np.sin(2.0 * np.pi * 7.3 * t) + 0.5 * noise, "m/s^2", "")})
+    run = jn.recording(
+        t, {"sprung.az": (2.0 * np.sin(2.0 * np.pi * 7.3 * t) + 0.5 * noise, "m/s^2", "")}
+    )
     (row,) = jn.estimate_spectra(run).channels
     assert row.rms**2 == pytest.approx(2.0 + 0.25, rel=0.01)
     (peak,) = row.peaks
@@ -48,7 +50,11 @@ def test_noise_has_no_peaks() -> None:
 def test_slow_channels_end_the_band_and_constant_ones_stay_out() -> None:
     t = np.arange(6000) / 100.0
     noise = np.random.default_rng(0).normal(size=6000)
-    signals = {"body.az": (noise, "m/s^2", ""), "body.z": (noise, "m", ""), "tyre.force": (0.0 * t, "N", "")}
+    signals = {
+        "body.az": (noise, "m/s^2", ""),
+        "body.z": (noise, "m", ""),
+        "tyre.force": (0.0 * t, "N", ""),
+    }
     run = jn.recording(t, signals)
     run["body.z"].attrs["recorded_rate"] = 50.0
     found = jn.estimate_spectra(run)
@@ -62,7 +68,9 @@ def test_slow_channels_end_the_band_and_constant_ones_stay_out() -> None:
 def test_a_file_is_read(tmp_path: Path) -> None:
     file = tmp_path / "lap.csv"
     t = np.arange(2000) / 200.0
-    rows = "\n".join(f"{a:.4f};{b:.5f}" for a, b in zip(t, np.sin(2.0 * np.pi * 5.0 * t), strict=True))
+    rows = "\n".join(
+        f"{a:.4f};{b:.5f}" for a, b in zip(t, np.sin(2.0 * np.pi * 5.0 * t), strict=True)
+    )
     file.write_text(f"time [s];sprung.az [g]\n{rows}\n")
     found = jn.estimate_spectra(file, "sprung.az", band=(1.0, 20.0))
     assert found.record == str(file)
@@ -81,7 +89,9 @@ def test_a_file_is_read(tmp_path: Path) -> None:
         ({"end": "0.3 s"}, RecordingError, "too short for a spectrum"),
     ],
 )
-def test_what_cannot_be_estimated_is_refused(options: dict[str, object], error: type[Exception], words: str) -> None:
+def test_what_cannot_be_estimated_is_refused(
+    options: dict[str, object], error: type[Exception], words: str
+) -> None:
     run = jn.recording(np.arange(1000) / 100.0, {"body.z": (np.sin(np.arange(1000.0)), "m", "")})
     with pytest.raises(error, match=words):
         jn.estimate_spectra(run, **options)  # type: ignore[arg-type]

@@ -30,7 +30,9 @@ def test_intervals_of_mean_and_rms_hold_the_truth() -> None:
     inside = np.zeros(2)
     for seed in range(200):
         noise = np.random.default_rng(seed).normal(0.5, 2.0, 4000)
-        (row,) = jn.describe_channels(jn.recording(np.arange(4000) / 100.0, {"body.az": (noise, "m/s^2", "")})).channels
+        (row,) = jn.describe_channels(
+            jn.recording(np.arange(4000) / 100.0, {"body.az": (noise, "m/s^2", "")})
+        ).channels
         inside += [row.mean.has(0.5), row.rms.has(np.sqrt(4.25))]
     assert np.all(inside >= 180)
     assert np.all(inside < 200)
@@ -40,9 +42,16 @@ def test_constant_drifting_clipped_and_changing_channels_are_named() -> None:
     rng, t = np.random.default_rng(0), np.arange(20_000) / 1000.0
     noise = rng.normal(size=t.size)
     loud = noise * np.where(t > 19.0, 20.0, 1.0)
-    signals = {"a.az": 0.0 * t + 2.0, "b.az": noise + 0.5 * t, "c.az": np.clip(noise, -1.5, 1.5), "d.az": loud}
+    signals = {
+        "a.az": 0.0 * t + 2.0,
+        "b.az": noise + 0.5 * t,
+        "c.az": np.clip(noise, -1.5, 1.5),
+        "d.az": loud,
+    }
     run = jn.recording(t, {name: (values, "m/s^2", "") for name, values in signals.items()})
-    found = {one.place.rpartition(": ")[2]: one.message for one in jn.describe_channels(run).findings}
+    found = {
+        one.place.rpartition(": ")[2]: one.message for one in jn.describe_channels(run).findings
+    }
     assert "constant" in found["a.az"]
     assert "drifts by 10" in found["b.az"]
     assert "clipped" in found["c.az"]
@@ -74,7 +83,9 @@ def test_wrong_stretches_and_names_are_refused(options: dict[str, str], words: s
 def test_missing_samples_and_gaps_in_time_are_named() -> None:
     t, z = np.arange(100) / 100.0, np.sin(np.arange(100.0))
     z[40] = np.nan
-    with pytest.raises(RecordingError, match=r"1 of 100 samples are missing; found .the first at 0\.4 s"):
+    with pytest.raises(
+        RecordingError, match=r"1 of 100 samples are missing; found .the first at 0\.4 s"
+    ):
         jn.describe_channels(jn.recording(t, {"body.z": (z, "m", "")}))
     late = np.where(np.arange(100) > 50, t + 0.5, t)
     with pytest.raises(RecordingError, match="time step jitters"):

@@ -83,7 +83,9 @@ def test_a_band_without_excitation_is_named() -> None:
     rng = np.random.default_rng(0)
     x = signal.sosfiltfilt(signal.butter(8, 10.0, fs=100.0, output="sos"), rng.normal(size=20_000))
     signals = {"a.z": (x, "m", ""), "b.z": (x + 0.01 * rng.normal(size=x.size), "m", "")}
-    (one,) = jn.estimate_transfer(jn.recording(np.arange(x.size) / 100.0, signals), "b.z", "a.z").findings
+    (one,) = jn.estimate_transfer(
+        jn.recording(np.arange(x.size) / 100.0, signals), "b.z", "a.z"
+    ).findings
     assert one.code == "analysis.low_coherence"
     assert "hardly excites" in one.message
     assert one.sentence("de").startswith("Die Kohärenz liegt")
@@ -98,7 +100,9 @@ def test_a_band_without_excitation_is_named() -> None:
         ({"estimator": "H3"}, DescriptionError, "unknown estimator"),
     ],
 )
-def test_what_cannot_be_estimated_is_refused(options: dict[str, str], error: type[Exception], words: str) -> None:
+def test_what_cannot_be_estimated_is_refused(
+    options: dict[str, str], error: type[Exception], words: str
+) -> None:
     run = _run(0)
     run["still.z"] = run["road.z"] * 0.0
     run["still.z"].attrs = run["road.z"].attrs
@@ -112,7 +116,8 @@ def test_a_peak_that_short_segments_flatten_is_named_and_longer_ones_raise_it() 
     run = jn.recording(t, {"road.z": (road, "m", ""), "unsprung.az": (both[:, 1], "m/s^2", "")})
     truth = abs(TwoMasses(damper=200.0).response(np.linspace(5.0, 20.0, 500))).max(axis=0)[1]
     short, long = (
-        jn.estimate_transfer(run, "unsprung.az", "road.z", segment=segment, band=(2.0, 40.0)) for segment in (1.0, 8.0)
+        jn.estimate_transfer(run, "unsprung.az", "road.z", segment=segment, band=(2.0, 40.0))
+        for segment in (1.0, 8.0)
     )
     assert [one.code for one in short.findings] == ["analysis.flat_peak"]
     assert short.gain.max() < 0.95 * truth

@@ -22,7 +22,9 @@ def entry(**given) -> TrialEntry:
 
 def test_an_arm_is_made_longer_in_one_trial_alone() -> None:
     knowledge = Knowledge(jn.load("kart-double-wishbone"))
-    plain, longer = (rig_of(entry(adjustments=one), knowledge) for one in ({}, {"upper_arm_length": "20 mm"}))
+    plain, longer = (
+        rig_of(entry(adjustments=one), knowledge) for one in ({}, {"upper_arm_length": "20 mm"})
+    )
     assert plain == knowledge.rig
     assert float(np.degrees(longer.wheel.camber - plain.wheel.camber)) == pytest.approx(
         5.0, abs=0.5
@@ -32,7 +34,8 @@ def test_an_arm_is_made_longer_in_one_trial_alone() -> None:
 def test_adjustments_that_the_rig_lacks_are_refused(tmp_path: Path) -> None:
     file = jn.new_campaign(tmp_path / "mine")
     text = file.read_text(encoding="utf-8").replace(
-        'recording = "trials/01.csv"', 'recording = "trials/01.csv"\nadjustments = {upper_arm_length = "20 mm"}'
+        'recording = "trials/01.csv"',
+        'recording = "trials/01.csv"\nadjustments = {upper_arm_length = "20 mm"}',
     )
     file.write_text(text, encoding="utf-8")
     assert load_campaign(file)[0].trial[0].adjustments == {"upper_arm_length": "20 mm"}

@@ -14,10 +14,14 @@ def facts(speed: float, noted: float | None, pulses: float | None = None) -> Tri
     return TrialOnBelt(noted, pulses, speed, None, Passages((0.5, 1.5), (0.99, 0.99), speed, 1.0))
 
 
-def trials(recurrence: float = 1.0, pulses: float | None = 1.0, *, noted: bool = True) -> dict[int, TrialOnBelt]:
+def trials(
+    recurrence: float = 1.0, pulses: float | None = 1.0, *, noted: bool = True
+) -> dict[int, TrialOnBelt]:
     """Trials whose speeds by recurrence and by pulses are so many times the noted ones."""
     return {
-        number: facts(recurrence * speed, speed if noted else None, None if pulses is None else pulses * speed)
+        number: facts(
+            recurrence * speed, speed if noted else None, None if pulses is None else pulses * speed
+        )
         for number, speed in SPEEDS.items()
     }
 
@@ -47,21 +51,35 @@ def test_one_wrong_note_is_no_common_error() -> None:
     assert common_speed_errors({1: facts(2.5, 1.95)}, 1.97) == ([], False)
 
 
-@pytest.mark.parametrize(("first", "second"), [((1.921, 1.95), (1.944, 1.92)), ((3.79, 1.95), (1.95, 3.8))])
-def test_records_exchanged_by_their_speeds(first: tuple[float, float], second: tuple[float, float]) -> None:
+@pytest.mark.parametrize(
+    ("first", "second"), [((1.921, 1.95), (1.944, 1.92)), ((3.79, 1.95), (1.95, 3.8))]
+)
+def test_records_exchanged_by_their_speeds(
+    first: tuple[float, float], second: tuple[float, float]
+) -> None:
     (said,) = exchanged_trials({1: facts(*first), 9: facts(*second), 2: facts(2.86, 2.86)})
     assert said.place == "trials 1 and 9"
 
 
 def test_speeds_noted_badly_are_not_exchanged() -> None:
     assert (
-        exchanged_trials({1: facts(1.99, 1.95), 2: facts(2.00, 2.04), 3: facts(1.951, 1.95), 4: facts(1.921, 1.92)})
+        exchanged_trials(
+            {
+                1: facts(1.99, 1.95),
+                2: facts(2.00, 2.04),
+                3: facts(1.951, 1.95),
+                4: facts(1.921, 1.92),
+            }
+        )
         == []
     )
 
 
 def test_the_length_of_a_belt_follows_from_speeds_and_passages() -> None:
-    met = [([0.3 + k * 1.97 / speed for k in range(5) if k != 2], speed) for speed in (1.95, 2.86, 3.79)]
+    met = [
+        ([0.3 + k * 1.97 / speed for k in range(5) if k != 2], speed)
+        for speed in (1.95, 2.86, 3.79)
+    ]
     length, scatter = loop_length(met)
     assert length == pytest.approx(1.97)
     assert scatter < 1e-9

@@ -8,7 +8,14 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.campaign.characterise import Knowledge, _has_value, _quantity, bench_values, characterise, tyre_of
+from jounce.campaign.characterise import (
+    Knowledge,
+    _has_value,
+    _quantity,
+    bench_values,
+    characterise,
+    tyre_of,
+)
 from jounce.campaign.description import Bench
 from jounce.identify.estimate import Estimate
 from jounce.identify.update import UpdatedParameter
@@ -24,7 +31,9 @@ def curved(*coefficients: float) -> jn.Rig:
 
 
 def fitted(initial: float, value: float) -> UpdatedParameter:
-    return UpdatedParameter(initial, value, None, None, 0.0, 2.0 * value, at_bound=False, unit="N/m")
+    return UpdatedParameter(
+        initial, value, None, None, 0.0, 2.0 * value, at_bound=False, unit="N/m"
+    )
 
 
 @pytest.mark.parametrize("initial", [0.0, 4e6])
@@ -45,7 +54,11 @@ def test_a_start_above_zero_is_scaled_at_each_pressure():
 
 
 def test_a_force_is_no_free_decay():
-    assert [_quantity(f"sprung.{name}") for name in ("z", "vz", "az")] == ["displacement", "velocity", "acceleration"]
+    assert [_quantity(f"sprung.{name}") for name in ("z", "vz", "az")] == [
+        "displacement",
+        "velocity",
+        "acceleration",
+    ]
     with pytest.raises(jn.RecordingError, match=r"channel 'tyre.force': not a motion; found 'N'"):
         _quantity("tyre.force")
 
@@ -79,7 +92,10 @@ def test_a_bench_result_that_is_a_problem_replaces_nothing(tmp_path: Path) -> No
     assert bench_values(found, rig, None) == {}
     assert _has_value(found, "here", (), Estimate(500.0, 249.0, None))
     assert not _has_value(found, "here", (), Estimate(500.0, 251.0, None))
-    assert found.findings[-1].message == "not used, the described value applies: 500 ± 2.5e+02 is no value"
+    assert (
+        found.findings[-1].message
+        == "not used, the described value applies: 500 ± 2.5e+02 is no value"
+    )
 
 
 def test_a_mass_is_added_in_one_trial_only() -> None:

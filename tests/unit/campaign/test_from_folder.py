@@ -23,7 +23,9 @@ body = {measures = "sprung.az", sensitivity = "100 mV/g"}
 TABLE = "trial,speed [m/s],angle [deg],pressure [MPa],profile\n1,1.95,26,0.31,A\n2,2.86,,,\n3,3.79,16,0.25,B 0.10\n"
 
 
-def _record(file: Path, columns: str = "time [s],body [V]", rate: float = 1000.0, before: str = "") -> None:
+def _record(
+    file: Path, columns: str = "time [s],body [V]", rate: float = 1000.0, before: str = ""
+) -> None:
     time = np.arange(2000) / rate
     rows = "\n".join(f"{t:.4f},{v:.4f}" for t, v in zip(time, np.sin(40.0 * time), strict=True))
     file.write_text(f"{before}{columns}\n{rows}\n", encoding="utf-8")
@@ -52,7 +54,9 @@ HEADINGS = {
 
 @pytest.mark.parametrize("language", HEADINGS)
 @pytest.mark.parametrize("encoding", ["utf-8", "cp1250"])
-def test_a_table_in_another_language_gives_the_same_trials(tmp_path: Path, language: str, encoding: str) -> None:
+def test_a_table_in_another_language_gives_the_same_trials(
+    tmp_path: Path, language: str, encoding: str
+) -> None:
     head = HEADINGS[language]
     if encoding == "cp1250" and language in ("spanish", "short"):
         pytest.skip("no letters of that code page")
@@ -62,7 +66,9 @@ def test_a_table_in_another_language_gives_the_same_trials(tmp_path: Path, langu
     if mark == ";":
         cells = [[cell.replace(".", ",") for cell in row] for row in cells]
     file = tmp_path / "table.csv"
-    file.write_bytes(("\n".join([head, *(mark.join(row) for row in cells)]) + "\n").encode(encoding))
+    file.write_bytes(
+        ("\n".join([head, *(mark.join(row) for row in cells)]) + "\n").encode(encoding)
+    )
     trials = read_trials(file)
     assert [(row.number, row.speed, row.pitch) for row in trials] == [
         (1, 1.95, None), (2, 2.86, None), (4, 1.97, 0.1), (9, 1.92, None),
@@ -74,13 +80,24 @@ def test_a_table_in_another_language_gives_the_same_trials(tmp_path: Path, langu
 
 def test_units_of_a_table_may_stand_in_a_row_of_their_own(tmp_path: Path) -> None:
     file = tmp_path / "table.csv"
-    file.write_text("Run No.,Belt speed,Damper angle,Tyre pressure\n,km/h,deg,psi\n7,7.2,26,45\n", encoding="utf-8")
+    file.write_text(
+        "Run No.,Belt speed,Damper angle,Tyre pressure\n,km/h,deg,psi\n7,7.2,26,45\n",
+        encoding="utf-8",
+    )
     (row,) = read_trials(file)
-    assert (row.number, row.speed, row.pressure) == (7, pytest.approx(2.0), pytest.approx(310264.0, rel=1e-5))
+    assert (row.number, row.speed, row.pressure) == (
+        7,
+        pytest.approx(2.0),
+        pytest.approx(310264.0, rel=1e-5),
+    )
 
 
-def test_a_column_and_a_profile_that_are_not_understood_are_named(lab: Path, tmp_path: Path) -> None:
-    (lab / "table.csv").write_text("trial,speed,remark,profile\n1,1.95,warm,A\n2,2.86,,ramp\n", encoding="utf-8")
+def test_a_column_and_a_profile_that_are_not_understood_are_named(
+    lab: Path, tmp_path: Path
+) -> None:
+    (lab / "table.csv").write_text(
+        "trial,speed,remark,profile\n1,1.95,warm,A\n2,2.86,,ramp\n", encoding="utf-8"
+    )
     made = jn.campaign_from_folder(tmp_path / "made", lab)
     told = {item.code: str(item) for item in made.findings}
     assert "remark" in told["campaign.columns_not_read"]
@@ -93,7 +110,9 @@ def test_weights_are_forces_where_there_is_a_displacement(lab: Path, tmp_path: P
     rows = "\n".join(f"{x:.2f};{23.0 * x / 9.80665:.4f}".replace(".", ",") for x in way)
     (lab / "resorte1.csv").write_text("desplazamiento (mm);carga (kg)\n" + rows, encoding="utf-8")
     rows = "\n".join(f"{x:.2f};{140.0 * x / 9.80665:.4f}".replace(".", ",") for x in way)
-    (lab / "neumático_45psi.csv").write_text("desplazamiento (mm);carga (kg)\n" + rows, encoding="utf-8")
+    (lab / "neumático_45psi.csv").write_text(
+        "desplazamiento (mm);carga (kg)\n" + rows, encoding="utf-8"
+    )
     made = jn.campaign_from_folder(tmp_path / "made", lab)
     kinds = {item.file.name: item.kind for item in made.files}
     assert (kinds["resorte1.csv"], kinds["neumático_45psi.csv"]) == ("spring", "tyre")
@@ -102,10 +121,14 @@ def test_weights_are_forces_where_there_is_a_displacement(lab: Path, tmp_path: P
     assert '[bench.tyre."0.31 MPa"]' in text  # 45 psi are what the table rounds to 0.31 MPa
 
 
-def test_a_time_without_a_unit_and_one_in_the_header_are_understood(lab: Path, tmp_path: Path) -> None:
+def test_a_time_without_a_unit_and_one_in_the_header_are_understood(
+    lab: Path, tmp_path: Path
+) -> None:
     _record(lab / "run1.csv", "t,body", rate=2000.0)
     rows = "\n".join(f"{v:.4f}\t{v:.4f}" for v in np.sin(0.02 * np.arange(2000)))
-    (lab / "run2.csv").write_text(f"Run: 2\nSample rate: 2 kHz\nch1: body, V\n\nch1\tch2\n{rows}\n", encoding="utf-8")
+    (lab / "run2.csv").write_text(
+        f"Run: 2\nSample rate: 2 kHz\nch1: body, V\n\nch1\tch2\n{rows}\n", encoding="utf-8"
+    )
     made = jn.campaign_from_folder(tmp_path / "made", lab)
     trials = {item.number: item for item in made.files if item.kind == "trial"}
     assert trials[1].time == "t [s]"
@@ -142,7 +165,10 @@ def test_a_repeat_and_a_stray_record_cost_no_trial_its_number(lab: Path, tmp_pat
 
 def test_decays_at_other_angles_than_the_rigs_are_left_out(lab: Path, tmp_path: Path) -> None:
     time = np.arange(4000) / 1000.0
-    rows = "\n".join(f"{t:.3f},{v:.5f}" for t, v in zip(time, np.exp(-3.0 * time) * np.cos(32.0 * time), strict=True))
+    rows = "\n".join(
+        f"{t:.3f},{v:.5f}"
+        for t, v in zip(time, np.exp(-3.0 * time) * np.cos(32.0 * time), strict=True)
+    )
     for angle in (16, 26):
         (lab / f"bounce_{angle}deg.csv").write_text("time [s],body [V]\n" + rows, encoding="utf-8")
     made = jn.campaign_from_folder(tmp_path / "made", lab)
@@ -168,7 +194,9 @@ def test_a_record_of_another_rate_is_named(lab: Path, tmp_path: Path) -> None:
     assert told.value == pytest.approx(500.0)
 
 
-def test_a_doubtful_test_and_one_with_other_headings_leave_the_others_alone(lab: Path, tmp_path: Path) -> None:
+def test_a_doubtful_test_and_one_with_other_headings_leave_the_others_alone(
+    lab: Path, tmp_path: Path
+) -> None:
     way = np.linspace(0.0, 10.0, 21)
 
     def write(name: str, rate: float, columns: str = "Einfederung [mm],Radlast [N]") -> None:
@@ -184,14 +212,23 @@ def test_a_doubtful_test_and_one_with_other_headings_leave_the_others_alone(lab:
     assert places["campaign.doubtful_test_left_out"] == "tyre_0.31MPa_9.csv"
     assert places["campaign.other_columns"] == "tyre_0.31MPa_3.csv"
     text = made.campaign.read_text(encoding="utf-8")
-    assert [name in text for name in ("MPa_1", "MPa_2", "MPa_3", "MPa_9")] == [True, True, False, False]
+    assert [name in text for name in ("MPa_1", "MPa_2", "MPa_3", "MPa_9")] == [
+        True,
+        True,
+        False,
+        False,
+    ]
 
 
 def test_columns_of_the_settings_that_no_record_has_are_named(lab: Path, tmp_path: Path) -> None:
-    settings = SETTINGS.replace('"1.97 m"}', '"1.97 m", radius = "50 mm", pulses = 12, column = "photo"}')
+    settings = SETTINGS.replace(
+        '"1.97 m"}', '"1.97 m", radius = "50 mm", pulses = 12, column = "photo"}'
+    )
     (lab / "settings.toml").write_text(settings.replace("body =", "bodi ="), encoding="utf-8")
     made = jn.campaign_from_folder(tmp_path / "made", lab)
-    told = {item.place: str(item) for item in made.findings if item.code == "campaign.no_such_column"}
+    told = {
+        item.place: str(item) for item in made.findings if item.code == "campaign.no_such_column"
+    }
     assert set(told) == {"channels.bodi", "belt.column"}
     assert "the records have body" in told["channels.bodi"]
 
@@ -200,13 +237,17 @@ def test_pulses_without_a_belt_column_are_named(lab: Path, tmp_path: Path) -> No
     time = np.arange(3000) / 1000.0
     for number in (1, 2, 3):
         rows = "\n".join(f"{t:.4f},{np.sin(40.0 * t):.4f},{5.0 * (t % 0.1 < 0.04)}" for t in time)
-        (lab / f"run{number}.csv").write_text(f"time [s],body [V],photo [V]\n{rows}\n", encoding="utf-8")
+        (lab / f"run{number}.csv").write_text(
+            f"time [s],body [V],photo [V]\n{rows}\n", encoding="utf-8"
+        )
     made = jn.campaign_from_folder(tmp_path / "made", lab)
     (told,) = [item for item in made.findings if item.code == "campaign.pulses_not_used"]
     assert "photo [V]" in str(told)
 
 
-def test_the_damping_of_the_tyre_is_fitted_where_nobody_measured_it(lab: Path, tmp_path: Path) -> None:
+def test_the_damping_of_the_tyre_is_fitted_where_nobody_measured_it(
+    lab: Path, tmp_path: Path
+) -> None:
     made = jn.campaign_from_folder(tmp_path / "made", lab)
     assert '"tyre.damping_coefficient" = ["0 N*s/m"' in made.campaign.read_text(encoding="utf-8")
     (lab / "settings.toml").write_text('rig = "kart-quarter-car"\n' + SETTINGS, encoding="utf-8")

@@ -29,7 +29,10 @@ def test_each_model_is_judged(found: ModelChoice) -> None:
     assert min(row.bic for row in found.models) == 0.0
     assert [row.aic for row in found.models] == sorted(row.aic for row in found.models)
     rows = {row.model: row for row in found.models}
-    assert rows["one tyre stiffness"].parameters == rows["one tyre stiffness, no friction"].parameters + 1
+    assert (
+        rows["one tyre stiffness"].parameters
+        == rows["one tyre stiffness, no friction"].parameters + 1
+    )
     assert all(row.trials == 2 for row in found.models)
 
 

@@ -41,7 +41,9 @@ def test_each_statement_has_a_verdict(result: CampaignResult) -> None:
     }
     update = result.strategies[0].update
     assert rows["reduction"].ours == f"{update.reduction_percent:.1f} %"
-    assert (rows["reduction"].verdict == "reproduced") == (abs(update.reduction_percent - 95.0) <= 10.0)
+    assert (rows["reduction"].verdict == "reproduced") == (
+        abs(update.reduction_percent - 95.0) <= 10.0
+    )
     assert rows["iterations"].ours == str(update.iterations)
     assert rows["represents"].verdict == "reproduced"
     assert rows["tyre.stiffness"].verdict == "not reproduced"

@@ -20,10 +20,18 @@ def test_numbers_agree_with_a_plain_simulation(sweep):
     one = sweep.sel(speed=2.0)
     run = jn.simulate(RIG, jn.Trial(road=OBSTACLE, speed=2.0, duration="2 s"), tolerance=1e-7)
     body = run["sprung.z"] - run["sprung.z"][0]
-    assert float(one["peak_body_displacement"]) == pytest.approx(float(np.abs(body).max()), rel=1e-4)
-    assert float(one["peak_body_acceleration"]) == pytest.approx(float(np.abs(run["sprung.az"]).max()), rel=1e-4)
-    assert float(one["peak_wheel_acceleration"]) == pytest.approx(float(np.abs(run["unsprung.az"]).max()), rel=1e-4)
-    assert float(one["lift_off_time"]) == pytest.approx(1e-3 * int((run["tyre.force"] == 0.0).sum()), abs=1.1e-3)
+    assert float(one["peak_body_displacement"]) == pytest.approx(
+        float(np.abs(body).max()), rel=1e-4
+    )
+    assert float(one["peak_body_acceleration"]) == pytest.approx(
+        float(np.abs(run["sprung.az"]).max()), rel=1e-4
+    )
+    assert float(one["peak_wheel_acceleration"]) == pytest.approx(
+        float(np.abs(run["unsprung.az"]).max()), rel=1e-4
+    )
+    assert float(one["lift_off_time"]) == pytest.approx(
+        1e-3 * int((run["tyre.force"] == 0.0).sum()), abs=1.1e-3
+    )
 
 
 @pytest.mark.parametrize("path", ["strut.spring.rate", "strut.damper.coefficient"])
@@ -32,7 +40,9 @@ def test_sensitivity_is_the_derivative_by_the_logarithm(sweep, path):
     value, share = RIG.parameters()[path], 1e-3
     trial = jn.Trial(road=OBSTACLE, speed=2.0, duration="2 s")
     plus, minus = (
-        jn.simulate(RIG.with_changes({path: value * factor}), trial, tolerance=1e-8)["sprung.az"].to_numpy()
+        jn.simulate(RIG.with_changes({path: value * factor}), trial, tolerance=1e-8)[
+            "sprung.az"
+        ].to_numpy()
         for factor in (1.0 + share, 1.0 - share)
     )
     expected = np.sqrt(np.mean(((plus - minus) / (2.0 * share)) ** 2))
@@ -57,13 +67,17 @@ def test_the_body_answers_most_at_middle_speeds(sweep):
         worst = float(signal.idxmax("speed"))
         assert 2.2 < worst < 3.2
         ends = [float(signal.sel(speed=v, method="nearest")) for v in (1.95, 3.79)]
-        assert max(ends) < float(signal.max()) < 1.25 * min(ends)  # more there, yet by some per cent only
+        assert (
+            max(ends) < float(signal.max()) < 1.25 * min(ends)
+        )  # more there, yet by some per cent only
 
 
 def test_contact_does_not_change_its_kind_over_one_obstacle(sweep):
     assert set(sweep["contact_events"].to_numpy()) == {6.0}  # three times off, three times back
     steps = np.abs(np.diff(sweep["relative_sensitivity"].to_numpy(), axis=0))
-    assert steps.max() < 0.1 * float(sweep["relative_sensitivity"].max())  # no peak between the tested speeds
+    assert steps.max() < 0.1 * float(
+        sweep["relative_sensitivity"].max()
+    )  # no peak between the tested speeds
 
 
 @pytest.mark.parametrize("pitch", [0.10, 0.15, 0.20])
@@ -74,9 +88,13 @@ def test_a_train_is_critical_where_the_wheel_falls_in_step_with_it(pitch):
     assert 5.0 < float(found.max() / found.median()) < 9.0
     assert 0.01 * int((found > 0.5 * found.max()).sum()) < 0.1  # m/s
     critical = float(found.idxmax("speed"))
-    assert 14.6 < float(sweep["pass_frequency"].sel(speed=critical)) < 15.5  # the same time between obstacles
+    assert (
+        14.6 < float(sweep["pass_frequency"].sel(speed=critical)) < 15.5
+    )  # the same time between obstacles
     leap = {  # from the first to the last obstacle, a little faster and a little slower
-        side: jn.simulate(RIG, jn.Trial(road=train, speed=critical + side, duration="0.8 s"))["unsprung.z"]
+        side: jn.simulate(RIG, jn.Trial(road=train, speed=critical + side, duration="0.8 s"))[
+            "unsprung.z"
+        ]
         for side in (0.05, -0.05)
     }
     assert float(leap[0.05].max()) > 1.35 * float(leap[-0.05].max())

@@ -47,17 +47,27 @@ def test_trials_are_ordered_by_what_is_set_up(sheet: TestSheet) -> None:
 def test_peaks_are_those_of_a_run(sheet: TestSheet, tmp_path: Path) -> None:
     first = next(trial for trial in sheet.trials if trial.number == 1)
     rig = jn.load("kart-quarter-car").with_changes(
-        {"strut.spring.rate": "22 N/mm", "tyre.stiffness": "138 N/mm", "strut.damper.coefficient": "150 N*s/m"}
+        {
+            "strut.spring.rate": "22 N/mm",
+            "tyre.stiffness": "138 N/mm",
+            "strut.damper.coefficient": "150 N*s/m",
+        }
     )
     road = jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m", recurrence="1.97 m")
     run = jn.simulate(rig, jn.Trial(road=road, speed="1.95 m/s", duration="1 s"), start="periodic")
-    assert first.peaks["unsprung.az"] == pytest.approx(float(abs(run["unsprung.az"]).max()), rel=0.05)
+    assert first.peaks["unsprung.az"] == pytest.approx(
+        float(abs(run["unsprung.az"]).max()), rel=0.05
+    )
     assert first.returns == pytest.approx(1.97 / 1.95)
 
 
 def test_a_train_teaches_more_than_one_obstacle(sheet: TestSheet) -> None:
     taught = {trial.number: trial.teaches for trial in sheet.trials}
-    assert set(taught[1]) == set(taught[4]) >= {"strut.spring.rate", "tyre.stiffness", "guide.friction.force"}
+    assert (
+        set(taught[1])
+        == set(taught[4])
+        >= {"strut.spring.rate", "tyre.stiffness", "guide.friction.force"}
+    )
     assert all(taught[4][path] < taught[1][path] for path in taught[1])
 
 

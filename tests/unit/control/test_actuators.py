@@ -10,7 +10,14 @@ from scipy.linalg import expm
 from jounce.control import ActiveActuator, MagnetorheologicalDamper, SemiActiveDamper
 from jounce.control.actuators import Instant
 
-TANH = {"kind": "tanh", "coefficient": 400.0, "stiffness": 800.0, "force": 60.0, "slope": 25.0, "offset": 30.0}
+TANH = {
+    "kind": "tanh",
+    "coefficient": 400.0,
+    "stiffness": 800.0,
+    "force": 60.0,
+    "slope": 25.0,
+    "offset": 30.0,
+}
 TANH |= {"displacement_coupling": 2.0}
 BOUC = {
     "kind": "bouc-wen",
@@ -25,7 +32,12 @@ STATIC = 0.05
 
 def instant(actuator, velocity: float, deflection: float = 0.0) -> Instant:
     low, high = actuator.limits
-    numbers = {**actuator.plant_numbers, "minimum": low, "maximum": high, "static_deflection": STATIC}
+    numbers = {
+        **actuator.plant_numbers,
+        "minimum": low,
+        "maximum": high,
+        "static_deflection": STATIC,
+    }
     seen = {"strut.velocity": velocity, "strut.deflection": deflection}
     return Instant(lambda name: ca.SX(seen[name]), lambda name: ca.SX(numbers[name]), ca.SX(0.0))
 
@@ -46,7 +58,9 @@ def test_a_voltage_lies_between_the_two_laws(velocity: float) -> None:
     for voltage in (0.0, 2.0, 5.0):
         expected = off_force + (on_force - off_force) * voltage / 5.0
         assert float(damper.force_of(ca.SX(voltage), now)) == pytest.approx(expected, rel=1e-12)
-        assert float(damper.command_for_force(ca.SX(expected), now)) == pytest.approx(voltage, abs=1e-9)
+        assert float(damper.command_for_force(ca.SX(expected), now)) == pytest.approx(
+            voltage, abs=1e-9
+        )
     beyond = off_force + 1.5 * (on_force - off_force)
     assert float(damper.command_for_force(ca.SX(beyond), now)) == 5.0
 
@@ -55,14 +69,19 @@ def test_a_hysteretic_force_that_is_not_measured_turns_over_with_the_velocity() 
     damper = MagnetorheologicalDamper(off=BOUC, on={**BOUC, "hysteretic_force": 900.0}, maximum=5.0)
     for velocity in (-0.3, -0.01, 0.02):
         force = float(damper.force_of(ca.SX(5.0), instant(damper, velocity)))
-        assert force == pytest.approx(900.0 * velocity + 900.0 * np.tanh(velocity / 0.02), rel=1e-12)
+        assert force == pytest.approx(
+            900.0 * velocity + 900.0 * np.tanh(velocity / 0.02), rel=1e-12
+        )
 
 
 def test_a_semi_active_damper_never_drives() -> None:
     damper = SemiActiveDamper(minimum=300.0, maximum=4000.0)
     now = instant(damper, -0.2)
     assert float(damper.force_of(ca.SX(1000.0), now)) == -200.0
-    commands = [float(damper.command_for_force(ca.SX(force), now)) for force in (-200.0, 200.0, -20.0, -2000.0)]
+    commands = [
+        float(damper.command_for_force(ca.SX(force), now))
+        for force in (-200.0, 200.0, -20.0, -2000.0)
+    ]
     assert commands == pytest.approx([1000.0, 300.0, 300.0, 4000.0], rel=1e-9)
 
 
@@ -70,7 +89,9 @@ def test_an_active_actuator_gives_its_command_within_its_limits() -> None:
     actuator = ActiveActuator(force_limit=1500.0)
     now = instant(actuator, 0.3)
     assert float(actuator.force_of(ca.SX(-700.0), now)) == -700.0
-    commands = [float(actuator.command_for_force(ca.SX(force), now)) for force in (-2000.0, 700.0, 2000.0)]
+    commands = [
+        float(actuator.command_for_force(ca.SX(force), now)) for force in (-2000.0, 700.0, 2000.0)
+    ]
     assert commands == [-1500.0, 700.0, 1500.0]
 
 
@@ -86,5 +107,9 @@ def test_own_states_of_an_actuator_answer_a_step_by_their_closed_form(ratio: flo
     assert found[1] == pytest.approx(w * decay * swing, rel=1e-9)
     a, b = ActiveActuator(lag=0.01).equations
     assert (a.item(), b.item()) == (-100.0, 100.0)
-    orders = [ActiveActuator(bandwidth=20.0).order, ActiveActuator(lag=0.01).order, ActiveActuator(lag=0.0).order]
+    orders = [
+        ActiveActuator(bandwidth=20.0).order,
+        ActiveActuator(lag=0.01).order,
+        ActiveActuator(lag=0.0).order,
+    ]
     assert orders == [2, 1, 0]

@@ -27,8 +27,21 @@ from jounce.control import (
 )
 from jounce.control.actuators import Instant
 from jounce.control.controller import TwoStateLaw
-from jounce.control.design import H_INFINITY_CHANNELS, _find_least_bound, corner_equations, corner_outputs
-from jounce.control.laws import LQG, SHADD, Groundhook, HInfinity, Hybrid, TwoStateGroundhook, TwoStateSkyhook
+from jounce.control.design import (
+    H_INFINITY_CHANNELS,
+    _find_least_bound,
+    corner_equations,
+    corner_outputs,
+)
+from jounce.control.laws import (
+    LQG,
+    SHADD,
+    Groundhook,
+    HInfinity,
+    Hybrid,
+    TwoStateGroundhook,
+    TwoStateSkyhook,
+)
 from jounce.control.preview import PreviewMPC, _actuator_functions, _horizon
 from jounce.control.program import program, sensor_noise, values
 from jounce.core.errors import DescriptionError
@@ -64,7 +77,9 @@ def test_open_limits_come_from_the_corner() -> None:
     assert ActiveActuator().complete_for(CORNER).limits == pytest.approx((-1962.0, 1962.0))
     undamped = CornerModel(400.0, 40.0, 25e3, 200e3, 0.0)
     typical = 2.0 * 0.3 * math.sqrt(25e3 * 400.0)  # a damping ratio of 0.3
-    assert SemiActiveDamper().complete_for(undamped).limits == pytest.approx((typical / 5.0, typical / 1500.0 * 4000.0))
+    assert SemiActiveDamper().complete_for(undamped).limits == pytest.approx(
+        (typical / 5.0, typical / 1500.0 * 4000.0)
+    )
 
 
 @pytest.mark.parametrize("parting", [-0.4, 0.3])
@@ -72,11 +87,18 @@ def test_open_limits_come_from_the_corner() -> None:
 @pytest.mark.parametrize("body", [-0.2, 0.1])
 def test_laws_are_what_their_words_say(body: float, wheel: float, parting: float) -> None:
     numbers = {"damping_coefficient": 4000.0, "skyhook_share": 0.3}
-    seen = {"sprung.vz": body, "unsprung.vz": wheel, "strut.velocity": -parting, "sprung.az": 2.0 * body}
+    seen = {
+        "sprung.vz": body,
+        "unsprung.vz": wheel,
+        "strut.velocity": -parting,
+        "sprung.az": 2.0 * body,
+    }
     now = Instant(lambda name: ca.SX(seen[name]), lambda name: ca.SX(numbers[name]), ca.SX(0.0))
     sky, ground = (force if force * parting > 0.0 else 0.0 for force in (body, -wheel))
     forces = [float(law().force(now)) for law in (Skyhook, Groundhook, Hybrid)]
-    assert forces == pytest.approx([-4000.0 * body, 4000.0 * wheel, -4000.0 * (0.3 * sky + 0.7 * ground)])
+    assert forces == pytest.approx(
+        [-4000.0 * body, 4000.0 * wheel, -4000.0 * (0.3 * sky + 0.7 * ground)]
+    )
     ideal = Hybrid(actuator=ActiveActuator(force_limit=1e5))
     assert float(ideal.force(now)) == pytest.approx(-4000.0 * (0.3 * body - 0.7 * wheel))
     firm = [float(law().product(now)) for law in (TwoStateSkyhook, TwoStateGroundhook, ADD)]
@@ -89,11 +111,20 @@ def test_laws_are_what_their_words_say(body: float, wheel: float, parting: float
 
 def test_pid_of_an_even_acceleration_and_at_its_limit() -> None:
     """Of a ramp the filtered derivative becomes its slope; what is missed at a limit comes off the integral."""
-    law = PID(proportional=3000.0, integral=2000.0, derivative=50.0, rate=200.0, filter_time=0.02, tracking_time=0.1)
+    law = PID(
+        proportional=3000.0,
+        integral=2000.0,
+        derivative=50.0,
+        rate=200.0,
+        filter_time=0.02,
+        tracking_time=0.1,
+    )
     corner = CornerModel(400.0, 40.0, 25e3, 200e3, 1500.0, motion_ratio=0.8)
     period, slope, memory = 1.0 / 200.0, 1.5, (0.0, 0.0, 0.0)
 
-    def decided(velocity: float, memory: tuple[float, ...], limit: float) -> tuple[float, tuple[float, ...]]:
+    def decided(
+        velocity: float, memory: tuple[float, ...], limit: float
+    ) -> tuple[float, tuple[float, ...]]:
         numbers = {**law.numbers(corner), "minimum": -limit, "maximum": limit}
         kept = [ca.SX(value) for value in memory]
         look = (lambda _: ca.SX(velocity)), (lambda name: ca.SX(numbers[name]))
@@ -120,14 +151,19 @@ def test_pid_of_an_even_acceleration_and_at_its_limit() -> None:
     tolerance="rounding, through ill-conditioned plans",
     compares="first force of a plan without limits is that of the regulator",
 )
-@pytest.mark.parametrize(("lag", "price"), [(0.0, 0.0), (0.0, 2e-7), (0.006, 1e-3 / 400.0**2), (0.006, 2e-7)])
+@pytest.mark.parametrize(
+    ("lag", "price"), [(0.0, 0.0), (0.0, 2e-7), (0.006, 1e-3 / 400.0**2), (0.006, 2e-7)]
+)
 def test_a_plan_without_limits_begins_with_the_regulator(lag: float, price: float) -> None:
     """Whatever the horizon, for its end costs what the regulator would; behind a lag a force has a price of its own."""
     weights, period, steps = (900.0, 30000.0), 1.0 / 200.0, 6
     a, b, _ = corner_equations(CORNER)
     c, d = corner_outputs(CORNER, ("sprung.az",))
     if lag:
-        a, b = np.block([[a, b], [np.zeros((1, 4)), -1.0 / lag]]), np.vstack([np.zeros((4, 1)), 1.0 / lag])
+        a, b = (
+            np.block([[a, b], [np.zeros((1, 4)), -1.0 / lag]]),
+            np.vstack([np.zeros((4, 1)), 1.0 / lag]),
+        )
         c, d = np.hstack([c, d]), 0.0 * d
     n = len(a)
     whole = expm(period * np.block([[a, b], [np.zeros((1, n + 1))]]))
@@ -159,19 +195,26 @@ def test_an_h_infinity_law_that_asks_for_nothing_is_the_damper_itself() -> None:
 
 
 @pytest.mark.parametrize(
-    ("lag", "late", "mean_late"), [(0.01, math.exp(-0.5), 2.0 - 2.0 * math.exp(-0.5)), (0.0, 0.0, 0.0)]
+    ("lag", "late", "mean_late"),
+    [(0.01, math.exp(-0.5), 2.0 - 2.0 * math.exp(-0.5)), (0.0, 0.0, 0.0)],
 )
-def test_an_observer_knows_the_lag_of_its_actuator(lag: float, late: float, mean_late: float) -> None:
+def test_an_observer_knows_the_lag_of_its_actuator(
+    lag: float, late: float, mean_late: float
+) -> None:
     numbers = LQG(rate=200.0, actuator=ActiveActuator(lag=lag)).numbers(CORNER)
     assert (numbers["late"], numbers["mean_late"]) == pytest.approx((late, mean_late), rel=1e-12)
 
 
 def test_a_plan_knows_what_a_magnetorheological_damper_can_give() -> None:
-    damper = MagnetorheologicalDamper(off=TANH, on={**TANH, "coefficient": 900.0, "force": 800.0}, maximum=5.0)
+    damper = MagnetorheologicalDamper(
+        off=TANH, on={**TANH, "coefficient": 900.0, "force": 800.0}, maximum=5.0
+    )
     velocity = np.array([0.1, 0.3])
     low, high = _actuator_functions(damper, CORNER, 2)[0](velocity, np.zeros(2))
     np.testing.assert_allclose(low, 400.0 * velocity + 60.0 * np.tanh(25.0 * velocity), rtol=1e-12)
-    np.testing.assert_allclose(high, 900.0 * velocity + 800.0 * np.tanh(25.0 * velocity), rtol=1e-12)
+    np.testing.assert_allclose(
+        high, 900.0 * velocity + 800.0 * np.tanh(25.0 * velocity), rtol=1e-12
+    )
 
 
 def test_controller_from_a_file(tmp_path: Path) -> None:
@@ -218,7 +261,10 @@ def test_bad_files_are_refused(tmp_path: Path, text: str, message: str) -> None:
     ("make", "message"),
     [
         (lambda: controller("skyhok"), r"unknown controller 'skyhok'.*Did you mean 'skyhook'"),
-        (lambda: SemiActiveDamper(minimum=4000.0, maximum=300.0), "maximum = 300 N.s/m does not lie above"),
+        (
+            lambda: SemiActiveDamper(minimum=4000.0, maximum=300.0),
+            "maximum = 300 N.s/m does not lie above",
+        ),
         (lambda: SemiActiveDamper(lag=-0.01), "lag: out of range; found -0.01"),
         (lambda: SemiActiveDamper(rate_limit=0.0), "rate_limit"),
         (lambda: ActiveActuator(lag=0.01, bandwidth=20.0), "both lag and bandwidth"),
@@ -228,7 +274,10 @@ def test_bad_files_are_refused(tmp_path: Path, text: str, message: str) -> None:
         (lambda: Skyhook(noise={"sprung.colour": 1.0}), "sprung.colour"),
         (lambda: Skyhook(noise={"sprung.az": "1 mm"}), "sprung.az"),
         (lambda: Skyhook(noise={"sprung.az": -1.0}), "below 0"),
-        (lambda: MagnetorheologicalDamper(off=TANH, on={**TANH, "kind": "magic"}, maximum=5.0), "magic"),
+        (
+            lambda: MagnetorheologicalDamper(off=TANH, on={**TANH, "kind": "magic"}, maximum=5.0),
+            "magic",
+        ),
         (lambda: PythonControl(function=3), "function"),
         (lambda: as_controller(3), "not a controller"),
     ],
@@ -261,7 +310,10 @@ def test_a_function_is_a_controller() -> None:
 
 def test_noise_by_channel_and_corner() -> None:
     noise = sensor_noise(
-        {"sprung.az": 0.1, "rear.sprung.az": 0.5}, 1, ("front.sprung.az", "rear.sprung.az", "x.y"), 20000
+        {"sprung.az": 0.1, "rear.sprung.az": 0.5},
+        1,
+        ("front.sprung.az", "rear.sprung.az", "x.y"),
+        20000,
     )
     assert noise.std(axis=0) == pytest.approx([0.1, 0.5, 0.0], rel=0.02)
     assert sensor_noise({}, 1, ("sprung.az",), 10).shape == (0, 1)
@@ -274,7 +326,9 @@ def test_a_controller_is_one_class(monkeypatch: pytest.MonkeyPatch) -> None:
         """Firm where the spring gives energy to the body."""
 
         law: Literal["power-driven"] = "power-driven"
-        catalogue: ClassVar = {"power-driven": ("firm where the spring gives energy to the body", SemiActiveDamper())}
+        catalogue: ClassVar = {
+            "power-driven": ("firm where the spring gives energy to the body", SemiActiveDamper())
+        }
 
         def product(self, now: Instant) -> object:
             return -now.seen("strut.deflection") * now.extension_rate
@@ -285,7 +339,9 @@ def test_a_controller_is_one_class(monkeypatch: pytest.MonkeyPatch) -> None:
     assert made.channels == ("strut.deflection", "strut.velocity")
     numbers = values({"": law}, {"": CORNER}, made.numbers)
     command = made.function([0.0], [-0.01, -0.2, 0.0], numbers, [])
-    assert float(command[0]) == pytest.approx(4000.0), "the spring is extended, and the strut extends"
+    assert float(command[0]) == pytest.approx(4000.0), (
+        "the spring is extended, and the strut extends"
+    )
 
 
 @pytest.mark.parametrize("least", [0.037, 0.8, 5.0, 700.0])

@@ -40,14 +40,21 @@ def run(file, **changes):
 def test_what_an_fmu_says_of_itself(tmp_path, version) -> None:
     file = fmu_component.write(tmp_path / "a.fmu", version, b"no library")
     found = jn.read_fmu(file)
-    assert (found.version, found.name, found.platforms) == (version, "component", (this_platform(),))
+    assert (found.version, found.name, found.platforms) == (
+        version,
+        "component",
+        (this_platform(),),
+    )
     assert [v.name for v in found.inputs] == ["v_body", "v_strut", "spare", "deflection", "rate"]
     assert found.can_step
     assert not found.can_be_integrated
     assert not found.findings
     by_name = {v.name: v for v in (*found.inputs, *found.outputs, *found.parameters)}
     assert found.conversion(by_name["v_body"], "m/s") == (pytest.approx(1000.0), 0.0)
-    assert found.conversion(by_name["v_strut"], "m/s") == (1.0, 0.0)  # without its base: by its name
+    assert found.conversion(by_name["v_strut"], "m/s") == (
+        1.0,
+        0.0,
+    )  # without its base: by its name
     assert found.conversion(by_name["spare"], "N") == (1.0, 0.0)
     assert found.to_dict()["inputs"][0]["unit"] == "mm/s"
 
@@ -63,10 +70,15 @@ def test_a_unit_with_an_offset(tmp_path) -> None:
 @pytest.mark.parametrize(
     ("text", "what"),
     [
-        (fmu_component.description(3, step='<ModelExchange modelIdentifier="component"/>'), "model exchange only"),
+        (
+            fmu_component.description(3, step='<ModelExchange modelIdentifier="component"/>'),
+            "model exchange only",
+        ),
         (fmu_component.description(2).replace('"2.0"', '"1.0"'), "another version of FMI"),
         (
-            fmu_component.description(2, step='<CoSimulation modelIdentifier="c" needsExecutionTool="true"/>'),
+            fmu_component.description(
+                2, step='<CoSimulation modelIdentifier="c" needsExecutionTool="true"/>'
+            ),
             "no binary",
         ),
         (fmu_component.description(3, v_body="N.s/m"), "the unit does not fit"),
@@ -77,7 +89,10 @@ def test_a_unit_with_an_offset(tmp_path) -> None:
             fmu_component.description(3).replace('name="force"', 'name="coefficient"'),
             "two variables have the same name",
         ),
-        (fmu_component.description(3).replace('factor="0.001"', 'factor="0"'), "a unit of factor 0"),
+        (
+            fmu_component.description(3).replace('factor="0.001"', 'factor="0"'),
+            "a unit of factor 0",
+        ),
         (fmu_component.description(3).replace('factor="0.001"', 'factor="1,2"'), "not a number"),
         (
             fmu_component.description(
@@ -132,9 +147,13 @@ def test_a_binary_that_is_none(tmp_path) -> None:
 
 
 def test_an_fmu_that_needs_its_tool_says_so_where_it_fails(tmp_path) -> None:
-    text = fmu_component.description(3, step='<CoSimulation modelIdentifier="component" needsExecutionTool="true"/>')
+    text = fmu_component.description(
+        3, step='<CoSimulation modelIdentifier="component" needsExecutionTool="true"/>'
+    )
     file = fmu_component.write(tmp_path / "a.fmu", 3, b"no library", text)
-    with pytest.raises(SimulationError, match=r"cannot be loaded.*It needs the tool that made it on this machine"):
+    with pytest.raises(
+        SimulationError, match=r"cannot be loaded.*It needs the tool that made it on this machine"
+    ):
         run(file)
 
 
@@ -145,11 +164,15 @@ def test_another_platform_is_named(tmp_path) -> None:
         run(file)
     with zipfile.ZipFile(file, "a") as archive:
         archive.writestr(f"binaries/{other}/component{PLATFORMS[other].suffix}", b"x")
-    with pytest.raises(DescriptionError, match=f"no binary for this machine .{this_platform()}.*only for {other}"):
+    with pytest.raises(
+        DescriptionError, match=f"no binary for this machine .{this_platform()}.*only for {other}"
+    ):
         run(file)
 
 
-@pytest.mark.parametrize("name", ["../out.txt", "/etc/out.txt", "resources/../../out.txt", "C:/out.txt", "a\\..\\b"])
+@pytest.mark.parametrize(
+    "name", ["../out.txt", "/etc/out.txt", "resources/../../out.txt", "C:/out.txt", "a\\..\\b"]
+)
 def test_paths_that_leave_the_archive(tmp_path, name) -> None:
     folder = tmp_path / "in" / "side"
     folder.mkdir(parents=True)
@@ -187,9 +210,15 @@ def test_an_fmu_that_crashes_fails_hangs_or_prints(tmp_path, library, version, m
     with pytest.raises(SimulationError, match=r"t = 0.005 s: the FMU crashed \(signal 6\)"):
         run(file, parameters={"mistake": 1})
     for trusted in (False, True):
-        with pytest.raises(SimulationError, match=r"t = 0.005 s: the step from 0.005 s gave error: the valve is stuck"):
+        with pytest.raises(
+            SimulationError,
+            match=r"t = 0.005 s: the step from 0.005 s gave error: the valve is stuck",
+        ):
             run(file, parameters={"mistake": 2}, trusted=trusted)
-        for mistake in (5, 7):  # NaN, and an infinity, which the limits of its actuator made a command
+        for mistake in (
+            5,
+            7,
+        ):  # NaN, and an infinity, which the limits of its actuator made a command
             with pytest.raises(SimulationError, match="no finite command"):
                 run(file, parameters={"mistake": mistake}, trusted=trusted)
     told = run(file, parameters={"mistake": 3}).attrs["findings"]
@@ -217,8 +246,15 @@ except jn.JounceError as error:
 @needs_compiler
 @pytest.mark.skipif(os.name != "posix", reason="process groups are a thing of POSIX")
 def test_an_fmu_that_kills_its_process_group_ends_itself_only(tmp_path, library) -> None:
-    words = [sys.executable, "-c", _KILLS, str(fmu_component.write(tmp_path / "a.fmu", 3, library(3)))]
-    ended = subprocess.run(words, capture_output=True, text=True, check=False, timeout=60, start_new_session=True)
+    words = [
+        sys.executable,
+        "-c",
+        _KILLS,
+        str(fmu_component.write(tmp_path / "a.fmu", 3, library(3))),
+    ]
+    ended = subprocess.run(
+        words, capture_output=True, text=True, check=False, timeout=60, start_new_session=True
+    )
     assert (ended.returncode, ended.stderr) == (0, "")
     assert "the FMU crashed (signal 9)" in ended.stdout
 
@@ -231,7 +267,9 @@ def test_members_that_are_damaged(tmp_path, way: int, at: int) -> None:
     content = np.random.default_rng(1).bytes(3000) + bytes(3000)
     with zipfile.ZipFile(file, "w", way) as archive:
         archive.writestr("modelDescription.xml", text, zipfile.ZIP_STORED)
-        archive.writestr(f"binaries/{this_platform()}/component{PLATFORMS[this_platform()].suffix}", content)
+        archive.writestr(
+            f"binaries/{this_platform()}/component{PLATFORMS[this_platform()].suffix}", content
+        )
         first = archive.infolist()[1]
         begin = first.header_offset + 30 + len(first.filename)
         end = begin + first.compress_size
@@ -240,18 +278,25 @@ def test_members_that_are_damaged(tmp_path, way: int, at: int) -> None:
     for damage in {0, 1, 93, 128, 255} - {whole[place]}:
         whole[place] = damage
         file.write_bytes(whole)
-        with pytest.raises((DescriptionError, SimulationError), match=r"a\.fmu.*(archive that can be read|loaded)"):
+        with pytest.raises(
+            (DescriptionError, SimulationError), match=r"a\.fmu.*(archive that can be read|loaded)"
+        ):
             run(file)
 
 
 @pytest.mark.parametrize(("place", "value"), [(6, 1), (8, 9), (8, 99), (8, 12), (8, 14)])
 def test_members_that_are_encrypted_or_of_another_way(tmp_path, place: int, value: int) -> None:
     file = tmp_path / "a.fmu"
-    for name in ("modelDescription.xml", f"binaries/{this_platform()}/component{PLATFORMS[this_platform()].suffix}"):
+    for name in (
+        "modelDescription.xml",
+        f"binaries/{this_platform()}/component{PLATFORMS[this_platform()].suffix}",
+    ):
         fmu_component.write(file, 3, b"no library")
         whole = bytearray(file.read_bytes())
         for mark, more in ((b"PK\x03\x04", 0), (b"PK\x01\x02", 2)):
-            begin = whole.index(name.encode()) - 30 if not more else whole.rindex(name.encode()) - 46
+            begin = (
+                whole.index(name.encode()) - 30 if not more else whole.rindex(name.encode()) - 46
+            )
             assert whole[begin : begin + 4] == mark
             whole[begin + place + more] = value
         file.write_bytes(whole)
@@ -262,7 +307,9 @@ def test_members_that_are_encrypted_or_of_another_way(tmp_path, place: int, valu
 @needs_compiler
 def test_parameters_reach_the_fmu_in_its_units(tmp_path, library) -> None:
     file = fmu_component.write(tmp_path / "a.fmu", 2, library(2))
-    bump = jn.Trial(road=jn.HalfSine(height="5 mm", length="0.1 m"), speed="1 m/s", duration="0.2 s")
+    bump = jn.Trial(
+        road=jn.HalfSine(height="5 mm", length="0.1 m"), speed="1 m/s", duration="0.2 s"
+    )
     fields = {"file": str(file), "inputs": INPUTS, "output": "coefficient", "trusted": True}
     limits = jn.SemiActiveDamper(minimum=10.0, maximum=1e6)
 
@@ -285,7 +332,9 @@ def test_another_token_is_refused_in_the_words_of_the_fmu(tmp_path, library) -> 
 
 def test_a_file_says_where_the_fmu_is(tmp_path) -> None:
     file = tmp_path / "law.toml"
-    file.write_text('schema = "jounce.control/1"\nlaw = "fmu"\nfile = "sub/a.fmu"\n[inputs]\nv_body = "sprung.vz"\n')
+    file.write_text(
+        'schema = "jounce.control/1"\nlaw = "fmu"\nfile = "sub/a.fmu"\n[inputs]\nv_body = "sprung.vz"\n'
+    )
     found = jn.controller(file, rate="500 Hz")
     assert found.file == str(tmp_path / "sub" / "a.fmu")
     assert (found.rate, found.inputs) == (500.0, {"v_body": "sprung.vz"})
@@ -318,14 +367,20 @@ def test_the_work_of_a_force_that_is_held() -> None:
     work.start()
     work._last = ([10.0],) * 3 + ([1.0],)
     work.add([20.0], [20.0], [20.0], [2.0])
-    assert (work._through, work._made) == (pytest.approx(140.0 / 6.0), pytest.approx(15.0 - 140.0 / 6.0))
+    assert (work._through, work._made) == (
+        pytest.approx(140.0 / 6.0),
+        pytest.approx(15.0 - 140.0 / 6.0),
+    )
     assert "23.3 J of its work 8.3 J (36 %) were given" in str(work.findings("a.fmu")[0])
 
 
 def test_a_force_keeps_to_the_fixed_step_of_its_fmu(tmp_path) -> None:
     step = '<CoSimulation modelIdentifier="component" fixedInternalStepSize="0.0003"/>'
     text = fmu_component.description(3, step=step)
-    law = FmuControl(file=str(fmu_component.write(tmp_path / "a.fmu", 3, b"", text)), actuator=jn.ActiveActuator(lag=0))
+    law = FmuControl(
+        file=str(fmu_component.write(tmp_path / "a.fmu", 3, b"", text)),
+        actuator=jn.ActiveActuator(lag=0),
+    )
     assert [round(1.0 / law.with_rate_for(fastest).rate, 6) for fastest in (10.0, 80.0, 1e5)] == [
         0.0009,
         0.0003,
@@ -356,7 +411,9 @@ def test_only_an_fmu_stands_in_place_of_an_element() -> None:
 
 
 @pytest.mark.parametrize(
-    "gain", [{"front": 1.0, "left": 2.0}, {"rear": 1.0}, {"": 1.0}, {}], ids=["unknown", "lacking", "none", "empty"]
+    "gain",
+    [{"front": 1.0, "left": 2.0}, {"rear": 1.0}, {"": 1.0}, {}],
+    ids=["unknown", "lacking", "none", "empty"],
 )
 def test_values_by_corner_that_do_not_fit(tmp_path, gain) -> None:
     file = fmu_component.write(tmp_path / "a.fmu", 3, b"no library")
@@ -383,7 +440,13 @@ def test_the_caller_stands_alone() -> None:
 def test_a_file_alone_is_no_trust_for_a_command(tmp_path, monkeypatch, library, capsys) -> None:
     """A binary of others runs in this process only after the user's own word."""
     fmu_component.write(tmp_path / "a.fmu", 3, library(3))
-    words = ["law = 'fmu'", "file = 'a.fmu'", "output = 'coefficient'", "trusted = true", "[inputs]"]
+    words = [
+        "law = 'fmu'",
+        "file = 'a.fmu'",
+        "output = 'coefficient'",
+        "trusted = true",
+        "[inputs]",
+    ]
     words += [f"{name} = '{channel}'" for name, channel in INPUTS.items()]
     file = tmp_path / "law.toml"
     file.write_text("\n".join(["schema = 'jounce.control/1'", *words]))
@@ -423,8 +486,12 @@ def test_a_file_alone_is_no_trust_for_a_command(tmp_path, monkeypatch, library, 
         "[vary]\n'sprung.mass' = ['30 kg', '40 kg']\n[design]\nkind = 'latin-hypercube'\ncount = 2\nseed = 1\n"
     )
     for words, runs_here in (([], False), (["--trust"], True)):
-        assert main(["sweep", str(study), "--out", str(tmp_path / f"swept{len(words)}"), *words]) == 0
+        assert (
+            main(["sweep", str(study), "--out", str(tmp_path / f"swept{len(words)}"), *words]) == 0
+        )
         assert bool(asked) == runs_here
     asked.clear()
-    assert not any("--trust" in finding for finding in jn.simulate(RIG, TRIAL, control=file).attrs["findings"])
+    assert not any(
+        "--trust" in finding for finding in jn.simulate(RIG, TRIAL, control=file).attrs["findings"]
+    )
     assert asked  # in Python the description decides

@@ -14,7 +14,9 @@ from jounce.core.errors import DescriptionError, JounceError, SimulationError
 fmu_component = pytest.importorskip("fmu_component")
 SOURCE = fmu_component.SOURCE.with_name("arrays.c")
 REFERENCE = Path(__file__).parents[2] / "files" / "fmu" / "reference_fmus"
-TRIAL = jn.Trial(road=jn.HalfSine(height="30 mm", length="1 m", start="0.1 m"), speed="10 m/s", duration="0.2 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="30 mm", length="1 m", start="0.1 m"), speed="10 m/s", duration="0.2 s"
+)
 ACTUATOR = jn.ActiveActuator(lag=0.0, force_limit=1e5)
 RIG = jn.load("audi-a6-quarter-car")
 ARRAYS = (  # name, type in FMI 3.0 and 2.0, causality, dimensions, start
@@ -35,9 +37,12 @@ def description(version):
     for reference, (name, new, old, causality, sizes, start) in enumerate(ARRAYS, start=1):
         if version == 3:
             begin = f' start="{start}"' if start else ""
-            rows.append(f'<{new} name="{name}" valueReference="{reference}" causality="{causality}"{begin}>')
+            rows.append(
+                f'<{new} name="{name}" valueReference="{reference}" causality="{causality}"{begin}>'
+            )
             rows += [
-                '<Dimension valueReference="9"/>' if size == 3 else f'<Dimension start="{size}"/>' for size in sizes
+                '<Dimension valueReference="9"/>' if size == 3 else f'<Dimension start="{size}"/>'
+                for size in sizes
             ]
             rows.append(f"</{new}>")
             continue
@@ -45,9 +50,13 @@ def description(version):
         for at, index in enumerate(np.ndindex(sizes)):
             begin = f' start="{starts[at if len(starts) > 1 else 0]}"' if start else ""
             words = f'name="{name}[{",".join(str(k + 1) for k in index)}]" valueReference="{16 * reference + at}"'
-            rows.append(f'<ScalarVariable {words} causality="{causality}"><{old}{begin}/></ScalarVariable>')
+            rows.append(
+                f'<ScalarVariable {words} causality="{causality}"><{old}{begin}/></ScalarVariable>'
+            )
     if version == 3:
-        rows.append('<UInt64 name="count" valueReference="9" causality="structuralParameter" start="3"/>')
+        rows.append(
+            '<UInt64 name="count" valueReference="9" causality="structuralParameter" start="3"/>'
+        )
     token = "guid" if version == 2 else "instantiationToken"
     return (
         f'<fmiModelDescription fmiVersion="{version}.0" modelName="arrays" {token}="a">'
@@ -68,18 +77,26 @@ def arrays(request, tmp_path_factory):
 @pytest.fixture(scope="module")
 def described(tmp_path_factory):
     """The arrays of FMI 3.0 without a binary that runs."""
-    return fmu_component.write(tmp_path_factory.mktemp("said") / "a.fmu", 3, b"none", description(3))
+    return fmu_component.write(
+        tmp_path_factory.mktemp("said") / "a.fmu", 3, b"none", description(3)
+    )
 
 
 def drive(file, **changes):
     return jn.simulate(
-        RIG, TRIAL, control=FmuControl(file=str(file), **{"actuator": ACTUATOR, "rate": 100.0, **changes})
+        RIG,
+        TRIAL,
+        control=FmuControl(file=str(file), **{"actuator": ACTUATOR, "rate": 100.0, **changes}),
     )
 
 
 def asked(function, **changes):
     return jn.simulate(
-        RIG, TRIAL, control=jn.PythonControl(function=function, **{"actuator": ACTUATOR, "rate": 100.0, **changes})
+        RIG,
+        TRIAL,
+        control=jn.PythonControl(
+            function=function, **{"actuator": ACTUATOR, "rate": 100.0, **changes}
+        ),
     )
 
 
@@ -120,7 +137,10 @@ def test_whole_numbers_and_truths_are_commands(arrays) -> None:
 
 def test_a_truth_takes_0_and_1_and_nothing_else(arrays) -> None:
     still = {"inputs": {"on[1]": "strut.velocity"}, "output": "y[1]", "from_rest": True}
-    with pytest.raises(SimulationError, match=r"t = 0.0\d+ s: the input on\[1\] takes whole numbers.*allowed: 0 and 1"):
+    with pytest.raises(
+        SimulationError,
+        match=r"t = 0.0\d+ s: the input on\[1\] takes whole numbers.*allowed: 0 and 1",
+    ):
         drive(arrays, **still)
     flat = jn.Trial(road=jn.Flat(), speed="1 m/s", duration="0.05 s")
     law = FmuControl(file=str(arrays), actuator=ACTUATOR, rate=100.0, **still)
@@ -133,9 +153,15 @@ def test_arrays_are_given_in_lists(described) -> None:
         ({"K": [1.0, 2.0]}, "not the values of an array"),
         ({"K": [[1.0, 2.0, 3.0], [4.0]]}, "not the values of an array"),
         ({"K": [[1.0, 2.0, 3.0], [4.0, 5.0, "x"]]}, "K"),
-        ({"K[3,1]": 1.0}, r"no such element; found 'Float64\[2, 3\]'; allowed: K\[1,1\] to \[2,3\]"),
+        (
+            {"K[3,1]": 1.0},
+            r"no such element; found 'Float64\[2, 3\]'; allowed: K\[1,1\] to \[2,3\]",
+        ),
         ({"K[1]": 1.0}, "no such element"),
-        ({"i[1]": 40000}, "beyond what its type holds; found 40000; allowed: Int16, -32768 to 32767"),
+        (
+            {"i[1]": 40000},
+            "beyond what its type holds; found 40000; allowed: Int16, -32768 to 32767",
+        ),
         ({"i[1]": 1.5}, "not a value of its type; found 1.5"),
         ({"on": [True, 2]}, "not a value of its type; found 2; allowed: true, false, 0, 1"),
         ({"count": 4}, "count: a structural parameter, which sizes the FMU's arrays"),
@@ -148,7 +174,10 @@ def test_arrays_are_given_in_lists(described) -> None:
 @pytest.mark.parametrize(
     ("changes", "what"),
     [
-        ({"inputs": {"u": "strut.velocity"}}, r"found 'Float64\[3\]'; allowed: an element: u\[1\] to \[3\]"),
+        (
+            {"inputs": {"u": "strut.velocity"}},
+            r"found 'Float64\[3\]'; allowed: an element: u\[1\] to \[3\]",
+        ),
         ({"inputs": {"u[0]": "strut.velocity"}}, "no such element"),
         ({"inputs": {"u[4]": "strut.velocity"}}, "no such element"),
         ({"inputs": {"v[1]": "strut.velocity"}}, r"unknown input 'v\[1\]'"),
@@ -169,7 +198,12 @@ def test_elements_and_counts_that_do_not_fit(described, changes, what) -> None:
 
 def test_what_an_fmu_says_of_its_arrays(described, tmp_path) -> None:
     found = jn.read_fmu(described)
-    assert {v.name: v.dimensions for v in found.inputs} == {"u": (3,), "f": (2,), "i": (2,), "on": (2,)}
+    assert {v.name: v.dimensions for v in found.inputs} == {
+        "u": (3,),
+        "f": (2,),
+        "i": (2,),
+        "on": (2,),
+    }
     assert [v.name for v in found.structural_parameters] == ["count"]
     assert found.to_dict()["parameters"][0]["dimensions"] == [2, 3]
     none = description(3).replace('valueReference="9" causality', 'valueReference="10" causality')
@@ -181,7 +215,9 @@ def test_what_an_fmu_says_of_its_arrays(described, tmp_path) -> None:
     open_ = description(3).replace('start="1 2 3"', 'start="1 2"')
     with pytest.raises(DescriptionError, match="an array whose elements have no start"):
         drive(
-            fmu_component.write(tmp_path / "c.fmu", 3, b"none", open_), output="y[1]", inputs={"u[1]": "strut.velocity"}
+            fmu_component.write(tmp_path / "c.fmu", 3, b"none", open_),
+            output="y[1]",
+            inputs={"u[1]": "strut.velocity"},
         )
 
 

@@ -11,7 +11,15 @@ import pytest
 from scipy.linalg import expm, solve_discrete_are
 from scipy.optimize import minimize, nnls
 
-from jounce.control import LQR, PID, ActiveActuator, CornerModel, SemiActiveDamper, Skyhook, controller
+from jounce.control import (
+    LQR,
+    PID,
+    ActiveActuator,
+    CornerModel,
+    SemiActiveDamper,
+    Skyhook,
+    controller,
+)
 from jounce.control.actuators import Instant
 from jounce.control.controller import CommandLimits, RunSetting
 from jounce.control.design import (
@@ -48,7 +56,9 @@ def matrix(numbers, name, rows, columns=None):
 def test_numbers_that_nobody_gave() -> None:
     """Coefficients at the strut are those at the wheel over the motion ratio squared."""
     assert Passive().numbers(CORNER) == pytest.approx({"damping_coefficient": 1500.0 / 0.64})
-    assert Skyhook().numbers(CORNER) == pytest.approx({"damping_coefficient": 4000.0, "motion_ratio": 0.8})
+    assert Skyhook().numbers(CORNER) == pytest.approx(
+        {"damping_coefficient": 4000.0, "motion_ratio": 0.8}
+    )
     assert Hybrid().numbers(CORNER)["skyhook_share"] == 0.5
     assert SHADD().numbers(CORNER)["crossover"] == pytest.approx(2.0 * math.pi * 1.8)
     keep = 0.01 / 0.011
@@ -57,7 +67,11 @@ def test_numbers_that_nobody_gave() -> None:
         "filter_gain": (1.0 - keep) / 1e-3, "tracking": 0.005, "motion_ratio": 0.8,
     })  # fmt: skip
     assert PID(tracking_time=1e-5).numbers(CORNER)["tracking"] == 1.0
-    assert (SemiActiveDamper().lag, ActiveActuator().lag, ActiveActuator().damping_ratio) == (0.01, 0.005, 1.0)
+    assert (SemiActiveDamper().lag, ActiveActuator().lag, ActiveActuator().damping_ratio) == (
+        0.01,
+        0.005,
+        1.0,
+    )
     mpc = PreviewMPC()
     assert (mpc.rate, mpc.preview, mpc.stroke, mpc.keep_contact) == (200.0, 0.08, None, True)
     class_c = 2.0 * math.pi**2 * 0.1**2 * 256e-6 * 20.0  # of the road's velocity at 20 m/s, m^2/s
@@ -84,7 +98,9 @@ def test_an_instant_of_the_observer_is_a_prediction_and_a_correction(actuator) -
     law = LQG(actuator=actuator, rate=250.0, noise={"sprung.az": 0.2})
     numbers = law.numbers(CORNER) | {"minimum": actuator.limits[0], "maximum": actuator.limits[1]}
     base = None if isinstance(actuator, ActiveActuator) else 0.0
-    one = observer(CORNER, LQG_CHANNELS, np.array([0.2, 0.05, 5e-4]), law.roughness, 1e-3, 0.004, base)
+    one = observer(
+        CORNER, LQG_CHANNELS, np.array([0.2, 0.05, 5e-4]), law.roughness, 1e-3, 0.004, base
+    )
     states, late_before, last = np.array([0.01, -0.2, 0.003, 0.5]), 700.0, 300.0
     measured = dict(zip(LQG_CHANNELS, (1.3, -4.0, 0.015), strict=True)) | {"strut.velocity": 0.4}
     late = math.exp(-1.0) if base is None else math.exp(-0.4)
@@ -97,30 +113,45 @@ def test_an_instant_of_the_observer_is_a_prediction_and_a_correction(actuator) -
     decided = law.decide(instant(numbers, measured, [*states, late_before], last))
     np.testing.assert_allclose([float(v) for v in decided.memory], [*after, arrived], rtol=1e-9)
     wanted = -float(law.gains(CORNER) @ after) / 0.8
-    assert float(decided.command) == pytest.approx(wanted if base is None else max(wanted / 0.4, 1.0), rel=1e-9)
+    assert float(decided.command) == pytest.approx(
+        wanted if base is None else max(wanted / 0.4, 1.0), rel=1e-9
+    )
 
 
 def test_an_instant_of_h_infinity_is_a_step_of_its_states() -> None:
     pytest.importorskip("slycot")
     law = HInfinity(actuator=ActiveActuator(force_limit=1e6, lag=0.01), rate=500.0)
     acceleration = 2.56 * 25e3 / 400.0 * 0.05
-    targets = Targets(0.05, acceleration, 0.8 * 0.05, 400.0 * CORNER.gravity, (0.2 * 0.05, acceleration / 16.0))
-    damping = CORNER.reference_damping * 0.8**2  # to the last bit, for the search ends elsewhere with another one
+    targets = Targets(
+        0.05, acceleration, 0.8 * 0.05, 400.0 * CORNER.gravity, (0.2 * 0.05, acceleration / 16.0)
+    )
+    damping = (
+        CORNER.reference_damping * 0.8**2
+    )  # to the last bit, for the search ends elsewhere with another one
     made, bound = h_infinity(CORNER, targets, 100.0, 0.002, damping)
     assert bound < 10.0
     numbers = law.numbers(CORNER)
     assert numbers["damping_coefficient"] == pytest.approx(1500.0)
     for name, whole in (("A", made.A), ("B", made.B)):
         np.testing.assert_allclose(matrix(numbers, name, *whole.shape), whole, rtol=1e-9)
-    quick = HInfinity(actuator=ActiveActuator(force_limit=1e6, lag=1e-4), rate=500.0).numbers(CORNER)
+    quick = HInfinity(actuator=ActiveActuator(force_limit=1e6, lag=1e-4), rate=500.0).numbers(
+        CORNER
+    )
     fastest, _ = h_infinity(CORNER, targets, 300.0, 0.002, damping)
     np.testing.assert_allclose(matrix(quick, "A", 6, 6), fastest.A, rtol=1e-9)
     numbers |= {"minimum": -1e6, "maximum": 1e6}
-    states, seen = np.linspace(-1.0, 2.0, 6), dict(zip(H_INFINITY_CHANNELS, (0.012, -1.7), strict=True))
+    states, seen = (
+        np.linspace(-1.0, 2.0, 6),
+        dict(zip(H_INFINITY_CHANNELS, (0.012, -1.7), strict=True)),
+    )
     decided = law.decide(instant(numbers, seen, states))
     measured = np.array([0.012, -1.7])
-    assert float(decided.command) == pytest.approx((made.C[0] @ states + made.D[0] @ measured) / 0.8, rel=1e-9)
-    np.testing.assert_allclose([float(v) for v in decided.memory], made.A @ states + made.B @ measured, rtol=1e-9)
+    assert float(decided.command) == pytest.approx(
+        (made.C[0] @ states + made.D[0] @ measured) / 0.8, rel=1e-9
+    )
+    np.testing.assert_allclose(
+        [float(v) for v in decided.memory], made.A @ states + made.B @ measured, rtol=1e-9
+    )
 
 
 @pytest.mark.parametrize("hz", [0.5, 3.0, 15.0])
@@ -133,7 +164,9 @@ def test_the_generalised_plant_is_the_corner_behind_its_actuator(hz: float) -> N
     found[3:] *= measured[:, None]
     found[:, 3] /= unit
     between = 25e3 + 1200.0 * s
-    masses = np.array([[400.0 * s**2 + between, -between], [-between, 40.0 * s**2 + between + 200e3]])
+    masses = np.array(
+        [[400.0 * s**2 + between, -between], [-between, 40.0 * s**2 + between + 200e3]]
+    )
     by_road = np.linalg.solve(masses, [0.0, 200e3 * 0.05])
     by_force = np.linalg.solve(masses, [1.0, -1.0]) * 150.0 / (s + 150.0)
     lag, columns = 150.0 / (s + 150.0), []
@@ -142,7 +175,9 @@ def test_the_generalised_plant_is_the_corner_behind_its_actuator(hz: float) -> N
         price = 10.0 / 3900.0 * (s + 50.0) / (s + 500.0) if force else 0.0
         columns.append([price, apart / 0.04, body / 9.0, -0.8 * apart, body])
     np.testing.assert_allclose(found[:, [0, 3]].T, columns, rtol=1e-9, atol=1e-12)
-    np.testing.assert_allclose(found[:, 1:3], [[0, 0], [0, 0], [0, 0], [0.011, 0], [0, 0.6]], atol=1e-12)
+    np.testing.assert_allclose(
+        found[:, 1:3], [[0, 0], [0, 0], [0, 0], [0.011, 0], [0, 0.6]], atol=1e-12
+    )
 
 
 def brute_force_plan(law, corner, state, bumps):
@@ -151,7 +186,10 @@ def brute_force_plan(law, corner, state, bumps):
     c, d = corner_outputs(corner, ("sprung.az",))
     price, lag = 0.0, law.actuator.lag
     if lag:
-        a, b = np.block([[a, b], [np.zeros((1, 4)), -1.0 / lag]]), np.vstack([np.zeros((4, 1)), 1.0 / lag])
+        a, b = (
+            np.block([[a, b], [np.zeros((1, 4)), -1.0 / lag]]),
+            np.vstack([np.zeros((4, 1)), 1.0 / lag]),
+        )
         g, c, d, price = np.vstack([g, [[0.0]]]), np.hstack([c, d]), 0.0 * d, 1e-3 / 400.0**2
     n, m = len(bumps), len(a)
     whole = expm(np.block([[a, b, g], [np.zeros((2, m + 2))]]) / law.rate)
@@ -165,7 +203,12 @@ def brute_force_plan(law, corner, state, bumps):
         x, rows = np.asarray(state), []
         for force, bump in zip(forces, bumps, strict=True):
             acceleration = float(c[0] @ x + d[0, 0] * force)
-            rows += [acceleration, square**0.5 * x[0], (10.0 * square) ** 0.5 * x[2], price**0.5 * force]
+            rows += [
+                acceleration,
+                square**0.5 * x[0],
+                (10.0 * square) ** 0.5 * x[2],
+                price**0.5 * force,
+            ]
             x = F @ x + H[:, 0] * force + V * bump
         return np.concatenate([rows, np.linalg.cholesky(P).T @ x])
 
@@ -177,14 +220,20 @@ def brute_force_plan(law, corner, state, bumps):
 @pytest.mark.parametrize("lag", [0.0, 0.01])
 def test_a_plan_sees_the_road_that_comes(lag: float) -> None:
     """From an instant on, behind the force that has been commanded, on a corner with a motion ratio."""
-    law = PreviewMPC(actuator=ActiveActuator(force_limit=1e6, lag=lag), keep_contact=False, preview=0.03)
+    law = PreviewMPC(
+        actuator=ActiveActuator(force_limit=1e6, lag=lag), keep_contact=False, preview=0.03
+    )
     road = np.array([0.0, 0.0, 0.001, 0.004, 0.003, 0.005, 0.005, 0.002, 0.0, 0.001, 0.0, 0.0])
     plan = _Plan(law, law.actuator, CORNER, 6, road)
     arrived = []
     if lag:
         plan.follow(250.0)
         arrived = [200.0 * (1.0 - math.exp(-0.5))]
-    seen, state, bumps = [0.012, 0.2, -0.002, -0.4, -0.48], [-0.015, 0.2, 0.002, -0.4], np.diff(road)[3:9] * 200.0
+    seen, state, bumps = (
+        [0.012, 0.2, -0.002, -0.4, -0.48],
+        [-0.015, 0.2, 0.002, -0.4],
+        np.diff(road)[3:9] * 200.0,
+    )
     expected = brute_force_plan(law, CORNER, state + arrived, bumps)
     assert plan.command(seen, 3) == pytest.approx(expected / 0.8, rel=1e-4)
     plan.forget()
@@ -209,7 +258,9 @@ def test_a_plan_goes_on_where_the_solver_finds_none(failure: str) -> None:
 
     plan._solver = Failing()
     low, high = np.full(4, -1e3), np.array([1e3, 1e3, 350.0, 1e3])
-    np.testing.assert_array_equal(plan._solve(np.zeros(6), low, high, np.zeros(4)), [200.0, 300.0, 350.0, 400.0])
+    np.testing.assert_array_equal(
+        plan._solve(np.zeros(6), low, high, np.zeros(4)), [200.0, 300.0, 350.0, 400.0]
+    )
 
 
 def test_limits_of_a_plan() -> None:
@@ -232,7 +283,9 @@ def setting(law, road, instants=5):
 
 
 def test_a_planner_gives_each_corner_its_own_channels_and_road() -> None:
-    law = PreviewMPC(actuator=ActiveActuator(force_limit=1e6, lag=0.01), keep_contact=False, preview=0.03)
+    law = PreviewMPC(
+        actuator=ActiveActuator(force_limit=1e6, lag=0.01), keep_contact=False, preview=0.03
+    )
     roads = {"front": 0.01, "rear": -0.02}
     asked = {}
 
@@ -244,7 +297,10 @@ def test_a_planner_gives_each_corner_its_own_channels_and_road() -> None:
     np.testing.assert_allclose(asked["rear"], np.arange(12) / 200.0)
     assert planner.channels[:2] == ("front.strut.deflection", "front.sprung.vz")
     assert planner.channels[5] == "rear.strut.deflection"
-    alone = [_Plan(law, law.actuator, CORNER, 6, roads[name] * np.sin(40.0 * asked[name])) for name in roads]
+    alone = [
+        _Plan(law, law.actuator, CORNER, 6, roads[name] * np.sin(40.0 * asked[name]))
+        for name in roads
+    ]
     seen = [[0.012, 0.2, -0.002, -0.4, -0.48], [-0.01, 0.1, 0.003, 0.3, 0.16]]
     planner.start()
     for turn in range(3):
@@ -258,10 +314,14 @@ def test_a_planner_gives_each_corner_its_own_channels_and_road() -> None:
 @pytest.mark.parametrize(("preview", "steps"), [(1.0, 200), (1.005, 201)])
 def test_longest_plan(preview: float, steps: int, monkeypatch: pytest.MonkeyPatch) -> None:
     made = []
-    monkeypatch.setattr("jounce.control.preview._Plan", lambda *a: made.append(a[3]) or SimpleNamespace())
+    monkeypatch.setattr(
+        "jounce.control.preview._Plan", lambda *a: made.append(a[3]) or SimpleNamespace()
+    )
     law = PreviewMPC(preview=preview)
     if steps > 200:
-        with pytest.raises(SimulationError, match=r"found '201 \(preview times rate\)'; allowed: at most 200"):
+        with pytest.raises(
+            SimulationError, match=r"found '201 \(preview times rate\)'; allowed: at most 200"
+        ):
             _Planner(law, setting(law, lambda _, t: 0.0 * t))
     else:
         _Planner(law, setting(law, lambda _, t: 0.0 * t))
@@ -269,11 +329,16 @@ def test_longest_plan(preview: float, steps: int, monkeypatch: pytest.MonkeyPatc
 
 
 def test_commands_are_clipped_then_limited_in_rate() -> None:
-    slow = Skyhook(actuator=SemiActiveDamper(minimum=100.0, maximum=900.0, rate_limit=20e3), rate=100.0)
+    slow = Skyhook(
+        actuator=SemiActiveDamper(minimum=100.0, maximum=900.0, rate_limit=20e3), rate=100.0
+    )
     free = Skyhook(actuator=ActiveActuator(force_limit=50.0), rate=100.0)
     limits = CommandLimits({"front": slow, "rear": free})
     limits.start()
-    turns = [limits.apply(list(pair)) for pair in ((5000.0, 70.0), (450.0, -70.0), (-3.0, 20.0), (math.nan, 0.0))]
+    turns = [
+        limits.apply(list(pair))
+        for pair in ((5000.0, 70.0), (450.0, -70.0), (-3.0, 20.0), (math.nan, 0.0))
+    ]
     assert turns[:3] == [[300.0, 50.0], [450.0, -50.0], [250.0, 20.0]]
     assert math.isnan(turns[3][0])
     limits.start()
@@ -281,7 +346,9 @@ def test_commands_are_clipped_then_limited_in_rate() -> None:
 
 
 def test_a_program_keeps_the_order_of_corners_and_limits_rates() -> None:
-    law = controller("pid", rate=100.0, actuator={"kind": "active", "force_limit": 500.0, "rate_limit": 3e3})
+    law = controller(
+        "pid", rate=100.0, actuator={"kind": "active", "force_limit": 500.0, "rate_limit": 3e3}
+    )
     made = program(law, ("front", "rear"))
     assert made.memory == 8
     models = {"front": CORNER, "rear": CornerModel(300.0, 30.0, 20e3, 180e3, 1000.0)}
@@ -310,12 +377,20 @@ def test_a_plan_beyond_its_limits_goes_over_by_what_it_costs() -> None:
     """Stroke and tyre load are soft: the first force is that of the problem with two slacks, solved by SciPy."""
     law = PreviewMPC(actuator=ActiveActuator(force_limit=1e6, lag=0.0), stroke=0.01, preview=0.02)
     plan, horizon = _Plan(law, law.actuator, CORNER, 4, np.zeros(12)), _horizon(law, CORNER, 4)
-    state = np.array([0.016, 0.9, 0.024, 0.3])  # apart by more than the stroke, and the tyre nearly off the road
+    state = np.array(
+        [0.016, 0.9, 0.024, 0.3]
+    )  # apart by more than the stroke, and the tyre nearly off the road
     free, contact = horizon.Fx @ state, 440.0 * CORNER.gravity / 200e3
     rows, room = [], []  # rows @ z <= room, of four forces (kN) and two slacks (cm)
     for i in range(1, 5):
-        for index, sign, limit, slack in ((0, 1.0, 0.01, 4), (0, -1.0, 0.01, 4), (2, 1.0, contact, 5)):
-            rows.append([*(sign * 1e3 * horizon.Fu[4 * i + index]), *(-1e-2 * (np.arange(4, 6) == slack))])
+        for index, sign, limit, slack in (
+            (0, 1.0, 0.01, 4),
+            (0, -1.0, 0.01, 4),
+            (2, 1.0, contact, 5),
+        ):
+            rows.append(
+                [*(sign * 1e3 * horizon.Fu[4 * i + index]), *(-1e-2 * (np.arange(4, 6) == slack))]
+            )
             room.append(limit - sign * free[4 * i + index])
     rows = np.vstack([1e3 * np.array(rows), -np.eye(6)[4:]])  # limits in mm; no slack is negative
     room = np.append(1e3 * np.array(room), [0.0, 0.0])
@@ -332,7 +407,9 @@ def test_a_plan_beyond_its_limits_goes_over_by_what_it_costs() -> None:
     )
     assert_is_least(best.x, hessian, linear, rows, room)
     assert min(best.x[4:]) > 0.01  # both limits are exceeded
-    found = plan.command([-0.8 * state[0], state[1], -state[2], state[3], -0.8 * (state[1] - state[3])], 0)
+    found = plan.command(
+        [-0.8 * state[0], state[1], -state[2], state[3], -0.8 * (state[1] - state[3])], 0
+    )
     assert found == pytest.approx(1e3 * best.x[0] / 0.8, rel=1e-3)
 
 

@@ -27,20 +27,36 @@ X = np.arange(0.0, 50.0, 0.1)
 @pytest.mark.parametrize(
     ("hint", "fitting", "others"),
     [
-        (float, [1, 2.5, True, np.float64(1.0), np.array(1.0), float("nan")], ["1", None, [1.0], NUMBERS, 1j, 10**400]),
+        (
+            float,
+            [1, 2.5, True, np.float64(1.0), np.array(1.0), float("nan")],
+            ["1", None, [1.0], NUMBERS, 1j, 10**400],
+        ),
         (int, [1, np.int64(2)], [1.5, "1", None, 10**400]),
         (bool, [True, np.True_, 1], [2, "yes", None, NUMBERS]),
         (str, ["a"], [1, b"a", None, Path("a")]),
         (Path | str, ["a", Path("a")], [1, None, RUN]),
         (Literal["a", 2], ["a", 2], ["b", 3, None, pd.Series([1])]),
-        (ArrayLike, [NUMBERS, [1, 2], pd.Series([1.0]), 3.0], ["a", None, RUN, RIG, {}, [[1.0], [1.0, 2.0]]]),
+        (
+            ArrayLike,
+            [NUMBERS, [1, 2], pd.Series([1.0]), 3.0],
+            ["a", None, RUN, RIG, {}, [[1.0], [1.0, 2.0]]],
+        ),
         (ArrayLike | None, [NUMBERS, None], ["a", RUN]),
         (NDArray[np.float64], [NUMBERS], ["a", None]),
-        (Sequence[str], [["a"], ("a",), [], np.array(["a"])], ["a", [1], {"a": 1}, None, {"a"}, RIG, RUN[["time"]]]),
+        (
+            Sequence[str],
+            [["a"], ("a",), [], np.array(["a"])],
+            ["a", [1], {"a": 1}, None, {"a"}, RIG, RUN[["time"]]],
+        ),
         (Sequence[float], [[1.0], NUMBERS, pd.Series([1.0])], ["ab", ["a"], np.ones((2, 2)), 1.0]),
         (Iterable[str], [{"a"}, iter(["a"])], ["a", 1]),
         (tuple[float, float], [(1.0, 2.0), [1.0, 2.0]], [(1.0,), pd.Series([1.0, 2.0]), 1.0]),
-        (Mapping[str, float], [{"a": 1.0}, {}], [{"a": "b"}, {1: 1.0}, [("a", 1.0)], pd.DataFrame({"a": [1.0]})]),
+        (
+            Mapping[str, float],
+            [{"a": 1.0}, {}],
+            [{"a": "b"}, {1: 1.0}, [("a", 1.0)], pd.DataFrame({"a": [1.0]})],
+        ),
         (Callable[[str], None], [print, jn.Trial], ["print", None]),
         (jn.Rig, [RIG], [TRIAL, "kart-quarter-car", None]),
         (xr.Dataset, [RUN], [RUN["tyre.force"], pd.DataFrame(), None]),
@@ -85,7 +101,9 @@ def test_other_failures_are_left_alone() -> None:
 
 def test_a_text_is_no_flag(tmp_path: Path) -> None:
     file = jn.save(RIG, tmp_path / "rig.toml")
-    with pytest.raises(jn.DescriptionError, match="save: force: 'no' was given; allowed: True or False"):
+    with pytest.raises(
+        jn.DescriptionError, match="save: force: 'no' was given; allowed: True or False"
+    ):
         jn.save(RIG, file, force="no")
     assert jn.save(RIG, file, force=1) == file
 
@@ -102,8 +120,18 @@ PUBLIC = [name for name in jn.__all__ if inspect.isfunction(getattr(jn, name))]
 
 def test_public_functions_are_guarded_and_found_where_they_say() -> None:
     assert len(PUBLIC) > 100
-    assert [name for name in PUBLIC if pickle.loads(pickle.dumps(getattr(jn, name))) is not getattr(jn, name)] == []
+    assert [
+        name
+        for name in PUBLIC
+        if pickle.loads(pickle.dumps(getattr(jn, name))) is not getattr(jn, name)
+    ] == []
     for name in PUBLIC:
         function = inspect.unwrap(getattr(jn, name))
-        named = [p.name for p in inspect.signature(function).parameters.values() if p.kind is not p.VAR_KEYWORD]
-        assert set(named) <= _hints(function).keys(), f"{name}: an annotation that cannot be looked up"
+        named = [
+            p.name
+            for p in inspect.signature(function).parameters.values()
+            if p.kind is not p.VAR_KEYWORD
+        ]
+        assert set(named) <= _hints(function).keys(), (
+            f"{name}: an annotation that cannot be looked up"
+        )

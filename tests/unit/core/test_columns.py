@@ -32,7 +32,9 @@ def ask_for_every_column(file: Path) -> None:
 @pytest.mark.parametrize("separator", [",", ";", "\t", ", "])
 def test_reads_every_separator(tmp_path: Path, separator: str) -> None:
     rows = [["time [s]", "sprung.az [m/s^2]"], ["0", "1.5"], ["1e-3", "-.25"]]
-    table = read_columns_csv(written(tmp_path, "\n".join(separator.join(row) for row in rows) + "\n"))
+    table = read_columns_csv(
+        written(tmp_path, "\n".join(separator.join(row) for row in rows) + "\n")
+    )
     assert table.names == ("time", "sprung.az")
     assert [column.unit for column in table] == ["s", "m/s^2"]
     np.testing.assert_array_equal(table["time"].values, [0.0, 0.001])
@@ -40,7 +42,9 @@ def test_reads_every_separator(tmp_path: Path, separator: str) -> None:
 
 
 def test_keeps_comments_before_the_header_and_skips_blank_lines(tmp_path: Path) -> None:
-    table = read_columns_csv(written(tmp_path, "# trial 3\n#speed 1.95\n\nx [m],z [m]\n0,0\n\n1,2\n\n"))
+    table = read_columns_csv(
+        written(tmp_path, "# trial 3\n#speed 1.95\n\nx [m],z [m]\n0,0\n\n1,2\n\n")
+    )
     assert table.comments == ("trial 3", "speed 1.95")
     assert len(table[0].values) == 2
 
@@ -53,17 +57,24 @@ def test_reads_windows_lines_byte_order_mark_and_quotes(tmp_path: Path) -> None:
 
 def test_reads_files_of_old_spreadsheets(tmp_path: Path) -> None:
     assert read_columns_csv(written(tmp_path, "winkel [°]\n1\n".encode("cp1252")))[0].unit == "°"
-    assert read_columns_csv(written(tmp_path, "t [s]\tz [m]\n0\t1\n".encode("utf-16"))).names == ("t", "z")
+    assert read_columns_csv(written(tmp_path, "t [s]\tz [m]\n0\t1\n".encode("utf-16"))).names == (
+        "t",
+        "z",
+    )
 
 
-@pytest.mark.parametrize("end", [b"\x1a", b"\r\n\x1a", b"\r\n\x1a\x1a\x1a", b"\r\n\x1a\r\n", b"\r\n\x1a" + 100 * b"\0"])
+@pytest.mark.parametrize(
+    "end", [b"\x1a", b"\r\n\x1a", b"\r\n\x1a\x1a\x1a", b"\r\n\x1a\r\n", b"\r\n\x1a" + 100 * b"\0"]
+)
 def test_the_end_mark_of_dos_is_no_row(tmp_path: Path, end: bytes) -> None:
     table = read_columns_csv(written(tmp_path, b"x [mm];z [mm]\r\n0;1\r\n1;2" + end))
     assert table["z"].values.tolist() == [1.0, 2.0]
 
 
 @pytest.mark.parametrize("end", [b"\r\n\x1a\r\n2;3\r\n", b"\r\n\0\0"])
-def test_an_end_mark_before_other_rows_and_zeros_without_one_are_refused(tmp_path: Path, end: bytes) -> None:
+def test_an_end_mark_before_other_rows_and_zeros_without_one_are_refused(
+    tmp_path: Path, end: bytes
+) -> None:
     with pytest.raises(RecordingError, match=r"as many cells|not a text file"):
         read_columns_csv(written(tmp_path, b"x [mm];z [mm]\r\n0;1\r\n1;2" + end))
 
@@ -81,7 +92,10 @@ def test_names_of_r_have_their_units(tmp_path: Path) -> None:
         ("a.b", ""),
     ]
     assert table["sprung.az..m.s.2."] is table["sprung.az"]
-    with pytest.raises(RecordingError, match=r"no column 'k'; .*map the column with its unit: k = 'k..N.m. \[UNIT\]'"):
+    with pytest.raises(
+        RecordingError,
+        match=r"no column 'k'; .*map the column with its unit: k = 'k..N.m. \[UNIT\]'",
+    ):
         table["k"]
     with pytest.raises(RecordingError, match=r"line 3: column 'v..m.s..1.': .*'NA'"):
         table["v"].readable()
@@ -89,19 +103,41 @@ def test_names_of_r_have_their_units(tmp_path: Path) -> None:
 
 def test_a_unit_that_is_read_from_r_is_not_another_usual_one() -> None:
     """A point may stand for a multiplication, a division, a power or a blank: of usual units only one may be so."""
-    usual = {unit for others in units._EVERYDAY.values() for unit in others} | set(units._EVERYDAY) | set(units._MEANT)
-    usual |= {"N*mm", "N*s/mm", "N*m/rad", "N*m/deg", "kg*m^2", "N s", "N*m*s", "N/m^2", "N s/m", "N/s"}
+    usual = (
+        {unit for others in units._EVERYDAY.values() for unit in others}
+        | set(units._EVERYDAY)
+        | set(units._MEANT)
+    )
+    usual |= {
+        "N*mm",
+        "N*s/mm",
+        "N*m/rad",
+        "N*m/deg",
+        "kg*m^2",
+        "N s",
+        "N*m*s",
+        "N/m^2",
+        "N s/m",
+        "N/s",
+    }
     for unit in usual - {"%"}:
         read = columns._UNITS_OF_R.get(re.sub("[^A-Za-z0-9]", ".", unit))
-        assert read is None or units.conversion_factor(unit, read) == pytest.approx(1.0, rel=1e-15), unit
+        assert read is None or units.conversion_factor(unit, read) == pytest.approx(
+            1.0, rel=1e-15
+        ), unit
     assert all(map(units.is_unit, columns._UNITS_OF_R.values()))
 
 
 def test_names_in_the_last_comment_are_those_of_numpy(tmp_path: Path) -> None:
-    np.savetxt(tmp_path / "a.txt", [[0.0, 1.0], [1.0, 2.0]], header="bench 3\n\ntime [s] strut.force [N]")
+    np.savetxt(
+        tmp_path / "a.txt", [[0.0, 1.0], [1.0, 2.0]], header="bench 3\n\ntime [s] strut.force [N]"
+    )
     table = read_columns_csv(tmp_path / "a.txt")
     assert [one.label for one in table] == ["time [s]", "strut.force [N]"]
-    assert (table.comments, told(table)) == (("bench 3", ""), ["the names were read from the last comment"])
+    assert (table.comments, told(table)) == (
+        ("bench 3", ""),
+        ["the names were read from the last comment"],
+    )
     for comment in ("bench 3", "time [s], force [N], more", "1, 2"):
         with pytest.raises(RecordingError, match="the header is missing"):
             read_columns_csv(written(tmp_path, f"# {comment}\n0,1\n1,2\n"))
@@ -111,19 +147,24 @@ def test_rows_of_r_have_names_that_have_no_header(tmp_path: Path) -> None:
     table = read_columns_csv(written(tmp_path, '"t" "az..g."\n"1" 0 1.5\n"2" 0.1 2.5\n'))
     assert [one.label for one in table] == ["column 1", "t", "az [g]"]
     assert table["az"].values.tolist() == [1.5, 2.5]
-    with pytest.raises(RecordingError, match="as many cells"):  # no names: a column without a header, or names
+    with pytest.raises(
+        RecordingError, match="as many cells"
+    ):  # no names: a column without a header, or names
         read_columns_csv(written(tmp_path, "t,az\n1,0,1.5\n2,0.1,2.5\n"))
 
 
 @pytest.mark.parametrize(
-    "cells", [("0 days 00:00:00", "0 days 00:00:00.010000"), ("1 days 23:59:59.995", "2 days 00:00:00.005")]
+    "cells",
+    [("0 days 00:00:00", "0 days 00:00:00.010000"), ("1 days 23:59:59.995", "2 days 00:00:00.005")],
 )
 def test_durations_of_pandas_are_seconds(tmp_path: Path, cells: tuple[str, str]) -> None:
     table = read_columns_csv(written(tmp_path, f"time,z [m]\n{cells[0]},1\n{cells[1]},2\n"))
     np.testing.assert_allclose(table["time"].in_si("s"), [0.0, 0.01], atol=1e-12)
 
 
-@pytest.mark.parametrize("cell", ["nan", "NaN", "NA", "<NA>", "#N/A", "-1.#IND", "1.#QNAN", "NULL", "NaT", ""])
+@pytest.mark.parametrize(
+    "cell", ["nan", "NaN", "NA", "<NA>", "#N/A", "-1.#IND", "1.#QNAN", "NULL", "NaT", ""]
+)
 def test_what_programs_write_for_no_number_is_a_gap(tmp_path: Path, cell: str) -> None:
     table = read_columns_csv(written(tmp_path, f"t [s],z [m]\n0,1\n1,{cell}\n2,3\n"))
     part = table.columns[1].part
@@ -134,7 +175,9 @@ def test_what_programs_write_for_no_number_is_a_gap(tmp_path: Path, cell: str) -
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 @pytest.mark.parametrize("first", ["", "sep=;\n", "\ufeff", "\ufeffsep=;\n"])
 def test_line_ends_and_first_lines_of_spreadsheets(tmp_path: Path, first: str, end: str) -> None:
-    table = read_columns_csv(written(tmp_path, f'{first}"t [s]";"z [m]"\n"0";"1,5"\n"1";"2,5"\n'.replace("\n", end)))
+    table = read_columns_csv(
+        written(tmp_path, f'{first}"t [s]";"z [m]"\n"0";"1,5"\n"1";"2,5"\n'.replace("\n", end))
+    )
     assert [one.label for one in table] == ["t [s]", "z [m]"]
     assert table["z"].values.tolist() == [1.5, 2.5]
 
@@ -179,7 +222,9 @@ def test_a_trailing_separator_everywhere_is_accepted(tmp_path: Path) -> None:
         (b"x [m]\n\0\1\2", None, "not a text file"),
     ],
 )
-def test_says_what_is_wrong_and_where(tmp_path: Path, content: str | bytes, line: int | None, says: str) -> None:
+def test_says_what_is_wrong_and_where(
+    tmp_path: Path, content: str | bytes, line: int | None, says: str
+) -> None:
     with pytest.raises(RecordingError) as caught:
         ask_for_every_column(written(tmp_path, content))
     message = str(caught.value)
@@ -194,7 +239,9 @@ def test_missing_file_column_and_unit(tmp_path: Path) -> None:
     assert table["sprung.az"].in_si("m/s^2")[0] == 9.80665  # ISO 80000-3 standard gravity
     with pytest.raises(RecordingError, match=r"no column 'sprung\.ay'.*Did you mean 'sprung\.az'"):
         table["sprung.ay"]
-    with pytest.raises(RecordingError, match=r"column 'force': the header has no unit; allowed: 'force \[N\]'"):
+    with pytest.raises(
+        RecordingError, match=r"column 'force': the header has no unit; allowed: 'force \[N\]'"
+    ):
         table["force"].in_si("N")
     with pytest.raises(DescriptionError, match=r"column 'sprung\.az \[g\]': wrong unit"):
         table["sprung.az"].in_si("m")
@@ -211,7 +258,9 @@ def test_missing_file_column_and_unit(tmp_path: Path) -> None:
 def test_units_of_headers_as_engineers_write_them(tmp_path: Path, header: str, unit: str) -> None:
     table = read_columns_csv(written(tmp_path, f"t (s);{header}\n0;1\n"))
     assert table[1].unit == unit
-    assert table[1].name == (re.sub(r"( in | / |\[|\(|)kN[\])]?$", "", header).strip() if unit else header)
+    assert table[1].name == (
+        re.sub(r"( in | / |\[|\(|)kN[\])]?$", "", header).strip() if unit else header
+    )
     assert table[header].values.tolist() == [1.0]  # it is found as it is written, too
     assert table[table[1].label] is table[1]
 
@@ -239,19 +288,32 @@ def test_decimal_commas_are_read_and_said(tmp_path: Path, separator: str) -> Non
 
 def test_a_column_nobody_asks_for_may_hold_anything(tmp_path: Path) -> None:
     rows = "0,001;ok;;21.11.2026 10:00;1;1,5\n0,002;stop;;21.11.2026 10:01;;2,5\n"
-    table = read_columns_csv(written(tmp_path, f"Zeit [s];remark;empty;date;half;force [N]\n{rows}"))
+    table = read_columns_csv(
+        written(tmp_path, f"Zeit [s];remark;empty;date;half;force [N]\n{rows}")
+    )
     np.testing.assert_array_equal(table["force"].values, [1.5, 2.5])
-    assert [column.name for column in table if column.fault is not None] == ["remark", "empty", "date", "half"]
+    assert [column.name for column in table if column.fault is not None] == [
+        "remark",
+        "empty",
+        "date",
+        "half",
+    ]
 
 
 def test_trailing_separators_anywhere_are_accepted(tmp_path: Path) -> None:
-    for content in ("x [m],z [m]\n0,1,\n1,2,\n", "x [m],z [m],\n0,1\n1,2\n", "x [m],z [m],\n0,1,\n1,2\n"):
+    for content in (
+        "x [m],z [m]\n0,1,\n1,2,\n",
+        "x [m],z [m],\n0,1\n1,2\n",
+        "x [m],z [m],\n0,1,\n1,2\n",
+    ):
         table = read_columns_csv(written(tmp_path, content))
         assert (table.names, table["z"].values.tolist()) == (("x", "z"), [1.0, 2.0])
 
 
 def test_columns_twice_are_one_where_they_agree(tmp_path: Path) -> None:
-    table = read_columns_csv(written(tmp_path, "t [s],F [N],t [s],a [g],F [N]\n0,1,0,5,2\n1,2,1,6,3\n"))
+    table = read_columns_csv(
+        written(tmp_path, "t [s],F [N],t [s],a [g],F [N]\n0,1,0,5,2\n1,2,1,6,3\n")
+    )
     assert table["t"].values.tolist() == [0.0, 1.0]
     with pytest.raises(RecordingError, match="2 columns are named 'F'"):
         table["F"]
@@ -278,12 +340,18 @@ LOGGERS = {
 
 
 @pytest.mark.parametrize("content", LOGGERS.values(), ids=LOGGERS)
-def test_text_that_a_logger_writes_before_the_header_is_passed_over_and_said(tmp_path: Path, content: str) -> None:
+def test_text_that_a_logger_writes_before_the_header_is_passed_over_and_said(
+    tmp_path: Path, content: str
+) -> None:
     table = read_columns_csv(written(tmp_path, content))
     assert [column.unit for column in table] == ["s", "N"]
     assert table[0].values.tolist() == [0.0, 1.0]
     assert table[1].values.tolist() == [1.0, 2.0]
-    line = next(i for i, text in enumerate(content.splitlines(), 1) if text.lower().startswith(("time", "zeit")))
+    line = next(
+        i
+        for i, text in enumerate(content.splitlines(), 1)
+        if text.lower().startswith(("time", "zeit"))
+    )
     assert told(table)[0] == f"line {line} was taken as the header; the text before it was skipped"
     assert table.lines[0] > line
 

@@ -44,13 +44,24 @@ def test_same_as_cell_by_cell(tmp_path: Path, monkeypatch, cell: str, separator:
 
 
 def test_usual_records_need_no_look_at_cells(tmp_path: Path, monkeypatch) -> None:
-    values = np.column_stack([np.arange(2000) / 1000.0, np.random.default_rng(0).normal(0.0, 3.0, (2000, 4))])
+    values = np.column_stack(
+        [np.arange(2000) / 1000.0, np.random.default_rng(0).normal(0.0, 3.0, (2000, 4))]
+    )
     file = tmp_path / "lane.csv"
     head = "# axle = 'front'\ntime [s], left.plate.z [mm], left.plate.force [N], right.plate.z [mm], b [N]"
-    np.savetxt(file, values, fmt=["%.3f", "%.4f", "%.17g", "%.4e", "%12.1f"], delimiter=", ", header=head, comments="")
+    np.savetxt(
+        file,
+        values,
+        fmt=["%.3f", "%.4f", "%.17g", "%.4e", "%12.1f"],
+        delimiter=", ",
+        header=head,
+        comments="",
+    )
     looked: list[str] = []
     monkeypatch.setattr(
-        columns, "_cells", lambda line, mark, kept=columns._cells: looked.append(line) or kept(line, mark)
+        columns,
+        "_cells",
+        lambda line, mark, kept=columns._cells: looked.append(line) or kept(line, mark),
     )
     table = read_columns_csv(file)
     assert np.array_equal(table["left.plate.force"].values, values[:, 2])

@@ -27,7 +27,9 @@ WORDS = [
 def test_a_posix_shell_takes_them_apart_as_they_were() -> None:
     words = [*WORDS, "$HOME", '"', "`id`", "a\\b", "\n"]
     shown = [sys.executable, "-c", "import sys; print(sys.argv[1:])", *words]
-    done = subprocess.run(["/bin/sh", "-c", command_line(shown)], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        ["/bin/sh", "-c", command_line(shown)], capture_output=True, text=True, check=True
+    )
     assert done.stdout == f"{words}\n"
     assert words_of(command_line(words)) == words
 
@@ -50,7 +52,9 @@ def test_a_posix_shell_takes_them_apart_as_they_were() -> None:
         ("it's $1", "'it''s $1'"),
     ],
 )
-def test_on_windows_they_are_what_powershell_takes(monkeypatch: pytest.MonkeyPatch, word: str, wanted: str) -> None:
+def test_on_windows_they_are_what_powershell_takes(
+    monkeypatch: pytest.MonkeyPatch, word: str, wanted: str
+) -> None:
     monkeypatch.setattr(sys, "platform", "win32")
     assert command_line(["jounce", word]) == f"jounce {wanted}"
 

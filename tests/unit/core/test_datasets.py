@@ -14,7 +14,11 @@ from jounce.core.datasets import dataset
 def axes():
     time = xr.Variable("time", np.array([0.0, 1.0, 2.5]), {"units": "s"})
     return xr.Dataset(
-        coords={"time": time, "place": xr.Variable((), 3.0, {"units": "m"}), "side": ("side", ["l", "r"])}
+        coords={
+            "time": time,
+            "place": xr.Variable((), 3.0, {"units": "m"}),
+            "side": ("side", ["l", "r"]),
+        }
     )
 
 
@@ -85,7 +89,9 @@ def test_another_inside_is_noticed_and_the_public_constructor_used(axes, monkeyp
 
 
 @pytest.mark.parametrize(
-    "wrong", [xr.Variable("time", np.zeros(2)), xr.Variable("elsewhere", np.zeros(3))], ids=["size", "dimension"]
+    "wrong",
+    [xr.Variable("time", np.zeros(2)), xr.Variable("elsewhere", np.zeros(3))],
+    ids=["size", "dimension"],
 )
 def test_what_does_not_fit_is_for_the_public_constructor(axes, wrong):
     if "time" in wrong.dims:

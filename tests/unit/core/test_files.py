@@ -18,7 +18,9 @@ def test_a_file_of_the_users_own_comes_before_a_shipped_one(tmp_path, monkeypatc
     (tmp_path / "soft").mkdir()
     assert find_file("stiff", SHIPPED, "rig") == Path("stiff")
     assert find_file("soft", SHIPPED, "rig") == SHIPPED["soft"]  # a folder is no rig
-    assert find_file("none.toml", SHIPPED, "rig") == Path("none.toml")  # the reader says that it is missing
+    assert find_file("none.toml", SHIPPED, "rig") == Path(
+        "none.toml"
+    )  # the reader says that it is missing
 
 
 def test_an_unknown_name_is_refused_with_the_nearest_one() -> None:
@@ -28,7 +30,9 @@ def test_an_unknown_name_is_refused_with_the_nearest_one() -> None:
 
 
 def test_missing_files_and_folders_are_told_apart(tmp_path) -> None:
-    with pytest.raises(RecordingError, match=r"none\.csv: no such file\. Check the path and the name\."):
+    with pytest.raises(
+        RecordingError, match=r"none\.csv: no such file\. Check the path and the name\."
+    ):
         existing_file(tmp_path / "none.csv", RecordingError)
     with pytest.raises(DescriptionError, match="a folder, not a file"):
         existing_file(tmp_path)

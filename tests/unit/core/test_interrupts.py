@@ -84,7 +84,9 @@ def of_a_library():
     try:
         raise KeyboardInterrupt
     except KeyboardInterrupt:
-        raise SystemError("<built-in function cse> returned a result with an exception set") from None
+        raise SystemError(
+            "<built-in function cse> returned a result with an exception set"
+        ) from None
 
 
 def test_what_a_library_made_of_an_interrupt_is_one():

@@ -42,10 +42,14 @@ class Drawing(Description):
 
 
 def test_a_table_becomes_the_member_that_its_word_selects():
-    drawing = Drawing.from_table({"shape": {"kind": "pair", "of": {"kind": "bar", "length": "3 mm"}}})
+    drawing = Drawing.from_table(
+        {"shape": {"kind": "pair", "of": {"kind": "bar", "length": "3 mm"}}}
+    )
     assert drawing.shape == Pair(of=Bar(length=0.003))
     assert drawing.shape.size() == 0.006
-    assert drawing.model_dump(exclude_unset=True) == {"shape": {"kind": "pair", "of": {"kind": "bar", "length": 0.003}}}
+    assert drawing.model_dump(exclude_unset=True) == {
+        "shape": {"kind": "pair", "of": {"kind": "bar", "length": 0.003}}
+    }
 
 
 def test_a_class_written_later_joins():
@@ -80,8 +84,14 @@ def test_a_word_is_given_once():
 @pytest.mark.parametrize(
     ("shape", "message"),
     [
-        ({"kind": "pair", "of": {"kind": "bar", "lenght": 1}}, r"shape\.of\.lenght: unknown key; allowed: .*'length'"),
-        ({"kind": "pair", "of": {"kind": "baar"}}, r"shape\.of: unknown kind 'baar'; allowed: bar, .*'bar'"),
+        (
+            {"kind": "pair", "of": {"kind": "bar", "lenght": 1}},
+            r"shape\.of\.lenght: unknown key; allowed: .*'length'",
+        ),
+        (
+            {"kind": "pair", "of": {"kind": "baar"}},
+            r"shape\.of: unknown kind 'baar'; allowed: bar, .*'bar'",
+        ),
         ({"kind": "pair", "of": {}}, r"shape\.of: the key 'kind' is missing"),
         ({"kind": "bar", "length": "3 kg"}, r"shape\.length: wrong unit; found '3 kg'"),
         (3, r"shape: .*found 3"),
@@ -93,7 +103,9 @@ def test_mistakes_are_placed(shape: object, message: str):
 
 
 def test_schemas_refer_to_the_file_of_the_family():
-    assert {FILE_REF: "shape.schema.json"} in Drawing.model_json_schema()["properties"]["shape"]["anyOf"]
+    assert {FILE_REF: "shape.schema.json"} in Drawing.model_json_schema()["properties"]["shape"][
+        "anyOf"
+    ]
 
 
 def test_rows_are_there_at_the_first_look():

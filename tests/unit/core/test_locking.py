@@ -20,7 +20,9 @@ OTHER = "import pathlib, sys; from jounce.core.locking import is_held; print(is_
 
 def held_elsewhere(place: Path) -> bool:
     """Whether a process of its own finds the place held."""
-    done = subprocess.run([sys.executable, "-c", OTHER, str(place)], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", OTHER, str(place)], capture_output=True, text=True, check=True
+    )
     return {"True": True, "False": False}[done.stdout.strip()]
 
 
@@ -71,10 +73,14 @@ def test_on_windows_a_byte_is_locked_of_the_file_or_of_one_for_the_folder(
     os.close(first)
     assert not is_held(place)
     os.close(other)
-    assert {one.name for one in project.iterdir()} == (set() if kind == "folder" else {"alive", "other"})
+    assert {one.name for one in project.iterdir()} == (
+        set() if kind == "folder" else {"alive", "other"}
+    )
 
 
-def test_where_nothing_can_be_locked_nobody_is_kept_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_where_nothing_can_be_locked_nobody_is_kept_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def refuse(handle: int, how: int) -> None:
         raise OSError(errno.ENOLCK, "No locks available")
 

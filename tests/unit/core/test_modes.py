@@ -33,7 +33,9 @@ def test_new_files_are_as_open_as_the_mask_lets_them_be(tmp_path: Path, mask: in
     write_atomically(tmp_path / "one.txt", "one")
     (two,) = write_files(tmp_path / "folder", {"two.txt": "two"})
     (three,) = write_files(tmp_path / "folder", {"in/three.txt": "three"})
-    figure = write_figure(jn.plots.modes(jn.modes(jn.load("kart-quarter-car"))), tmp_path / "four.svg")
+    figure = write_figure(
+        jn.plots.modes(jn.modes(jn.load("kart-quarter-car"))), tmp_path / "four.svg"
+    )
     store = Store(tmp_path / "lane.sqlite")
     files = [tmp_path / "one.txt", two, three, figure, tmp_path / "lane.sqlite"]
     assert {mode(file) for file in files} == {f"{0o666 & ~mask:o}"}
@@ -54,7 +56,9 @@ def test_a_file_that_is_replaced_stays_as_open_as_it_was(tmp_path: Path, mask: i
         assert (mode(one), mode(two)) == (f"{kept:o}", f"{kept:o}")
 
 
-def test_what_takes_the_place_of_a_private_file_is_private_from_its_first_byte(tmp_path: Path, mask: int) -> None:
+def test_what_takes_the_place_of_a_private_file_is_private_from_its_first_byte(
+    tmp_path: Path, mask: int
+) -> None:
     file = tmp_path / "plates.csv"
     file.touch()
     file.chmod(0o600)
@@ -62,7 +66,9 @@ def test_what_takes_the_place_of_a_private_file_is_private_from_its_first_byte(t
         assert mode(temporary) == "600"
 
 
-def test_code_is_never_open_to_be_written_by_others(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, mask: int) -> None:
+def test_code_is_never_open_to_be_written_by_others(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, mask: int
+) -> None:
     monkeypatch.setenv("JOUNCE_CACHE_DIR", str(tmp_path / "cache"))
     cache.keep("a" * 64, b"code")
     file = tmp_path / "cache" / f"{'a' * 64}.o"

@@ -58,7 +58,9 @@ def test_from_anywhere_else_it_is_what_the_extra_needs(
     assert how_to_install("postgresql") == "pip install 'psycopg[binary]>=3.2' 'sqlalchemy>=2.0'"
 
 
-def test_of_sources_that_are_not_installed_it_is_the_folder_one_stands_in(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_of_sources_that_are_not_installed_it_is_the_folder_one_stands_in(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     def nothing(name: str) -> None:
         raise metadata.PackageNotFoundError(name)
 
@@ -70,6 +72,7 @@ def test_the_error_says_it(monkeypatch: pytest.MonkeyPatch) -> None:
     installed(monkeypatch, None)
     monkeypatch.setitem(sys.modules, "typst", None)
     with pytest.raises(
-        MissingPackageError, match=r"'typst' is not installed\. Install it with: pip install 'typst>=0.13'"
+        MissingPackageError,
+        match=r"'typst' is not installed\. Install it with: pip install 'typst>=0.13'",
     ):
         require("typst", "pdf")

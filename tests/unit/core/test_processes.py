@@ -28,7 +28,13 @@ if __name__ == "__main__":
 
 def run(folder: Path, *arguments: str, text: str = "") -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, *arguments], input=text, capture_output=True, text=True, check=False, cwd=folder, timeout=100
+        [sys.executable, *arguments],
+        input=text,
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=folder,
+        timeout=100,
     )
 
 
@@ -66,7 +72,10 @@ def test_what_workers_do_not_import_needs_none(tmp_path: Path) -> None:
 
 def test_a_worker_of_a_pool_is_told_so(tmp_path: Path) -> None:
     (tmp_path / "own.py").write_text(IN_A_POOL, encoding="utf-8")
-    assert "workers: a worker of a pool cannot start workers of its own; allowed: 1" in run(tmp_path, "own.py").stdout
+    assert (
+        "workers: a worker of a pool cannot start workers of its own; allowed: 1"
+        in run(tmp_path, "own.py").stdout
+    )
 
 
 def test_a_frozen_application_needs_none_that_could_be_read(tmp_path: Path) -> None:

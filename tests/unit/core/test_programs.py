@@ -27,7 +27,9 @@ def test_the_first_folder_that_has_it(tmp_path: Path, monkeypatch: pytest.Monkey
     assert program_on_path("gcc") is None
 
 
-def test_the_current_folder_is_not_looked_in(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_current_folder_is_not_looked_in(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     made(tmp_path, "cc")
     made(tmp_path / "sub", "cc")
     monkeypatch.chdir(tmp_path)

@@ -29,7 +29,9 @@ def test_once_for_each_object_by_identity():
 def test_it_is_forgotten_with_the_object():
     asked = []
     ask = once_per_object(lambda _: asked.append(1) or len(asked))
-    known = next(cell.cell_contents for cell in ask.__closure__ if isinstance(cell.cell_contents, dict))
+    known = next(
+        cell.cell_contents for cell in ask.__closure__ if isinstance(cell.cell_contents, dict)
+    )
     for i in range(1, 50):
         assert ask(Thing()) == i  # new objects take the place of old ones in memory
         gc.collect(0)
@@ -44,7 +46,9 @@ def test_a_changed_copy_of_a_rig_has_its_own_numbers_and_structure():
     numbers, structure = rig.parameters(), structure_of(rig)
     numbers["tyre.stiffness"] = -1.0  # of the caller alone
     assert rig.parameters()["tyre.stiffness"] > 0.0
-    softer = rig.model_copy(update={"tyre": rig.tyre.model_copy(update={"stiffness": 1.0e5, "lift_off": False})})
+    softer = rig.model_copy(
+        update={"tyre": rig.tyre.model_copy(update={"stiffness": 1.0e5, "lift_off": False})}
+    )
     assert softer.parameters()["tyre.stiffness"] == 1.0e5
     assert structure_of(softer) != structure == structure_of(rig)
 

@@ -28,5 +28,9 @@ def test_the_line_is_found_however_it_is_written(tmp_path: Path, text: str, told
 
 def test_what_is_no_file_of_toml_names_none(tmp_path: Path) -> None:
     (tmp_path / "study.txt").write_text('schema = "jounce.optimisation/1"\n', encoding="utf-8")
-    assert [schema_named_in(tmp_path / name) for name in ("study.txt", "missing.toml", ".")] == ["", "", ""]
+    assert [schema_named_in(tmp_path / name) for name in ("study.txt", "missing.toml", ".")] == [
+        "",
+        "",
+        "",
+    ]
     assert schema_named_in(Path("audi-a6-quarter-car")) == ""

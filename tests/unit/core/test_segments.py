@@ -14,12 +14,16 @@ def test_straight_lines_reach_as_far_as_their_points(rate, seed):
     x, height = np.cumsum(random.uniform(0.01, 0.5, 40)), random.normal(0.0, 0.02, 40)
     lines = piecewise_linear(x, height).in_time(rate)
     assert lines.extent == pytest.approx(np.ptp(height), rel=1e-12)
-    assert lines.extent == pytest.approx(np.ptp(lines.evaluate(np.linspace(x[0], x[-1], 20001) / rate)[0]), rel=1e-2)
+    assert lines.extent == pytest.approx(
+        np.ptp(lines.evaluate(np.linspace(x[0], x[-1], 20001) / rate)[0]), rel=1e-2
+    )
 
 
 def test_lines_that_do_not_meet_reach_to_both_of_their_ends():
     jump = Segments(
-        np.array([0.0, 1.0, 2.0]), np.zeros(2, dtype=np.int64), np.array([[0.0, 3.0, 0, 0], [-2.0, 0, 0, 0]])
+        np.array([0.0, 1.0, 2.0]),
+        np.zeros(2, dtype=np.int64),
+        np.array([[0.0, 3.0, 0, 0], [-2.0, 0, 0, 0]]),
     )
     assert jump.extent == pytest.approx(5.0)
     assert flat(3.0, 0.4).extent == 0.0
@@ -28,13 +32,17 @@ def test_lines_that_do_not_meet_reach_to_both_of_their_ends():
 def test_curves_reach_beyond_their_ends():
     bump = jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m").segments(1.0)
     assert bump.extent == pytest.approx(0.010, rel=1e-9)
-    parabola = Segments(np.array([0.0, 2.0]), np.zeros(1, dtype=np.int64), np.array([[0.0, 2.0, -1.0, 0.0]]))
+    parabola = Segments(
+        np.array([0.0, 2.0]), np.zeros(1, dtype=np.int64), np.array([[0.0, 2.0, -1.0, 0.0]])
+    )
     assert parabola.extent == pytest.approx(1.0)
 
 
 @pytest.mark.parametrize("before", ["line", "circle"])
 def test_a_jump_gets_a_ramp_that_ends_where_it_was(before) -> None:
-    kind, first = (POLYNOMIAL, [0.01, 0.1, 0.0, 0.0]) if before == "line" else (CIRCLE, [0.0, 0.3, 0.1, 1.0])
+    kind, first = (
+        (POLYNOMIAL, [0.01, 0.1, 0.0, 0.0]) if before == "line" else (CIRCLE, [0.0, 0.3, 0.1, 1.0])
+    )
     signal = Segments(
         np.array([0.0, 0.2, 0.5, 1.0]),
         np.array([kind, POLYNOMIAL, POLYNOMIAL]),

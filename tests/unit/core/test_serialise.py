@@ -38,7 +38,9 @@ def test_fields_become_plain_data_also_of_results_within():
     assert to_plain({"front": axle}) == {"front": axle.to_dict()}
 
 
-FORMATS = Formats("axles", {".txt": lambda axle, file: file.write_text(repr(axle), encoding="utf-8")})
+FORMATS = Formats(
+    "axles", {".txt": lambda axle, file: file.write_text(repr(axle), encoding="utf-8")}
+)
 
 
 def test_suffix_chooses_the_format(tmp_path: Path):
@@ -48,7 +50,9 @@ def test_suffix_chooses_the_format(tmp_path: Path):
 
 
 def test_other_suffixes_and_existing_files_are_refused(tmp_path: Path):
-    with pytest.raises(OutputError, match=r"axles are not written in this format; found '\.doc'; allowed: \.txt"):
+    with pytest.raises(
+        OutputError, match=r"axles are not written in this format; found '\.doc'; allowed: \.txt"
+    ):
         FORMATS.check(tmp_path / "axle.doc")
     file = FORMATS.write(Axle(()), tmp_path / "axle.txt")
     with pytest.raises(OutputError, match="the output exists"):

@@ -42,7 +42,9 @@ def results() -> dict[str, type]:
             if inspect.isclass(given):
                 found[name] = given
     ours = {name: kind for name, kind in found.items() if kind.__module__.startswith("jounce.")}
-    return {name: kind for name, kind in ours.items() if not issubclass(kind, (Exception, *NOT_RESULTS))}
+    return {
+        name: kind for name, kind in ours.items() if not issubclass(kind, (Exception, *NOT_RESULTS))
+    }
 
 
 @pytest.mark.parametrize("name", sorted(results()))
@@ -78,7 +80,9 @@ def test_results_say_what_their_numbers_are() -> None:
 
 
 def test_texts_of_files_are_text() -> None:
-    page = Finding("<script>alert(1)</script>", "note", "a & b \x1b[2J" + "long " * 500)._repr_html_()
+    page = Finding(
+        "<script>alert(1)</script>", "note", "a & b \x1b[2J" + "long " * 500
+    )._repr_html_()
     assert "<script" not in page
     assert "&lt;script&gt;" in page
     assert "a &amp; b \\x1b[2J" in page
@@ -115,12 +119,17 @@ def test_values_of_every_kind() -> None:
         array: object = dataclasses.field(default_factory=lambda: np.zeros((3, 2)))
         scalar: object = np.float64(2.0)
         names: tuple[str, ...] = ("a", "b")
-        table: dict[str, float] = dataclasses.field(default_factory=lambda: dict.fromkeys("abcdef", 0.0))
+        table: dict[str, float] = dataclasses.field(
+            default_factory=lambda: dict.fromkeys("abcdef", 0.0)
+        )
         pole: complex = 1.0 - 2.0j
         inner: object = dataclasses.field(default_factory=lambda: (Finding("a", "note", "b"),))
 
     text = text_of(Odd()._repr_html_())
-    assert "Odd A result. rate −1.5 In N/m. other – In N/m. flag yes none – many 1 … 5 array 3 x 2 numbers" in text
+    assert (
+        "Odd A result. rate −1.5 In N/m. other – In N/m. flag yes none – many 1 … 5 array 3 x 2 numbers"
+        in text
+    )
     assert "scalar 2 names a, b table a, b, c and 3 more pole 1 − 2i inner 1 x Finding" in text
 
 
@@ -135,7 +144,10 @@ def test_recordings_by_channel() -> None:
     page = dataset_html(data)
     text = text_of(page)
     assert len(page) <= 8000
-    assert "Recording 11 values of time from 0 to 1 s channel least greatest unit c0.az 0 0.84147 m/s²" in text
+    assert (
+        "Recording 11 values of time from 0 to 1 s channel least greatest unit c0.az 0 0.84147 m/s²"
+        in text
+    )
     assert "… and 20 more: jn.plots.show(data)" in text
     assert dataset_html(Dataset({"a": ("x", [1.0])})).startswith("<div><svg")  # not ours
     data["c0.az"][:] = np.nan

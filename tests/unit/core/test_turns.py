@@ -62,7 +62,10 @@ def test_one_thread_makes_it_and_all_share_it(way):
 def test_other_things_are_made_meanwhile():
     recent, both = Recent(), threading.Barrier(2)
     with ThreadPoolExecutor(2) as threads:  # each waits for the other inside of what it makes
-        assert list(threads.map(lambda key: recent.of(key, lambda: both.wait(5.0) >= 0), "ab")) == [True, True]
+        assert list(threads.map(lambda key: recent.of(key, lambda: both.wait(5.0) >= 0), "ab")) == [
+            True,
+            True,
+        ]
 
 
 def test_what_one_thread_fails_to_make_the_next_one_tries():
@@ -86,7 +89,9 @@ def test_what_one_thread_fails_to_make_the_next_one_tries():
 def test_a_store_that_is_too_small_still_gives_each_key_its_own(monkeypatch):
     monkeypatch.setattr(Recent, "most", 1)
     recent = Recent()
-    values = ask_at_once(lambda: [recent.of(key, lambda key=key: key.upper()) for key in "abcabcabc" * 50])
+    values = ask_at_once(
+        lambda: [recent.of(key, lambda key=key: key.upper()) for key in "abcabcabc" * 50]
+    )
     assert values == [list("ABCABCABC" * 50)] * THREADS
 
 
@@ -98,7 +103,9 @@ def test_a_thread_that_has_a_turn_may_take_it_again():
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system does not split processes")
-@pytest.mark.filterwarnings("ignore:This process:DeprecationWarning")  # of forks beside threads: they are the subject
+@pytest.mark.filterwarnings(
+    "ignore:This process:DeprecationWarning"
+)  # of forks beside threads: they are the subject
 def test_a_child_does_not_wait_for_threads_that_stayed_behind():
     recent, inside, done = Recent(), threading.Event(), threading.Event()
 

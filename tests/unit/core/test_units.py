@@ -37,14 +37,21 @@ SPELLINGS = {  # units that are written between bars, and what one of them is
 
 @pytest.mark.parametrize(
     ("si", "unit", "factor"),
-    [(si, unit, factor) for si, rows in SPELLINGS.items() for units, factor in rows for unit in units.split("|")],
+    [
+        (si, unit, factor)
+        for si, rows in SPELLINGS.items()
+        for units, factor in rows
+        for unit in units.split("|")
+    ],
 )
 def test_spellings_and_dimensions(si: str, unit: str, factor: float) -> None:
     assert conversion_factor(unit, si) == pytest.approx(factor, rel=1e-12)
     assert to_si(f"2 {unit}", si) == pytest.approx(2.0 * factor, rel=1e-12)
 
 
-@pytest.mark.parametrize(("si", "unit"), [(si, unit) for si, row in _EVERYDAY.items() for unit in row])
+@pytest.mark.parametrize(
+    ("si", "unit"), [(si, unit) for si, row in _EVERYDAY.items() for unit in row]
+)
 def test_everyday_units_are_those_of_the_library(si: str, unit: str) -> None:
     assert _EVERYDAY[si][unit] == pytest.approx(_factor_of_library(unit, si), rel=4e-16, abs=0.0)
     assert si == "1" or _factor_of_library(si, si) == 1.0
@@ -61,21 +68,29 @@ NONE = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("si", "unit"), [(si, unit) for si, units in NONE.items() for unit in units])
+@pytest.mark.parametrize(
+    ("si", "unit"), [(si, unit) for si, units in NONE.items() for unit in units]
+)
 def test_what_is_no_such_unit_is_refused(si: str, unit: str) -> None:
-    with pytest.raises(DescriptionError, match=r"^a\.csv: wrong unit; found .*; allowed: a unit that converts to"):
+    with pytest.raises(
+        DescriptionError, match=r"^a\.csv: wrong unit; found .*; allowed: a unit that converts to"
+    ):
         conversion_factor(unit, si, where="a.csv")
 
 
 def test_words_that_are_units() -> None:
     assert all(is_unit(text) for text in ("N", "m/s2", "milli-g", "%", "°", "Ns/mm", "mg"))
-    assert not any(is_unit(text) for text in ("front", "1", "", ":,1", "raw 2", "m^9**9**9", "x" * 200_000))
+    assert not any(
+        is_unit(text) for text in ("front", "1", "", ":,1", "raw 2", "m^9**9**9", "x" * 200_000)
+    )
 
 
 @pytest.mark.parametrize("text", ["1e-300 m", "5e-324 m", "-1e-200 mm"])
 def test_a_size_whose_inverse_is_no_number(text: str) -> None:
     """`design springs --frequency "1e-300 Hz"` and `export road --step "5e-324 m"` were internal errors."""
-    with pytest.raises(DescriptionError, match=r"an impossible size.*0, and sizes from 1e-100 to 1e\+30 m"):
+    with pytest.raises(
+        DescriptionError, match=r"an impossible size.*0, and sizes from 1e-100 to 1e\+30 m"
+    ):
         to_si(text, "m")
     assert to_si("0 m", "m") == 0.0
     assert to_si("6e-33 m", "m") == 6e-33  # what rounding leaves

@@ -36,7 +36,10 @@ def test_a_long_wait_is_logged_again_and_again_with_its_time(caplog):
 
 def test_how_far_it_has_come_is_asked_each_time(caplog):
     done = iter(range(10_000))
-    with caplog.at_level(logging.WARNING, "jounce"), report_work(lambda: f"design {next(done)} of many"):
+    with (
+        caplog.at_level(logging.WARNING, "jounce"),
+        report_work(lambda: f"design {next(done)} of many"),
+    ):
         wait_for(lambda: len(caplog.messages) >= 2)
     assert caplog.messages[0].startswith("design 0 of many, ")
     assert caplog.messages[1].startswith("design 1 of many, ")

@@ -7,7 +7,13 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import AssemblyError, DescriptionError
-from jounce.design.adjustments import QUANTITIES, adjust_report, adjustment_findings, lengths_for, wheel_state
+from jounce.design.adjustments import (
+    QUANTITIES,
+    adjust_report,
+    adjustment_findings,
+    lengths_for,
+    wheel_state,
+)
 from jounce.kinematics.adjustments import BLOCK_MASS, SETTINGS, apply_adjustments, arm_length
 from jounce.parts.bodies import distance
 from jounce.parts.leverage import spring_force
@@ -47,13 +53,18 @@ def test_20_mm_of_the_tie_rod_give_the_published_toe():
 
 
 def test_published_ranges():
-    assert (SETTINGS["upper_arm_length"].lowest, SETTINGS["upper_arm_length"].highest) == (0.0, 0.020)
+    assert (SETTINGS["upper_arm_length"].lowest, SETTINGS["upper_arm_length"].highest) == (
+        0.0,
+        0.020,
+    )
     assert degrees(SETTINGS["strut_angle"].lowest) == pytest.approx(10.0)
     assert degrees(SETTINGS["strut_angle"].highest) == pytest.approx(26.0)
     for setting in SETTINGS.values():
         assert "section 4" in setting.source or "estimated" in setting.source
         assert setting.lowest < setting.highest
-        assert setting.range_for(KART) == pytest.approx((setting.lowest, setting.highest), rel=1e-3, abs=1e-9)
+        assert setting.range_for(KART) == pytest.approx(
+            (setting.lowest, setting.highest), rel=1e-3, abs=1e-9
+        )
     # a car's spring carries more than the prototype's
     assert SETTINGS["spring_preload"].range_for(REFERENCE)[1] > 5e3
 
@@ -63,8 +74,16 @@ def test_block_adds_its_mass_and_shortens_the_upper_arm_only():
     assert rig.sprung.mass == pytest.approx(18.6)  # paper: 16 kg and 18.6 kg
     assert pytest.approx(2.6) == BLOCK_MASS
     assert arm_length(rig, "upper") == pytest.approx(0.150, rel=1e-12)
-    for name in ("lower_ball_joint", "upper_ball_joint", "wheel_centre", "tie_rod_outer", "lower_arm_front"):
-        assert getattr(rig.hardpoints, name) == pytest.approx(getattr(KART.hardpoints, name), abs=1e-12)
+    for name in (
+        "lower_ball_joint",
+        "upper_ball_joint",
+        "wheel_centre",
+        "tie_rod_outer",
+        "lower_arm_front",
+    ):
+        assert getattr(rig.hardpoints, name) == pytest.approx(
+            getattr(KART.hardpoints, name), abs=1e-12
+        )
     # a short upper arm swings the wheel's top in with bump, the more the shorter
     camber = [
         float(jn.sweep_travel(one, [0.02])["camber"][0])
@@ -114,7 +133,8 @@ def test_upright_is_moved_as_a_rigid_body_and_rods_have_their_lengths(settings, 
 def test_wheel_angles_are_those_of_the_moved_upright():
     """Kinematics of the adjusted rig start from the camber and toe of its description."""
     rig = apply_adjustments(
-        KART.with_changes({"wheel.camber": "-1 deg", "wheel.toe": "0.5 deg"}), {"upper_arm_length": "7 mm"}
+        KART.with_changes({"wheel.camber": "-1 deg", "wheel.toe": "0.5 deg"}),
+        {"upper_arm_length": "7 mm"},
     )
     sweep = jn.sweep_travel(rig, [0.0])
     assert float(sweep["camber"][0]) == pytest.approx(rig.wheel.camber, abs=1e-12)
@@ -132,10 +152,14 @@ def test_spring_keeps_its_free_length_and_preload_follows():
     settings = {"upper_arm_length": "20 mm"}
     free = apply_adjustments(KART, settings)
     assert free.strut.spring.free_length == KART.strut.spring.free_length
-    by_preload = KART.with_changes({"strut.spring": {"rate": KART.strut.spring.rate, "preload": spring_force(KART)}})
+    by_preload = KART.with_changes(
+        {"strut.spring": {"rate": KART.strut.spring.rate, "preload": spring_force(KART)}}
+    )
     other = apply_adjustments(by_preload, settings)
     assert spring_force(other) == pytest.approx(spring_force(free), rel=1e-9)
-    assert jn.equilibrium(other)["sprung.z"] == pytest.approx(jn.equilibrium(free)["sprung.z"], abs=1e-9)
+    assert jn.equilibrium(other)["sprung.z"] == pytest.approx(
+        jn.equilibrium(free)["sprung.z"], abs=1e-9
+    )
 
 
 def test_preload_is_the_force_at_design_length_and_lifts_the_body():
@@ -168,7 +192,9 @@ def report():
 
 
 def test_report_covers_every_setting_and_quantity(report):
-    assert [effect.setting for effect in report.effects] == [item.name for item in SETTINGS.values() if item.fits(KART)]
+    assert [effect.setting for effect in report.effects] == [
+        item.name for item in SETTINGS.values() if item.fits(KART)
+    ]
     assert len(report.effects) == 11
     assert report.findings == ()
     for effect in report.effects:
@@ -211,20 +237,30 @@ def test_findings_of_strut_angles():
 
 
 def test_report_of_another_rig_says_what_it_cannot_have():
-    spring = {"strut.spring": {"curve": {"kind": "polynomial", "coefficients": [22e3]}, "free_length": 0.208}}
+    spring = {
+        "strut.spring": {
+            "curve": {"kind": "polynomial", "coefficients": [22e3]},
+            "free_length": 0.208,
+        }
+    }
     found = adjust_report(KART.with_changes(spring))
     assert "spring_preload" not in [effect.setting for effect in found.effects]
-    assert any(f.place == "spring_preload" and "no single preload" in f.message for f in found.findings)
+    assert any(
+        f.place == "spring_preload" and "no single preload" in f.message for f in found.findings
+    )
 
 
 # --- the inverse ---------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
-    ("camber", "toe"), [(-2.0, 0.5), (4.0, -1.0), (-4.9, 0.0), (0.3, 8.0), (-0.3, 8.0), (1.0, None), (None, -6.0)]
+    ("camber", "toe"),
+    [(-2.0, 0.5), (4.0, -1.0), (-4.9, 0.0), (0.3, 8.0), (-0.3, 8.0), (1.0, None), (None, -6.0)],
 )
 def test_lengths_reach_what_is_wished(camber, toe):
-    found = lengths_for(KART, *(None if value is None else f"{value} deg" for value in (camber, toe)))
+    found = lengths_for(
+        KART, *(None if value is None else f"{value} deg" for value in (camber, toe))
+    )
     wheel = apply_adjustments(KART, found.settings()).wheel
     if camber is not None:
         assert degrees(wheel.camber) == pytest.approx(camber, abs=1e-7)
@@ -252,18 +288,24 @@ def test_lengths_of_a_car_are_found_too():
 )
 def test_lengths_of_other_suspensions(name, camber, toe, used):
     rig = jn.load(name)
-    found = lengths_for(rig, *(None if value is None else f"{value} deg" for value in (camber, toe)))
+    found = lengths_for(
+        rig, *(None if value is None else f"{value} deg" for value in (camber, toe))
+    )
     wheel = apply_adjustments(rig, found.settings()).wheel
     assert degrees(wheel.camber) == pytest.approx(camber, abs=1e-7)
     assert used <= set(found.settings())
     assert len(found.settings()) == (1 if toe is None else 2)
     if toe is not None:
         assert degrees(wheel.toe) == pytest.approx(toe, abs=1e-7)
-    with pytest.raises(DescriptionError, match=r"lengths do not reach this.* deg to .* deg.*wedges"):
+    with pytest.raises(
+        DescriptionError, match=r"lengths do not reach this.* deg to .* deg.*wedges"
+    ):
         lengths_for(rig, camber="-25 deg")
 
 
-@pytest.mark.parametrize("wished", [{"camber": "7 deg"}, {"camber": "-8 deg", "toe": 0.0}, {"toe": "15 deg"}])
+@pytest.mark.parametrize(
+    "wished", [{"camber": "7 deg"}, {"camber": "-8 deg", "toe": 0.0}, {"toe": "15 deg"}]
+)
 def test_what_the_published_lengths_do_not_reach_is_refused_with_their_range(wished):
     with pytest.raises(DescriptionError, match=r"does not reach this.* deg to .* deg.*wedges"):
         lengths_for(KART, **wished)
@@ -295,7 +337,9 @@ def test_other_rigs_are_refused():
         adjust_report(jn.load("kart-quarter-car"))
     with pytest.raises(DescriptionError, match=r"no length of it sets camber.*wedges"):
         lengths_for(jn.load("semi-trailing-arm"), camber="-1 deg")
-    with pytest.raises(DescriptionError, match=r"no such adjustment.*allowed: lower_arm_length, tie_rod_length"):
+    with pytest.raises(
+        DescriptionError, match=r"no such adjustment.*allowed: lower_arm_length, tie_rod_length"
+    ):
         apply_adjustments(jn.load("generic-mcpherson"), {"pushrod_length": "1 mm"})
 
 
@@ -318,7 +362,10 @@ def test_a_linkage_that_does_not_go_together_is_refused_by_name():
 
 def lengths_of(rig) -> dict[str, float]:
     points = {name: np.array(point) for name, point in rig.hardpoints.given().items()}
-    rods = {**{inner: outer for outer, inner in rig.hardpoints.rods}, "pushrod_inner": "pushrod_outer"}
+    rods = {
+        **{inner: outer for outer, inner in rig.hardpoints.rods},
+        "pushrod_inner": "pushrod_outer",
+    }
     rods |= {"rocker_pivot": "strut_bottom", "rocker_axis": "pushrod_inner"}
     found = {f"{a} {b}": float(np.linalg.norm(points[a] - points[b])) for a, b in rods.items()}
     upper = [("upper_arm_front", "upper_ball_joint"), ("upper_arm_rear", "upper_ball_joint")]
@@ -334,30 +381,48 @@ def test_shims_and_rods_of_a_car_with_rockers_change_their_length_alone():
     ):
         after = lengths_of(apply_adjustments(rig, {setting: longer}))
         for name, length in before.items():
-            assert after[name] == pytest.approx(length + longer * (name == rod), abs=1e-10), (setting, name)
+            assert after[name] == pytest.approx(length + longer * (name == rod), abs=1e-10), (
+                setting,
+                name,
+            )
     shimmed = apply_adjustments(rig, {"camber_shim": "3 mm"})
     assert lengths_of(shimmed) == pytest.approx(before, abs=1e-10)  # every rod keeps its length
     # in the upright the ball joint has moved by the shim, along the wheel's axis, inwards
     bases, frames = [], []
     for one in (rig, shimmed):
         points = {name: np.array(point) for name, point in one.hardpoints.given().items()}
-        along = [points[name] - points["wheel_centre"] for name in ("lower_ball_joint", "tie_rod_outer")]
+        along = [
+            points[name] - points["wheel_centre"] for name in ("lower_ball_joint", "tie_rod_outer")
+        ]
         bases.append(np.column_stack([*along, np.cross(*along)]))
-        frames.append(np.linalg.solve(bases[-1], points["upper_ball_joint"] - points["wheel_centre"]))
+        frames.append(
+            np.linalg.solve(bases[-1], points["upper_ball_joint"] - points["wheel_centre"])
+        )
     moved = bases[0] @ (frames[1] - frames[0])
     camber = rig.wheel.camber
     assert moved == pytest.approx([0.0, -0.003 * np.cos(camber), 0.003 * np.sin(camber)], abs=1e-9)
-    assert 0.9 < (shimmed.wheel.camber - camber) / (0.003 / 0.2) < 1.0  # 200 mm between joints, on arms that lean
+    assert (
+        0.9 < (shimmed.wheel.camber - camber) / (0.003 / 0.2) < 1.0
+    )  # 200 mm between joints, on arms that lean
     high = apply_adjustments(rig, {"pushrod_length": "4 mm"})
-    assert wheel_state(high).ride_height > wheel_state(rig).ride_height + 2e-3  # a longer push rod lifts the car
+    assert (
+        wheel_state(high).ride_height > wheel_state(rig).ride_height + 2e-3
+    )  # a longer push rod lifts the car
 
 
 def test_a_rig_without_rocker_has_no_push_rod_to_set():
     with pytest.raises(jn.DescriptionError, match="no such adjustment"):
         apply_adjustments(KART, {"pushrod_length": "2 mm"})
-    in_line = {"hardpoints.rocker_pivot": [0.0, 0.2361, 0.4569], "hardpoints.rocker_axis": [0.1, 0.2361, 0.4569]}
-    with pytest.raises(AssemblyError, match="cannot be assembled"):  # the rod points at the pivot: it cannot be shorter
-        apply_adjustments(jn.load("formula-student-front").with_changes(in_line), {"pushrod_length": "-5 mm"})
+    in_line = {
+        "hardpoints.rocker_pivot": [0.0, 0.2361, 0.4569],
+        "hardpoints.rocker_axis": [0.1, 0.2361, 0.4569],
+    }
+    with pytest.raises(
+        AssemblyError, match="cannot be assembled"
+    ):  # the rod points at the pivot: it cannot be shorter
+        apply_adjustments(
+            jn.load("formula-student-front").with_changes(in_line), {"pushrod_length": "-5 mm"}
+        )
 
 
 # every suspension -----------------------------------------------------------------------------------------------------
@@ -365,20 +430,31 @@ def test_a_rig_without_rocker_has_no_push_rod_to_set():
 
 def rod_lengths(rig) -> dict[str, float]:
     points = rig.hardpoints
-    return {inner: distance(getattr(points, inner), getattr(points, outer)) for outer, inner in points.rods}
+    return {
+        inner: distance(getattr(points, inner), getattr(points, outer))
+        for outer, inner in points.rods
+    }
 
 
 @pytest.mark.parametrize("side", ["left", "right"])
 def test_shims_of_links_and_plates_change_what_they_say_and_nothing_else(side: str):
-    links = jn.load("sedan-multi-link") if side == "left" else jn.load("sedan-multi-link").mirrored()
+    links = (
+        jn.load("sedan-multi-link") if side == "left" else jn.load("sedan-multi-link").mirrored()
+    )
     before = rod_lengths(links)
     longer = apply_adjustments(links, {"link_2_length": "3 mm"})
     for name, length in rod_lengths(longer).items():
-        assert length == pytest.approx(before[name] + 3e-3 * (name == "link_2_inner"), abs=1e-10), name
+        assert length == pytest.approx(before[name] + 3e-3 * (name == "link_2_inner"), abs=1e-10), (
+            name
+        )
     shimmed = apply_adjustments(links, {"camber_shim": "-2 mm"})
     assert rod_lengths(shimmed) == pytest.approx(before, abs=1e-10)
-    assert -1.0 < degrees(shimmed.wheel.camber - links.wheel.camber) < -0.2  # the top of the wheel inwards
-    strut = jn.load("generic-mcpherson") if side == "left" else jn.load("generic-mcpherson").mirrored()
+    assert (
+        -1.0 < degrees(shimmed.wheel.camber - links.wheel.camber) < -0.2
+    )  # the top of the wheel inwards
+    strut = (
+        jn.load("generic-mcpherson") if side == "left" else jn.load("generic-mcpherson").mirrored()
+    )
     plated = apply_adjustments(strut, {"camber_plate": "-8 mm"})
     assert rod_lengths(plated) == pytest.approx(rod_lengths(strut), abs=1e-10)
     moved = np.subtract(plated.hardpoints.strut_top, strut.hardpoints.strut_top)
@@ -404,13 +480,20 @@ def test_shims_of_links_and_plates_change_what_they_say_and_nothing_else(side: s
 def test_settings_fit_the_suspension():
     fitting = {
         name: {item.name for item in SETTINGS.values() if item.fits(jn.load(name))}
-        for name in ("generic-mcpherson", "sedan-multi-link", "semi-trailing-arm", "formula-student-front")
+        for name in (
+            "generic-mcpherson",
+            "sedan-multi-link",
+            "semi-trailing-arm",
+            "formula-student-front",
+        )
     }
     wedges = {"camber_wedge", "toe_wedge", "spring_preload"}
     assert fitting["semi-trailing-arm"] == wedges
     arm = {"lower_arm_length", "lower_arm_support", "tie_rod_length", "camber_plate"}
     assert fitting["generic-mcpherson"] == wedges | arm
-    assert fitting["sedan-multi-link"] == wedges | {f"link_{i}_length" for i in range(1, 6)} | {"camber_shim"}
+    assert fitting["sedan-multi-link"] == wedges | {f"link_{i}_length" for i in range(1, 6)} | {
+        "camber_shim"
+    }
     links = {f"link_{i}_length" for i in range(1, 6)}
     assert fitting["formula-student-front"] == SETTINGS.keys() - links - {"camber_plate"}
 
@@ -422,8 +505,12 @@ def test_what_has_no_steering_axis_has_no_caster():
 
 
 def test_hardpoints_alone_are_adjusted_and_have_no_wheel_rate():
-    table = KART.model_dump(by_alias=True, exclude_none=True, exclude={"bodies", "sprung", "guide", "strut", "tyre"})
-    report = adjust_report(type(KART).from_table(table), {"upper_arm_length": "20 mm"}, effects=False)
+    table = KART.model_dump(
+        by_alias=True, exclude_none=True, exclude={"bodies", "sprung", "guide", "strut", "tyre"}
+    )
+    report = adjust_report(
+        type(KART).from_table(table), {"upper_arm_length": "20 mm"}, effects=False
+    )
     assert degrees(report.after.camber) == pytest.approx(5.244, abs=1e-3)
     assert (report.after.wheel_rate, report.after.ride_height) == (None, None)
 
@@ -454,14 +541,25 @@ def test_bars_and_third_springs_go_along(side: str):
         ("third_spring_end", "lower_ball_joint"),
         ("third_spring_end", "lower_arm_rear"),
     ):
-        lengths = [distance(getattr(r.hardpoints, one), getattr(r.hardpoints, other)) for r in (rig, new)]
+        lengths = [
+            distance(getattr(r.hardpoints, one), getattr(r.hardpoints, other)) for r in (rig, new)
+        ]
         assert lengths[1] == pytest.approx(lengths[0], abs=1e-9), (one, other)
-    arms = [np.subtract(r.hardpoints.lower_ball_joint, r.hardpoints.lower_arm_front)[1:] for r in (rig, new)]
-    slopes = [float(np.arctan2(z, rig.sign * y)) for y, z in arms]  # of the arm in front view, about its level axis
+    arms = [
+        np.subtract(r.hardpoints.lower_ball_joint, r.hardpoints.lower_arm_front)[1:]
+        for r in (rig, new)
+    ]
+    slopes = [
+        float(np.arctan2(z, rig.sign * y)) for y, z in arms
+    ]  # of the arm in front view, about its level axis
     wound = 60.0 * (slopes[1] - slopes[0])
     assert new.torsion_bar.preload == pytest.approx(3.0 + wound, abs=1e-9)
     assert wound < -3.0  # the inner supports rise: the arm falls outward
     ends = [abs(r.hardpoints.third_spring_end[1]) for r in (rig, new)]
-    assert new.third_spring.spring.preload == pytest.approx(10.0 - 2e3 * 2.0 * (ends[1] - ends[0]), abs=1e-9)
+    assert new.third_spring.spring.preload == pytest.approx(
+        10.0 - 2e3 * 2.0 * (ends[1] - ends[0]), abs=1e-9
+    )
     with pytest.raises(AssemblyError, match="does not reach its arm"):
-        apply_adjustments(rig.with_changes({"hardpoints.arb_arm_end[0]": -0.09}), {"lower_arm_support": "-30 mm"})
+        apply_adjustments(
+            rig.with_changes({"hardpoints.arb_arm_end[0]": -0.09}), {"lower_arm_support": "-30 mm"}
+        )

@@ -50,7 +50,9 @@ def test_values_of_paper_2():
     assert demo[0].frequency_hz == pytest.approx(demo[1].frequency_hz, rel=1e-12)
     assert demo[0].frequency_hz == pytest.approx(1.4383, abs=5e-5)
     assert math.isclose(28e3 * 0.9, 21e3 * 1.2)
-    assert demo[1].damping_ratio - demo[0].damping_ratio == pytest.approx(0.027, abs=5e-4)  # not one damping ratio
+    assert demo[1].damping_ratio - demo[0].damping_ratio == pytest.approx(
+        0.027, abs=5e-4
+    )  # not one damping ratio
     # table 1: 38 N/mm and 2000 N s/m under 4512.6 N are 1.45 Hz and a damping ratio of 0.24 to 1 %
     design = spring_and_damper(4512.6 / 9.81, "1.45 Hz", 0.24)
     assert design.spring_rate == pytest.approx(38e3, rel=0.01)
@@ -61,7 +63,13 @@ def test_values_of_paper_2():
 def test_spring_and_damper_there_and_back():
     for tyre, ratio in ((None, 1.0), (200e3, 1.0), (200e3, 0.7)):
         made = spring_and_damper("400 kg", "1.3 Hz", 0.35, tyre_stiffness=tyre, motion_ratio=ratio)
-        back = as_built(400.0, made.spring_rate, made.damping_coefficient, tyre_stiffness=tyre, motion_ratio=ratio)
+        back = as_built(
+            400.0,
+            made.spring_rate,
+            made.damping_coefficient,
+            tyre_stiffness=tyre,
+            motion_ratio=ratio,
+        )
         assert (back.frequency_hz, back.damping_ratio) == pytest.approx((1.3, 0.35), rel=1e-12)
         assert made.spring_rate * ratio**2 == pytest.approx(made.wheel_rate)
         assert made.static_deflection * made.wheel_rate == pytest.approx(made.static_load)
@@ -72,7 +80,9 @@ def test_spring_and_damper_there_and_back():
 
 def test_approximate_frequencies_are_near():
     exact = [mode.frequency_hz for mode in jn.modes(CAR_A.with_changes({DAMPER: 0.0}))]
-    assert approximate_frequencies(LumpedCorner(400.0, 40.0, 25e3, 200e3)) == pytest.approx(exact, rel=0.01)
+    assert approximate_frequencies(LumpedCorner(400.0, 40.0, 25e3, 200e3)) == pytest.approx(
+        exact, rel=0.01
+    )
 
 
 def test_springs_of_vehicles():
@@ -80,7 +90,9 @@ def test_springs_of_vehicles():
         found = design_springs(jn.load(name), ("1.2 Hz", "1.35 Hz"), (0.25, 0.3))
         front, rear = found.wheels
         assert front.sprung_mass == pytest.approx(455.38, abs=5e-3)
-        assert found.rig.parameters()["rear.spring_rate"] == pytest.approx(rear.sprung_mass * (2 * np.pi * 1.35) ** 2)
+        assert found.rig.parameters()["rear.spring_rate"] == pytest.approx(
+            rear.sprung_mass * (2 * np.pi * 1.35) ** 2
+        )
         assert front.present.frequency_hz == pytest.approx(1.2480, abs=5e-5)
         again = design_springs(found.rig, 1.0, 0.2).wheels
         assert again[0].present.damping_ratio == pytest.approx(0.25)
@@ -88,7 +100,9 @@ def test_springs_of_vehicles():
     kart = design_springs(jn.load("kart-quarter-car"), 4.0, 0.2)
     (wheel,) = kart.wheels
     assert wheel.wanted.wheel_rate == pytest.approx(16.0 * (2 * np.pi * 4.0) ** 2)
-    assert wheel.wanted.spring_rate == pytest.approx(wheel.wanted.wheel_rate / np.cos(kart.rig.strut.angle) ** 2)
+    assert wheel.wanted.spring_rate == pytest.approx(
+        wheel.wanted.wheel_rate / np.cos(kart.rig.strut.angle) ** 2
+    )
     soft = design_springs(jn.load("audi-a6-half-car"), (1.4, 1.2), 0.3)
     assert any("softer" in finding.message for finding in soft.findings)
 
@@ -101,7 +115,12 @@ def test_springs_of_vehicles():
         ("audi-a6-half-car", (1.2, -0.1), {}, "at least 0"),
         ("audi-a6-half-car", ((1.2, 1.3, 1.4), 0.3), {}, "not one value for each axle"),
         ("audi-a6-half-car", (1.2, 0.3), {"with_tyre": True}, "no tyre"),
-        ("audi-a6-half-car-4dof", (5.0, 0.3), {"with_tyre": True}, "tyre is too soft.*below 4.085 Hz"),
+        (
+            "audi-a6-half-car-4dof",
+            (5.0, 0.3),
+            {"with_tyre": True},
+            "tyre is too soft.*below 4.085 Hz",
+        ),
         ("kart-double-wishbone", (1.2, 0.3), {}, "lumped_from"),
     ],
 )
@@ -111,7 +130,9 @@ def test_springs_refuse(name, arguments, options, text):
 
 
 def test_springs_of_laws_with_more_numbers_are_refused():
-    bilinear = CAR_A.with_changes({"strut.damper": {"bump_coefficient": 1000.0, "rebound_coefficient": 2000.0}})
+    bilinear = CAR_A.with_changes(
+        {"strut.damper": {"bump_coefficient": 1000.0, "rebound_coefficient": 2000.0}}
+    )
     with pytest.raises(DescriptionError, match="is not linear"):
         design_springs(bilinear, 1.2, 0.3)
 
@@ -122,11 +143,19 @@ def test_best_dampers_by_formula_and_by_search():
         lever = np.cos(rig.strut.angle) ** 2
         corner = LumpedCorner(400.0, 40.0, 25e3 * lever, 200e3)
         comfort, holding = best_dampers(rig, "C", "20 m/s")
-        assert comfort.closed_form[DAMPER] * lever == pytest.approx(comfort_damping(corner), rel=1e-12)
-        assert holding.closed_form[DAMPER] * lever == pytest.approx(road_holding_damping(corner), rel=1e-12)
+        assert comfort.closed_form[DAMPER] * lever == pytest.approx(
+            comfort_damping(corner), rel=1e-12
+        )
+        assert holding.closed_form[DAMPER] * lever == pytest.approx(
+            road_holding_damping(corner), rel=1e-12
+        )
         for best in (comfort, holding):
             assert best.searched[DAMPER] == pytest.approx(best.closed_form[DAMPER], rel=1e-5)
-            assert best.values["searched"] <= best.values["closed_form"] * (1 + 1e-9) < best.values["present"]
+            assert (
+                best.values["searched"]
+                <= best.values["closed_form"] * (1 + 1e-9)
+                < best.values["present"]
+            )
 
 
 def test_best_dampers_of_a_vehicle_are_better_than_the_formula():
@@ -144,17 +173,27 @@ def test_front_of_one_damper_is_the_curve_between_the_closed_forms():
     dampers = front.numbers[DAMPER]
     assert len(dampers) == 25
     assert front.converged
-    assert dampers[[0, -1]] == pytest.approx([comfort_damping(corner), road_holding_damping(corner)], rel=1e-5)
-    for c, comfort, holding, travel in zip(dampers, front.comfort, front.holding, front.travel, strict=True):
-        exact = white_noise_variances(LumpedCorner(400.0, 40.0, 25e3, 200e3, c), 2 * np.pi**2 * 1e-2 * 256e-6 * 20.0)
+    assert dampers[[0, -1]] == pytest.approx(
+        [comfort_damping(corner), road_holding_damping(corner)], rel=1e-5
+    )
+    for c, comfort, holding, travel in zip(
+        dampers, front.comfort, front.holding, front.travel, strict=True
+    ):
+        exact = white_noise_variances(
+            LumpedCorner(400.0, 40.0, 25e3, 200e3, c), 2 * np.pi**2 * 1e-2 * 256e-6 * 20.0
+        )
         assert comfort**2 == pytest.approx(exact.acceleration, rel=1e-9)
         assert (holding * 440.0 * 9.81) ** 2 == pytest.approx(exact.tyre_force, rel=1e-9)
         assert travel**2 == pytest.approx(exact.deflection, rel=1e-9)
     marks = {(mark.name, mark.kind): mark for mark in front.marks}
     ends = [marks[f"best damper for {goal}", "closed form"] for goal in ("comfort", "road holding")]
-    assert [ends[0].comfort, ends[1].holding] == pytest.approx([front.comfort[0], front.holding[-1]], rel=1e-9)
+    assert [ends[0].comfort, ends[1].holding] == pytest.approx(
+        [front.comfort[0], front.holding[-1]], rel=1e-9
+    )
     assert marks["as it is", "present"].values == {DAMPER: CAR_A.parameters()[DAMPER]}
-    assert marks["as it is", "present"].comfort == pytest.approx(stationary(CAR_A, "C", 20.0)["sprung.az"], rel=1e-12)
+    assert marks["as it is", "present"].comfort == pytest.approx(
+        stationary(CAR_A, "C", 20.0)["sprung.az"], rel=1e-12
+    )
 
 
 @pytest.mark.parametrize("name", ["audi-a6-half-car-4dof", "audi-a6-full-car"])
@@ -169,11 +208,15 @@ def test_no_design_beats_the_front(name):
     bounds = {path: (0.5 * values[path], 1.5 * values[path]) if "±" in str(given) else given for path, given in
               AXLES.items()}  # fmt: skip
     for _ in range(40):
-        other = vehicle.with_changes({path: float(rng.uniform(*ends)) for path, ends in bounds.items()})
+        other = vehicle.with_changes(
+            {path: float(rng.uniform(*ends)) for path, ends in bounds.items()}
+        )
         found = stationary(other, "C", 20.0, band="iso")
         corners = ("front_left", "rear_left") if "full" in name else ("front", "rear")
         comfort = np.sqrt(np.mean([found[f"{corner}.sprung.az"] ** 2 for corner in corners]))
-        holding = np.sqrt(np.mean([found.load_coefficients[f"{corner}.tyre.force"] ** 2 for corner in corners]))
+        holding = np.sqrt(
+            np.mean([found.load_coefficients[f"{corner}.tyre.force"] ** 2 for corner in corners])
+        )
         assert not np.any((front.comfort > comfort * 1.0001) & (front.holding > holding * 1.0001))
 
 
@@ -202,14 +245,26 @@ def test_fronts_that_are_refused_or_say_something():
 
 def test_results_print_as_tables():
     free = {DAMPER: (300.0, 6000.0)}
-    best = jn.optimise(CAR_A, free, "sprung.az", {"strut.deflection": "13 mm"}, road="C", speed=20.0)
+    best = jn.optimise(
+        CAR_A, free, "sprung.az", {"strut.deflection": "13 mm"}, road="C", speed=20.0
+    )
     text = str(best)
     assert "converged" in text.splitlines()[0]
     assert next(line for line in text.splitlines() if line.startswith(DAMPER)).split()[1] == "1500"
     assert "at its limit" in text
     assert str(pareto(CAR_A, free, "C", 20.0, points=3)).count("closed form") == 2
     springs = str(design_springs(jn.load("audi-a6-half-car"), 1.2, 0.3)).splitlines()
-    assert springs[1].split() == ["front", "as", "it", "is", "455.38", "1.248", "0.42007", "28000", "3000"]
+    assert springs[1].split() == [
+        "front",
+        "as",
+        "it",
+        "is",
+        "455.38",
+        "1.248",
+        "0.42007",
+        "28000",
+        "3000",
+    ]
     response = str(stationary(CAR_A, "B", 20.0)).splitlines()
     assert [line.split()[1] for line in response if line.startswith("sprung.az")] == ["0.6178"]
     assert any(line.startswith("absent: road.z") for line in response)

@@ -29,7 +29,9 @@ rough = {road = "C", speed = "20 m/s"}
 
 @pytest.fixture(scope="module")
 def front():
-    return jn.design_front("audi-a6-quarter-car", FREE, GOALS, cases=CASES, constraints=LIMIT, points=6)
+    return jn.design_front(
+        "audi-a6-quarter-car", FREE, GOALS, cases=CASES, constraints=LIMIT, points=6
+    )
 
 
 def test_no_design_of_a_dense_grid_surpasses_the_front(front):
@@ -41,14 +43,18 @@ def test_no_design_of_a_dense_grid_surpasses_the_front(front):
     car = jn.load("audi-a6-quarter-car")
     problem = task_of(car, FREE, dict.fromkeys(GOALS, 1.0), LIMIT, {}, CASES, None, 32, 1)
     grid = [
-        [np.geomspace(300.0, 6000.0, 20)[i], np.linspace(22800.0, 53200.0, 9)[j]] for i in range(20) for j in range(9)
+        [np.geomspace(300.0, 6000.0, 20)[i], np.linspace(22800.0, 53200.0, 9)[j]]
+        for i in range(20)
+        for j in range(9)
     ]
     sampled = np.array([[problem.whole(goal, np.array(at))[0] for goal in GOALS] for at in grid])
     kept = sampled[sampled[:, 2] <= 0.014]
     assert 50 < len(kept) < len(grid)
     for one in found:
         assert not np.any(np.all(kept < one - 1e-3 * span, axis=1))
-    assert np.all(found.min(axis=0) <= kept.min(axis=0) * (1.0 + 3e-6))  # corners are the least of each
+    assert np.all(
+        found.min(axis=0) <= kept.min(axis=0) * (1.0 + 3e-6)
+    )  # corners are the least of each
     assert np.all(found[:, 2] <= 0.014 * (1.0 + 1e-6))
 
 
@@ -56,7 +62,9 @@ def test_what_is_told_is_that_of_the_designs(front):
     car = jn.load("audi-a6-quarter-car")
     changes = {path: float(values[3]) for path, values in front.numbers.items()}
     there = jn.stationary(car.with_changes(changes), "C", "20 m/s", band="iso")
-    assert there.standard_deviation["sprung.az"] == pytest.approx(front.goals["rough: sprung.az"][3], rel=1e-6)
+    assert there.standard_deviation["sprung.az"] == pytest.approx(
+        front.goals["rough: sprung.az"][3], rel=1e-6
+    )
     assert front.present["rough: sprung.az"] == pytest.approx(
         jn.stationary(car, "C", "20 m/s", band="iso").standard_deviation["sprung.az"]
     )

@@ -25,7 +25,9 @@ def test_no_design_of_a_grid_is_better_than_the_front_and_the_front_is_whole() -
     for upper in np.linspace(-0.008, 0.008, 9):
         for lower in np.linspace(-0.008, 0.008, 9):
             moved = dict(zip(FREE, (upper, lower), strict=True))
-            swept = jn.sweep_travel(rig.with_changes({path: start[path] + by for path, by in moved.items()}), [0.0])
+            swept = jn.sweep_travel(
+                rig.with_changes({path: start[path] + by for path, by in moved.items()}), [0.0]
+            )
             gain, centre = float(swept["camber_gain"][0]), float(swept["roll_centre_height"][0])
             grid.append((abs(np.degrees(gain) + 45.0), abs(1e3 * centre - 15.0)))
     grid = np.array(grid)
@@ -40,7 +42,13 @@ def test_no_design_of_a_grid_is_better_than_the_front_and_the_front_is_whole() -
 
 def test_designs_are_rigs_and_what_must_hold_holds() -> None:
     free = {**FREE, "hardpoints.tie_rod_inner[2]": "15 mm"}
-    toe = {"quantity": "toe", "over": "-30 mm:30 mm:15 mm", "value": 0.0, "tolerance": "0.05 deg", "must": True}
+    toe = {
+        "quantity": "toe",
+        "over": "-30 mm:30 mm:15 mm",
+        "value": 0.0,
+        "tolerance": "0.05 deg",
+        "must": True,
+    }
     front = jn.kinematic_front(FRONT, free, [GAIN, CENTRE, toe], points=4, starts=1)
     assert front.held == (2,)
     for k, design in enumerate(front.designs):
@@ -57,12 +65,17 @@ def test_targets_of_one_goal_belong_together() -> None:
     targets = [{**GAIN, "goal": "camber"}, {**CENTRE, "goal": "rest"}, {**steer, "goal": "rest"}]
     front = jn.kinematic_front(FRONT, FREE, targets, points=3, starts=1)
     assert front.goals == {"camber": (0,), "rest": (1, 2)}
-    held = jn.kinematic_front(FRONT, FREE, [*targets[:2], {**steer, "tolerance": "20 deg/m"}], points=3, starts=1)
+    held = jn.kinematic_front(
+        FRONT, FREE, [*targets[:2], {**steer, "tolerance": "20 deg/m"}], points=3, starts=1
+    )
     assert held.held == (2,)
 
 
 def test_one_design_that_is_best_in_all_is_said() -> None:
-    targets = [{**GAIN, "value": "-33 deg/m"}, {"quantity": "bump_steer", "value": 0.0, "tolerance": "1 deg/m"}]
+    targets = [
+        {**GAIN, "value": "-33 deg/m"},
+        {"quantity": "bump_steer", "value": 0.0, "tolerance": "1 deg/m"},
+    ]
     free = {"hardpoints.upper_arm_front[2]": "8 mm", "hardpoints.tie_rod_inner[2]": "8 mm"}
     front = jn.kinematic_front(FRONT, free, targets, points=4, starts=1)
     assert len(front.designs) == 1
@@ -81,7 +94,13 @@ def test_one_design_that_is_best_in_all_is_said() -> None:
             [
                 GAIN,
                 CENTRE,
-                {"quantity": "camber", "at_least": "20 deg", "tolerance": "1 deg", "at": "10 mm", "must": True},
+                {
+                    "quantity": "camber",
+                    "at_least": "20 deg",
+                    "tolerance": "1 deg",
+                    "at": "10 mm",
+                    "must": True,
+                },
             ],
             {"starts": 1},
             "meets the constraints",

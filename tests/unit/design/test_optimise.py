@@ -9,7 +9,12 @@ import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
 from jounce.design.optimise import optimise
 from jounce.design.problem import design_problem, read_metric, units_of
-from jounce.ride.closed_forms import LumpedCorner, comfort_damping, road_holding_damping, road_holding_rate
+from jounce.ride.closed_forms import (
+    LumpedCorner,
+    comfort_damping,
+    road_holding_damping,
+    road_holding_rate,
+)
 from jounce.ride.stationary import stationary
 
 ROAD = {"road": "C", "speed": "20 m/s"}
@@ -30,13 +35,20 @@ AXLES = {
 
 
 def test_dampers_of_the_closed_forms():
-    for metric, best in (("sprung.az", comfort_damping(CORNER)), ("tyre.force", road_holding_damping(CORNER))):
+    for metric, best in (
+        ("sprung.az", comfort_damping(CORNER)),
+        ("tyre.force", road_holding_damping(CORNER)),
+    ):
         found = optimise(CAR_A, {DAMPER: (300.0, 5000.0)}, metric, **ROAD)
         assert found.converged
         assert found.derivatives == "exact"
         assert found.values[DAMPER] == pytest.approx(best, rel=1e-6)
-        assert found.after[metric] == pytest.approx(stationary(found.rig, "C", 20.0)[metric], rel=1e-9)
-        assert found.value == pytest.approx((found.after[metric] / found.before[metric]) ** 2, rel=1e-9)
+        assert found.after[metric] == pytest.approx(
+            stationary(found.rig, "C", 20.0)[metric], rel=1e-9
+        )
+        assert found.value == pytest.approx(
+            (found.after[metric] / found.before[metric]) ** 2, rel=1e-9
+        )
         assert abs(found.numbers[0].sensitivity) < 1e-4
         low, high = found.numbers[0].flat or (0.0, 0.0)
         assert 0.8 * best < low < best < high < 1.2 * best
@@ -52,23 +64,37 @@ def test_stiffness_of_the_closed_form_with_both_numbers_free():
 
 def test_limits_hold_and_say_what_they_cost():
     free = {DAMPER: (300.0, 5000.0), SPRING: ("5 N/mm", "60 N/mm")}
-    limits = {"strut.deflection": "12 mm", "mode 1 frequency": ("1 Hz", "1.5 Hz"), "strut.deflection static": "0.4 m"}
+    limits = {
+        "strut.deflection": "12 mm",
+        "mode 1 frequency": ("1 Hz", "1.5 Hz"),
+        "strut.deflection static": "0.4 m",
+    }
     found = optimise(CAR_A, free, "sprung.az", limits, **ROAD)
     travel, frequency, static = found.constraints
     assert found.converged
     assert (travel.is_active, frequency.is_active, static.is_active) == (True, True, False)
     assert travel.value == pytest.approx(0.012, rel=1e-6)
-    assert travel.value == pytest.approx(stationary(found.rig, "C", 20.0)["strut.deflection"], rel=1e-9)
+    assert travel.value == pytest.approx(
+        stationary(found.rig, "C", 20.0)["strut.deflection"], rel=1e-9
+    )
     assert frequency.value == pytest.approx(jn.modes(found.rig)[0].frequency_hz, rel=1e-9)
     assert static.value == pytest.approx(400.0 * 9.81 / found.values[SPRING], rel=1e-9)
     assert static.gain == 0.0
-    looser = optimise(CAR_A, free, "sprung.az", {**limits, "strut.deflection": 0.012 * 1.001}, **ROAD)
-    assert np.log(found.value / looser.value) / np.log(1.001) == pytest.approx(travel.gain, rel=0.01)
+    looser = optimise(
+        CAR_A, free, "sprung.az", {**limits, "strut.deflection": 0.012 * 1.001}, **ROAD
+    )
+    assert np.log(found.value / looser.value) / np.log(1.001) == pytest.approx(
+        travel.gain, rel=0.01
+    )
 
 
 def test_ranges_around_the_best_keep_the_limits():
     free = {DAMPER: (300.0, 5000.0), SPRING: ("5 N/mm", "60 N/mm")}
-    limits = {"strut.deflection": "12 mm", "mode 1 frequency": (None, "1.5 Hz"), "strut.deflection static": "0.4 m"}
+    limits = {
+        "strut.deflection": "12 mm",
+        "mode 1 frequency": (None, "1.5 Hz"),
+        "strut.deflection static": "0.4 m",
+    }
     found = optimise(CAR_A, free, "sprung.az", limits, **ROAD)
     free_of_limits = optimise(CAR_A, free, "sprung.az", **ROAD)
     for number, other in zip(found.numbers, free_of_limits.numbers, strict=True):
@@ -83,13 +109,18 @@ def test_ranges_around_the_best_keep_the_limits():
             further = end + outwards * 3e-3 * number.value
             if number.lower < further < number.upper:  # one of them would not hold there
                 moved = found.rig.with_changes({number.path: further})
-                rises = (stationary(moved, "C", 20.0)["sprung.az"] / found.after["sprung.az"]) ** 2 > 1.0095
+                rises = (
+                    stationary(moved, "C", 20.0)["sprung.az"] / found.after["sprung.az"]
+                ) ** 2 > 1.0095
                 breaks = (
-                    stationary(moved, "C", 20.0)["strut.deflection"] > 0.012 or jn.modes(moved)[0].frequency_hz > 1.5
+                    stationary(moved, "C", 20.0)["strut.deflection"] > 0.012
+                    or jn.modes(moved)[0].frequency_hz > 1.5
                 )
                 assert rises or breaks or 400.0 * 9.81 / moved.parameters()[SPRING] > 0.4
     damper = found.numbers[0].flat or (0.0, 0.0)
-    assert damper[0] == pytest.approx(found.values[DAMPER], rel=1e-3)  # less damping would break the limit of travel
+    assert damper[0] == pytest.approx(
+        found.values[DAMPER], rel=1e-3
+    )  # less damping would break the limit of travel
     assert damper[1] > 1.01 * found.values[DAMPER]
 
 
@@ -108,25 +139,39 @@ def test_worst_corner_of_a_vehicle():
 
 def test_full_car_keeps_left_and_right_alike():
     objective = {"sprung.az weighted": 1.0, "tyre.force coefficient": 0.5}
-    found = optimise(jn.load("audi-a6-full-car"), AXLES, objective, {"strut.deflection": "10 mm"}, **ROAD)
+    found = optimise(
+        jn.load("audi-a6-full-car"), AXLES, objective, {"strut.deflection": "10 mm"}, **ROAD
+    )
     assert found.converged
     assert found.value < 0.95
     by_channel = {constraint.channel: constraint for constraint in found.constraints}
-    left, right = by_channel["rear_left.strut.deflection"], by_channel["rear_right.strut.deflection"]
+    left, right = (
+        by_channel["rear_left.strut.deflection"],
+        by_channel["rear_right.strut.deflection"],
+    )
     assert left.is_active
     assert left.gain == pytest.approx(right.gain, rel=1e-3)
     assert left.gain > 0.01
-    assert [f.place for f in found.findings if f.severity == "note"] == ["sprung.az weighted"]  # a band is taken
+    assert [f.place for f in found.findings if f.severity == "note"] == [
+        "sprung.az weighted"
+    ]  # a band is taken
 
 
 def test_simulated_trial_with_a_tyre_that_lifts_off():
     rig = jn.load("kart-quarter-car")
-    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m"), speed="1.95 m/s", duration="1 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm", start="0.2 m"),
+        speed="1.95 m/s",
+        duration="1 s",
+    )
     found = optimise(rig, {DAMPER: (30.0, 600.0)}, "sprung.az", trial=trial)
     assert found.converged
     assert found.value < 0.9
     around = [found.values[DAMPER] * share for share in (0.9, 1.1)]
-    runs = [jn.simulate(rig.with_changes({DAMPER: c}), trial)["sprung.az"] for c in (*around, found.values[DAMPER])]
+    runs = [
+        jn.simulate(rig.with_changes({DAMPER: c}), trial)["sprung.az"]
+        for c in (*around, found.values[DAMPER])
+    ]
     sizes = [float(np.sqrt((run**2).mean())) for run in runs]
     assert sizes[2] < min(sizes[:2])
     assert found.after["sprung.az"] == pytest.approx(sizes[2], rel=0.01)
@@ -142,7 +187,11 @@ def test_slopes_of_all_metrics_are_those_of_differences():
         "mode 4 frequency",
     ]
     free = {"front.spring_rate": "±50 %", "rear.damping_coefficient": "±90 %", "body.mass": "±20 %"}
-    trial = jn.Trial(road=jn.Versine(height="20 mm", length="2 m", start="0.5 m"), speed="10 m/s", duration="2.5 s")
+    trial = jn.Trial(
+        road=jn.Versine(height="20 mm", length="2 m", start="0.5 m"),
+        speed="10 m/s",
+        duration="2.5 s",
+    )
     for given in (ROAD, {"trial": trial}):
         problem = design_problem(vehicle, free, "body.az", more=more, **given)
         found = problem.numbers(problem.start)
@@ -151,15 +200,18 @@ def test_slopes_of_all_metrics_are_those_of_differences():
             above, below = (problem.numbers(problem.start + side * step) for side in (1.0, -1.0))
             for text, (numbers, slopes) in found.items():
                 difference = (above[text][0] - below[text][0]) / 2e-4
-                assert slopes[i] * value == pytest.approx(difference, rel=2e-4, abs=2e-6 * np.max(np.abs(numbers))), (
-                    text
-                )
+                assert slopes[i] * value == pytest.approx(
+                    difference, rel=2e-4, abs=2e-6 * np.max(np.abs(numbers))
+                ), text
 
 
 def test_overdamped_modes_go_on_smoothly():
     metrics = {"mode 2 frequency": 1.0, "mode 2 damping_ratio": 1.0}
     problem = design_problem(CAR_A, {DAMPER: (100.0, 30e3)}, metrics, **ROAD)
-    ratios = [problem.numbers(np.array([c]))["mode 2 damping_ratio"][0][0] for c in np.linspace(4e3, 5.5e3, 60)]
+    ratios = [
+        problem.numbers(np.array([c]))["mode 2 damping_ratio"][0][0]
+        for c in np.linspace(4e3, 5.5e3, 60)
+    ]
     assert ratios[0] < 1.0 < ratios[-1]
     assert np.all(np.diff(ratios) > 0.0)
     assert np.max(np.diff(ratios)) < 4.0 * np.median(np.diff(ratios))
@@ -170,12 +222,19 @@ def test_bounds_that_hold_and_numbers_that_matter_little_are_found():
     assert bound.numbers[0].at == "lower"
     assert [f.place for f in bound.findings if "bound" in f.message] == [SPRING]
     car = jn.load("audi-a6-half-car-4dof")
-    flat = optimise(car, {"body.height": (0.4, 0.7), "front.damping_coefficient": "±30 %"}, "body.az", **ROAD)
-    assert [f.place for f in flat.findings if "has little influence" in f.message] == ["body.height"]
+    flat = optimise(
+        car, {"body.height": (0.4, 0.7), "front.damping_coefficient": "±30 %"}, "body.az", **ROAD
+    )
+    assert [f.place for f in flat.findings if "has little influence" in f.message] == [
+        "body.height"
+    ]
 
 
 def test_more_starts_do_not_end_worse():
-    one, many = (optimise(CAR_A, {DAMPER: (300.0, 5000.0)}, "tyre.force", starts=count, **ROAD) for count in (1, 4))
+    one, many = (
+        optimise(CAR_A, {DAMPER: (300.0, 5000.0)}, "tyre.force", starts=count, **ROAD)
+        for count in (1, 4)
+    )
     assert many.value <= one.value * (1 + 1e-9)
 
 
@@ -183,13 +242,25 @@ def test_more_starts_do_not_end_worse():
     ("free", "objective", "constraints", "given", "text"),
     [
         ({}, "sprung.az", {}, ROAD, "no free parameter"),
-        ({"strut.damper.coefficien": "10 %"}, "sprung.az", {}, ROAD, "no such parameter.*Did you mean"),
+        (
+            {"strut.damper.coefficien": "10 %"},
+            "sprung.az",
+            {},
+            ROAD,
+            "no such parameter.*Did you mean",
+        ),
         ({DAMPER: (1500.0, 1500.0)}, "sprung.az", {}, ROAD, "lower bound must lie below"),
         ({DAMPER: (2000.0, 3000.0)}, "sprung.az", {}, ROAD, "exclude the start value"),
         ({DAMPER: ("-1 N*s/m", "3 kN*s/m")}, "sprung.az", {}, ROAD, "out of range"),
         ({DAMPER: "10 mm"}, "sprung.az", {}, ROAD, "wrong unit"),
         ({DAMPER: "±10 %"}, "sprung.ax", {}, ROAD, "unknown metric 'sprung.ax'.*Did you mean"),
-        ({DAMPER: "±10 %"}, "camber_gain", {}, ROAD, "unknown metric 'camber_gain'.*jounce design kinematics"),
+        (
+            {DAMPER: "±10 %"},
+            "camber_gain",
+            {},
+            ROAD,
+            "unknown metric 'camber_gain'.*jounce design kinematics",
+        ),
         ({DAMPER: "±10 %"}, "sprung.az smoothed", {}, ROAD, "no such number of a channel"),
         ({DAMPER: "±10 %"}, "sprung.az coefficient", {}, ROAD, "coefficient is that of a force"),
         ({DAMPER: "±10 %"}, "mode 1 colour", {}, ROAD, "not a number of a mode"),
@@ -199,9 +270,21 @@ def test_more_starts_do_not_end_worse():
         ({DAMPER: "±10 %"}, {"sprung.az": -1.0}, {}, ROAD, "not a weight"),
         ({DAMPER: "±10 %"}, {"sprung.az": "much"}, {}, ROAD, "not a weight"),
         ({DAMPER: "±10 %"}, "sprung.az", {"strut.deflection": "10 N"}, ROAD, "wrong unit"),
-        ({DAMPER: "±10 %"}, "sprung.az", {"strut.deflection": (0.02, 0.01)}, ROAD, "lies above the upper"),
+        (
+            {DAMPER: "±10 %"},
+            "sprung.az",
+            {"strut.deflection": (0.02, 0.01)},
+            ROAD,
+            "lies above the upper",
+        ),
         ({DAMPER: "±10 %"}, "sprung.az", {"strut.deflection": (None, None)}, ROAD, "no limit"),
-        ({DAMPER: "±10 %"}, "sprung.az", {"strut.deflection": "1 mm"}, ROAD, "no design within the bounds"),
+        (
+            {DAMPER: "±10 %"},
+            "sprung.az",
+            {"strut.deflection": "1 mm"},
+            ROAD,
+            "no design within the bounds",
+        ),
         ({DAMPER: "±10 %"}, "sprung.az", {}, {"road": "C"}, "no speed"),
         ({DAMPER: "±10 %"}, "sprung.az", {}, {"speed": 20.0}, "no road"),
         ({DAMPER: "±10 %"}, "sprung.az", {}, {"road": "X", "speed": 20.0}, "unknown road class"),
@@ -222,7 +305,9 @@ def test_bad_requests(free, objective, constraints, given, text):
 
 def test_infeasible_limits_say_what_can_be_reached():
     with pytest.raises(FitError) as caught:
-        optimise(CAR_A, {DAMPER: (500.0, 2000.0)}, "sprung.az", {"strut.deflection": "9 mm"}, **ROAD)
+        optimise(
+            CAR_A, {DAMPER: (500.0, 2000.0)}, "sprung.az", {"strut.deflection": "9 mm"}, **ROAD
+        )
     reached = stationary(CAR_A.with_changes({DAMPER: 2000.0}), "C", 20.0)["strut.deflection"]
     assert f"{reached:.4g} m" in str(caught.value)
     assert "at most 0.009 m" in str(caught.value)

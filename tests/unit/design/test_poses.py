@@ -7,7 +7,13 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError
-from jounce.kinematics.moved_rigs import rig_with_hardpoints, rigid_motion, rigs_along, spin_axis, wheel_angles
+from jounce.kinematics.moved_rigs import (
+    rig_with_hardpoints,
+    rigid_motion,
+    rigs_along,
+    spin_axis,
+    wheel_angles,
+)
 from jounce.parts.leverage import spring_force
 
 KART = jn.load("kart-double-wishbone")
@@ -25,9 +31,19 @@ def test_kinematics_go_on_from_the_new_pose(name, side):
     (posed,) = rigs_along(rig, [travel])
     then, now = jn.sweep_travel(rig, [travel]), jn.sweep_travel(posed, [0.0])
     for quantity in ("camber", "toe", "caster", "roll_centre_height", "spring_length"):
-        assert float(now[quantity][0]) == pytest.approx(float(then[quantity][0]), rel=1e-7, abs=1e-9), quantity
-    for quantity in ("motion_ratio", "damper_motion_ratio", "spring_force", "wheel_rate_spring", "stop_force"):
-        assert float(now[quantity][0]) == pytest.approx(float(then[quantity][0]), rel=close, abs=1e-9), quantity
+        assert float(now[quantity][0]) == pytest.approx(
+            float(then[quantity][0]), rel=1e-7, abs=1e-9
+        ), quantity
+    for quantity in (
+        "motion_ratio",
+        "damper_motion_ratio",
+        "spring_force",
+        "wheel_rate_spring",
+        "stop_force",
+    ):
+        assert float(now[quantity][0]) == pytest.approx(
+            float(then[quantity][0]), rel=close, abs=1e-9
+        ), quantity
 
 
 def test_springs_beside_the_strut_go_on_from_the_new_pose():
@@ -41,8 +57,16 @@ def test_springs_beside_the_strut_go_on_from_the_new_pose():
     )
     (posed,) = rigs_along(rig, [0.02])
     then, now = jn.sweep_travel(rig, [0.02]), jn.sweep_travel(posed, [0.0])
-    for quantity in ("torsion_bar_torque", "third_spring_force", "heave_force", "heave_rate", "wheel_rate"):
-        assert float(now[quantity][0]) == pytest.approx(float(then[quantity][0]), rel=1e-9), quantity
+    for quantity in (
+        "torsion_bar_torque",
+        "third_spring_force",
+        "heave_force",
+        "heave_rate",
+        "wheel_rate",
+    ):
+        assert float(now[quantity][0]) == pytest.approx(float(then[quantity][0]), rel=1e-9), (
+            quantity
+        )
 
 
 @pytest.mark.parametrize("name", MODELS)
@@ -52,7 +76,9 @@ def test_bodies_keep_their_masses_and_principal_moments(name):
     for body, moved in posed.body_masses().items():
         own = rig.body_masses()[body]
         assert moved.mass == own.mass
-        assert moved.inertia.principal_moments == pytest.approx(own.inertia.principal_moments, rel=1e-9)
+        assert moved.inertia.principal_moments == pytest.approx(
+            own.inertia.principal_moments, rel=1e-9
+        )
         assert moved.centre_of_mass != own.centre_of_mass
 
 
@@ -97,7 +123,14 @@ def test_spring_and_stops_are_the_same_things(spring):
 
 
 def test_a_damper_pushes_as_much_in_the_new_design():
-    law = {"kind": "tanh", "coefficient": 160.0, "force": 0.0, "slope": 1.0, "stiffness": 1500.0, "offset": 40.0}
+    law = {
+        "kind": "tanh",
+        "coefficient": 160.0,
+        "force": 0.0,
+        "slope": 1.0,
+        "stiffness": 1500.0,
+        "offset": 40.0,
+    }
     rig = KART.with_changes({"strut.damper": law})
     (posed,) = rigs_along(rig, [0.01])
     assert posed.strut.damper.at_rest()[0] == pytest.approx(

@@ -23,7 +23,9 @@ def test_the_band_of_one_part_is_its_spread_times_its_effect() -> None:
     found = jn.kinematic_spread(rig, [TOE, RATIO], made)
     step = 1e-4
     ends = [jn.apply_adjustments(rig, {"tie_rod_length": sign * step}) for sign in (-1.0, 1.0)]
-    effect = (ends[1].wheel.toe - ends[0].wheel.toe) / (2.0 * step)  # rad/m, by the adjustments' own assembly
+    effect = (ends[1].wheel.toe - ends[0].wheel.toe) / (
+        2.0 * step
+    )  # rad/m, by the adjustments' own assembly
     drawn = np.random.default_rng(3).standard_normal((40, _sources(rig)))
     lengths = drawn[:, _index_of_tie_rod(rig)] * tolerance / 2.0
     toe = found.targets[0]
@@ -51,7 +53,9 @@ def test_the_tie_rod_brings_back_what_the_tie_rod_did() -> None:
     (toe,) = found.targets
     assert found.met < 0.5
     assert found.met_adjusted == 1.0
-    assert np.max(np.abs([*toe.low_adjusted, *toe.high_adjusted])) <= np.max(np.abs(toe.drawn)) + 1e-6
+    assert (
+        np.max(np.abs([*toe.low_adjusted, *toe.high_adjusted])) <= np.max(np.abs(toe.drawn)) + 1e-6
+    )
     need = found.adjustments["tie_rod_length"]
     assert -0.6e-3 < need.low < -0.2e-3
     assert 0.2e-3 < need.high < 0.6e-3
@@ -85,7 +89,10 @@ def test_what_cannot_be_asked_of_a_spread(rig: str, made: dict, words: str) -> N
 def test_a_trailing_arm_hangs_on_the_brackets_that_were_made() -> None:
     """The arm keeps its shape and lies with its eyes on the line of both brackets; the wheel stands on its height."""
     rig = jn.load("semi-trailing-arm")
-    away = {"arm_inner": np.array([0.003, -0.002, 0.004]), "arm_outer": np.array([-0.002, 0.001, -0.003])}
+    away = {
+        "arm_inner": np.array([0.003, -0.002, 0.004]),
+        "arm_outer": np.array([-0.002, 0.001, -0.003]),
+    }
     given = rig.hardpoints.given()
     brackets = {name: np.array(given[name]) + shift for name, shift in away.items()}
     built = refit(rig, Changes({name: tuple(place.tolist()) for name, place in brackets.items()}))
@@ -100,7 +107,12 @@ def test_a_trailing_arm_hangs_on_the_brackets_that_were_made() -> None:
         off = points[name] - brackets["arm_inner"]
         assert np.linalg.norm(np.cross(off, line)) / np.linalg.norm(line) < 1e-13
     assert points["wheel_centre"][2] == pytest.approx(given["wheel_centre"][2], abs=1e-14)
-    toe = {"quantity": "toe", "over": "-20 mm:20 mm:20 mm", "value": "0 deg", "tolerance": "0.1 deg"}
+    toe = {
+        "quantity": "toe",
+        "over": "-20 mm:20 mm:20 mm",
+        "value": "0 deg",
+        "tolerance": "0.1 deg",
+    }
     found = jn.kinematic_spread(rig, [toe], {"points": "1 mm", "cars": 40})
     assert found.failed == 0
     assert set(found.targets[0].causes) >= {"arm_inner", "arm_outer"}

@@ -45,7 +45,11 @@ def test_stops_count_along_the_spring(tmp_path: Path) -> None:
     stops = {f"strut.{name}_stop": {"gap": f"{gap} mm", "rate": "100 N/mm", "progression": "6e7 N/m^3"}
              for name, gap in (("bump", 30), ("rebound", 20))}  # fmt: skip
     rig = jn.load("sedan-double-wishbone")
-    top = (rig.hardpoints.strut_top[0], rig.hardpoints.strut_top[1], rig.hardpoints.strut_top[2] - 0.05)
+    top = (
+        rig.hardpoints.strut_top[0],
+        rig.hardpoints.strut_top[1],
+        rig.hardpoints.strut_top[2] - 0.05,
+    )
     tables = rig.with_changes(stops).model_dump(by_alias=True, exclude_none=True)
     tables["hardpoints"]["spring_top"] = top
     apart = type(rig).model_validate(tables)
@@ -53,7 +57,9 @@ def test_stops_count_along_the_spring(tmp_path: Path) -> None:
     found = back(apart, write_chrono(apart, tmp_path / "out.json").path, 1e-9)
     assert found.strut.bump_stop.gap == pytest.approx(0.03, abs=1e-9)
     assert found.strut.rebound_stop.gap == pytest.approx(0.02, abs=1e-9)
-    assert found.hardpoints.damper_top[2] - found.hardpoints.strut_top[2] == pytest.approx(0.05, abs=1e-9)
+    assert found.hardpoints.damper_top[2] - found.hardpoints.strut_top[2] == pytest.approx(
+        0.05, abs=1e-9
+    )
 
 
 def test_the_right_side_is_written_as_the_left(tmp_path: Path) -> None:
@@ -68,7 +74,9 @@ def test_a_wheel_without_a_body_is_taken_from_the_upright(tmp_path: Path) -> Non
     rig = jn.load("kart-double-wishbone")
     made = write_chrono(rig, tmp_path / "kart.json")
     table = json.loads(made.path.read_text())
-    assert table["Spindle"]["Mass"] + table["Upright"]["Mass"] == pytest.approx(rig.bodies.upright.mass)
+    assert table["Spindle"]["Mass"] + table["Upright"]["Mass"] == pytest.approx(
+        rig.bodies.upright.mass
+    )
     assert any("become the spindle" in finding.message for finding in made.findings)
     found = back(rig, made.path, 1e-9)
     modes = [[mode.frequency_hz for mode in jn.modes(one)] for one in (rig, found)]
@@ -108,13 +116,19 @@ def test_a_blow_off_comes_back_as_the_straight_lines_it_is(tmp_path: Path) -> No
     blow_off = {
         f"{side}_{name}": value
         for side, values in (("bump", (300.0, 0.1, 500.0)), ("rebound", (800.0, 0.2, 700.0)))
-        for name, value in zip(("blow_off_force", "blow_off_velocity", "high_speed_coefficient"), values, strict=True)
+        for name, value in zip(
+            ("blow_off_force", "blow_off_velocity", "high_speed_coefficient"), values, strict=True
+        )
     }
-    rig = jn.load("sedan-double-wishbone").with_changes({"strut.damper": {"kind": "blow-off", **blow_off}})
+    rig = jn.load("sedan-double-wishbone").with_changes(
+        {"strut.damper": {"kind": "blow-off", **blow_off}}
+    )
     found = back(rig, write_chrono(rig, tmp_path / "out.json", wheel_mass=5.0).path, 5.0)
     assert found.strut.damper.kind == "table"
     speeds = np.linspace(-2.0, 2.0, 41)
-    assert found.strut.damper.forces(speeds) == pytest.approx(rig.strut.damper.forces(speeds), abs=1e-6)
+    assert found.strut.damper.forces(speeds) == pytest.approx(
+        rig.strut.damper.forces(speeds), abs=1e-6
+    )
 
 
 def test_what_is_left_out_is_said(tmp_path: Path) -> None:

@@ -26,7 +26,9 @@ def numbers_for(found, seed=3):
     model = build(jn.load(found)) if isinstance(found, str) else None
     rng = np.random.default_rng(seed)
     n = len(model.start)
-    x = np.array([*model.start, *np.zeros(model.x.shape[0] - n)]) + 0.01 * rng.standard_normal(model.x.shape[0])
+    x = np.array([*model.start, *np.zeros(model.x.shape[0] - n)]) + 0.01 * rng.standard_normal(
+        model.x.shape[0]
+    )
     u = 0.01 * rng.standard_normal(model.u.shape[0])
     p = np.array([jn.load(found).parameters()[path] for path in model.parameters])
     return model, [x, u, p, np.ones(model.m.shape[0])]
@@ -44,21 +46,45 @@ def test_they_give_the_rates_of_a_run(name) -> None:
     whole = np.block([[M, -G.T], [G, np.zeros((k, k))]])
     a = np.linalg.solve(whole, np.vstack([Q, -gamma]))[:n]
     rate = np.array(ca.Function("rate", [model.x, model.u, model.p, model.m], [model.rate])(*where))
-    np.testing.assert_allclose(np.vstack([dq, a, dz]), rate, rtol=1e-8, atol=1e-8 * np.abs(rate).max())
+    np.testing.assert_allclose(
+        np.vstack([dq, a, dz]), rate, rtol=1e-8, atol=1e-8 * np.abs(rate).max()
+    )
 
 
 def fake_sympy(values):
     """SymPy's names over numbers: a symbol is its value."""
     module = types.ModuleType("sympy")
-    known = ("acos", "asin", "atan", "atan2", "cos", "cosh", "exp", "log", "sin", "sinh", "sqrt", "tan", "tanh")
+    known = (
+        "acos",
+        "asin",
+        "atan",
+        "atan2",
+        "cos",
+        "cosh",
+        "exp",
+        "log",
+        "sin",
+        "sinh",
+        "sqrt",
+        "tan",
+        "tanh",
+    )
     symbols = {name: getattr(math, name) for name in known}
 
     def piecewise(*pairs):
         return next(value for value, condition in pairs if condition)
 
-    symbols |= {"Abs": abs, "Max": max, "Min": min, "Eq": lambda a, b: a == b, "Ne": lambda a, b: a != b}
+    symbols |= {
+        "Abs": abs,
+        "Max": max,
+        "Min": min,
+        "Eq": lambda a, b: a == b,
+        "Ne": lambda a, b: a != b,
+    }
     symbols |= {"sign": np.sign, "Piecewise": piecewise, "Symbol": lambda name, **_: values[name]}
-    symbols["Matrix"] = lambda *given: np.zeros(given[:2]) if len(given) == 3 else np.array(given[0], dtype=float)
+    symbols["Matrix"] = lambda *given: (
+        np.zeros(given[:2]) if len(given) == 3 else np.array(given[0], dtype=float)
+    )
     vars(module).update(symbols)
     return module
 
@@ -87,11 +113,23 @@ def test_the_c_says_the_same(tmp_path) -> None:
     (tmp_path / "equations.c").write_text(found.c())
     library = tmp_path / "equations.so"
     subprocess.run(
-        [*compiler[1], "-shared", "-fPIC", "-O1", str(tmp_path / "equations.c"), "-o", str(library), "-lm"], check=True
+        [
+            *compiler[1],
+            "-shared",
+            "-fPIC",
+            "-O1",
+            str(tmp_path / "equations.c"),
+            "-o",
+            str(library),
+            "-lm",
+        ],
+        check=True,
     )
     parts = ca.external("equations", str(library))(*where)
     for part, own in zip(parts, found.function(*where), strict=True):
-        np.testing.assert_allclose(np.array(part).ravel(), np.array(own).ravel(order="F"), rtol=1e-12, atol=1e-12)
+        np.testing.assert_allclose(
+            np.array(part).ravel(), np.array(own).ravel(order="F"), rtol=1e-12, atol=1e-12
+        )
 
 
 def test_latex_is_whole_and_names_everything() -> None:
@@ -99,7 +137,10 @@ def test_latex_is_whole_and_names_everything() -> None:
     assert text.count("{") == text.count("}")
     assert text.count(r"\left") == text.count(r"\right")
     assert r"\mathrm{strut.spring.rate}" in text
-    assert r"M = \begin{pmatrix} \mathrm{sprung.mass} & 0 \\ 0 & \mathrm{unsprung.mass} \end{pmatrix}" in text
+    assert (
+        r"M = \begin{pmatrix} \mathrm{sprung.mass} & 0 \\ 0 & \mathrm{unsprung.mass} \end{pmatrix}"
+        in text
+    )
 
 
 def test_every_operation_is_written_as_it_computes() -> None:

@@ -30,8 +30,19 @@ LABELS = (
 def force(i: int) -> ca.SX:
     """What each of two parts does, every kind of operation in it."""
     q, v, k = X[2 * i], X[2 * i + 1], P[i]
-    law = k * ca.tanh(q) / (2.0 + v * v) + v / (2.0 + v * v) - ca.atan2(q, k) + ca.if_else(q > 0.1, -q, 1.0 / k)
-    return M[i] * law + ca.fmax(q, ca.fabs(v)) + ca.sign(v) * ca.sqrt(k) + 2.0 * ca.sin(U[i]) + ca.constpow(k, 1.5)
+    law = (
+        k * ca.tanh(q) / (2.0 + v * v)
+        + v / (2.0 + v * v)
+        - ca.atan2(q, k)
+        + ca.if_else(q > 0.1, -q, 1.0 / k)
+    )
+    return (
+        M[i] * law
+        + ca.fmax(q, ca.fabs(v))
+        + ca.sign(v) * ca.sqrt(k)
+        + 2.0 * ca.sin(U[i])
+        + ca.constpow(k, 1.5)
+    )
 
 
 def packed(expression: ca.SX) -> Packed:
@@ -42,7 +53,9 @@ BOTH = ca.vertcat(force(0), force(1), P[2] - force(0) - force(1), X[4], -3.0)
 
 
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
-@pytest.mark.parametrize(("flags", "longest"), [((), 10**6), ((), 10), (("-DJN_NO_VECTORS",), 10**6)])
+@pytest.mark.parametrize(
+    ("flags", "longest"), [((), 10**6), ((), 10), (("-DJN_NO_VECTORS",), 10**6)]
+)
 def test_code_gives_what_the_graph_gives(tmp_path, monkeypatch, flags, longest):
     monkeypatch.setattr(code, "_LONG", longest)
     text = code.function_text("found", packed(BOTH), ["x", "u", "p", "m"], {"one": 3, "two": 2})
@@ -64,10 +77,17 @@ def test_code_gives_what_the_graph_gives(tmp_path, monkeypatch, flags, longest):
     subprocess.run([*words, *flags, "-o", tmp_path / "f.so", tmp_path / "f.c", "-lm"], check=True)
     found, rng = ctypes.CDLL(str(tmp_path / "f.so")).found, np.random.default_rng(3)
     for _ in range(5):
-        given = [rng.uniform(-1.0, 1.0, 5), rng.uniform(-1.0, 1.0, 2), rng.uniform(0.5, 2.0, 3), np.array([1.0, 0.0])]
+        given = [
+            rng.uniform(-1.0, 1.0, 5),
+            rng.uniform(-1.0, 1.0, 2),
+            rng.uniform(0.5, 2.0, 3),
+            np.array([1.0, 0.0]),
+        ]
         out = np.zeros(5)
         found(*(ctypes.c_void_p(part.ctypes.data) for part in (*given, out[:3], out[3:])))
-        assert out == pytest.approx(np.array(packed(BOTH).function(*given)).ravel(), rel=1e-13, abs=1e-14)
+        assert out == pytest.approx(
+            np.array(packed(BOTH).function(*given)).ravel(), rel=1e-13, abs=1e-14
+        )
 
 
 def test_what_divides_several_numbers_is_inverted_once():

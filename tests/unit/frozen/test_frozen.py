@@ -31,7 +31,9 @@ def hook(monkeypatch: pytest.MonkeyPatch) -> dict[str, object]:
     hooks = types.SimpleNamespace(
         collect_data_files=lambda package, include_py_files: [(package, include_py_files)],
         collect_submodules=lambda package, wanted: [
-            one.name for one in pkgutil.walk_packages([str(PACKAGE)], f"{package}.") if wanted(one.name)
+            one.name
+            for one in pkgutil.walk_packages([str(PACKAGE)], f"{package}.")
+            if wanted(one.name)
         ],
         copy_metadata=lambda package, recursive: [(f"{package}.dist-info", recursive)],
     )
@@ -42,23 +44,36 @@ def hook(monkeypatch: pytest.MonkeyPatch) -> dict[str, object]:
 
 
 def test_pyinstaller_finds_the_hook() -> None:
-    entry = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["entry-points"]
+    entry = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"][
+        "entry-points"
+    ]
     module, _, function = entry["pyinstaller40"]["hook-dirs"].partition(":")
     assert (module, function) == (hook_folders.__module__, hook_folders.__name__)
     assert (HOOKS / "hook-jounce.py").is_file()
     started = json.loads((HOOKS / "rthooks.dat").read_text())
-    assert {name: [(HOOKS / "rthooks" / one).is_file() for one in files] for name, files in started.items()} == {
-        "jounce": [True]
-    }
+    assert {
+        name: [(HOOKS / "rthooks" / one).is_file() for one in files]
+        for name, files in started.items()
+    } == {"jounce": [True]}
 
 
 def test_the_hook_names_what_is_imported_by_name_only(hook: dict[str, object]) -> None:
-    assert hook["datas"] == [("jounce", True), ("jounce.dist-info", True)]  # stubs, tables, pages, sources; versions
+    assert hook["datas"] == [
+        ("jounce", True),
+        ("jounce.dist-info", True),
+    ]  # stubs, tables, pages, sources; versions
     modules = hook["hiddenimports"]
     assert isinstance(modules, list)
-    wanted = {"jounce.simulation.trial_run", "jounce.web.worker", "jounce.recordings.readers", "jounce.kernel.loops"}
+    wanted = {
+        "jounce.simulation.trial_run",
+        "jounce.web.worker",
+        "jounce.recordings.readers",
+        "jounce.kernel.loops",
+    }
     assert wanted <= {*modules}
-    assert not [name for name in modules if name.startswith(("jounce.frozen", "jounce.kernel.loops."))]
+    assert not [
+        name for name in modules if name.startswith(("jounce.frozen", "jounce.kernel.loops."))
+    ]
     extras = {"fastapi", "uvicorn", "websockets", "openpyxl", "sqlalchemy", "typst", "distributed"}
     assert extras & {*modules} == {name for name in extras if find_spec(name)}
     assert hook["excludedimports"] == ["IPython", "numba"]
@@ -70,7 +85,9 @@ def test_a_child_process_does_what_an_interpreter_does(tmp_path: Path) -> None:
     run = f"import runpy; runpy.run_path({str(HOOKS / 'rthooks' / 'pyi_rth_jounce.py')!r}); print('application')"
 
     def said(*words: str) -> str:
-        done = subprocess.run([sys.executable, "-c", run, *words], capture_output=True, text=True, check=True)
+        done = subprocess.run(
+            [sys.executable, "-c", run, *words], capture_output=True, text=True, check=True
+        )
         return done.stdout.strip()
 
     code = "import sys; print('code', __name__, sys.argv)"
@@ -88,15 +105,34 @@ def test_a_frozen_application_simulates_sweeps_and_serves(tmp_path: Path) -> Non
     (tmp_path / "app.py").write_text(
         "import sys\nfrom jounce.__main__ import run\nif __name__ == '__main__':\n    sys.exit(run())\n"
     )
-    left_out = ("asammdf", "distributed", "emcee", "gymnasium", "playwright", "pyarrow", "pytest", "slycot", "zarr")
-    words = [sys.executable, "-m", "PyInstaller", "--log-level=WARN", f"--additional-hooks-dir={HOOKS}", "app.py"]
+    left_out = (
+        "asammdf",
+        "distributed",
+        "emcee",
+        "gymnasium",
+        "playwright",
+        "pyarrow",
+        "pytest",
+        "slycot",
+        "zarr",
+    )
+    words = [
+        sys.executable,
+        "-m",
+        "PyInstaller",
+        "--log-level=WARN",
+        f"--additional-hooks-dir={HOOKS}",
+        "app.py",
+    ]
     words += [f"--exclude-module={name}" for name in left_out]
     subprocess.run(words, cwd=tmp_path, check=True, capture_output=True)
     app = str(tmp_path / "dist" / "app" / "app")
     clean = {"PATH": os.defpath, "HOME": str(tmp_path), "JOUNCE_CACHE_DIR": str(tmp_path / "cache")}
 
     def told(*words: str) -> str:
-        done = subprocess.run([app, *words], cwd=tmp_path, env=clean, capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            [app, *words], cwd=tmp_path, env=clean, capture_output=True, text=True, check=False
+        )
         assert done.returncode == 0, done.stderr
         return done.stdout
 
@@ -115,7 +151,9 @@ def test_a_frozen_application_simulates_sweeps_and_serves(tmp_path: Path) -> Non
                               stdout=subprocess.PIPE, text=True)  # fmt: skip
     try:
         assert server.stdout is not None
-        with urllib.request.urlopen(json.loads(server.stdout.readline())["url"], timeout=60) as page:
+        with urllib.request.urlopen(
+            json.loads(server.stdout.readline())["url"], timeout=60
+        ) as page:
             assert b"<title>" in page.read()
     finally:
         server.send_signal(signal.SIGINT)

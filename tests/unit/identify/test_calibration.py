@@ -16,7 +16,9 @@ def test_intervals_cover_the_true_sensitivity() -> None:
     draw, inside = np.random.default_rng(1), 0
     blocks = np.array([0.0, 5.0, 10.0, 20.0, 40.0]) * 1e-3
     for _ in range(400):
-        found = fit_calibration(blocks, 0.4 + 100.0 * blocks + 2e-3 * draw.standard_normal(5), unit="m")
+        found = fit_calibration(
+            blocks, 0.4 + 100.0 * blocks + 2e-3 * draw.standard_normal(5), unit="m"
+        )
         inside += found.sensitivity.has(100.0)
     assert 365 <= inside <= 393  # 95 % of 400, within three standard deviations
 
@@ -46,7 +48,9 @@ def test_two_points_give_no_interval() -> None:
         ([0.0, 0.01], [1.0], "too few points"),
     ],
 )
-def test_points_that_tell_nothing_are_refused(reference: list[float], recorded: list[float], what: str) -> None:
+def test_points_that_tell_nothing_are_refused(
+    reference: list[float], recorded: list[float], what: str
+) -> None:
     with pytest.raises(FitError, match=what):
         fit_calibration(reference, recorded, unit="m", name="cal.csv")
 

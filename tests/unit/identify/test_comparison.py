@@ -81,7 +81,9 @@ def test_vanishing_signals_give_null_and_no_warning() -> None:
         (WAVE, WAVE, TIME**2, "constant steps"),
     ],
 )
-def test_bad_input(reference: np.ndarray, compared: np.ndarray, time: np.ndarray, message: str) -> None:
+def test_bad_input(
+    reference: np.ndarray, compared: np.ndarray, time: np.ndarray, message: str
+) -> None:
     with pytest.raises(FitError, match=message):
         compare(reference, compared, time, place="trial 1")
 

@@ -20,7 +20,11 @@ from jounce.identify.hysteresis_path import bouc_wen_path
 
 TIME = np.arange(0.0, 6.0, 0.005)
 X = 0.020 * np.sin(2 * math.pi * TIME) + 0.004 * np.sin(2 * math.pi * 2.3 * TIME)
-V = 2 * math.pi * (0.020 * np.cos(2 * math.pi * TIME) + 0.004 * 2.3 * np.cos(2 * math.pi * 2.3 * TIME))
+V = (
+    2
+    * math.pi
+    * (0.020 * np.cos(2 * math.pi * TIME) + 0.004 * 2.3 * np.cos(2 * math.pi * 2.3 * TIME))
+)
 
 
 def messages(result):
@@ -46,7 +50,9 @@ def test_path_agrees_with_the_closed_form(exponent, sigma):
     else:
         root = math.sqrt(b)
         zero = 0.6 if b == 0.0 else math.atan(root * 0.6) / root
-        below = s - zero if b == 0.0 else np.tan(np.minimum(root * (s - zero), 0.0)) / max(root, 1e-9)
+        below = (
+            s - zero if b == 0.0 else np.tan(np.minimum(root * (s - zero), 0.0)) / max(root, 1e-9)
+        )
         exact = np.where(s < zero, below, np.tanh(np.maximum(s - zero, 0.0)))
     assert np.max(np.abs(z - exact)) < 2e-4
 
@@ -65,7 +71,13 @@ def test_the_shortest_paths_and_what_is_none():
         with pytest.raises(DescriptionError, match="displacement: not a path"):
             bouc_wen_path(path, 400.0, 3.0, 1.6, 0.0)
     given = {"rate": 400.0, "sigma": 3.0, "exponent": 1.6, "start": 0.0}
-    for name, bad in (("rate", -1.0), ("sigma", 0.4), ("exponent", 0.0), ("exponent", np.inf), ("start", np.nan)):
+    for name, bad in (
+        ("rate", -1.0),
+        ("sigma", 0.4),
+        ("exponent", 0.0),
+        ("exponent", np.inf),
+        ("start", np.nan),
+    ):
         with pytest.raises(DescriptionError, match=f"{name}: out of range"):
             bouc_wen_path(X, **{**given, name: bad})
 
@@ -90,7 +102,9 @@ def test_energy_of_a_viscous_damper_per_cycle():
     # E = pi c omega X^2 for a sine
     x, v = 0.02 * np.sin(2 * math.pi * TIME), 0.04 * math.pi * np.cos(2 * math.pi * TIME)
     result = fit_damper(x, v, 1000.0 * v, TIME)
-    assert result.energy_per_cycle == pytest.approx(math.pi * 1000.0 * 2 * math.pi * 0.02**2, rel=2e-3)
+    assert result.energy_per_cycle == pytest.approx(
+        math.pi * 1000.0 * 2 * math.pi * 0.02**2, rel=2e-3
+    )
     assert result.cycles == pytest.approx(6.0, abs=0.01)
     assert result.fitted_energy_per_cycle == pytest.approx(result.energy_per_cycle, rel=1e-9)
 
@@ -100,10 +114,21 @@ def test_bilinear_with_dry_friction():
     slow = 0.01 * motion.peak_velocity
     force = np.where(V > 0, 400.0, 1200.0) * V + 30.0 * np.tanh(V / slow) - 5.0
     result = fit_damper(X, V, force, TIME, law="bilinear", friction=True)
-    expected = {"bump_coefficient": 400.0, "rebound_coefficient": 1200.0, "friction_force": 30.0, "offset": -5.0}
+    expected = {
+        "bump_coefficient": 400.0,
+        "rebound_coefficient": 1200.0,
+        "friction_force": 30.0,
+        "offset": -5.0,
+    }
     assert values(result) == pytest.approx(expected, rel=1e-6)
-    assert result.damper == {"bump_coefficient": pytest.approx(400.0), "rebound_coefficient": pytest.approx(1200.0)}
-    assert result.friction == {"force": pytest.approx(30.0), "regularisation_velocity": pytest.approx(slow)}
+    assert result.damper == {
+        "bump_coefficient": pytest.approx(400.0),
+        "rebound_coefficient": pytest.approx(1200.0),
+    }
+    assert result.friction == {
+        "force": pytest.approx(30.0),
+        "regularisation_velocity": pytest.approx(slow),
+    }
     without = fit_damper(X, V, force, TIME, law="bilinear")
     assert "dry friction" in messages(without)
     assert without.friction is None
@@ -114,7 +139,9 @@ def test_bilinear_with_dry_friction():
 def test_polynomial(odd):
     force = 900.0 * V + (0.0 if odd else 800.0) * V**2 + 5e3 * V**3
     result = fit_damper(X, V, force, TIME, law="polynomial", degree=3, odd=odd)
-    assert set(result.parameters) == ({"a1", "a3", "offset"} if odd else {"a1", "a2", "a3", "offset"})
+    assert set(result.parameters) == (
+        {"a1", "a3", "offset"} if odd else {"a1", "a2", "a3", "offset"}
+    )
     assert values(result)["a3"] == pytest.approx(5e3, rel=1e-6)
     speed, table = np.array(result.damper["velocity"]), np.array(result.damper["force"])
     assert np.interp(0.0, speed, table) == pytest.approx(0.0, abs=1e-6)
@@ -184,7 +211,9 @@ def test_tables_are_accepted_by_a_rig():
     from jounce.parts.dampers import Damper
 
     force = (
-        np.where(V > 0, 400.0, 1200.0) * V + 60.0 * np.tanh(V / 0.005) + 0.5 * bouc_wen_path(X, 600.0, 2.5, 1.6, 0.0)
+        np.where(V > 0, 400.0, 1200.0) * V
+        + 60.0 * np.tanh(V / 0.005)
+        + 0.5 * bouc_wen_path(X, 600.0, 2.5, 1.6, 0.0)
     )
     for law in LAWS:
         TypeAdapter(Damper).validate_python(fit_damper(X, V, force, TIME, law=law).damper)
@@ -244,7 +273,9 @@ def test_force_of_the_other_sign_is_turned():
 
 
 def test_quantised_velocity_is_reported():
-    assert "in steps of 5 mm/s" in messages(fit_damper(X, np.round(V / 0.005) * 0.005, 1500.0 * V, TIME))
+    assert "in steps of 5 mm/s" in messages(
+        fit_damper(X, np.round(V / 0.005) * 0.005, 1500.0 * V, TIME)
+    )
 
 
 def test_rest_is_left_out():
@@ -320,10 +351,16 @@ def line():
         ({"parameters": {"bump_coefficient": Estimate(-1.0)}}, [("problem", -1.0)]),
         ({"parameters": {"rebound_coefficient": Estimate(-1.0)}}, [("problem", -1.0)]),
         ({"law": "tanh-hysteretic", "parameters": {"slope": Estimate(10.0, 4.9)}}, []),
-        ({"law": "tanh-hysteretic", "parameters": {"slope": Estimate(-10.0, 5.1)}}, [("note", 5.1)]),
+        (
+            {"law": "tanh-hysteretic", "parameters": {"slope": Estimate(-10.0, 5.1)}},
+            [("note", 5.1)],
+        ),
         ({"law": "bouc-wen", "parameters": {"sigma": Estimate(10.0, 5.1)}}, [("note", 5.1)]),
         ({"parameters": {"force": Estimate(10.0, 9.0)}}, []),
-        ({"damper": {"velocity": [-1.0, 0.0, 1.0], "force": [-1.0, 2.0, 1.9]}}, [("warning", None)]),
+        (
+            {"damper": {"velocity": [-1.0, 0.0, 1.0], "force": [-1.0, 2.0, 1.9]}},
+            [("warning", None)],
+        ),
         ({"damper": {"velocity": [-1.0, 0.0, 1.0], "force": [-1.0, 2.0, 2.0]}}, []),
         ({"law": "tanh-hysteretic", "parameters": {"coefficient": Estimate(-1.0)}}, []),
     ],
@@ -333,14 +370,24 @@ def test_what_a_law_is_told_of_begins_at_its_limits(line, changes, told):
     parameters = {"offset": Estimate(0.0, 1.0, (-2.0, 2.0))} | changes.get("parameters", {})
     units = dict.fromkeys(parameters, "1")
     known = {"cycles": 9.0, "r2": 0.99, "parameters": parameters, "units": units}
-    changed = replace(result, **known | {key: value for key, value in changes.items() if key != "parameters"})
+    changed = replace(
+        result, **known | {key: value for key, value in changes.items() if key != "parameters"}
+    )
     found = damper_advice(changed, motion, (), "a.csv")
-    assert [(one.place, one.severity, one.value) for one in found] == [("a.csv", *each) for each in told]
+    assert [(one.place, one.severity, one.value) for one in found] == [
+        ("a.csv", *each) for each in told
+    ]
 
 
 def test_a_number_at_the_limit_of_its_range_is_told(line):
     result, motion = line
-    at_end = replace(result, law="bouc-wen", parameters={"sigma": Estimate(4.0)}, units={"sigma": "1"}, cycles=9.0)
+    at_end = replace(
+        result,
+        law="bouc-wen",
+        parameters={"sigma": Estimate(4.0)},
+        units={"sigma": "1"},
+        cycles=9.0,
+    )
     (limit,) = damper_advice(at_end, motion, ("sigma",), "a.csv")
     assert (limit.severity, limit.value) == ("warning", 4.0)
 
@@ -351,12 +398,17 @@ def test_hysteresis_is_told_from_four_percent_on(line, share, told):
     rising = np.gradient(motion.velocity, motion.time) > 0.0
     smooth = np.ptp(900.0 * motion.velocity)
     step = smooth / (1.0 / share - 1.0)  # the range of the force grows with what is added
-    looped = replace(motion, force=900.0 * motion.velocity + 0.5 * step * np.where(rising, 1.0, -1.0))
-    size = hysteresis_share(looped)
-    looped = replace(looped, force=900.0 * motion.velocity + (looped.force - 900.0 * motion.velocity) * share / size)
-    assert [one.value for one in damper_advice(result, looped, (), "") if "hysteresis" in one.message] == (
-        [pytest.approx(share, rel=0.03)] * told
+    looped = replace(
+        motion, force=900.0 * motion.velocity + 0.5 * step * np.where(rising, 1.0, -1.0)
     )
+    size = hysteresis_share(looped)
+    looped = replace(
+        looped,
+        force=900.0 * motion.velocity + (looped.force - 900.0 * motion.velocity) * share / size,
+    )
+    assert [
+        one.value for one in damper_advice(result, looped, (), "") if "hysteresis" in one.message
+    ] == ([pytest.approx(share, rel=0.03)] * told)
 
 
 def test_hysteresis_is_the_difference_of_both_ways_less_their_noise():
@@ -368,7 +420,9 @@ def test_hysteresis_is_the_difference_of_both_ways_less_their_noise():
         velocity=speeds,
         force=np.array([0.0, 4.0, 10.0, -1.0, 0.0, 6.0, 10.0, 3.0, 0.0]),
     )
-    assert hysteresis_share(motion) == pytest.approx(math.sqrt((5.0 - 1.0) ** 2 - 5.0) / 11.0, rel=1e-12)
+    assert hysteresis_share(motion) == pytest.approx(
+        math.sqrt((5.0 - 1.0) ** 2 - 5.0) / 11.0, rel=1e-12
+    )
     once = replace(motion, time=motion.time[:5], velocity=speeds[:5], force=motion.force[:5])
     assert hysteresis_share(once) == 0.0  # passed once each way, nothing is known of the noise
 
@@ -376,7 +430,9 @@ def test_hysteresis_is_the_difference_of_both_ways_less_their_noise():
 @pytest.mark.parametrize(
     ("share", "noise", "told"), [(0.0205, 0.0, 1), (0.0195, 0.0, 0), (0.05, 1.0, 0), (0.05, 0.3, 1)]
 )
-def test_a_jump_of_the_force_is_told_where_it_is_two_percent_and_explains_a_fifth(share, noise, told):
+def test_a_jump_of_the_force_is_told_where_it_is_two_percent_and_explains_a_fifth(
+    share, noise, told
+):
     motion, _ = read_motion(X, V, 9000.0 * V, TIME)
     smooth = 9000.0 * motion.velocity
     step = share * np.ptp(smooth) / (1.0 - 2.0 * share)  # the range grows with the step
@@ -402,7 +458,9 @@ def test_a_jump_of_the_force_is_told_where_it_is_two_percent_and_explains_a_fift
         (1.0, 0.21, "displacement", None),
     ],
 )
-def test_a_recorded_velocity_may_be_five_percent_and_a_fifth_of_a_sample_off(gain, late, source, told):
+def test_a_recorded_velocity_may_be_five_percent_and_a_fifth_of_a_sample_off(
+    gain, late, source, told
+):
     findings = []
     slope = np.gradient(V, TIME)
     velocity = gain * V - 0.005 * late * (slope - V * (slope @ V) / (V @ V))
@@ -420,7 +478,9 @@ def test_steps_of_a_velocity_are_told_from_a_thousandth_of_its_peak_on(step, tol
     assert [(one.severity, one.value) for one in findings] == [("note", pytest.approx(step))] * told
 
 
-@pytest.mark.parametrize(("before", "after", "left_out"), [(5, 0, 0), (6, 0, 6), (0, 5, 0), (0, 6, 6), (9, 12, 21)])
+@pytest.mark.parametrize(
+    ("before", "after", "left_out"), [(5, 0, 0), (6, 0, 6), (0, 5, 0), (0, 6, 6), (9, 12, 21)]
+)
 def test_rests_of_more_than_five_samples_are_left_out(before, after, left_out):
     ramp = np.concatenate([np.zeros(before), np.arange(101.0), np.full(after, 100.0)])
     findings = []
@@ -456,7 +516,14 @@ def shaken(cycles=6, seed=1):
     """Time (s), displacement (m), velocity (m/s) and noisy force (N) of a damper of 900 and 1500 N s/m with gas."""
     t = np.arange(0.0, 0.5 * cycles, 1e-3)
     x, v = 0.02 * np.sin(4.0 * np.pi * t), 0.08 * np.pi * np.cos(4.0 * np.pi * t)
-    return t, x, v, np.where(v > 0.0, 900.0, 1500.0) * v + 120.0 + np.random.default_rng(seed).normal(0.0, 2.0, len(t))
+    return (
+        t,
+        x,
+        v,
+        np.where(v > 0.0, 900.0, 1500.0) * v
+        + 120.0
+        + np.random.default_rng(seed).normal(0.0, 2.0, len(t)),
+    )
 
 
 def advised(x, v, f, t, law="bilinear", **more):
@@ -465,15 +532,25 @@ def advised(x, v, f, t, law="bilinear", **more):
 
 def test_a_damper_that_fades_and_a_zero_that_drifts_are_told():
     t, x, v, f = shaken()
-    told = ("the damping falls", "the force at rest drifts", "out of range", "spikes", "samples were missing")
+    told = (
+        "the damping falls",
+        "the force at rest drifts",
+        "out of range",
+        "spikes",
+        "samples were missing",
+    )
     assert not any(one in advised(x, v, f, t) for one in told)
-    assert "the damping falls by 15 %" in advised(x, v, 120.0 + (f - 120.0) * (1.0 - 0.14 * t / t[-1]), t)
+    assert "the damping falls by 15 %" in advised(
+        x, v, 120.0 + (f - 120.0) * (1.0 - 0.14 * t / t[-1]), t
+    )
     assert "the force at rest drifts by 60" in advised(x, v, f + 60.0 * t / t[-1], t)
 
 
 def test_a_sensor_out_of_range_is_told_and_no_law_blamed():
     t, x, v, f = shaken()
-    assert "samples of the force lie flat at its limits: the load cell" in advised(x, v, np.clip(f, -150.0, 250.0), t)
+    assert "samples of the force lie flat at its limits: the load cell" in advised(
+        x, v, np.clip(f, -150.0, 250.0), t
+    )
     assert "samples of the displacement lie flat" in advised(np.clip(x, -0.015, 0.015), None, f, t)
 
 
@@ -497,7 +574,9 @@ def test_spikes_are_told_in_place_of_a_law():
 
 def test_a_degressive_valve_is_not_taken_for_dry_friction():
     t, x, v, _ = shaken()
-    valve = np.where(np.abs(v) < 0.05, 2000.0 * v, np.sign(v) * (100.0 + 500.0 * (np.abs(v) - 0.05)))
+    valve = np.where(
+        np.abs(v) < 0.05, 2000.0 * v, np.sign(v) * (100.0 + 500.0 * (np.abs(v) - 0.05))
+    )
     assert "a degressive valve rather than dry friction" in advised(x, v, valve, t, law="linear")
     assert "dry friction; fit with" in advised(x, v, 900.0 * v + 60.0 * np.sign(v), t, law="linear")
 
@@ -521,7 +600,11 @@ def _fitted(record: foreign_records.Record) -> tuple[DamperResult, list[str]]:
 @pytest.mark.parametrize(
     ("group", "name", "words"),
     [
-        ("sign", "both turned, gas 45, rest 0.5 s, friction 0 False, rebound 600", "where gas would push outwards"),
+        (
+            "sign",
+            "both turned, gas 45, rest 0.5 s, friction 0 False, rebound 600",
+            "where gas would push outwards",
+        ),
         ("steps", "force 50 N, 1 Hz, noise 1", "steps of 50 N"),
         ("filter", "both low pass of order 1 at 3 times 1 Hz", "a low-pass filter of the logger"),
         ("filter", "both low pass of order 2 at 6 times 1 Hz", "a low-pass filter of the logger"),
@@ -537,8 +620,12 @@ def test_what_a_logger_did_to_the_force_is_told(group: str, name: str, words: st
 @pytest.mark.parametrize("which", ["force", "all"])
 def test_dropouts_are_left_out_and_no_oil_is_blamed(which: str, kind: str) -> None:
     result, told = _fitted(_of("dropout", f"{which} {kind} 5 times 0.1 s"))
-    assert result.parameters["bump_coefficient"].value == pytest.approx(foreign_records.BUMP, rel=0.02)
-    assert result.parameters["rebound_coefficient"].value == pytest.approx(foreign_records.REBOUND, rel=0.02)
+    assert result.parameters["bump_coefficient"].value == pytest.approx(
+        foreign_records.BUMP, rel=0.02
+    )
+    assert result.parameters["rebound_coefficient"].value == pytest.approx(
+        foreign_records.REBOUND, rel=0.02
+    )
     assert [text for text in told if "logger dropouts" not in text] == []
     assert told
 

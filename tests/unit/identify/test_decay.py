@@ -34,7 +34,12 @@ TIME = np.arange(0.0, 2.0, 1e-3)
 def truth(c=120.0, friction=15.0, offset=0.003, release=0.2, deflection=0.020):
     omega = math.sqrt(STIFFNESS / MASS)
     return DecayParameters(
-        omega, c / (2 * math.sqrt(STIFFNESS * MASS)), friction / STIFFNESS, offset, release, deflection
+        omega,
+        c / (2 * math.sqrt(STIFFNESS * MASS)),
+        friction / STIFFNESS,
+        offset,
+        release,
+        deflection,
     )
 
 
@@ -44,14 +49,21 @@ def record(noise=0.0, seed=0, time=TIME, quantity="displacement", **changes):
 
 
 @pytest.mark.parametrize("quantity", ["displacement", "velocity", "acceleration"])
-@pytest.mark.parametrize("changes", [{}, {"friction": 0.0}, {"c": 700.0, "deflection": -0.02}, {"c": -3.0}])
+@pytest.mark.parametrize(
+    "changes", [{}, {"friction": 0.0}, {"c": 700.0, "deflection": -0.02}, {"c": -3.0}]
+)
 def test_slopes_are_those_of_differences(quantity, changes):
     exact = truth(**changes)
     values = np.array(list(vars(exact).values()))
-    steps = np.append(np.maximum(1e-6 * np.abs(values[:6]), [1e-6, 1e-6, 1e-9, 1e-6, 1e-6, 1e-9]), 0.0)
+    steps = np.append(
+        np.maximum(1e-6 * np.abs(values[:6]), [1e-6, 1e-6, 1e-9, 1e-6, 1e-6, 1e-9]), 0.0
+    )
     slopes = decay_slopes(TIME, exact, quantity)
     for i, move in enumerate(np.diag(steps)[:6]):
-        after, before = (decay_response(TIME, DecayParameters(*(values + way * move)), quantity) for way in (1.0, -1.0))
+        after, before = (
+            decay_response(TIME, DecayParameters(*(values + way * move)), quantity)
+            for way in (1.0, -1.0)
+        )
         expected = (after - before) / (2.0 * steps[i])
         off = np.abs(slopes[:, i] - expected) / np.max(np.abs(slopes[:, i]))
         assert np.count_nonzero(off > 1e-6) <= 30, i  # samples next to which a swing ends or begins
@@ -88,7 +100,9 @@ def test_two_peaks_give_the_decrement_of_a_whole_cycle():
     # they lie half a cycle apart; the second is q x0 - x_k (1 + q) with q = exp(-pi zeta / sqrt(1 - zeta^2))
     result = fit_decay(TIME, record(c=200.0, friction=60.0), mass=MASS)
     assert result.amplitudes == pytest.approx([0.020, 0.0060106], rel=2e-3)
-    assert result.logarithmic_decrement.value == pytest.approx(2.0 * math.log(0.020 / 0.0060106), rel=2e-3)
+    assert result.logarithmic_decrement.value == pytest.approx(
+        2.0 * math.log(0.020 / 0.0060106), rel=2e-3
+    )
     assert result.decrements == ()
 
 
@@ -165,7 +179,9 @@ def test_impulse_in_the_middle_of_the_record():
 def test_larger_friction_at_rest_does_not_spoil_the_damping():
     clean = record()
     stop = 0.2 + 4 * math.pi / (math.sqrt(STIFFNESS / MASS) * math.sqrt(1 - 0.1107**2))
-    stuck = np.where(stop < TIME, clean[np.searchsorted(TIME, stop)], clean)  # rests one half swing too early
+    stuck = np.where(
+        stop < TIME, clean[np.searchsorted(TIME, stop)], clean
+    )  # rests one half swing too early
     stuck += np.random.default_rng(0).normal(0.0, 1e-5, len(TIME))
     result = fit_decay(TIME, stuck, mass=MASS)
     assert result.damping_coefficient.value == pytest.approx(120.0, rel=0.03)
@@ -182,8 +198,12 @@ def test_few_swings_still_give_covering_intervals_and_a_warning(c, friction):
 
 
 def test_given_stiffness_is_compared():
-    assert "from the given" not in messages(fit_decay(TIME, record(), mass=MASS, stiffness=1.02 * STIFFNESS))
-    assert "-9.1 % from the given" in messages(fit_decay(TIME, record(), mass=MASS, stiffness=1.1 * STIFFNESS))
+    assert "from the given" not in messages(
+        fit_decay(TIME, record(), mass=MASS, stiffness=1.02 * STIFFNESS)
+    )
+    assert "-9.1 % from the given" in messages(
+        fit_decay(TIME, record(), mass=MASS, stiffness=1.1 * STIFFNESS)
+    )
 
 
 def test_coarse_sampling_is_reported():
@@ -252,7 +272,9 @@ def test_several_decays_become_one():
     assert found.equilibrium.has(0.003)
     assert combine_decays(runs[:1]).damping_coefficient == runs[0].damping_coefficient
     assert "a copy" not in messages(found)
-    assert "1 of 3 runs repeat another one to the last digit: a copy" in messages(combine_decays([*runs[:2], runs[0]]))
+    assert "1 of 3 runs repeat another one to the last digit: a copy" in messages(
+        combine_decays([*runs[:2], runs[0]])
+    )
     with pytest.raises(FitError, match="no decays"):
         combine_decays([])
 
@@ -271,20 +293,56 @@ def exact():
 @pytest.mark.parametrize(
     ("changes", "step", "time", "stiffness", "told"),
     [
-        ({}, 1e-3, 4.1, None, [("warning", "use the combined estimate", 15.0), ("note", "successive residuals", 4.1)]),
+        (
+            {},
+            1e-3,
+            4.1,
+            None,
+            [("warning", "use the combined estimate", 15.0), ("note", "successive residuals", 4.1)],
+        ),
         ({}, 1e-3, 3.9, None, [("warning", "use the combined estimate", 15.0)]),
         ({"decrements": (1.0,)}, 1e-3, 1.0, None, []),
         ({"coulomb_force": Estimate(3.0, 2.0, (-1.0, 7.0))}, 1e-3, 1.0, None, []),
-        ({"decrements": (), "cycles": 1.49}, 1e-3, 1.0, None, [("warning", "only 1.49 cycles", 1.49)]),
+        (
+            {"decrements": (), "cycles": 1.49},
+            1e-3,
+            1.0,
+            None,
+            [("warning", "only 1.49 cycles", 1.49)],
+        ),
         ({"decrements": (), "cycles": 1.5}, 1e-3, 1.0, None, []),
         ({"decrements": (), "r2": 0.981}, 1e-3, 1.0, None, []),
-        ({"decrements": (), "r2": 0.979}, 1e-3, 9.0, None, [("problem", "explains only 97.9 %", 0.979)]),
-        ({"decrements": ()}, 1.0 / (19.9 * 5.39163), 1.0, None, [("warning", "only 19.9 samples per cycle", 19.9)]),
+        (
+            {"decrements": (), "r2": 0.979},
+            1e-3,
+            9.0,
+            None,
+            [("problem", "explains only 97.9 %", 0.979)],
+        ),
+        (
+            {"decrements": ()},
+            1.0 / (19.9 * 5.39163),
+            1.0,
+            None,
+            [("warning", "only 19.9 samples per cycle", 19.9)],
+        ),
         ({"decrements": ()}, 1.0 / (20.1 * 5.39163), 1.0, None, []),
         ({"decrements": ()}, 1e-3, 1.0, STIFFNESS / 1.029, []),
         ({"decrements": ()}, 1e-3, 1.0, STIFFNESS / 0.971, []),
-        ({"decrements": ()}, 1e-3, 1.0, STIFFNESS / 1.031, [("warning", "+3.1 % from the given", 0.031)]),
-        ({"decrements": ()}, 1e-3, 1.0, STIFFNESS / 0.969, [("warning", "-3.1 % from the given", -0.031)]),
+        (
+            {"decrements": ()},
+            1e-3,
+            1.0,
+            STIFFNESS / 1.031,
+            [("warning", "+3.1 % from the given", 0.031)],
+        ),
+        (
+            {"decrements": ()},
+            1e-3,
+            1.0,
+            STIFFNESS / 0.969,
+            [("warning", "-3.1 % from the given", -0.031)],
+        ),
         (
             {"decrements": (), "quadratic_drag": Estimate(3.0)},
             1e-3,
@@ -293,14 +351,39 @@ def exact():
             [("warning", "quadratic drag, 3 N", 3.0)],
         ),
         ({"decrements": (), "quadratic_drag": Estimate(0.0)}, 1e-3, 1.0, None, []),
-        ({"decrements": (), "rms_residual": 1.9e-8}, 1e-3, 9.0, None, []),  # a millionth of the release is rounding
-        ({"decrements": (), "rms_residual": 2.1e-8}, 1e-3, 9.0, None, [("note", "successive residuals", 9.0)]),
+        (
+            {"decrements": (), "rms_residual": 1.9e-8},
+            1e-3,
+            9.0,
+            None,
+            [],
+        ),  # a millionth of the release is rounding
+        (
+            {"decrements": (), "rms_residual": 2.1e-8},
+            1e-3,
+            9.0,
+            None,
+            [("note", "successive residuals", 9.0)],
+        ),
     ],
 )
 def test_what_a_decay_is_told_of_begins_at_its_limits(exact, changes, step, time, stiffness, told):
-    known = {"coulomb_force": Estimate(15.0, 1.0, (13.0, 17.0)), "rms_residual": 1e-5, "r2": 0.999, "cycles": 2.0}
-    found = _advice(replace(exact, **known | changes), Uncertainty(np.eye(7), 10.0, time), step, stiffness, "decay")
-    assert [(one.severity, pytest.approx(one.value, rel=1e-4)) for one in found] == [(one[0], one[2]) for one in told]
+    known = {
+        "coulomb_force": Estimate(15.0, 1.0, (13.0, 17.0)),
+        "rms_residual": 1e-5,
+        "r2": 0.999,
+        "cycles": 2.0,
+    }
+    found = _advice(
+        replace(exact, **known | changes),
+        Uncertainty(np.eye(7), 10.0, time),
+        step,
+        stiffness,
+        "decay",
+    )
+    assert [(one.severity, pytest.approx(one.value, rel=1e-4)) for one in found] == [
+        (one[0], one[2]) for one in told
+    ]
     assert all(words in one.message for one, (_, words, _) in zip(found, told, strict=True))
 
 
@@ -315,7 +398,9 @@ def test_what_was_fitted_as_zero_is_told(exact, key):
 def test_decrements_of_one_two_and_many_amplitudes():
     assert _naive_decrement(np.array([3.0])) == Estimate(math.inf)
     assert _naive_decrement(np.array([3.0, 2.0])) == Estimate(2.0 * math.log(1.5))
-    assert _naive_decrement(3.0 * 0.8 ** np.arange(5.0)).value == pytest.approx(-2.0 * math.log(0.8), rel=1e-12)
+    assert _naive_decrement(3.0 * 0.8 ** np.arange(5.0)).value == pytest.approx(
+        -2.0 * math.log(0.8), rel=1e-12
+    )
 
 
 def test_runs_are_held_against_each_other(exact):
@@ -323,17 +408,29 @@ def test_runs_are_held_against_each_other(exact):
 
     def run(frequency=5.0, **more):
         own = replace(exact.parameters, release_time=float(next(number)))  # no copies
-        return replace(exact, natural_frequency_hz=Estimate(frequency, 0.01), findings=(), parameters=own, **more)
+        return replace(
+            exact,
+            natural_frequency_hz=Estimate(frequency, 0.01),
+            findings=(),
+            parameters=own,
+            **more,
+        )
 
     for other, told in ((5.25, 0), (5.26, 1), (4.76, 0), (4.75, 1)):  # 5 % of the mean
         found = combine_decays([run(), run(other)]).findings
         assert [one.value for one in found] == [pytest.approx(abs(other - 5.0))] * told
     drag = {"quadratic_drag": Estimate(2.0, 0.1)}
     both, mixed, none = (
-        combine_decays(each) for each in ([run(**drag), run(**drag)], [run(**drag), run(), run()], [run(), run()])
+        combine_decays(each)
+        for each in ([run(**drag), run(**drag)], [run(**drag), run(), run()], [run(), run()])
     )
     assert both.quadratic_drag.value == pytest.approx(2.0)
-    assert (both.findings, none.findings, mixed.quadratic_drag, none.quadratic_drag) == ((), (), None, None)
+    assert (both.findings, none.findings, mixed.quadratic_drag, none.quadratic_drag) == (
+        (),
+        (),
+        None,
+        None,
+    )
     assert [(one.severity, one.value) for one in mixed.findings] == [("warning", 1.0)]
     assert combine_decays([run(), run(equilibrium=None)]).equilibrium is None
     negative = run(damping_ratio=Estimate(-0.1, 0.01), damping_coefficient=Estimate(-1.0, 0.1))
@@ -361,7 +458,10 @@ def test_time_windows_that_leave_nothing_are_refused():
 def test_after_a_hit_the_search_goes_on_behind_the_next_turning_point(exact):
     assert "was left out" not in messages(exact)
     swing = np.concatenate(
-        [0.25 + 0.75 * np.cos(np.linspace(0.0, np.pi, 51)), -0.25 - 0.25 * np.cos(np.linspace(0.0, np.pi, 51))]
+        [
+            0.25 + 0.75 * np.cos(np.linspace(0.0, np.pi, 51)),
+            -0.25 - 0.25 * np.cos(np.linspace(0.0, np.pi, 51)),
+        ]
     )
     signal = np.concatenate([swing, np.zeros(200)])
     assert 50 <= _next_start(signal, 0, 0.0) <= 58
@@ -391,30 +491,42 @@ def test_what_a_decay_gives_knows_what_its_parameters_know():
             MASS * omega**2,
         ])  # fmt: skip
 
-    errors = np.linalg.norm(central_differences(derived, at, 1e-4 * np.maximum(np.abs(at), 1e-3)) @ root, axis=1)
+    errors = np.linalg.norm(
+        central_differences(derived, at, 1e-4 * np.maximum(np.abs(at), 1e-3)) @ root, axis=1
+    )
     names = ("damping_ratio", "damping_coefficient", "coulomb_force", "natural_frequency_hz", "quadratic_drag",
              "equilibrium", "stiffness")  # fmt: skip
     assert set(found) == set(names)
     for name, value, error in zip(names, derived(at), errors, strict=True):
-        assert (found[name].value, found[name].standard_error) == pytest.approx((value, error), rel=1e-6), name
+        assert (found[name].value, found[name].standard_error) == pytest.approx(
+            (value, error), rel=1e-6
+        ), name
 
 
 def test_a_rest_is_half_a_period_of_nothing_at_the_end():
     t = np.arange(400) * 1e-2
-    peaks = Peaks(np.arange(5.0) * 0.5, 0.5 ** np.arange(5.0) * (-1.0) ** np.arange(5))  # half a period: 0.5 s
+    peaks = Peaks(
+        np.arange(5.0) * 0.5, 0.5 ** np.arange(5.0) * (-1.0) ** np.arange(5)
+    )  # half a period: 0.5 s
     for moves, rests in ((349, False), (347, True)):
         signal = np.where(np.arange(400) < moves, np.cos(2.0 * np.pi * t), 0.3)
-        assert _at_rest(t, signal, peaks).tolist() == [bool(rests and i >= moves) for i in range(400)]
+        assert _at_rest(t, signal, peaks).tolist() == [
+            bool(rests and i >= moves) for i in range(400)
+        ]
     assert not _at_rest(t, np.cos(2.0 * np.pi * t), peaks).any()
     for off, begin in ((1.9e-3, 200), (2.1e-3, 300)):  # a thousandth of the range of 2
-        signal = np.where(np.arange(400) < 200, np.cos(2.0 * np.pi * t), 0.3 + off * (np.arange(400) < 300))
+        signal = np.where(
+            np.arange(400) < 200, np.cos(2.0 * np.pi * t), 0.3 + off * (np.arange(400) < 300)
+        )
         assert int(np.argmax(_at_rest(t, signal, peaks))) == begin
 
 
 @pytest.mark.parametrize("ratio", [0.02, 0.4])
 def test_samples_beside_a_jump_of_the_acceleration_do_not_count(ratio):
     p = DecayParameters(10.0, ratio, 0.001, 0.0, 0.05, 0.02)
-    gaps = np.abs(TIME - 0.05 - np.arange(-1, 9)[:, None] * math.pi / (10.0 * math.sqrt(1.0 - ratio**2))).min(axis=0)
+    gaps = np.abs(
+        TIME - 0.05 - np.arange(-1, 9)[:, None] * math.pi / (10.0 * math.sqrt(1.0 - ratio**2))
+    ).min(axis=0)
     assert _off_jumps(TIME, p).tolist() == (gaps > 0.6e-3).astype(float).tolist()
 
 
@@ -425,7 +537,10 @@ def test_what_holds_no_decay_is_not_searched():
         (np.ones(200), start),
         (record()[200:400], np.where(np.arange(6) == 2, np.nan, start)),
     ):
-        with pytest.raises(FitError, match=f"contains no free decay that can be fitted; found '{len(signal)} samples"):
+        with pytest.raises(
+            FitError,
+            match=f"contains no free decay that can be fitted; found '{len(signal)} samples",
+        ):
             _fit(TIME[: len(signal)], signal, [begin], "displacement")
 
 
@@ -433,8 +548,12 @@ def test_friction_is_exchanged_for_damping_that_takes_as_much():
     """A half cycle takes pi zeta of the amplitude, and 2 x_k: over the mean amplitude, half of it, 4 x_k / pi."""
     start = np.array([30.0, 0.3, 0.001, 0.002, 0.1, -0.02])
     moved = _along_the_valley(start, 0.15)
-    assert moved - start == pytest.approx([0.0, -4.0 * 0.15e-3 / (math.pi * 0.02), 0.15e-3, 0.0, 0.0, 0.0])
-    assert _along_the_valley(np.where(np.arange(6) == 2, 0.0, start), -0.05)[2] == pytest.approx(-0.05 * 0.01 * 0.02)
+    assert moved - start == pytest.approx(
+        [0.0, -4.0 * 0.15e-3 / (math.pi * 0.02), 0.15e-3, 0.0, 0.0, 0.0]
+    )
+    assert _along_the_valley(np.where(np.arange(6) == 2, 0.0, start), -0.05)[2] == pytest.approx(
+        -0.05 * 0.01 * 0.02
+    )
     assert _along_the_valley(start, 300.0)[1] == -0.15
     assert _along_the_valley(start, -300.0)[1] == 0.95
 
@@ -452,7 +571,9 @@ def swung(cubic=0.0, bump=120.0, rebound=120.0):
         x, v = state
         return v, -(18362.0 * x + cubic * x**3 + (bump if v < 0.0 else rebound) * v) / 16.0
 
-    x = solve_ivp(rates, (0.0, 1.5), (-0.02, 0.0), t_eval=t, rtol=1e-8, atol=1e-11, max_step=5e-3).y[0]
+    x = solve_ivp(
+        rates, (0.0, 1.5), (-0.02, 0.0), t_eval=t, rtol=1e-8, atol=1e-11, max_step=5e-3
+    ).y[0]
     return t, x + np.random.default_rng(3).normal(0.0, 2e-5, len(t))
 
 
@@ -471,7 +592,9 @@ def test_a_drift_and_a_damper_that_is_firmer_in_one_direction_are_named():
     t, x = swung()
     assert "drifts" not in told_of(t, x)
     assert "the zero of the record drifts by" in told_of(t, x + 2e-3 * t)
-    assert "firmer in one direction; the damping is the mean" in told_of(*swung(bump=80.0, rebound=160.0))
+    assert "firmer in one direction; the damping is the mean" in told_of(
+        *swung(bump=80.0, rebound=160.0)
+    )
 
 
 def test_samples_that_a_decay_lacks_are_told():
@@ -514,7 +637,10 @@ def test_a_low_pass_is_seen_in_the_noise(order):
     result, told = _fit_foreign("filter", f"z low pass of order {order} at 10 Hz, friction 8")
     assert result.damping_coefficient.value > 1.2 * foreign_records.DAMPING
     assert "a low-pass filter of the logger" in told
-    assert "a low-pass filter of the logger" not in _fit_foreign("plain", "z, 1000 Hz, friction 3, 1")[1]
+    assert (
+        "a low-pass filter of the logger"
+        not in _fit_foreign("plain", "z, 1000 Hz, friction 3, 1")[1]
+    )
 
 
 def test_dropouts_of_a_decay_are_left_out():
@@ -556,24 +682,34 @@ def test_a_small_second_hit_is_told_by_what_it_leaves():
 
 
 def test_a_jump_of_a_velocity_is_told_where_it_is():
-    assert "jumps by 0.0979" in (told := _told_of("hit", "second at 0.6 s, 0.1 m/s, vz", "velocity", 1.0))
+    assert "jumps by 0.0979" in (
+        told := _told_of("hit", "second at 0.6 s, 0.1 m/s, vz", "velocity", 1.0)
+    )
     assert "at 0.602 s" in told
     assert "jumps" not in _told_of("plain", "az, 1000 Hz, friction 3, 1", "acceleration", 1.0)
 
 
 def test_a_coupling_is_told_by_what_undoes_it():
-    told = _told_of("coupling", "az high pass of order 1 at 0.5 Hz, friction 8", "acceleration", 1.0)
+    told = _told_of(
+        "coupling", "az high pass of order 1 at 0.5 Hz, friction 8", "acceleration", 1.0
+    )
     assert "high-pass filtered at about 0.4" in told
     assert "high-pass" not in _told_of("plain", "az, 1000 Hz, friction 3, 1", "acceleration", 1.0)
 
 
 @pytest.mark.parametrize(
     ("said", "true", "quantity"),
-    [("z", "velocity", "displacement"), ("vz", "displacement", "velocity"), ("az", "displacement", "acceleration")],
+    [
+        ("z", "velocity", "displacement"),
+        ("vz", "displacement", "velocity"),
+        ("az", "displacement", "acceleration"),
+    ],
 )
 def test_a_record_of_another_quantity_is_told_by_its_corners(said, true, quantity):
     kind = {"velocity": "vz", "displacement": "z"}[true]
-    told = _told_of("exchange", f"{kind} said to be {said}, friction 8", quantity, 1e-3 if said == "z" else 1.0)
+    told = _told_of(
+        "exchange", f"{kind} said to be {said}, friction 8", quantity, 1e-3 if said == "z" else 1.0
+    )
     assert f"looks like {true} rather than {quantity}" in told
 
 
@@ -605,7 +741,17 @@ def test_the_jump_of_a_release_hides_no_second_hit_and_is_none() -> None:
     noise = 0.02 * np.random.default_rng(1).standard_normal(time.size)
     codes = []
     for hit in (0.0, 1.5):  # m/s^2, at 1.2 s; the release at 0.5 s jumps by 12 m/s^2
-        seen = signal.sosfilt(low_pass, np.where(time >= 0.5, pushed, 0.0) + np.where(time > 1.2, hit, 0.0)) + noise
-        codes.append({item.code for item in fit_decay(time, seen, mass=16.0, quantity="acceleration").findings})
+        seen = (
+            signal.sosfilt(
+                low_pass, np.where(time >= 0.5, pushed, 0.0) + np.where(time > 1.2, hit, 0.0)
+            )
+            + noise
+        )
+        codes.append(
+            {
+                item.code
+                for item in fit_decay(time, seen, mass=16.0, quantity="acceleration").findings
+            }
+        )
     assert "identify.decay_jumps_once" not in codes[0]
     assert "identify.decay_jumps_once" in codes[1]

@@ -66,7 +66,9 @@ def test_response_agrees_with_an_integration():
         return [state[1], force / MASS]
 
     t = np.linspace(0.0, 0.35, 200)
-    found = solve_ivp(rate, (0.0, 0.35), [0.020, 0.0], method="LSODA", t_eval=t, rtol=1e-9, atol=1e-12)
+    found = solve_ivp(
+        rate, (0.0, 0.35), [0.020, 0.0], method="LSODA", t_eval=t, rtol=1e-9, atol=1e-12
+    )
     assert np.max(np.abs(found.y[0] - decay_response(t, system(), "displacement"))) < 2e-8
 
 
@@ -104,13 +106,17 @@ def test_peaks_are_found_between_samples():
     t = np.arange(0.0, 1.0, 0.004)
     peaks = find_peaks(t, decay_response(t, system(), "displacement"), 0.0)
     assert 1e3 * peaks.value[1:5] == pytest.approx(A6_SEQUENCE_MM[1:5], abs=0.02)
-    assert peaks.half_period() == pytest.approx(math.pi / math.sqrt(STIFFNESS / MASS * (1 - 0.110696**2)), rel=0.01)
+    assert peaks.half_period() == pytest.approx(
+        math.pi / math.sqrt(STIFFNESS / MASS * (1 - 0.110696**2)), rel=0.01
+    )
 
 
 def test_noise_is_measured_under_a_motion():
     t = np.arange(0.0, 2.0, 1e-3)
     noise = np.random.default_rng(0).normal(0.0, 2e-4, len(t))
-    assert noise_of(decay_response(t, system(), "displacement") + noise) == pytest.approx(2e-4, rel=0.1)
+    assert noise_of(decay_response(t, system(), "displacement") + noise) == pytest.approx(
+        2e-4, rel=0.1
+    )
 
 
 def test_noise_is_measured_to_a_few_percent_of_itself():
@@ -121,7 +127,9 @@ def test_noise_is_measured_to_a_few_percent_of_itself():
 def test_turning_points_are_left_by_more_than_the_threshold_both_ways():
     for turn in (1.0, -1.0):
         for offset in (0.0, 7.0):
-            signal = offset + turn * np.array([0.0, 0.9, 0.1, 3.0, 2.1, 3.1, 0.0, 0.9, -0.5, 1.0, 0.2, 5.0, 3.9])
+            signal = offset + turn * np.array(
+                [0.0, 0.9, 0.1, 3.0, 2.1, 3.1, 0.0, 0.9, -0.5, 1.0, 0.2, 5.0, 3.9]
+            )
             assert zigzag(signal, 1.0) == [0, 5, 8, 11]
             assert zigzag(signal, 0.85) == [0, 3, 4, 5, 6, 7, 8, 11]
             assert zigzag(signal, 0.75) == [*range(12)]
@@ -142,7 +150,9 @@ def test_turning_points_are_left_by_more_than_the_threshold_both_ways():
 def test_the_release_is_where_the_largest_excursion_is_left(begin, noise, index, rest):
     for turn in (1.0, -1.0):
         assert find_release(rest + turn * np.array([*begin, *np.zeros(60)]), noise) == index
-    assert find_release(np.array([0.0, 0.0, 1.0, 1.0, 1.0]), 0.0) == 1  # the end of the record is where it rests
+    assert (
+        find_release(np.array([0.0, 0.0, 1.0, 1.0, 1.0]), 0.0) == 1
+    )  # the end of the record is where it rests
 
 
 def test_a_second_hit_is_a_swing_that_is_suddenly_much_larger():
@@ -165,8 +175,13 @@ def test_a_turning_point_is_refined_where_a_parabola_has_it():
     assert _parabola(time, signal, signal, 20, 20.0) == pytest.approx((20.3, 3.0))
     for half, shift in ((2.45, 0.3), (2.35, 0.0)):  # an eighth of half a period away at most
         assert _parabola(time, signal, signal, 20, half)[0] == pytest.approx(20.0 + shift)
-    assert _parabola(time[:2], signal[:2], 9.0 + signal, 1, 2.4) == (1.0, 9.0 + signal[1])  # two samples make none
-    wide = 3.0 - 0.2 * (time - 20.3) ** 2 + np.where(np.abs(time - 20.0) > 2.5, 5.0, 0.0)  # a tenth of half a period
+    assert _parabola(time[:2], signal[:2], 9.0 + signal, 1, 2.4) == (
+        1.0,
+        9.0 + signal[1],
+    )  # two samples make none
+    wide = (
+        3.0 - 0.2 * (time - 20.3) ** 2 + np.where(np.abs(time - 20.0) > 2.5, 5.0, 0.0)
+    )  # a tenth of half a period
     assert _parabola(time, wide, wide, 20, 29.0) == pytest.approx((20.3, 3.0))
     assert _parabola(time, wide, wide, 20, 31.0) != pytest.approx((20.3, 3.0), abs=0.01)
 
@@ -200,7 +215,10 @@ def test_slopes_with_drag_are_those_of_differences(quantity):
     steps = 1e-5 * np.abs(values)
     found = _slopes_with_drag(time, values, quantity, steps)
     for i, move in enumerate(np.diag(steps)):
-        ends = [decay_response(time, DecayParameters(*(values + way * move)), quantity) for way in (1.0, -1.0)]
+        ends = [
+            decay_response(time, DecayParameters(*(values + way * move)), quantity)
+            for way in (1.0, -1.0)
+        ]
         slope = (ends[0] - ends[1]) / (2.0 * steps[i])
         off = np.abs(found[:, i] - slope)
         assert np.median(off) < 1e-3 * np.abs(slope).max(), i
@@ -213,5 +231,7 @@ def test_the_rest_is_held_against_where_the_response_ends():
     end = decay_response(time, p, "displacement").mean()
     covariance = np.zeros((7, 7))
     covariance[3, 3] = 4e-10
-    gap, doubt = _rest_gap(time, np.full(60, end + 1e-4), values, Uncertainty(covariance, 50.0, 1.0))
+    gap, doubt = _rest_gap(
+        time, np.full(60, end + 1e-4), values, Uncertainty(covariance, 50.0, 1.0)
+    )
     assert (gap, doubt) == (pytest.approx(1e-4), pytest.approx(2e-5, rel=1e-6))

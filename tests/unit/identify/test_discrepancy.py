@@ -41,7 +41,10 @@ FREE = {
     "tyre.stiffness": "15 %",
 }
 BUMP = {"height": "10 mm", "length": "60 mm", "start": "0.2 m"}
-DEGRESSIVE = {"velocity": [-1.2, -0.5, -0.15, 0.0, 0.15, 0.5, 1.2], "force": [-150, -85, -32, 0, 28, 70, 125]}
+DEGRESSIVE = {
+    "velocity": [-1.2, -0.5, -0.15, 0.0, 0.15, 0.5, 1.2],
+    "force": [-150, -85, -32, 0, 28, 70, 125],
+}
 
 
 def trial(speed, truth, *, told=RIG, noise=0.0, seed=0):
@@ -56,7 +59,9 @@ def trial(speed, truth, *, told=RIG, noise=0.0, seed=0):
 
 def trials(changes, *, count=3, **more):
     truth = RIG.with_changes(changes)
-    return [trial(speed, truth, seed=i, **more) for i, speed in enumerate((1.95, 2.86, 3.79)[:count])]
+    return [
+        trial(speed, truth, seed=i, **more) for i, speed in enumerate((1.95, 2.86, 3.79)[:count])
+    ]
 
 
 @pytest.fixture(scope="module")
@@ -73,10 +78,14 @@ def wrong():
 def test_the_richer_rig_moves_as_the_rig_does(name):
     rig = jn.load(name)
     free = [
-        path for path in ("strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness") if path in rig.parameters()
+        path
+        for path in ("strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness")
+        if path in rig.parameters()
     ]
     doubt = jn.Doubt(tyre_curvature=0.0)
-    richer = ExtendedRig(rig, free, doubt, RideExtent(0.007, 0.0015, 1.0), compile_rig(rig).facts.parameters)
+    richer = ExtendedRig(
+        rig, free, doubt, RideExtent(0.007, 0.0015, 1.0), compile_rig(rig).facts.parameters
+    )
     numbers = richer.numbers(rig.parameters(), {}, np.zeros(len(richer.nuisances)))
     course = jn.Trial(road=jn.HalfSine(**BUMP), speed=1.95, duration=0.5)
     plain = jn.simulate(rig, course, tolerance=1e-7)
@@ -90,22 +99,42 @@ def test_the_richer_rig_moves_as_the_rig_does(name):
 def test_slopes_of_all_doubts_are_those_of_differences():
     free = free_parameters(RIG, FREE)
     one = ModelErrorProblem(
-        trials({}, count=1), free, UpdateSettings(weights="normalised", align="lag", doubt=jn.Doubt())
+        trials({}, count=1),
+        free,
+        UpdateSettings(weights="normalised", align="lag", doubt=jn.Doubt()),
     )
     here = _State(np.zeros(len(free)), np.zeros(len(one.nuisances)), np.zeros((1, 2)), np.zeros(1))
     blocks, _ = one.blocks(here)
     names = [*FREE, *(nuisance.name for nuisance in one.nuisances)]
-    assert {"height", "contact_patch", "presliding", "arms", "sprung.mass", "tyre curvature"} <= set(names)
+    assert {
+        "height",
+        "contact_patch",
+        "presliding",
+        "arms",
+        "sprung.mass",
+        "tyre curvature",
+    } <= set(names)
     for k, name in enumerate(names):
         vectors = []
-        for step in (2e-4, -2e-4):  # small enough that no reversal of the guide comes or goes in between
+        for step in (
+            2e-4,
+            -2e-4,
+        ):  # small enough that no reversal of the guide comes or goes in between
             moved = _State(here.theta.copy(), here.xi.copy(), here.own, here.lags)
-            (moved.theta if k < len(free) else moved.xi)[k if k < len(free) else k - len(free)] += step
+            (moved.theta if k < len(free) else moved.xi)[k if k < len(free) else k - len(free)] += (
+                step
+            )
             vectors.append([block.residual for block in one.blocks(moved)[0]])
-        rough = 0.1 if name in ("height", "contact_patch", "presliding", "arms") or "corner" in name else 1e-3
+        rough = (
+            0.1
+            if name in ("height", "contact_patch", "presliding", "arms") or "corner" in name
+            else 1e-3
+        )
         for block, after, before in zip(blocks, *vectors, strict=True):
             slope = (before - after) / 4e-4
-            error = np.sort(np.abs(slope - block.common[:, k]))[: int(0.98 * len(slope))]  # but for jumps at landings
+            error = np.sort(np.abs(slope - block.common[:, k]))[
+                : int(0.98 * len(slope))
+            ]  # but for jumps at landings
             assert np.linalg.norm(error) <= rough * max(np.linalg.norm(slope), 1e-3), name
 
 
@@ -113,18 +142,24 @@ def test_slopes_do_not_depend_on_where_the_search_comes_from():
     """What a presliding force did in the last motion is no part of what an input changes in this one."""
     free = free_parameters(RIG, FREE)
     one = ModelErrorProblem(
-        trials({}, count=1), free, UpdateSettings(weights="normalised", align="lag", doubt=jn.Doubt())
+        trials({}, count=1),
+        free,
+        UpdateSettings(weights="normalised", align="lag", doubt=jn.Doubt()),
     )
     xi = np.zeros(len(one.nuisances))
     xi[one.place["presliding"]] = 1.0
     here = _State(np.zeros(len(free)), xi, np.zeros((1, 2)), np.zeros(1))
-    one.blocks(_State(np.full(len(free), 0.5), xi, np.full((1, 2), 2.0), np.zeros(1)))  # elsewhere, at another speed
+    one.blocks(
+        _State(np.full(len(free), 0.5), xi, np.full((1, 2), 2.0), np.zeros(1))
+    )  # elsewhere, at another speed
     arriving, _ = one.blocks(here)
     staying, _ = one.blocks(here)
     column = len(free) + one.place["height"]
     for now, again in zip(arriving, staying, strict=True):
         slope = again.common[:, column]
-        assert np.linalg.norm(now.common[:, column] - slope) < 0.1 * np.linalg.norm(slope), now.channel
+        assert np.linalg.norm(now.common[:, column] - slope) < 0.1 * np.linalg.norm(slope), (
+            now.channel
+        )
 
 
 def test_inertia_of_arms_couples_the_masses_and_leaves_each_its_own():
@@ -135,13 +170,20 @@ def test_inertia_of_arms_couples_the_masses_and_leaves_each_its_own():
         [jn.FitTrial("level", RIG, course, made)], free, UpdateSettings(weights="printed", doubt=jn.Doubt()),
         priors={"strut.spring.rate": (23e3, 300.0)},
     )  # fmt: skip
-    assert [(own.name, own.deviation) for own in one.own] == [("speed", 0.003), ("slowing", 0.02)]  # of each trial
-    half = 0.15 * 22730.0  # a scaled unit, in which a prior has its mean and the root of its precision
+    assert [(own.name, own.deviation) for own in one.own] == [
+        ("speed", 0.003),
+        ("slowing", 0.02),
+    ]  # of each trial
+    half = (
+        0.15 * 22730.0
+    )  # a scaled unit, in which a prior has its mean and the root of its precision
     assert one.priors == pytest.approx(np.array([[270.0 / half, half / 300.0], *[[0.0, 0.0]] * 3]))
     run, ratio, arms = one.runs[0], np.cos(RIG.parameters()["strut.angle"]), 0.2
     body, wheel = 3.0, -40.0  # m/s^2
     still = np.zeros(5)
-    moved = States(np.arange(5.0), still, ratio * (wheel - body) * np.arange(5.0), still, still, still)
+    moved = States(
+        np.arange(5.0), still, ratio * (wheel - body) * np.arange(5.0), still, still, still
+    )
     force = arms * run.forces(moved)["arms"][2]  # along the strut, apart
     sprung, unsprung = 16.0 + arms, 5.0 + arms
     assert sprung * body - ratio * force == pytest.approx(16.0 * body + arms * wheel)
@@ -154,13 +196,22 @@ def test_a_measured_actuator_force_stays_beside_what_is_doubted():
     for frequency in (2.0, 4.0, 7.0):
         force = 40.0 * np.sin(2.0 * np.pi * frequency * time) * np.minimum(time / 0.3, 1.0)
         level = jn.Excitation(time=time, height=np.zeros(241))
-        course = jn.Trial(excitation=level, actuator_force={"time": time, "force": force}, duration=1.2)
+        course = jn.Trial(
+            excitation=level, actuator_force={"time": time, "force": force}, duration=1.2
+        )
         passes.append(
-            jn.FitTrial(f"{frequency}", RIG, course, jn.simulate(truth, course)[["sprung.az", "unsprung.az"]])
+            jn.FitTrial(
+                f"{frequency}",
+                RIG,
+                course,
+                jn.simulate(truth, course)[["sprung.az", "unsprung.az"]],
+            )
         )
     for doubt in (jn.Doubt(), jn.Doubt(presliding=0.0, arms=0.0)):
         found = jn.update_model(passes, FREE, weights="normalised", doubt=doubt).discrepancy
-        assert found.parameters["strut.spring.rate"].component.value == pytest.approx(24000.0, rel=2e-3)
+        assert found.parameters["strut.spring.rate"].component.value == pytest.approx(
+            24000.0, rel=2e-3
+        )
 
 
 def test_presliding_builds_up_over_a_distance_and_turns_over_with_the_motion():
@@ -180,9 +231,13 @@ def test_a_bend_of_the_damper_is_friction_to_a_model_with_a_line():
     """Degressive law without friction: the nearest line and friction have friction; a linear one has none."""
     v = 0.5 * np.sin(np.linspace(0.0, 20.0, 2000))
     still = np.zeros_like(v)
-    seen = States(np.linspace(0.0, 1.0, 2000), np.cos(np.linspace(0.0, 20.0, 2000)), v, still, still, still)
+    seen = States(
+        np.linspace(0.0, 1.0, 2000), np.cos(np.linspace(0.0, 20.0, 2000)), v, still, still, still
+    )
     free = ["strut.damper.coefficient", "strut.friction.force"]
-    richer = ExtendedRig(RIG, free, jn.Doubt(), RideExtent(0.007, 0.0015, 0.5), compile_rig(RIG).facts.parameters)
+    richer = ExtendedRig(
+        RIG, free, jn.Doubt(), RideExtent(0.007, 0.0015, 0.5), compile_rig(RIG).facts.parameters
+    )
     laws = Laws(richer, [seen], every=1)
     p = {**RIG.parameters(), "strut.friction.force": 0.0, "strut.damper.coefficient": 150.0}
     xi = np.zeros(len(richer.nuisances))
@@ -199,7 +254,9 @@ def test_noise_is_what_lies_above_the_motion():
     time = np.arange(2000) / 1000.0
     noise = 0.3 * np.random.default_rng(1).standard_normal(2000)
     assert noise_variance(noise) == pytest.approx(0.09, rel=0.1)
-    assert noise_variance(noise + 5.0 * np.sin(2.0 * np.pi * 30.0 * time)) == pytest.approx(0.09, rel=0.1)
+    assert noise_variance(noise + 5.0 * np.sin(2.0 * np.pi * 30.0 * time)) == pytest.approx(
+        0.09, rel=0.1
+    )
 
 
 # what is claimed --------------------------------------------------------------------------------------------------
@@ -217,7 +274,10 @@ def test_intervals_hold_the_truth_where_those_of_the_noise_do_not(wrong):
     low, high = found.parameters["guide.friction.force"].interval
     assert not low <= 6.0 <= high
     plain = abs(found.parameters["guide.friction.force"].value - 6.0)
-    assert abs(found.discrepancy.parameters["guide.friction.force"].component.value - 6.0) < 0.5 * plain
+    assert (
+        abs(found.discrepancy.parameters["guide.friction.force"].component.value - 6.0)
+        < 0.5 * plain
+    )
 
 
 def test_what_is_counted_is_told(wrong):
@@ -226,18 +286,26 @@ def test_what_is_counted_is_told(wrong):
     assert told.trials == 3
     assert set(told.unexplained) == {"sprung.az", "unsprung.az"}
     assert all(0.0 <= share <= 1.0 for share in told.unexplained.values())
-    assert told.objective < 0.5  # the richer model leaves less than half of what the plain one leaves
+    assert (
+        told.objective < 0.5
+    )  # the richer model leaves less than half of what the plain one leaves
     assert told.noise["sprung.az"] == pytest.approx(0.1, rel=0.2)
     assert told.counted["damper_shape"] == 8
     shares = told.parameters["strut.damper.coefficient"].shares
     assert {"damper_shape", "unexplained rest", "height"} <= set(shares)
     assert all(0.0 <= share <= 1.0 for share in shares.values())
-    for law in told.parameters.values():  # the rest alone is estimated from the trials, and only its share counts them
+    for law in (
+        told.parameters.values()
+    ):  # the rest alone is estimated from the trials, and only its share counts them
         half = law.component.interval[1] - law.component.value
         freedom = told.trials / max(law.shares["unexplained rest"], 1e-3) ** 2
-        assert half == pytest.approx(student_factor(freedom) * law.component.standard_error, rel=1e-9)
+        assert half == pytest.approx(
+            student_factor(freedom) * law.component.standard_error, rel=1e-9
+        )
         assert max(law.shares.values()) < 1.0
-    over = np.mean([share / (1.0 - share) for share in told.unexplained.values()])  # energy of the rest over the noise
+    over = np.mean(
+        [share / (1.0 - share) for share in told.unexplained.values()]
+    )  # energy of the rest over the noise
     best = told.reduced_to / (1.0 - told.reduced_to)
     assert best <= 0.8 * over if told.would_reduce else best == pytest.approx(over)
 
@@ -245,7 +313,9 @@ def test_what_is_counted_is_told(wrong):
 def test_without_model_error_the_price_is_small():
     made = trials({"strut.spring.rate": 23500.0}, noise=0.1)
     found = jn.update_model(made, FREE, weights="normalised", align="lag", doubt=jn.Doubt())
-    rate, tyre = (found.discrepancy.parameters[path] for path in ("strut.spring.rate", "tyre.stiffness"))
+    rate, tyre = (
+        found.discrepancy.parameters[path] for path in ("strut.spring.rate", "tyre.stiffness")
+    )
     assert rate.identified
     assert tyre.identified
     assert rate.interval[0] < 23500.0 < rate.interval[1]
@@ -261,9 +331,13 @@ def test_intervals_of_both_sides_of_a_damper_do_not_follow_the_guess():
     for guess in (60.0, 500.0):
         told = RIG.with_changes({"strut.damper": dict.fromkeys(damper, guess)})
         made = [jn.FitTrial(one.name, told, one.trial, one.measured) for one in passes]
-        free = free_parameters(told, {rate: "15 %", **{path: ["10 N*s/m", "900 N*s/m"] for path in truth}})
+        free = free_parameters(
+            told, {rate: "15 %", **{path: ["10 N*s/m", "900 N*s/m"] for path in truth}}
+        )
         start = {rate: 22730.0, **truth}
-        found.append(discrepancy_of(fit_model_error(made, free, start, DOUBTED, lags={}), {}).parameters)
+        found.append(
+            discrepancy_of(fit_model_error(made, free, start, DOUBTED, lags={}), {}).parameters
+        )
     for path, value in {rate: 22730.0, **truth}.items():
         low, high = found[0][path].interval
         assert found[1][path].interval == pytest.approx((low, high), rel=1e-6), path
@@ -274,7 +348,9 @@ def test_intervals_of_both_sides_of_a_damper_do_not_follow_the_guess():
 
 def test_a_damper_of_two_sides_that_is_told_as_a_line_is_said_to_have_them(wrong):
     """Known sides are found beside a line between them; one that bends alike on both sides is not of two."""
-    made = trials({"strut.damper": {"bump_coefficient": 180.0, "rebound_coefficient": 120.0}}, noise=0.1)
+    made = trials(
+        {"strut.damper": {"bump_coefficient": 180.0, "rebound_coefficient": 120.0}}, noise=0.1
+    )
     free = free_parameters(RIG, {"strut.spring.rate": "15 %", "strut.damper.coefficient": "50 %"})
     start = {"strut.spring.rate": 22730.0, "strut.damper.coefficient": 150.0}
     found = discrepancy_of(fit_model_error(made, free, start, DOUBTED, lags={}), {})
@@ -292,14 +368,24 @@ def test_a_damper_of_two_sides_that_is_told_as_a_line_is_said_to_have_them(wrong
         (np.array([4.0, 2.0, 1.0, 0.2, 0.2, 1.0, 2.0, 4.0]), 1e-3, "bump"),
         (-np.array([4.0, 2.0, 1.0, 0.2, 0.2, 1.0, 2.0, 4.0]), 1e-3, "rebound"),
         (np.array([4.0, 2.0, 1.0, 0.2, 0.2, 1.0, 2.0, 4.0]), 10.0, ""),  # not sure
-        (np.array([-4.0, -2.0, 1.0, 0.2, -0.2, -1.0, 2.0, 4.0]), 1e-3, ""),  # the same law on both sides
-        (0.05 * np.array([4.0, 2.0, 1.0, 0.2, 0.2, 1.0, 2.0, 4.0]), 1e-6, ""),  # dampers are no more alike
+        (
+            np.array([-4.0, -2.0, 1.0, 0.2, -0.2, -1.0, 2.0, 4.0]),
+            1e-3,
+            "",
+        ),  # the same law on both sides
+        (
+            0.05 * np.array([4.0, 2.0, 1.0, 0.2, 0.2, 1.0, 2.0, 4.0]),
+            1e-6,
+            "",
+        ),  # dampers are no more alike
     ],
 )
 def test_sides_of_a_damper_differ_where_forces_beside_a_line_have_one_sign(bends, sure, told):
     path = "strut.damper.coefficient"
     rig = RIG.with_changes({path: 20.0})
-    richer = ExtendedRig(rig, [path], jn.Doubt(), RideExtent(0.007, 0.0015, 0.5), compile_rig(rig).facts.parameters)
+    richer = ExtendedRig(
+        rig, [path], jn.Doubt(), RideExtent(0.007, 0.0015, 0.5), compile_rig(rig).facts.parameters
+    )
     places, root = richer.damper_covariance_root()
     xi = np.zeros(len(richer.nuisances))
     xi[list(places)] = np.linalg.solve(root, bends)
@@ -320,14 +406,18 @@ def test_fewer_than_three_trials_give_no_such_interval():
 def test_a_contradicted_bench_value_withholds_its_parameter(wrong):
     made, _ = wrong
     bench = {"tyre.stiffness": Estimate(170e3, 500.0, (169e3, 171e3))}
-    found = jn.update_model(made, FREE, weights="normalised", align="lag", doubt=jn.Doubt(), bench=bench)
+    found = jn.update_model(
+        made, FREE, weights="normalised", align="lag", doubt=jn.Doubt(), bench=bench
+    )
     law = found.discrepancy.parameters["tyre.stiffness"]
     assert not law.identified
     assert "contradicts its bench value" in law.why
     middle, half = 0.5 * sum(law.interval), np.hypot(law.half_width, 1e3)
     assert f"{abs(middle - 170e3) / half:.1f} times what both intervals allow" in law.why
     assert found.findings[0].place == "tyre.stiffness"
-    assert "the model lacks something that this parameter compensates for" in found.findings[0].message
+    assert (
+        "the model lacks something that this parameter compensates for" in found.findings[0].message
+    )
 
 
 def test_a_doubt_that_leaves_its_prior_is_named():
@@ -336,7 +426,10 @@ def test_a_doubt_that_leaves_its_prior_is_named():
     found = jn.update_model(made, FREE, weights="normalised", align="lag", doubt=sure)
     assert found.discrepancy.would_reduce in ("values", "lumped")
     assert not any(law.identified for law in found.discrepancy.parameters.values())
-    assert any(finding.place == "unsprung.mass" and "doubt.values" in finding.message for finding in found.findings)
+    assert any(
+        finding.place == "unsprung.mass" and "doubt.values" in finding.message
+        for finding in found.findings
+    )
 
 
 @pytest.mark.usefixtures("units_kept")
@@ -346,14 +439,19 @@ def test_a_doubt_that_leaves_its_prior_withholds_what_goes_with_it():
         replace(one, measured=one.measured.assign({"sprung.az": 1.08 * one.measured["sprung.az"]}))
         for one in trials({}, noise=0.02)
     ]
-    found = jn.update_model(made, FREE, weights="normalised", align="lag", doubt=jn.Doubt(gain=0.002))
+    found = jn.update_model(
+        made, FREE, weights="normalised", align="lag", doubt=jn.Doubt(gain=0.002)
+    )
     truth = RIG.parameters()
     for path, law in found.discrepancy.parameters.items():
         assert law.identified == (path != "guide.friction.force")
         assert law.interval[0] <= truth[path] <= law.interval[1]
     (said,) = (finding.message for finding in found.findings if finding.place == "sprung.az gain")
     assert said.endswith("(doubt.gain); not identified for it: guide.friction.force")
-    strays = {"height": _Stray(-9.0, np.array([0.2, 0.99])), "strut.angle": _Stray(5.0, np.array([0.3, 1.01]))}
+    strays = {
+        "height": _Stray(-9.0, np.array([0.2, 0.99])),
+        "strut.angle": _Stray(5.0, np.array([0.3, 1.01])),
+    }
     assert [_doubt_behind(strays, i) for i in (0, 1)] == ["", "strut.angle"]
 
 
@@ -366,7 +464,9 @@ def test_laws_that_are_not_doubted_are_named():
         course = jn.Trial(road=bump, speed=speed, duration="1.2 s")
         run = jn.simulate(truth, course)[["body.az", "body.pitch_rate"]]
         passes.append(jn.FitTrial(f"{speed}", car, course, run))
-    found = jn.update_model(passes, {"front.spring_rate": "20 %"}, weights="normalised", doubt=jn.Doubt())
+    found = jn.update_model(
+        passes, {"front.spring_rate": "20 %"}, weights="normalised", doubt=jn.Doubt()
+    )
     law = found.discrepancy.parameters["front.spring_rate"]
     assert law.interval[0] <= 31e3 <= law.interval[1]
     said = [finding for finding in found.findings if finding.place == "intervals"]
@@ -396,12 +496,18 @@ def test_a_prior_narrows_and_draws(wrong):
     made, without = wrong
     tight = {"bounds": "15 %", "prior": ["22.73 N/mm", "0.05 N/mm"]}
     found = jn.update_model(
-        made, {**FREE, "strut.spring.rate": tight}, weights="normalised", align="lag", doubt=jn.Doubt()
+        made,
+        {**FREE, "strut.spring.rate": tight},
+        weights="normalised",
+        align="lag",
+        doubt=jn.Doubt(),
     )
     before, after = (one.discrepancy.parameters["strut.spring.rate"] for one in (without, found))
     assert after.half_width < 0.5 * before.half_width
     assert after.component.value == pytest.approx(22730.0, abs=100.0)
-    assert found.parameters["strut.spring.rate"].value == without.parameters["strut.spring.rate"].value
+    assert (
+        found.parameters["strut.spring.rate"].value == without.parameters["strut.spring.rate"].value
+    )
 
 
 @pytest.mark.parametrize(
@@ -425,12 +531,16 @@ def test_priors_and_doubts_that_cannot_be_meant_are_refused(given, doubt, messag
 
 def test_masses_that_move_far_and_pairs_that_act_alike_lead():
     free = {"sprung.mass": "20 %", "strut.spring.rate": "20 %"}
-    found = jn.update_model(trials({"strut.damper": DEGRESSIVE, "sprung.mass": 17.5}), free, weights="normalised")
+    found = jn.update_model(
+        trials({"strut.damper": DEGRESSIVE, "sprung.mass": 17.5}), free, weights="normalised"
+    )
     places = [finding.place for finding in found.findings]
     assert "sprung.mass" in places
     assert any("known from weighing" in finding.message for finding in found.findings)
     value = found.correlation[0][1]
-    assert any("strongly correlated" in finding.message for finding in found.findings) == (abs(value) > 0.9)
+    assert any("strongly correlated" in finding.message for finding in found.findings) == (
+        abs(value) > 0.9
+    )
 
 
 # the density of a posterior ---------------------------------------------------------------------------------------
@@ -471,7 +581,9 @@ def test_a_density_is_that_of_the_parameters_alone_and_has_its_own_slopes(densit
     assert density(density.best - step)[0] == found[0][0]
     assert np.median(off) < 0.01
     assert np.max(off) < 0.2
-    assert 0.5 * (slopes[0] - slopes[-1]) == pytest.approx(step @ np.linalg.inv(density.covariance) @ step, rel=0.2)
+    assert 0.5 * (slopes[0] - slopes[-1]) == pytest.approx(
+        step @ np.linalg.inv(density.covariance) @ step, rel=0.2
+    )
 
 
 def test_draws_lag_as_far_as_is_known_where_lags_are_not_fitted():
@@ -493,7 +605,11 @@ def test_draws_lag_as_far_as_is_known_where_lags_are_not_fitted():
 def test_where_the_richer_model_does_not_run_a_posterior_is_refused(wrong, monkeypatch):
     """An update then tells of intervals of the noise only; a posterior that was asked for model error is none."""
     made, update = wrong
-    why = Finding("intervals", "warning", "no interval that counts what the model lacks: the extended model diverged")
+    why = Finding(
+        "intervals",
+        "warning",
+        "no interval that counts what the model lacks: the extended model diverged",
+    )
     lost = replace(update, discrepancy=None, findings=(why,))
     monkeypatch.setattr("jounce.identify.posterior.run_update", lambda *_, **__: (lost, None))
     with pytest.raises(FitError, match="the extended model diverged"):

@@ -47,26 +47,41 @@ def test_an_interval_is_the_hull_of_both_values() -> None:
     assert unknown.interval == (7.0, 14.0)
 
 
-@pytest.mark.parametrize(("half", "why"), [(4.9, ""), (5.1, "its interval is wider than its value")])
+@pytest.mark.parametrize(
+    ("half", "why"), [(4.9, ""), (5.1, "its interval is wider than its value")]
+)
 def test_what_is_wider_than_its_value_is_not_identified(half: float, why: str) -> None:
     for value in (10.0, -10.0):
-        law = _law_estimate(*[Estimate(value, 1.0, (value - half, value + half))] * 2, {}, "", {}, "a", 0.1)
+        law = _law_estimate(
+            *[Estimate(value, 1.0, (value - half, value + half))] * 2, {}, "", {}, "a", 0.1
+        )
         assert (law.identified, law.why) == (not why, why)
 
 
 def test_why_a_parameter_is_withheld() -> None:
-    law = _law_estimate(COMPONENT, EFFECTIVE, {}, "height", {"a": "2.0 times what both intervals allow"}, "a", 0.9)
-    assert (law.identified, law.why) == (False, "contradicts its bench value by 2.0 times what both intervals allow")
+    law = _law_estimate(
+        COMPONENT, EFFECTIVE, {}, "height", {"a": "2.0 times what both intervals allow"}, "a", 0.9
+    )
+    assert (law.identified, law.why) == (
+        False,
+        "contradicts its bench value by 2.0 times what both intervals allow",
+    )
     law = _law_estimate(COMPONENT, EFFECTIVE, {}, "height", {"b": "?"}, "a", 0.9)
     assert (law.identified, law.why) == (False, "height leaves its prior")
 
 
 @pytest.mark.parametrize(
-    ("bench", "told"), [(16.0, ""), (5.9, "1.0 times"), (16.1, "1.0 times"), (21.0, "2.0 times"), (6.1, "")]
+    ("bench", "told"),
+    [(16.0, ""), (5.9, "1.0 times"), (16.1, "1.0 times"), (21.0, "2.0 times"), (6.1, "")],
 )
 def test_bench_values_are_held_against_both_intervals(bench: float, told: str) -> None:
-    estimates = {"a": (COMPONENT, EFFECTIVE), "b": (COMPONENT, EFFECTIVE)}  # 11 +- 3, with 4 of the bench 5
-    found = _contradictions(estimates, {"a": Estimate(bench, 1.0, (bench - 4.0, bench + 4.0)), "c": Estimate(9.0)})
+    estimates = {
+        "a": (COMPONENT, EFFECTIVE),
+        "b": (COMPONENT, EFFECTIVE),
+    }  # 11 +- 3, with 4 of the bench 5
+    found = _contradictions(
+        estimates, {"a": Estimate(bench, 1.0, (bench - 4.0, bench + 4.0)), "c": Estimate(9.0)}
+    )
     assert [text.startswith(told) for text in found.values()] == [True] * bool(told)
     sure = _contradictions(estimates, {"b": Estimate(14.1), "a": Estimate(13.9)})
     assert sure == {"b": "1.0 times what both intervals allow"}
@@ -77,7 +92,9 @@ def test_findings_of_a_calibration_name_what_to_do() -> None:
     assert nuisances["speed"].deviations == pytest.approx(-3.2)
     one = SimpleNamespace(free=[SimpleNamespace(path="a"), SimpleNamespace(path="b")])
     strays = {"speed": _Stray(-3.2, np.array([0.2, 1.01]))}
-    found = _findings(one, strays, nuisances, {"a": "2.0 times"}, {"x": 0.3, "y": 0.51}, "height", 0.42)
+    found = _findings(
+        one, strays, nuisances, {"a": "2.0 times"}, {"x": 0.3, "y": 0.51}, "height", 0.42
+    )
     assert [(one.place, one.severity, one.value) for one in found] == [
         ("a", "warning", None), ("speed", "warning", -3.2), ("y", "note", 0.51)
     ]  # fmt: skip
@@ -88,11 +105,15 @@ def test_findings_of_a_calibration_name_what_to_do() -> None:
         ((0.99, 0.0), "no parameter depends on it"),
         ((1.1, 1.1), "no parameter of this update counts"),
     ):
-        drawn = _findings(one, {"speed": _Stray(-3.2, np.array(draws))}, nuisances, {}, {"x": 0.3}, "", 0.3)
+        drawn = _findings(
+            one, {"speed": _Stray(-3.2, np.array(draws))}, nuisances, {}, {"x": 0.3}, "", 0.3
+        )
         assert told in drawn[0].message
     assert found[2].message.startswith("with all uncertain inputs fitted, 51 %")
     assert found[2].message.endswith("explains it; more freedom for height would leave 42 % of all")
-    assert _findings(one, {}, {}, {}, {"x": 0.51}, "", 0.51)[0].message.endswith("none of these inputs explains it")
+    assert _findings(one, {}, {}, {}, {"x": 0.51}, "", 0.51)[0].message.endswith(
+        "none of these inputs explains it"
+    )
     assert _findings(one, {}, {}, {}, {"x": 0.3, "y": 0.49}, "height", 0.42) == []
 
 
@@ -101,7 +122,14 @@ def test_laws_that_are_as_described_read_as_they_are() -> None:
     time = np.linspace(0.0, 4.0, 4001)
     wave = np.sin(9.0 * time)
     strut, velocity = 0.007 + 0.01 * np.cos(5.0 * time), -0.05 * np.sin(5.0 * time)
-    seen = States(time, strut, velocity, 0.001 + 0.002 * wave, 0.018 * np.cos(9.0 * time), 0.3 * np.cos(7.0 * time))
+    seen = States(
+        time,
+        strut,
+        velocity,
+        0.001 + 0.002 * wave,
+        0.018 * np.cos(9.0 * time),
+        0.3 * np.cos(7.0 * time),
+    )
     rig = jn.load("kart-quarter-car").with_changes({
         "strut.friction": {"force": 4.0, "regularisation_velocity": 0.005},
         "guide.friction": {"force": 6.0, "regularisation_velocity": 0.02},
@@ -109,7 +137,11 @@ def test_laws_that_are_as_described_read_as_they_are() -> None:
     paths = ("strut.spring.rate", "strut.damper.coefficient", "strut.friction.force", "guide.friction.force",
              "tyre.stiffness", "tyre.damping_coefficient")  # fmt: skip
     richer = ExtendedRig(
-        rig, paths, jn.Doubt(tyre_curvature=0.0), RideExtent(0.007, 0.0015, 1.0), compile_rig(rig).facts.parameters
+        rig,
+        paths,
+        jn.Doubt(tyre_curvature=0.0),
+        RideExtent(0.007, 0.0015, 1.0),
+        compile_rig(rig).facts.parameters,
     )
     changed = dict(zip(paths, (23e3, 150.0, 5.0, 7.0, 140e3, 20.0), strict=True))
     p, xi = {**rig.parameters(), **changed}, np.zeros(len(richer.nuisances))
@@ -122,9 +154,15 @@ def test_laws_that_are_as_described_read_as_they_are() -> None:
     assert component == 7.0
     assert 5.5 < effective < 7.0  # it lags the friction and is a part of it
     assert laws.readings("sprung.mass", p, xi, 2.0) == (p["sprung.mass"],) * 2
-    off = States(time, strut, velocity, seen.tyre - 1.0, seen.tyre_rate, seen.body)  # it never touches
-    assert Laws(richer, [seen, off]).readings("tyre.stiffness", p, xi, 0.0)[1] == pytest.approx(140e3)
-    np.testing.assert_allclose(seen.acceleration()[1:-1], -0.25 * np.cos(5.0 * time)[1:-1], atol=1e-5)
+    off = States(
+        time, strut, velocity, seen.tyre - 1.0, seen.tyre_rate, seen.body
+    )  # it never touches
+    assert Laws(richer, [seen, off]).readings("tyre.stiffness", p, xi, 0.0)[1] == pytest.approx(
+        140e3
+    )
+    np.testing.assert_allclose(
+        seen.acceleration()[1:-1], -0.25 * np.cos(5.0 * time)[1:-1], atol=1e-5
+    )
 
 
 @pytest.mark.parametrize(
@@ -136,12 +174,16 @@ def test_laws_that_are_as_described_read_as_they_are() -> None:
         ("kart-double-wishbone", RideExtent(0.007, 0.0015, 1.0), {"tyre"}),
     ],
 )
-def test_what_may_be_curved_is_what_is_loaded(name: str, ridden: RideExtent, curved: set[str]) -> None:
+def test_what_may_be_curved_is_what_is_loaded(
+    name: str, ridden: RideExtent, curved: set[str]
+) -> None:
     rig = jn.load(name)
     richer = ExtendedRig(rig, [], jn.Doubt(), ridden, compile_rig(rig).facts.parameters)
     assert set(richer._curved) == curved
     masses = {one.group: one.deviation for one in richer.nuisances if one.name.endswith("mass")}
-    assert masses == {group: {"stated": 0.005, "lumped": 0.02, "estimated": 0.03}[group] for group in masses}
+    assert masses == {
+        group: {"stated": 0.005, "lumped": 0.02, "estimated": 0.03}[group] for group in masses
+    }
     assert ("stated" in masses) == (name == "kart-double-wishbone")
     assert richer._absent_paths() & {"strut.spring.rate", "tyre.stiffness"} == {
         f"{part}.{'rate' if part == 'strut.spring' else 'stiffness'}" for part in curved
@@ -156,16 +198,30 @@ def test_what_may_be_curved_is_what_is_loaded(name: str, ridden: RideExtent, cur
 def test_lags_follow_what_a_step_leaves(share: float) -> None:
     """Residuals that are what the unknowns and a lag make of them: the lag is found; no parameter falls below zero."""
     draw = np.random.default_rng(6).normal
-    free = [SimpleNamespace(lower=0.0, scale=lambda value: value - 2.0), SimpleNamespace(lower=-1.0)]
+    free = [
+        SimpleNamespace(lower=0.0, scale=lambda value: value - 2.0),
+        SimpleNamespace(lower=-1.0),
+    ]
     one = SimpleNamespace(
-        free=free, nuisances=["a"], align=True, runs=[None, None], own=[_OwnDoubt("speed", "speed", 0.1)]
+        free=free,
+        nuisances=["a"],
+        align=True,
+        runs=[None, None],
+        own=[_OwnDoubt("speed", "speed", 0.1)],
     )
-    state = _State(np.array([-1.9, 0.3]), np.array([0.2]), np.array([[0.1], [0.2]]), np.array([1e-3, -2e-3]))
-    step, late = np.array([-4.0, 0.5, -0.7, 0.4, -0.3]), (0.003, -0.001)  # parameters, doubt, a speed of each trial
+    state = _State(
+        np.array([-1.9, 0.3]), np.array([0.2]), np.array([[0.1], [0.2]]), np.array([1e-3, -2e-3])
+    )
+    step, late = (
+        np.array([-4.0, 0.5, -0.7, 0.4, -0.3]),
+        (0.003, -0.001),
+    )  # parameters, doubt, a speed of each trial
     blocks = []
     for trial in (0, 1, 0):
         common, own, lag = draw(size=(30, 3)), draw(size=(30, 1)), draw(size=30)
-        residual = share * (common @ step[:3] + own @ step[3 + trial : 4 + trial]) + late[trial] * lag
+        residual = (
+            share * (common @ step[:3] + own @ step[3 + trial : 4 + trial]) + late[trial] * lag
+        )
         blocks.append(_ChannelResiduals("az", trial, residual, common, own, lag))
     moved = ModelErrorProblem.step_state(one, state, step, blocks, share)
     np.testing.assert_allclose(moved.lags, state.lags + late, rtol=1e-9)
@@ -175,7 +231,9 @@ def test_lags_follow_what_a_step_leaves(share: float) -> None:
 
 
 def test_the_length_of_a_channel_is_the_mean_of_its_own_blocks() -> None:
-    rows = [(name, None, np.zeros(count), None) for name, count in (("a", 10), ("b", 50), ("a", 20))]
+    rows = [
+        (name, None, np.zeros(count), None) for name, count in (("a", 10), ("b", 50), ("a", 20))
+    ]
     assert [_length(SimpleNamespace(rows=rows), name) for name in "ab"] == [15.0, 50.0]
 
 
@@ -187,9 +245,17 @@ def system(samples: int = 400) -> _System:
         for name, noise in (("a", 0.1), ("b", 0.4)):
             columns = np.cumsum(draw.normal(size=(samples, 3)), axis=0) / samples**0.5
             lacking = np.sin(0.02 * np.arange(samples) * (1.0 + trial))
-            residual = columns @ [0.5, -0.2, 0.3] + 0.3 * lacking + noise * draw.normal(size=samples)
+            residual = (
+                columns @ [0.5, -0.2, 0.3] + 0.3 * lacking + noise * draw.normal(size=samples)
+            )
             rows.append((name, columns, residual, np.array([0, 1, 2 + trial])))
-    return _System(["a", "b"], rows, np.array([0.0, 1.0, 1.0, 1.0]), np.array([0.0, 0.4, 0.1, -0.2]), np.zeros((0, 5)))
+    return _System(
+        ["a", "b"],
+        rows,
+        np.array([0.0, 1.0, 1.0, 1.0]),
+        np.array([0.0, 0.4, 0.1, -0.2]),
+        np.zeros((0, 5)),
+    )
 
 
 def test_what_was_weighed_counts_beside_the_priors() -> None:
@@ -215,19 +281,25 @@ def test_a_step_weighs_noise_and_a_third_of_the_energy_of_the_rest() -> None:
         energy = np.mean([len(each) * (np.mean(each**2) - noise_variance(each)) for each in own])
         assert found.noise[name] == pytest.approx(noise, rel=1e-3)
         assert found.energy[name] == pytest.approx(energy, rel=1e-3)
-        assert found.square[name] == pytest.approx(np.mean([np.mean(each**2) for each in own]), rel=1e-3)
+        assert found.square[name] == pytest.approx(
+            np.mean([np.mean(each**2) for each in own]), rel=1e-3
+        )
 
     def information(share: float) -> np.ndarray:
         total = np.diag(one.prior)
         for name, columns, _, index in one.rows:
             place = np.eye(4)[index]
-            total = total + place.T @ columns.T @ columns @ place / (found.noise[name] + share * found.energy[name])
+            total = total + place.T @ columns.T @ columns @ place / (
+                found.noise[name] + share * found.energy[name]
+            )
         return total
 
     np.testing.assert_allclose(found.covariance, np.linalg.inv(information(1.0 / 3.0)), rtol=1e-3)
     score = -one.prior * one.away
     for name, columns, residual, index in one.rows:
-        score = score + np.eye(4)[index].T @ columns.T @ residual / (found.noise[name] + found.energy[name] / 3.0)
+        score = score + np.eye(4)[index].T @ columns.T @ residual / (
+            found.noise[name] + found.energy[name] / 3.0
+        )
     np.testing.assert_allclose(step, found.covariance @ score, rtol=1e-3)
     doubted = np.array([False, True, False, False])
     for rest, share in ((True, 1.0 / 3.0), (False, 0.0)):
@@ -243,14 +315,22 @@ def test_shares_of_what_a_parameter_owes_to_doubts_and_to_the_rest() -> None:
     free = [SimpleNamespace(path="k")]
     nuisances = [SimpleNamespace(name="gravel", group="height", mean=0.0, deviation=1.0)]
     calibration = SimpleNamespace(
-        free=free, nuisances=nuisances, runs=[0, 1], own=[_OwnDoubt("speed", "speed", 0.1)], align=True
+        free=free,
+        nuisances=nuisances,
+        runs=[0, 1],
+        own=[_OwnDoubt("speed", "speed", 0.1)],
+        align=True,
     )
     masks = _groups(calibration, 4)
     assert {name: mask.tolist() for name, mask in masks.items()} == {
         "height": [False, True, False, False], "speed": [False, False, True, True]
     }  # fmt: skip
     held = SimpleNamespace(
-        free=free, nuisances=nuisances, runs=[0, 1], own=[_OwnDoubt("speed", "speed", 0.1)], align=False
+        free=free,
+        nuisances=nuisances,
+        runs=[0, 1],
+        own=[_OwnDoubt("speed", "speed", 0.1)],
+        align=False,
     )
     assert {name: np.flatnonzero(mask).tolist() for name, mask in _groups(held, 6).items()} == {
         "height": [1], "speed": [2, 4], "lag": [3, 5]
@@ -259,7 +339,9 @@ def test_shares_of_what_a_parameter_owes_to_doubts_and_to_the_rest() -> None:
     error = np.sqrt(np.einsum("ij,jl,il->i", slopes, found.covariance[:2, :2], slopes))
     shares = _shares(calibration, one, found, slopes, error)
     covariances = {name: one.covariance_given(mask, found) for name, mask in masks.items()}
-    covariances["unexplained rest"] = one.covariance_given(np.zeros(4, dtype=bool), found, rest=False)
+    covariances["unexplained rest"] = one.covariance_given(
+        np.zeros(4, dtype=bool), found, rest=False
+    )
     for name, covariance in covariances.items():
         expected = 1.0 - float(slopes[0] @ covariance[:2, :2] @ slopes[0]) / error[0] ** 2
         assert shares["k"][name] == pytest.approx(expected)
@@ -291,7 +373,9 @@ def test_a_step_that_cannot_be_simulated_is_halved() -> None:
 
     one = SimpleNamespace(step_state=moved, blocks=blocks, free=["k"])
     place = _SearchPoint(one, None, [], [])
-    after = place.after(np.array([50.0, 3.0 / 0.8]))  # doubts go three standard deviations at most, parameters as far
+    after = place.after(
+        np.array([50.0, 3.0 / 0.8])
+    )  # doubts go three standard deviations at most, parameters as far
     assert (after.state, after.blocks, after.states) == (pytest.approx(0.2), ["blocks"], ["states"])
     assert tried == pytest.approx([0.8, 0.4, 0.2])
     one.blocks = lambda _: blocks(1.0)
@@ -307,9 +391,15 @@ def test_mean_squares_are_those_of_each_channel() -> None:
 
 def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     rig = jn.load("kart-quarter-car")
-    richer = SimpleNamespace(has_laws=True, rig=rig, values=rig.parameters(), extent=RideExtent(0.007, 0.0015, 1.0))
-    one = SimpleNamespace(beside={}, doubt=jn.Doubt(), richer=richer, runs=[SimpleNamespace(patched=True)], free=[])
-    assert {each.name: (each.unit, each.mean, each.deviation) for each in ModelErrorProblem._inputs(one)} == {
+    richer = SimpleNamespace(
+        has_laws=True, rig=rig, values=rig.parameters(), extent=RideExtent(0.007, 0.0015, 1.0)
+    )
+    one = SimpleNamespace(
+        beside={}, doubt=jn.Doubt(), richer=richer, runs=[SimpleNamespace(patched=True)], free=[]
+    )
+    assert {
+        each.name: (each.unit, each.mean, each.deviation) for each in ModelErrorProblem._inputs(one)
+    } == {
         "height": ("1", 0.0, 0.015),
         "contact_patch": ("m^2", pytest.approx(0.009**2), pytest.approx(1.5 * 0.009**2)),
         "presliding": ("N", 0.0, 4.0),
@@ -317,7 +407,9 @@ def test_inputs_and_sensors_are_doubted_as_the_doubts_say() -> None:
     }
     nothing = jn.Doubt(height=0.0, contact_patch=0.0, presliding=0.0, arms=0.0)
     assert (
-        ModelErrorProblem._inputs(SimpleNamespace(beside={}, doubt=nothing, richer=richer, runs=one.runs, free=[]))
+        ModelErrorProblem._inputs(
+            SimpleNamespace(beside={}, doubt=nothing, richer=richer, runs=one.runs, free=[])
+        )
         == []
     )
     channels = [
@@ -349,14 +441,18 @@ def test_a_pass_at_another_speed_that_slows_down_comes_later() -> None:
     track = jn.mechanics.interpolated([0.0, 1.0, 2.0, 3.0, 5.0], [0.0, 0.0, 1.0, 0.0, 0.0])
     run = SimpleNamespace(road=True, speed=2.5, passing=(1.0, 3.0))
     moved = _Run._warp(run, track, {"speed": -0.5, "slowing": 0.1})
-    assert moved.edges[1:-1] == pytest.approx([0.0, 1.25, 2.5 + 0.05 / 2.0, 3.75 + 0.1, 6.25 + 0.1 + 0.2])
+    assert moved.edges[1:-1] == pytest.approx(
+        [0.0, 1.25, 2.5 + 0.05 / 2.0, 3.75 + 0.1, 6.25 + 0.1 + 0.2]
+    )
     assert _Run._warp(SimpleNamespace(road=False), track, {"speed": -0.5}) is track
 
 
 def test_doubts_in_their_own_deviations_are_those_of_correlated_forces() -> None:
     root = np.array([[2.0, 0.0], [1.0, 3.0]])
     nuisances = [SimpleNamespace(deviation=deviation) for deviation in (9.0, 4.0, 5.0)]
-    one = SimpleNamespace(richer=SimpleNamespace(damper_covariance_root=lambda: ((1, 2), root)), nuisances=nuisances)
+    one = SimpleNamespace(
+        richer=SimpleNamespace(damper_covariance_root=lambda: ((1, 2), root)), nuisances=nuisances
+    )
     assert _in_prior_deviations(one, np.array([7.0, 2.0, -1.0])).tolist() == [7.0, 1.0, -0.2]
 
 
@@ -377,7 +473,9 @@ def test_a_group_that_would_explain_the_rest_is_named(reach: float, named: str) 
     found = equations.solve()
     state = _State(np.zeros(1), np.zeros(1), np.zeros((1, 0)), np.zeros(1))
     slopes = np.array([[[1.0, 0.02]], [[1.0, 0.0]]])
-    name, left, strays = _free_group_by_group(one, state, equations, found, slopes, np.array([[0.5], [0.5]]))
+    name, left, strays = _free_group_by_group(
+        one, state, equations, found, slopes, np.array([[0.5], [0.5]])
+    )
     assert name == named
     freer = equations.solve(np.array([0.0, 1e-4]))
     energy = (freer if named else found).energy["a"] / (500.0 * found.noise["a"])
@@ -393,17 +491,29 @@ def test_forces_beside_the_strut_are_added_to_what_was_measured() -> None:
     times = np.linspace(0.0, 1.0, 41)
     given = jn.mechanics.interpolated([0.0, 0.5, 1.0], [0.0, 3.0, 1.0])
     shape, other = np.sin(9.0 * times), np.cos(5.0 * times)
-    run = SimpleNamespace(beside={"presliding": shape, "arms": other}, prepared=SimpleNamespace(times=times))
+    run = SimpleNamespace(
+        beside={"presliding": shape, "arms": other}, prepared=SimpleNamespace(times=times)
+    )
     force = _Run._command(run, given, {"presliding": 2.0, "height": 9.0})
-    assert force.evaluate(times[:-1])[0] == pytest.approx(given.evaluate(times[:-1])[0] + 2.0 * shape[:-1])
+    assert force.evaluate(times[:-1])[0] == pytest.approx(
+        given.evaluate(times[:-1])[0] + 2.0 * shape[:-1]
+    )
     middle = 0.5 * (times[1:] + times[:-1])
-    assert force.evaluate(middle)[0] == pytest.approx(np.interp(middle, times, given.evaluate(times)[0] + 2.0 * shape))
+    assert force.evaluate(middle)[0] == pytest.approx(
+        np.interp(middle, times, given.evaluate(times)[0] + 2.0 * shape)
+    )
     assert _Run._command(SimpleNamespace(beside={}), given, {"presliding": 2.0}) is given
 
 
 @pytest.mark.parametrize(
     ("square", "length", "step"),
-    [(1e-4, 0.01, 0.002), (-1.0, 5e-4, 5e-4), (2.4e-7, 5e-4, 5e-4), (4e-6, 0.002, 5e-4), (4e-4, 0.02, 0.003)],
+    [
+        (1e-4, 0.01, 0.002),
+        (-1.0, 5e-4, 5e-4),
+        (2.4e-7, 5e-4, 5e-4),
+        (4e-6, 0.002, 5e-4),
+        (4e-4, 0.02, 0.003),
+    ],
 )
 def test_a_road_is_averaged_over_the_patch(
     monkeypatch: pytest.MonkeyPatch, square: float, length: float, step: float
@@ -428,20 +538,30 @@ BILINEAR = jn.load("kart-quarter-car").with_changes({
 })  # fmt: skip
 SIDES = ("strut.damper.bump_coefficient", "strut.damper.rebound_coefficient")
 _TIME = np.linspace(0.0, 2.0, 2001)
-_PASS = np.exp(-1.5 * _TIME) * np.sin(14.0 * _TIME)  # one that leaves a mean deflection, and bump unlike rebound
+_PASS = np.exp(-1.5 * _TIME) * np.sin(
+    14.0 * _TIME
+)  # one that leaves a mean deflection, and bump unlike rebound
 
 
 def _passed(strut: np.ndarray) -> States:
-    return States(_TIME, strut, np.gradient(strut, _TIME), 0.001 + 0.0 * _TIME, 0.0 * _TIME, 0.0 * _TIME)
+    return States(
+        _TIME, strut, np.gradient(strut, _TIME), 0.001 + 0.0 * _TIME, 0.0 * _TIME, 0.0 * _TIME
+    )
 
 
-def _richer(rig: jn.QuarterCar, free: tuple[str, ...], fitted: dict[str, float] | None = None) -> ExtendedRig:
+def _richer(
+    rig: jn.QuarterCar, free: tuple[str, ...], fitted: dict[str, float] | None = None
+) -> ExtendedRig:
     used = compile_rig(rig).facts.parameters
-    return ExtendedRig(rig, free, jn.Doubt(spring_curvature=0.0), RideExtent(0.007, 0.0015, 0.5), used, fitted)
+    return ExtendedRig(
+        rig, free, jn.Doubt(spring_curvature=0.0), RideExtent(0.007, 0.0015, 0.5), used, fitted
+    )
 
 
 @pytest.mark.parametrize("friction", [(), ("strut.friction.force",)])
-def test_an_asymmetric_damper_that_is_as_described_leaves_the_spring_its_rate(friction: tuple[str, ...]) -> None:
+def test_an_asymmetric_damper_that_is_as_described_leaves_the_spring_its_rate(
+    friction: tuple[str, ...],
+) -> None:
     paths = ("strut.spring.rate", *SIDES, *friction)
     richer = _richer(BILINEAR, paths)
     p, xi = BILINEAR.parameters(), np.zeros(len(richer.nuisances))
@@ -457,7 +577,9 @@ def test_friction_that_the_rig_states_is_no_part_of_the_damper() -> None:
     laws = Laws(richer, [_passed(0.007 + 0.01 * _PASS)])
     for path in paths:
         p = rig.parameters()
-        assert laws.readings(path, p, np.zeros(len(richer.nuisances)), 0.0) == pytest.approx((p[path],) * 2), path
+        assert laws.readings(path, p, np.zeros(len(richer.nuisances)), 0.0) == pytest.approx(
+            (p[path],) * 2
+        ), path
 
 
 def test_forces_beside_a_law_of_two_sides_count_on_the_side_they_are_on() -> None:
@@ -465,7 +587,9 @@ def test_forces_beside_a_law_of_two_sides_count_on_the_side_they_are_on() -> Non
     richer = _richer(BILINEAR, SIDES)
     places, root = richer.damper_covariance_root()
     xi = np.zeros(len(richer.nuisances))
-    xi[list(places)] = np.linalg.solve(root, 40.0 * np.array([-0.5, -0.175, -0.06, -0.015, 0.015, 0.06, 0.175, 0.5]))
+    xi[list(places)] = np.linalg.solve(
+        root, 40.0 * np.array([-0.5, -0.175, -0.06, -0.015, 0.015, 0.06, 0.175, 0.5])
+    )
     laws, p = Laws(richer, [_passed(0.007 + 0.01 * _PASS)]), BILINEAR.parameters()
     for path in SIDES:  # 40 N s/m more on either side, whichever reading
         assert laws.readings(path, p, xi, 0.0) == pytest.approx((p[path] + 40.0,) * 2, rel=1e-6)
@@ -484,12 +608,20 @@ def test_what_is_doubted_of_a_damper_is_a_share_of_the_law_that_was_fitted() -> 
     guesses = [BILINEAR.with_changes(dict(zip(SIDES, start, strict=True))) for start in starts]
     here = [one.deviation for one in _richer(BILINEAR, SIDES).nuisances]
     for guess in guesses:
-        assert [one.deviation for one in _richer(guess, SIDES, fitted).nuisances] == pytest.approx(here)
-        assert [one.deviation for one in _richer(guess, SIDES).nuisances] != pytest.approx(here, rel=0.1)
+        assert [one.deviation for one in _richer(guess, SIDES, fitted).nuisances] == pytest.approx(
+            here
+        )
+        assert [one.deviation for one in _richer(guess, SIDES).nuisances] != pytest.approx(
+            here, rel=0.1
+        )
 
 
-@pytest.mark.parametrize(("fitted", "knotted"), [((0.0, 260.0), True), ((90.0, 0.0), True), ((0.0, 0.0), False)])
-def test_a_side_that_is_fitted_to_nothing_stays_as_it_is(fitted: tuple[float, float], *, knotted: bool) -> None:
+@pytest.mark.parametrize(
+    ("fitted", "knotted"), [((0.0, 260.0), True), ((90.0, 0.0), True), ((0.0, 0.0), False)]
+)
+def test_a_side_that_is_fitted_to_nothing_stays_as_it_is(
+    fitted: tuple[float, float], *, knotted: bool
+) -> None:
     values, doubt = dict(zip(SIDES, fitted, strict=True)), jn.Doubt(damper_force=0.0)
     richer = ExtendedRig(BILINEAR, SIDES, doubt, RideExtent(0.007, 0.0015, 0.5), [], values)
     assert (richer.damper_covariance_root() is not None) == knotted

@@ -70,7 +70,9 @@ def test_estimates_of_unequal_errors_that_scatter_more_than_they_say():
     weights = 1.0 / 48.5, 1.0 / 51.5
     assert found.value == pytest.approx(10.0 * weights[1] / sum(weights), rel=1e-12)
     scatter = weights[0] * found.value**2 + weights[1] * (10.0 - found.value) ** 2
-    assert found.standard_error == pytest.approx(math.sqrt(max(scatter, 1.0) / sum(weights)), rel=1e-12)
+    assert found.standard_error == pytest.approx(
+        math.sqrt(max(scatter, 1.0) / sum(weights)), rel=1e-12
+    )
     assert found.interval[1] - found.value == pytest.approx(12.706 * found.standard_error, rel=1e-4)
 
 
@@ -105,7 +107,9 @@ def test_central_differences_are_exact_for_parabolas():
     slopes = central_differences(
         lambda p: np.array([p[0] ** 2, p[0] * p[1], 5.0 * p[1] ** 2]), values, np.array([0.1, 0.7])
     )
-    np.testing.assert_allclose(slopes, [[4.0, 0.0], [-3.0, 2.0], [0.0, -30.0]], rtol=1e-12, atol=1e-12)
+    np.testing.assert_allclose(
+        slopes, [[4.0, 0.0], [-3.0, 2.0], [0.0, -30.0]], rtol=1e-12, atol=1e-12
+    )
 
 
 def test_a_derived_quantity_knows_what_its_parameters_know():
@@ -114,4 +118,6 @@ def test_a_derived_quantity_knows_what_its_parameters_know():
     assert found.standard_error == pytest.approx(math.sqrt(4.0 - 4.0 + 36.0))
     assert found.interval[1] == pytest.approx(7.0 + 2.2281 * 6.0, rel=1e-4)
     assert [one.standard_error for one in spread.estimates(np.array([1.0, 2.0]))] == [2.0, 3.0]
-    assert Uncertainty(np.full((2, 2), np.inf), 1.0, 1.0).propagate(7.0, np.ones(2)) == Estimate(7.0)
+    assert Uncertainty(np.full((2, 2), np.inf), 1.0, 1.0).propagate(7.0, np.ones(2)) == Estimate(
+        7.0
+    )

@@ -6,7 +6,13 @@ from scipy.linalg import toeplitz
 from scipy.optimize import least_squares
 
 import jounce as jn
-from jounce.identify.fit_problem import Channel, Residuals, Simulated, UpdateProblem, free_parameters
+from jounce.identify.fit_problem import (
+    Channel,
+    Residuals,
+    Simulated,
+    UpdateProblem,
+    free_parameters,
+)
 from jounce.identify.lags import Shifted, best_lag
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.update import _correlation, _level, robust_covariance
@@ -54,14 +60,19 @@ def test_a_lag_beyond_its_bound_is_held_there():
 
 @pytest.mark.parametrize("constant", [0.0, 5.0])
 def test_a_free_offset_does_not_move_the_lag(constant):
-    assert best_lag([pair(4.3e-3, offset=True, constant=constant)], 0.02) == pytest.approx(4.3e-3, abs=1e-8)
+    assert best_lag([pair(4.3e-3, offset=True, constant=constant)], 0.02) == pytest.approx(
+        4.3e-3, abs=1e-8
+    )
 
 
 def test_the_best_lag_is_found_though_a_nearer_one_is_a_valley_too():
     """Oscillations repeat: downhill from zero ends one period off."""
     wave = np.sin(2.0 * np.pi * 60.0 * TIME)
     shifted = Shifted.of(
-        np.sin(2.0 * np.pi * 60.0 * (TIME - 0.015)) * bump(0.415, 0.1), (wave * bump(0.4, 0.1))[:, None], 1.0, RATE
+        np.sin(2.0 * np.pi * 60.0 * (TIME - 0.015)) * bump(0.415, 0.1),
+        (wave * bump(0.4, 0.1))[:, None],
+        1.0,
+        RATE,
     )
     assert best_lag([shifted], 0.02) == pytest.approx(0.015, abs=1e-5)
 
@@ -76,7 +87,9 @@ def test_channels_count_by_their_weights():
 def test_whole_samples_of_lag_are_compared_by_weighted_sums_of_squares(offset):
     reach, kept = 30, slice(30, -30)
     channel = pair(4e-3, weight=3.0, offset=offset, constant=0.7)
-    residuals = [channel.measured[kept] - np.roll(bump(0.4), lag)[kept] for lag in range(-reach, reach + 1)]
+    residuals = [
+        channel.measured[kept] - np.roll(bump(0.4), lag)[kept] for lag in range(-reach, reach + 1)
+    ]
     squares = np.array([9.0 * np.sum((one - offset * one.mean()) ** 2) for one in residuals])
     found = channel.misfit(reach)
     assert found - found.min() == pytest.approx(squares - squares.min(), abs=1e-9)
@@ -95,12 +108,20 @@ def test_eliminated_lags_give_what_the_joint_search_gives():
     trials = []
     for i, (speed, lag) in enumerate(((1.95, 0.4e-3), (2.86, -0.5e-3))):
         road = {"height": "10 mm", "length": "60 mm"}
-        driven = jn.Trial(road=jn.HalfSine(start=0.2 + speed * lag, **road), speed=speed, duration=0.6)
-        truth = RIG.with_changes({"strut.damper": {"bump_coefficient": 110.0, "rebound_coefficient": 190.0}})
+        driven = jn.Trial(
+            road=jn.HalfSine(start=0.2 + speed * lag, **road), speed=speed, duration=0.6
+        )
+        truth = RIG.with_changes(
+            {"strut.damper": {"bump_coefficient": 110.0, "rebound_coefficient": 190.0}}
+        )
         measured = jn.simulate(truth, driven, tolerance=1e-7)[["sprung.az", "unsprung.az"]]
         trial = jn.Trial(road=jn.HalfSine(start=0.2, **road), speed=speed, duration=0.6)
         trials.append(jn.FitTrial(str(i), RIG, trial, measured))
-    free = {"strut.spring.rate": "20 %", "strut.damper.coefficient": "50 %", "tyre.stiffness": "20 %"}
+    free = {
+        "strut.spring.rate": "20 %",
+        "strut.damper.coefficient": "50 %",
+        "tyre.stiffness": "20 %",
+    }
     problem = UpdateProblem(
         trials,
         free_parameters(RIG, free),
@@ -112,7 +133,9 @@ def test_eliminated_lags_give_what_the_joint_search_gives():
         for trial, lag in zip(problem.trials, x[3:] * 1e-3, strict=True):
             solution = trial.solve(problem.values(x[:3]), 1e-8)
             for channel in trial.channels:
-                shifted = jn.recordings.shift_signals(trial.table(channel, solution)[:, 0], trial.rate, lag)
+                shifted = jn.recordings.shift_signals(
+                    trial.table(channel, solution)[:, 0], trial.rate, lag
+                )
                 vectors.append(channel.weight * (channel.measured - shifted))
         return np.concatenate(vectors)
 
@@ -142,20 +165,28 @@ def test_covariance_of_coloured_residuals_is_the_banded_product():
         meat += rows.T @ toeplitz(column) @ rows
     bread = np.linalg.inv(jacobian.T @ jacobian)
     assert len(correlation) > 5
-    assert robust_covariance(vector, jacobian, blocks) == pytest.approx(bread @ meat @ bread * 600 / 597, rel=1e-9)
+    assert robust_covariance(vector, jacobian, blocks) == pytest.approx(
+        bread @ meat @ bread * 600 / 597, rel=1e-9
+    )
 
 
 @pytest.mark.parametrize(("count", "width"), [(20, 20), (200, 25), (1000, 50)])
 def test_the_level_of_residuals_is_that_of_a_twentieth_of_the_record(count, width):
     values = np.random.default_rng(5).normal(size=count) * np.linspace(1.0, 3.0, count)
     first = np.clip(np.arange(count) - width // 2, 0, count - width)
-    assert _level(values) == pytest.approx([np.sqrt(np.mean(values[i : i + width] ** 2)) for i in first])
+    assert _level(values) == pytest.approx(
+        [np.sqrt(np.mean(values[i : i + width] ** 2)) for i in first]
+    )
 
 
 def test_autocorrelation_counts_three_times_as_far_as_it_is_significant():
-    values = np.convolve(np.random.default_rng(6).normal(size=900), 0.8 ** np.arange(40), mode="valid")
+    values = np.convolve(
+        np.random.default_rng(6).normal(size=900), 0.8 ** np.arange(40), mode="valid"
+    )
     count = len(values)
-    plain = np.array([values[lag:] @ values[:-lag] / (values @ values) for lag in range(1, count // 4)])
+    plain = np.array(
+        [values[lag:] @ values[:-lag] / (values @ values) for lag in range(1, count // 4)]
+    )
     end = int(np.argmax(np.abs(plain) < 2.0 / np.sqrt(count)))
     assert 5 < end < 40
     taper = 1.0 - np.arange(1, 3 * end + 1) / (3 * end + 1)
@@ -180,7 +211,11 @@ def test_a_lag_takes_from_slopes_what_it_can_explain_itself():
 
 
 def test_a_free_offset_is_the_best_constant():
-    measured, table, slope = np.array([1.0, 2.0, 6.0]), np.array([[4.0, 1.0], [0.0, 5.0], [2.0, 0.0]]), np.arange(3.0)
+    measured, table, slope = (
+        np.array([1.0, 2.0, 6.0]),
+        np.array([[4.0, 1.0], [0.0, 5.0], [2.0, 0.0]]),
+        np.arange(3.0),
+    )
     channel = Channel("az", 0, measured, None, 0.0, 1.0, "free offset")
     moved, turned = channel.offset(table, slope)
     assert moved == pytest.approx(np.array([[5.0, -1.0], [1.0, 3.0], [3.0, -2.0]]))

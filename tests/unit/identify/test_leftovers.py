@@ -21,7 +21,9 @@ def swing(t: Array) -> Array:
     return found
 
 
-def told(measured: Callable[[Array], Array], *, is_aligned: bool = False, trials: int = 3) -> list[Finding]:
+def told(
+    measured: Callable[[Array], Array], *, is_aligned: bool = False, trials: int = 3
+) -> list[Finding]:
     """Findings on records that all have the same fault."""
     parts = [LeftOver(f"t{i}", measured(T) + NOISE[i], swing(T), 1000.0) for i in range(trials)]
     return faults("sprung.az", parts, 0.02, is_aligned=is_aligned)
@@ -35,14 +37,20 @@ def test_a_record_that_is_only_noisy_has_no_fault() -> None:
 @pytest.mark.parametrize(
     ("measured", "words", "value"),
     [
-        (lambda t: 1.2 * swing(t), "the record is 1.2 times what the updated model gives in t0, t1, t2", 1.2),
+        (
+            lambda t: 1.2 * swing(t),
+            "the record is 1.2 times what the updated model gives in t0, t1, t2",
+            1.2,
+        ),
         (lambda t: swing(t) / 9.81, "times what the updated model gives", 1.0 / 9.81),
         (lambda t: swing(t) + 0.5 * t, "drifts by 0.5", 0.5),
         (lambda t: swing(t - 0.004), "comes 4 ms later than the updated model", 0.004),
         (lambda t: swing(t + 0.004), "comes 4 ms earlier", -0.004),
     ],
 )
-def test_the_fault_is_named_with_its_size(measured: Callable[[Array], Array], words: str, value: float) -> None:
+def test_the_fault_is_named_with_its_size(
+    measured: Callable[[Array], Array], words: str, value: float
+) -> None:
     (finding,) = told(measured)
     assert words in finding.message
     assert finding.severity == "warning"
@@ -69,4 +77,9 @@ def test_what_is_left_beyond_the_noise_is_a_multiple_of_it() -> None:
 
 
 def test_a_dead_reading_has_no_fault_to_name() -> None:
-    assert faults("sprung.az", [LeftOver("t", NOISE[0], np.zeros(len(T)), 1000.0)], 0.02, is_aligned=False) == []
+    assert (
+        faults(
+            "sprung.az", [LeftOver("t", NOISE[0], np.zeros(len(T)), 1000.0)], 0.02, is_aligned=False
+        )
+        == []
+    )

@@ -17,7 +17,8 @@ def problem(best):
     rest = np.cross(JACOBIAN[:, 0], JACOBIAN[:, 1])
     aim = JACOBIAN @ np.asarray(best) + rest
     return SimpleNamespace(
-        residuals=lambda x: SimpleNamespace(vector=JACOBIAN @ x - aim, jacobian=JACOBIAN), data_energy=float(aim @ aim)
+        residuals=lambda x: SimpleNamespace(vector=JACOBIAN @ x - aim, jacobian=JACOBIAN),
+        data_energy=float(aim @ aim),
     )
 
 
@@ -48,5 +49,7 @@ def test_a_step_that_gains_a_millionth_goes_on(gain, ends):
 def test_what_leaves_a_millionth_of_the_signals_is_perfect(share, ends):
     vector = JACOBIAN @ [1.0, 1.0]
     energy = float(vector @ vector) / share
-    one = SimpleNamespace(residuals=lambda _: SimpleNamespace(vector=vector, jacobian=JACOBIAN), data_energy=energy)
+    one = SimpleNamespace(
+        residuals=lambda _: SimpleNamespace(vector=vector, jacobian=JACOBIAN), data_energy=energy
+    )
     assert is_stationary(one, np.zeros(2)) == ends

@@ -20,12 +20,18 @@ from jounce.simulation.running import loops_before
 ONE = jn.HalfSine(height="10 mm", length="60 mm")
 BELT = 1.97
 RIG = jn.load("kart-quarter-car")
-OTHER = {"strut.spring.rate": "24 N/mm", "strut.damper.coefficient": "190 N*s/m", "tyre.stiffness": "130 N/mm"}
+OTHER = {
+    "strut.spring.rate": "24 N/mm",
+    "strut.damper.coefficient": "190 N*s/m",
+    "tyre.stiffness": "130 N/mm",
+}
 
 
 def record(road: jn.Road, speed: float, *, begin: float = 3.3, duration: float = 5.0) -> xr.Dataset:
     """Accelerations of a rig unlike the one that looks for them, on a belt that has been running."""
-    run = jn.simulate(RIG.with_changes(OTHER), jn.Trial(road=road, speed=speed, duration=begin + duration))
+    run = jn.simulate(
+        RIG.with_changes(OTHER), jn.Trial(road=road, speed=speed, duration=begin + duration)
+    )
     part = run[["sprung.az", "unsprung.az"]].sel(time=slice(begin, None))
     draw = np.random.default_rng(1)
     for name, noise in (("sprung.az", 0.2), ("unsprung.az", 1.0)):
@@ -74,7 +80,9 @@ def test_a_single_obstacle_is_found_where_it_is() -> None:
 def test_an_obstacle_that_never_comes_is_said() -> None:
     time = np.arange(0.0, 3.0, 1e-3)
     noise = np.random.default_rng(2).standard_normal(time.size)
-    quiet = jn.recording(time, {"sprung.az": (0.2 * noise, "m/s^2", ""), "unsprung.az": (noise, "m/s^2", "")})
+    quiet = jn.recording(
+        time, {"sprung.az": (0.2 * noise, "m/s^2", ""), "unsprung.az": (noise, "m/s^2", "")}
+    )
     with pytest.raises(FitError, match="the obstacle is not found") as refused:
         find_passages(quiet, RIG, on_belt(ONE), 1.95, name="trial 3")
     assert "half-sine of 0.06 m at 1.95 m/s in sprung.az, unsprung.az" in refused.value.allowed
@@ -158,7 +166,9 @@ def test_an_averaged_trial_explains_its_record() -> None:
     right = RIG.with_changes(OTHER)
     trial = FitTrial("one", right, jn.Trial(road=road, speed=3.87, duration=5.0), data)
     averaged = averaged_trial(trial, find_passages(data, right, road, 3.87))
-    found = jn.update_model([averaged], {"strut.spring.rate": "10 %"}, align="lag", weights="normalised")
+    found = jn.update_model(
+        [averaged], {"strut.spring.rate": "10 %"}, align="lag", weights="normalised"
+    )
     assert found.parameters["strut.spring.rate"].value == pytest.approx(24e3, rel=2e-3)
     with pytest.raises(FitError, match="no loop of a belt"):
         averaged_trial(trial, find_passages(data.sel(time=slice(0.0, 0.45)), right, ONE, 3.87))
@@ -167,14 +177,18 @@ def test_an_averaged_trial_explains_its_record() -> None:
 def test_select_loop_is_that_of_the_record() -> None:
     measured, road = record(on_belt(ONE), 1.95), on_belt(ONE)
     found = find_passages(measured, RIG, road, 1.95)
-    loop = select_loop(found, measured, 2, channels=["sprung.az", "unsprung.az"], name="trial 1").loop
+    loop = select_loop(
+        found, measured, 2, channels=["sprung.az", "unsprung.az"], name="trial 1"
+    ).loop
     assert loop is not None
     assert found.period is not None
     begin = found.times[1] - LEAD * found.period
     own = (found.times[2] - found.times[1]) / found.period  # the loop is brought to the mean period
     instants = begin + own * loop["time"].to_numpy()
     expected = np.interp(instants, measured["time"], measured["sprung.az"])
-    np.testing.assert_allclose(loop["sprung.az"], expected, atol=0.6)  # straight lines between samples with noise
+    np.testing.assert_allclose(
+        loop["sprung.az"], expected, atol=0.6
+    )  # straight lines between samples with noise
     assert np.corrcoef(loop["sprung.az"], expected)[0, 1] > 0.995
 
 
@@ -183,7 +197,9 @@ def test_a_loop_that_begins_before_the_record_is_refused() -> None:
     found = find_passages(measured, RIG, road, 1.95)
     assert found.period is not None
     late = measured.sel(time=slice(found.times[0] - 0.5 * LEAD * found.period, None))
-    with pytest.raises(FitError, match="no loop of this passage is recorded in full; found 1; allowed: 2, 3"):
+    with pytest.raises(
+        FitError, match="no loop of this passage is recorded in full; found 1; allowed: 2, 3"
+    ):
         select_loop(found, late, 1, channels=["sprung.az"], name="trial 1")
     with pytest.raises(FitError, match="found 99; allowed: 1, 2"):
         select_loop(found, measured, 99, channels=["sprung.az"], name="trial 1")
@@ -211,7 +227,9 @@ def test_the_noise_of_an_average_is_its_error_where_the_signal_is() -> None:
     loops = found.loop.attrs["passages"]
     for name, noise in (("sprung.az", 0.2), ("unsprung.az", 1.0)):
         assert found.noise[name] == pytest.approx(noise / np.sqrt(loops), rel=0.35)
-    alone = select_loop(found, record(road, 3.87), 2, channels=["sprung.az", "unsprung.az"], name="one")
+    alone = select_loop(
+        found, record(road, 3.87), 2, channels=["sprung.az", "unsprung.az"], name="one"
+    )
     assert alone.noise["sprung.az"] == pytest.approx(np.sqrt(loops) * found.noise["sprung.az"])
 
 
@@ -224,12 +242,19 @@ def test_a_fit_weighs_an_average_with_the_scatter_of_its_loops() -> None:
     louder = replace(averaged, noise={name: 10.0 * value for name, value in averaged.noise.items()})
     three = [[replace(one, name=f"trial {k}") for k in range(3)] for one in (averaged, louder)]
     narrow, wide = (
-        jn.update_model(trials, {"strut.spring.rate": "30 %"}, weights="normalised", align="lag", doubt=EXACT)
+        jn.update_model(
+            trials, {"strut.spring.rate": "30 %"}, weights="normalised", align="lag", doubt=EXACT
+        )
         for trials in three
     )
     path = "strut.spring.rate"
-    assert wide.discrepancy.noise["sprung.az"] == pytest.approx(10.0 * narrow.discrepancy.noise["sprung.az"])
-    assert wide.discrepancy.parameters[path].half_width > 3.0 * narrow.discrepancy.parameters[path].half_width
+    assert wide.discrepancy.noise["sprung.az"] == pytest.approx(
+        10.0 * narrow.discrepancy.noise["sprung.az"]
+    )
+    assert (
+        wide.discrepancy.parameters[path].half_width
+        > 3.0 * narrow.discrepancy.parameters[path].half_width
+    )
 
 
 EXACT = jn.Doubt(**{name: 0.0 for name in jn.Doubt.model_fields if name != "values"})
@@ -247,7 +272,9 @@ def test_another_obstacle_on_the_belt_is_refused(speed: float, apart: float) -> 
 
 
 @pytest.mark.parametrize("speed", [1.95, 3.0, 3.87])
-@pytest.mark.parametrize("road", [ONE, jn.Train(of=ONE, count=5, pitch=0.1), jn.Train(of=ONE, count=3, pitch=0.3)])
+@pytest.mark.parametrize(
+    "road", [ONE, jn.Train(of=ONE, count=5, pitch=0.1), jn.Train(of=ONE, count=3, pitch=0.3)]
+)
 def test_what_swings_on_is_no_other_obstacle(road: jn.Road, speed: float) -> None:
     found = find_passages(record(on_belt(road), speed), RIG, on_belt(road), speed)
     assert found.findings == ()
@@ -265,7 +292,9 @@ def test_what_was_looked_for_in_vain_lies_where_the_record_is_most_like_it() -> 
     time = np.arange(0.0, 3.0, 1e-3)
     noise = np.random.default_rng(2).standard_normal((2, time.size))
     names = ("sprung.az", "unsprung.az")
-    quiet = jn.recording(time, {name: (row, "m/s^2", "") for name, row in zip(names, noise, strict=True)})
+    quiet = jn.recording(
+        time, {name: (row, "m/s^2", "") for name, row in zip(names, noise, strict=True)}
+    )
     with pytest.raises(ObstacleNotFoundError) as refused:
         find_passages(quiet, RIG, on_belt(ONE), 1.95)
     sought = refused.value.sought
@@ -276,7 +305,9 @@ def test_what_was_looked_for_in_vain_lies_where_the_record_is_most_like_it() -> 
     parts = [np.interp(at[inside], time, quiet[name].to_numpy()) for name in names]
     wanted = [sought.response[name].to_numpy()[inside] for name in names]
     like = [np.corrcoef(part, want)[0, 1] for part, want in zip(parts, wanted, strict=True)]
-    assert np.mean(like) > sought.likeness > 0.1  # which counts quiet parts as loud: by chance it is 0.0
+    assert (
+        np.mean(like) > sought.likeness > 0.1
+    )  # which counts quiet parts as loud: by chance it is 0.0
 
 
 @pytest.mark.parametrize("turned", ["sprung.az", "unsprung.az"])
@@ -287,4 +318,6 @@ def test_one_sensor_upside_down_is_named(turned: str) -> None:
     data[turned].attrs = {"units": "m/s^2"}
     found = find_passages(data, RIG, road, 1.95, name="trial 2")
     assert len(found.times) in (4, 5)
-    assert [(item.code, item.place) for item in found.findings] == [("identify.upside_down", f"trial 2: {turned}")]
+    assert [(item.code, item.place) for item in found.findings] == [
+        ("identify.upside_down", f"trial 2: {turned}")
+    ]

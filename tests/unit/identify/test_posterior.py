@@ -7,12 +7,21 @@ from scipy.stats import norm, truncnorm
 import jounce as jn
 from jounce.core.errors import DescriptionError, FitError
 from jounce.identify.fit_problem import Channel
-from jounce.identify.log_density import Polynomial, Region, by_ensemble, convergence, fit_log_density, sample
+from jounce.identify.log_density import (
+    Polynomial,
+    Region,
+    by_ensemble,
+    convergence,
+    fit_log_density,
+    sample,
+)
 from jounce.identify.next_trial import Candidate, next_trials
 from jounce.identify.posterior import posterior_of
 from jounce.identify.prediction import _lay_over_recording, _moving
 
-TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="2 m/s", duration="0.6 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="2 m/s", duration="0.6 s"
+)
 FREE = {"strut.spring.rate": "20 %", "tyre.stiffness": "20 %"}
 
 
@@ -23,7 +32,9 @@ def recorded(rig, seed, trial=TRIAL):
 
 def linear(seed=0, count=300):
     draw = np.random.default_rng(seed)
-    matrix = draw.normal(size=(count, 3)) @ np.array([[1.0, 0.5, 0.0], [0.0, 1.0, 0.3], [0.0, 0.0, 1.0]])
+    matrix = draw.normal(size=(count, 3)) @ np.array(
+        [[1.0, 0.5, 0.0], [0.0, 1.0, 0.3], [0.0, 0.0, 1.0]]
+    )
     y = matrix @ [1.0, -2.0, 3.0] + 0.4 * draw.normal(size=count)
     best = np.linalg.lstsq(matrix, y)[0]
     return matrix, y, best
@@ -31,20 +42,28 @@ def linear(seed=0, count=300):
 
 def test_a_linear_gaussian_posterior_is_its_closed_form():
     matrix, y, best = linear()
-    free = {name: (value, value - 4.0, value + 4.0) for name, value in zip("abc", best, strict=True)}
+    free = {
+        name: (value, value - 4.0, value + 4.0) for name, value in zip("abc", best, strict=True)
+    }
     found = posterior_of(lambda p: (y - matrix @ p, -matrix), free, draws=20_000, seed=3)
     covariance = np.linalg.inv(matrix.T @ matrix) * np.sum((y - matrix @ best) ** 2) / (len(y) - 3)
     draws = np.array([found.samples[name].to_numpy().ravel() for name in "abc"])
     sampled = np.cov(draws)
     # the sandwich of an update estimates the same covariance from the residuals: their level and correlation are noise
     assert np.allclose(np.sqrt(np.diag(sampled)), np.sqrt(np.diag(covariance)), rtol=0.12)
-    sandwich = [(one.gaussian[1] - one.gaussian[0]) / (2 * 1.96) for one in found.parameters.values()]
+    sandwich = [
+        (one.gaussian[1] - one.gaussian[0]) / (2 * 1.96) for one in found.parameters.values()
+    ]
     assert np.allclose(np.sqrt(np.diag(sampled)), sandwich, rtol=0.03)
     assert np.allclose(draws.mean(axis=1), best, atol=4.0 * np.max(sandwich) / np.sqrt(5000))
     for i, name in enumerate("abc"):
         one = found.parameters[name]
-        assert np.allclose(one.interval, norm.interval(0.95, best[i], sandwich[i]), atol=0.06 * sandwich[i])
-        assert np.allclose(one.likelihood, norm.interval(0.95, best[i], sandwich[i]), atol=0.02 * sandwich[i])
+        assert np.allclose(
+            one.interval, norm.interval(0.95, best[i], sandwich[i]), atol=0.06 * sandwich[i]
+        )
+        assert np.allclose(
+            one.likelihood, norm.interval(0.95, best[i], sandwich[i]), atol=0.02 * sandwich[i]
+        )
         assert one.convergence.r_hat < 1.01
         assert one.convergence.bulk > 3000.0
     assert found.density_error < 1e-6
@@ -57,7 +76,9 @@ def test_draws_of_a_curved_density_agree_with_quadrature():
     squares = np.sum((y[:, None] - np.exp(-grid * x[:, None])) ** 2, axis=0)
     best = grid[np.argmin(squares)]
     found = posterior_of(
-        lambda p: (y - np.exp(-p[0] * x), (x * np.exp(-p[0] * x))[:, None]), {"rate": (best, 0.4, 4.0)}, draws=20_000
+        lambda p: (y - np.exp(-p[0] * x), (x * np.exp(-p[0] * x))[:, None]),
+        {"rate": (best, 0.4, 4.0)},
+        draws=20_000,
     )
     # the same adjusted likelihood on a grid: curvature at the top is that of the sandwich
     slope = x * np.exp(-best * x)
@@ -74,7 +95,9 @@ def test_draws_of_a_curved_density_agree_with_quadrature():
 def test_draws_stay_within_bounds_and_say_that_these_decide():
     matrix, y, best = linear()
     found = posterior_of(
-        lambda p: (y - matrix[:, :1] @ p, -matrix[:, :1]), {"a": (best[0], best[0], best[0] + 4.0)}, draws=2000
+        lambda p: (y - matrix[:, :1] @ p, -matrix[:, :1]),
+        {"a": (best[0], best[0], best[0] + 4.0)},
+        draws=2000,
     )
     draws = found.samples["a"].to_numpy().ravel()
     assert draws.min() >= best[0]
@@ -115,7 +138,9 @@ def test_scatter_of_exact_values_is_not_followed_to_where_no_point_is():
             0.3 * x[0] + 0.35 * draw.normal(),
         )
 
-    density = fit_log_density(exact, Region(np.zeros(6), np.eye(6), np.full(6, -np.inf), np.full(6, np.inf)), 1)
+    density = fit_log_density(
+        exact, Region(np.zeros(6), np.eye(6), np.full(6, -np.inf), np.full(6, np.inf)), 1
+    )
     assert density.polynomial.powers.sum(axis=1).max() == 2
     assert density.error < 0.5
     u = draw.normal(size=(500, 6))
@@ -126,7 +151,10 @@ def test_scatter_of_exact_values_is_not_followed_to_where_no_point_is():
 
 def test_walkers_of_an_ensemble_are_no_chains_of_their_own():
     draws = np.arange(8 * 5.0).reshape(8, 5)  # four ensembles of two walkers
-    early, late = [1.0, 2.0, 6.0, 7.0], [3.0, 4.0, 8.0, 9.0]  # of an odd number the first is left out
+    early, late = (
+        [1.0, 2.0, 6.0, 7.0],
+        [3.0, 4.0, 8.0, 9.0],
+    )  # of an odd number the first is left out
     assert by_ensemble(draws)[0].tolist() == early + late
     drifting = np.random.default_rng(1).normal(size=(64, 200)) + np.linspace(0.0, 2.0, 200)
     assert convergence(by_ensemble(drifting)).r_hat > 1.1
@@ -157,8 +185,12 @@ def test_ten_virtual_benches_are_covered_and_their_recordings_predicted(rig, fou
         draw = np.random.default_rng([11, seed])
         changes = {path: rig.parameters()[path] * draw.uniform(0.92, 1.08) for path in FREE}
         trials = [jn.FitTrial("one", rig, TRIAL, recorded(rig.with_changes(changes), seed))]
-        one = jn.posterior(trials, FREE, draws=1000, predicted_with=5, predict=None if seed < 2 else ())
-        inside += [p.interval[0] <= changes[path] <= p.interval[1] for path, p in one.parameters.items()]
+        one = jn.posterior(
+            trials, FREE, draws=1000, predicted_with=5, predict=None if seed < 2 else ()
+        )
+        inside += [
+            p.interval[0] <= changes[path] <= p.interval[1] for path, p in one.parameters.items()
+        ]
         bands += [band.inside for band in one.predictions.get("one", {}).values()]
     assert sum(inside) >= 16  # of 20: fewer than once in 300 where 95 % are covered
     assert all(0.93 < share < 0.98 for share in bands)
@@ -184,7 +216,9 @@ def test_draws_are_laid_over_the_recording_each_with_its_own_lag():
     channel = Channel("sprung.az", 0, curve(0.0), None, 0.0, 1.0)
     drawn = {"sprung.az": [curve(0.05 + late) for late in (-3.3e-3, 0.4e-3, 2.1e-3)]}
     for align in (False, True):
-        ((_, table, _),) = _lay_over_recording([channel], drawn, {"sprung.az": "m/s^2"}, 1000.0, align=align)
+        ((_, table, _),) = _lay_over_recording(
+            [channel], drawn, {"sprung.az": "m/s^2"}, 1000.0, align=align
+        )
         assert (np.max(np.abs(table - channel.measured)) < 1e-4) == align
 
 
@@ -194,7 +228,10 @@ def test_the_gain_of_a_trial_agrees_with_sampling(rig):
     sensor = {"unsprung.az": jn.Sensor(noise=f"{sigma} m/s^2")}
     clean = jn.simulate(rig, TRIAL, tolerance=1e-7)[["unsprung.az"]]
     basis = jn.posterior(
-        [jn.FitTrial("one", rig, TRIAL, jn.apply_sensors(clean, sensor, seed=1))], free, draws=1000, predict=()
+        [jn.FitTrial("one", rig, TRIAL, jn.apply_sensors(clean, sensor, seed=1))],
+        free,
+        draws=1000,
+        predict=(),
     )
     faster = TRIAL.model_copy(update={"speed": 3.0})
     gain = next_trials(basis, [Candidate("faster", rig, faster)], count=1).candidates[0].gain
@@ -203,7 +240,9 @@ def test_the_gain_of_a_trial_agrees_with_sampling(rig):
     values = now.value + error * np.linspace(-4.0, 4.0, 33)
     prior = norm.pdf(np.linspace(-4.0, 4.0, 33))
     prior /= prior.sum()
-    runs = [jn.simulate(rig.with_changes({"tyre.stiffness": v}), faster, tolerance=1e-7) for v in values]
+    runs = [
+        jn.simulate(rig.with_changes({"tyre.stiffness": v}), faster, tolerance=1e-7) for v in values
+    ]
     curves = np.array([run["unsprung.az"].to_numpy() for run in runs])
     draw = np.random.default_rng(5)
     gains = []
@@ -231,7 +270,11 @@ def test_the_gain_of_a_trial_agrees_with_sampling(rig):
     ],
 )
 def test_what_a_posterior_refuses(rig, change, words):
-    given = {"trials": [jn.FitTrial("one", rig, TRIAL, jn.simulate(rig, TRIAL)[["sprung.az"]])], "free": FREE, **change}
+    given = {
+        "trials": [jn.FitTrial("one", rig, TRIAL, jn.simulate(rig, TRIAL)[["sprung.az"]])],
+        "free": FREE,
+        **change,
+    }
     with pytest.raises((FitError, DescriptionError), match=words):
         jn.posterior(given.pop("trials"), given.pop("free"), **given)
 
@@ -255,7 +298,9 @@ def test_a_fit_without_noise_and_one_without_influence_are_refused():
     with pytest.raises(FitError, match="no noise to judge by"):
         posterior_of(lambda _: (0.0 * x, -x[:, None]), {"a": (1.0, 0.0, 2.0)})
     with pytest.raises(FitError, match="insensitive"):
-        posterior_of(lambda _: (x - 0.5, np.column_stack([x, 0.0 * x])), {"a": (1.0, 0, 2), "b": (1.0, 0, 2)})
+        posterior_of(
+            lambda _: (x - 0.5, np.column_stack([x, 0.0 * x])), {"a": (1.0, 0, 2), "b": (1.0, 0, 2)}
+        )
     with pytest.raises(FitError, match="exclude the estimate"):
         posterior_of(lambda _: (x, x[:, None]), {"a": (3.0, 0.0, 2.0)})
 
@@ -266,7 +311,9 @@ def test_next_trials_refuse_what_they_cannot_rank(rig, found):
     with pytest.raises(FitError, match="not a number of trials"):
         next_trials(found, [Candidate("one", rig, TRIAL)], count=0)
     matrix, y, best = linear()
-    other = posterior_of(lambda p: (y - matrix[:, :1] @ p, -matrix[:, :1]), {"a": (best[0], -9.0, 9.0)}, draws=1000)
+    other = posterior_of(
+        lambda p: (y - matrix[:, :1] @ p, -matrix[:, :1]), {"a": (best[0], -9.0, 9.0)}, draws=1000
+    )
     with pytest.raises(FitError, match="something else"):
         next_trials(other, [Candidate("one", rig, TRIAL)])
 

@@ -25,7 +25,13 @@ def late_bump(delay: float) -> np.ndarray:
 
 def test_a_signal_matches_itself() -> None:
     rating = iso18571(BUMP, BUMP, RATE)
-    assert (rating.corridor, rating.phase, rating.magnitude, rating.slope, rating.rating) == (1.0, 1.0, 1.0, 1.0, 1.0)
+    assert (rating.corridor, rating.phase, rating.magnitude, rating.slope, rating.rating) == (
+        1.0,
+        1.0,
+        1.0,
+        1.0,
+        1.0,
+    )
     assert (rating.grade, rating.shift, rating.findings) == ("excellent", 0.0, ())
 
 
@@ -33,7 +39,9 @@ def test_a_signal_matches_itself() -> None:
 def test_phase_score_of_a_pure_delay(delay: float) -> None:
     rating = iso18571(BUMP, late_bump(delay), RATE)
     assert rating.shift == pytest.approx(delay, abs=1e-9)
-    assert rating.phase == pytest.approx(1.0 - abs(delay) / (0.2 * 0.3), abs=1e-9)  # 20 % of 3000 samples
+    assert rating.phase == pytest.approx(
+        1.0 - abs(delay) / (0.2 * 0.3), abs=1e-9
+    )  # 20 % of 3000 samples
     assert rating.magnitude == pytest.approx(1.0, abs=1e-6)
     assert rating.slope == pytest.approx(1.0, abs=1e-6)
 
@@ -42,7 +50,9 @@ def test_scores_of_a_pure_scale() -> None:
     rating = iso18571(BUMP, 1.2 * BUMP, RATE)
     assert rating.phase == 1.0
     assert rating.slope == pytest.approx(1.0 - 0.2 / 2.0, abs=1e-9)  # slope error 20 % of 200 %
-    share = np.clip((0.5 - 0.2 * BUMP) / 0.45, 0.0, 1.0)  # corridors of 5 % and 50 % of the largest value, 1
+    share = np.clip(
+        (0.5 - 0.2 * BUMP) / 0.45, 0.0, 1.0
+    )  # corridors of 5 % and 50 % of the largest value, 1
     assert rating.corridor == pytest.approx(np.mean(share**2), abs=1e-12)
     total = 0.4 * rating.corridor + 0.2 * (rating.phase + rating.magnitude + rating.slope)
     assert rating.rating == pytest.approx(total, abs=1e-15)
@@ -122,9 +132,15 @@ def test_constant_compared_signal() -> None:
 
 def test_edges_of_the_corridors_and_of_the_slope_average() -> None:
     reference = np.full(20, 2.0)
-    assert corridor_score(reference, reference + 0.1) == pytest.approx(1.0, abs=1e-12)  # inner: 5 % of 2
-    assert corridor_score(reference, reference + 1.0) == pytest.approx(0.0, abs=1e-12)  # outer: 50 % of 2
-    assert corridor_score(reference, reference + 0.55) == pytest.approx(0.25, abs=1e-12)  # half way, squared
+    assert corridor_score(reference, reference + 0.1) == pytest.approx(
+        1.0, abs=1e-12
+    )  # inner: 5 % of 2
+    assert corridor_score(reference, reference + 1.0) == pytest.approx(
+        0.0, abs=1e-12
+    )  # outer: 50 % of 2
+    assert corridor_score(reference, reference + 0.55) == pytest.approx(
+        0.25, abs=1e-12
+    )  # half way, squared
     ramp = np.arange(20.0)
     assert slope_score(ramp, 2.0 * ramp) == pytest.approx(0.5, abs=1e-12)
     assert slope_score(ramp, ramp + 7.0) == 1.0
@@ -152,7 +168,10 @@ def test_a_rival_is_a_smaller_shift_behind_a_valley() -> None:
     assert _rival(coefficients, 7, 5) == -1
     assert _rival(coefficients, 6, 5) is None  # between neighbours there is no room for one
     for height, valley, found in ((0.991, 0.94, -1), (0.989, 0.94, None), (0.991, 0.96, None)):
-        assert _rival(np.where(coefficients == 0.995, height, np.maximum(coefficients, valley)), 7, 5) == found
+        assert (
+            _rival(np.where(coefficients == 0.995, height, np.maximum(coefficients, valley)), 7, 5)
+            == found
+        )
 
 
 def test_slopes_are_averaged_over_nine_samples_and_over_fewer_towards_the_ends() -> None:
@@ -170,5 +189,7 @@ def test_signals_are_warped_within_a_tenth_of_their_length() -> None:
 
 
 @pytest.mark.parametrize(("below", "told"), [(0.98e-6, 0), (1.04e-6, 1)])
-def test_a_rate_a_millionth_below_that_of_the_standard_is_that_of_the_standard(below: float, told: int) -> None:
+def test_a_rate_a_millionth_below_that_of_the_standard_is_that_of_the_standard(
+    below: float, told: int
+) -> None:
     assert len(iso18571(BUMP, BUMP, RATE * (1.0 - below)).findings) == told

@@ -27,7 +27,10 @@ def test_white_residuals_have_correlation_time_near_one():
 
 def test_correlation_time_of_an_autoregressive_process():
     # integrated autocorrelation of AR(1): (1 + a) / (1 - a)
-    times = [correlation_time(autoregressive(np.random.default_rng(seed), 5000, 0.8)) for seed in range(20)]
+    times = [
+        correlation_time(autoregressive(np.random.default_rng(seed), 5000, 0.8))
+        for seed in range(20)
+    ]
     assert np.mean(times) == pytest.approx(9.0, rel=0.15)
 
 
@@ -72,7 +75,8 @@ def test_the_correlation_time_sums_pairs_as_long_as_they_are_significant(count):
     values = autoregressive(np.random.default_rng(count), count, 0.7)
     centred = values - values.mean()
     correlation = [
-        float(centred[lag:] @ centred[: count - lag]) / float(centred @ centred) for lag in range(count // 2)
+        float(centred[lag:] @ centred[: count - lag]) / float(centred @ centred)
+        for lag in range(count // 2)
     ]
     total, lag = 1.0, 1
     while lag + 1 < count // 2 and correlation[lag] + correlation[lag + 1] > 2.0 / np.sqrt(count):

@@ -9,7 +9,15 @@ import pytest
 from jounce.core.errors import DescriptionError, FitError
 from jounce.identify.decay import combine_decays, fit_decay
 from jounce.identify.force_deflection import ForceDeflectionTrial
-from jounce.identify.motion import MOTIONS, QUANTITIES, QUANTITY_OF_UNIT, ROTATION, TRANSLATION, motion_of, order_of
+from jounce.identify.motion import (
+    MOTIONS,
+    QUANTITIES,
+    QUANTITY_OF_UNIT,
+    ROTATION,
+    TRANSLATION,
+    motion_of,
+    order_of,
+)
 from jounce.identify.stiffness import fit_stiffness
 
 
@@ -24,7 +32,9 @@ def turned(kind="angle", friction=0.0):
         friction=friction,
         start=0.2,
     )
-    return run["t"], run[{"angle": "z", "angular_velocity": "vz", "angular_acceleration": "az"}[kind]]
+    return run["t"], run[
+        {"angle": "z", "angular_velocity": "vz", "angular_acceleration": "az"}[kind]
+    ]
 
 
 def told(result):
@@ -32,7 +42,9 @@ def told(result):
 
 
 def test_each_unit_of_a_motion_has_its_quantity():
-    assert {QUANTITY_OF_UNIT[unit] for motion in MOTIONS.values() for unit in motion.units} == set(QUANTITIES)
+    assert {QUANTITY_OF_UNIT[unit] for motion in MOTIONS.values() for unit in motion.units} == set(
+        QUANTITIES
+    )
     assert [motion_of(one).name for one in QUANTITIES] == ["translation"] * 3 + ["rotation"] * 3
     assert [order_of(one) for one in QUANTITIES] == [0, 1, 2, 0, 1, 2]
 
@@ -40,7 +52,9 @@ def test_each_unit_of_a_motion_has_its_quantity():
 @pytest.mark.parametrize("kind", ROTATION.quantities)
 def test_a_pendulum_has_an_inertia_and_torques(kind):
     result = fit_decay(*turned(kind, 0.6), inertia=foreign_records.INERTIA, quantity=kind)
-    assert result.damping_coefficient.value == pytest.approx(foreign_records.TORQUE_DAMPING, rel=0.01)
+    assert result.damping_coefficient.value == pytest.approx(
+        foreign_records.TORQUE_DAMPING, rel=0.01
+    )
     assert result.coulomb_force.value == pytest.approx(0.6, rel=0.03)
     assert result.stiffness.value == pytest.approx(foreign_records.TWIST, rel=1e-3)
     assert (result.motion, result.equilibrium is None) == ("rotation", kind != "angle")
@@ -79,8 +93,12 @@ def test_mass_and_inertia_are_not_exchanged(quantity, given, words):
 
 def test_degrees_read_as_radians_are_told_by_their_size():
     t, x = turned()
-    assert "check the unit of the record" not in told(fit_decay(t, x, inertia=0.8, quantity="angle"))
-    assert "check the unit of the record" in told(fit_decay(t, np.degrees(x), inertia=0.8, quantity="angle"))
+    assert "check the unit of the record" not in told(
+        fit_decay(t, x, inertia=0.8, quantity="angle")
+    )
+    assert "check the unit of the record" in told(
+        fit_decay(t, np.degrees(x), inertia=0.8, quantity="angle")
+    )
     assert "begins with 20 m and 1070 g" in told(fit_decay(t, 100.0 * x, mass=0.8))
 
 
@@ -98,7 +116,9 @@ def twist(rate=5200.0, **given):
 
 
 def test_torque_over_angle_is_a_stiffness():
-    result = fit_stiffness([twist(), twist(5220.0)], discard_below="1 deg", operating_force="400 N*m")
+    result = fit_stiffness(
+        [twist(), twist(5220.0)], discard_below="1 deg", operating_force="400 N*m"
+    )
     assert result.motion == "rotation"
     assert result.stiffness.value == pytest.approx(5210.0, rel=1e-6)
     assert result.fitted_range[0] >= np.radians(1.0)
@@ -109,9 +129,18 @@ def test_torque_over_angle_is_a_stiffness():
     ("trial", "words"),
     [
         (twist(0.5), "0.5 N m/rad is no bar, bush or frame"),
-        (ForceDeflectionTrial(30.0 * twist().deflection, twist().force, motion="rotation"), "angle reaches 240 deg"),
-        (ForceDeflectionTrial(-twist().deflection, twist().force, motion="rotation"), "in the direction of loading"),
-        (ForceDeflectionTrial(twist().deflection, 40.0 + twist().force, motion="rotation"), "with 40 N m, so"),
+        (
+            ForceDeflectionTrial(30.0 * twist().deflection, twist().force, motion="rotation"),
+            "angle reaches 240 deg",
+        ),
+        (
+            ForceDeflectionTrial(-twist().deflection, twist().force, motion="rotation"),
+            "in the direction of loading",
+        ),
+        (
+            ForceDeflectionTrial(twist().deflection, 40.0 + twist().force, motion="rotation"),
+            "with 40 N m, so",
+        ),
     ],
 )
 def test_findings_of_a_twist_speak_of_angles_and_torques(trial, words):

@@ -66,16 +66,22 @@ def test_a_start_in_the_right_well_is_confirmed_and_the_other_one_told() -> None
     assert found.others[0].objective == pytest.approx(0.2, rel=1e-2)
 
 
-def test_a_best_place_that_nothing_confirms_is_no_certainty(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_best_place_that_nothing_confirms_is_no_certainty(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     def ends(problem: Any, points: list[np.ndarray]) -> Any:
-        return ((problem, search.Optimum(0.9 * point, 5.0, 1, 1, converged=True)) for point in points)
+        return (
+            (problem, search.Optimum(0.9 * point, 5.0, 1, 1, converged=True)) for point in points
+        )
 
     monkeypatch.setattr(search, "_rough_ends", ends)
     found = search_from_starts(wells(), np.array([0.5]), "least-squares", 1, starts=None)
     assert (found.starts, found.is_confirmed) == (8, False)
 
 
-def test_starts_lie_within_the_bounds_and_the_best_end_leads(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_starts_lie_within_the_bounds_and_the_best_end_leads(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     begun: list[np.ndarray] = []
 
     def minimise(_: object, point: np.ndarray, __: str) -> search.Optimum:

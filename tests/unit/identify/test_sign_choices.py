@@ -9,7 +9,16 @@ import pytest
 
 from jounce.core.findings import Finding, finding
 from jounce.identify.estimate import Estimate
-from jounce.identify.signs import Signs, _Choice, _sign, _unlike, closed_part, damper_signs, likeness, static_force
+from jounce.identify.signs import (
+    Signs,
+    _Choice,
+    _sign,
+    _unlike,
+    closed_part,
+    damper_signs,
+    likeness,
+    static_force,
+)
 
 Told = list[tuple[str, str, float | None]]
 
@@ -28,8 +37,12 @@ def asked(choice: _Choice, *, turned: bool) -> tuple[Signs, Told]:
 @pytest.mark.parametrize("force", [False, True])
 @pytest.mark.parametrize("gas", [-1, 0, 1])
 @pytest.mark.parametrize("unlike", [False, True])
-def test_a_column_that_is_turned_is_named_with_the_reason(stroke: bool, force: bool, gas: int, unlike: bool) -> None:
-    signs, ((severity, text, value),) = asked(_Choice(Signs(1, 1), stroke, force, gas, gas * 60.0, unlike), turned=True)
+def test_a_column_that_is_turned_is_named_with_the_reason(
+    stroke: bool, force: bool, gas: int, unlike: bool
+) -> None:
+    signs, ((severity, text, value),) = asked(
+        _Choice(Signs(1, 1), stroke, force, gas, gas * 60.0, unlike), turned=True
+    )
     by_gas = "stroke" if gas > 0 else "force"
     column = {(True, False): "force", (False, True): "stroke"}.get((stroke, force), by_gas)
     assert signs == (Signs(-1, 1) if column == "stroke" else Signs(1, -1))
@@ -39,8 +52,11 @@ def test_a_column_that_is_turned_is_named_with_the_reason(stroke: bool, force: b
     reasons = {
         ", though its sign was stated": stroke and force,
         ", since the sign of the other column was stated": stroke != force,
-        f", since a gas force of {rest:.3g} N then pushes outwards": not (stroke or force) and gas != 0,
-        ", or the stroke was: the record cannot tell": not (stroke or force) and gas == 0 and unlike,
+        f", since a gas force of {rest:.3g} N then pushes outwards": not (stroke or force)
+        and gas != 0,
+        ", or the stroke was: the record cannot tell": not (stroke or force)
+        and gas == 0
+        and unlike,
         f"; but then the force at rest pulls inwards ({rest:.3g} N)": gas != 0 and rest < 0.0,
     }
     assert {words: words in text for words in reasons} == reasons
@@ -50,8 +66,12 @@ def test_a_column_that_is_turned_is_named_with_the_reason(stroke: bool, force: b
 
 
 def test_columns_that_agree_are_questioned_where_swapping_them_would_matter() -> None:
-    for stroke, force, gas, unlike in itertools.product((False, True), (False, True), (-1, 0, 1), (False, True)):
-        signs, told = asked(_Choice(Signs(1, -1), stroke, force, gas, gas * 60.0, unlike), turned=False)
+    for stroke, force, gas, unlike in itertools.product(
+        (False, True), (False, True), (-1, 0, 1), (False, True)
+    ):
+        signs, told = asked(
+            _Choice(Signs(1, -1), stroke, force, gas, gas * 60.0, unlike), turned=False
+        )
         assert signs == Signs(1, -1)
         stated = stroke or force
         if not unlike or gas > 0 or (stated and gas == 0):
@@ -88,12 +108,20 @@ def test_the_force_at_rest_is_told_from_damping_friction_and_spring() -> None:
         + 2000.0 * np.minimum(v, 0.0)
         + 25.0 * np.tanh(v / 0.0018)
     )
-    fast = 3e4 * np.maximum(np.abs(v) - 0.04, 0.0) ** 2  # what a valve does beyond a fifth of the largest speed
+    fast = (
+        3e4 * np.maximum(np.abs(v) - 0.04, 0.0) ** 2
+    )  # what a valve does beyond a fifth of the largest speed
     assert static_force(x, v, force + fast).value == pytest.approx(60.0, rel=1e-6)
-    few = slice(None, None, 19)  # fewer than 30 of its samples are slow: those within two fifths are taken
-    assert np.count_nonzero(np.abs(v[few]) <= 0.036) < 30 <= np.count_nonzero(np.abs(v[few]) <= 0.072)
+    few = slice(
+        None, None, 19
+    )  # fewer than 30 of its samples are slow: those within two fifths are taken
+    assert (
+        np.count_nonzero(np.abs(v[few]) <= 0.036) < 30 <= np.count_nonzero(np.abs(v[few]) <= 0.072)
+    )
     faster = 3e4 * np.maximum(np.abs(v) - 0.075, 0.0) ** 2
-    assert static_force(x[few], v[few], (force + faster)[few]).value == pytest.approx(60.0, rel=1e-4)
+    assert static_force(x[few], v[few], (force + faster)[few]).value == pytest.approx(
+        60.0, rel=1e-4
+    )
 
 
 def test_likeness_has_the_sign_of_a_record() -> None:
@@ -113,7 +141,9 @@ def test_gas_does_no_work_however_a_record_ends(begin: float, end: float) -> Non
     for sign in (1.0, -1.0):
         findings: list[Finding] = []
         x, v = sign * np.sin(angle), sign * np.cos(angle)
-        found = damper_signs(x, v, 10.0 + v, stroke_positive=None, force_positive=None, name="a", findings=findings)
+        found = damper_signs(
+            x, v, 10.0 + v, stroke_positive=None, force_positive=None, name="a", findings=findings
+        )
         assert (found.stroke, found.force, findings) == (1, 1, [])
 
 
@@ -128,6 +158,8 @@ def test_what_does_hardly_any_work_is_no_damper(share: float, told: bool) -> Non
         force -= force.mean()
         part *= share / (float(force @ rate) / float(np.abs(force) @ np.abs(rate)))
     findings: list[Finding] = []
-    damper_signs(x, v, x + part * v, stroke_positive=None, force_positive=None, name="a", findings=findings)
+    damper_signs(
+        x, v, x + part * v, stroke_positive=None, force_positive=None, name="a", findings=findings
+    )
     idle = [one.value for one in findings if "hardly any work" in one.message]
     assert idle == ([pytest.approx(share)] if told else [])

@@ -37,7 +37,9 @@ def line(k, b=0.0, name="trial"):
 
 def settling_tyre(stiffness, settle=0.002):
     """Force that grows quadratically while the tread settles and with ``stiffness`` afterwards."""
-    return np.where(settle > STROKE, stiffness * STROKE**2 / (2 * settle), stiffness * (STROKE - settle / 2))
+    return np.where(
+        settle > STROKE, stiffness * STROKE**2 / (2 * settle), stiffness * (STROKE - settle / 2)
+    )
 
 
 def test_exact_lines_give_their_slope_and_intercept():
@@ -71,7 +73,10 @@ def test_the_choice_about_the_intercept_changes_the_curve_and_not_the_slope(inte
 
 def test_discarding_the_settling_zone_gives_the_stiffness_beyond_it():
     # paper 1 section 8: points below 2 mm are discarded, then one line through the rest of all trials
-    trials = [ForceDeflectionTrial(STROKE, settling_tyre(k), str(k)) for k in (138000.0, 138468.0, 138936.0)]
+    trials = [
+        ForceDeflectionTrial(STROKE, settling_tyre(k), str(k))
+        for k in (138000.0, 138468.0, 138936.0)
+    ]
     result = fit_stiffness(trials, discard_below=0.002)
     assert result.stiffness.value == pytest.approx(138468.0, rel=1e-9)
     assert result.fitted_range == pytest.approx((0.002, 0.010))
@@ -81,10 +86,16 @@ def test_discarding_the_settling_zone_gives_the_stiffness_beyond_it():
 def test_operating_point_in_the_discarded_zone_is_reported_with_the_slope_there():
     trials = [ForceDeflectionTrial(STROKE, settling_tyre(138468.0), str(i)) for i in range(3)]
     result = fit_stiffness(trials, discard_below=0.002, operating_force=100.0)
-    assert result.operating_deflection == pytest.approx(math.sqrt(100.0 * 0.004 / 138468.0), rel=1e-3)
-    assert result.tangent_stiffness.value == pytest.approx(138468.0 * result.operating_deflection / 0.002, rel=0.02)
+    assert result.operating_deflection == pytest.approx(
+        math.sqrt(100.0 * 0.004 / 138468.0), rel=1e-3
+    )
+    assert result.tangent_stiffness.value == pytest.approx(
+        138468.0 * result.operating_deflection / 0.002, rel=0.02
+    )
     assert "outside the fitted range" in messages(result)
-    assert f"the slope measured there is {result.tangent_stiffness.value:.4g} N/m" in messages(result)
+    assert f"the slope measured there is {result.tangent_stiffness.value:.4g} N/m" in messages(
+        result
+    )
     inside = fit_stiffness(trials, discard_below=0.002, operating_force=500.0)
     assert "outside the fitted range" not in messages(inside)
 
@@ -101,8 +112,13 @@ def test_polynomial_recovers_its_coefficients():
     force = sum(a * STROKE**i for i, a in enumerate(truth, 1))
     result = fit_stiffness([ForceDeflectionTrial(STROKE, force)], law="polynomial", degree=3)
     assert [c.value for c in result.coefficients] == pytest.approx(truth, rel=1e-8)
-    assert result.curve.to_table(0.01) == {"kind": "polynomial", "coefficients": pytest.approx(truth, rel=1e-8)}
-    assert result.stiffness.value == pytest.approx(truth[0] + 2 * truth[1] * 0.005 + 3 * truth[2] * 0.005**2)
+    assert result.curve.to_table(0.01) == {
+        "kind": "polynomial",
+        "coefficients": pytest.approx(truth, rel=1e-8),
+    }
+    assert result.stiffness.value == pytest.approx(
+        truth[0] + 2 * truth[1] * 0.005 + 3 * truth[2] * 0.005**2
+    )
     assert result.intercept is None
 
 
@@ -116,13 +132,18 @@ def test_power_law_recovers_its_parameters_and_its_tangent():
     assert 0.0 < b.standard_error < 0.01
     assert result.stiffness.value == pytest.approx(4e5 * 1.3 * 0.005**0.3, rel=0.005)
     table = result.curve.to_table(0.01)
-    assert np.interp(0.005, table["deflection"], table["force"]) == pytest.approx(4e5 * 0.005**1.3, rel=0.01)
+    assert np.interp(0.005, table["deflection"], table["force"]) == pytest.approx(
+        4e5 * 0.005**1.3, rel=0.01
+    )
 
 
 def test_monotone_spline_follows_a_knee_and_never_falls():
     rng = np.random.default_rng(4)
     trials = [
-        ForceDeflectionTrial(STROKE, settling_tyre(1.3e5) + rng.normal(0.0, 4.0, len(STROKE)), str(i)) for i in range(3)
+        ForceDeflectionTrial(
+            STROKE, settling_tyre(1.3e5) + rng.normal(0.0, 4.0, len(STROKE)), str(i)
+        )
+        for i in range(3)
     ]
     result = fit_stiffness(trials, law="monotone-spline")
     grid = np.linspace(0.0, 0.010, 500)
@@ -173,8 +194,12 @@ def test_hysteresis_of_a_known_loop():
     result = fit_stiffness([ForceDeflectionTrial(x, force)])
     assert result.hysteresis_energy == pytest.approx(0.2 * 0.5 * 1e5 * 0.010**2, rel=1e-6)
     assert result.loss_factor == pytest.approx(0.2 / (2 * math.pi), rel=1e-6)
-    assert fit_stiffness([ForceDeflectionTrial(x, force)], branch="unloading").stiffness.value == pytest.approx(8e4)
-    assert 8e4 < fit_stiffness([ForceDeflectionTrial(x, force)], branch="both").stiffness.value < 1e5
+    assert fit_stiffness(
+        [ForceDeflectionTrial(x, force)], branch="unloading"
+    ).stiffness.value == pytest.approx(8e4)
+    assert (
+        8e4 < fit_stiffness([ForceDeflectionTrial(x, force)], branch="both").stiffness.value < 1e5
+    )
 
 
 def test_hysteresis_is_that_of_the_deflections_which_both_branches_cover():
@@ -186,10 +211,14 @@ def test_hysteresis_is_that_of_the_deflections_which_both_branches_cover():
     assert result.hysteresis_energy == pytest.approx(
         0.2 * work - 0.5 * 200.0 * 0.0001, rel=1e-3
     )  # less a step at the turn
-    assert result.loss_factor == pytest.approx(result.hysteresis_energy / (2 * math.pi * work), rel=1e-6)
+    assert result.loss_factor == pytest.approx(
+        result.hysteresis_energy / (2 * math.pi * work), rel=1e-6
+    )
     for end, is_one in ((0.0051, False), (0.0049, True)):  # back to less than half
         part = np.concatenate([STROKE, [end]])
-        assert (fit_stiffness([ForceDeflectionTrial(part, 1e5 * part)]).loss_factor is not None) == is_one
+        assert (
+            fit_stiffness([ForceDeflectionTrial(part, 1e5 * part)]).loss_factor is not None
+        ) == is_one
 
 
 @pytest.mark.parametrize("farthest", [0, 1, 2])
@@ -202,13 +231,18 @@ def test_of_several_load_cycles_one_is_taken(farthest):
     result = fit_stiffness([ForceDeflectionTrial(x + 0.05, force + 3.0)])
     assert result.hysteresis_energy == pytest.approx(0.2 * 0.5 * 1e5 * 0.010**2, rel=0.02)
     assert result.stiffness.value == pytest.approx(1e5)
-    assert f"turns 5 times: only the largest one is used, points {201 * farthest + 1} to" in messages(result)
+    assert (
+        f"turns 5 times: only the largest one is used, points {201 * farthest + 1} to"
+        in messages(result)
+    )
     assert "turns" not in messages(fit_stiffness([ForceDeflectionTrial(one, one)]))
 
 
 def test_a_copy_is_no_repetition():
     result = fit_stiffness([line(2e4, name="a"), line(2.01e4, name="b"), line(2e4, name="c")])
-    assert [one.place for one in result.findings if "the same numbers as a:" in one.message] == ["c"]
+    assert [one.place for one in result.findings if "the same numbers as a:" in one.message] == [
+        "c"
+    ]
 
 
 def test_without_unloading_there_is_no_loss_factor_but_a_finding():
@@ -219,7 +253,9 @@ def test_without_unloading_there_is_no_loss_factor_but_a_finding():
 
 
 def test_curvature_under_a_linear_law_is_reported():
-    assert "not linear" in messages(fit_stiffness([ForceDeflectionTrial(STROKE, settling_tyre(1e5))]))
+    assert "not linear" in messages(
+        fit_stiffness([ForceDeflectionTrial(STROKE, settling_tyre(1e5))])
+    )
     assert "not linear" not in messages(fit_stiffness([line(1e5)]))
 
 
@@ -234,7 +270,9 @@ def test_pooled_interval_honours_the_scatter_between_trials():
     for seed in range(200):
         rng = np.random.default_rng(seed)
         trials = [
-            ForceDeflectionTrial(STROKE, rng.normal(22730.0, 200.0) * STROKE + rng.normal(0.0, 0.5, 101), str(i))
+            ForceDeflectionTrial(
+                STROKE, rng.normal(22730.0, 200.0) * STROKE + rng.normal(0.0, 0.5, 101), str(i)
+            )
             for i in range(5)
         ]
         result = fit_stiffness(trials)
@@ -242,7 +280,9 @@ def test_pooled_interval_honours_the_scatter_between_trials():
         x = np.tile(STROKE, 5)
         force = np.concatenate([t.force for t in trials])
         found, covariance = np.polyfit(x, force, 1, cov="unscaled")
-        error = math.sqrt(covariance[0, 0] * np.sum((force - np.polyval(found, x)) ** 2) / (len(x) - 2))
+        error = math.sqrt(
+            covariance[0, 0] * np.sum((force - np.polyval(found, x)) ** 2) / (len(x) - 2)
+        )
         naive += abs(found[0] - 22730.0) < 1.96 * error
     assert 0.91 <= hits / 200 <= 0.985
     assert naive / 200 < 0.6  # what the residuals of all points together would have claimed
@@ -257,11 +297,16 @@ def test_one_trial_has_a_residual_interval_and_a_warning():
 
 
 def test_millimetres_read_as_metres_are_noticed():
-    assert "right unit" in messages(fit_stiffness([ForceDeflectionTrial(1e3 * STROKE, 20.0 * 1e3 * STROKE)]))
+    assert "right unit" in messages(
+        fit_stiffness([ForceDeflectionTrial(1e3 * STROKE, 20.0 * 1e3 * STROKE)])
+    )
 
 
 def test_trials_of_the_same_name_are_told_apart():
-    assert [row.name for row in fit_stiffness([line(1e4), line(2e4)]).trials] == ["trial 1", "trial 2"]
+    assert [row.name for row in fit_stiffness([line(1e4), line(2e4)]).trials] == [
+        "trial 1",
+        "trial 2",
+    ]
 
 
 def test_result_is_plain_data():
@@ -274,15 +319,27 @@ def test_result_is_plain_data():
         ([], {}, "no trials"),
         ([ForceDeflectionTrial([0, 1e-3], [0, 1], "a")], {}, "too few points"),
         ([ForceDeflectionTrial([0, 1e-3, 2e-3], [0, 1], "a")], {}, "same length"),
-        ([ForceDeflectionTrial([0, 1e-3, math.nan], [0, 1, 2], "a")], {}, "not finite; found .point 3"),
+        (
+            [ForceDeflectionTrial([0, 1e-3, math.nan], [0, 1, 2], "a")],
+            {},
+            "not finite; found .point 3",
+        ),
         ([ForceDeflectionTrial([1e-3] * 5, [0, 1, 2, 3, 4], "a")], {}, "never changes"),
         ([line(1e4, name="a")], {"discard_below": 0.02}, "a: discarding leaves nothing to fit"),
         ([line(1e4)], {"discard_below": -1e-3}, "discard_below"),
         ([line(1e4)], {"law": "polynomial", "degree": 0}, "degree"),
-        ([ForceDeflectionTrial(STROKE[:4], 1e4 * STROKE[:4])], {"law": "polynomial", "degree": 5}, "fewer points"),
+        (
+            [ForceDeflectionTrial(STROKE[:4], 1e4 * STROKE[:4])],
+            {"law": "polynomial", "degree": 5},
+            "fewer points",
+        ),
         ([line(1e4)], {"law": "power", "intercept": "keep"}, "no intercept"),
         ([ForceDeflectionTrial(STROKE, 0 * STROKE)], {}, "does not grow"),
-        ([ForceDeflectionTrial(STROKE[::-1], 1e4 * STROKE[::-1])], {}, "ends at its zero .* -10 mm and -100 N"),
+        (
+            [ForceDeflectionTrial(STROKE[::-1], 1e4 * STROKE[::-1])],
+            {},
+            "ends at its zero .* -10 mm and -100 N",
+        ),
         ([line(1e4)], {"operating_force": math.nan}, "not a static force; found .nan N"),
         ([line(1e4)], {"operating_force": 0.0}, "operating_force: not a static force"),
         (
@@ -306,7 +363,9 @@ def test_unknown_choices_are_refused(wrong):
 def test_a_table_through_points_with_a_gap_is_still_the_line():
     x = np.concatenate([np.linspace(0.0, 0.002, 60), np.linspace(0.008, 0.010, 60)])
     curve = fit_stiffness([ForceDeflectionTrial(x, 2e5 * x)], law="monotone-spline").curve
-    assert [float(curve(place)) for place in (0.001, 0.005, 0.009)] == pytest.approx([200.0, 1000.0, 1800.0], rel=1e-9)
+    assert [float(curve(place)) for place in (0.001, 0.005, 0.009)] == pytest.approx(
+        [200.0, 1000.0, 1800.0], rel=1e-9
+    )
 
 
 @pytest.mark.parametrize(("reach", "is_told"), [(0.99, False), (1.01, True)])
@@ -321,7 +380,9 @@ def test_a_deflection_beyond_a_metre_is_a_problem(reach, is_told):
 def test_a_curve_is_asked_for_the_deflection_at_a_force():
     curve = FittedCurve("polynomial", (1e4, 1e6), preload=3.0, origin=0.002)
     for deflection in (0.0021, 0.005, 0.0099):
-        assert curve.deflection_at(float(curve(deflection)), 0.01) == pytest.approx(deflection, rel=1e-6)
+        assert curve.deflection_at(float(curve(deflection)), 0.01) == pytest.approx(
+            deflection, rel=1e-6
+        )
     assert curve.deflection_at(2.0, 0.01) == 0.002  # less than the preload: where it begins
     assert curve.deflection_at(float(curve(0.01)) + 0.1, 0.01) is None
     assert curve.tangent(0.005) == pytest.approx(1e4 + 2e6 * 0.003)
@@ -333,7 +394,9 @@ def test_a_curve_is_asked_for_the_deflection_at_a_force():
 
 
 def test_values_are_pooled_until_none_falls():
-    assert _increasing(np.array([1.0, 5.0, 2.0, 3.0, 9.0]), np.array([1.0, 1.0, 2.0, 1.0, 1.0])).tolist() == [
+    assert _increasing(
+        np.array([1.0, 5.0, 2.0, 3.0, 9.0]), np.array([1.0, 1.0, 2.0, 1.0, 1.0])
+    ).tolist() == [
         1,
         3,
         3,
@@ -341,18 +404,26 @@ def test_values_are_pooled_until_none_falls():
         9,
     ]
     assert _increasing(np.array([4.0, 2.0, 0.0]), np.array([1.0, 2.0, 1.0])).tolist() == [2.0] * 3
-    assert _increasing(np.array([3.0, 2.0, 2.5]), np.array([1.0, 3.0, 1.0])).tolist() == [2.25, 2.25, 2.5]
+    assert _increasing(np.array([3.0, 2.0, 2.5]), np.array([1.0, 3.0, 1.0])).tolist() == [
+        2.25,
+        2.25,
+        2.5,
+    ]
 
 
 def test_the_slope_at_a_place_is_that_of_a_parabola_there():
     x = np.linspace(-0.01, 0.01, 41)
     force = 200.0 * x + 9e3 * x**2 + 4e6 * x**3
     assert _slope_at(x, 200.0 * x + 9e3 * x**2, 0.003) == pytest.approx(200.0, rel=1e-9)
-    odd = float(np.sum(x[14:27] ** 4) / np.sum(x[14:27] ** 2))  # what a parabola takes a cube's slope to be
+    odd = float(
+        np.sum(x[14:27] ** 4) / np.sum(x[14:27] ** 2)
+    )  # what a parabola takes a cube's slope to be
     assert _slope_at(x, force, 0.003001) == pytest.approx(200.0 + 4e6 * odd, rel=1e-9)
     few = np.array([-0.002, 0.0, 0.001, 0.003])
     assert _slope_at(few, 5.0 * few + 1.0, 0.01) == pytest.approx(5.0)
-    assert _slope_at(few, few**2, 0.01) == pytest.approx(np.polyfit(few, few**2, 1)[0])  # a line through so few
+    assert _slope_at(few, few**2, 0.01) == pytest.approx(
+        np.polyfit(few, few**2, 1)[0]
+    )  # a line through so few
     five = np.append(few, 0.004)
     assert _slope_at(five, five**2, 0.01) == pytest.approx(0.0, abs=1e-12)
     assert _slope_at(few, few, 0.0005) is None
@@ -365,7 +436,9 @@ def test_the_force_at_the_end_is_that_of_a_line_through_the_last_tenth():
     assert _end_force(np.array([0.0, 0.001, 0.01, 0.01]), np.array([0.0, 1.0, 6.0, 8.0])) == 7.0
 
 
-@pytest.mark.parametrize(("law", "least"), [("linear", 3), ("polynomial", 4), ("power", 3), ("monotone-spline", 5)])
+@pytest.mark.parametrize(
+    ("law", "least"), [("linear", 3), ("polynomial", 4), ("power", 3), ("monotone-spline", 5)]
+)
 def test_a_law_needs_more_points_than_numbers(law, least):
     x = np.linspace(0.001, 0.01, least)
     given = {"law": law, "degree": 3, "intercept": "drop", "where": "a"}
@@ -418,8 +491,14 @@ def test_a_curve_that_falls_is_a_problem():
 
 @pytest.mark.parametrize(("back", "is_told"), [(0.019, False), (0.021, True)])
 def test_a_deflection_that_reverses_on_the_way_is_told(back, is_told):
-    x = np.concatenate([np.linspace(0.0, 0.005, 40), [0.005 - 0.01 * back], np.linspace(0.0051, 0.01, 40)])
-    found = [one for one in fit_stiffness([ForceDeflectionTrial(x, 1e4 * x)] * 2).findings if "reverses" in one.message]
+    x = np.concatenate(
+        [np.linspace(0.0, 0.005, 40), [0.005 - 0.01 * back], np.linspace(0.0051, 0.01, 40)]
+    )
+    found = [
+        one
+        for one in fit_stiffness([ForceDeflectionTrial(x, 1e4 * x)] * 2).findings
+        if "reverses" in one.message
+    ]
     assert [one.value for one in found] == [pytest.approx(0.01 * back)] * (2 * is_told)
 
 
@@ -427,7 +506,11 @@ def test_a_deflection_that_reverses_on_the_way_is_told(back, is_told):
 def test_a_force_that_falls_on_the_way_is_told_from_three_percent_on(drop, is_told):
     force = 1e4 * STROKE
     force[50] = force[49] - 100.0 * drop
-    found = [one for one in fit_stiffness([ForceDeflectionTrial(STROKE, force)]).findings if "falls by" in one.message]
+    found = [
+        one
+        for one in fit_stiffness([ForceDeflectionTrial(STROKE, force)]).findings
+        if "falls by" in one.message
+    ]
     assert [one.value for one in found] == [pytest.approx(100.0 * drop)] * is_told
 
 
@@ -450,8 +533,13 @@ def test_the_tangent_is_as_sure_as_the_numbers_of_its_law(law, degree):
     moves = np.eye(len(fit.parameters)) * 1e-5 * np.abs(fit.parameters)
     slopes = []
     for move in moves:
-        ends = [replace(fit.curve, coefficients=tuple((fit.parameters + way * move)[:count])) for way in (1.0, -1.0)]
-        slopes.append((ends[0].tangent(0.004) - ends[1].tangent(0.004)) / (2.0 * np.abs(move).max()))
+        ends = [
+            replace(fit.curve, coefficients=tuple((fit.parameters + way * move)[:count]))
+            for way in (1.0, -1.0)
+        ]
+        slopes.append(
+            (ends[0].tangent(0.004) - ends[1].tangent(0.004)) / (2.0 * np.abs(move).max())
+        )
     np.testing.assert_allclose(_tangent_gradient(fit, 0.004), slopes, rtol=1e-6)
 
 
@@ -471,9 +559,13 @@ def test_free_travel_is_eight_points_that_hardly_rise(flat, rise, is_free):
 
 def test_free_travel_is_that_of_the_loading_branch():
     x = np.concatenate([np.linspace(0.0, 0.010, 41), [0.009]])
-    force = np.append(1e4 * np.maximum(x[:-1] - 0.0024, 0.0), 0.0)  # the first point on the way back is loose
+    force = np.append(
+        1e4 * np.maximum(x[:-1] - 0.0024, 0.0), 0.0
+    )  # the first point on the way back is loose
     (found,) = [
-        one.value for one in fit_stiffness([ForceDeflectionTrial(x, force)]).findings if "travel" in one.message
+        one.value
+        for one in fit_stiffness([ForceDeflectionTrial(x, force)]).findings
+        if "travel" in one.message
     ]
     assert found == pytest.approx(0.0024, abs=1e-5)
 
@@ -496,7 +588,11 @@ def test_a_table_has_a_knot_for_eight_points(points, bins):
 @pytest.mark.parametrize(("share", "told"), [(0.019, 0), (0.021, 1)])
 def test_a_start_is_loaded_from_two_percent_of_the_largest_force_on(share, told):
     force = 1e4 * STROKE + share * 100.0 / (1.0 - share)
-    found = [one for one in fit_stiffness([ForceDeflectionTrial(STROKE, force)]).findings if "loaded" in one.message]
+    found = [
+        one
+        for one in fit_stiffness([ForceDeflectionTrial(STROKE, force)]).findings
+        if "loaded" in one.message
+    ]
     assert [one.value for one in found] == [pytest.approx(force[0])] * told
 
 
@@ -506,7 +602,9 @@ def cycled(name, rate=22730.0, drift=0.0, loss=0.0, seed=1):
     x = np.concatenate([np.linspace(0.0, 0.015, 151), np.linspace(0.015, 0.0, 151)])
     way = np.repeat([1.0, -1.0], 151)
     force = rate * x + loss * way * np.minimum(1.0, x / 3e-4) + drift * np.linspace(0.0, 1.0, 302)
-    return ForceDeflectionTrial(x + random.normal(0.0, 5e-6, 302), force + random.normal(0.0, 1.0, 302), name)
+    return ForceDeflectionTrial(
+        x + random.normal(0.0, 5e-6, 302), force + random.normal(0.0, 1.0, 302), name
+    )
 
 
 def told_of(*trials):
@@ -517,7 +615,11 @@ def test_a_load_cell_that_drifts_is_told_and_hysteresis_is_not_taken_for_it():
     """20 N of drift made the loading branch 3 % too stiff, with an interval of 0.5 %, and nothing was said."""
     assert "drifts" not in told_of(*(cycled(f"t{i}", loss=8.0, seed=i) for i in range(3)))
     drifted = [cycled(f"t{i}", drift=20.0, seed=i) for i in range(3)]
-    told = [one.value for one in fit_stiffness(drifted).findings if "the zero of the load cell drifts" in one.message]
+    told = [
+        one.value
+        for one in fit_stiffness(drifted).findings
+        if "the zero of the load cell drifts" in one.message
+    ]
     assert told == pytest.approx([20.0, 20.0, 20.0], abs=2.0)
     assert not fit_stiffness(drifted).stiffness.has(22730.0)
     assert fit_stiffness(drifted, branch="both").stiffness.value == pytest.approx(22730.0, rel=2e-3)
@@ -554,14 +656,20 @@ def test_a_trial_in_tension_and_compression_is_fitted_on_both_sides(law, branch)
     assert result.stiffness.value == pytest.approx(22.7e3, rel=2e-3)
     assert result.loss_factor == pytest.approx(0.0, abs=2e-3)
     assert [
-        one.message for one in result.findings if one.severity != "note" and "only one trial" not in one.message
+        one.message
+        for one in result.findings
+        if one.severity != "note" and "only one trial" not in one.message
     ] == []
 
 
 def test_sides_that_differ_and_points_that_a_law_leaves_out_are_named():
     way = np.linspace(-0.02, 0.02, 41)
-    force = np.where(way < 0.0, 0.6, 1.0) * 22.7e3 * way + np.random.default_rng(1).normal(0.0, 1.0, 41)
-    sides = " ".join(one.message for one in fit_stiffness([ForceDeflectionTrial(way, force)]).findings)
+    force = np.where(way < 0.0, 0.6, 1.0) * 22.7e3 * way + np.random.default_rng(1).normal(
+        0.0, 1.0, 41
+    )
+    sides = " ".join(
+        one.message for one in fit_stiffness([ForceDeflectionTrial(way, force)]).findings
+    )
     assert "N/m in tension and 2.2" in sides
     one_side = fit_stiffness([ForceDeflectionTrial(way, force)], law="monotone-spline")
     assert any("20 of 41 points lie below the zero" in one.message for one in one_side.findings)
@@ -571,10 +679,15 @@ def test_sides_that_differ_and_points_that_a_law_leaves_out_are_named():
 def test_a_slip_of_the_grip_is_named_with_the_slope_without_it(width):
     way = np.linspace(0.0, 0.03, 61)
     force = 22.7e3 * (way - 2e-3 * np.clip((way - 0.015) / width, 0.0, 1.0))
-    result = fit_stiffness([ForceDeflectionTrial(way, force + np.random.default_rng(1).normal(0.0, 1.0, 61))])
+    result = fit_stiffness(
+        [ForceDeflectionTrial(way, force + np.random.default_rng(1).normal(0.0, 1.0, 61))]
+    )
     (slip,) = [one for one in result.findings if "slip of" in one.message]
     assert slip.value == pytest.approx(45.4, rel=0.1)
-    assert "the slope without it is 2.2" in slip.message or "the slope without it is 2.3" in slip.message
+    assert (
+        "the slope without it is 2.2" in slip.message
+        or "the slope without it is 2.3" in slip.message
+    )
 
 
 @pytest.mark.parametrize("share", [0.0, 0.3, 1.0])
@@ -587,10 +700,14 @@ def test_a_spring_that_is_no_line_did_not_slip(share, kind):
         "soft start": -0.004 * (1.0 - np.exp(-way / 0.004)),
     }[kind]
     force = 22.7e3 * (way + share * bend) + np.random.default_rng(1).normal(0.0, 1.0, 61)
-    assert not any("slip" in one.message for one in fit_stiffness([ForceDeflectionTrial(way, force)]).findings)
+    assert not any(
+        "slip" in one.message for one in fit_stiffness([ForceDeflectionTrial(way, force)]).findings
+    )
 
 
-@pytest.mark.parametrize(("rate", "told"), [(22.7e6, True), (4.9e6, False), (101.0, False), (44.0, True)])
+@pytest.mark.parametrize(
+    ("rate", "told"), [(22.7e6, True), (4.9e6, False), (101.0, False), (44.0, True)]
+)
 def test_a_rate_of_no_spring_is_questioned(rate, told):
     way = np.linspace(0.0, 0.01, 30)
     result = fit_stiffness([ForceDeflectionTrial(way, rate * way)])
@@ -601,8 +718,13 @@ def test_a_zero_that_falls_is_no_hysteresis():
     way = np.linspace(0.0, 0.03, 61)
     way = np.concatenate([way, way[-2::-1]])
     noise = np.random.default_rng(1).normal(0.0, 1.0, len(way))
-    drift = fit_stiffness([ForceDeflectionTrial(way, 22.7e3 * way + noise - np.linspace(0.0, 80.0, len(way)))])
+    drift = fit_stiffness(
+        [ForceDeflectionTrial(way, 22.7e3 * way + noise - np.linspace(0.0, 80.0, len(way)))]
+    )
     assert any("the zero of the load cell drifts" in one.message for one in drift.findings)
     up = np.arange(len(way)) < 61
     friction = 22.7e3 * way + noise + np.where(up, 30.0, -30.0) * np.clip(way / 0.001, 0.0, 1.0)
-    assert not any("drifts" in one.message for one in fit_stiffness([ForceDeflectionTrial(way, friction)]).findings)
+    assert not any(
+        "drifts" in one.message
+        for one in fit_stiffness([ForceDeflectionTrial(way, friction)]).findings
+    )

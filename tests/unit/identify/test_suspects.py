@@ -44,7 +44,10 @@ def test_sound_records_are_left_alone() -> None:
 
 def test_a_height_above_the_road_is_named() -> None:
     found = said({}, to_the_road=1.0)
-    assert "distance to the moving road instead of the height above the ground" in found["sprung.z"].message
+    assert (
+        "distance to the moving road instead of the height above the ground"
+        in found["sprung.z"].message
+    )
     assert found["sprung.z"].value == pytest.approx(1.0, abs=0.05)
 
 

@@ -29,7 +29,10 @@ def run(speed: float, changes: tuple[tuple[str, float], ...]) -> Any:
 
 
 def trials(
-    second: Mapping[str, float], *, others: Mapping[str, float] | None = None, swapped: tuple[int, ...] = ()
+    second: Mapping[str, float],
+    *,
+    others: Mapping[str, float] | None = None,
+    swapped: tuple[int, ...] = (),
 ) -> Any:
     rng, found = np.random.default_rng(2), []
     for k, speed in enumerate((1.2, 1.95, 2.86)):
@@ -49,7 +52,9 @@ def trials(
 def told(made: Any) -> dict[str, str]:
     found = jn.update_model(made, FREE, weights="normalised")
     return {one.place: one.message for one in found.findings if one.severity == "warning"} | {
-        f"why {one.place}": one.message for one in found.findings if "in this trial alone" in one.message
+        f"why {one.place}": one.message
+        for one in found.findings
+        if "in this trial alone" in one.message
     }
 
 
@@ -72,9 +77,13 @@ def test_the_trial_that_disagrees_is_named(change: dict[str, float], named: str)
     assert not {"trial 1", "trial 3"} & set(found)
 
 
-@pytest.mark.parametrize(("swapped", "where"), [((1,), "in trial 2:"), ((0, 1, 2), "in trial 1, trial 2, trial 3:")])
+@pytest.mark.parametrize(
+    ("swapped", "where"), [((1,), "in trial 2:"), ((0, 1, 2), "in trial 1, trial 2, trial 3:")]
+)
 def test_exchanged_channels_are_named(swapped: tuple[int, ...], where: str) -> None:
-    (message,) = [text for place, text in _exchanged(trials({}, swapped=swapped)) if place == "sprung.az"]
+    (message,) = [
+        text for place, text in _exchanged(trials({}, swapped=swapped)) if place == "sprung.az"
+    ]
     assert f"looks exchanged with unsprung.az {where}" in message
 
 
@@ -85,9 +94,14 @@ def _exchanged(made: Any) -> list[tuple[str, str]]:
 
 @pytest.mark.parametrize(
     ("change", "body"),
-    [({"sprung.mass": 1.08 * 16.0}, 21.0 * 17.28 / 22.28), ({"unsprung.mass": 5.5}, 21.0 * 16.0 / 21.5)],
+    [
+        ({"sprung.mass": 1.08 * 16.0}, 21.0 * 17.28 / 22.28),
+        ({"unsprung.mass": 5.5}, 21.0 * 16.0 / 21.5),
+    ],
 )
-def test_masses_that_the_data_prefer_are_told_by_their_ratio(change: dict[str, float], body: float) -> None:
+def test_masses_that_the_data_prefer_are_told_by_their_ratio(
+    change: dict[str, float], body: float
+) -> None:
     message = told(trials(change, others=change))["masses"]
     assert "other masses would leave" in message
     preferred = re.search(r"sprung\.mass ([\d.]+) kg for 16", message)
@@ -123,7 +137,9 @@ def test_a_mass_that_is_added_in_one_trial_stays_as_it_is() -> None:
     # the unsprung mass is as stated, so that the scale is known
     assert values == pytest.approx({"sprung.mass": 16.8, **TRUTH}, rel=1e-4)
     turned = jn.update_model(made[::-1], free, weights="normalised")
-    assert {path: one.value for path, one in turned.parameters.items()} == pytest.approx(values, rel=1e-4)
+    assert {path: one.value for path, one in turned.parameters.items()} == pytest.approx(
+        values, rel=1e-4
+    )
 
 
 @cache
@@ -165,7 +181,9 @@ def test_a_wheel_load_is_one_of_a_single_wheel() -> None:
 BENCH = {path: estimate(value, 0.002 * value, 10.0) for path, value in TRUTH.items()}
 
 
-def said_of(factors: Mapping[str, float], contradicted: tuple[str, ...], angle: float = 0.0) -> list[str]:
+def said_of(
+    factors: Mapping[str, float], contradicted: tuple[str, ...], angle: float = 0.0
+) -> list[str]:
     found = {path: factor * TRUTH[path] for path, factor in factors.items()}
     return [one.message for one in off_together(found, BENCH, contradicted, angle)]
 
@@ -177,7 +195,9 @@ def test_rates_that_are_off_by_one_factor_name_the_masses_or_the_angle() -> None
     assert "strut angle" not in both
     (strut,) = said_of({spring: 0.92, damper: 0.92}, (spring, damper), np.radians(26.0))
     assert "strut angle of 30.4 deg" in strut
-    assert np.cos(np.radians(30.4)) ** 2 == pytest.approx(0.92 * np.cos(np.radians(26.0)) ** 2, rel=2e-3)
+    assert np.cos(np.radians(30.4)) ** 2 == pytest.approx(
+        0.92 * np.cos(np.radians(26.0)) ** 2, rel=2e-3
+    )
     assert said_of({spring: 0.92, tyre: 1.08}, (spring, tyre)) == []
     assert said_of({spring: 0.92, tyre: 0.99}, (spring, tyre)) == []
     assert said_of({spring: 0.92, damper: 0.92, tyre: 1.0}, (spring, damper)) == []
@@ -187,7 +207,9 @@ def test_rates_that_are_off_by_one_factor_name_the_masses_or_the_angle() -> None
 def test_masses_that_are_wrong_are_named_by_bench_values_of_an_update() -> None:
     change = {"sprung.mass": 1.12 * 16.0, "unsprung.mass": 1.12 * 5.0}
     made = trials(change, others=change)
-    found = jn.update_model(made, FREE, weights="normalised", doubt=jn.Doubt(), bench=BENCH, starts=1)
+    found = jn.update_model(
+        made, FREE, weights="normalised", doubt=jn.Doubt(), bench=BENCH, starts=1
+    )
     (message,) = [one.message for one in found.findings if "nearly one factor" in one.message]
     share = re.search(r"masses that are \+([\d.]+) %", message)
     assert share is not None

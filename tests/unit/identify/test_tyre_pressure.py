@@ -66,7 +66,13 @@ def test_swapped_files_are_noticed():
 
 
 @pytest.mark.parametrize(
-    "points", [[], [(0.0, Estimate(1e5))], [(1e5, Estimate(1e5)), (1e5, Estimate(2e5))], [(1e5, Estimate(-1.0))]]
+    "points",
+    [
+        [],
+        [(0.0, Estimate(1e5))],
+        [(1e5, Estimate(1e5)), (1e5, Estimate(2e5))],
+        [(1e5, Estimate(-1.0))],
+    ],
 )
 def test_unusable_points_are_refused(points):
     with pytest.raises(FitError):

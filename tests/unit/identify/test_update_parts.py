@@ -27,7 +27,9 @@ def test_what_the_data_cannot_tell_apart() -> None:
     base = np.linalg.qr(np.random.default_rng(3).normal(size=(60, 3)))[0]
     for likeness, told in ((0.979, 0), (0.981, 1)):
         alike = likeness * base[:, 0] + np.sqrt(1.0 - likeness**2) * base[:, 1]
-        found = identifiability(np.column_stack((base[:, 0], 3.0 * alike, 2.0 * base[:, 2])), ("a", "b", "c"))
+        found = identifiability(
+            np.column_stack((base[:, 0], 3.0 * alike, 2.0 * base[:, 2])), ("a", "b", "c")
+        )
         assert [finding.place for finding in found.findings] == ["b"] * told
         assert found.correlation[1][0] == pytest.approx(-likeness, rel=1e-9)
         assert found.correlation[2][0] == pytest.approx(0.0, abs=1e-9)
@@ -42,7 +44,10 @@ def test_what_the_data_cannot_tell_apart() -> None:
     assert identifiability(np.zeros((60, 2)), ("a", "b")).rank == 0
     for size, rank in ((1.05e-6, 2), (0.95e-6, 1)):  # of the largest
         weak = identifiability(base[:, :2] * (1.0, size), ("a", "b"))
-        assert (weak.rank, [finding.place for finding in weak.findings]) == (rank, ["b"] * (2 - rank))
+        assert (weak.rank, [finding.place for finding in weak.findings]) == (
+            rank,
+            ["b"] * (2 - rank),
+        )
 
 
 def test_strong_correlations_and_masses_that_move_far_are_told_from_their_limits_on() -> None:
@@ -51,9 +56,15 @@ def test_strong_correlations_and_masses_that_move_far_are_told_from_their_limits
         assert [(finding.place, finding.value) for finding in found] == [("b", value)] * told
     weighed = SimpleNamespace(is_estimated=lambda path: path.startswith("guessed"))
     for share, told in ((1.049, 0), (0.951, 0), (1.051, 1), (0.949, 1)):
-        for path, initial, is_told in ((MASS, 16.0, told), ("guessed.mass", 16.0, 0), (RATE, 16.0, 0), (MASS, 0.0, 0)):
+        for path, initial, is_told in (
+            (MASS, 16.0, told),
+            ("guessed.mass", 16.0, 0),
+            (RATE, 16.0, 0),
+            (MASS, 0.0, 0),
+        ):
             moved = UpdatedParameter(
-                **dict.fromkeys(UpdatedParameter.__dataclass_fields__) | {"value": share * 16.0, "initial": initial}
+                **dict.fromkeys(UpdatedParameter.__dataclass_fields__)
+                | {"value": share * 16.0, "initial": initial}
             )
             found = update._far_masses(weighed, {path: moved})
             assert [finding.value for finding in found] == [pytest.approx(share - 1.0)] * is_told
@@ -75,7 +86,10 @@ def test_how_a_search_ended_is_told() -> None:
 def test_other_minima_are_told_and_how_near_they_come() -> None:
     rig = jn.load("kart-quarter-car")
     problem = SimpleNamespace(
-        free=(FreeParameter(RATE, 22.7e3, 20e3, 26e3), FreeParameter("tyre.stiffness", 130e3, 120e3, 140e3)),
+        free=(
+            FreeParameter(RATE, 22.7e3, 20e3, 26e3),
+            FreeParameter("tyre.stiffness", 130e3, 120e3, 140e3),
+        ),
         trials=[SimpleNamespace(source=SimpleNamespace(rig=rig))],
     )
 
@@ -85,8 +99,14 @@ def test_other_minima_are_told_and_how_near_they_come() -> None:
     best = optimum(1.0, 0.2)
     assert update._other_minima("u", problem, SearchOutcome(best, (), 4, is_confirmed=True)) == []
     (finding,) = update._other_minima("u", problem, SearchOutcome(best, (), 8, is_confirmed=False))
-    assert (finding.severity, "none of 7 other start points" in finding.message) == ("warning", True)
-    for objective, severity, told in ((1.4, "warning", "only 1.4 times"), (1.6, "note", "1.6 times the residual")):
+    assert (finding.severity, "none of 7 other start points" in finding.message) == (
+        "warning",
+        True,
+    )
+    for objective, severity, told in (
+        (1.4, "warning", "only 1.4 times"),
+        (1.6, "note", "1.6 times the residual"),
+    ):
         (finding,) = update._other_minima(
             "u", problem, SearchOutcome(best, (optimum(objective, -0.5),), 4, is_confirmed=True)
         )
@@ -98,7 +118,9 @@ def test_other_minima_are_told_and_how_near_they_come() -> None:
 
 def test_start_values_that_differ_between_trials_are_told() -> None:
     free = (FreeParameter("a", 2.0, 1.0, 3.0), FreeParameter("b", 2.0, 1.0, 3.0))
-    trials = [SimpleNamespace(factors=np.array(each)) for each in ((1.0, 1.0), (1.0, 1.5), (1.0, 0.75))]
+    trials = [
+        SimpleNamespace(factors=np.array(each)) for each in ((1.0, 1.0), (1.0, 1.5), (1.0, 0.75))
+    ]
     (finding,) = update._common_factors(SimpleNamespace(free=free, trials=trials))
     assert (finding.place, finding.value) == ("b", 2.0)
 
@@ -112,8 +134,12 @@ def test_relative_and_absolute_bounds() -> None:
         ([rate, "40 N/mm"], rate, 4e4),
     ):
         (found,) = free_parameters(RIG, {RATE: given}, where="u")
-        assert (found.initial, found.lower, found.upper) == pytest.approx((rate, lower, upper), rel=1e-12)
-    (cold,) = free_parameters(RIG.with_changes({"strut.spring.preload": "-10 N"}), {"strut.spring.preload": "10 %"})
+        assert (found.initial, found.lower, found.upper) == pytest.approx(
+            (rate, lower, upper), rel=1e-12
+        )
+    (cold,) = free_parameters(
+        RIG.with_changes({"strut.spring.preload": "-10 N"}), {"strut.spring.preload": "10 %"}
+    )
     assert (cold.lower, cold.upper) == pytest.approx((-11.0, -9.0))
 
 
@@ -127,9 +153,15 @@ def test_relative_and_absolute_bounds() -> None:
         ({RATE: ["1 N/mm"]}, "not a pair of bounds"),
         ({RATE: 3 + 4j}, "not a pair of bounds"),
         ({RATE: ["20 N/mm", "20 N/mm"]}, "the lower bound must lie below the upper"),
-        ({RATE: ["40 N/mm", "50 N/mm"]}, "the bounds exclude the start value.*allowed: 40000 to 50000"),
+        (
+            {RATE: ["40 N/mm", "50 N/mm"]},
+            "the bounds exclude the start value.*allowed: 40000 to 50000",
+        ),
         ({RATE: ["1 N/mm", "2 N/mm"]}, "the bounds exclude the start value"),
-        ({"strut.spring.preload": "10 %"}, "strut.spring.preload: a relative range of a zero start value"),
+        (
+            {"strut.spring.preload": "10 %"},
+            "strut.spring.preload: a relative range of a zero start value",
+        ),
     ],
 )
 def test_bounds_that_are_none(free: dict[str, object], message: str) -> None:
@@ -165,7 +197,9 @@ def test_bounds_with_a_prior() -> None:
 def test_weights_of_channels() -> None:
     values = np.array([1.0, 3.0, 1.0, 3.0])
     assert _weight("printed", "a", values) == 1.0
-    assert _weight("normalised", "a", values) == pytest.approx(0.5)  # over the deviation, and over the root of four
+    assert _weight("normalised", "a", values) == pytest.approx(
+        0.5
+    )  # over the deviation, and over the root of four
     assert _weight({"a": 9.0}, "a", values) == 3.0
     assert _weight({"a": 9.0}, "b", values) == 0.0
     with pytest.raises(jn.FitError, match="a: the channel is constant and cannot be normalised"):
@@ -177,7 +211,13 @@ def test_weights_of_channels() -> None:
 @pytest.mark.parametrize(
     ("recorded", "doubt", "static", "zero", "datum"),
     [
-        (None, 0.0, 0.019, 0.0, "undeformed"),  # in motion: a static value of 2 % of the range does no harm
+        (
+            None,
+            0.0,
+            0.019,
+            0.0,
+            "undeformed",
+        ),  # in motion: a static value of 2 % of the range does no harm
         (None, 0.0, 0.021, 0.0, "free offset"),
         (None, 0.01, 0.059, 0.0, "undeformed"),  # 4 standard errors of the quiet start beside
         (None, 0.01, 0.061, 0.0, "free offset"),
@@ -200,7 +240,9 @@ def test_where_a_quiet_start_says_the_zero_lies(
 ) -> None:
     start = QuietStart(recorded, doubt, static, zero, reach=1.0)
     assert start.datum() == datum
-    assert start.matters(start.datum()) == (abs(static - zero) > 0.02 + 4.0 * doubt or datum != "undeformed")
+    assert start.matters(start.datum()) == (
+        abs(static - zero) > 0.02 + 4.0 * doubt or datum != "undeformed"
+    )
     assert not QuietStart(recorded, doubt, static, zero, 1.0, is_stated=True).matters("rest")
 
 
@@ -209,12 +251,18 @@ def test_what_quiet_starts_tell() -> None:
     turned = QuietStart(0.7, 0.0, 1.0, 0.0, 1.0, likeness=-0.61)
     free = QuietStart(0.4, 0.0, 1.0, 0.0, 1.0)
     starts = {f"trial {i}": {"a": rest, "b": turned} for i in range(4)} | {"last": {"c": free}}
-    found = {(finding.place, finding.severity): finding.message for finding in start_findings(starts)}
+    found = {
+        (finding.place, finding.severity): finding.message for finding in start_findings(starts)
+    }
     assert set(found) == {("b", "warning"), ("a", "note"), ("b", "note"), ("c", "warning")}
     assert (
-        'datum "rest" taken from the start of trial 0, trial 1, trial 2, trial 3: zero at rest;' in found["a", "note"]
+        'datum "rest" taken from the start of trial 0, trial 1, trial 2, trial 3: zero at rest;'
+        in found["a", "note"]
     )
-    assert "goes against the model in trial 0, trial 1, trial 2, trial 3 (correlation -0.61)" in found["b", "warning"]
+    assert (
+        "goes against the model in trial 0, trial 1, trial 2, trial 3 (correlation -0.61)"
+        in found["b", "warning"]
+    )
     assert "not zeroed at rest and does not share the zero of the model" in found["c", "warning"]
     many = start_findings({f"trial {i}": {"a": rest} for i in range(5)})
     assert "taken from the start of 5 trials:" in many[0].message
@@ -234,7 +282,9 @@ def test_tracks_are_made_higher_and_later(track: str) -> None:
         higher = given.times(factor).evaluate(time)
         np.testing.assert_allclose(higher, (factor * value, factor * rate), rtol=1e-12, atol=1e-12)
     circle = Segments(np.array([0.0, 2.0]), np.array([CIRCLE]), np.array([[0.1, 1.5, 0.7, -1.0]]))
-    np.testing.assert_allclose(circle.times(1.3).evaluate(time), 1.3 * np.array(circle.evaluate(time)), rtol=1e-12)
+    np.testing.assert_allclose(
+        circle.times(1.3).evaluate(time), 1.3 * np.array(circle.evaluate(time)), rtol=1e-12
+    )
     later = given.stretch_to(2.0 + 1.6 * given.edges).evaluate(2.0 + 1.6 * time)
     np.testing.assert_allclose(later, (value, rate / 1.6), rtol=1e-9, atol=1e-9)
 
@@ -246,8 +296,15 @@ def test_doubts_are_shares_or_in_the_unit_of_what_is_doubted() -> None:
     assert own_doubt(RIG, MASS, "400 g", "doubt") == pytest.approx(0.4 / mass)
     cold = RIG.with_changes({"strut.spring.preload": "-20 N"})
     assert own_doubt(cold, "strut.spring.preload", "5 N", "doubt") == pytest.approx(0.25)
-    assert own_doubt(RIG.with_changes({"strut.spring.preload": 0.0}), "strut.spring.preload", "5 N", "doubt") == 0.0
-    with pytest.raises(jn.DescriptionError, match=r"doubt: sprung\.mass: an uncertainty below zero; found '-2 %'"):
+    assert (
+        own_doubt(
+            RIG.with_changes({"strut.spring.preload": 0.0}), "strut.spring.preload", "5 N", "doubt"
+        )
+        == 0.0
+    )
+    with pytest.raises(
+        jn.DescriptionError, match=r"doubt: sprung\.mass: an uncertainty below zero; found '-2 %'"
+    ):
         own_doubt(RIG, MASS, "-2 %", "doubt")
     with pytest.raises(jn.DescriptionError, match=r"doubt: sprung\.mas: no such parameter"):
         own_doubt(RIG, "sprung.mas", "2 %", "doubt")
@@ -256,7 +313,9 @@ def test_doubts_are_shares_or_in_the_unit_of_what_is_doubted() -> None:
 def test_a_doubted_curve_has_the_stiffness_of_the_rig_where_it_rests() -> None:
     used = compile_rig(RIG).facts.parameters
     rest = {"strut.spring": 0.007, "tyre": 0.0015}
-    richer = ExtendedRig(RIG, [], jn.Doubt(), RideExtent(rest["strut.spring"], rest["tyre"], 1.0), used)
+    richer = ExtendedRig(
+        RIG, [], jn.Doubt(), RideExtent(rest["strut.spring"], rest["tyre"], 1.0), used
+    )
     p, xi = RIG.parameters(), np.linspace(-1.0, 1.5, len(richer.nuisances))
     for part, rate in (("strut.spring", p[RATE]), ("tyre", p["tyre.stiffness"])):
         x, h = rest[part], 1e-6
@@ -268,7 +327,10 @@ def test_a_doubted_curve_has_the_stiffness_of_the_rig_where_it_rests() -> None:
             assert force[1] == pytest.approx(rate * x)
             continue
         bends = [richer.nuisances[i].mean + richer.nuisances[i].deviation * xi[i] for i in places]
-        first, second = rate * bends[0] / (2.0 * x), rate * bends[1] / (3.0 * x**2) if len(bends) > 1 else 0.0
+        first, second = (
+            rate * bends[0] / (2.0 * x),
+            rate * bends[1] / (3.0 * x**2) if len(bends) > 1 else 0.0,
+        )
         coefficients = richer.curve(part, p, xi, places)
         assert coefficients[1:] == pytest.approx([first, second][: len(bends)])
         assert force[1] == pytest.approx(sum(one * x**k for k, one in enumerate(coefficients, 1)))
@@ -278,14 +340,20 @@ def test_a_doubted_curve_has_the_stiffness_of_the_rig_where_it_rests() -> None:
 def test_the_quiet_start_is_what_lies_before_the_model_moves() -> None:
     time = np.arange(1000) * 1e-3
     simulated = -0.01 + 0.02 * np.where(time > 0.3, np.sin(40.0 * (time - 0.3)), 0.0)
-    measured = np.where(time < 0.29, 0.003 + 1e-4 * (-1.0) ** np.arange(1000), simulated)  # it may be early by 20 ms
+    measured = np.where(
+        time < 0.29, 0.003 + 1e-4 * (-1.0) ** np.arange(1000), simulated
+    )  # it may be early by 20 ms
     start = _quiet_start(SimpleNamespace(measured=measured, bias=0.5), time, simulated, -0.01)
     assert start.recorded == pytest.approx(0.003, abs=1e-6)
     assert (start.static, start.zero, start.reach) == (-0.01, 0.5, pytest.approx(np.ptp(measured)))
     assert start.doubt == pytest.approx(1e-4 / np.sqrt(281.0), rel=0.02)
-    early = _quiet_start(SimpleNamespace(measured=measured[295:], bias=0.0), time[295:], simulated[295:], -0.01)
+    early = _quiet_start(
+        SimpleNamespace(measured=measured[295:], bias=0.0), time[295:], simulated[295:], -0.01
+    )
     assert early.recorded == pytest.approx(-0.01)  # less than 20 ms: all that there is
-    moving = _quiet_start(SimpleNamespace(measured=measured[400:], bias=0.0), time[400:], simulated[400:], -0.01)
+    moving = _quiet_start(
+        SimpleNamespace(measured=measured[400:], bias=0.0), time[400:], simulated[400:], -0.01
+    )
     assert (moving.recorded, moving.doubt) == (None, 0.0)
 
 
@@ -310,12 +378,20 @@ def test_what_is_doubted_is_as_the_doubts_say() -> None:
     }
     if "strut.angle" in used:
         expected["strut.angle"] = ("angle", 0.0, 0.0087)
-    assert {one.name: (one.group, one.mean, pytest.approx(one.deviation)) for one in richer.nuisances} == expected
+    assert {
+        one.name: (one.group, one.mean, pytest.approx(one.deviation)) for one in richer.nuisances
+    } == expected
     rubbing = RIG.with_changes({"guide.friction": {"force": 6.0}})
     paths = compile_rig(rubbing).facts.parameters
-    guided = ExtendedRig(rubbing, ["guide.friction.force"], jn.Doubt(), RideExtent(0.007, 0.0015, 1.0), paths)
+    guided = ExtendedRig(
+        rubbing, ["guide.friction.force"], jn.Doubt(), RideExtent(0.007, 0.0015, 1.0), paths
+    )
     place = "guide.friction.presliding"
-    assert {one.name: (one.unit, one.mean, one.deviation) for one in guided.nuisances if place in one.name} == {
+    assert {
+        one.name: (one.unit, one.mean, one.deviation)
+        for one in guided.nuisances
+        if place in one.name
+    } == {
         place: ("1", 0.5, 0.3),
         f"{place}_distance": ("ln", 0.0, pytest.approx(np.log(2.0))),
     }
@@ -334,8 +410,12 @@ def test_what_is_doubted_is_as_the_doubts_say() -> None:
     moving = np.concatenate([-knots[::-1], knots])
     scale = 0.2 * coefficient * np.abs(moving) + 2.0
     assert np.sqrt(np.diag(root @ root.T)) == pytest.approx(scale, rel=1e-6)
-    apart = np.sqrt(3.0) * np.abs(np.arcsinh(moving[3] / 0.1) - np.arcsinh(moving[5] / 0.1))  # Matern 3/2
-    assert (root @ root.T)[3, 5] == pytest.approx((1.0 + apart) * np.exp(-apart) * scale[3] * scale[5])
+    apart = np.sqrt(3.0) * np.abs(
+        np.arcsinh(moving[3] / 0.1) - np.arcsinh(moving[5] / 0.1)
+    )  # Matern 3/2
+    assert (root @ root.T)[3, 5] == pytest.approx(
+        (1.0 + apart) * np.exp(-apart) * scale[3] * scale[5]
+    )
     moved = xi.copy()
     moved[list(places)] = np.linalg.solve(root, np.arange(1.0, 9.0))
     force = richer.damper_force(p, moved, np.concatenate([moving, [0.0, 2.0, -2.0]]))

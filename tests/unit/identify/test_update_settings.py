@@ -11,21 +11,36 @@ import jounce as jn
 from jounce.core.waiting import watched_by
 
 RIG = jn.load("kart-quarter-car")
-TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"), speed="1.95 m/s", duration="0.3 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="10 mm", length="60 mm", start="0.1 m"),
+    speed="1.95 m/s",
+    duration="0.3 s",
+)
 
 
 @pytest.fixture(scope="module")
 def trials() -> list[jn.FitTrial]:
-    measured = jn.simulate(RIG.with_changes({"strut.spring.rate": "23 N/mm"}), TRIAL)[["sprung.az", "unsprung.az"]]
+    measured = jn.simulate(RIG.with_changes({"strut.spring.rate": "23 N/mm"}), TRIAL)[
+        ["sprung.az", "unsprung.az"]
+    ]
     return [jn.FitTrial("one", RIG, TRIAL, measured)]
 
 
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"channels": ["sprung.az", "unsprng.az"]}, r"channels: unknown channel 'unsprng.az'.*mean 'unsprung.az'"),
-        ({"weights": {"sprng.az": 1.0}}, r"weights: unknown channel 'sprng.az'.*Did you mean 'sprung.az'"),
-        ({"weights": {"sprung.az": -1.0}}, r"weights: sprung.az: not a weight; found -1.0; allowed: 0 or more"),
+        (
+            {"channels": ["sprung.az", "unsprng.az"]},
+            r"channels: unknown channel 'unsprng.az'.*mean 'unsprung.az'",
+        ),
+        (
+            {"weights": {"sprng.az": 1.0}},
+            r"weights: unknown channel 'sprng.az'.*Did you mean 'sprung.az'",
+        ),
+        (
+            {"weights": {"sprung.az": -1.0}},
+            r"weights: sprung.az: not a weight; found -1.0; allowed: 0 or more",
+        ),
         ({"weights": {"sprung.az": float("nan")}}, "weights: sprung.az: not a weight"),
         ({"weights": {"tyre.force": 1.0}}, r"one: no channel of the recording has a weight; found"),
         ({"starts": 0}, "not a number of starts; found 0; allowed: 1 or more"),
@@ -44,12 +59,25 @@ def test_recordings_that_cannot_be_compared_are_refused(trials):
     free, measured = {"strut.spring.rate": "10 %"}, trials[0].measured
     obstacle = (0.1 + 0.06) / 1.95
     for changed, message in (
-        (measured.sel(time=slice(None, obstacle - 2e-3)), r"one: the recording ends before the obstacle pass does"),
-        (measured.rename({"sprung.az": "a.az", "unsprung.az": "b.az"}), r"the recording contains no channel of"),
-        (measured.isel(time=slice(-2, None)), r"fewer data than parameters; found '4 samples'; allowed: at least 5"),
+        (
+            measured.sel(time=slice(None, obstacle - 2e-3)),
+            r"one: the recording ends before the obstacle pass does",
+        ),
+        (
+            measured.rename({"sprung.az": "a.az", "unsprung.az": "b.az"}),
+            r"the recording contains no channel of",
+        ),
+        (
+            measured.isel(time=slice(-2, None)),
+            r"fewer data than parameters; found '4 samples'; allowed: at least 5",
+        ),
     ):
         more = {"align": "lag"} if "fewer" in message else {}
-        all_free = free | dict.fromkeys(("sprung.mass", "unsprung.mass", "tyre.stiffness"), "10 %") if more else free
+        all_free = (
+            free | dict.fromkeys(("sprung.mass", "unsprung.mass", "tyre.stiffness"), "10 %")
+            if more
+            else free
+        )
         with pytest.raises(jn.FitError, match=message):
             jn.update_model([jn.FitTrial("one", RIG, TRIAL, changed)], all_free, **more)
     with pytest.raises(jn.FitError, match="no trial to fit"):
@@ -68,7 +96,9 @@ def test_steps_of_a_search_are_told_to_who_watches(trials):
 
 
 def test_a_weight_of_zero_leaves_a_channel_out(trials):
-    weighted = jn.update_model(trials, {"strut.spring.rate": "10 %"}, weights={"sprung.az": 1.0, "unsprung.az": 0.0})
+    weighted = jn.update_model(
+        trials, {"strut.spring.rate": "10 %"}, weights={"sprung.az": 1.0, "unsprung.az": 0.0}
+    )
     alone = jn.update_model(trials, {"strut.spring.rate": "10 %"}, channels=["sprung.az"])
     assert weighted.objective_before == pytest.approx(alone.objective_before, rel=1e-12)
     assert weighted.parameters["strut.spring.rate"].value == pytest.approx(23000.0, rel=1e-4)
@@ -76,7 +106,9 @@ def test_a_weight_of_zero_leaves_a_channel_out(trials):
 
 def test_a_frequency_response_names_what_it_has():
     model = jn.linearise(RIG)
-    with pytest.raises(jn.DescriptionError, match=r"unknown output 'sprung.zz'.*Did you mean 'sprung.z'"):
+    with pytest.raises(
+        jn.DescriptionError, match=r"unknown output 'sprung.zz'.*Did you mean 'sprung.z'"
+    ):
         model.frequency_response([1.0], "sprung.zz")
     with pytest.raises(jn.DescriptionError, match=r"unknown track 'road'.*allowed: road.z"):
         model.frequency_response([1.0], "sprung.z", "road")
@@ -90,7 +122,9 @@ def told(results: jn.UpdateResult) -> str:
 def passed() -> tuple[jn.Rig, jn.Trial, Any]:
     """A rig, a trial, and a record of the same rig with another spring."""
     rig = jn.load("kart-quarter-car")
-    trial = jn.Trial(road=jn.HalfSine(height=0.01, length=0.06, start=0.2), speed=1.95, duration=0.6)
+    trial = jn.Trial(
+        road=jn.HalfSine(height=0.01, length=0.06, start=0.2), speed=1.95, duration=0.6
+    )
     truth = rig.with_changes({"strut.spring.rate": 25e3})
     return rig, trial, jn.simulate(truth, trial)[["sprung.az", "strut.deflection"]]
 
@@ -101,7 +135,9 @@ def updated(passed: tuple[jn.Rig, jn.Trial, Any], *records: Any) -> jn.UpdateRes
     return jn.update_model(trials, {"strut.spring.rate": "30 %"})
 
 
-def test_a_record_that_the_model_does_not_explain_is_told(passed: tuple[jn.Rig, jn.Trial, Any]) -> None:
+def test_a_record_that_the_model_does_not_explain_is_told(
+    passed: tuple[jn.Rig, jn.Trial, Any],
+) -> None:
     """A wrong speed, a scale of 1000, and a dead channel gave values and intervals without a word."""
     rig, trial, record = passed
     assert "explains little" not in told(updated(passed, record))
@@ -111,10 +147,17 @@ def test_a_record_that_the_model_does_not_explain_is_told(passed: tuple[jn.Rig, 
     )
     for factor in (0.0, 1000.0):
         scaled = record.assign(
-            {"strut.deflection": record["strut.deflection"].copy(data=factor * record["strut.deflection"])}
+            {
+                "strut.deflection": record["strut.deflection"].copy(
+                    data=factor * record["strut.deflection"]
+                )
+            }
         )
         found = updated(passed, record, scaled)
-        assert "strut.deflection: the updated model explains little of the record in trial 2" in told(found)
+        assert (
+            "strut.deflection: the updated model explains little of the record in trial 2"
+            in told(found)
+        )
 
 
 def test_a_delay_that_was_not_asked_for_is_told(passed: tuple[jn.Rig, jn.Trial, Any]) -> None:
@@ -135,7 +178,9 @@ def test_copies_of_a_record_are_told(passed: tuple[jn.Rig, jn.Trial, Any]) -> No
     assert "trial 2: the same numbers as trial 1: a copy is not a repetition" in told(found)
 
 
-def test_what_is_no_recording_is_refused_by_what_is_wrong(passed: tuple[jn.Rig, jn.Trial, Any]) -> None:
+def test_what_is_no_recording_is_refused_by_what_is_wrong(
+    passed: tuple[jn.Rig, jn.Trial, Any],
+) -> None:
     record = passed[2]
     gap = record.copy(deep=True)
     gap["sprung.az"][50] = np.nan

@@ -9,11 +9,16 @@ import jounce as jn
 from jounce.identify.fit_problem import _from_rest
 
 RIG = jn.load("kart-quarter-car")
-TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm", start="0.6 m"), speed="1.95 m/s", duration="1.5 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="10 mm", length="60 mm", start="0.6 m"),
+    speed="1.95 m/s",
+    duration="1.5 s",
+)
 
 
 @pytest.mark.parametrize(
-    ("begin", "first", "uniform"), [(0.0, 0.0, 11), (0.005, 0.0, 16), (0.0053, 0.0, 16), (-0.01, -0.01, 11)]
+    ("begin", "first", "uniform"),
+    [(0.0, 0.0, 11), (0.005, 0.0, 16), (0.0053, 0.0, 16), (-0.01, -0.01, 11)],
 )
 def test_output_times_reach_back_to_the_start(begin, first, uniform):
     time = begin + 1e-3 * np.arange(11)

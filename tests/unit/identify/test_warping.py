@@ -14,7 +14,9 @@ def plain_path(x: np.ndarray, y: np.ndarray, radius: int) -> list[tuple[int, int
     cost[0, 0] = 0.0
     for i in range(n):
         for j in range(max(0, i - radius), min(n, i + radius + 1)):
-            cost[i + 1, j + 1] = (x[i] - y[j]) ** 2 + min(cost[i, j + 1], cost[i + 1, j], cost[i, j])
+            cost[i + 1, j + 1] = (x[i] - y[j]) ** 2 + min(
+                cost[i, j + 1], cost[i + 1, j], cost[i, j]
+            )
     i = j = n
     path = [(i - 1, j - 1)]
     while (i, j) != (1, 1):
@@ -29,7 +31,10 @@ def plain_path(x: np.ndarray, y: np.ndarray, radius: int) -> list[tuple[int, int
 def test_path_is_that_of_the_whole_table(n: int, share: float) -> None:
     rng = np.random.default_rng(n)
     radius = round(share * n)
-    for x, y in (rng.standard_normal((2, n)).cumsum(axis=1), rng.integers(0, 3, (2, n)).astype(float)):  # with ties
+    for x, y in (
+        rng.standard_normal((2, n)).cumsum(axis=1),
+        rng.integers(0, 3, (2, n)).astype(float),
+    ):  # with ties
         i, j = warping_path(x, y, radius)
         assert list(zip(i.tolist(), j.tolist(), strict=True)) == plain_path(x, y, radius)
 
@@ -44,17 +49,24 @@ def test_long_path_stays_in_its_band_and_moves_by_single_steps() -> None:
     time = np.arange(5000) * 1e-3
     i, j = warping_path(np.sin(9.0 * time), np.sin(9.0 * time - 0.9), 90)
     assert np.abs(i - j).max() == 90
-    assert {tuple(step) for step in np.stack((np.diff(i), np.diff(j)), axis=1).tolist()} <= {(0, 1), (1, 0), (1, 1)}
+    assert {tuple(step) for step in np.stack((np.diff(i), np.diff(j)), axis=1).tolist()} <= {
+        (0, 1),
+        (1, 0),
+        (1, 1),
+    }
 
 
-@pytest.mark.parametrize(("x", "y"), [(np.zeros(3), np.zeros(4)), (np.zeros(0), np.zeros(0)), (np.zeros((2, 2)),) * 2])
+@pytest.mark.parametrize(
+    ("x", "y"), [(np.zeros(3), np.zeros(4)), (np.zeros(0), np.zeros(0)), (np.zeros((2, 2)),) * 2]
+)
 def test_shapes_must_fit(x: np.ndarray, y: np.ndarray) -> None:
     with pytest.raises(ValueError, match="same length"):
         warping_path(x, y, 2)
 
 
 @pytest.mark.parametrize(
-    ("nrmse", "kind", "pays"), [(0.05, "body", True), (0.3, "wheel", True), (1.0, "wheel", False), (3.0, "body", False)]
+    ("nrmse", "kind", "pays"),
+    [(0.05, "body", True), (0.3, "wheel", True), (1.0, "wheel", False), (3.0, "body", False)],
 )
 def test_a_narrower_band_is_tried_where_it_saves_time(nrmse: float, kind: str, pays: bool) -> None:
     """Measured at 6 s: 0.3 to 0.75 of the time up to NRMSE 0.3, 1.05 to 1.2 from 1 on."""
@@ -67,15 +79,23 @@ def test_a_narrower_band_is_tried_where_it_saves_time(nrmse: float, kind: str, p
 
 
 @pytest.mark.parametrize("nrmse", [0.01, 0.3, 1.5])
-@pytest.mark.parametrize(("n", "share"), [(1500, 0.1), (4001, 0.1), (9000, 0.1), (3000, 0.6), (2000, 1.0)])
-def test_leaving_out_what_costs_too_much_changes_nothing(n: int, share: float, nrmse: float) -> None:
+@pytest.mark.parametrize(
+    ("n", "share"), [(1500, 0.1), (4001, 0.1), (9000, 0.1), (3000, 0.6), (2000, 1.0)]
+)
+def test_leaving_out_what_costs_too_much_changes_nothing(
+    n: int, share: float, nrmse: float
+) -> None:
     """Exact pruning: the path is that of the whole band, also with ties, late signals and steps."""
     rng = np.random.default_rng(n)
     rough = np.convolve(rng.standard_normal(n + 40), np.hanning(41), mode="valid")
     other = np.convolve(rng.standard_normal(n + 40), np.hanning(41), mode="valid")
     radius = round(share * n)
     noisy = rough + nrmse * other
-    for x, y in ((rough, noisy), (np.roll(rough, n // 25), noisy), (np.round(rough), np.round(noisy))):
+    for x, y in (
+        (rough, noisy),
+        (np.roll(rough, n // 25), noisy),
+        (np.round(rough), np.round(noisy)),
+    ):
         whole = warping_path(x, y, radius, narrow=-1)
         for narrow in (0, radius // 50, radius // 8, None):
             np.testing.assert_array_equal(warping_path(x, y, radius, narrow=narrow), whole)

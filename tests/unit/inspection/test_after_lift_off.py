@@ -72,13 +72,19 @@ def test_the_phase_angle_after_lift_off_is_unreliable_and_has_no_interval(alike)
         assert wheel.unreliable == ("phase_angle_min_deg", "phase_frequency_hz")
         assert not set(wheel.unreliable) & set(wheel.uncertainty)
         assert "phase_after_lift_off" in [one.code for one in wheel.findings]
-        assert wheel.body_damping_ratio == wheel.value("body_damping_ratio") == pytest.approx(0.03, abs=0.02)
+        assert (
+            wheel.body_damping_ratio
+            == wheel.value("body_damping_ratio")
+            == pytest.approx(0.03, abs=0.02)
+        )
         assert wheel.explained_force == wheel.value("explained_force") > 0.99
         assert wheel.to_dict()["unreliable"] == list(wheel.unreliable)
 
 
 def test_a_wheel_that_stays_on_the_plate_keeps_its_interval(tester) -> None:
-    sound = evaluate(simulate_test(load("audi-a6-quarter-car"), tester, truth=False), tester).wheels[0]
+    sound = evaluate(
+        simulate_test(load("audi-a6-quarter-car"), tester, truth=False), tester
+    ).wheels[0]
     assert sound.unreliable == ()
     assert 0.0 < sound.uncertainty["phase_angle_min_deg"] < 1.0
     assert "phase_after_lift_off" not in [one.code for one in sound.findings]
@@ -91,11 +97,15 @@ def _graded(left, right, limits):
 def _wheel(name: str, angle: float, *, unreliable: bool) -> WheelResult:
     about = {"unreliable": ("phase_angle_min_deg",), "lift_off": True} if unreliable else {}
     halves = {} if unreliable else {"phase_angle_min_deg": 0.2}
-    return WheelResult(name, static_load=4e3, phase_angle_min_deg=angle, uncertainty=halves, **about)
+    return WheelResult(
+        name, static_load=4e3, phase_angle_min_deg=angle, uncertainty=halves, **about
+    )
 
 
 @pytest.mark.parametrize(("left", "right"), [(True, True), (True, False), (False, True)])
-def test_wheels_are_not_called_unequal_by_an_unreliable_value(limits, left: bool, right: bool) -> None:
+def test_wheels_are_not_called_unequal_by_an_unreliable_value(
+    limits, left: bool, right: bool
+) -> None:
     wheels = _wheel("left", 50.0, unreliable=left), _wheel("right", 70.0, unreliable=right)
     graded = _graded(*wheels, limits)
     (difference,) = [one for one in graded.differences if one.quantity == "phase_angle_min_deg"]
@@ -103,11 +113,16 @@ def test_wheels_are_not_called_unequal_by_an_unreliable_value(limits, left: bool
     assert (difference.bands, difference.unreliable) == ({}, sides)
     assert graded.verdict == "pass"
     (said,) = [one for one in graded.reasons if one.kind == "unreliable_difference"]
-    assert f"is not graded: the value is unreliable where the tyre leaves the plate ({', '.join(sides)})" in said.text()
+    assert (
+        f"is not graded: the value is unreliable where the tyre leaves the plate ({', '.join(sides)})"
+        in said.text()
+    )
     assert ("links" in said.text("de").rpartition("(")[2]) == left
     for wheel, doubted in zip(graded.grades, (left, right), strict=True):
         assert ("unreliable" in [one.kind for one in wheel.reasons]) == doubted
-    sound = _graded(_wheel("left", 50.0, unreliable=False), _wheel("right", 70.0, unreliable=False), limits)
+    sound = _graded(
+        _wheel("left", 50.0, unreliable=False), _wheel("right", 70.0, unreliable=False), limits
+    )
     assert sound.verdict == "fail"
 
 
@@ -115,7 +130,10 @@ def test_a_wheel_fails_by_its_own_small_value_and_says_that_it_is_unreliable(ali
     graded = _graded(replace(alike[0], wheel="left"), replace(alike[1], wheel="right"), limits)
     assert graded.verdict == "fail"
     assert [one.verdict for one in graded.grades] == ["fail", "fail"]
-    assert all(any("unreliable after lift-off" in text for text in wheel.reasons) for wheel in graded.wheels)
+    assert all(
+        any("unreliable after lift-off" in text for text in wheel.reasons)
+        for wheel in graded.wheels
+    )
     assert not any("too far apart" in reason.text() for reason in graded.reasons)
 
 

@@ -33,7 +33,13 @@ def assert_unfit(record, tester, message: str, wheel: str = "left") -> None:
     assert [text for text in found.reasons if message in text], found.reasons
     assert len(found.reasons) == 1
     assert found.verdict == "not graded"
-    assert found.adhesion is found.phase_angle_min_deg is found.theta_road is found.tyre_rigidity is None
+    assert (
+        found.adhesion
+        is found.phase_angle_min_deg
+        is found.theta_road
+        is found.tyre_rigidity
+        is None
+    )
     assert found.grade == {}
     with pytest.raises(RecordingError, match="lane.csv: .*" + re.escape(message[:12])):
         require_gradable(inspection, "lane.csv")
@@ -43,7 +49,9 @@ def assert_weakened(record, tester, message: str) -> None:
     inspection = evaluate(record, tester)
     found = inspection.wheel("left")
     require_gradable(inspection)
-    assert [one for one in found.findings if message in one.message and one.severity == "warning"], found.findings
+    assert [
+        one for one in found.findings if message in one.message and one.severity == "warning"
+    ], found.findings
     assert found.adhesion is not None
 
 
@@ -57,12 +65,23 @@ def test_good_record_has_no_findings(car_run, load, left_record, eusama):
 @pytest.mark.parametrize(
     ("change", "text"),
     [
-        (lambda record: record["left.plate.force"].assign_attrs(units="kN"), "another unit; found 'kN'; allowed: N"),
-        (lambda record: record["left.plate.force"].astype(complex), "no real numbers; found 'complex128'"),
-        (lambda record: record["time"].assign_attrs(units="ks"), "time has another unit; found 'ks'"),
+        (
+            lambda record: record["left.plate.force"].assign_attrs(units="kN"),
+            "another unit; found 'kN'; allowed: N",
+        ),
+        (
+            lambda record: record["left.plate.force"].astype(complex),
+            "no real numbers; found 'complex128'",
+        ),
+        (
+            lambda record: record["time"].assign_attrs(units="ks"),
+            "time has another unit; found 'ks'",
+        ),
     ],
 )
-def test_a_record_that_is_not_in_si_is_refused(change, text: str, car_run, load, left_record, eusama) -> None:
+def test_a_record_that_is_not_in_si_is_refused(
+    change, text: str, car_run, load, left_record, eusama
+) -> None:
     time, height, force, _ = car_run
     record = left_record(time, height, force, load)
     changed = change(record)
@@ -79,11 +98,20 @@ CHANGES = {
     "force offset": (lambda t, z, f: (t, z, f + 600.0), "offset of +600 N"),
     "inverted height": (lambda t, z, f: (t, -z, f), "the plate height has the wrong sign"),
     "jitter": (lambda t, z, f: (t + 3e-4 * np.sin(1e5 * t), z, f), "the time step jitters"),
-    "time that falls": (lambda t, z, f: (np.where(t > 3.0, t - 1.0, t), z, f), "time does not ascend"),
+    "time that falls": (
+        lambda t, z, f: (np.where(t > 3.0, t - 1.0, t), z, f),
+        "time does not ascend",
+    ),
     "no sweep": (lambda t, z, f: (t[:2450], 1.0 * z[:2450], f[:2450]), "sweep is missing"),
-    "cut off": (lambda t, z, f: (t[:7000], z[:7000], f[:7000]), "the record is too short, the sweep is cut off"),
+    "cut off": (
+        lambda t, z, f: (t[:7000], z[:7000], f[:7000]),
+        "the record is too short, the sweep is cut off",
+    ),
     "too short": (lambda t, z, f: (t[:500], z[:500], f[:500]), "the record is too short"),
-    "dropout": (lambda t, z, f: (t, z, np.where((t > 6.0) & (t < 6.05), 0.0, f)), "a dropout of the signal"),
+    "dropout": (
+        lambda t, z, f: (t, z, np.where((t > 6.0) & (t < 6.05), 0.0, f)),
+        "a dropout of the signal",
+    ),
     "saturated": (lambda t, z, f: (t, z, np.minimum(f, 5400.0)), "saturated"),
     "not a number": (
         lambda t, z, f: (t, z, np.where(np.arange(t.size) == 4000, np.nan, f)),
@@ -96,7 +124,10 @@ CHANGES = {
     "wrong weight": (lambda t, z, f: (t, z, 0.85 * f), "the static weight contradicts the signal"),
     "dead plate": (lambda t, z, f: (t, 0.0 * z, f), "the plate never moves"),
     "slow sampling": (lambda t, z, f: (t[::8], z[::8], f[::8]), "samples per second are too few"),
-    "no wheel": (lambda t, z, f: (t, z, 0.0 * f + 4316.4), "no wheel on a plate explains this record"),
+    "no wheel": (
+        lambda t, z, f: (t, z, 0.0 * f + 4316.4),
+        "no wheel on a plate explains this record",
+    ),
 }
 
 
@@ -110,10 +141,16 @@ def test_unfit_records_say_why(name, car_run, load, left_record, eusama):
 WEAKER = {
     "load off": (lambda t, z, f: (t, z, f + 150.0), "+3.5 %, where 2 % is allowed"),
     "sampling": (lambda t, z, f: (t[::2], z[::2], f[::2]), "500 samples per second"),
-    "a few clipped": (lambda t, z, f: (t, z, np.minimum(f, np.sort(f)[-25])), "the force is clipped"),
+    "a few clipped": (
+        lambda t, z, f: (t, z, np.minimum(f, np.sort(f)[-25])),
+        "the force is clipped",
+    ),
     "stroke off": (lambda t, z, f: (t, 1.15 * z, f), "they may differ by 0.6 mm"),
     "slips": (lambda t, z, f: (t, z, f - 500.0 * ((t > 5.0) & (t < 7.0))), "the wheel slips"),
-    "another machine": (lambda t, z, f: (t, z, f + 120.0 * np.sin(2 * np.pi * 14.3 * t)), "vibrates at 14.3 Hz"),
+    "another machine": (
+        lambda t, z, f: (t, z, f + 120.0 * np.sin(2 * np.pi * 14.3 * t)),
+        "vibrates at 14.3 Hz",
+    ),
 }
 
 
@@ -127,12 +164,20 @@ def test_weaker_records_say_so(name, car_run, load, left_record, eusama):
 def test_limits_of_a_static_load_that_is_off(car_run, left_record, eusama):
     time, height, force, _ = car_run
     measured = evaluate(left_record(time, height, force), eusama).wheel("left").static_load
-    for off, words in ((0.0195, ""), (0.0205, "where 2 % is allowed"), (0.0795, "where 2 % is allowed")):
-        found = evaluate(left_record(time, height, force, measured / (1.0 + off)), eusama).wheel("left")
+    for off, words in (
+        (0.0195, ""),
+        (0.0205, "where 2 % is allowed"),
+        (0.0795, "where 2 % is allowed"),
+    ):
+        found = evaluate(left_record(time, height, force, measured / (1.0 + off)), eusama).wheel(
+            "left"
+        )
         told = [one.value for one in found.findings if "% is allowed" in one.message]
         assert told == ([pytest.approx(1.0 + off, abs=1e-4)] if words else [])
     assert_unfit(
-        left_record(time, height, force, measured / 1.0805), eusama, "the static weight contradicts the signal"
+        left_record(time, height, force, measured / 1.0805),
+        eusama,
+        "the static weight contradicts the signal",
     )
 
 
@@ -145,7 +190,9 @@ def test_small_jitter_is_resampled(car_run, load, left_record, eusama):
 
 
 def test_sweep_that_is_too_fast(twin, load, left_record, eusama):
-    time, height, force, _ = twin.rigid_record(twin.Car(), twin.Programme(rate=6.0), mp=20.0, fine=4)
+    time, height, force, _ = twin.rigid_record(
+        twin.Car(), twin.Programme(rate=6.0), mp=20.0, fine=4
+    )
     assert_weakened(left_record(time, height, force, load), eusama, "the sweep is too fast: 6 Hz/s")
 
 
@@ -171,7 +218,10 @@ def axle(twin):
     runs = [twin.rigid_record(car, twin.Programme(before=0.5), mp=20.0, fine=4) for car in cars]
     count = runs[0][0].size
     time = np.arange(2 * count) / 1000.0
-    heights = [np.append(runs[0][1], np.full(count, runs[0][1][-1])), np.append(np.zeros(count), runs[1][1])]
+    heights = [
+        np.append(runs[0][1], np.full(count, runs[0][1][-1])),
+        np.append(np.zeros(count), runs[1][1]),
+    ]
     rest = [np.full(count, car.static_load) for car in cars]
     forces = [np.append(runs[0][2], rest[0]), np.append(rest[1], runs[1][2])]
     return time, heights, forces, [car.static_load for car in cars]
@@ -196,12 +246,23 @@ class TestBothWheels:
 
     def test_swapped_sides(self, axle, eusama):
         time, heights, forces, loads = axle
-        assert_unfit(self.build(time, heights[::-1], forces[::-1], loads), eusama, "left and right are swapped")
-        assert_unfit(self.build(time, heights, forces, loads[::-1]), eusama, "left and right are swapped", "right")
+        assert_unfit(
+            self.build(time, heights[::-1], forces[::-1], loads),
+            eusama,
+            "left and right are swapped",
+        )
+        assert_unfit(
+            self.build(time, heights, forces, loads[::-1]),
+            eusama,
+            "left and right are swapped",
+            "right",
+        )
 
     def test_same_offset_on_both(self, axle, eusama):
         time, heights, forces, loads = axle
-        assert_unfit(self.build(time, heights, [f - 450.0 for f in forces], loads), eusama, "-450 N off")
+        assert_unfit(
+            self.build(time, heights, [f - 450.0 for f in forces], loads), eusama, "-450 N off"
+        )
 
     def test_one_bad_wheel_leaves_the_other(self, axle, eusama):
         time, heights, forces, loads = axle
@@ -209,7 +270,11 @@ class TestBothWheels:
         found = evaluate(self.build(time, heights, [forces[0], broken], loads), eusama)
         assert found.wheel("left").is_gradable
         assert found.wheel("left").adhesion == pytest.approx(0.611, abs=2e-3)
-        assert found.wheel("right").reasons[0].startswith("1 sample is not a number, the first at 15 s")
+        assert (
+            found.wheel("right")
+            .reasons[0]
+            .startswith("1 sample is not a number, the first at 15 s")
+        )
 
     def test_other_plate_left_running(self, axle, eusama):
         time, heights, forces, loads = axle
@@ -225,10 +290,16 @@ def test_force_alone_needs_a_tacho(car_run, load, twin, eusama):
     time, _, _, force = car_run
     forces = {"left.plate.force": (force, "N", "")}
     weights = {"left.static_load": load}
-    assert_unfit(recording(time, forces, attributes=weights), eusama, "neither left.plate.z nor left.plate.frequency")
+    assert_unfit(
+        recording(time, forces, attributes=weights),
+        eusama,
+        "neither left.plate.z nor left.plate.frequency",
+    )
     angle = twin.Programme(before=0.5).angle(time)
     tacho = np.gradient(angle, time) / (2.0 * np.pi)
-    record = recording(time, forces | {"left.plate.frequency": (tacho, "Hz", "")}, attributes=weights)
+    record = recording(
+        time, forces | {"left.plate.frequency": (tacho, "Hz", "")}, attributes=weights
+    )
     found = evaluate(record, eusama).wheel("left")
     assert found.adhesion == pytest.approx(0.6107, abs=2e-3)
     assert found.phase_angle_min_deg is found.theta_road is found.tyre_rigidity is None
@@ -246,7 +317,9 @@ def test_wrong_questions(car_run, load, left_record, eusama):
 
 
 @pytest.mark.parametrize("delay", [3e-3, 6e-3, -2e-3])
-def test_a_force_that_comes_late_or_early_gives_no_phase_angle(car_run, load, left_record, delay) -> None:
+def test_a_force_that_comes_late_or_early_gives_no_phase_angle(
+    car_run, load, left_record, delay
+) -> None:
     """3 ms of an amplifier's filter are ten degrees too many: they would pass a wheel that must fail."""
     time, height, force, _ = car_run
     tester = load_tester("egea-specsus2018")

@@ -56,12 +56,19 @@ def test_columns(half, force, seconds, tester, expected) -> None:
     assert codes(found) == expected
     if found and "stroke" in found[0].words:
         assert found[0].words["stroke"] == pytest.approx(2e3 * half, rel=1e-3)  # mm
-        assert found[0].words.get("expected", 1e3 * EGEA.stroke) in (1e3 * EGEA.stroke, 1e3 * THETA.stroke)
+        assert found[0].words.get("expected", 1e3 * EGEA.stroke) in (
+            1e3 * EGEA.stroke,
+            1e3 * THETA.stroke,
+        )
 
 
 def test_a_height_far_from_its_zero_is_a_force() -> None:
     one = wheel(0.01)
-    for middle, expected in ((0.29, []), (0.31, ["problem: columns_swapped"]), (-0.31, ["problem: columns_swapped"])):
+    for middle, expected in (
+        (0.29, []),
+        (0.31, ["problem: columns_swapped"]),
+        (-0.31, ["problem: columns_swapped"]),
+    ):
         moved = WheelSignals("left", one.time, one.force, one.height + middle, None, None, 20.0)
         assert codes(checks.check_columns(moved, np.array([50.0]), None)) == expected
 
@@ -100,12 +107,23 @@ def test_static_load(load, measured, expected) -> None:
             assert one.words["percent"] == pytest.approx(100.0 * (measured / 4e3 - 1.0))
         if one.code == "load_contradicts":
             assert one.words["offset"] == pytest.approx(measured - 4e3)
-    assert not checks.check_load(wheel(load=measured), measured, None) or load is None or measured < 300.0
+    assert (
+        not checks.check_load(wheel(load=measured), measured, None)
+        or load is None
+        or measured < 300.0
+    )
 
 
 @pytest.mark.parametrize(
     ("ratio", "unit"),
-    [(0.2248, "pounds (lbf)"), (0.1019, "kilograms (kgf)"), (0.0999, "daN"), (0.001, "kN"), (4.45, ""), (1.0, None)],
+    [
+        (0.2248, "pounds (lbf)"),
+        (0.1019, "kilograms (kgf)"),
+        (0.0999, "daN"),
+        (0.001, "kN"),
+        (4.45, ""),
+        (1.0, None),
+    ],
 )
 def test_units_of_forces(ratio, unit) -> None:
     assert checks._unit_of(ratio) == unit
@@ -137,7 +155,12 @@ def test_both_wheels(measured, expected) -> None:
 
 @pytest.mark.parametrize(
     ("share", "expected"),
-    [(0.998, ["warning: samples_few"]), (0.9995, []), (1.0, []), (0.1999, ["problem: samples_too_few"])],
+    [
+        (0.998, ["warning: samples_few"]),
+        (0.9995, []),
+        (1.0, []),
+        (0.1999, ["problem: samples_too_few"]),
+    ],
 )
 def test_sampling(share, expected) -> None:
     wanted = EGEA.limits.sampling_frequency_min
@@ -170,7 +193,9 @@ def test_clipping(force, expected) -> None:
     assert codes(found) == expected
     for one in found:
         limit = one.words["limit"]
-        assert one.words["percent"] == pytest.approx(100.0 * np.count_nonzero(force == limit) / force.size)
+        assert one.words["percent"] == pytest.approx(
+            100.0 * np.count_nonzero(force == limit) / force.size
+        )
 
 
 @pytest.mark.parametrize(
@@ -190,7 +215,10 @@ def test_dropouts(samples, level, plate, expected) -> None:
     found = checks.check_dropout(force, wheel(plate=plate), 4e3)
     assert codes(found) == expected
     if found:
-        assert (found[0].words["force"], found[0].words["time"]) == (level, pytest.approx(samples))  # N, ms
+        assert (found[0].words["force"], found[0].words["time"]) == (
+            level,
+            pytest.approx(samples),
+        )  # N, ms
 
 
 def test_the_other_plate() -> None:
@@ -218,7 +246,12 @@ def test_order_of_the_wheels() -> None:
 
 @pytest.mark.parametrize(
     ("drift", "expected"),
-    [(0.049, []), (-0.051, ["warning: slips"]), (0.199, ["warning: slips"]), (-0.201, ["problem: slips"])],
+    [
+        (0.049, []),
+        (-0.051, ["warning: slips"]),
+        (0.199, ["warning: slips"]),
+        (-0.201, ["problem: slips"]),
+    ],
 )
 def test_wandering(drift, expected) -> None:
     """Mean forces of turns at 10 Hz stay off for two seconds of five; over the whole test less than a half counts."""
@@ -254,12 +287,19 @@ def test_strokes_of_a_plate_that_is_not_rigid() -> None:
         assert codes(found) == expected
         if found:
             assert found[0].words == pytest.approx({"low": 6.0, "high": 6.0 * spread})
-        assert checks.check_rigid(strokes[inside][::3][:11], frequency[inside][::3][:11], "left.plate.z") == []
+        assert (
+            checks.check_rigid(
+                strokes[inside][::3][:11], frequency[inside][::3][:11], "left.plate.z"
+            )
+            == []
+        )
 
 
 def test_testers_of_the_header() -> None:
     assert checks.check_tester("", EGEA) == checks.check_tester("own", None) == []
-    assert checks.check_tester("egea-specsus2018", EGEA) == checks.check_tester(EGEA.name, EGEA) == []
+    assert (
+        checks.check_tester("egea-specsus2018", EGEA) == checks.check_tester(EGEA.name, EGEA) == []
+    )
     assert codes(checks.check_tester("eusama", EGEA)) == ["note: other_tester"]
     assert codes(checks.check_tester("our lane", EGEA)) == ["note: other_tester"]
     found = checks.check_tester("theta-msd3000", EGEA)
@@ -278,9 +318,13 @@ def test_values_that_are_no_numbers_are_counted() -> None:
 
 
 @pytest.mark.parametrize(("jump", "expected"), [(14.9, []), (15.1, ["problem: saturated"])])
-def test_a_force_that_stays_at_its_top_is_entered_by_a_jump(jump: float, expected: list[str]) -> None:
+def test_a_force_that_stays_at_its_top_is_entered_by_a_jump(
+    jump: float, expected: list[str]
+) -> None:
     """Beside 10 N from sample to sample one and a half times as much is a jump."""
     up = 4e3 + 10.0 * np.arange(80)
     force = np.concatenate([up, np.full(6, up[-1] + jump), up[::-1]])
     assert codes(checks.check_clipping(force, 4e3, "left.plate.force")) == expected
-    assert codes(checks.check_clipping(force[:86], 4e3, "left.plate.force")) == expected  # entered, not left
+    assert (
+        codes(checks.check_clipping(force[:86], 4e3, "left.plate.force")) == expected
+    )  # entered, not left

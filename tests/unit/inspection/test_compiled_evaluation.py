@@ -30,7 +30,9 @@ class TestNormalEquations:
         step = np.zeros(6)
         step[index] = 1e-5 * BASE[index]
         for function in (equations.response_and_slopes, equations.denominator_and_slopes):
-            numeric = (function(BASE + step, s)[0] - function(BASE - step, s)[0]) / (2.0 * step[index])
+            numeric = (function(BASE + step, s)[0] - function(BASE - step, s)[0]) / (
+                2.0 * step[index]
+            )
             exact = function(BASE, s)[1][:, index]
             assert np.allclose(numeric, exact, atol=1e-6 * np.abs(exact).max())
 
@@ -40,7 +42,10 @@ class TestNormalEquations:
         generator = np.random.default_rng(bins)
         speed = 2.0 * np.pi * np.linspace(0.7, 27.0, bins)
         parameters = BASE * np.array([1.0, 1.0, factor, 1.0, 0.0 if factor == 1.0 else -1.0, 1.0])
-        height, force = generator.normal(size=(2, bins)) + 1j * generator.normal(size=(2, bins)) * [[1.0], [2.0]]
+        height, force = generator.normal(size=(2, bins)) + 1j * generator.normal(size=(2, bins)) * [
+            [1.0],
+            [2.0],
+        ]
         force = 1e5 * force
         cost, normal, right, left = normal_equations(parameters, speed, height, force)
         wanted = equations.normal_equations(parameters, speed, height, force)
@@ -53,7 +58,11 @@ class TestNormalEquations:
     def test_a_transient_costs_nothing(self, equations):
         speed = 2.0 * np.pi * np.linspace(0.7, 27.0, 200)
         s = 1j * speed
-        transient = 1e5 * (2e9 - 3e8 * s + 5e6 * s**2 - 4e4 * s**3) / equations.denominator_and_slopes(BASE, s)[0]
+        transient = (
+            1e5
+            * (2e9 - 3e8 * s + 5e6 * s**2 - 4e4 * s**3)
+            / equations.denominator_and_slopes(BASE, s)[0]
+        )
         height = np.random.default_rng(0).normal(size=200) + 0.5j
         force = equations.response_and_slopes(BASE, s)[0] * height + transient
         cost, _, _, left = normal_equations(BASE, speed, height, force)
@@ -70,7 +79,11 @@ class TestLowPassOfThePeriod:
         tops = 1.0 + np.cumsum(1.0 / frequency)
         time = np.arange(round(6.0 * rate)) / rate
         turn = np.interp(time, tops, np.arange(tops.size))
-        signal = 4000.0 + 900.0 * np.cos(2.0 * np.pi * turn + 1.26) + generator.normal(0.0, 100.0, time.size)
+        signal = (
+            4000.0
+            + 900.0 * np.cos(2.0 * np.pi * turn + 1.26)
+            + generator.normal(0.0, 100.0, time.size)
+        )
         window = (-0.12, 0.63)
         found = force_in_periods(signal[None], rate, 0.0, tops, frequency, 4000.0, window)[0]
         compared = 0

@@ -36,21 +36,34 @@ def test_quarter_car_fails(tyre, method, noise):
     assert found.is_gradable, found.reasons
     assert found.verdict == "fail", found.reasons
     assert found.value("body_damping_ratio") == pytest.approx(0.0, abs=8e-3)
-    sound = simulated.simulate_inspection(car, simulated.tester_for(method), noise=noise, seed=3).wheel
-    assert sound.verdict in (["not graded"] if method == "boge" else ["pass", "advise"])  # advice: soft tyres
+    sound = simulated.simulate_inspection(
+        car, simulated.tester_for(method), noise=noise, seed=3
+    ).wheel
+    assert sound.verdict in (
+        ["not graded"] if method == "boge" else ["pass", "advise"]
+    )  # advice: soft tyres
 
 
 def test_damping_ratio_is_the_truth_within_its_interval():
-    car = wear_dampers(load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0}), 1.0)
+    car = wear_dampers(
+        load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0}), 1.0
+    )
     found = simulated.simulate_inspection(car, simulated.tester_for("theta"), noise=0.01)
-    assert abs(found.wheel.theta_road - found.theta_road) < found.wheel.uncertainty["theta_road"] < 2e-3
+    assert (
+        abs(found.wheel.theta_road - found.theta_road)
+        < found.wheel.uncertainty["theta_road"]
+        < 2e-3
+    )
 
 
 @pytest.mark.parametrize("axle", ["front", "rear"])
 @pytest.mark.parametrize("method", METHODS)
 def test_both_wheels_of_a_full_car_fail(method, axle):
     graded, _ = simulated.simulate_axle(
-        wear_dampers(load("audi-a6-full-car"), 1.0), simulated.tester_for(method), axle=axle, noise=0.01
+        wear_dampers(load("audi-a6-full-car"), 1.0),
+        simulated.tester_for(method),
+        axle=axle,
+        noise=0.01,
     )
     for wheel in graded.wheels:
         assert wheel.verdict == "fail", wheel.reasons
@@ -68,7 +81,10 @@ def test_both_wheels_of_a_full_car_fail(method, axle):
 def test_dry_friction_does_not_pass_for_a_damper(method, force):
     """Without a damper friction holds a wheel on these testers as a damper would; the verdict asks for another look."""
     deciding = [method] if method in ("egea", "eusama") else ["theta"]
-    dead = {"strut.damper.coefficient": 0.0, "strut.friction": {"force": force, "regularisation_velocity": 0.001}}
+    dead = {
+        "strut.damper.coefficient": 0.0,
+        "strut.friction": {"force": force, "regularisation_velocity": 0.001},
+    }
     car = load("audi-a6-quarter-car").with_changes(dead)
     record = simulate_test(car, simulated.tester_for(method), noise=0.005, seed=1)
     found = evaluate(record, simulated.tester_for(method), methods=deciding)
@@ -94,9 +110,15 @@ def test_dry_friction_does_not_pass_for_a_damper(method, force):
     ],
 )
 def test_bent_dampers_and_a_little_friction_pass(method, damper):
-    given = {"strut.damper": damper, "strut.friction": {"force": 30.0, "regularisation_velocity": 0.001}}
+    given = {
+        "strut.damper": damper,
+        "strut.friction": {"force": 30.0, "regularisation_velocity": 0.001},
+    }
     car = load("audi-a6-quarter-car").with_changes(given)
-    found = evaluate(simulate_test(car, simulated.tester_for(method), noise=0.01, seed=1), simulated.tester_for(method))
+    found = evaluate(
+        simulate_test(car, simulated.tester_for(method), noise=0.01, seed=1),
+        simulated.tester_for(method),
+    )
     deciding = "theta" if method == "boge" else method  # whose limits nobody has verified
     assert grade(found, deciding=[deciding]).wheels[0].verdict == "pass"
 
@@ -110,11 +132,15 @@ def test_a_light_wheel_that_hops_and_swings_on_is_not_refused(method, wear):
     assert found.is_gradable, [one.message for one in found.findings if one.severity == "problem"]
     assert any("leaves the plate" in one.message for one in found.findings) == found.lift_off
     if tester.kind == "sprung-plate":
-        assert found.corner.spring_rate == pytest.approx(22.73e3 * np.cos(car.strut.angle) ** 2, rel=0.02)
+        assert found.corner.spring_rate == pytest.approx(
+            22.73e3 * np.cos(car.strut.angle) ** 2, rel=0.02
+        )
         assert found.corner.damping_coefficient == pytest.approx(121.2 * (1.0 - wear), abs=1.0)
 
 
-@pytest.mark.parametrize(("value", "half", "near"), [(0.014, 0.005, True), (0.014, 0.003, False), (0.006, 0.005, True)])
+@pytest.mark.parametrize(
+    ("value", "half", "near"), [(0.014, 0.005, True), (0.014, 0.003, False), (0.006, 0.005, True)]
+)
 def test_a_damped_body_within_its_interval_only_is_told(value, half, near):
     wheel = WheelResult(
         "left", static_load=4e3, phase_angle_min_deg=50.0, uncertainty={"body_damping_ratio": half},
@@ -122,7 +148,9 @@ def test_a_damped_body_within_its_interval_only_is_told(value, half, near):
     )  # fmt: skip
     graded = grade(Inspection((wheel,), {"axle": "front"}, methods=("egea",)))
     assert graded.wheels[0].verdict == ("pass" if value > 0.01 else "fail")
-    told = [one for one in graded.wheels[0].reasons if "body" in one and "the class is uncertain" in one]
+    told = [
+        one for one in graded.wheels[0].reasons if "body" in one and "the class is uncertain" in one
+    ]
     assert bool(told) is near
 
 
@@ -147,7 +175,9 @@ def test_damage_is_told_from_a_dead_damper(damage, method, wear):
     """Refused is the damaged record, with the reason; the same record undamaged is evaluated."""
     car = load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0})
     tester = simulated.tester_for(method)
-    record = simulated.simulate_inspection(wear_dampers(car, wear) if wear else car, tester, noise=0.01).record
+    record = simulated.simulate_inspection(
+        wear_dampers(car, wear) if wear else car, tester, noise=0.01
+    ).record
     record = record[[name for name in record if str(name).startswith("left.plate.")]]
     assert evaluate(record, tester).is_gradable
     spoil, reason = DAMAGE[damage]
@@ -197,7 +227,9 @@ def test_difference_within_its_uncertainty_fails_nobody():
 def test_phase_curve_least_value_and_table_are_of_one_curve(wear):
     """Where the tyre has lifted off, single turns swing far below what the table gives."""
     car = load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0})
-    found = simulated.simulate_inspection(wear_dampers(car, wear), simulated.tester_for("egea"), noise=0.01).wheel
+    found = simulated.simulate_inspection(
+        wear_dampers(car, wear), simulated.tester_for("egea"), noise=0.01
+    ).wheel
     figure = inspection_curves(Inspection((found,)))
     axes = next(axes for axes in figure.axes if "Phase" in axes.get_title(loc="left"))
     dot, curve = axes.lines[:2]

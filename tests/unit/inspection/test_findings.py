@@ -26,7 +26,9 @@ FOLDER = Path(jounce.inspection.__file__).parent
 
 
 def test_a_phase_angle_below_zero_is_said_to_be_no_steady_state() -> None:
-    car = load("audi-a6-quarter-car").with_changes({"sprung.mass": 350.0, "tyre.damping_coefficient": 0.0})
+    car = load("audi-a6-quarter-car").with_changes(
+        {"sprung.mass": 350.0, "tyre.damping_coefficient": 0.0}
+    )
     tester = load_tester("egea-specsus2018")
     wheel = evaluate(simulate_test(wear_dampers(car, 0.9), tester, truth=False), tester).wheels[0]
     codes = [one.code for one in wheel.findings]
@@ -37,9 +39,15 @@ def test_a_phase_angle_below_zero_is_said_to_be_no_steady_state() -> None:
 
 
 def test_german_numbers_have_commas_and_german_words() -> None:
-    found = remark("left.plate.z", "problem", "height_unit", 0.04, stroke=0.2362, expected=6.0, unit="inches")
-    assert found.message.endswith("the heights seem to be in inches; correct the unit in the header.")
-    assert sentence_of(found, "de").startswith("Die Platte bewegt sich um 0,2362 mm, der Hub des Prüfstands ist 6 mm")
+    found = remark(
+        "left.plate.z", "problem", "height_unit", 0.04, stroke=0.2362, expected=6.0, unit="inches"
+    )
+    assert found.message.endswith(
+        "the heights seem to be in inches; correct the unit in the header."
+    )
+    assert sentence_of(found, "de").startswith(
+        "Die Platte bewegt sich um 0,2362 mm, der Hub des Prüfstands ist 6 mm"
+    )
     assert "in Zoll" in sentence_of(found, "de")
     assert sentence_of(Finding("file", "note", "only English"), "de") == "only English"
 
@@ -63,8 +71,12 @@ def test_findings_and_reasons_are_german_on_a_german_page() -> None:
 
 
 def test_codes_and_words_are_in_the_plain_result(twin, left_record, eusama) -> None:
-    time, height, force, _ = twin.rigid_record(twin.Car(), twin.Programme(before=0.5), mp=20.0, fine=4)
-    found = evaluate(left_record(time, height, np.minimum(force, 5400.0), twin.Car().static_load), eusama)
+    time, height, force, _ = twin.rigid_record(
+        twin.Car(), twin.Programme(before=0.5), mp=20.0, fine=4
+    )
+    found = evaluate(
+        left_record(time, height, np.minimum(force, 5400.0), twin.Car().static_load), eusama
+    )
     finding = found.to_dict()["wheels"][0]["findings"][0]
     assert isinstance(found.wheel("left").findings[0], Remark)
     assert finding["code"] == "saturated"
@@ -79,13 +91,18 @@ def test_findings_of_the_reader_are_german_too(tmp_path: Path) -> None:
     _, findings = read_record(tmp_path / "lane.csv")
     assert len(findings) == 2
     german = [sentence_of(one, "de") for one in findings]
-    assert german[0].startswith("Spalten, die kein bekannter Kanal sind, wurden weggelassen: nonsense")
+    assert german[0].startswith(
+        "Spalten, die kein bekannter Kanal sind, wurden weggelassen: nonsense"
+    )
     assert german[1].startswith("Der Kanal ist konstant (0,0005)")
     assert [sentence_of(one) for one in findings] == [one.message for one in findings]
 
 
 _LANE = "time [s]; left.plate.z [{0}]; left.plate.force [{1}]; right.plate.z [mm]\n"
-_ALWAYS = ["Dezimalkommas wurden als Dezimalpunkte gelesen", "Kanäle ohne eine einzige Zahl wurden weggelassen"]
+_ALWAYS = [
+    "Dezimalkommas wurden als Dezimalpunkte gelesen",
+    "Kanäle ohne eine einzige Zahl wurden weggelassen",
+]
 _UNITS = "Die Einheiten wurden der Zeile unter den Namen entnommen"
 READ = [  # header, step (s), what the reader is told, and what a German page says of it
     (_LANE.format("mm", "N"), 0.01, {}, _ALWAYS),
@@ -104,7 +121,10 @@ def test_whatever_the_reader_finds_is_german(
     tmp_path: Path, header: str, step: float, told: dict[str, float], german: list[str]
 ) -> None:
     file = tmp_path / "lane.csv"
-    rows = (f"{i * step:.6g}; {3.0 * np.sin(i):.6f}; {4000.0 + 900.0 * np.cos(i):.3f};" for i in range(100))
+    rows = (
+        f"{i * step:.6g}; {3.0 * np.sin(i):.6f}; {4000.0 + 900.0 * np.cos(i):.3f};"
+        for i in range(100)
+    )
     file.write_text(header + "\n".join(rows).replace(".", ","), encoding="utf-8")
     found = read_recording(file, **told)[1]
     said = [sentence_of(one, "de") for one in found]
@@ -115,7 +135,9 @@ def test_whatever_the_reader_finds_is_german(
 
 def test_a_file_that_was_cut_off_is_german() -> None:
     (cut,) = announcement("left.plate.z", 100, 40, "a.tdms")
-    assert sentence_of(cut, "de").startswith("Die Datei kündigt 100 Werte an und enthält 40: Sie wurde abgeschnitten")
+    assert sentence_of(cut, "de").startswith(
+        "Die Datei kündigt 100 Werte an und enthält 40: Sie wurde abgeschnitten"
+    )
 
 
 @pytest.mark.parametrize(

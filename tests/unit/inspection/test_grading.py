@@ -11,7 +11,14 @@ import pytest
 
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.findings import Finding
-from jounce.inspection.grading import _of_tyre, difference_of, grade, grade_vehicle, near_edges, worst
+from jounce.inspection.grading import (
+    _of_tyre,
+    difference_of,
+    grade,
+    grade_vehicle,
+    near_edges,
+    worst,
+)
 from jounce.inspection.limits import Limits, load_limits
 from jounce.inspection.methods import QUANTITIES
 from jounce.inspection.quarter_car import LinearQuarterCar, steady_state
@@ -33,7 +40,9 @@ def wheel(side: str = "left", **changes) -> WheelResult:
     return WheelResult(side, **{**SOUND, **changes})
 
 
-def axle(left=None, right=None, name: str = "front", methods=("eusama", "egea", "theta")) -> Inspection:
+def axle(
+    left=None, right=None, name: str = "front", methods=("eusama", "egea", "theta")
+) -> Inspection:
     left, right = left or wheel(), right or wheel("right")
     return Inspection((left, right), {"axle": name}, {"tester": "lane 1"}, methods)
 
@@ -43,7 +52,16 @@ def test_a_sound_axle_passes_and_every_reason_names_value_limit_and_source() -> 
     assert (graded.verdict, [one.verdict for one in graded.wheels]) == ("pass", ["pass", "pass"])
     assert graded.wheels[0].grade == {"eusama": "good", "egea": "sufficient", "theta": "green"}
     said = " | ".join(graded.wheels[0].reasons)
-    for part in ("60.2 %", "57.3°", "0.171", "from 60 %", "from 35°", "up to 0.3", "EUSAMA classes", "SPECSUS2018"):
+    for part in (
+        "60.2 %",
+        "57.3°",
+        "0.171",
+        "from 60 %",
+        "from 35°",
+        "up to 0.3",
+        "EUSAMA classes",
+        "SPECSUS2018",
+    ):
         assert part in said
     assert graded.axle == "front"
 
@@ -67,7 +85,9 @@ def test_a_deciding_method_without_a_value_forbids_the_grade_but_no_failure() ->
     assert graded.wheels[0].verdict == "not graded"
     assert graded.verdict == "not graded"
     assert any("is not known: no grade by THETA" in reason for reason in graded.wheels[0].reasons)
-    failing = grade(axle(wheel(theta_road=None, phase_angle_min_deg=20.0)), deciding=["egea", "theta"])
+    failing = grade(
+        axle(wheel(theta_road=None, phase_angle_min_deg=20.0)), deciding=["egea", "theta"]
+    )
     assert failing.wheels[0].verdict == "fail"
 
 
@@ -111,7 +131,9 @@ def test_a_value_outside_all_bands_is_not_graded() -> None:
 
 def test_methods_without_limits_are_said() -> None:
     limits = load_limits()
-    only = Limits.model_construct(**{**dict(limits), "methods": {"egea": limits.methods["egea"]}, "differences": {}})
+    only = Limits.model_construct(
+        **{**dict(limits), "methods": {"egea": limits.methods["egea"]}, "differences": {}}
+    )
     graded = grade(axle(), only)
     assert graded.wheels[0].grade == {"egea": "sufficient"}
     assert any("there are no limits for THETA" in reason for reason in graded.wheels[0].reasons)
@@ -125,11 +147,21 @@ def test_unknown_methods_are_refused() -> None:
 
 @pytest.mark.parametrize(
     ("value", "half", "uncertain"),
-    [(36.0, 1.5, True), (36.0, 0.9, False), (34.0, 1.5, True), (34.0, 0.9, False), (36.0, None, False)],
+    [
+        (36.0, 1.5, True),
+        (36.0, 0.9, False),
+        (34.0, 1.5, True),
+        (34.0, 0.9, False),
+        (36.0, None, False),
+    ],
 )
-def test_near_an_edge_the_reasons_say_uncertain(value: float, half: float | None, uncertain: bool) -> None:
+def test_near_an_edge_the_reasons_say_uncertain(
+    value: float, half: float | None, uncertain: bool
+) -> None:
     uncertainty = {} if half is None else {"phase_angle_min_deg": half}
-    graded = grade(axle(wheel(phase_angle_min_deg=value, uncertainty=uncertainty)), deciding=["egea"])
+    graded = grade(
+        axle(wheel(phase_angle_min_deg=value, uncertainty=uncertainty)), deciding=["egea"]
+    )
     said = [reason for reason in graded.wheels[0].reasons if "uncertain" in reason]
     assert bool(said) is uncertain
     assert graded.wheels[0].verdict == ("pass" if value >= 35.0 else "fail")  # the value decides
@@ -146,7 +178,11 @@ def test_a_value_just_below_a_limit_is_not_written_as_the_limit() -> None:
 
 def test_over_range_is_noted() -> None:
     graded = grade(axle(wheel(theta_road=0.395)))
-    (said,) = (reason for reason in graded.wheels[0].reasons if "the source says nothing about such values" in reason)
+    (said,) = (
+        reason
+        for reason in graded.wheels[0].reasons
+        if "the source says nothing about such values" in reason
+    )
     assert "0.395 is above the optimal band, which ends at 0.3;" in said
     assert graded.wheels[0].verdict == "pass"
 
@@ -163,13 +199,15 @@ def test_tyre_pressure_asks_for_advice_where_the_method_needs_it() -> None:
 
 
 def test_both_definitions_of_a_difference() -> None:
-    found = difference_of("adhesion", wheel(adhesion=0.45), wheel("right", adhesion=0.60), ("left", "right"))
+    found = difference_of(
+        "adhesion", wheel(adhesion=0.45), wheel("right", adhesion=0.60), ("left", "right")
+    )
     assert found.absolute == pytest.approx(0.15, abs=1e-12)
     assert found.relative == pytest.approx(0.25, abs=1e-12)  # 100 |L - R| / max(L, R)
     assert found.smaller == "left"
-    plain = grade(axle(wheel(adhesion=0.45), wheel("right", adhesion=0.60))).to_dict()["axle"]["differences"][
-        "adhesion"
-    ]
+    plain = grade(axle(wheel(adhesion=0.45), wheel("right", adhesion=0.60))).to_dict()["axle"][
+        "differences"
+    ]["adhesion"]
     assert (plain["absolute"], plain["relative"]) == (pytest.approx(0.15), pytest.approx(0.25))
 
 
@@ -188,7 +226,11 @@ def test_relative_criteria_of_egea(quantity: str, right: float, verdict: str) ->
     graded = grade(axle(right=wheel("right", **{quantity: right})), deciding=["egea"])
     assert [one.verdict for one in graded.wheels] == ["pass", "pass"]
     assert graded.verdict == verdict
-    said = [reason for reason in graded.inspection.axle["reasons"] if QUANTITIES[quantity].english in reason]
+    said = [
+        reason
+        for reason in graded.inspection.axle["reasons"]
+        if QUANTITIES[quantity].english in reason
+    ]
     assert any("relative to the greater" in reason and "SPECSUS2018" in reason for reason in said)
 
 
@@ -197,7 +239,12 @@ def test_differences_of_methods_that_do_not_decide_do_not_count() -> None:
     assert grade(axle(right=right), deciding=["egea"]).verdict == "fail"
     graded = grade(axle(right=right), deciding=["theta"])
     assert graded.verdict == "pass"
-    assert graded.inspection.axle["differences"]["phase_angle_min_deg"]["grade"]["phase-angle"]["verdict"] == "fail"
+    assert (
+        graded.inspection.axle["differences"]["phase_angle_min_deg"]["grade"]["phase-angle"][
+            "verdict"
+        ]
+        == "fail"
+    )
 
 
 def test_a_relative_difference_of_values_that_are_not_positive_is_not_known() -> None:
@@ -276,7 +323,9 @@ def light_wheel() -> WheelResult:
     """A light car with a stiff tyre and a sound damper, by the linear model."""
     corner = LinearQuarterCar(230.0, 30.0, 16e3, 1100.0, 240e3)
     steady = steady_state(corner)
-    curves = WheelCurves(*(np.full(3, value) for value in (0.0, 12.0, 0.0, 0.0, 60.0)), np.full(3, 3e-3))
+    curves = WheelCurves(
+        *(np.full(3, value) for value in (0.0, 12.0, 0.0, 0.0, 60.0)), np.full(3, 3e-3)
+    )
     return WheelResult(
         "left",
         static_load=corner.static_load,
@@ -298,7 +347,9 @@ def test_where_methods_disagree_load_and_tyre_are_named_with_numbers() -> None:
     assert graded.wheels[0].verdict == "pass"
     said = " | ".join(graded.wheels[0].reasons)
     assert "the methods disagree: EUSAMA" in said
-    needed = (1.0 - light.adhesion) * light.static_load / 0.6  # the load on which this force amplitude leaves 40 %
+    needed = (
+        (1.0 - light.adhesion) * light.static_load / 0.6
+    )  # the load on which this force amplitude leaves 40 %
     assert f"a wheel that carries {needed:.0f} N would reach the limit of 40 %" in said
     usual = steady_state(replace(light.corner, tyre_stiffness=200e3), light.static_load)
     assert f"200 N/mm instead of 240 N/mm it would be {100 * usual.adhesion:.1f} %" in said
@@ -328,7 +379,11 @@ def test_adhesion_is_explained_only_where_it_stands_alone() -> None:
 
 
 def test_lift_off_and_unequal_limits_are_explained() -> None:
-    graded = grade(axle(wheel(adhesion=0.0, lift_off=True, theta_road=0.12), methods=("eusama", "egea", "theta")))
+    graded = grade(
+        axle(
+            wheel(adhesion=0.0, lift_off=True, theta_road=0.12), methods=("eusama", "egea", "theta")
+        )
+    )
     said = " ".join(graded.wheels[0].reasons)
     assert "the tyre leaves the plate" in said
     assert "limits of EGEA and THETA do not stand for the same damping" in said
@@ -343,7 +398,10 @@ def test_reasons_are_said_in_german_too() -> None:
             assert german
             assert german != reason.text("en")
             assert german[0].isupper()
-    assert any("Bodenhaftung" in reason.text("de") and "," in reason.text("de") for reason in graded.grades[0].reasons)
+    assert any(
+        "Bodenhaftung" in reason.text("de") and "," in reason.text("de")
+        for reason in graded.grades[0].reasons
+    )
 
 
 def test_json_is_strict_and_has_the_keys_of_a_wheel() -> None:
@@ -358,7 +416,8 @@ def test_json_is_strict_and_has_the_keys_of_a_wheel() -> None:
 
 
 @pytest.mark.parametrize(
-    ("value", "half", "near"), [(36.0, 1.0, []), (36.0, 1.01, [35.0]), (34.0, 1.0, [35.0]), (34.0, 0.99, [])]
+    ("value", "half", "near"),
+    [(36.0, 1.0, []), (36.0, 1.01, [35.0]), (34.0, 1.0, [35.0]), (34.0, 0.99, [])],
 )
 def test_which_limits_an_interval_reaches(value: float, half: float, near: list[float]) -> None:
     found = near_edges(load_limits().methods["egea"], value, half, "egea")
@@ -373,18 +432,30 @@ def test_intervals_of_differences() -> None:
     for pair in ((one, other), (other, one)):
         found = difference_of("adhesion", *pair, tuple(each.wheel for each in pair))
         assert found.uncertainty == pytest.approx(math.hypot(0.02, 0.01))
-        assert found.relative_uncertainty == pytest.approx(math.hypot(0.02, 0.01 * 0.45 / 0.6) / 0.6)
+        assert found.relative_uncertainty == pytest.approx(
+            math.hypot(0.02, 0.01 * 0.45 / 0.6) / 0.6
+        )
         assert found.smaller == "left"
-    assert difference_of("adhesion", one, wheel("right", adhesion=0.6), ("left", "right")).relative_uncertainty is None
+    assert (
+        difference_of(
+            "adhesion", one, wheel("right", adhesion=0.6), ("left", "right")
+        ).relative_uncertainty
+        is None
+    )
 
 
-@pytest.mark.parametrize(("stiffness", "said"), [(209e3, False), (211e3, True), (191e3, False), (189e3, True)])
+@pytest.mark.parametrize(
+    ("stiffness", "said"), [(209e3, False), (211e3, True), (191e3, False), (189e3, True)]
+)
 def test_tyres_that_are_told_from_usual_ones(stiffness: float, said: bool) -> None:
     light = light_wheel()
     found = _of_tyre(replace(light, corner=replace(light.corner, tyre_stiffness=stiffness)))
     assert [one.kind for one in found] == (["tyre"] if said else [])
     for one in found:
-        assert (one.values["usual"], one.values["stiffness"]) == (200.0, pytest.approx(1e-3 * stiffness))
+        assert (one.values["usual"], one.values["stiffness"]) == (
+            200.0,
+            pytest.approx(1e-3 * stiffness),
+        )
     (plain,) = _of_tyre(replace(light, corner=None, tyre_rigidity=187.6e3))
     assert (plain.kind, plain.values) == ("rigidity", {"rigidity": pytest.approx(187.6)})
     assert _of_tyre(replace(light, corner=None, tyre_rigidity=None)) == []

@@ -16,7 +16,9 @@ from jounce.inspection.equivalence import METHODS, Equivalence, compare_tests, u
 from jounce.inspection.simulated import _end_finding, sweep_wear
 from jounce.parts.testers import load_tester
 
-CAR = jn.load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0, "sprung.mass": 400.0})
+CAR = jn.load("audi-a6-quarter-car").with_changes(
+    {"tyre.damping_coefficient": 100.0, "sprung.mass": 400.0}
+)
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +55,9 @@ def test_plain_values_and_picture(study: Equivalence) -> None:
     figure = equivalence(study)
     assert [axes.get_xlabel() for axes in figure.axes] == [factor.label for factor in study.factors]
     dotted = any(
-        np.isnan(study.rejecting_wear(factor.name, method)).any() for factor in study.factors for method in METHODS
+        np.isnan(study.rejecting_wear(factor.name, method)).any()
+        for factor in study.factors
+        for method in METHODS
     )
     texts = [text.get_text() for text in figure.legends[0].get_texts()]
     assert (texts[-1] == "dots at the top: never rejected") == dotted
@@ -103,7 +107,9 @@ class Pool:
 
 
 @pytest.mark.parametrize(("tests", "started"), [(9, []), (4, [2]), (3, [3]), (1, [3])])
-def test_processes_are_started_where_they_save_time(study: Equivalence, monkeypatch, tests: int, started: list[int]):
+def test_processes_are_started_where_they_save_time(
+    study: Equivalence, monkeypatch, tests: int, started: list[int]
+):
     """9 tests in three columns, for at most three processes."""
     monkeypatch.setattr(equivalence, "_TESTS_OF_A_PROCESS", tests)
     monkeypatch.setattr(equivalence, "ProcessPoolExecutor", Pool)
@@ -160,7 +166,9 @@ def test_what_is_varied() -> None:
     ],
 )
 def test_between_two_wears(fails, values, first) -> None:
-    found = equivalence._first_rejected(np.array([0.0, 0.4, 0.8]), np.array(fails), np.array(values), 0.4)
+    found = equivalence._first_rejected(
+        np.array([0.0, 0.4, 0.8]), np.array(fails), np.array(values), 0.4
+    )
     assert found == pytest.approx(first, nan_ok=True)
 
 
@@ -170,7 +178,9 @@ def test_who_is_sound_and_who_is_worn() -> None:
     verdict[:3, 0] = verdict[1, 2] = "fail"
     verdict[3:, 1] = verdict[5, 2] = "pass"
     table = {f"{method}_verdict": (("wear", "load"), verdict) for method in METHODS}
-    plane = xr.Dataset(table, {"wear": [0.0, 0.2, 0.21, 0.69, 0.7, 1.0], "load": list(factor.values)})
+    plane = xr.Dataset(
+        table, {"wear": [0.0, 0.2, 0.21, 0.69, 0.7, 1.0], "load": list(factor.values)}
+    )
     for row in equivalence._disagreements(factor, plane):
         assert (row.sound, row.worn, row.rejected_sound, row.passed_worn) == (6, 6, 3, 3)
         assert (row.rejected_at, row.passed_at) == ((0.5, 1.5), (1.0, 1.5))
@@ -201,7 +211,11 @@ def test_ranges_of_wear(text, wears) -> None:
         assert sweep_wear(text) == wears
 
 
-@pytest.mark.parametrize(("hz", "told"), [(6.004, True), (6.006, False), (17.994, False), (17.996, True)])
+@pytest.mark.parametrize(
+    ("hz", "told"), [(6.004, True), (6.006, False), (17.994, False), (17.996, True)]
+)
 def test_phase_angles_at_an_end_of_the_band(hz: float, told: bool) -> None:
     found = _end_finding(hz, load_tester("egea-specsus2018"), "left")
-    assert [(one.code, one.words) for one in found] == ([("phase_at_end", {"frequency": hz})] if told else [])
+    assert [(one.code, one.words) for one in found] == (
+        [("phase_at_end", {"frequency": hz})] if told else []
+    )

@@ -34,7 +34,11 @@ KEYS = {
 def inspection(twin, left_record, eusama):
     car = twin.Car()
     time, height, force, _ = twin.rigid_record(car, twin.Programme(), mp=20.0, fine=4)
-    return evaluate(left_record(time, height, force, car.static_load, axle="rear", vehicle="A6"), eusama, vehicle=None)
+    return evaluate(
+        left_record(time, height, force, car.static_load, axle="rear", vehicle="A6"),
+        eusama,
+        vehicle=None,
+    )
 
 
 def test_keys(inspection):
@@ -46,8 +50,20 @@ def test_keys(inspection):
     assert wheel["wheel"] == "left"
     assert wheel["theta_graded"] == "theta_road"
     assert wheel["verdict"] == "not graded"
-    assert (wheel["grade"], wheel["reasons"], wheel["findings"], wheel["lift_off"]) == ({}, [], [], False)
-    values = {"adhesion", "phase_angle_min_deg", "relative_force_amplitude", "tyre_rigidity", "theta_rig", "theta_road"}
+    assert (wheel["grade"], wheel["reasons"], wheel["findings"], wheel["lift_off"]) == (
+        {},
+        [],
+        [],
+        False,
+    )
+    values = {
+        "adhesion",
+        "phase_angle_min_deg",
+        "relative_force_amplitude",
+        "tyre_rigidity",
+        "theta_rig",
+        "theta_road",
+    }
     values.add("body_damping_ratio")
     assert set(wheel["uncertainty"]) == values
     assert all(0.0 <= wheel["uncertainty"][key] < 0.01 * wheel[key] for key in values)
@@ -57,9 +73,12 @@ def test_keys(inspection):
 
 def test_unfit_wheels_are_null(left_record, inspection, eusama, twin):
     time, height, force, _ = twin.rigid_record(twin.Car(), twin.Programme(), mp=20.0, fine=4)
-    (wheel,) = evaluate(left_record(time[:800], height[:800], force[:800]), eusama).to_dict()["wheels"]
+    (wheel,) = evaluate(left_record(time[:800], height[:800], force[:800]), eusama).to_dict()[
+        "wheels"
+    ]
     assert all(
-        wheel[key] is None for key in KEYS - {"lift_off", "uncertainty", "grade", "verdict", "reasons", "findings"}
+        wheel[key] is None
+        for key in KEYS - {"lift_off", "uncertainty", "grade", "verdict", "reasons", "findings"}
     )
     assert wheel["findings"][0]["severity"] == "problem"
 
@@ -106,7 +125,13 @@ def test_nothing_graded_without_wheels():
 
 def test_a_result_prints_as_a_table_of_eighty_columns() -> None:
     wheels = tuple(
-        WheelResult(side, adhesion=share, phase_angle_min_deg=41.25, uncertainty={"adhesion": 0.0123}, lift_off=True)
+        WheelResult(
+            side,
+            adhesion=share,
+            phase_angle_min_deg=41.25,
+            uncertainty={"adhesion": 0.0123},
+            lift_off=True,
+        )
         for side, share in (("left", 0.399), ("right", None))
     )
     text = str(Inspection(wheels, axle={"axle": "front"}))

@@ -33,43 +33,74 @@ WHEEL = {
 def store(tmp_path: Path) -> Store:
     found = Store(tmp_path / "lane.sqlite")
     for year, adhesion in ((2025, 0.4), (2023, 0.6), (2024, 0.5)):
-        wheels = [{**WHEEL, "adhesion": adhesion}, {**WHEEL, "wheel": "right", "adhesion": None, "theta_road": 0.2}]
-        entry = RecordEntry(f"{year}.csv", str(year).encode(), plate="B-AB 1", date=f"{year}-06-01", axle="rear")
+        wheels = [
+            {**WHEEL, "adhesion": adhesion},
+            {**WHEEL, "wheel": "right", "adhesion": None, "theta_road": 0.2},
+        ]
+        entry = RecordEntry(
+            f"{year}.csv", str(year).encode(), plate="B-AB 1", date=f"{year}-06-01", axle="rear"
+        )
         found.accept(entry, Grading("advise", "limits 1", "0.1", {"wheels": wheels}))
-    unread = Grading("not graded", "limits 1", "0.1", {"wheels": [], "reasons": ["the header is missing."]})
+    unread = Grading(
+        "not graded", "limits 1", "0.1", {"wheels": [], "reasons": ["the header is missing."]}
+    )
     found.accept(RecordEntry("x.csv", b"x", plate="B-AB 1", date="2026-06-01"), unread)
     return found
 
 
 def test_history_is_by_date_and_its_slope_right(store) -> None:
     visits = history_of(store, "bab 1")
-    assert [visit.values["adhesion"] for visit in visits if visit.wheel == "left"] == [0.6, 0.5, 0.4]
+    assert [visit.values["adhesion"] for visit in visits if visit.wheel == "left"] == [
+        0.6,
+        0.5,
+        0.4,
+    ]
     trends = {(one.wheel, one.quantity): one for one in trends_of(visits)}
-    assert trends["left", "adhesion"].change_per_year == pytest.approx(-0.1, abs=2e-4)  # 2024 is a leap year
+    assert trends["left", "adhesion"].change_per_year == pytest.approx(
+        -0.1, abs=2e-4
+    )  # 2024 is a leap year
     assert trends["left", "theta_road"].change_per_year == pytest.approx(0.0, abs=1e-12)
     assert ("right", "adhesion") not in trends
     assert trends["right", "theta_road"].visits == 3
     assert trends_of(visits[:2]) == []  # one day is no trend
 
 
-def test_csv_has_a_row_for_each_wheel_and_one_for_what_could_not_be_read(store, tmp_path: Path) -> None:
+def test_csv_has_a_row_for_each_wheel_and_one_for_what_could_not_be_read(
+    store, tmp_path: Path
+) -> None:
     file = export(rows_of(store.records()), tmp_path / "lane.csv")
     rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
     assert len(rows) == 7
     assert tuple(rows[0]) == COLUMNS
-    assert (rows[0]["adhesion"], rows[0]["adhesion_half_width"], rows[0]["grade_eusama"]) == ("0.6", "0.01", "poor")
+    assert (rows[0]["adhesion"], rows[0]["adhesion_half_width"], rows[0]["grade_eusama"]) == (
+        "0.6",
+        "0.01",
+        "poor",
+    )
     assert rows[0]["reasons"] == 'adhesion "low", 30 %. Second, one.'
-    assert (rows[6]["wheel"], rows[6]["verdict"], rows[6]["reasons"]) == ("", "not graded", "the header is missing.")
+    assert (rows[6]["wheel"], rows[6]["verdict"], rows[6]["reasons"]) == (
+        "",
+        "not graded",
+        "the header is missing.",
+    )
     with pytest.raises(OutputError, match="exists"):
         export([], file)
 
 
 def test_an_axle_that_fails_with_wheels_that_pass_says_why_in_the_table(tmp_path: Path) -> None:
-    wheels = [{**WHEEL, "wheel": side, "verdict": "pass", "reasons": ["good."]} for side in ("left", "right")]
+    wheels = [
+        {**WHEEL, "wheel": side, "verdict": "pass", "reasons": ["good."]}
+        for side in ("left", "right")
+    ]
     store = Store(tmp_path / "lane.sqlite")
     store.accept(
         RecordEntry("a.csv", b"a"),
-        Grading("fail", "limits 1", "0.1", {"wheels": wheels, "reasons": ["difference left to right 19 deg: fail."]}),
+        Grading(
+            "fail",
+            "limits 1",
+            "0.1",
+            {"wheels": wheels, "reasons": ["difference left to right 19 deg: fail."]},
+        ),
     )
     rows = rows_of(store.records())
     assert [(row["verdict"], row["reasons"]) for row in rows] == [("pass", "good.")] * 2
@@ -80,12 +111,21 @@ def test_what_weakens_a_value_is_in_the_table_and_no_trend_is_drawn_from_it(tmp_
     def said(severity: str, message: str) -> dict:
         return {"place": "left", "severity": severity, "message": message}
 
-    lifted = {"unreliable": ["phase_angle_min_deg", "phase_frequency_hz"], "phase_angle_min_deg": -11.0}
-    found = {**WHEEL, **lifted, "findings": [said("warning", "the tyre lifts."), said("problem", "unfit.")]}
+    lifted = {
+        "unreliable": ["phase_angle_min_deg", "phase_frequency_hz"],
+        "phase_angle_min_deg": -11.0,
+    }
+    found = {
+        **WHEEL,
+        **lifted,
+        "findings": [said("warning", "the tyre lifts."), said("problem", "unfit.")],
+    }
     store = Store(tmp_path / "lane.sqlite")
     for year, wheel in ((2023, WHEEL), (2024, found), (2025, WHEEL)):
         result = {"wheels": [wheel], "findings": [said("warning", "no date.")]}
-        entry = RecordEntry(f"{year}.csv", str(year).encode(), plate="B-AB 1", date=f"{year}-06-01", axle="rear")
+        entry = RecordEntry(
+            f"{year}.csv", str(year).encode(), plate="B-AB 1", date=f"{year}-06-01", axle="rear"
+        )
         store.accept(entry, Grading("fail", "limits 1", "0.1", result))
     rows = rows_of(store.records())
     assert [row["findings"] for row in rows] == ["no date.", "the tyre lifts. no date.", "no date."]
@@ -109,7 +149,9 @@ def test_parquet_has_types_and_units(store, tmp_path: Path) -> None:
 
 def test_parquet_without_its_package_says_what_to_install(tmp_path: Path, monkeypatch) -> None:
     def missing(module: str, extra: str) -> None:
-        raise MissingPackageError(f"the package {module!r} is not installed", hint=f"jounce[{extra}]")
+        raise MissingPackageError(
+            f"the package {module!r} is not installed", hint=f"jounce[{extra}]"
+        )
 
     monkeypatch.setattr(exporting, "require", missing)
     with pytest.raises(MissingPackageError, match=r"jounce\[lane\]"):
@@ -148,7 +190,9 @@ def test_values_below_zero_are_within_the_picture() -> None:
     from jounce.plots.inspection import vehicle_history
 
     values = {"adhesion": 0.0, "phase_angle_min_deg": -9.0, "theta_road": 0.05}
-    figure = vehicle_history([WheelVisit(1, "2026-11-21", "B-AB 1", "front", "left", values, "fail", "")])
+    figure = vehicle_history(
+        [WheelVisit(1, "2026-11-21", "B-AB 1", "front", "left", values, "fail", "")]
+    )
     low, high = figure.axes[1].get_ylim()
     assert low < -9.0 < high
     assert all(axes.get_ylim()[0] == 0.0 for axes in (figure.axes[0], figure.axes[2]))
@@ -163,23 +207,42 @@ def test_an_unreliable_value_is_told_from_the_others_wherever_a_history_is_shown
 
     def visit(record: int, angle: float, unreliable: tuple[str, ...] = ()) -> WheelVisit:
         values = {"adhesion": 0.4, "phase_angle_min_deg": angle, "theta_road": 0.1}
-        return WheelVisit(record, f"{2022 + record}-06-01", "B-AB 1", "rear", "left", values, "fail", "", unreliable)
+        return WheelVisit(
+            record,
+            f"{2022 + record}-06-01",
+            "B-AB 1",
+            "rear",
+            "left",
+            values,
+            "fail",
+            "",
+            unreliable,
+        )
 
     sound = [visit(1, 41.0), visit(2, 42.0)]
     visits = [*sound, visit(3, -11.0, ("phase_angle_min_deg",))]
     adhesion, phase, _ = vehicle_history(visits).axes
     assert [len(axes.lines) for axes in (adhesion, phase)] == [1, 2]
-    assert (list(phase.lines[1].get_ydata()), phase.lines[1].get_markerfacecolor()) == ([-11.0], "white")
+    assert (list(phase.lines[1].get_ydata()), phase.lines[1].get_markerfacecolor()) == (
+        [-11.0],
+        "white",
+    )
     assert ["hollow" in axes.get_title("left") for axes in (adhesion, phase)] == [False, True]
     (table,) = history_page(visits, [], title="B-AB 1").sections[1].blocks
-    assert [["unreliable" in str(cell) for cell in row].index(True) for row in table.rows[2:]] == [3]
+    assert [["unreliable" in str(cell) for cell in row].index(True) for row in table.rows[2:]] == [
+        3
+    ]
     assert not any("unreliable" in str(row) for row in table.rows[:2])
     with (console := Console(width=120)).capture() as shown:
         show_page(console, history_page(visits, [], title="B-AB 1"))
-    assert [line.split()[0] for line in shown.get().splitlines() if "−11.0° (unreliable)" in line] == ["2025-06-01"]
+    assert [
+        line.split()[0] for line in shown.get().splitlines() if "−11.0° (unreliable)" in line
+    ] == ["2025-06-01"]
 
 
-def test_records_are_evaluated_again_by_the_tester_they_came_with(tmp_path: Path, twin, eusama, monkeypatch) -> None:
+def test_records_are_evaluated_again_by_the_tester_they_came_with(
+    tmp_path: Path, twin, eusama, monkeypatch
+) -> None:
     """One whose tester nobody knew, one that came with its tester, one that cannot be read; all on one process."""
     car = twin.Car()
     time, height, force, _ = twin.rigid_record(car, twin.Programme(), mp=eusama.plate_mass, fine=4)
@@ -196,7 +259,9 @@ def test_records_are_evaluated_again_by_the_tester_they_came_with(tmp_path: Path
         found.append(import_record(tmp_path / f"{name}.csv", lane, tester))
     assert [one.verdict for one in found] == ["not graded", "pass", "not graded"]
     said: list[tuple[int, int]] = []
-    asked = eusama.model_copy(update={"plate_mass": eusama.plate_mass + 0.5})  # of the first record only
+    asked = eusama.model_copy(
+        update={"plate_mass": eusama.plate_mass + 0.5}
+    )  # of the first record only
     first = reevaluate(lane, tester=asked, workers=1, say=lambda done, of: said.append((done, of)))
     assert first == Reevaluation(3, 1, 2, {("not graded", "pass"): 1}, (1,), {})
     assert said == [(3, 3)]

@@ -48,7 +48,9 @@ def changed(tmp_path: Path, old: str, new: str) -> Path:
         ("boge", 0.0851, "worn", "fail", ""),
     ],
 )
-def test_edges_of_the_shipped_bands(method: str, value: float, label: str, verdict: str, note: str) -> None:
+def test_edges_of_the_shipped_bands(
+    method: str, value: float, label: str, verdict: str, note: str
+) -> None:
     band = load_limits().methods[method].band_of(value)
     assert band is not None
     assert (band.label, band.verdict, band.note) == (label, verdict, note)
@@ -66,7 +68,11 @@ def test_conditions_and_differences_of_egea() -> None:
     tyre = limits.conditions["tyre-rigidity"]
     shown = [tyre.band_of(value).verdict for value in (159.9e3, 160e3, 400e3, 400.1e3)]
     assert shown == ["advise", "pass", "pass", "advise"]
-    for name, share in (("relative-force-amplitude", 0.3), ("phase-angle", 0.3), ("tyre-rigidity", 0.35)):
+    for name, share in (
+        ("relative-force-amplitude", 0.3),
+        ("phase-angle", 0.3),
+        ("tyre-rigidity", 0.35),
+    ):
         criterion = limits.differences[name]
         assert (criterion.definition, criterion.across) == ("relative", "wheels")
         assert criterion.band_of(share).verdict == "pass"
@@ -76,12 +82,28 @@ def test_conditions_and_differences_of_egea() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("from = 0.10, to = 0.13", "from = 0.10, to = 0.12", "methods.theta.bands[2]: a gap from 0.12 to 0.13"),
-        ("from = 0.10, to = 0.13", "from = 0.09, to = 0.13", "methods.theta.bands[1]: an overlap from 0.09 to 0.1"),
+        (
+            "from = 0.10, to = 0.13",
+            "from = 0.10, to = 0.12",
+            "methods.theta.bands[2]: a gap from 0.12 to 0.13",
+        ),
+        (
+            "from = 0.10, to = 0.13",
+            "from = 0.09, to = 0.13",
+            "methods.theta.bands[1]: an overlap from 0.09 to 0.1",
+        ),
         ("from = 0.10, to = 0.13", "from = 0.10, to = 0.05", "methods.theta.bands[1]: empty"),
         ('to = "35 deg"', 'to = "30 deg"', "methods.egea.bands[1]: a gap from 30° to 35°"),
-        ('"20 %", to = "40 %"', '"20 mm", to = "40 %"', "methods.eusama.bands[1].from: wrong unit; found 'mm'"),
-        ('"160 N/mm", to = "400 N/mm"', '160, to = "400 N/mm"', "conditions.tyre-rigidity.bands[1]: an overlap"),
+        (
+            '"20 %", to = "40 %"',
+            '"20 mm", to = "40 %"',
+            "methods.eusama.bands[1].from: wrong unit; found 'mm'",
+        ),
+        (
+            '"160 N/mm", to = "400 N/mm"',
+            '160, to = "400 N/mm"',
+            "conditions.tyre-rigidity.bands[1]: an overlap",
+        ),
         ('"theta_road"', '"theta_roda"', "unknown quantity 'theta_roda'"),
         ("[methods.egea]", "[methods.eega]", "methods.eega: unknown method"),
         ('methods = ["egea"]', 'methods = ["egae"]', "no limits of a method 'egae'"),
@@ -93,7 +115,9 @@ def test_conditions_and_differences_of_egea() -> None:
         ("jounce.limits/1", "jounce.rig/1", "the schema line is missing or another one"),
     ],
 )
-def test_wrong_files_are_refused_with_one_message(tmp_path: Path, old: str, new: str, message: str) -> None:
+def test_wrong_files_are_refused_with_one_message(
+    tmp_path: Path, old: str, new: str, message: str
+) -> None:
     file = changed(tmp_path, old, new)
     with pytest.raises(DescriptionError) as caught:
         load_limits(file)
@@ -129,7 +153,10 @@ def test_a_users_file_may_hold_one_method_and_other_units(tmp_path: Path) -> Non
     )
     limits = load_limits(file)
     assert limits.name == "lane"
-    assert [limits.methods["egea"].band_of(value).label for value in (44.99, 45.0)] == ["low", "high"]
+    assert [limits.methods["egea"].band_of(value).label for value in (44.99, 45.0)] == [
+        "low",
+        "high",
+    ]
     assert limits.methods["egea"].bands[0].words("de") == "low"
 
 

@@ -22,13 +22,17 @@ EDGES = (
 def bands(edges: list[float], included: list[bool]) -> list[VerdictBand]:
     ends = zip(edges[:-1], edges[1:], included, strict=False)
     return [
-        VerdictBand(start=a, end=b, end_included=closed, label=f"{i}", colour="green", verdict="pass")
+        VerdictBand(
+            start=a, end=b, end_included=closed, label=f"{i}", colour="green", verdict="pass"
+        )
         for i, (a, b, closed) in enumerate(ends)
     ]
 
 
 @given(EDGES, st.lists(st.booleans(), min_size=5, max_size=5), st.floats(-1.5e3, 1.5e3))
-def test_every_value_inside_has_one_band(edges: list[float], included: list[bool], value: float) -> None:
+def test_every_value_inside_has_one_band(
+    edges: list[float], included: list[bool], value: float
+) -> None:
     made = bands(edges, included)
     criterion = Criterion(quantity="theta_road", source="test", bands=tuple(made))
     for asked in (value, *edges):
@@ -46,7 +50,9 @@ def test_every_value_inside_has_one_band(edges: list[float], included: list[bool
 
 
 @given(EDGES, st.floats(1e-3, 1e2), st.booleans(), st.data())
-def test_any_gap_or_overlap_is_refused(edges: list[float], by: float, gap: bool, data: st.DataObject) -> None:
+def test_any_gap_or_overlap_is_refused(
+    edges: list[float], by: float, gap: bool, data: st.DataObject
+) -> None:
     if len(edges) < 3:
         edges = [*edges, edges[-1] + 1.0]
     made = bands(edges, [False] * 5)

@@ -12,10 +12,19 @@ from jounce.core.errors import DescriptionError
 from jounce.inspection import evaluate, grade
 from jounce.inspection.findings import sentence_of, warning
 from jounce.inspection.limits import Limits, shipped_limits
-from jounce.inspection.methods import METHODS, QUANTITIES, Method, MethodResult, WheelTest, methods_on
+from jounce.inspection.methods import (
+    METHODS,
+    QUANTITIES,
+    Method,
+    MethodResult,
+    WheelTest,
+    methods_on,
+)
 from jounce.inspection.quantities import WheelQuantity
 
-STROKE = WheelQuantity("mean_stroke", "m", "mm", 1e3, 2, "mean stroke of the plate", "mittlerer Hub der Platte")
+STROKE = WheelQuantity(
+    "mean_stroke", "m", "mm", 1e3, 2, "mean stroke of the plate", "mittlerer Hub der Platte"
+)
 
 
 def mean_stroke(test: WheelTest) -> MethodResult:
@@ -27,7 +36,9 @@ def mean_stroke(test: WheelTest) -> MethodResult:
 @pytest.fixture
 def scratch(monkeypatch) -> Method:
     """What one more row of the table gives."""
-    row = Row("warning", "the plate moves {stroke:.1f} mm.", "Die Platte bewegt sich um {stroke:.1f} mm.")
+    row = Row(
+        "warning", "the plate moves {stroke:.1f} mm.", "Die Platte bewegt sich um {stroke:.1f} mm."
+    )
     method = Method("stroke", "STROKE", "eusama", ("rigid-plate",), (STROKE,), mean_stroke)
     monkeypatch.setitem(METHODS, method.key, method)
     monkeypatch.setitem(QUANTITIES, STROKE.name, STROKE)
@@ -68,4 +79,6 @@ def test_one_row_is_a_method(scratch, twin, left_record, eusama) -> None:
 def test_without_its_row_it_is_none(twin, left_record, eusama) -> None:
     time, height, force, _ = twin.rigid_record(twin.Car(), twin.Programme(), mp=20.0, fine=4)
     with pytest.raises(DescriptionError, match="stroke"):
-        evaluate(left_record(time, height, force, twin.Car().static_load), eusama, methods=["stroke"])
+        evaluate(
+            left_record(time, height, force, twin.Car().static_load), eusama, methods=["stroke"]
+        )

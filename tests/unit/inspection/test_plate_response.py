@@ -34,8 +34,12 @@ class TestResponse:
     def test_equals_the_twin(self, twin):
         car = twin.Car(c=700.0, ct=90.0)
         frequency = np.linspace(0.2, 30.0, 200)
-        assert np.allclose(force_response(corner(car), frequency), car.response(frequency), rtol=1e-12)
-        several = np.array([[car.mu, car.k, car.c, car.kt, car.ct, car.ms], [40.0, 3e4, 1500.0, 2e5, 0.0, 350.0]])
+        assert np.allclose(
+            force_response(corner(car), frequency), car.response(frequency), rtol=1e-12
+        )
+        several = np.array(
+            [[car.mu, car.k, car.c, car.kt, car.ct, car.ms], [40.0, 3e4, 1500.0, 2e5, 0.0, 350.0]]
+        )
         found = responses(several, 2j * np.pi * frequency)
         assert np.allclose(found[0], car.response(frequency), rtol=1e-9)
         other = LinearQuarterCar(350.0, 40.0, 3e4, 1500.0, 2e5)
@@ -43,19 +47,25 @@ class TestResponse:
 
     def test_poles_equal_the_twin(self, twin):
         for car in (twin.Car(c=300.0), twin.Car(ct=120.0), twin.Car(c=2500.0)):
-            assert wheel_damping(road_poles(corner(car)))[0] == pytest.approx(car.wheel_damping(), rel=1e-9)
+            assert wheel_damping(road_poles(corner(car)))[0] == pytest.approx(
+                car.wheel_damping(), rel=1e-9
+            )
             matrix = car.rig_matrix(18.0, 60e3, 40.0)
             found = np.sort_complex(rig_poles(corner(car), 18.0, 60e3, 40.0))
             assert np.allclose(found, np.sort_complex(np.linalg.eigvals(matrix)), rtol=1e-7)
 
     def test_overdamped_wheel_counts_as_one(self):
-        damping, frequency = wheel_damping(road_poles(LinearQuarterCar(400.0, 40.0, 25e3, 12e3, 200e3)))
+        damping, frequency = wheel_damping(
+            road_poles(LinearQuarterCar(400.0, 40.0, 25e3, 12e3, 200e3))
+        )
         assert damping == 1.0
         assert frequency > 1.0
 
     def test_phase_is_180_less_the_angle(self):
         wanted = np.array([1.0, 0.5j, -1.0, -0.2j])
-        assert np.degrees(phase_angle(wanted)) == pytest.approx([180.0, 90.0, 0.0, 270.0], abs=1e-12)
+        assert np.degrees(phase_angle(wanted)) == pytest.approx(
+            [180.0, 90.0, 0.0, 270.0], abs=1e-12
+        )
 
 
 class TestFit:
@@ -76,24 +86,37 @@ class TestFit:
         car = twin.Car()
         _, height, _, force = twin.rigid_record(car, twin.Programme())
         cuts = [(300, 3000), (3600, 9000)]
-        parts = [stretch_of(height[a:b], force[a:b] - car.static_load, 1000.0, 0.7, 27.0) for a, b in cuts]
-        assert fit_response(parts, car.static_load).corner.damping_coefficient == pytest.approx(1000.0, rel=1e-3)
+        parts = [
+            stretch_of(height[a:b], force[a:b] - car.static_load, 1000.0, 0.7, 27.0)
+            for a, b in cuts
+        ]
+        assert fit_response(parts, car.static_load).corner.damping_coefficient == pytest.approx(
+            1000.0, rel=1e-3
+        )
 
     def test_noise_and_what_is_explained_are_those_of_the_record(self, twin):
         car = twin.Car()
         _, height, _, force = twin.rigid_record(car, twin.Programme())
         noise = 40.0 * np.random.default_rng(6).standard_normal(force.size)
-        both = [stretch_of(height, one, 1000.0, 0.7, 27.0) for one in (force + noise - car.static_load, noise)]
+        both = [
+            stretch_of(height, one, 1000.0, 0.7, 27.0)
+            for one in (force + noise - car.static_load, noise)
+        ]
         found = fit_response(both[:1], car.static_load)
         assert found.noise == pytest.approx(40.0, rel=0.06)
         left, power = (float(np.sum(np.abs(one.force) ** 2)) for one in both[::-1])
         assert 1.0 - found.explained == pytest.approx(left / power, rel=0.06)
-        assert abs(found.corner.damping_coefficient - 1000.0) < 3.0 * found.spread(lambda one: one.damping_coefficient)
+        assert abs(found.corner.damping_coefficient - 1000.0) < 3.0 * found.spread(
+            lambda one: one.damping_coefficient
+        )
         mild = fit_response(
-            [stretch_of(height, force + 0.5 * noise - car.static_load, 1000.0, 0.7, 27.0)], car.static_load
+            [stretch_of(height, force + 0.5 * noise - car.static_load, 1000.0, 0.7, 27.0)],
+            car.static_load,
         )
         for name in ("damping_coefficient", "tyre_stiffness", "spring_rate"):
-            wide, narrow = (one.spread(lambda corner, name=name: getattr(corner, name)) for one in (found, mild))
+            wide, narrow = (
+                one.spread(lambda corner, name=name: getattr(corner, name)) for one in (found, mild)
+            )
             assert wide == pytest.approx(2.0 * narrow, rel=0.05)
 
     def test_too_little(self):
@@ -105,7 +128,10 @@ class TestFilterOfTheTurn:
     def test_gains(self):
         taps, half = prototype()
         u = np.linspace(0.0, half, taps.size)
-        gain = {m: 2.0 * np.trapezoid(taps * np.cos(2 * np.pi * m * u), u) for m in (0, 1, 1.5, 2, 4, 4.5, 6, 8, 12)}
+        gain = {
+            m: 2.0 * np.trapezoid(taps * np.cos(2 * np.pi * m * u), u)
+            for m in (0, 1, 1.5, 2, 4, 4.5, 6, 8, 12)
+        }
         assert [gain[m] for m in (0, 1, 2)] == pytest.approx([1.0, 1.0, 1.0], abs=1e-5)
         assert abs(gain[1.5] - 1.0) < 0.025
         assert max(abs(gain[m]) for m in (4, 4.5, 6, 8, 12)) < 0.0105
@@ -115,7 +141,9 @@ class TestFilterOfTheTurn:
         t = np.arange(4000) / 1000.0
         tops = np.array([1.5, 1.5 + 1.0 / frequency])
         force = 3000.0 + 800.0 * np.cos(2 * np.pi * frequency * (t - 1.5) - 2.0)
-        found = force_in_periods(force[None], 1000.0, 0.0, tops, np.full(2, frequency), 3000.0, (-0.12, 0.63))[0]
+        found = force_in_periods(
+            force[None], 1000.0, 0.0, tops, np.full(2, frequency), 3000.0, (-0.12, 0.63)
+        )[0]
         trough = 1.5 + (math.pi + 2.0 - 2.0 * math.pi) / (2 * math.pi * frequency)
         trough += 1.0 / frequency if trough < 1.5 - 0.12 / frequency else 0.0
         if trough > 1.5 + 0.63 / frequency:
@@ -149,7 +177,9 @@ class TestTurns:
     def test_noise_makes_no_turns(self):
         t = np.arange(3000) / 1000.0
         rng = np.random.default_rng(2)
-        times, upwards = middle_crossings(t, np.sin(20.0 * t) + rng.normal(0.0, 0.05, t.size), 0.0, 1.0)
+        times, upwards = middle_crossings(
+            t, np.sin(20.0 * t) + rng.normal(0.0, 0.05, t.size), 0.0, 1.0
+        )
         assert times.size == 18 + 1
         assert not upwards or times[0] > 0.2
         assert np.abs(np.diff(times) - np.pi / 20.0).max() < 0.01
@@ -165,14 +195,18 @@ class TestSmoothing:
     def test_noise_about_the_model_is_not_believed(self):
         rng = np.random.default_rng(4)
         model = 100.0 + (self.frequency - 9.0) ** 2
-        course = corrected_curve(self.frequency, model + rng.normal(0.0, 2.0, 60), model, np.ones(60), 2.0)
+        course = corrected_curve(
+            self.frequency, model + rng.normal(0.0, 2.0, 60), model, np.ones(60), 2.0
+        )
         assert np.abs(course.value - model).max() < 1.2
 
     def test_what_the_model_misses_is_believed(self):
         rng = np.random.default_rng(4)
         model = 100.0 + (self.frequency - 9.0) ** 2
         truth = model + 12.0 * np.sin(0.6 * self.frequency)
-        course = corrected_curve(self.frequency, truth + rng.normal(0.0, 1.0, 60), model, np.ones(60), 2.0)
+        course = corrected_curve(
+            self.frequency, truth + rng.normal(0.0, 1.0, 60), model, np.ones(60), 2.0
+        )
         assert np.abs(course.value - truth).max() < 2.0
         assert np.mean(np.abs(course.value - truth) < 2.0 * course.error) > 0.85
 
@@ -195,7 +229,9 @@ class TestDampingRatios:
         t = np.arange(6000) / 1000.0
         z = np.where(t < 2.0, np.sin(60.0 * t), 0.0)
         away = np.clip(t - 2.0, 0.0, None)
-        z = z + np.where(t >= 2.0, 0.3 + np.exp(-0.1 * 35.0 * away) * np.cos(35.0 * math.sqrt(0.99) * away), 0.0)
+        z = z + np.where(
+            t >= 2.0, 0.3 + np.exp(-0.1 * 35.0 * away) * np.cos(35.0 * math.sqrt(0.99) * away), 0.0
+        )
         ratio, frequency = theta_by_decay(z, 1000.0)
         assert ratio == pytest.approx(0.1, abs=0.004)
         assert frequency == pytest.approx(35.0 * math.sqrt(0.99) / (2 * math.pi), rel=0.01)
@@ -225,7 +261,10 @@ class TestSteadyState:
 
     def test_band_limit_matters_with_a_damped_tyre(self):
         car = LinearQuarterCar(400.0, 40.0, 25e3, 2500.0, 200e3, 2000.0)
-        assert steady_state(car, highest=25.0).adhesion > steady_state(car, highest=60.0).adhesion + 0.05
+        assert (
+            steady_state(car, highest=25.0).adhesion
+            > steady_state(car, highest=60.0).adhesion + 0.05
+        )
 
     def test_any_response_will_do(self):
         car = LinearQuarterCar(400.0, 40.0, 25e3, 1000.0, 200e3)

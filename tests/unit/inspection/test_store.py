@@ -28,7 +28,9 @@ FAIL = Grading("fail", "limits 2", "0.1", {"adhesion": 0.6})
 
 def entry(i: int = 0, **known: object) -> RecordEntry:
     content = f"record {i}\n".encode() + random.Random(i).randbytes(3000)
-    return RecordEntry(f"{i}.csv", content, **{"plate": f"B-AB {i}", "date": f"2026-01-{1 + i % 28:02}", **known})
+    return RecordEntry(
+        f"{i}.csv", content, **{"plate": f"B-AB {i}", "date": f"2026-01-{1 + i % 28:02}", **known}
+    )
 
 
 @pytest.fixture(params=["file", "sqlite:///", "sqlite+pysqlite:///"])
@@ -37,7 +39,9 @@ def location(request, tmp_path: Path) -> str:
     return ("" if request.param == "file" else request.param) + str(tmp_path / "lane.sqlite")
 
 
-def test_a_store_that_cannot_be_made_is_one_message_and_leaves_nothing(tmp_path: Path, monkeypatch) -> None:
+def test_a_store_that_cannot_be_made_is_one_message_and_leaves_nothing(
+    tmp_path: Path, monkeypatch
+) -> None:
     made = []
 
     def fails(engine: object) -> None:
@@ -45,14 +49,20 @@ def test_a_store_that_cannot_be_made_is_one_message_and_leaves_nothing(tmp_path:
         raise sqlite3.OperationalError("disk I/O error")
 
     monkeypatch.setattr(database, "create_tables", fails)
-    with pytest.raises(OutputError, match=r"lane\.sqlite: the store cannot be used: disk I/O error"):
+    with pytest.raises(
+        OutputError, match=r"lane\.sqlite: the store cannot be used: disk I/O error"
+    ):
         Store(str(tmp_path / "lane.sqlite"))
     assert made
-    assert all(name.startswith(".jounce-") for name in made[0])  # what the next process sweeps, were this one killed
+    assert all(
+        name.startswith(".jounce-") for name in made[0]
+    )  # what the next process sweeps, were this one killed
     assert list(tmp_path.iterdir()) == []
 
 
-def test_what_a_process_left_that_was_killed_when_the_store_had_its_name_goes(tmp_path: Path) -> None:
+def test_what_a_process_left_that_was_killed_when_the_store_had_its_name_goes(
+    tmp_path: Path,
+) -> None:
     Store(str(tmp_path / "lane.sqlite")).close()
     left = tmp_path / f".jounce-{writing._machine()}-{os.getpid()}-000000-x.sqlite-wal"
     left.write_bytes(b"")
@@ -66,12 +76,22 @@ def test_what_a_process_left_that_was_killed_when_the_store_had_its_name_goes(tm
 
 def test_record_comes_back_as_it_came_in(location) -> None:
     store = Store(location)
-    one = entry(1, sidecar=b'axle = "rear"', tester="eusama", tester_table={"stroke": 6e-3}, methods=("egea", "eusama"))
+    one = entry(
+        1,
+        sidecar=b'axle = "rear"',
+        tester="eusama",
+        tester_table={"stroke": 6e-3},
+        methods=("egea", "eusama"),
+    )
     number, is_new = store.accept(one, PASS)
     assert is_new
     assert store.content(number) == (one.content, one.sidecar)
     known = store.entry(number)
-    assert (known.tester_table, known.vehicle_table, known.methods) == ({"stroke": 6e-3}, None, ("egea", "eusama"))
+    assert (known.tester_table, known.vehicle_table, known.methods) == (
+        {"stroke": 6e-3},
+        None,
+        ("egea", "eusama"),
+    )
     assert store.gradings(number) == [PASS]
     assert Store(location).records()[0].grading == PASS
     assert store.problems() == []
@@ -110,8 +130,13 @@ def test_search(location) -> None:
     store.accept(entry(9, plate="", date=""), None)
     assert [record.name for record in store.records(plate="b ab3")] == ["3.csv"]
     assert len(store.records(plate="B-A*")) == 5
-    assert len(store.records(plate="%")) == 1  # only the one without a plate: a wildcard of SQL means nothing
-    assert [record.name for record in store.records(since="2026-01-02", until="2026-01-03")] == ["1.csv", "2.csv"]
+    assert (
+        len(store.records(plate="%")) == 1
+    )  # only the one without a plate: a wildcard of SQL means nothing
+    assert [record.name for record in store.records(since="2026-01-02", until="2026-01-03")] == [
+        "1.csv",
+        "2.csv",
+    ]
     assert [record.name for record in store.records(tester="eusama")] == ["1.csv", "3.csv"]
     assert plate_key("ö-x 1") == "ÖX1"
 
@@ -154,7 +179,9 @@ def test_many_writers_at_once_lose_nothing(location) -> None:
     def write(k: int) -> None:
         store = Store(location)
         for i in range(8):
-            store.accept(entry(i // 2 if k % 2 else 10 * k + i, tester_table={"of": i}), PASS)  # some of them the same
+            store.accept(
+                entry(i // 2 if k % 2 else 10 * k + i, tester_table={"of": i}), PASS
+            )  # some of them the same
         store.close()
 
     with ThreadPoolExecutor(4) as pool:
@@ -177,10 +204,16 @@ for i in range(25):
 def test_two_processes_write_at_once_into_a_store_that_neither_finds(tmp_path: Path) -> None:
     file = tmp_path / "lane.sqlite"
     processes = [
-        subprocess.Popen([sys.executable, "-c", _WRITER, str(file), name], stdout=subprocess.PIPE, text=True)
+        subprocess.Popen(
+            [sys.executable, "-c", _WRITER, str(file), name], stdout=subprocess.PIPE, text=True
+        )
         for name in ("a", "b")
     ]
-    numbers = [int(line) for process in processes for line in process.communicate(timeout=60)[0].splitlines()]
+    numbers = [
+        int(line)
+        for process in processes
+        for line in process.communicate(timeout=60)[0].splitlines()
+    ]
     assert sorted(numbers) == Store(file).numbers() == list(range(1, 51))
     assert [path.name for path in tmp_path.iterdir() if path.suffix == ".new"] == []
 
@@ -205,7 +238,9 @@ def test_a_truncated_store_is_reported_and_left_alone(sound: Path, kept: int) ->
     assert sound.read_bytes() == content
 
 
-@pytest.mark.parametrize("content", [b"plate,verdict\n", b"\0" * 8192, b"SQLite format 3\0" + b"\7" * 9000])
+@pytest.mark.parametrize(
+    "content", [b"plate,verdict\n", b"\0" * 8192, b"SQLite format 3\0" + b"\7" * 9000]
+)
 def test_another_file_is_never_overwritten(tmp_path: Path, content: bytes) -> None:
     file = tmp_path / "lane.sqlite"
     file.write_bytes(content)
@@ -236,10 +271,14 @@ def test_a_store_of_another_version_is_refused(sound: Path) -> None:
 
 def test_small_tables_are_checked_whenever_a_store_is_opened(sound: Path) -> None:
     with closing(sqlite3.connect(sound)) as connection, connection:
-        (root,) = connection.execute("SELECT rootpage FROM sqlite_master WHERE name = 'about'").fetchone()
+        (root,) = connection.execute(
+            "SELECT rootpage FROM sqlite_master WHERE name = 'about'"
+        ).fetchone()
     connection.close()
     content = bytearray(sound.read_bytes())
-    content[(root - 1) * int.from_bytes(content[16:18], "big") + 7] ^= 4  # how many bytes lie loose in the page
+    content[(root - 1) * int.from_bytes(content[16:18], "big") + 7] ^= (
+        4  # how many bytes lie loose in the page
+    )
     sound.write_bytes(content)
     with pytest.raises(DamagedStoreError, match="Fragmentation"):
         Store(sound)
@@ -271,8 +310,12 @@ def test_flipped_bits_never_give_a_wrong_record_and_never_a_write(sound: Path) -
     assert noticed > 0
 
 
-@pytest.mark.parametrize(("text", "what"), [(b'{"adhesion": 0.6}', "a grading of record"), (b"B-AB 17", "known of")])
-def test_a_flipped_digit_never_becomes_another_verdict_or_car(sound: Path, text: bytes, what: str) -> None:
+@pytest.mark.parametrize(
+    ("text", "what"), [(b'{"adhesion": 0.6}', "a grading of record"), (b"B-AB 17", "known of")]
+)
+def test_a_flipped_digit_never_becomes_another_verdict_or_car(
+    sound: Path, text: bytes, what: str
+) -> None:
     content = bytearray(sound.read_bytes())
     assert text in content
     for start in range(len(content)):
@@ -298,7 +341,10 @@ def test_what_can_be_read_of_a_torn_store_is_read(sound: Path, torn: int) -> Non
     records, lost = Store(sound, damaged=True).readable_records()
     assert 15 < len(records) <= 30
     expected = {one.name: one.date for one in map(entry, range(30))}
-    assert all(expected[record.name] == record.date and record.grading in (PASS, None) for record in records)
+    assert all(
+        expected[record.name] == record.date and record.grading in (PASS, None)
+        for record in records
+    )
     assert len(lost) > 0 or len(records) == 30
     assert sound.read_bytes() == content
 
@@ -325,7 +371,9 @@ def test_packed_signals_are_the_same_bit_by_bit() -> None:
         "right.plate.force": (rng.normal(size=500), "N", ""),  # no decimals
         "right.plate.z": (np.where(force > 4000.0, -0.0, np.nan), "m", ""),
     }
-    record = recording(time, channels, attributes={"left.static_load": 4000.5, "plate_number": "Ö 1"})
+    record = recording(
+        time, channels, attributes={"left.static_load": 4000.5, "plate_number": "Ö 1"}
+    )
     again, findings = unpack(pack(record))
     for name in record.variables:
         assert again[name].values.tobytes() == record[name].values.tobytes(), name
@@ -350,7 +398,9 @@ class TestWithoutHardLinks:
     def test_store_is_made(self, tmp_path):
         with closing(Store(tmp_path / "lane.sqlite")) as store:
             assert store.numbers() == []
-        assert [file.name for file in tmp_path.iterdir() if "sqlite-" not in file.name] == ["lane.sqlite"]
+        assert [file.name for file in tmp_path.iterdir() if "sqlite-" not in file.name] == [
+            "lane.sqlite"
+        ]
 
     def test_claim_left_over_is_overcome(self, tmp_path, monkeypatch):
         monkeypatch.setattr(database, "_CLAIMED", 0.05)

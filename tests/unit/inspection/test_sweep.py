@@ -31,9 +31,15 @@ RATE = 1000.0
 def plate(frequency: np.ndarray, *, tacho: bool = False) -> WheelSignals:
     """A rigid plate of 3 mm amplitude that turns at given frequencies, one a sample; its angle integrated."""
     time = np.arange(frequency.size) / RATE
-    angle = 2.0 * np.pi * np.concatenate([[0.0], np.cumsum(0.5 * (frequency[1:] + frequency[:-1]) / RATE)])
+    angle = (
+        2.0
+        * np.pi
+        * np.concatenate([[0.0], np.cumsum(0.5 * (frequency[1:] + frequency[:-1]) / RATE)])
+    )
     height = None if tacho else 3e-3 * np.sin(angle)
-    return WheelSignals("left", time, np.full(time.size, 4e3), height, frequency if tacho else None, 4e3, 20.0)
+    return WheelSignals(
+        "left", time, np.full(time.size, 4e3), height, frequency if tacho else None, 4e3, 20.0
+    )
 
 
 def course(*points: tuple[float, float]) -> np.ndarray:
@@ -60,7 +66,9 @@ def test_a_sweep_is_found_as_it_was_made(tacho: bool) -> None:
     assert sweep.begin == pytest.approx(falls - 1.0, abs=0.05)
     assert frequency[sweep.last] == pytest.approx(frequency.min())
     inner = slice(5, -5)
-    np.testing.assert_allclose(frequency[inner], np.interp(top[inner], [2.0, 11.4], [25.0, 1.5]), rtol=0.01)
+    np.testing.assert_allclose(
+        frequency[inner], np.interp(top[inner], [2.0, 11.4], [25.0, 1.5]), rtol=0.01
+    )
 
 
 def test_a_plate_that_speeds_up_again_has_swept_all_the_same() -> None:
@@ -80,7 +88,11 @@ def test_begin_is_not_before_the_hold() -> None:
     [
         (course((0.0, 25.0), (0.3, 25.0)), "few_turns", {"fewest": 8}),
         (down(2.5, top=17.5), "never_high", {"top": 17.5, "high": 18.0}),
-        (course((0.0, 25.0), (2.0, 25.0), (3.0, 20.0), (6.0, 20.0)), "no_sweep", {"low": 20.0, "top": 25.0}),
+        (
+            course((0.0, 25.0), (2.0, 25.0), (3.0, 20.0), (6.0, 20.0)),
+            "no_sweep",
+            {"low": 20.0, "top": 25.0},
+        ),
         (course((0.0, 25.0), (2.0, 25.0), (5.0, 10.0)), "sweep_cut_off", {"low": 10.0}),
         (down(2.5)[::-1], "sweep_up", {}),
         (np.tile(down(2.5), 2), "several_sweeps", {"count": 2}),
@@ -103,7 +115,9 @@ def test_sweeps_that_are_too_fast(share: float, told: list[str]) -> None:
         assert one.words == pytest.approx({"rate": share * most, "most": most}, rel=0.01)
 
 
-@pytest.mark.parametrize(("share", "low", "told"), [(1.1, 1.5, []), (0.92, 1.5, ["sweep_short"]), (0.85, 2.5, [])])
+@pytest.mark.parametrize(
+    ("share", "low", "told"), [(1.1, 1.5, []), (0.92, 1.5, ["sweep_short"]), (0.85, 2.5, [])]
+)
 def test_sweeps_that_are_too_short(share: float, low: float, told: list[str]) -> None:
     """Below 98 % of what is asked for; one that ends above 2 Hz ends early, and is no shorter."""
     least = limits_of(EGEA).sweep_time_min
@@ -143,7 +157,9 @@ def test_turns_are_read_from_crossings_of_the_middle() -> None:
     assert crossing.size in (29, 30)
     assert not upwards  # the first is downwards
     small = np.where(np.abs(height - 1e-3) < 0.6e-3, height, 1e-3 + 0.29 * (height - 1e-3))
-    assert middle_crossings(time, small, 1e-3, 3e-3)[0].size == 0  # excursions below 0.3 of the amplitude
+    assert (
+        middle_crossings(time, small, 1e-3, 3e-3)[0].size == 0
+    )  # excursions below 0.3 of the amplitude
     turns = find_turns(time, height, 1e-3, 3e-3)
     tops = (2.0 * np.pi * np.arange(1, 15) + 0.5 * np.pi - 0.3) / (2.0 * np.pi * 5.0)
     np.testing.assert_allclose(turns.top[: tops.size], tops[: turns.top.size], atol=1e-4)
@@ -174,9 +190,14 @@ def test_the_exciter_is_the_plate_and_what_its_spring_takes() -> None:
     assert spring_against_height(swing, THETA) == pytest.approx(-1.0, abs=1e-3)
     turned = WheelSignals("left", time, swing.force, -height, None, 4e3, 0.0)
     assert spring_against_height(turned, THETA) > 0.9
-    for stroke, told in ((0.99, False), (1.01, True)):  # where the plate moves more than the exciter
+    for stroke, told in (
+        (0.99, False),
+        (1.01, True),
+    ):  # where the plate moves more than the exciter
         scale = stroke * THETA.stroke / float(np.ptp(height))
-        scaled = WheelSignals("left", time, 4e3 + scale * (swing.force - 4e3), -scale * height, None, 4e3, 0.0)
+        scaled = WheelSignals(
+            "left", time, 4e3 + scale * (swing.force - 4e3), -scale * height, None, 4e3, 0.0
+        )
         assert _swings_upside_down(scaled, THETA) is told
 
 
@@ -223,17 +244,29 @@ def test_turns_that_belong_to_a_sweep() -> None:
     ],
 )
 def test_sweeps_of_sprung_plates(top: float, lows: list[float], code: str) -> None:
-    parts = [part for low in lows for part in (np.full(9, top), np.linspace(top, low, 40), np.full(9, low))]
+    parts = [
+        part
+        for low in lows
+        for part in (np.full(9, top), np.linspace(top, low, 40), np.full(9, low))
+    ]
     frequency = np.concatenate(parts)
-    found = _sprung_findings(Sweep(SimpleNamespace(frequency=frequency), 8, frequency.size - 1, slice(0, 9), 1.0), "z")
+    found = _sprung_findings(
+        Sweep(SimpleNamespace(frequency=frequency), 8, frequency.size - 1, slice(0, 9), 1.0), "z"
+    )
     assert [one.code for one in found] == ([code] if code else [])
     for one in found:
-        assert one.words == ({"count": 2} if code == "several_sweeps" else pytest.approx({"low": lows[0], "top": top}))
+        assert one.words == (
+            {"count": 2}
+            if code == "several_sweeps"
+            else pytest.approx({"low": lows[0], "top": top})
+        )
 
 
 def test_slow_swings_are_means_over_a_quarter_of_a_second() -> None:
     peak = np.zeros(1001)
     peak[500] = 251.0
     found = _slow_part(peak, RATE)
-    np.testing.assert_allclose(found, np.where(np.abs(np.arange(1001) - 500) <= 125, 1.0, 0.0), atol=1e-12)
+    np.testing.assert_allclose(
+        found, np.where(np.abs(np.arange(1001) - 500) <= 125, 1.0, 0.0), atol=1e-12
+    )
     np.testing.assert_allclose(_slow_part(np.full(1001, 3.0), RATE), 3.0)  # also at both ends

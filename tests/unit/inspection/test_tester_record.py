@@ -22,10 +22,24 @@ def write(folder, text, *, name="lane.csv", columns=COLUMNS, rows=None):
 
 
 def test_header_lines(tmp_path):
-    text = ['# left.static_load = "4.3164 kN"', '# left.plate_mass = "18 kg"', '# axle = "rear"', "# date = 2024-05-06"]
-    text += ['# wheel_order = ["left", "right"]', '# plate_number = "KE-123AB"', "# made by the lane"]
+    text = [
+        '# left.static_load = "4.3164 kN"',
+        '# left.plate_mass = "18 kg"',
+        '# axle = "rear"',
+        "# date = 2024-05-06",
+    ]
+    text += [
+        '# wheel_order = ["left", "right"]',
+        '# plate_number = "KE-123AB"',
+        "# made by the lane",
+    ]
     record, findings = read_record(write(tmp_path, text))
-    expected = {"axle": "rear", "date": "2024-05-06", "wheel_order": "left, right", "plate_number": "KE-123AB"}
+    expected = {
+        "axle": "rear",
+        "date": "2024-05-06",
+        "wheel_order": "left, right",
+        "plate_number": "KE-123AB",
+    }
     assert record.attrs == expected | {"left.static_load": 4316.4, "left.plate_mass": 18.0}
     assert record["left.plate.z"].values[:2].tolist() == [-0.003, -0.002]
     assert wheels_of(record) == ("left",)
@@ -34,7 +48,9 @@ def test_header_lines(tmp_path):
 
 def test_file_beside_it_and_lines_that_win(tmp_path):
     file = write(tmp_path, ['# left.static_load = "5 kN"'])
-    (tmp_path / "lane.toml").write_text('axle = "front"\n[left]\nstatic_load = "4 kN"\nplate_mass = "21 kg"\n')
+    (tmp_path / "lane.toml").write_text(
+        'axle = "front"\n[left]\nstatic_load = "4 kN"\nplate_mass = "21 kg"\n'
+    )
     record, _ = read_record(file)
     assert record.attrs == {"axle": "front", "left.static_load": 5000.0, "left.plate_mass": 21.0}
     (tmp_path / "lane.toml").write_text("axle = front")
@@ -52,7 +68,9 @@ def test_unknown_keys_and_lines_are_said(tmp_path):
 
 def test_columns_of_a_tester(tmp_path):
     tester = load_tester("eusama").model_copy(
-        update={"columns": {"time": "t [ms]", "left.plate.z": "S1 [mm]", "left.plate.force": "F1 [daN]"}}
+        update={
+            "columns": {"time": "t [ms]", "left.plate.z": "S1 [mm]", "left.plate.force": "F1 [daN]"}
+        }
     )
     rows = [f"{i}, {i % 7 - 3}, {400 + i % 5}" for i in range(20)]
     record, _ = read_record(write(tmp_path, [], columns="t, S1, F1", rows=rows), tester)
@@ -63,10 +81,25 @@ def test_columns_of_a_tester(tmp_path):
 @pytest.mark.parametrize(
     ("text", "columns", "error", "message"),
     [
-        ([], "time [s], left.plate.z [in], left.plate.force [lb]", DescriptionError, "'lb' is a mass; write 'lbf'"),
-        ([], "time [s], left.plate.z [N], left.plate.force [mm]", DescriptionError, "converts to m"),
+        (
+            [],
+            "time [s], left.plate.z [in], left.plate.force [lb]",
+            DescriptionError,
+            "'lb' is a mass; write 'lbf'",
+        ),
+        (
+            [],
+            "time [s], left.plate.z [N], left.plate.force [mm]",
+            DescriptionError,
+            "converts to m",
+        ),
         ([], "time [s], left.plate.z, left.plate.force [N]", RecordingError, "no unit"),
-        ([], "time [s], left.plate.z [mm], lft.plate.force [N]", RecordingError, "Did you mean 'left.plate.force'"),
+        (
+            [],
+            "time [s], left.plate.z [mm], lft.plate.force [N]",
+            RecordingError,
+            "Did you mean 'left.plate.force'",
+        ),
         (['# left.static_load = "4.3"'], COLUMNS, DescriptionError, "the unit is missing"),
         (['# left.static_load = "-4 kN"'], COLUMNS, DescriptionError, "out of range"),
         (['# left.static_load = "430 kg"'], COLUMNS, DescriptionError, "a unit that converts to N"),
@@ -80,7 +113,9 @@ def test_headers_that_cannot_be_used(tmp_path, text, columns, error, message):
 
 
 def test_inches_and_pounds_are_converted(tmp_path):
-    record, _ = read_record(write(tmp_path, [], columns="time [s], left.plate.z [in], left.plate.force [lbf]"))
+    record, _ = read_record(
+        write(tmp_path, [], columns="time [s], left.plate.z [in], left.plate.force [lbf]")
+    )
     assert record["left.plate.z"].values[0] == pytest.approx(-3.0 * 0.0254)
     assert record["left.plate.force"].values[0] == pytest.approx(4000.0 * 4.4482216152605)
 
@@ -117,8 +152,12 @@ class TestPlateInertia:
         """A plate of 20 kg at 3 mm and 12 Hz would else add 340 N, 8 % of the load."""
         car = twin.Car()
         time, height, force, contact = twin.rigid_record(car, twin.Programme(), mp=26.0, fine=4)
-        right = evaluate(left_record(time, height, force, car.static_load, **{"left.plate_mass": 26.0}), eusama)
-        bare = evaluate(left_record(time, height, contact, car.static_load, **{"left.plate_mass": 0.0}), eusama)
+        right = evaluate(
+            left_record(time, height, force, car.static_load, **{"left.plate_mass": 26.0}), eusama
+        )
+        bare = evaluate(
+            left_record(time, height, contact, car.static_load, **{"left.plate_mass": 0.0}), eusama
+        )
         wrong = evaluate(left_record(time, height, force, car.static_load), eusama)
         assert right.wheel("left").adhesion == pytest.approx(bare.wheel("left").adhesion, abs=3e-4)
         assert abs(wrong.wheel("left").adhesion - bare.wheel("left").adhesion) > 0.01
@@ -176,7 +215,9 @@ class TestPlateInertia:
         found = plate_acceleration(u**7 - 2.0 * u**4 + 3.0 * u**2, rate)
         expected = (42.0 * u**5 - 24.0 * u**2 + 6.0) / time[-1] ** 2
         half = max((2 * round(0.5 * (0.021 * rate - 1.0)) + 1) // 2, 4)
-        np.testing.assert_allclose(found[half:-half], expected[half:-half], rtol=1e-6, atol=1e-6 * expected.max())
+        np.testing.assert_allclose(
+            found[half:-half], expected[half:-half], rtol=1e-6, atol=1e-6 * expected.max()
+        )
         assert set(found[:half]) == {found[half]}
         assert set(found[-half:]) == {found[-half - 1]}
         assert not plate_acceleration(u[: 2 * half + 1], rate).any()
@@ -205,11 +246,26 @@ def test_entries_that_are_out_of_range(facts, refused):
 
 
 def test_what_is_told_of_a_record_takes_the_place_of_its_header(left_record):
-    record = left_record(np.arange(3.0), np.zeros(3), np.ones(3), date="2026-11-21", plate_number="A 1")
-    again, findings = with_facts(record, {"date": "2026-11-22", "plate_number": "A 1", "place": "here"})
-    assert (again.attrs["date"], again.attrs["place"], record.attrs["date"]) == ("2026-11-22", "here", "2026-11-21")
-    assert [one.words for one in findings] == [{"key": "date", "header": "2026-11-21", "given": "2026-11-22"}]
+    record = left_record(
+        np.arange(3.0), np.zeros(3), np.ones(3), date="2026-11-21", plate_number="A 1"
+    )
+    again, findings = with_facts(
+        record, {"date": "2026-11-22", "plate_number": "A 1", "place": "here"}
+    )
+    assert (again.attrs["date"], again.attrs["place"], record.attrs["date"]) == (
+        "2026-11-22",
+        "here",
+        "2026-11-21",
+    )
+    assert [one.words for one in findings] == [
+        {"key": "date", "header": "2026-11-21", "given": "2026-11-22"}
+    ]
     with pytest.raises(DescriptionError, match="not a date"):
         with_facts(record, {"date": "soon"})
-    told = ({"simulated": "yes"}, {"comment": "simulated, seed 3"}, {"comment": "not simulated, seed 3"}, {})
+    told = (
+        {"simulated": "yes"},
+        {"comment": "simulated, seed 3"},
+        {"comment": "not simulated, seed 3"},
+        {},
+    )
     assert [is_simulated(facts) for facts in told] == [True, True, False, False]

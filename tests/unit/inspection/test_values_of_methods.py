@@ -52,7 +52,8 @@ def test_rigidity_of_a_hold() -> None:
 
 
 @pytest.mark.parametrize(
-    ("hz", "turns", "known"), [(24.1, 30, True), (23.9, 30, False), (25.9, 30, True), (26.1, 30, False)]
+    ("hz", "turns", "known"),
+    [(24.1, 30, True), (23.9, 30, False), (25.9, 30, True), (26.1, 30, False)],
 )
 def test_rigidity_needs_a_hold_at_25_hz(hz, turns, known) -> None:
     signals, sweep = held(hz, turns)
@@ -73,7 +74,8 @@ def test_rigidity_without_a_height() -> None:
 
 
 @pytest.mark.parametrize(
-    ("rigidity", "code"), [(159.9e3, "tyre_soft"), (160e3, ""), (400e3, ""), (400.1e3, "tyre_stiff")]
+    ("rigidity", "code"),
+    [(159.9e3, "tyre_soft"), (160e3, ""), (400e3, ""), (400.1e3, "tyre_stiff")],
 )
 def test_tyres_inflated_wrongly(rigidity: float, code: str) -> None:
     found = rigidity_findings(rigidity, EGEA, "left.tyre")
@@ -94,7 +96,9 @@ def test_which_pole_is_the_wheels_and_which_the_bodys() -> None:
     both = np.array([*pair(0.2, 12.0), *pair(0.3, 1.2)])
     assert wheel_damping(both) == pytest.approx((0.2, 12.0))
     assert body_damping(both) == pytest.approx(0.3)
-    creeping = np.array([*pair(0.25, 11.0), -3.0, -9.0], dtype=complex)  # a body that does not oscillate
+    creeping = np.array(
+        [*pair(0.25, 11.0), -3.0, -9.0], dtype=complex
+    )  # a body that does not oscillate
     assert wheel_damping(creeping) == pytest.approx((0.25, 11.0))
     assert body_damping(creeping) == 1.0
     stuck = np.array([*pair(0.1, 1.5), -60.0, -250.0], dtype=complex)  # a wheel that does not
@@ -112,17 +116,23 @@ def fitted(corner: LinearQuarterCar, relative: float) -> ResponseFit:
 def test_spreads_follow_from_the_covariance() -> None:
     fit = fitted(CAR, 0.01)
     assert fit.spread(lambda one: one.spring_rate) == pytest.approx(250.0, rel=1e-6)
-    assert fit.spread(lambda one: one.sprung_mass + one.unsprung_mass) == pytest.approx(math.hypot(4.0, 0.4), rel=1e-6)
+    assert fit.spread(lambda one: one.sprung_mass + one.unsprung_mass) == pytest.approx(
+        math.hypot(4.0, 0.4), rel=1e-6
+    )
     expected = abs(quarter_car.force_response(CAR, [8.0])[0])
 
     def response(**change: float) -> float:
-        return abs(quarter_car.force_response(LinearQuarterCar(**{**vars(CAR), **change}), [8.0])[0])
+        return abs(
+            quarter_car.force_response(LinearQuarterCar(**{**vars(CAR), **change}), [8.0])[0]
+        )
 
     slopes = [
         (response(**{name: value * 1.001}) - response(**{name: value * 0.999})) / 0.002
         for name, value in vars(CAR).items()
     ]
-    assert fit.spread_at(8.0, np.abs) == pytest.approx(0.01 * math.sqrt(sum(s**2 for s in slopes)), rel=1e-3)
+    assert fit.spread_at(8.0, np.abs) == pytest.approx(
+        0.01 * math.sqrt(sum(s**2 for s in slopes)), rel=1e-3
+    )
     assert expected > 0.0
 
 
@@ -158,7 +168,9 @@ def test_the_way_to_what_no_car_has_is_halved() -> None:
 def theta_of(corner: LinearQuarterCar, relative: float, tester=None):
     """What THETA finds in a test without a height, of which only the fit is known."""
     signals = WheelSignals("left", np.arange(2.0), np.ones(2), None, None, 4e3, 20.0)
-    return methods._theta(WheelTest(signals, SimpleNamespace(turns=None), 4e3, tester, fitted(corner, relative)))
+    return methods._theta(
+        WheelTest(signals, SimpleNamespace(turns=None), 4e3, tester, fitted(corner, relative))
+    )
 
 
 def test_findings_of_damping_ratios() -> None:
@@ -167,9 +179,14 @@ def test_findings_of_damping_ratios() -> None:
     assert sound.values["theta_road"] == sound.values["theta_rig"] == pytest.approx(ratio)
     assert sound.values["explained_force"] == 0.995
     assert sound.findings == []
-    slope = (wheel_damping(road_poles(LinearQuarterCar(400.0, 40.0, 25e3, 1001.0, 200e3, 100.0)))[0] - ratio) * 1000.0
+    slope = (
+        wheel_damping(road_poles(LinearQuarterCar(400.0, 40.0, 25e3, 1001.0, 200e3, 100.0)))[0]
+        - ratio
+    ) * 1000.0
     only_damper = ResponseFit(CAR, np.diag([0.0, 0.0, 10.0**2, 0.0, 0.0, 0.0]), 1.0, 0.99)
-    assert methods.theta_by_fit(only_damper, None).road_half_width == pytest.approx(1.96 * 0.01 * slope, rel=1e-2)
+    assert methods.theta_by_fit(only_damper, None).road_half_width == pytest.approx(
+        1.96 * 0.01 * slope, rel=1e-2
+    )
     dead = LinearQuarterCar(400.0, 40.0, 25e3, 0.0, 200e3, 0.0)
     assert [one.code for one in theta_of(dead, 0.01).findings] == ["undamped"]
     firm = LinearQuarterCar(400.0, 40.0, 25e3, 7000.0, 200e3, 0.0)
@@ -197,7 +214,15 @@ def analysis(least, greatest, lifted=None, fit=None) -> Analysis:
     frequency = np.linspace(24.0, 6.0, count)
     off = np.zeros(count, dtype=bool) if lifted is None else np.asarray(lifted)
     return Analysis(
-        4e3, fit, np.arange(float(count)), frequency, frequency, rows, np.full_like(rows, np.nan), off, 3e-3
+        4e3,
+        fit,
+        np.arange(float(count)),
+        frequency,
+        frequency,
+        rows,
+        np.full_like(rows, np.nan),
+        off,
+        3e-3,
     )
 
 
@@ -241,19 +266,23 @@ def test_curves_reach_over_both_of_their_ends() -> None:
     assert curve.least(5.9, 18.0) is curve.least(6.0, 18.1) is None
     rising = FrequencyCurve(frequency, np.exp(0.5 * (frequency - 6.0)), curve.error)
     assert rising.least(6.0, 18.0)[:2] == pytest.approx((6.0, 1.0), rel=1e-12)
-    assert FrequencyCurve(frequency, rising.value[::-1], curve.error).least(6.0, 18.0)[1] == pytest.approx(
-        1.0, rel=1e-12
-    )
+    assert FrequencyCurve(frequency, rising.value[::-1], curve.error).least(6.0, 18.0)[
+        1
+    ] == pytest.approx(1.0, rel=1e-12)
 
 
 def test_the_greatest_movement_and_what_noise_makes_of_it() -> None:
     """Of a plate at 9 Hz; the noise is that of third differences, of which the motion has next to nothing."""
     time = np.arange(4000) / 1000.0
-    height = 5e-3 * np.sin(2.0 * np.pi * 9.0 * time) * (1.0 + 0.2 * np.exp(-(((time - 2.0) / 0.2) ** 2)))
+    height = (
+        5e-3 * np.sin(2.0 * np.pi * 9.0 * time) * (1.0 + 0.2 * np.exp(-(((time - 2.0) / 0.2) ** 2)))
+    )
     noisy = height + 2e-5 * np.random.default_rng(3).standard_normal(time.size)
     turns = find_turns(time, noisy, 0.0, 5e-3)
     signals = WheelSignals("left", time, np.full(time.size, 4e3), noisy, None, 4e3, 20.0)
-    found = methods.find_boge(WheelTest(signals, Sweep(turns, 0, 1, slice(0, 2), 0.0), 4e3, THETA, None))
+    found = methods.find_boge(
+        WheelTest(signals, Sweep(turns, 0, 1, slice(0, 2), 0.0), 4e3, THETA, None)
+    )
     assert found.amplitude == pytest.approx(12e-3, rel=0.02)
     assert found.frequency_hz == pytest.approx(9.0, rel=1e-2)
     assert found.half_width == pytest.approx(1.96 * 2e-5 * math.sqrt(2.0), rel=0.1)
@@ -262,10 +291,16 @@ def test_the_greatest_movement_and_what_noise_makes_of_it() -> None:
 def test_what_a_calibration_leaves_for_each_hz() -> None:
     time = np.arange(12_000) / 1000.0
     frequency = np.linspace(25.0, 3.0, time.size)
-    angle = 2.0 * np.pi * np.concatenate([[0.0], np.cumsum(0.5 * (frequency[1:] + frequency[:-1]) / 1000.0)])
+    angle = (
+        2.0
+        * np.pi
+        * np.concatenate([[0.0], np.cumsum(0.5 * (frequency[1:] + frequency[:-1]) / 1000.0)])
+    )
     residual = 0.3 * frequency * np.sin(angle + 0.7)
     found = _residual_per_hz(time, 3e-3 * np.sin(angle), residual, EGEA, "left.plate.z")
-    beside = 1.0 / (4.0 * np.pi * 6.0 * 0.5)  # half seconds hold no whole turns: at 6 Hz that is worth so much
+    beside = 1.0 / (
+        4.0 * np.pi * 6.0 * 0.5
+    )  # half seconds hold no whole turns: at 6 Hz that is worth so much
     assert 0.3 <= found <= 0.3 * (1.0 + beside)
 
 
@@ -288,7 +323,9 @@ def phases(angle: np.ndarray, frequency: np.ndarray, *, fit=None, lifted=None) -
     """Turns whose force is lowest at given phase angles (degrees) after their tops."""
     tops = np.cumsum(1.0 / frequency)
     rows = np.full((frequency.size, 7), np.nan)
-    rows[:, 3], rows[:, 4], rows[:, 6] = (tops + angle / (360.0 * frequency) + one for one in (-0.01, 0.03, 0.0))
+    rows[:, 3], rows[:, 4], rows[:, 6] = (
+        tops + angle / (360.0 * frequency) + one for one in (-0.01, 0.03, 0.0)
+    )
     rows[:, 3] -= 0.02
     rows[:, 6] = 500.0
     modelled = np.full_like(rows, np.nan)
@@ -304,11 +341,15 @@ FALLING = np.linspace(23.95, 3.05, 210)
 
 
 def test_the_least_phase_angle_within_a_band() -> None:
-    found, angles = methods.find_phase_minimum(phases(40.0 + 0.5 * (FALLING - 10.0) ** 2, FALLING), (6.0, 18.0))
+    found, angles = methods.find_phase_minimum(
+        phases(40.0 + 0.5 * (FALLING - 10.0) ** 2, FALLING), (6.0, 18.0)
+    )
     assert (found.angle_deg, found.frequency_hz) == pytest.approx((40.0, 10.0), abs=0.15)
     assert (found.at_end, found.in_lift_off) == (False, False)
     for slope, end in ((3.0, 6.0), (-3.0, 18.0)):
-        found, _ = methods.find_phase_minimum(phases(90.0 + slope * (FALLING - 12.0), FALLING), (6.0, 18.0))
+        found, _ = methods.find_phase_minimum(
+            phases(90.0 + slope * (FALLING - 12.0), FALLING), (6.0, 18.0)
+        )
         assert (found.frequency_hz, found.at_end) == (pytest.approx(end), True)
         assert found.angle_deg == pytest.approx(72.0, abs=0.1)
     rough = 60.0 + np.random.default_rng(2).standard_normal(FALLING.size)
@@ -330,14 +371,18 @@ def test_phase_angles_of_turns_that_lift_off_are_those_of_the_fit() -> None:
     np.testing.assert_allclose(angles[FALLING > 20.0], measured[FALLING > 20.0])
     assert found.angle_deg == pytest.approx(own.min(), abs=0.05)
     assert not found.in_lift_off
-    hopped, angles = methods.find_phase_minimum(phases(own + 3.0, FALLING, fit=fit, lifted=gone), (6.0, 18.0))
+    hopped, angles = methods.find_phase_minimum(
+        phases(own + 3.0, FALLING, fit=fit, lifted=gone), (6.0, 18.0)
+    )
     np.testing.assert_allclose(angles[gone], own[gone], atol=1e-6)
     assert hopped.in_lift_off
     rough = phases(own + np.random.default_rng(7).standard_normal(FALLING.size), FALLING, fit=fit)
     loose, _ = methods.find_phase_minimum(rough, (6.0, 18.0))
     firm, _ = methods.find_phase_minimum(Analysis(**{**vars(rough), "fit": sure}), (6.0, 18.0))
     spread = math.degrees(fit.spread_at(loose.frequency_hz, phase_angle))
-    assert loose.half_width_deg == pytest.approx(math.hypot(firm.half_width_deg, 1.96 * spread), rel=1e-3)
+    assert loose.half_width_deg == pytest.approx(
+        math.hypot(firm.half_width_deg, 1.96 * spread), rel=1e-3
+    )
 
 
 def test_the_interval_of_adhesion_holds_that_of_the_fit() -> None:
@@ -349,7 +394,11 @@ def test_the_interval_of_adhesion_holds_that_of_the_fit() -> None:
     loose, firm = find_adhesion(one, 24.0), find_adhesion(sure, 24.0)
     spread = fit.spread_at(loose.frequency_hz, np.abs) * 3e-3 / 4e3
     assert loose.half_width == pytest.approx(math.hypot(firm.half_width, 1.96 * spread), rel=1e-3)
-    for share, amplitude in ((0.02, 0.98), (0.005, 0.8), (-0.02, 0.8)):  # next to nothing: the greatest force counts
+    for share, amplitude in (
+        (0.02, 0.98),
+        (0.005, 0.8),
+        (-0.02, 0.8),
+    ):  # next to nothing: the greatest force counts
         found = find_adhesion(analysis(least - (0.75 - share) * 4e3, np.full(40, 7.2e3)), 24.0)
         assert found.adhesion == pytest.approx(max(share, 0.0), abs=1e-3)
         assert found.relative_force_amplitude == pytest.approx(amplitude, abs=1e-3)
@@ -407,17 +456,25 @@ def test_which_turning_points_are_those_of_a_decay(places, sizes, kept) -> None:
     assert found.tolist() == places[len(places) - kept :]
 
 
-@pytest.mark.parametrize(("ratio", "known"), [(0.03, True), (0.1, True), (0.34, True), (0.4, False)])
+@pytest.mark.parametrize(
+    ("ratio", "known"), [(0.03, True), (0.1, True), (0.34, True), (0.4, False)]
+)
 def test_free_decays_of_other_rates_and_rests(ratio: float, known: bool) -> None:
     """Four turning points above half a per cent are needed."""
     for rate in (500.0, 1000.0, 2000.0):
         away = np.arange(round(12.0 * rate)) / rate
-        height = 2e-3 + 5e-3 * np.exp(-ratio * 40.0 * away) * np.cos(40.0 * math.sqrt(1.0 - ratio**2) * away)
+        height = 2e-3 + 5e-3 * np.exp(-ratio * 40.0 * away) * np.cos(
+            40.0 * math.sqrt(1.0 - ratio**2) * away
+        )
         found = methods.theta_by_decay(height, rate)
         expected = (ratio, 40.0 * math.sqrt(1.0 - ratio**2) / (2.0 * math.pi))
         assert found == (pytest.approx(expected, rel=0.04) if known else None)
-    hum = np.where(away > 9.0, 4e-5 * np.sin(2.0 * np.pi * 10.0 * away), 0.0)  # below four times its deviation
-    assert methods.theta_by_decay(height + hum, rate) == (pytest.approx(expected, rel=0.05) if ratio < 0.3 else None)
+    hum = np.where(
+        away > 9.0, 4e-5 * np.sin(2.0 * np.pi * 10.0 * away), 0.0
+    )  # below four times its deviation
+    assert methods.theta_by_decay(height + hum, rate) == (
+        pytest.approx(expected, rel=0.05) if ratio < 0.3 else None
+    )
     noisy = height + 1e-4 * np.random.default_rng(1).standard_normal(height.size)
     assert methods.theta_by_decay(noisy[: round(0.05 * rate)], rate) is None
 
@@ -426,7 +483,9 @@ def let_go(fourth: float, rate: float = 1000.0) -> np.ndarray:
     """A plate that is let go after half a second; its fourth turning point has a share of where it began."""
     growth = -0.25 * math.log(fourth) / math.pi
     away = np.maximum(np.arange(round(12.0 * rate)) / rate - 0.5, 0.0)
-    return 5e-3 * np.exp(-growth * 40.0 * away) * (np.cos(40.0 * away) + growth * np.sin(40.0 * away))
+    return (
+        5e-3 * np.exp(-growth * 40.0 * away) * (np.cos(40.0 * away) + growth * np.sin(40.0 * away))
+    )
 
 
 @pytest.mark.parametrize(("fourth", "known"), [(0.00518, True), (0.00482, False)])
@@ -453,7 +512,9 @@ def test_free_decays_are_means_over_5_ms(rate: float) -> None:
     """In which 200 Hz are nothing."""
     height = let_go(0.2, rate)[round(0.55 * rate) :]  # from the fall on
     hum = 1e-3 * np.sin(2.0 * np.pi * 200.0 * np.arange(height.size) / rate)
-    assert methods.theta_by_decay(height + hum, rate) == pytest.approx(methods.theta_by_decay(height, rate), rel=1e-3)
+    assert methods.theta_by_decay(height + hum, rate) == pytest.approx(
+        methods.theta_by_decay(height, rate), rel=1e-3
+    )
     slow = let_go(0.2, 250.0)[138:]  # of which 5 ms are one sample
     jumps = 1e-3 * (-1.0) ** np.arange(slow.size)
     assert methods.theta_by_decay(slow + jumps, 250.0) is None
@@ -464,12 +525,16 @@ def test_strokes_of_turns() -> None:
     height = (1e-3 + 1e-3 * time) * np.sin(2.0 * np.pi * 8.0 * time)
     turns = find_turns(time, height, 0.0, 3e-3)
     found = methods.stroke_by_turn(height, time, turns)
-    np.testing.assert_allclose(found[:-1], 2.0 * (1e-3 + 1e-3 * (turns.top[:-1] + 1.0 / 32.0)), rtol=0.02)
+    np.testing.assert_allclose(
+        found[:-1], 2.0 * (1e-3 + 1e-3 * (turns.top[:-1] + 1.0 / 32.0)), rtol=0.02
+    )
     assert found.size == turns.top.size
     assert methods.stroke_by_turn(None, time, turns) is None
 
 
-@pytest.mark.parametrize(("sample", "hit"), [(949, False), (950, True), (1119, True), (1120, False)])
+@pytest.mark.parametrize(
+    ("sample", "hit"), [(949, False), (950, True), (1119, True), (1120, False)]
+)
 def test_samples_that_belong_to_a_turn(sample: int, hit: bool) -> None:
     flags = np.zeros(3000, dtype=bool)
     flags[sample] = True
@@ -484,9 +549,16 @@ def test_frequencies_at_which_a_wheel_swings_on_by_itself() -> None:
                               (1.19 * own, True), (1.21 * own, False)):  # fmt: skip
         assert turn_forces._is_own(frequency, dead) is swings
         assert turn_forces._is_own(frequency, CAR) is False
-    ratio = wheel_damping(road_poles(LinearQuarterCar(400.0, 40.0, 25e3, 300.0, 200e3, 0.0)))[0] / 300.0
+    ratio = (
+        wheel_damping(road_poles(LinearQuarterCar(400.0, 40.0, 25e3, 300.0, 200e3, 0.0)))[0] / 300.0
+    )
     for share, swings in ((0.95, True), (1.05, False)):
-        assert turn_forces._is_own(2.0, LinearQuarterCar(400.0, 40.0, 25e3, share * 0.05 / ratio, 200e3, 0.0)) is swings
+        assert (
+            turn_forces._is_own(
+                2.0, LinearQuarterCar(400.0, 40.0, 25e3, share * 0.05 / ratio, 200e3, 0.0)
+            )
+            is swings
+        )
 
 
 @pytest.mark.parametrize(
@@ -509,12 +581,18 @@ def test_what_a_fit_leaves_is_told(line, others, explained, codes) -> None:
     found = turn_forces._doubts(fit, [stretch], [left], signals, 4e3)
     assert [one.code for one in found] == codes
     for one in found:
-        words = {"frequency": 14.0, "force": 2e-3 * line} if one.code == "vibrates" else {"percent": 96.9}
+        words = (
+            {"frequency": 14.0, "force": 2e-3 * line}
+            if one.code == "vibrates"
+            else {"percent": 96.9}
+        )
         assert one.words == pytest.approx(words)
 
 
 def test_turns_of_one_frequency_are_averaged() -> None:
-    f, y, base, wide = np.array([[10.0, 10.01, 10.2], [1.0, 3.0, 7.0], [2.0, 6.0, 1.0], [1.0, 2.0, 3.0]])
+    f, y, base, wide = np.array(
+        [[10.0, 10.01, 10.2], [1.0, 3.0, 7.0], [2.0, 6.0, 1.0], [1.0, 2.0, 3.0]]
+    )
     found = turn_forces._merge_turns(f, y, base, wide)
     expected = [[10.005, 10.2], [2.0, 7.0], [4.0, 1.0], [math.sqrt(5.0) / 2.0, 3.0]]
     np.testing.assert_allclose(np.array(found), expected)
@@ -537,7 +615,11 @@ def test_what_a_model_misses_is_a_gaussian_process() -> None:
     size = 5.0 * float(np.median(noise))
     gain = np.linalg.solve(size**2 * kernel + np.diag(noise**2), size**2 * kernel).T
     np.testing.assert_allclose(found, gain @ gap, atol=0.3)
-    np.testing.assert_allclose(error, np.sqrt(np.diag(size**2 * kernel - gain @ (size**2 * kernel))), rtol=0.15)
-    none, error = turn_forces._posterior(frequency, gap - 12.0 * np.sin(0.6 * frequency), noise, 2.0)
+    np.testing.assert_allclose(
+        error, np.sqrt(np.diag(size**2 * kernel - gain @ (size**2 * kernel))), rtol=0.15
+    )
+    none, error = turn_forces._posterior(
+        frequency, gap - 12.0 * np.sin(0.6 * frequency), noise, 2.0
+    )
     assert not none.any()
     assert not error.any()

@@ -56,7 +56,9 @@ def test_a_file_counts_when_it_has_stopped_growing(folder, store, clock) -> None
     assert watch.look() == []
 
 
-def test_the_file_beside_comes_along_and_a_later_one_makes_a_new_record(folder, store, clock) -> None:
+def test_the_file_beside_comes_along_and_a_later_one_makes_a_new_record(
+    folder, store, clock
+) -> None:
     watch = FolderWatch(folder, store, settle=0.0, clock=clock)
     (folder / "a.csv").write_text(HALF)
     (folder / "a.toml").write_text('plate_number = "B-XY 9"\n')
@@ -121,7 +123,9 @@ def test_a_store_that_is_busy_is_tried_again(folder, store, monkeypatch) -> None
 def test_a_folder_that_goes_away_may_come_back(folder, store) -> None:
     watch = FolderWatch(folder, store, settle=0.0)
     folder.rename(folder.parent / "away")
-    assert [seen.problem for seen in watch.look()] == ["the folder cannot be read: No such file or directory"]
+    assert [seen.problem for seen in watch.look()] == [
+        "the folder cannot be read: No such file or directory"
+    ]
     assert watch.look() == []
     folder.mkdir()
     (folder / "a.csv").write_text(HALF)

@@ -7,7 +7,13 @@ import pytest
 
 from jounce.inspection import evaluate, evaluation
 from jounce.inspection.evaluation import wheel_load
-from jounce.inspection.signals import WheelSignals, _greatest_part, mean_shaking, moving_part, standstill_force
+from jounce.inspection.signals import (
+    WheelSignals,
+    _greatest_part,
+    mean_shaking,
+    moving_part,
+    standstill_force,
+)
 from jounce.inspection.sweep import turns_of
 from jounce.parts import load
 from jounce.parts.testers import load_tester
@@ -52,7 +58,9 @@ def test_a_plate_at_rest_beside_one_that_runs_does_not_move() -> None:
     left, _ = _two_plates()
     assert moving_part(0.02 * left, RATE, LEAST, left) is None
     assert moving_part(0.0 * left, RATE, LEAST) is None
-    slow = 30.0 * LEAST * np.sin(2.0 * np.pi * 0.5 * np.arange(left.size) / RATE)  # counts where the other one stands
+    slow = (
+        30.0 * LEAST * np.sin(2.0 * np.pi * 0.5 * np.arange(left.size) / RATE)
+    )  # counts where the other one stands
     assert moving_part(slow, RATE, LEAST, 0.0 * left) == moving_part(slow, RATE, LEAST)
     assert moving_part(slow, RATE, LEAST, left) != moving_part(slow, RATE, LEAST)
 
@@ -96,8 +104,13 @@ def test_only_the_wheel_that_the_order_names_was_tested(both, eusama) -> None:
     found = evaluate(both("left", second=False), eusama)
     assert [wheel.wheel for wheel in found.wheels] == ["left"]
     assert found.is_gradable
-    assert [wheel.wheel for wheel in evaluate(both("left, right", second=False), eusama).wheels] == ["left", "right"]
-    assert [wheel.wheel for wheel in evaluate(both("left", second=True), eusama).wheels] == ["left", "right"]
+    assert [
+        wheel.wheel for wheel in evaluate(both("left, right", second=False), eusama).wheels
+    ] == ["left", "right"]
+    assert [wheel.wheel for wheel in evaluate(both("left", second=True), eusama).wheels] == [
+        "left",
+        "right",
+    ]
 
 
 def test_a_wheel_without_its_force_is_not_left_out(both, eusama) -> None:
@@ -113,12 +126,17 @@ def test_a_wheel_without_its_force_is_not_left_out(both, eusama) -> None:
 def test_an_order_that_the_plates_contradict(both, eusama) -> None:
     found = evaluate(both("right, left", second=True), eusama)
     assert not found.is_gradable
-    assert all("the left plate runs first: left and right are swapped" in one.reasons[0] for one in found.wheels)
+    assert all(
+        "the left plate runs first: left and right are swapped" in one.reasons[0]
+        for one in found.wheels
+    )
     assert evaluate(both("left, right", second=True), eusama).is_gradable
     assert evaluate(both("together", second=True), eusama).is_gradable
 
 
-@pytest.mark.parametrize(("scale", "unit"), [(1e-3, "kN"), (0.224809, "pounds (lbf)"), (0.1, "daN")])
+@pytest.mark.parametrize(
+    ("scale", "unit"), [(1e-3, "kN"), (0.224809, "pounds (lbf)"), (0.1, "daN")]
+)
 def test_equal_wheels_in_another_unit_are_no_offset(both, eusama, scale: float, unit: str) -> None:
     found = evaluate(both("left, right", second=True, scale=scale), eusama)
     assert [len(wheel.reasons) for wheel in found.wheels] == [1, 1]
@@ -147,7 +165,9 @@ def test_turns_of_a_sprung_plate_stand_on_the_swing_of_the_car() -> None:
     assert turns is not None
     inside = (turns.top > 0.5) & (turns.top < 11.0)
     expected = np.interp(turns.top[inside], time, frequency)
-    assert np.count_nonzero(inside) == pytest.approx(np.trapezoid(frequency[500:11_000], dx=1e-3), abs=2.0)
+    assert np.count_nonzero(inside) == pytest.approx(
+        np.trapezoid(frequency[500:11_000], dx=1e-3), abs=2.0
+    )
     assert np.abs(turns.frequency[inside] / expected - 1.0).max() < 0.15
 
 
@@ -165,10 +185,14 @@ def test_a_record_of_a_sprung_plate_is_not_taken_for_one_of_a_rigid_plate(both, 
 def test_a_rigid_plate_has_one_stroke(run, twin, left_record, eusama) -> None:
     time, height, force, _ = run
     slower = np.interp(time, [time[0], time[-1]], [0.8, 1.0])
-    wheel = evaluate(left_record(time, height * slower, force, twin.Car().static_load), eusama).wheels[0]
+    wheel = evaluate(
+        left_record(time, height * slower, force, twin.Car().static_load), eusama
+    ).wheels[0]
     assert not [one for one in wheel.findings if one.code == "not_rigid"]
     resonant = np.interp(time, [0.0, 3.0, 7.0, time[-1]], [0.6, 0.6, 1.0, 1.0])
-    wheel = evaluate(left_record(time, height * resonant, force, twin.Car().static_load), eusama).wheels[0]
+    wheel = evaluate(
+        left_record(time, height * resonant, force, twin.Car().static_load), eusama
+    ).wheels[0]
     assert [one.code for one in wheel.findings if one.severity == "problem"] == ["not_rigid"]
 
 
@@ -196,10 +220,14 @@ def test_loads_are_compared_with_the_axle_of_the_vehicle(both, eusama) -> None:
         codes = ["other_vehicle"] if off > 0.15 else []
         found = evaluate(record, eusama, vehicle).wheels[0]
         assert [one.code for one in found.findings if one.code == "other_vehicle"] == codes
-    assert wheel_load(vehicle, "front") == pytest.approx(9.81 * (1636.0 * 1.62 / 2.91 / 2.0 + 45.0), rel=2e-3)
+    assert wheel_load(vehicle, "front") == pytest.approx(
+        9.81 * (1636.0 * 1.62 / 2.91 / 2.0 + 45.0), rel=2e-3
+    )
     heavier = vehicle.with_changes({"body.mass": 2600.0})
     record.attrs["axle"] = "front"
-    assert "other_vehicle" in [one.code for one in evaluate(record, eusama, heavier).wheels[0].findings]
+    assert "other_vehicle" in [
+        one.code for one in evaluate(record, eusama, heavier).wheels[0].findings
+    ]
 
 
 @pytest.fixture(scope="module")
@@ -215,7 +243,10 @@ def sprung_run(sprung):
 def test_a_sprung_plate_must_run_down_through_the_resonance_once(sprung, sprung_run) -> None:
     assert evaluate(sprung_run, sprung).is_gradable
     end = float(sprung_run["time"][-1])
-    for length, message in ((0.5 * end, "the sweep is cut off"), (0.2 * end, "the sweep is missing")):
+    for length, message in (
+        (0.5 * end, "the sweep is cut off"),
+        (0.2 * end, "the sweep is missing"),
+    ):
         cut = sprung_run.sel(time=slice(0.0, length))
         (wheel,) = evaluate(cut, sprung).wheels
         assert [message in reason for reason in wheel.reasons] == [True]
@@ -223,7 +254,10 @@ def test_a_sprung_plate_must_run_down_through_the_resonance_once(sprung, sprung_
     later = sprung_run.assign_coords(time=sprung_run["time"] + end + 1e-3)
     twice = recording(
         np.append(sprung_run["time"], later["time"]),
-        {name: (np.append(sprung_run[name], later[name]), sprung_run[name].attrs["units"], "") for name in sprung_run},
+        {
+            name: (np.append(sprung_run[name], later[name]), sprung_run[name].attrs["units"], "")
+            for name in sprung_run
+        },
         attributes=sprung_run.attrs,
     )
     (wheel,) = evaluate(twice, sprung).wheels
@@ -231,7 +265,9 @@ def test_a_sprung_plate_must_run_down_through_the_resonance_once(sprung, sprung_
 
 
 def test_a_run_up_of_a_sprung_plate_is_a_test_too(sprung) -> None:
-    upwards = sprung.with_changes({"programme.start_frequency": 1.0, "programme.end_frequency": 20.0})
+    upwards = sprung.with_changes(
+        {"programme.start_frequency": 1.0, "programme.end_frequency": 20.0}
+    )
     record = simulate_test(load("audi-a6-quarter-car"), upwards, noise=0.01, seed=1, truth=False)
     (wheel,) = evaluate(record, upwards).wheels
     assert wheel.is_gradable
@@ -249,7 +285,10 @@ def test_a_plate_moves_by_blocks_of_a_tenth_of_a_second() -> None:
     assert moving_part(height, RATE, LEAST) == (600, 1500)
     assert moving_part(shaken(1.01 * LEAST), RATE, LEAST) == (0, 2000)
     assert moving_part(shaken(0.99 * LEAST), RATE, LEAST) is None
-    for times, found in ((1.6, (0, 2000)), (1.7, None)):  # shaken more than 0.6 times the other plate
+    for times, found in (
+        (1.6, (0, 2000)),
+        (1.7, None),
+    ):  # shaken more than 0.6 times the other plate
         assert moving_part(shaken(2e-3), RATE, LEAST, times * shaken(2e-3)) == found
     for idle, end in ((0.21, 2000), (0.18, 1000)):
         ours, theirs = shaken(idle * LEAST), shaken(1.2 * LEAST)
@@ -259,7 +298,9 @@ def test_a_plate_moves_by_blocks_of_a_tenth_of_a_second() -> None:
 
 def test_mean_shaking_leaves_out_slow_swings() -> None:
     height = shaken(1e-3)
-    assert mean_shaking(height + 0.05 * np.arange(2000) / RATE, RATE) == pytest.approx(1e-3, rel=0.02)
+    assert mean_shaking(height + 0.05 * np.arange(2000) / RATE, RATE) == pytest.approx(
+        1e-3, rel=0.02
+    )
     height[1000:] = 3e-3
     assert mean_shaking(height, RATE) == pytest.approx(0.5e-3, rel=0.02)
     assert mean_shaking(height[:99], RATE) == 0.0 < mean_shaking(height[:100], RATE)
@@ -267,7 +308,12 @@ def test_mean_shaking_leaves_out_slow_swings() -> None:
 
 @pytest.mark.parametrize(
     ("gains", "part"),
-    [([1, -2, 3, 1, -1, 2, -9, 4], [2, 3, 4, 5]), ([-1, -2], []), ([5, -1, -1], [0]), ([-3, 1, 2], [1, 2])],
+    [
+        ([1, -2, 3, 1, -1, 2, -9, 4], [2, 3, 4, 5]),
+        ([-1, -2], []),
+        ([5, -1, -1], [0]),
+        ([-3, 1, 2], [1, 2]),
+    ],
 )
 def test_the_part_with_the_greatest_sum(gains, part) -> None:
     assert _greatest_part(np.array(gains, dtype=float)).tolist() == part
@@ -293,7 +339,9 @@ def test_when_a_wheel_stands_still(moving, other, part) -> None:
     force = 4e3 + 10.0 * time**2
     signals = WheelSignals("left", time, force, None, None, None, 20.0)
     found = standstill_force(signals, moving, other)
-    assert found == (None if part is None else pytest.approx(float(np.median(force[slice(*part)])), rel=1e-12))
+    assert found == (
+        None if part is None else pytest.approx(float(np.median(force[slice(*part)])), rel=1e-12)
+    )
 
 
 def test_a_wheel_that_swings_on_does_not_stand() -> None:
@@ -308,13 +356,22 @@ def test_how_much_the_other_plate_may_be_shaken() -> None:
     time, force = np.arange(2000) / RATE, np.full(2000, 4e3)
 
     def record(stroke: float, **more):
-        heights = {"left.plate.z": (shaken(1e-3), "m", ""), "right.plate.z": (shaken(stroke), "m", "")}
+        heights = {
+            "left.plate.z": (shaken(1e-3), "m", ""),
+            "right.plate.z": (shaken(stroke), "m", ""),
+        }
         return recording(time, {**heights, "left.plate.force": (force, "N", ""), **more})
 
     right = {"right.plate.force": (force, "N", "")}
     assert evaluation.tested_wheels(record(0.49e-3, **right), {"wheel_order": "left"}) == ("left",)
-    assert evaluation.tested_wheels(record(0.51e-3, **right), {"wheel_order": "left"}) == ("left", "right")
-    assert evaluation.tested_wheels(record(0.1e-3, **right), {"wheel_order": "left, right"}) == ("left", "right")
+    assert evaluation.tested_wheels(record(0.51e-3, **right), {"wheel_order": "left"}) == (
+        "left",
+        "right",
+    )
+    assert evaluation.tested_wheels(record(0.1e-3, **right), {"wheel_order": "left, right"}) == (
+        "left",
+        "right",
+    )
     for stroke, codes in ((0.096e-3, []), (0.104e-3, ["force_missing"])):
         lost = evaluation._without_force(record(stroke), {})
         assert [one.code for wheel in lost for one in wheel.findings] == codes
@@ -323,7 +380,9 @@ def test_how_much_the_other_plate_may_be_shaken() -> None:
 def test_loads_and_means_beside_the_vehicle_file() -> None:
     for share, told in ((1.149, False), (1.151, True), (0.851, False), (0.849, True)):
         found = evaluation._vehicle_findings(share * 4e3, 4e3, "left")
-        assert [one.words for one in found] == ([{"load": share * 4e3, "expected": 4e3}] if told else [])
+        assert [one.words for one in found] == (
+            [{"load": share * 4e3, "expected": 4e3}] if told else []
+        )
     assert evaluation._vehicle_findings(9e3, None, "left") == []
     time = 5.0 + np.arange(1000) / RATE
     signals = WheelSignals("left", time, 4e3 + 1e3 * (time - 5.0) ** 2, None, None, None, 20.0)

@@ -50,6 +50,8 @@ TUPLES = {
 
 @pytest.mark.parametrize("which", TUPLES)
 def test_what_loops_work_on_holds_its_code(which):
-    numbers = [value for value in TUPLES[which]() if isinstance(value, int) and abs(value) > 1 << 16]
+    numbers = [
+        value for value in TUPLES[which]() if isinstance(value, int) and abs(value) > 1 << 16
+    ]
     assert numbers
     assert all(isinstance(number, Address) for number in numbers)

@@ -22,7 +22,9 @@ def test_only_where_it_is_wanted():
     assert compile_in_child(lambda: b"made") is None
     with compiling_apart():
         assert compile_in_child(lambda: b"made") == b"made"
-        assert compile_in_child(lambda: bytes(5_000_000)) == bytes(5_000_000)  # more than a pipe holds
+        assert compile_in_child(lambda: bytes(5_000_000)) == bytes(
+            5_000_000
+        )  # more than a pipe holds
     assert compile_in_child(lambda: b"made") is None
 
 
@@ -34,7 +36,9 @@ def test_it_is_made_in_another_process_that_has_gone():
         os.kill(child, 0)
 
 
-@pytest.mark.parametrize(("system", "splits"), [("linux", True), ("darwin", False), ("win32", False)])
+@pytest.mark.parametrize(
+    ("system", "splits"), [("linux", True), ("darwin", False), ("win32", False)]
+)
 def test_no_process_splits_where_its_libraries_do_not_survive_it(monkeypatch, system, splits):
     monkeypatch.setattr(sys, "platform", system)
     assert runpy.run_path(apart.__file__)["SPLITS"] is splits
@@ -111,7 +115,12 @@ def test_code_that_was_compiled_apart_computes_the_same(tmp_path, monkeypatch):
     x = ca.SX.sym("x", 2)
     none = [ca.SX.sym(name, 0) for name in "upm"]
     with compiling_apart():
-        code = native.compile_functions({"f": ca.Function("f", [x, *none], [x[0] * ca.sin(x[1]) + 0.123456])})
+        code = native.compile_functions(
+            {"f": ca.Function("f", [x, *none], [x[0] * ca.sin(x[1]) + 0.123456])}
+        )
     assert not made  # here
     nothing = np.zeros(0)
-    assert code.evaluate("f", (1,), np.array([2.0, 0.5]), *[nothing] * 3)[0] == 2.0 * np.sin(0.5) + 0.123456
+    assert (
+        code.evaluate("f", (1,), np.array([2.0, 0.5]), *[nothing] * 3)[0]
+        == 2.0 * np.sin(0.5) + 0.123456
+    )

@@ -10,7 +10,14 @@ from jounce.kernel.lowering import Wide
 from jounce.kernel.native import compile_functions
 
 WIDE = 8
-LIBRARY = {"sin": np.sin, "cos": np.cos, "asin": np.arcsin, "acos": np.arccos, "atan": np.arctan, "atan2": np.arctan2}
+LIBRARY = {
+    "sin": np.sin,
+    "cos": np.cos,
+    "asin": np.arcsin,
+    "acos": np.arccos,
+    "atan": np.arctan,
+    "atan2": np.arctan2,
+}
 
 
 @pytest.fixture(scope="module", params=["", *machine.LEVELS])
@@ -35,7 +42,9 @@ def native(processor):
     """Each function of eight systems, of one or two states."""
     x = ca.SX.sym("x", 2)
     none = [ca.SX.sym(name, 0) for name in "upm"]
-    values = {name: getattr(ca, name)(x[0]) for name in LIBRARY if name != "atan2"} | {"atan2": ca.atan2(x[0], x[1])}
+    values = {name: getattr(ca, name)(x[0]) for name in LIBRARY if name != "atan2"} | {
+        "atan2": ca.atan2(x[0], x[1])
+    }
     return compile_functions(
         {name: Wide(ca.Function(name, [x, *none], [value]), WIDE) for name, value in values.items()}
     )
@@ -45,7 +54,9 @@ def evaluated(native, name, x, y=None):
     y = np.zeros_like(x) if y is None else y
     blocks = np.stack([x.reshape(-1, WIDE), y.reshape(-1, WIDE)], axis=1)
     none = np.zeros(0)
-    return np.concatenate([native.evaluate(name, (WIDE,), block.ravel(), none, none, none) for block in blocks])
+    return np.concatenate(
+        [native.evaluate(name, (WIDE,), block.ravel(), none, none, none) for block in blocks]
+    )
 
 
 def units_off(found, expected):
@@ -63,7 +74,8 @@ def test_of_angles(native, name, size):
 @pytest.mark.parametrize("name", ["asin", "acos", "atan"])
 def test_of_ratios(native, name):
     x = np.append(
-        np.random.default_rng(2).uniform(-1.0, 1.0, 7990), [0.0, -0.0, 1.0, -1.0, 0.5, -0.5, 1e-9, -1e-9, 0.66, 0.67]
+        np.random.default_rng(2).uniform(-1.0, 1.0, 7990),
+        [0.0, -0.0, 1.0, -1.0, 0.5, -0.5, 1e-9, -1e-9, 0.66, 0.67],
     )
     assert np.max(units_off(evaluated(native, name, x), LIBRARY[name](x))) <= 3.0
 
@@ -72,7 +84,10 @@ def test_of_points_in_all_quarters_and_on_the_axes(native):
     turn = np.random.default_rng(3).uniform(-np.pi, np.pi, 8000)
     size = 10.0 ** np.random.default_rng(4).uniform(-6, 6, 8000)
     y, x = size * np.sin(turn), size * np.cos(turn)
-    y[:8], x[:8] = [0.0, 1.0, 0.0, -1.0, 0.0, -0.0, 2.0, -2.0], [1.0, 0.0, -1.0, 0.0, 0.0, -1.0, 2.0, -2.0]
+    y[:8], x[:8] = (
+        [0.0, 1.0, 0.0, -1.0, 0.0, -0.0, 2.0, -2.0],
+        [1.0, 0.0, -1.0, 0.0, 0.0, -1.0, 2.0, -2.0],
+    )
     assert np.max(units_off(evaluated(native, "atan2", y, x), np.arctan2(y, x))) <= 3.0
     y, x = (
         np.array([0.0, -0.0, 0.0, -0.0, 1.0, -1.0, 1.0, -1.0]),
@@ -87,7 +102,9 @@ def test_what_is_no_number_stays_none(native):
     x = np.array([np.nan, np.inf, -np.inf, 1.5, -1.5, 0.0, 1.0, 0.5])
     with np.errstate(invalid="ignore"):
         for name in ("sin", "cos", "asin", "acos"):
-            assert np.array_equal(np.isnan(evaluated(native, name, x)), np.isnan(LIBRARY[name](x))), name
+            assert np.array_equal(
+                np.isnan(evaluated(native, name, x)), np.isnan(LIBRARY[name](x))
+            ), name
     assert np.isnan(evaluated(native, "atan2", x, np.ones(8))[0])
 
 
@@ -95,6 +112,8 @@ def test_what_is_no_number_stays_none(native):
 def test_a_level_that_is_none_or_not_reached_is_refused(monkeypatch, level):
     monkeypatch.setenv("JOUNCE_PROCESSOR", level)
     forget_processor()
-    with pytest.raises(SimulationError, match=f"JOUNCE_PROCESSOR.*found '{level}'; allowed: .*Unset it"):
+    with pytest.raises(
+        SimulationError, match=f"JOUNCE_PROCESSOR.*found '{level}'; allowed: .*Unset it"
+    ):
         machine.this_machine()
     forget_processor()

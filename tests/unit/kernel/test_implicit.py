@@ -111,8 +111,12 @@ def run(model, values, x0, times, *, tolerance=1e-8, longest=0.05, max_steps=100
     compiled = compile_model(model)
     p = compiled.extend(np.array(values, dtype=float))
     tracks, start = flatten([signal(0, [0.0] * 4)]), np.array(x0, dtype=float)
-    problem = Problem(compiled.engine, tracks, tracks.first[:0].copy(), p, np.array(modes, dtype=float), start, 0)
-    control = Control(tolerance, np.full(len(x0), 1e-2), np.full(len(modes), 1e-12), max_steps, longest)
+    problem = Problem(
+        compiled.engine, tracks, tracks.first[:0].copy(), p, np.array(modes, dtype=float), start, 0
+    )
+    control = Control(
+        tolerance, np.full(len(x0), 1e-2), np.full(len(modes), 1e-12), max_steps, longest
+    )
     out, counts = room(compiled, times), np.zeros(3, dtype=np.int64)
     return Status.of(integrate(problem, slopes_of(compiled), control, out, counts)), out, counts
 
@@ -125,7 +129,9 @@ def test_events_are_found_and_counted():
     contact = 2.0 * (np.pi - np.arctan(speed / (w * sag))) / w
     period = 2.0 * fall + contact
     times = np.linspace(0.0, 10.0 * period, 1001)
-    status, out, counts = run(bouncing(), [mass, stiffness], [height, 0.0], times, modes=[0.0], tolerance=1e-9)
+    status, out, counts = run(
+        bouncing(), [mass, stiffness], [height, 0.0], times, modes=[0.0], tolerance=1e-9
+    )
     assert status is Status.COMPLETED
     assert counts[2] == 20
     np.testing.assert_allclose(out.states[0, ::100], height, rtol=2e-6)
@@ -134,7 +140,9 @@ def test_events_are_found_and_counted():
 
 
 def test_a_used_up_budget_is_told():
-    status, _, counts = run(bouncing(), [2.0, 1e6], [0.1, 0.0], np.linspace(0.0, 5.0, 11), modes=[0.0], max_steps=30)
+    status, _, counts = run(
+        bouncing(), [2.0, 1e6], [0.1, 0.0], np.linspace(0.0, 5.0, 11), modes=[0.0], max_steps=30
+    )
     assert status is Status.TOO_MANY_STEPS
     assert counts[0] + counts[1] == 30
 
@@ -153,7 +161,9 @@ def test_what_runs_away_is_told():
 
 
 def test_a_state_of_rest_stays():
-    status, out, counts = run(bouncing(), [2.0, 1e6], [-2.0 * 9.81 / 1e6, 0.0], np.linspace(0.0, 1.0, 5), modes=[1.0])
+    status, out, counts = run(
+        bouncing(), [2.0, 1e6], [-2.0 * 9.81 / 1e6, 0.0], np.linspace(0.0, 1.0, 5), modes=[1.0]
+    )
     assert status is Status.COMPLETED
     np.testing.assert_allclose(out.states[0], -2.0 * 9.81 / 1e6, rtol=1e-9)
     assert counts[0] < 60

@@ -32,7 +32,11 @@ def test_native_code_is_not_taken_from_another_system(monkeypatch):
     """LLVM ends a process that loads an object of another format: nothing could be caught."""
     here = cache.key_here("model")
     assert cache.key_here("model") == here
-    for triple in ("x86_64-apple-darwin23.0.0", "x86_64-pc-windows-msvc", "aarch64-unknown-linux-gnu"):
+    for triple in (
+        "x86_64-apple-darwin23.0.0",
+        "x86_64-pc-windows-msvc",
+        "aarch64-unknown-linux-gnu",
+    ):
         monkeypatch.setattr(machine.llvm, "get_process_triple", lambda triple=triple: triple)
         assert cache.key_here("model") != here
 
@@ -71,7 +75,9 @@ OPEN |= {"a file of a group": ("key.o", 0o664), "a folder of a group": (".", 0o7
 
 
 @pytest.mark.parametrize("what", OPEN)
-def test_code_that_others_could_have_written_is_not_run_and_that_is_said(folder, caplog, what) -> None:
+def test_code_that_others_could_have_written_is_not_run_and_that_is_said(
+    folder, caplog, what
+) -> None:
     name, mode = OPEN[what]
     (folder / name).chmod(mode)
     assert cache.recall("key") is cache.recall("key") is None
@@ -157,7 +163,10 @@ def test_twins_have_the_code_that_users_have(optimised):
         ("darwin", {}, "home/Library/Caches/jounce"),
         ("win32", {"LOCALAPPDATA": "local"}, "local/jounce/Cache"),
         ("win32", {}, "home/AppData/Local/jounce/Cache"),
-        *((system, {"XDG_CACHE_HOME": "shared"}, "shared/jounce") for system in ("linux", "darwin", "win32")),
+        *(
+            (system, {"XDG_CACHE_HOME": "shared"}, "shared/jounce")
+            for system in ("linux", "darwin", "win32")
+        ),
         *((system, {"JOUNCE_CACHE_DIR": "own"}, "own") for system in ("linux", "darwin", "win32")),
     ],
 )

@@ -25,7 +25,14 @@ SOURCES = Path(call.__file__).parent.parent
 
 def follow(path: object = PATH, **changed: object) -> np.ndarray:
     """State of the Bouc-Wen law along a path, by the smallest of the loops."""
-    given = {"path": path, "rate": 1.0, "sigma": 0.5, "exponent": 1.0, "start": 0.0, "state": np.full(5, np.nan)}
+    given = {
+        "path": path,
+        "rate": 1.0,
+        "sigma": 0.5,
+        "exponent": 1.0,
+        "start": 0.0,
+        "state": np.full(5, np.nan),
+    }
     given |= changed
     assert Loop("hysteresis")(*given.values()) == 0
     return given["state"]
@@ -51,12 +58,18 @@ def steps(monkeypatch):
     done = []
     for name in ("object_for", "bitcode_from_sources"):
         real = getattr(call, name)
-        monkeypatch.setattr(call, name, lambda *given, name=name, real=real: done.append(name) or real(*given))
+        monkeypatch.setattr(
+            call, name, lambda *given, name=name, real=real: done.append(name) or real(*given)
+        )
     return done
 
 
 def test_every_loop_is_listed_and_used() -> None:
-    used = {name for file in SOURCES.rglob("*.py") for name in re.findall(r'Loop\("(\w+)"\)', file.read_text("utf-8"))}
+    used = {
+        name
+        for file in SOURCES.rglob("*.py")
+        for name in re.findall(r'Loop\("(\w+)"\)', file.read_text("utf-8"))
+    }
     assert used == set(LOOPS)
     for module, function in LOOPS.values():
         assert hasattr(import_module(f"jounce.kernel.loops.{module}"), function)
@@ -106,7 +119,9 @@ jn.simulate(jn.load("kart-quarter-car"), trial)
 assert "numba" not in sys.modules
 """
     environment = {**os.environ, "JOUNCE_CACHE_DIR": str(tmp_path)}
-    done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=False
+    )
     assert done.returncode == 0, done.stderr
 
 
@@ -139,7 +154,9 @@ BAD = {
 @pytest.mark.parametrize("bad", BAD)
 def test_what_is_no_such_array_is_refused(bad) -> None:
     state = np.full(5, np.nan)
-    with pytest.raises(TypeError, match=r"loop 'hysteresis': displacement is .*, allowed is float64, 1 dimension"):
+    with pytest.raises(
+        TypeError, match=r"loop 'hysteresis': displacement is .*, allowed is float64, 1 dimension"
+    ):
         follow(BAD[bad], state=state)
     assert np.isnan(state).all()
 
@@ -161,7 +178,9 @@ def test_what_is_refused_is_named_through_all_tuples() -> None:
     none, whole = np.zeros(0), np.zeros(0, dtype=np.int64)
     tracks = Tracks(whole, none, none, whole, np.zeros((4, 3)).T, none)
     problem = Problem(Engine(*[0] * 11), tracks, whole, none, none, none, 0)
-    with pytest.raises(TypeError, match=r"problem\.tracks\.coefficients is <f8, 2 dimensions, order F, allowed is"):
+    with pytest.raises(
+        TypeError, match=r"problem\.tracks\.coefficients is <f8, 2 dimensions, order F, allowed is"
+    ):
         Loop("rate_bound")(problem, ())
 
 
@@ -189,7 +208,9 @@ def test_the_ways_after_each_other(elsewhere, steps, right) -> None:
 def test_bitcode_that_this_llvm_cannot_read_is_passed_over(elsewhere, steps) -> None:
     expected, digest = follow(), digest_of(*loops.SOURCES)
     (file,) = elsewhere.rglob("*.bc")
-    cache.write_sealed(file, key_of("hysteresis", digest), cache.join({}, b"bitcode of a newer LLVM"))
+    cache.write_sealed(
+        file, key_of("hysteresis", digest), cache.join({}, b"bitcode of a newer LLVM")
+    )
     for file in elsewhere.rglob("*.o"):
         file.unlink()
     steps.clear()
@@ -223,7 +244,9 @@ def test_elsewhere_code_is_made_for_this_processor_and_kept_in_the_cache(
     assert len(steps) == 2
 
 
-def test_a_loop_made_for_this_very_processor_takes_no_object_for_the_platform(elsewhere, steps) -> None:
+def test_a_loop_made_for_this_very_processor_takes_no_object_for_the_platform(
+    elsewhere, steps
+) -> None:
     expected = follow()
     made = [] if not call._suits(this_platform()) else ["object_for"]  # an older one has it already
     steps.clear()
@@ -259,7 +282,9 @@ state = np.empty(5)
 assert call.Loop("hysteresis")(np.array([0.0, 1.0, 2.0, 1.5, -1.0]), 1.0, 0.5, 1.0, 0.0, state) == 0
 print(state.tobytes().hex())
 """
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    )
     assert bytes.fromhex(done.stdout) == expected.tobytes()
     assert "this build of Python" in done.stderr
 
@@ -289,13 +314,19 @@ for module, _ in LOOPS.values():
 import jounce.kernel.loops.build
 print(*sorted(name for name in sys.modules if name.startswith("jounce.kernel.")))
 """
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    )
     covered = tuple(f"jounce.{source.replace('/', '.')}" for source in loops.SOURCES)
     others = {name for name in done.stdout.split() if not name.startswith(covered)}
-    assert others == {f"jounce.kernel.{name}" for name in ("apart", "cache", "call", "machine", "native")}
+    assert others == {
+        f"jounce.kernel.{name}" for name in ("apart", "cache", "call", "machine", "native")
+    }
 
 
-@pytest.mark.parametrize("name", ["Vector", "Matrix", "Block", "Columns", "Integers", "IntegerMatrix", "ComplexVector"])
+@pytest.mark.parametrize(
+    "name", ["Vector", "Matrix", "Block", "Columns", "Integers", "IntegerMatrix", "ComplexVector"]
+)
 def test_a_layout_has_the_type_of_its_array(name: str) -> None:
     array, layout = get_args(getattr(arrays, name))
     assert f"numpy.{layout.dtype}]" in str(array)

@@ -66,7 +66,9 @@ DAMAGES = {
     "cut after the checksum": lambda content: content[:32],
     "cut in half": lambda content: content[: len(content) // 2],
     "last byte missing": lambda content: content[:-1],
-    "byte flipped in the code": lambda content: content[:200] + bytes([content[200] ^ 1]) + content[201:],
+    "byte flipped in the code": lambda content: (
+        content[:200] + bytes([content[200] ^ 1]) + content[201:]
+    ),
     "byte flipped in the checksum": lambda content: bytes([content[0] ^ 1]) + content[1:],
     "something appended": lambda content: content + b"\0",
     "text": lambda _: b"not an object file at all, but long enough to have a checksum and a rest",
@@ -123,7 +125,9 @@ def test_folder_without_permission(tmp_path, monkeypatch):
 
 
 def test_full_disk_leaves_no_rubbish(folder, emitted, monkeypatch):
-    monkeypatch.setattr(sys, "dont_write_bytecode", True)  # of what is imported meanwhile: it would be cut at the limit
+    monkeypatch.setattr(
+        sys, "dont_write_bytecode", True
+    )  # of what is imported meanwhile: it would be cut at the limit
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100, before[1]))  # less than any entry
     try:

@@ -14,13 +14,24 @@ from jounce.core.sources import digest_of
 from jounce.kernel import cache, call, loops
 from jounce.kernel.loops import BUILT, LOOPS, PLATFORMS, key_of
 
-EVERYWHERE = {"cos", "exp2", "memset", "pow", "sin"}  # C99, in glibc, musl, libSystem and the universal C run-time
+EVERYWHERE = {
+    "cos",
+    "exp2",
+    "memset",
+    "pow",
+    "sin",
+}  # C99, in glibc, musl, libSystem and the universal C run-time
 ALSO = {
     "linux": {"sincos"},
     "darwin": {"__bzero", "__sincos_stret", "bzero", "memset_pattern16"},
     "windows": set[str](),  # no __chkstk either: no frame is that large
 }
-PROCESSORS = {"x86_64": (62, 0x01000007), "amd64": (62, 0x01000007), "aarch64": (183, 0), "arm64": (183, 0x0100000C)}
+PROCESSORS = {
+    "x86_64": (62, 0x01000007),
+    "amd64": (62, 0x01000007),
+    "aarch64": (183, 0),
+    "arm64": (183, 0x0100000C),
+}
 """Numbers in ELF (e_machine) and Mach-O (cputype)."""
 
 
@@ -80,20 +91,34 @@ def targets() -> None:
 @pytest.mark.skipif(not BUILT.exists(), reason="make loops")
 @pytest.mark.parametrize(
     "name",
-    [name if name in ("evaluate", "hysteresis") else pytest.param(name, marks=pytest.mark.slow) for name in LOOPS],
+    [
+        name if name in ("evaluate", "hysteresis") else pytest.param(name, marks=pytest.mark.slow)
+        for name in LOOPS
+    ],
 )
 def test_a_platform_has_what_its_objects_call(name: str, targets) -> None:
     bitcode = cache.read_sealed(BUILT / f"{name}.bc", key_of(name, digest_of(*loops.SOURCES)))
     assert bitcode is not None
-    made = {platform: cache.split(call.object_for(bitcode, PLATFORMS[platform]))[1] for platform in PLATFORMS}
-    assert not {platform: found for platform, content in made.items() if (found := problems(content, platform))}
+    made = {
+        platform: cache.split(call.object_for(bitcode, PLATFORMS[platform]))[1]
+        for platform in PLATFORMS
+    }
+    assert not {
+        platform: found
+        for platform, content in made.items()
+        if (found := problems(content, platform))
+    }
 
 
 def test_what_a_platform_lacks_is_found(targets) -> None:
-    text = "declare void @of_nowhere()\ndefine void @entry() {\n call void @of_nowhere()\n ret void\n}"
+    text = (
+        "declare void @of_nowhere()\ndefine void @entry() {\n call void @of_nowhere()\n ret void\n}"
+    )
     made = {}
     for platform, told in PLATFORMS.items():
-        machine = llvm.Target.from_triple(told.triple).create_target_machine(cpu=told.processor, jit=True)
+        machine = llvm.Target.from_triple(told.triple).create_target_machine(
+            cpu=told.processor, jit=True
+        )
         module = llvm.parse_assembly(text)
         module.triple = told.triple
         made[platform] = bytes(machine.emit_object(module))

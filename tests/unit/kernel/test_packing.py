@@ -18,7 +18,12 @@ X, U, P, M = (ca.SX.sym(name, size) for name, size in (("x", 9), ("u", 4), ("p",
 LABELS = (
     (*(FOUR.label(f"{part}.{name}") for part in NAMES for name in ("q", "v")), ("body", SHARED)),
     tuple(FOUR.label(f"{part}.road") for part in NAMES),
-    (*(FOUR.label(f"{part}.k") for part in NAMES), FOUR.label("front.bar"), FOUR.label("rear.bar"), ("g", SHARED)),
+    (
+        *(FOUR.label(f"{part}.k") for part in NAMES),
+        FOUR.label("front.bar"),
+        FOUR.label("rear.bar"),
+        ("g", SHARED),
+    ),
     tuple(FOUR.label(f"{part}.contact") for part in NAMES),
 )
 
@@ -30,7 +35,10 @@ def packed(expression, parts=FOUR, table=None):
 
 def springs(law=lambda q, k: k * ca.tanh(q)):
     """A force a part, with bars between the parts of an axle and a body that all of them push."""
-    force = [M[i] * law(X[2 * i] - U[i], P[i]) + ca.sin(X[2 * i + 1]) / (2.0 + X[8] ** 2) for i in range(4)]
+    force = [
+        M[i] * law(X[2 * i] - U[i], P[i]) + ca.sin(X[2 * i + 1]) / (2.0 + X[8] ** 2)
+        for i in range(4)
+    ]
     bars = [P[4] * (X[0] - X[2]), P[5] * (X[4] - X[6])]
     force = [f + bars[i // 2] for i, f in enumerate(force)]
     total = P[6] - force[0] - force[1] - force[2] - force[3]
@@ -94,7 +102,10 @@ def test_code_gives_what_the_graph_gives(name, parts):
     x, u, m = random.normal(size=9), random.normal(size=4), np.array([1.0, 0.0, 1.0, 1.0])
     p = 1.0 + random.random(7)
     wanted = made.function(x, u, p, m).full().ravel()
-    for copied in (False, True):  # parameters gathered one by one, and side by side behind the others
+    for copied in (
+        False,
+        True,
+    ):  # parameters gathered one by one, and side by side behind the others
         if copied:
             for elements in made.graph.tables(2):
                 table[elements] = len(p)
@@ -111,7 +122,9 @@ def test_many_samples():
     p, m, out = 1.0 + random.random(7), np.ones(4), np.zeros((5, 5))
     native = compile_functions({"output": made})
     pointers = [array.ctypes.data for array in (x, u, p, m, out)]
-    function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)(native.address["output"])
+    function = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5, *[ctypes.c_int64] * 3)(
+        native.address["output"]
+    )
     function(*pointers, 5, 1, 3)
     for k in range(5):
         wanted = made.function(x[:, k], u[:, k], p, m).full().ravel() if 1 <= k < 4 else 0.0

@@ -14,7 +14,9 @@ from jounce.simulation.compiled import compile_model
 from jounce.simulation.prepare import prepare
 from jounce.simulation.settings import output_times
 
-RIG = parts.load("kart-quarter-car").with_changes({"tyre.lift_off": False, "tyre.damping_coefficient": 60.0})
+RIG = parts.load("kart-quarter-car").with_changes(
+    {"tyre.lift_off": False, "tyre.damping_coefficient": 60.0}
+)
 ROAD = Segments(
     np.array([0.0, 0.03, 0.06, 50.0]),
     np.array([POLYNOMIAL, SINE, POLYNOMIAL]),
@@ -52,7 +54,9 @@ def test_a_step(step: float, wave: int) -> None:
         joined[7, 8] = 1.0
     expected = expm(joined * step)[:4].T
     first = lay.forcing + wave * lay.signals
-    found = np.vstack([np.eye(4) + rows[:4, :4], rows[lay.drift, :4], rows[first : first + lay.signals, :4]])
+    found = np.vstack(
+        [np.eye(4) + rows[:4, :4], rows[lay.drift, :4], rows[first : first + lay.signals, :4]]
+    )
     if wave:
         found[-1] = expected[-1]  # sines have three signals
     for image, wanted in zip(found, expected, strict=True):
@@ -70,6 +74,14 @@ def test_runs_of_any_number_of_samples_begin_alike(count: int) -> None:
     p, times = compiled.parameter_values(RIG.parameters()), output_times(0.5, 1e-3)
     whole = prepare(compiled, p, ROAD, times).run().states
     size = np.max(np.abs(whole), axis=1)[:, None]
-    assert np.max(np.abs(prepare(compiled, p, ROAD, times[:count]).run().states - whole[:, :count]) / size) < 1e-12
+    assert (
+        np.max(
+            np.abs(prepare(compiled, p, ROAD, times[:count]).run().states - whole[:, :count]) / size
+        )
+        < 1e-12
+    )
     some = np.delete(np.arange(len(times)), [7, 8, count + 20])
-    assert np.max(np.abs(prepare(compiled, p, ROAD, times[some]).run().states - whole[:, some]) / size) < 1e-12
+    assert (
+        np.max(np.abs(prepare(compiled, p, ROAD, times[some]).run().states - whole[:, some]) / size)
+        < 1e-12
+    )

@@ -70,7 +70,9 @@ def laid(vehicle, trial, tolerance=1e-5):
     compiled = compile_rig(vehicle)
     p, times = compiled.parameter_values(vehicle.parameters()), output_times(trial.duration, 1e-3)
     signals = excitation(compiled.facts, vehicle, trial)
-    return prepare(compiled, p, signals, times, tolerance=tolerance, method="explicit")  # by itself, exact propagation
+    return prepare(
+        compiled, p, signals, times, tolerance=tolerance, method="explicit"
+    )  # by itself, exact propagation
 
 
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-5])
@@ -89,5 +91,7 @@ def test_rough_roads_are_as_accurate_as_smooth_ones(tolerance):
 
 
 def test_smooth_obstacles_keep_the_pair_of_higher_order():
-    trial = Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s")
+    trial = Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s"
+    )
     assert laid(jn.load("kart-quarter-car"), trial).problem.engine.first == 1

@@ -37,7 +37,14 @@ def mass_on_a_spring(extra):
 def outcome(extra, *, duration=3.0, start=(0.01, 0.0), tolerance=1e-5):
     compiled = compile_model(mass_on_a_spring(extra))
     times = output_times(duration, 1e-2)
-    return solve(compiled, np.array([100.0]), flat(duration), times, tolerance=tolerance, offset=np.array(start))
+    return solve(
+        compiled,
+        np.array([100.0]),
+        flat(duration),
+        times,
+        tolerance=tolerance,
+        offset=np.array(start),
+    )
 
 
 def test_an_ordinary_run_completes():
@@ -68,7 +75,9 @@ def test_finite_time_singularity_does_not_complete():
 
 def test_a_switch_that_holds_the_solution_on_it_chatters():
     """Coulomb friction without regularisation: at rest the velocity's sign cannot settle."""
-    run = outcome(lambda body: -20.0 * (2.0 * body.system.switch("sliding", body.v) - 1.0), start=(0.1, 0.1))
+    run = outcome(
+        lambda body: -20.0 * (2.0 * body.system.switch("sliding", body.v) - 1.0), start=(0.1, 0.1)
+    )
     assert run.status is Status.CHATTER
 
 

@@ -11,12 +11,22 @@ from jounce.models import build
 from jounce.simulation.compiled import compile_model
 from jounce.simulation.prepare import solve
 
-RIG = parts.load("kart-quarter-car").with_changes({"tyre.damping_coefficient": 100.0, "tyre.lift_off": False})
-RIGS = {"linear model": RIG, "nonlinear model": RIG.with_changes({"guide.friction": {"force": 1.0}})}
+RIG = parts.load("kart-quarter-car").with_changes(
+    {"tyre.damping_coefficient": 100.0, "tyre.lift_off": False}
+)
+RIGS = {
+    "linear model": RIG,
+    "nonlinear model": RIG.with_changes({"guide.friction": {"force": 1.0}}),
+}
 EDGES = np.array([0.0, 0.5, 1.0, 1.4, 3.0])
 KINDS = [POLYNOMIAL, SINE, CIRCLE, POLYNOMIAL]
 COEFFICIENTS = np.array(
-    [[0.01, -0.02, 0.03, 0.04], [0.05, 0.02, 7.0, 0.3], [0.1, 0.3, 0.2, 1.0], [-0.03, 0.0, 0.0, 0.0]]
+    [
+        [0.01, -0.02, 0.03, 0.04],
+        [0.05, 0.02, 7.0, 0.3],
+        [0.1, 0.3, 0.2, 1.0],
+        [-0.03, 0.0, 0.0, 0.0],
+    ]
 )
 QUADRATIC = COEFFICIENTS * np.array([1.0, 1.0, 1.0, 0.0])
 SIGNALS = {
@@ -32,7 +42,9 @@ SIGNALS = {
 def seen(rig, signal, times):
     """Height and rate of the road as the model's outputs hold them."""
     compiled = compile_model(build(rig))
-    solution = solve(compiled, compiled.parameter_values(rig.parameters()), signal, times, tolerance=1e-6)
+    solution = solve(
+        compiled, compiled.parameter_values(rig.parameters()), signal, times, tolerance=1e-6
+    )
     assert solution.status.name == "COMPLETED"
     out = dict(zip(compiled.output_names, solution.outputs, strict=True))
     damping = out["tyre.force"] - rig.tyre.stiffness * out["tyre.deflection"]

@@ -23,7 +23,12 @@ def test_every_row_says_what_it_is(row) -> None:
     assert set(re.findall("[A-Za-z]+", row.unit)) <= SI
     assert row.long_name
     assert row.sign.startswith(("positive: ", "never negative"))
-    assert row.needs in {"", "axis", "strut", "spring", "damper", "tyre", "stiffness", "coil"} | STEERED | SOME_HAVE
+    assert (
+        row.needs
+        in {"", "axis", "strut", "spring", "damper", "tyre", "stiffness", "coil"}
+        | STEERED
+        | SOME_HAVE
+    )
 
 
 def test_names_are_unique() -> None:
@@ -35,7 +40,9 @@ def test_rows_that_a_corner_cannot_have_are_absent() -> None:
     full = {row.name for row in kinematic_model(jn.load("reference-double-wishbone")).rows}
     assert names - full == {row.name for row in CATALOGUE if row.needs in SOME_HAVE}
     arm = {row.name for row in kinematic_model(jn.load("semi-trailing-arm")).rows}
-    assert names - arm == {row.name for row in CATALOGUE if row.needs in SOME_HAVE | STEERED | {"axis"}}
+    assert names - arm == {
+        row.name for row in CATALOGUE if row.needs in SOME_HAVE | STEERED | {"axis"}
+    }
 
 
 def test_a_curved_tyre_has_its_slope_at_the_deflection_given() -> None:
@@ -53,7 +60,10 @@ def test_a_curved_tyre_has_its_slope_at_the_deflection_given() -> None:
 def test_corners_that_differ_in_numbers_share_a_model() -> None:
     rig = jn.load("reference-double-wishbone")
     model = kinematic_model(rig)
-    assert kinematic_model(rig.with_changes({"strut.spring.rate": 30e3, "wheel.camber": -0.01})) is model
+    assert (
+        kinematic_model(rig.with_changes({"strut.spring.rate": 30e3, "wheel.camber": -0.01}))
+        is model
+    )
     assert kinematic_model(jn.load("generic-mcpherson")) is not model
 
 
@@ -66,7 +76,10 @@ def test_a_lumped_rig_has_no_kinematics() -> None:
 def test_bushings_count_as_ideal_joints() -> None:
     rig = jn.load("reference-double-wishbone")
     soft = rig.with_changes({"bushings": {"lower_arm_front": {"stiffness": [1e6, 1e6, 1e5]}}})
-    rigid, found = jn.sweep_travel(rig, [-0.02, 0.0, 0.02]), jn.sweep_travel(soft, [-0.02, 0.0, 0.02])
+    rigid, found = (
+        jn.sweep_travel(rig, [-0.02, 0.0, 0.02]),
+        jn.sweep_travel(soft, [-0.02, 0.0, 0.02]),
+    )
     assert found["steer"].to_numpy() == pytest.approx(rigid["steer"].to_numpy(), abs=1e-13)
 
 
@@ -87,7 +100,9 @@ def test_the_swing_arm_of_a_trailing_arm_is_positive() -> None:
 def test_masses_do_not_matter() -> None:
     rig = jn.load("reference-double-wishbone")
     model = kinematic_model(rig)
-    assert not [path for path in model.parameters if path.startswith(("bodies.", "sprung.", "gravity"))]
+    assert not [
+        path for path in model.parameters if path.startswith(("bodies.", "sprung.", "gravity"))
+    ]
     heavy = rig.with_changes({"bodies.upright.mass": 900.0, "bodies.lower_arm.mass": 0.01})
     one, other = (jn.sweep_travel(item, [-0.05, 0.05]) for item in (rig, heavy))
     assert all(np.array_equal(one[name], other[name]) for name in one.data_vars)

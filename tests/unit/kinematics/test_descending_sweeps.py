@@ -50,5 +50,7 @@ def test_steering_effort_and_pickup_loads_may_descend():
     up = jn.steering_effort(rig, LOAD, LOAD, [-0.01, 0.0, 0.01])
     down = jn.steering_effort(rig, LOAD, LOAD, [0.01, 0.0, -0.01])
     np.testing.assert_array_equal(down["rack_force"], up["rack_force"][::-1])
-    up, down = (jn.pickup_loads(rig, LOAD, values) for values in ([-0.02, 0.0, 0.03], [0.03, 0.0, -0.02]))
+    up, down = (
+        jn.pickup_loads(rig, LOAD, values) for values in ([-0.02, 0.0, 0.03], [0.03, 0.0, -0.02])
+    )
     np.testing.assert_array_equal(down["tie_rod_outer.fy"], up["tie_rod_outer.fy"][::-1])

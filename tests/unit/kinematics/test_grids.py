@@ -17,7 +17,9 @@ from jounce.kinematics.sweeps import grid, sweep_values
         (np.array([0.0]), np.array([0.0])),
     ],
 )
-def test_every_pair_is_visited_once_after_its_neighbour(travel: np.ndarray, rack: np.ndarray) -> None:
+def test_every_pair_is_visited_once_after_its_neighbour(
+    travel: np.ndarray, rack: np.ndarray
+) -> None:
     layout = grid(travel, rack)
     assert sorted(layout.place) == list(range(len(travel) * len(rack)))
     wanted = np.array([(z, y) for z in travel for y in rack])
@@ -70,8 +72,12 @@ def test_text_is_read_as_a_range() -> None:
     assert found == pytest.approx(np.linspace(-0.08, 0.08, 41), abs=1e-15)
     assert found[20] == 0.0
     assert np.array_equal(sweep_values("20 mm", "wheel travel"), [0.02])
-    assert np.array_equal(sweep_values("-0.01:0.015:0.01", "wheel travel"), [-0.01, 0.0, 0.01])  # 15 mm is not met
-    assert sweep_values("-2 deg:2 deg:2 deg", "roll", "rad") == pytest.approx(np.radians([-2.0, 0.0, 2.0]), abs=1e-12)
+    assert np.array_equal(
+        sweep_values("-0.01:0.015:0.01", "wheel travel"), [-0.01, 0.0, 0.01]
+    )  # 15 mm is not met
+    assert sweep_values("-2 deg:2 deg:2 deg", "roll", "rad") == pytest.approx(
+        np.radians([-2.0, 0.0, 2.0]), abs=1e-12
+    )
     assert np.array_equal(sweep_values("80 mm:-80 mm:-4 mm", "wheel travel"), found[::-1])
     with pytest.raises(DescriptionError, match="leads away"):
         sweep_values("80 mm:-80 mm:4 mm", "wheel travel")

@@ -39,7 +39,12 @@ def points_of(name: str, folder: Path, further: str = "") -> Path:
     assert name in library()
     lines = ['schema = "jounce.rig/1"', f'model = "{whole.model}"', "# only points", "[hardpoints]"]
     lines += [f"{point} = {list(place)}" for point, place in whole.hardpoints.given().items()]
-    lines += ["[wheel]", f"radius = {whole.wheel.radius}", f"camber = {whole.wheel.camber}", f"toe = {whole.wheel.toe}"]
+    lines += [
+        "[wheel]",
+        f"radius = {whole.wheel.radius}",
+        f"camber = {whole.wheel.camber}",
+        f"toe = {whole.wheel.toe}",
+    ]
     file = folder / "points.toml"
     file.write_text("\n".join([*lines, further]), encoding="utf-8")
     return file
@@ -69,9 +74,14 @@ def test_rows_of_geometry_are_those_of_the_whole_rig(name: str, tmp_path: Path) 
 
 def test_a_spring_without_masses_has_its_wheel_rate(tmp_path: Path) -> None:
     further = '[strut]\non = "rocker"\nspring = {rate = "35 N/mm", preload = "1047 N"}\n'
-    rig, whole = jn.load(points_of("formula-student-front", tmp_path, further)), jn.load("formula-student-front")
+    rig, whole = (
+        jn.load(points_of("formula-student-front", tmp_path, further)),
+        jn.load("formula-student-front"),
+    )
     assert rig.without == ("bodies", "damper", "tyre")
-    found, expected = (jn.sweep_travel(one, [-0.01, 0.0, 0.01])["wheel_rate_spring"] for one in (rig, whole))
+    found, expected = (
+        jn.sweep_travel(one, [-0.01, 0.0, 0.01])["wheel_rate_spring"] for one in (rig, whole)
+    )
     assert found.to_numpy() == pytest.approx(expected.to_numpy(), rel=1e-12)
 
 
@@ -98,7 +108,9 @@ def test_files_of_hardpoints_stay_so(tmp_path: Path) -> None:
     assert "bodies" not in kept.read_text(encoding="utf-8")
     assert jn.load(kept) == moved
     assert rig.mirrored().mirrored() == rig
-    assert not any(path.startswith(("bodies.", "tyre.", "strut.spring")) for path in rig.parameters())
+    assert not any(
+        path.startswith(("bodies.", "tyre.", "strut.spring")) for path in rig.parameters()
+    )
 
 
 def test_what_takes_forces_is_refused(tmp_path: Path) -> None:
@@ -106,7 +118,11 @@ def test_what_takes_forces_is_refused(tmp_path: Path) -> None:
     with pytest.raises(jn.DescriptionError, match="cannot be had from hardpoints alone") as caught:
         jn.simulate(
             rig,
-            jn.Trial(road={"kind": "half-sine", "height": 0.01, "length": 0.1, "start": 0.2}, speed=2.0, duration=1.0),
+            jn.Trial(
+                road={"kind": "half-sine", "height": 0.01, "length": 0.1, "start": 0.2},
+                speed=2.0,
+                duration=1.0,
+            ),
         )
     assert "[tyre]" in str(caught.value)
     with pytest.raises(jn.DescriptionError):
@@ -115,13 +131,16 @@ def test_what_takes_forces_is_refused(tmp_path: Path) -> None:
         jn.load("formula-student-car").with_changes({"front.corner": rig.model_dump(by_alias=True)})
     with pytest.raises(jn.DescriptionError, match="no such parameter"):
         jn.design_kinematics(
-            rig, {"strut.spring.rate": "1 N/mm"}, [{"quantity": "camber", "value": 0.0, "tolerance": 0.1}]
+            rig,
+            {"strut.spring.rate": "1 N/mm"},
+            [{"quantity": "camber", "value": 0.0, "tolerance": 0.1}],
         )
 
 
 def test_some_bodies_are_not_none(tmp_path: Path) -> None:
     body = (
-        "[bodies.upright]\nmass = 10.0\ncentre_of_mass = [0.0, 0.59, 0.2]\ninertia = {xx = 0.1, yy = 0.1, zz = 0.1}\n"
+        "[bodies.upright]\nmass = 10.0\ncentre_of_mass = [0.0, 0.59, 0.2]\ninertia = {xx = "
+        "0.1, yy = 0.1, zz = 0.1}\n"
     )
     with pytest.raises(jn.DescriptionError, match="lower_arm"):
         jn.load(points_of("formula-student-front", tmp_path, body))
@@ -131,7 +150,12 @@ def test_some_bodies_are_not_none(tmp_path: Path) -> None:
 
 # without a strut ------------------------------------------------------------------------------------------------------
 
-TEMPLATES = ["reference-double-wishbone", "formula-student-front", "sedan-multi-link", "semi-trailing-arm"]
+TEMPLATES = [
+    "reference-double-wishbone",
+    "formula-student-front",
+    "sedan-multi-link",
+    "semi-trailing-arm",
+]
 OF_STRUTS = {row.name for row in CATALOGUE if row.needs in ("strut", "rack strut", "rocker strut")}
 STRUTS = ("strut_", "spring_", "damper_", "arb_", "third_")
 
@@ -139,10 +163,20 @@ STRUTS = ("strut_", "spring_", "damper_", "arb_", "third_")
 def table_of(name: str) -> dict[str, Any]:
     """Table of a shipped rig with the points of its links and its wheel only."""
     whole = jn.load(name)
-    points = {point: list(at) for point, at in whole.hardpoints.given().items() if not point.startswith(STRUTS)}
+    points = {
+        point: list(at)
+        for point, at in whole.hardpoints.given().items()
+        if not point.startswith(STRUTS)
+    }
     wheel = {"radius": whole.wheel.radius, "camber": whole.wheel.camber, "toe": whole.wheel.toe}
     on = {"pushrod_on": whole.strut.pushrod_on} if "pushrod_outer" in points else {}
-    return {"schema": "jounce.rig/1", "model": whole.model, "hardpoints": points, "wheel": wheel, "strut": on}
+    return {
+        "schema": "jounce.rig/1",
+        "model": whole.model,
+        "hardpoints": points,
+        "wheel": wheel,
+        "strut": on,
+    }
 
 
 def by_hand(name: str, folder: Path) -> Corner:
@@ -168,28 +202,36 @@ def imported(name: str, folder: Path) -> Corner:
     _, findings, text = import_hardpoints(file, wheel_radius=wheel.radius)
     assert any("no strut is in the table" in finding.message for finding in findings)
     (folder / "rig.toml").write_text(text, encoding="utf-8")
-    return jn.load(folder / "rig.toml").with_changes({"wheel.camber": wheel.camber, "wheel.toe": wheel.toe})
+    return jn.load(folder / "rig.toml").with_changes(
+        {"wheel.camber": wheel.camber, "wheel.toe": wheel.toe}
+    )
 
 
 def exchanged(name: str, folder: Path) -> Corner:
     rig = in_python(name, folder)
-    again, _, _ = import_hardpoints(write_hardpoints(rig, folder / "again.csv"), wheel_radius=rig.wheel.radius)
+    again, _, _ = import_hardpoints(
+        write_hardpoints(rig, folder / "again.csv"), wheel_radius=rig.wheel.radius
+    )
     assert write_hardpoints(rig, folder / "again.dxf").is_file()
     return again.with_changes({"wheel.camber": rig.wheel.camber, "wheel.toe": rig.wheel.toe})
 
 
 @pytest.mark.parametrize("name", TEMPLATES)
 @pytest.mark.parametrize("way", [by_hand, in_python, imported, exchanged])
-def test_points_of_the_links_are_enough_by_every_way_in(way: Any, name: str, tmp_path: Path) -> None:
+def test_points_of_the_links_are_enough_by_every_way_in(
+    way: Any, name: str, tmp_path: Path
+) -> None:
     whole, rig = jn.load(name), way(name, tmp_path)
     assert rig.lacks == ("strut", "bodies", "spring", "damper", "tyre")
     found, expected = (jn.sweep_travel(one, [-0.02, 0.0, 0.02]) for one in (rig, whole))
     absent = set(expected.data_vars) - set(found.data_vars)
-    assert {row for row in absent if not row.startswith("anti_roll_bar")} == (OF_FORCES | OF_STRUTS) & set(
-        expected.data_vars
-    )
+    assert {row for row in absent if not row.startswith("anti_roll_bar")} == (
+        OF_FORCES | OF_STRUTS
+    ) & set(expected.data_vars)
     for row in found.data_vars:
-        assert found[row].to_numpy() == pytest.approx(expected[row].to_numpy(), rel=1e-6, abs=1e-9), row
+        assert found[row].to_numpy() == pytest.approx(
+            expected[row].to_numpy(), rel=1e-6, abs=1e-9
+        ), row
     assert np.isfinite(jn.sweep_roll(rig, "-2 deg:2 deg:1 deg")["roll_centre_height"]).all()
     if "steer_gain" in found:
         assert np.isfinite(jn.sweep_steering(rig, "-10 mm:10 mm:5 mm")["left.steer"]).all()
@@ -208,8 +250,12 @@ def test_what_needs_a_strut_says_that_it_is_missing(name: str, tmp_path: Path) -
     car = jn.LoadedAxle(axle="front", mass=280.0, wheelbase=1.55, centre_of_mass_height=0.3, weight_share=0.48,
                         brake_share=0.65)  # fmt: skip
     asked = {
-        "motion_ratio": lambda: jn.design_kinematics(rig, free, [{"quantity": "motion_ratio", **target}]),
-        "wheel_rate": lambda: jn.design_kinematics(rig, free, [{"quantity": "wheel_rate", **target}]),
+        "motion_ratio": lambda: jn.design_kinematics(
+            rig, free, [{"quantity": "motion_ratio", **target}]
+        ),
+        "wheel_rate": lambda: jn.design_kinematics(
+            rig, free, [{"quantity": "wheel_rate", **target}]
+        ),
         "spring_length": lambda: jn.fit_hardpoints(
             rig, {"wheel_travel": [0.0, 0.01, 0.02], "spring_length": [0.3] * 3}, free
         ),
@@ -230,7 +276,9 @@ def test_a_fit_of_points_needs_no_strut(tmp_path: Path) -> None:
     truth = rig.with_changes({"hardpoints.tie_rod_inner[2]": "151 mm"})
     travel = np.linspace(-0.03, 0.03, 13)
     measured = {"wheel_travel": travel, "toe": jn.sweep_travel(truth, travel)["toe"].to_numpy()}
-    found = jn.fit_hardpoints(rig, measured, {"hardpoints.tie_rod_inner[2]": "10 mm"}, noise={"toe": "0.01 deg"})
+    found = jn.fit_hardpoints(
+        rig, measured, {"hardpoints.tie_rod_inner[2]": "10 mm"}, noise={"toe": "0.01 deg"}
+    )
     assert found.numbers["hardpoints.tie_rod_inner[2]"].value == pytest.approx(0.151, abs=1e-6)
     assert not found.rig.has_strut
 
@@ -248,12 +296,16 @@ def test_a_strut_has_both_ends_and_whoever_describes_it_gives_them(tmp_path: Pat
         {"strut.bump_stop": {"gap": 0.03, "rate": 1e5}},
         {"hardpoints.spring_bottom": bottom, "hardpoints.spring_top": top},
     ):
-        with pytest.raises(jn.DescriptionError, match=r"hardpoints\.strut_bottom: missing, and strut_top with it"):
+        with pytest.raises(
+            jn.DescriptionError, match=r"hardpoints\.strut_bottom: missing, and strut_top with it"
+        ):
             rig.with_changes(changes)
     table = whole.model_dump(by_alias=True, exclude_none=True)
     for end in ("bottom", "top"):
         del table["hardpoints"][f"strut_{end}"]
-    with pytest.raises(jn.DescriptionError, match=r"found \[bodies\], strut\.spring, strut\.damper"):
+    with pytest.raises(
+        jn.DescriptionError, match=r"found \[bodies\], strut\.spring, strut\.damper"
+    ):
         rig_from_table(table)
 
 
@@ -284,7 +336,9 @@ def test_what_is_added_to_hardpoints_alone_counts() -> None:
     points = {key: table[key] for key in ("schema", "model", "hardpoints", "wheel")}
     sprung = rig_from_table(points).with_changes({"strut.spring": {"rate": 3e4, "preload": 1e3}})
     assert "spring" not in sprung.lacks
-    expected = jn.sweep_travel(rig.with_changes({"strut.spring": {"rate": 3e4, "preload": 1e3}}), [0.0])
+    expected = jn.sweep_travel(
+        rig.with_changes({"strut.spring": {"rate": 3e4, "preload": 1e3}}), [0.0]
+    )
     assert jn.sweep_travel(sprung, [0.0])["wheel_rate_spring"].to_numpy() == pytest.approx(
         expected["wheel_rate_spring"].to_numpy()
     )

@@ -12,10 +12,15 @@ def test_arms_share_the_force_along_their_axis() -> None:
     load = jn.ContactLoad(longitudinal_force="-2 kN", vertical_force="3 kN")
     found = jn.pickup_loads(RIG, load, [-0.02, 0.0, 0.02])
     for arm in ("lower", "upper"):
-        front, rear = (np.array(getattr(RIG.hardpoints, f"{arm}_arm_{end}")) for end in ("front", "rear"))
+        front, rear = (
+            np.array(getattr(RIG.hardpoints, f"{arm}_arm_{end}")) for end in ("front", "rear")
+        )
         axis = (front - rear) / np.linalg.norm(front - rear)
         along = [
-            sum(axis[k] * found[f"{arm}_arm_{end}.f{name}"].to_numpy() for k, name in enumerate("xyz"))
+            sum(
+                axis[k] * found[f"{arm}_arm_{end}.f{name}"].to_numpy()
+                for k, name in enumerate("xyz")
+            )
             for end in ("front", "rear")
         ]
         assert along[0] == pytest.approx(along[1], abs=1e-8)
@@ -40,7 +45,9 @@ def test_where_the_longitudinal_force_acts_matters() -> None:
     assert float(brake["upper_ball_joint.fx"][0]) > 0.0 > float(shaft["upper_ball_joint.fx"][0])
     swept = jn.sweep_travel(RIG, 0.0)
     work = float(shaft["spring.force"][0] * swept["motion_ratio"][0])
-    assert work == pytest.approx(-1000.0 * float(swept["wheel_centre_longitudinal_slope"][0]), rel=1e-9)
+    assert work == pytest.approx(
+        -1000.0 * float(swept["wheel_centre_longitudinal_slope"][0]), rel=1e-9
+    )
 
 
 def test_a_strut_on_the_upright_is_on_the_spring_line() -> None:

@@ -28,7 +28,9 @@ def test_the_end_of_travel_is_where_the_arms_are_stretched() -> None:
     inner, outer = np.array(rig.hardpoints.arm_inner), np.array(rig.hardpoints.arm_outer)
     along = (outer - inner) / np.linalg.norm(outer - inner)
     foot = inner + along * ((centre - inner) @ along)
-    reach = np.linalg.norm(centre - foot) * np.sqrt(1.0 - along[2] ** 2)  # highest point of the circle over its middle
+    reach = np.linalg.norm(centre - foot) * np.sqrt(
+        1.0 - along[2] ** 2
+    )  # highest point of the circle over its middle
     found = jn.sweep_travel(rig, np.linspace(0.0, 0.8, 161))
     highest = foot[2] + reach - centre[2]
     assert found.attrs["status"] == "end_of_travel"
@@ -54,7 +56,10 @@ def test_unreachable_pairs_are_left_out() -> None:
     found = jn.sweep_travel(RIG, [0.01, 0.02], rack=np.linspace(-0.12, 0.12, 7))
     assert found["rack_travel"].to_numpy()[0] == pytest.approx(-0.08)
     assert found["rack_travel"].to_numpy()[-1] == pytest.approx(0.12)
-    assert "at wheel travel 10 mm, rack travel -87.91 mm, on the way to 10 mm, -120 mm;" in found.attrs["stopped"]
+    assert (
+        "at wheel travel 10 mm, rack travel -87.91 mm, on the way to 10 mm, -120 mm;"
+        in found.attrs["stopped"]
+    )
 
 
 def test_nothing_reachable_is_an_error() -> None:
@@ -81,7 +86,9 @@ def test_a_toggle_is_told_before_the_mechanism_locks() -> None:
     near = jn.sweep_travel(RIG, np.linspace(-0.24, 0.08, 321))
     assert near.attrs["status"] == "completed"
     assert "a toggle is near" in near.attrs["findings"]
-    assert "wheel travel -237 mm: parts move 3.08 times as fast" in near.attrs["findings"]  # the first beyond 3 times
+    assert (
+        "wheel travel -237 mm: parts move 3.08 times as fast" in near.attrs["findings"]
+    )  # the first beyond 3 times
     assert jn.sweep_travel(RIG, np.linspace(-0.08, 0.08, 41)).attrs["findings"] == ""
     steered = jn.sweep_rack(jn.load("formula-student-front"), "-60 mm:60 mm:4 mm")
     assert "rack travel -" in steered.attrs["findings"]

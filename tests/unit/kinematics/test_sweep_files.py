@@ -25,7 +25,9 @@ def test_netcdf_gives_everything_back(sweep: xr.Dataset, tmp_path: Path) -> None
 
 
 def test_csv_has_one_row_a_pose(sweep: xr.Dataset, tmp_path: Path) -> None:
-    header, *rows = jn.write_sweep(sweep, tmp_path / "sweep.csv").read_text(encoding="utf-8").splitlines()
+    header, *rows = (
+        jn.write_sweep(sweep, tmp_path / "sweep.csv").read_text(encoding="utf-8").splitlines()
+    )
     names = [name.strip() for name in header.split(",")]
     assert names[:2] == ["wheel_travel [m]", "rack_travel [m]"]
     table = np.array([[float(cell) for cell in row.split(",")] for row in rows])
@@ -39,10 +41,14 @@ def test_values_at_infinity_stay_empty(tmp_path: Path) -> None:
     """A wheel that does not lean has its front instant centre at infinity."""
     arm = jn.load("semi-trailing-arm")
     outer, inner = arm.hardpoints.arm_outer, arm.hardpoints.arm_inner
-    arm = arm.with_changes({"hardpoints.arm_inner": [outer[0], inner[1], outer[2]], "wheel.camber": 0.0})
+    arm = arm.with_changes(
+        {"hardpoints.arm_inner": [outer[0], inner[1], outer[2]], "wheel.camber": 0.0}
+    )
     found = jn.sweep_travel(arm, [0.0, 0.01])
     assert not np.any(np.isfinite(found["instant_centre_y"]))
-    header, first, *_ = jn.write_sweep(found, tmp_path / "arm.csv").read_text(encoding="utf-8").splitlines()
+    header, first, *_ = (
+        jn.write_sweep(found, tmp_path / "arm.csv").read_text(encoding="utf-8").splitlines()
+    )
     assert first.split(",")[header.split(",").index("instant_centre_y [m]")] == ""
 
 

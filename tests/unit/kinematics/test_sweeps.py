@@ -25,7 +25,12 @@ def test_units_signs_and_coordinates() -> None:
 
 def test_the_axis_of_a_wheel_turns_by_both_its_angles() -> None:
     def wheel(travel: float) -> WheelRows:  # leaning and steered far more than any wheel
-        rows = {"camber": 0.7 + 0.5 * travel, "steer": 0.4 - 0.3 * travel, "camber_gain": 0.5, "bump_steer": -0.3}
+        rows = {
+            "camber": 0.7 + 0.5 * travel,
+            "steer": 0.4 - 0.3 * travel,
+            "camber_gain": 0.5,
+            "bump_steer": -0.3,
+        }
         return WheelRows({name: np.array([value]) for name, value in rows.items()}, 0.3)
 
     np.testing.assert_allclose(np.linalg.norm(wheel(0.0).axis, axis=1), 1.0, rtol=1e-14)
@@ -62,7 +67,9 @@ def test_the_description_says_the_rack_travel() -> None:
     rig = RIG.with_changes({"steering": {"rack_travel": 0.01}})
     turned = jn.sweep_travel(rig, [0.0, 0.02])
     assert float(turned["rack_travel"]) == 0.01
-    assert turned["steer"].to_numpy() == pytest.approx(jn.sweep_travel(RIG, [0.0, 0.02], 0.01)["steer"].to_numpy())
+    assert turned["steer"].to_numpy() == pytest.approx(
+        jn.sweep_travel(RIG, [0.0, 0.02], 0.01)["steer"].to_numpy()
+    )
     assert float(jn.sweep_travel(rig, 0.0, 0.0)["steer"][0]) == pytest.approx(0.0, abs=1e-12)
 
 
@@ -83,7 +90,9 @@ def test_points_move_with_their_bodies() -> None:
     ):
         gaps = np.linalg.norm(place(one) - place(other), axis=1)
         assert np.ptp(gaps) < 1e-13, (one, other)
-    assert place("contact_point")[:, 1] == pytest.approx(found["contact_point_y"].to_numpy(), abs=1e-14)
+    assert place("contact_point")[:, 1] == pytest.approx(
+        found["contact_point_y"].to_numpy(), abs=1e-14
+    )
     assert place("wheel_centre")[:, 2] == pytest.approx(0.3 + TRAVEL[::10], abs=1e-13)
     moved = jn.sweep_travel(RIG, [0.0], 0.01, points=True)
     assert float(moved["tie_rod_inner.y"][0]) == pytest.approx(0.39, abs=1e-14)
@@ -111,14 +120,24 @@ def test_bad_travel_is_refused(bad: object) -> None:
 
 
 def test_bilinear_dampers_count_with_the_mean_of_both_directions() -> None:
-    rig = RIG.with_changes({"strut.damper": {"bump_coefficient": 1000.0, "rebound_coefficient": 3000.0}})
-    found, ratio = jn.sweep_travel(rig, 0.0), float(jn.sweep_travel(RIG, 0.0)["damper_motion_ratio"][0])
-    assert float(found["wheel_damping_coefficient"][0]) == pytest.approx(2000.0 * ratio**2, rel=1e-9)
+    rig = RIG.with_changes(
+        {"strut.damper": {"bump_coefficient": 1000.0, "rebound_coefficient": 3000.0}}
+    )
+    found, ratio = (
+        jn.sweep_travel(rig, 0.0),
+        float(jn.sweep_travel(RIG, 0.0)["damper_motion_ratio"][0]),
+    )
+    assert float(found["wheel_damping_coefficient"][0]) == pytest.approx(
+        2000.0 * ratio**2, rel=1e-9
+    )
 
 
 def test_stops_work_where_they_touch() -> None:
     rig = RIG.with_changes(
-        {"strut.bump_stop": {"gap": 0.02, "rate": 50e3}, "strut.rebound_stop": {"gap": 0.03, "rate": 1e5}}
+        {
+            "strut.bump_stop": {"gap": 0.02, "rate": 50e3},
+            "strut.rebound_stop": {"gap": 0.03, "rate": 1e5},
+        }
     )
     found = jn.sweep_travel(rig, [-0.08, 0.0, 0.08])
     short = RIG.hardpoints.length("spring") - found["spring_length"].to_numpy()

@@ -15,7 +15,13 @@ import jounce as jn
 from jounce.core.description import Description
 from jounce.mechanics import System, damper_map_force
 from jounce.mechanics.bushings import add_sliding_bushing
-from jounce.mechanics.elements import bump_stop_force, damper_force, friction_force, spring_force, tyre_force
+from jounce.mechanics.elements import (
+    bump_stop_force,
+    damper_force,
+    friction_force,
+    spring_force,
+    tyre_force,
+)
 from jounce.parts.dampers import (
     BilinearDamper,
     BlowOffDamper,
@@ -25,12 +31,24 @@ from jounce.parts.dampers import (
     TanhDamper,
     VelocityTable,
 )
-from jounce.parts.elements import BumpStop, Friction, PolynomialCurve, PowerCurve, Spring, TableCurve, Tyre
+from jounce.parts.elements import (
+    BumpStop,
+    Friction,
+    PolynomialCurve,
+    PowerCurve,
+    Spring,
+    TableCurve,
+    Tyre,
+)
 
 MAP = MapDamper(
     length=(0.30, 0.36, 0.45),
     velocity=(-0.8, -0.1, 0.2, 1.0),
-    force=((-900.0, -400.0, 150.0, 500.0), (-700.0, -350.0, 60.0, 420.0), (-1200.0, -300.0, 200.0, 900.0)),
+    force=(
+        (-900.0, -400.0, 150.0, 500.0),
+        (-700.0, -350.0, 60.0, 420.0),
+        (-1200.0, -300.0, 200.0, 900.0),
+    ),
 )
 
 
@@ -43,7 +61,10 @@ def law_of(make: Callable[[System, ca.SX, ca.SX], ca.SX], numbers: Mapping[str, 
     system.output("force", make(system, deflection, rate), "N", "force")
     model = system.finish()
     where = [model.x, model.u, model.p, model.m]
-    switches, both = (ca.Function("f", where, list(graphs)) for graphs in ([model.switch], [model.output, model.rate]))
+    switches, both = (
+        ca.Function("f", where, list(graphs))
+        for graphs in ([model.switch], [model.output, model.rate])
+    )
     p = ca.DM([numbers[name] for name in model.parameters])
 
     def evaluate(deflection: float, rate: float, inner: float = 0.0) -> tuple[float, float]:
@@ -75,7 +96,14 @@ def numbers_of(part: Description, path: str) -> dict[str, float]:
     return found
 
 
-TANH = TanhDamper(coefficient=700.0, stiffness=900.0, force=250.0, slope=12.0, displacement_coupling=3.0, offset=40.0)
+TANH = TanhDamper(
+    coefficient=700.0,
+    stiffness=900.0,
+    force=250.0,
+    slope=12.0,
+    displacement_coupling=3.0,
+    offset=40.0,
+)
 BLOW_OFF = BlowOffDamper(
     bump_blow_off_force=300.0,
     bump_blow_off_velocity=0.1,
@@ -94,7 +122,11 @@ DEFLECTIONS = np.array([-0.05, -0.02, -0.004, 0.006, 0.013, 0.04])
 def over(x: np.ndarray, points: tuple[float, ...], forces: tuple[float, ...]) -> np.ndarray:
     """Straight lines through three points, going on beyond the ends."""
     slopes = np.diff(forces) / np.diff(points)
-    return np.where(x < points[1], forces[1] + slopes[0] * (x - points[1]), forces[1] + slopes[1] * (x - points[1]))
+    return np.where(
+        x < points[1],
+        forces[1] + slopes[0] * (x - points[1]),
+        forces[1] + slopes[1] * (x - points[1]),
+    )
 
 
 @pytest.mark.parametrize(
@@ -102,7 +134,11 @@ def over(x: np.ndarray, points: tuple[float, ...], forces: tuple[float, ...]) ->
     [
         (spring_force, Spring(rate=3e4, preload=800.0), lambda x, _: 800.0 + 3e4 * x),
         (spring_force, Spring(curve=POLYNOMIAL), lambda x, _: 2e4 * x - 3e4 * x**2 + 5e5 * x**3),
-        (spring_force, Spring(curve=POWER, preload=5.0), lambda x, _: 5.0 + 3e5 * np.maximum(x, 0.0) ** 1.3),
+        (
+            spring_force,
+            Spring(curve=POWER, preload=5.0),
+            lambda x, _: 5.0 + 3e5 * np.maximum(x, 0.0) ** 1.3,
+        ),
         (spring_force, Spring(curve=TABLE), lambda x, _: over(x, TABLE.deflection, TABLE.force)),
         (damper_force, LinearDamper(coefficient=1500.0), lambda _, v: 1500.0 * v),
         (
@@ -118,19 +154,43 @@ def over(x: np.ndarray, points: tuple[float, ...], forces: tuple[float, ...]) ->
         (
             damper_force,
             BLOW_OFF,
-            lambda _, v: np.interp(v, (-1.2, -0.2, 0.0, 0.1, 1.1), (-1500.0, -800.0, 0.0, 300.0, 800.0)),
+            lambda _, v: np.interp(
+                v, (-1.2, -0.2, 0.0, 0.1, 1.1), (-1500.0, -800.0, 0.0, 300.0, 800.0)
+            ),
         ),
-        (damper_force, TANH, lambda x, v: 700.0 * v + 900.0 * x + 250.0 * np.tanh(12.0 * (v + 3.0 * x)) + 40.0),
-        (bump_stop_force, STOP, lambda x, _: np.where(x > 0.01, 2e4 * (x - 0.01) + 3e6 * (x - 0.01) ** 3, 0.0)),
+        (
+            damper_force,
+            TANH,
+            lambda x, v: 700.0 * v + 900.0 * x + 250.0 * np.tanh(12.0 * (v + 3.0 * x)) + 40.0,
+        ),
+        (
+            bump_stop_force,
+            STOP,
+            lambda x, _: np.where(x > 0.01, 2e4 * (x - 0.01) + 3e6 * (x - 0.01) ** 3, 0.0),
+        ),
         (friction_force, Friction(force=90.0), lambda _, v: 90.0 * np.tanh(v / 0.002)),
-        (tyre_force, Tyre(stiffness=2e5, damping_coefficient=400.0), lambda x, v: held(2e5 * x + 400.0 * v, 2e5 * x)),
+        (
+            tyre_force,
+            Tyre(stiffness=2e5, damping_coefficient=400.0),
+            lambda x, v: held(2e5 * x + 400.0 * v, 2e5 * x),
+        ),
         (tyre_force, Tyre(stiffness=2e5, lift_off=False), lambda x, _: 2e5 * x),
         (tyre_force, Tyre(curve=POWER), lambda x, _: 3e5 * np.maximum(x, 0.0) ** 1.3),
-        (tyre_force, Tyre(curve=POLYNOMIAL), lambda x, _: held(2e4 * x - 3e4 * x**2 + 5e5 * x**3, x)),
-        (tyre_force, Tyre(curve=TABLE), lambda x, _: held(over(x, TABLE.deflection, TABLE.force), x)),
+        (
+            tyre_force,
+            Tyre(curve=POLYNOMIAL),
+            lambda x, _: held(2e4 * x - 3e4 * x**2 + 5e5 * x**3, x),
+        ),
+        (
+            tyre_force,
+            Tyre(curve=TABLE),
+            lambda x, _: held(over(x, TABLE.deflection, TABLE.force), x),
+        ),
     ],
 )
-def test_a_law_is_what_its_description_says(make: Callable, part: Description, expected: Callable) -> None:
+def test_a_law_is_what_its_description_says(
+    make: Callable, part: Description, expected: Callable
+) -> None:
     def written(system: System, deflection: ca.SX, rate: ca.SX) -> ca.SX:
         if make is tyre_force:
             return tyre_force(system, part, deflection, rate)
@@ -167,8 +227,16 @@ def test_steps_land_where_friction_is_nearly_full() -> None:
 
 def test_contact_of_a_tyre_is_asked_for_in_newtons() -> None:
     """Force and deflection are compared where the tyre hardly presses: in newtons, by a stiffness of its order."""
-    for curve, stiffness in ((None, 2e5), (POLYNOMIAL, 2e4 + 1.0), (POWER, 3e5), (TABLE, 1200.0 / 0.05)):
-        part, system = Tyre(curve=curve, stiffness=None if curve else 2e5, damping_coefficient=1e9), System()
+    for curve, stiffness in (
+        (None, 2e5),
+        (POLYNOMIAL, 2e4 + 1.0),
+        (POWER, 3e5),
+        (TABLE, 1200.0 / 0.05),
+    ):
+        part, system = (
+            Tyre(curve=curve, stiffness=None if curve else 2e5, damping_coefficient=1e9),
+            System(),
+        )
         depth, rate = system.coordinate("depth"), system.coordinate("rate")
         for each in (depth, rate):
             system.point_mass(ca.SX(1.0), each)
@@ -176,28 +244,55 @@ def test_contact_of_a_tyre_is_asked_for_in_newtons() -> None:
         model = system.finish()
         contact = ca.Function("f", [model.x, model.p, model.m], [model.switch])
         numbers = numbers_of(part, "tyre")
-        found = contact([1e-3, 1.0, 0.0, 0.0], [numbers[name] for name in model.parameters], [1.0] * model.m.numel())
-        assert float(found[list(model.switches).index("tyre contact")]) == pytest.approx(1e-3 * stiffness, rel=1e-12)
+        found = contact(
+            [1e-3, 1.0, 0.0, 0.0],
+            [numbers[name] for name in model.parameters],
+            [1.0] * model.m.numel(),
+        )
+        assert float(found[list(model.switches).index("tyre contact")]) == pytest.approx(
+            1e-3 * stiffness, rel=1e-12
+        )
 
 
 @pytest.mark.parametrize("velocity", [-0.3, 0.2])
 @pytest.mark.parametrize("z", [-0.8, 0.4])
 def test_a_bouc_wen_damper_turns_over_as_its_description_says(velocity: float, z: float) -> None:
     part = BoucWenDamper(
-        coefficient=300.0, stiffness=700.0, hysteretic_force=80.0, rate=900.0, sigma=0.7, exponent=1.6, offset=9.0
+        coefficient=300.0,
+        stiffness=700.0,
+        hysteretic_force=80.0,
+        rate=900.0,
+        sigma=0.7,
+        exponent=1.6,
+        offset=9.0,
     )
-    found = law_of(lambda system, x, v: damper_force(system, part, "part", x, v), numbers_of(part, "part"))
+    found = law_of(
+        lambda system, x, v: damper_force(system, part, "part", x, v), numbers_of(part, "part")
+    )
     force, rate = found(0.02, velocity, z)
     assert force == pytest.approx(300.0 * velocity + 700.0 * 0.02 + 80.0 * z + 9.0, rel=1e-12)
     turning = 0.7 * abs(velocity) * abs(z) ** 0.6 * z
-    assert rate == pytest.approx(900.0 * (velocity - turning + (0.7 - 1.0) * velocity * abs(z) ** 1.6), rel=1e-12)
+    assert rate == pytest.approx(
+        900.0 * (velocity - turning + (0.7 - 1.0) * velocity * abs(z) ** 1.6), rel=1e-12
+    )
 
 
 def test_a_damper_map_is_bilinear_between_its_points() -> None:
-    law = law_of(lambda system, x, v: damper_map_force(system, MAP, "map", x, v), numbers_of(MAP, "map"))
+    law = law_of(
+        lambda system, x, v: damper_map_force(system, MAP, "map", x, v), numbers_of(MAP, "map")
+    )
     rows, speeds, forces = np.array(MAP.length), np.array(MAP.velocity), np.array(MAP.force)
     for place in (0.25, 0.31, 0.36, 0.40, 0.44, 0.50):  # beyond the lengths the force stays
-        for speed in (-1.5, -0.8, -0.45, 0.0, 0.15, 0.2, 0.7, 1.6):  # beyond the velocities it goes straight on
+        for speed in (
+            -1.5,
+            -0.8,
+            -0.45,
+            0.0,
+            0.15,
+            0.2,
+            0.7,
+            1.6,
+        ):  # beyond the velocities it goes straight on
             j = int(np.clip(np.searchsorted(speeds, speed) - 1, 0, len(speeds) - 2))
             slope = (forces[:, j + 1] - forces[:, j]) / (speeds[j + 1] - speeds[j])
             expected = np.interp(place, rows, forces[:, j] + slope * (speed - speeds[j]))
@@ -220,7 +315,9 @@ def test_a_sliding_bushing_holds_across_its_line_and_not_along_it() -> None:
     apart, rate = np.array([0.01, -0.02, 0.03]), np.array([0.3, -0.2, 0.1])
     x = np.concatenate((apart, (1.0, 0.0, 0.0, 0.0), rate, (0.0, 0.0, 0.0)))
     found = seen(x, [mechanism.values[name] for name in model.parameters]).full().ravel()
-    across = np.eye(3) - np.outer(axis, stiffness * axis) / (axis @ (stiffness * axis))  # slid to where nothing pushes
+    across = np.eye(3) - np.outer(axis, stiffness * axis) / (
+        axis @ (stiffness * axis)
+    )  # slid to where nothing pushes
     expected = -stiffness * (across @ apart) - damping * (across @ rate)
     np.testing.assert_allclose(found, [*expected, -expected @ (across @ rate)], rtol=1e-9)
     assert (stiffness * (across @ apart)) @ axis == pytest.approx(0.0, abs=1e-12)
@@ -232,20 +329,28 @@ def test_a_stop_pushes_and_never_pulls(end: str, place: float, side: float, rate
     mechanism = jn.mechanics.Mechanism()
     sled = mechanism.body("sled", 2.0, (0.0, 0.0, 0.0), (0.1, 0.1, 0.1))
     along = mechanism.prismatic("rail", mechanism.ground, sled, axis=(1.0, 0.0, 0.0))
-    stop = mechanism.stop("stop", along, stiffness=5000.0, damping=200.0, **{end: -0.1 if end == "lower" else 0.2})
+    stop = mechanism.stop(
+        "stop", along, stiffness=5000.0, damping=200.0, **{end: -0.1 if end == "lower" else 0.2}
+    )
     mechanism.output("stop.force", stop, "N", "force of the stop")
     start = {"rail.distance": place, "rail.distance rate": rate}
     run = jn.simulate_mechanism(mechanism, 1e-3, start=start, output_step=1e-3)
     depth = 0.02 if end == "lower" else 0.03
-    push = 5000.0 * depth - side * 200.0 * rate  # spring and damper; pulling back what leaves is cut off
+    push = (
+        5000.0 * depth - side * 200.0 * rate
+    )  # spring and damper; pulling back what leaves is cut off
     assert float(run["stop.force"][0]) == pytest.approx(side * max(push, 0.0), rel=1e-9)
 
 
 def test_the_page_of_mechanisms_uses_every_force_element():
     """The functions that the package offers, and the builder's methods that add a load."""
-    page = (Path(__file__).parents[3] / "docs" / "how-to" / "mechanisms.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[3] / "docs" / "how-to" / "mechanisms.md").read_text(
+        encoding="utf-8"
+    )
     blocks = "".join(re.findall(r"```python\n(.*?)```", page, re.DOTALL))
-    functions = [name for name in jn.mechanics.__all__ if name.startswith("add_") or name.endswith("_force")]
+    functions = [
+        name for name in jn.mechanics.__all__ if name.startswith("add_") or name.endswith("_force")
+    ]
     methods = [
         name for name, method in inspect.getmembers(jn.mechanics.Mechanism, inspect.isfunction)
         if "self.act(" in inspect.getsource(method)
@@ -282,4 +387,6 @@ def test_friction_that_builds_up_over_travel_is_dahls(share: float) -> None:
 
 def test_a_share_that_builds_up_needs_its_distance() -> None:
     with pytest.raises(jn.DescriptionError, match="belong together"):
-        jn.load("kart-quarter-car").with_changes({"guide.friction": {"force": 8.0, "presliding": 0.5}})
+        jn.load("kart-quarter-car").with_changes(
+            {"guide.friction": {"force": 8.0, "presliding": 0.5}}
+        )

@@ -19,13 +19,18 @@ def seen(mechanism: Mechanism, *state: float) -> dict[str, float]:
     """Rates of the states and outputs of a mechanism, switches as their signs say."""
     model = mechanism.finish()
     where = [model.x, model.u, model.p, model.m]
-    switches, both = (ca.Function("f", where, list(graphs)) for graphs in ([model.switch], [model.rate, model.output]))
+    switches, both = (
+        ca.Function("f", where, list(graphs))
+        for graphs in ([model.switch], [model.rate, model.output])
+    )
     x = [*state, *np.zeros(len(model.states) - len(state))]
     p, m = [mechanism.values[name] for name in model.parameters], ca.DM.zeros(len(model.switches))
     m = switches(x, np.zeros(0), p, m) > 0.0
     rates, outputs = (part.full().ravel() for part in both(x, np.zeros(0), p, m))
     found = {f"rate of {name}": value for name, value in zip(model.states, rates, strict=True)}
-    return found | {output.name: value for output, value in zip(model.outputs, outputs, strict=True)}
+    return found | {
+        output.name: value for output, value in zip(model.outputs, outputs, strict=True)
+    }
 
 
 def sled() -> tuple[Mechanism, object, ca.SX]:
@@ -52,12 +57,21 @@ def test_what_acts_between_bodies(kind: str, x: float, v: float) -> None:
     across = 0.5 / length
     if kind == "spring and damper":
         force = mechanism.spring_damper(
-            "load", mechanism.ground, block, at, end, stiffness=300.0, damping=20.0, free_length=0.45
+            "load",
+            mechanism.ground,
+            block,
+            at,
+            end,
+            stiffness=300.0,
+            damping=20.0,
+            free_length=0.45,
         )[1]
         push = -300.0 * (length - 0.45) - 20.0 * rate
         stored, lost, shown = 0.5 * 300.0 * (length - 0.45) ** 2, 20.0 * rate**2, push
     elif kind == "law":
-        force = mechanism.spring_damper("load", mechanism.ground, block, at, end, force=-50.0 * place)[1]
+        force = mechanism.spring_damper(
+            "load", mechanism.ground, block, at, end, force=-50.0 * place
+        )[1]
         push = shown = -50.0 * x
         stored = lost = None
     elif kind == "elastic rod":
@@ -68,11 +82,20 @@ def test_what_acts_between_bodies(kind: str, x: float, v: float) -> None:
         design = np.hypot(0.35, 0.5)
         shares = (0.35 / design) ** 2, (0.5 / design) ** 2
         along = 1.0 / (shares[0] / 1e3 + shares[1] / 4e3)
-        shown = along * (length - design) + along**2 * (shares[0] * 10.0 / 1e6 + shares[1] * 30.0 / 16e6) * rate
+        shown = (
+            along * (length - design)
+            + along**2 * (shares[0] * 10.0 / 1e6 + shares[1] * 30.0 / 16e6) * rate
+        )
         push, stored, lost = -shown, None, None
     else:
         bushing = add_bushing(
-            mechanism, "load", mechanism.ground, block, at, (1e3, 4e3, 9e3), damping=(10.0, 30.0, 5.0)
+            mechanism,
+            "load",
+            mechanism.ground,
+            block,
+            at,
+            (1e3, 4e3, 9e3),
+            damping=(10.0, 30.0, 5.0),
         )
         force = bushing.force[0]
         mechanism.output("power", bushing.power, "W", "power taken up")
@@ -85,7 +108,9 @@ def test_what_acts_between_bodies(kind: str, x: float, v: float) -> None:
     found = seen(mechanism, x, v)
     assert found["force"] == pytest.approx(shown, rel=1e-6)
     assert found["rate of slide.distance rate"] == pytest.approx(push * share / MASS, rel=1e-6)
-    assert found["slide.fx"] == pytest.approx(0.0, abs=1e-9)  # the slide holds what it does not let go
+    assert found["slide.fx"] == pytest.approx(
+        0.0, abs=1e-9
+    )  # the slide holds what it does not let go
     assert found["slide.fy"] == pytest.approx(push * across, rel=1e-6, abs=1e-9)
     if kind != "bushing":
         assert found["slide.tz"] == pytest.approx(push * (0.05 * across - 0.1 * share), rel=1e-6)
@@ -100,7 +125,9 @@ def test_what_acts_between_bodies(kind: str, x: float, v: float) -> None:
         assert found["power"] == pytest.approx(-push * v)
 
 
-@pytest.mark.parametrize(("x", "v"), [(-0.15, 0.5), (-0.15, -0.5), (-0.15, 9.0), (0.0, 1.0), (0.25, 0.5), (0.25, -9.0)])
+@pytest.mark.parametrize(
+    ("x", "v"), [(-0.15, 0.5), (-0.15, -0.5), (-0.15, 9.0), (0.0, 1.0), (0.25, 0.5), (0.25, -9.0)]
+)
 def test_what_a_stop_stores_and_loses(x: float, v: float) -> None:
     mechanism, _, place = sled()
     mechanism.stop("stop", place, lower=-0.1, upper=0.2, stiffness=500.0, damping=40.0)
@@ -111,7 +138,9 @@ def test_what_a_stop_stores_and_loses(x: float, v: float) -> None:
     push = max(500.0 * depth + 40.0 * rate, 0.0) if depth else 0.0
     assert found["rate of slide.distance rate"] == pytest.approx(side * push / MASS)
     assert found["energy.elastic"] == pytest.approx(0.5 * 500.0 * depth**2)
-    assert found["rate of energy.dissipated"] == pytest.approx(rate * (push - 500.0 * depth) if depth else 0.0)
+    assert found["rate of energy.dissipated"] == pytest.approx(
+        rate * (push - 500.0 * depth) if depth else 0.0
+    )
 
 
 def test_what_friction_loses() -> None:
@@ -136,7 +165,9 @@ def test_what_a_rotational_spring_and_damper_stores_and_loses() -> None:
     mechanism = Mechanism(gravity=0.0)
     wheel = mechanism.body("wheel", MASS, ORIGIN, BALL)
     mechanism.revolute("hinge", mechanism.ground, wheel, at=ORIGIN, axis=Y)
-    torque = mechanism.rotational_spring_damper("torsion", "hinge", stiffness=8.0, damping=0.5, free_angle=0.3)
+    torque = mechanism.rotational_spring_damper(
+        "torsion", "hinge", stiffness=8.0, damping=0.5, free_angle=0.3
+    )
     mechanism.output("torque", torque, "N*m", "torque")
     mechanism.watch_energy()
     mechanism.watch_reaction("hinge")
@@ -170,7 +201,9 @@ def test_forces_at_points_and_along_expressions_are_carried_by_the_joint() -> No
         mechanism.watch_reaction("hinge")
         found = seen(mechanism)
         assert found["rate of hinge.angle rate"] == pytest.approx(torque[1] / INERTIA, rel=1e-6)
-        assert [found[f"hinge.f{axis}"] for axis in "xyz"] == pytest.approx([-one for one in force], abs=1e-6)
+        assert [found[f"hinge.f{axis}"] for axis in "xyz"] == pytest.approx(
+            [-one for one in force], abs=1e-6
+        )
         held = [0.0 if i == 1 else -one for i, one in enumerate(torque)]
         assert [found[f"hinge.t{axis}"] for axis in "xyz"] == pytest.approx(held, abs=1e-6)
 

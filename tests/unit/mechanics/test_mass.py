@@ -42,7 +42,9 @@ def test_box_is_integrated_over_its_volume():
         [-dx * dy, dx**2 + dz**2, -dy * dz],
         [-dx * dz, -dy * dz, dx**2 + dy**2],
     ]
-    np.testing.assert_allclose(found.inertia, np.sum(np.array(tensor) * w, axis=(2, 3, 4)), rtol=0.0, atol=1e-12)
+    np.testing.assert_allclose(
+        found.inertia, np.sum(np.array(tensor) * w, axis=(2, 3, 4)), rtol=0.0, atol=1e-12
+    )
 
 
 def test_sphere_and_cylinder_have_textbook_moments():
@@ -53,7 +55,10 @@ def test_sphere_and_cylinder_have_textbook_moments():
     bar = jn.mechanics.cylinder(1000.0, 0.05, (0.1, 0.0, 0.0), (0.5, 0.0, 0.0))
     mass = 1000.0 * np.pi * 0.05**2 * 0.4
     across = mass * (3.0 * 0.05**2 + 0.4**2) / 12.0
-    close(bar, SolidMass(mass, np.array([0.3, 0.0, 0.0]), np.diag([0.5 * mass * 0.05**2, across, across])))
+    close(
+        bar,
+        SolidMass(mass, np.array([0.3, 0.0, 0.0]), np.diag([0.5 * mass * 0.05**2, across, across])),
+    )
 
 
 def test_tube_is_a_bar_less_its_bore():
@@ -67,9 +72,14 @@ def test_bar_turns_its_inertia_along():
     straight = jn.mechanics.cylinder(DENSITY, 0.02, (0.0, 0.0, 0.0), (0.0, 0.0, 0.5))
     a, b = np.radians(35.0), np.radians(-50.0)
     turn = np.array([[np.cos(a), -np.sin(a), 0.0], [np.sin(a), np.cos(a), 0.0], [0.0, 0.0, 1.0]])
-    turn = turn @ np.array([[np.cos(b), 0.0, np.sin(b)], [0.0, 1.0, 0.0], [-np.sin(b), 0.0, np.cos(b)]])
+    turn = turn @ np.array(
+        [[np.cos(b), 0.0, np.sin(b)], [0.0, 1.0, 0.0], [-np.sin(b), 0.0, np.cos(b)]]
+    )
     tilted = jn.mechanics.cylinder(DENSITY, 0.02, (0.0, 0.0, 0.0), turn @ [0.0, 0.0, 0.5])
-    close(tilted, SolidMass(straight.mass, turn @ straight.centre_of_mass, turn @ straight.inertia @ turn.T))
+    close(
+        tilted,
+        SolidMass(straight.mass, turn @ straight.centre_of_mass, turn @ straight.inertia @ turn.T),
+    )
 
 
 def test_halves_make_the_whole():
@@ -84,9 +94,17 @@ def test_mesh_of_a_block_is_the_block(tmp_path):
     vertices, faces = block()
     file = tmp_path / "block.stl"
     trimesh.Trimesh(vertices=1000.0 * vertices, faces=faces).export(file)
-    close(jn.mechanics.mesh(DENSITY, file, scale=1e-3), jn.mechanics.box(DENSITY, SIZE, CENTRE), tolerance=1e-6)
+    close(
+        jn.mechanics.mesh(DENSITY, file, scale=1e-3),
+        jn.mechanics.box(DENSITY, SIZE, CENTRE),
+        tolerance=1e-6,
+    )
     ball = trimesh.creation.icosphere(subdivisions=4, radius=0.1)
-    close(jn.mechanics.mesh(DENSITY, (ball.vertices, ball.faces)), jn.mechanics.sphere(DENSITY, 0.1, (0, 0, 0)), 5e-3)
+    close(
+        jn.mechanics.mesh(DENSITY, (ball.vertices, ball.faces)),
+        jn.mechanics.sphere(DENSITY, 0.1, (0, 0, 0)),
+        5e-3,
+    )
 
 
 def test_open_and_inside_out_meshes_are_refused(tmp_path):
@@ -115,8 +133,14 @@ def test_open_and_inside_out_meshes_are_refused(tmp_path):
         (lambda: jn.mechanics.box(1.0, SIZE, (0.0, 0.0)), "centre"),
         (lambda: jn.mechanics.box(1.0, SIZE, (0.0, 0.0, float("nan"))), "centre"),
         (lambda: jn.mechanics.sphere(1.0, float("nan"), CENTRE), "radius: not a finite number"),
-        (lambda: jn.mechanics.tube(1.0, 0.2, 0.1, (0, 0, 0), (1, 0, 0)), "not an inner radius; found '0.2 m'"),
-        (lambda: jn.mechanics.cylinder(1.0, 0.1, (0, 0, 0), (0, 0, 0)), "not a distance of the ends; found '0 m'"),
+        (
+            lambda: jn.mechanics.tube(1.0, 0.2, 0.1, (0, 0, 0), (1, 0, 0)),
+            "not an inner radius; found '0.2 m'",
+        ),
+        (
+            lambda: jn.mechanics.cylinder(1.0, 0.1, (0, 0, 0), (0, 0, 0)),
+            "not a distance of the ends; found '0 m'",
+        ),
         (jn.mechanics.combine_solids, "nothing to combine"),
     ],
 )

@@ -47,7 +47,9 @@ def test_texts_with_units_are_read():
     mechanism, _ = pendulum()
     assert mechanism.values["bob.mass"] == 0.5
     assert mechanism.values["bob.centre_of_mass[0]"] == pytest.approx(0.8)
-    run = jn.simulate_mechanism(mechanism, "200 ms", start={"pivot.angle": "-90 deg", "pivot.angle rate": "60 deg/s"})
+    run = jn.simulate_mechanism(
+        mechanism, "200 ms", start={"pivot.angle": "-90 deg", "pivot.angle rate": "60 deg/s"}
+    )
     assert float(run["bob.z"][0]) == pytest.approx(0.8)
     assert float(run["bob.vx"][0]) == pytest.approx(0.8 * np.pi / 3.0)
 
@@ -56,7 +58,9 @@ def test_other_numbers_need_no_other_model(monkeypatch):
     mechanism, _ = pendulum()
     jn.simulate_mechanism(mechanism, 0.1)
     monkeypatch.setattr(compiled, "compile_functions", lambda *_: pytest.fail("compiled anew"))
-    run = jn.simulate_mechanism(mechanism, 0.1, values={"bob.centre_of_mass[0]": "1 m", "gravity": 5.0})
+    run = jn.simulate_mechanism(
+        mechanism, 0.1, values={"bob.centre_of_mass[0]": "1 m", "gravity": 5.0}
+    )
     assert float(run["bob.x"][0]) == 1.0
     assert float(run["bob.az"][0]) == pytest.approx(-5.0 * 0.5 / (0.5 + 0.01))
     assert mechanism.values["gravity"] == 9.81
@@ -108,11 +112,17 @@ def test_refused_redundancy_can_be_removed_afterwards():
 
 def test_assembly_says_what_it_moved_and_keeps_what_was_given():
     run = jn.simulate_mechanism(
-        chain(), 0.1, start={"left.A.angle": 0.5, "left.A.angle rate": 3.0}, redundant="remove", output_step=0.05
+        chain(),
+        0.1,
+        start={"left.A.angle": 0.5, "left.A.angle rate": 3.0},
+        redundant="remove",
+        output_step=0.05,
     )
     assert float(run["left.A.angle"][0]) == pytest.approx(0.5, abs=1e-12)
     assert float(run["left.A.angle rate"][0]) == pytest.approx(3.0, abs=1e-12)
-    moved = [text.split(":")[1].strip() for text in run.attrs["findings"] if "assembly moved" in text]
+    moved = [
+        text.split(":")[1].strip() for text in run.attrs["findings"] if "assembly moved" in text
+    ]
     assert moved == ["left.B.angle", "right.D.angle"]
     assert "assembly moved it from 0 to -0.602196" in run.attrs["findings"][0]
 
@@ -121,12 +131,18 @@ def test_removed_equations_are_chosen_anew_where_others_are_superfluous():
     """Across the plane means across y, and across x when the chain is turned by a right angle."""
     mechanism = chain()
     first = jn.simulate_mechanism(mechanism, 0.2, redundant="remove", output_step=0.05)
-    values = {path: 0.0 for path in mechanism.values if re.search(r"(at|axis|centre_of_mass)\[[01]\]$", path)}
+    values = {
+        path: 0.0
+        for path in mechanism.values
+        if re.search(r"(at|axis|centre_of_mass)\[[01]\]$", path)
+    }
     for path in list(values):
         stem, place = path[:-3], path[-2]
         other = mechanism.values[f"{stem}[{1 - int(place)}]"]
         values[path] = other if place == "1" else -other  # x to y, y to -x
-    turned = jn.simulate_mechanism(mechanism, 0.2, values=values, redundant="remove", output_step=0.05)
+    turned = jn.simulate_mechanism(
+        mechanism, 0.2, values=values, redundant="remove", output_step=0.05
+    )
     again = jn.simulate_mechanism(mechanism, 0.2, redundant="remove", output_step=0.05)
     for name in first.data_vars:
         np.testing.assert_allclose(turned[name], first[name], rtol=0.0, atol=1e-6, err_msg=name)
@@ -138,7 +154,9 @@ def test_motions_decide_where_a_run_starts():
     mechanism = chain()
     mechanism.motion("drive", mechanism.coordinate_named("left.A.angle"), mechanism.track("turn"))
     motions = {"turn": jn.mechanics.constant_rate(2.0, start=0.5)}
-    run = jn.simulate_mechanism(mechanism, 0.2, motions=motions, redundant="remove", output_step=0.05)
+    run = jn.simulate_mechanism(
+        mechanism, 0.2, motions=motions, redundant="remove", output_step=0.05
+    )
     np.testing.assert_allclose(run["left.A.angle"], 0.5 + 2.0 * run["time"], rtol=0.0, atol=1e-12)
     assert set(run.data_vars) >= {"energy.supplied", "left.A.angle acceleration"}
 
@@ -147,7 +165,9 @@ def test_orientations_are_taken_at_length_one_and_shown():
     mechanism = jn.mechanics.Mechanism(gravity=0.0)
     mechanism.free("flight", mechanism.body("bob", 1.0, ORIGIN, BALL))
     mechanism.watch_coordinates()
-    run = jn.simulate_mechanism(mechanism, 0.2, start={"flight.e0": 2.0, "flight.e3": 2.0, "flight.wz": 1.0})
+    run = jn.simulate_mechanism(
+        mechanism, 0.2, start={"flight.e0": 2.0, "flight.e3": 2.0, "flight.wz": 1.0}
+    )
     assert float(run["flight.e0"][0]) == pytest.approx(np.sqrt(0.5))
     turn = 0.25 * np.pi + 0.5 * run["time"]
     np.testing.assert_allclose(run["flight.e3"], np.sin(turn), rtol=0.0, atol=1e-8)
@@ -162,7 +182,9 @@ def test_reaction_in_the_axes_of_a_body():
     mechanism.watch_reaction("pivot", frame="bob")
     mechanism.watch_coordinates()
     run = jn.simulate_mechanism(mechanism, 1.0, output_step=0.05, tolerance=1e-9)
-    fallen = np.sin(run["pivot.angle"])  # a point on a string that falls from level: tension 3 m g sin
+    fallen = np.sin(
+        run["pivot.angle"]
+    )  # a point on a string that falls from level: tension 3 m g sin
     np.testing.assert_allclose(run["pivot.fx"], -3.0 * 9.81 * fallen, rtol=0.0, atol=1e-6)
     np.testing.assert_allclose(run["pivot.fz"], 0.0, rtol=0.0, atol=1e-9)
 
@@ -190,7 +212,9 @@ def test_motions_are_what_they_say():
     assert jn.mechanics.constant(3.0).evaluate(time)[0].tolist() == [3.0] * 5
     spline = jn.mechanics.interpolated([0.0, 0.5, 1.0], [0.0, 1.0, 0.0])
     value, rate = spline.evaluate(time)
-    np.testing.assert_allclose(value, [0.0, 0.0, 0.6875, 0.0, 0.0], rtol=0.0, atol=1e-15)  # natural ends; held beyond
+    np.testing.assert_allclose(
+        value, [0.0, 0.0, 0.6875, 0.0, 0.0], rtol=0.0, atol=1e-15
+    )  # natural ends; held beyond
     np.testing.assert_allclose(rate, [0.0, 3.0, 2.25, 0.0, 0.0], rtol=0.0, atol=1e-14)
     lines = jn.mechanics.interpolated([0.0, 0.5, 1.0], [0.0, 1.0, 0.0], smooth=False)
     assert lines.evaluate(np.array([0.25, 0.75]))[1].tolist() == [2.0, -2.0]
@@ -206,14 +230,22 @@ def test_universal_joint_counts_from_the_first_body_to_the_second():
             bodies, axes = bodies[::-1], axes[::-1]
         mechanism.universal("cross", *bodies, at=ORIGIN, axis=axes[0], second_axis=axes[1])
         mechanism.watch_point("tip", body, (1.0, 0.0, 0.0))
-        angles = (-0.3, -0.5) if swapped else (0.5, 0.3)  # about z on the ground, then about y on the body
+        angles = (
+            (-0.3, -0.5) if swapped else (0.5, 0.3)
+        )  # about z on the ground, then about y on the body
         start = dict(zip(("cross.angle", "cross.second_angle"), angles, strict=True))
-        start["cross.second_angle rate" if swapped else "cross.angle rate"] = -2.0 if swapped else 2.0
-        runs.append(jn.simulate_mechanism(mechanism, 0.5, start=start, output_step=0.1, tolerance=1e-9))
+        start["cross.second_angle rate" if swapped else "cross.angle rate"] = (
+            -2.0 if swapped else 2.0
+        )
+        runs.append(
+            jn.simulate_mechanism(mechanism, 0.5, start=start, output_step=0.1, tolerance=1e-9)
+        )
     tip = np.array([np.cos(0.5) * np.cos(0.3), np.sin(0.5) * np.cos(0.3), -np.sin(0.3)])
     for axis, value in zip("xyz", tip, strict=True):
         assert float(runs[0][f"tip.{axis}"][0]) == pytest.approx(value)
-        np.testing.assert_allclose(runs[1][f"tip.{axis}"], runs[0][f"tip.{axis}"], rtol=0.0, atol=1e-8)
+        np.testing.assert_allclose(
+            runs[1][f"tip.{axis}"], runs[0][f"tip.{axis}"], rtol=0.0, atol=1e-8
+        )
 
 
 def test_orientation_turns_a_start():
@@ -231,7 +263,9 @@ def test_orientation_turns_a_start():
 def test_a_mechanism_lists_itself():
     mechanism = chain()
     crank, rocker = mechanism.bodies["crank"], mechanism.bodies["rocker"]
-    mechanism.spring_damper("strut", crank, rocker, (0.0, 0.0, 0.1), (0.45, 0.0, 0.15), stiffness="2 N/mm")
+    mechanism.spring_damper(
+        "strut", crank, rocker, (0.0, 0.0, 0.1), (0.45, 0.0, 0.15), stiffness="2 N/mm"
+    )
     angle = mechanism.coordinate_named("left.A.angle")
     mechanism.stop("end", angle, upper="80 deg", stiffness=100.0)
     mechanism.force(crank.point((0.0, 0.0, 0.2)).value[0], -3.0 * angle)
@@ -252,7 +286,10 @@ def test_a_mechanism_lists_itself():
     assert push["bodies"] == ["crank"]
     assert listed["conditions"][0]["tracks"] == ["turn"]
     text = str(mechanism)
-    assert "right.C: revolute, coupler - rocker, at (0.4, 0, 0.3) m, axis (0, 1, 0); equations 5" in text
+    assert (
+        "right.C: revolute, coupler - rocker, at (0.4, 0, 0.3) m, axis (0, 1, 0); equations 5"
+        in text
+    )
     assert "strut: spring and damper, crank - rocker" in text
     assert mechanism.to_dict({"strut.stiffness": 5.0})["loads"][0]["stiffness"] == 5.0
 
@@ -288,16 +325,23 @@ def test_a_listing_takes_units_and_refuses_names_it_does_not_know():
     assert listed["loads"][0]["stiffness"] == pytest.approx(3000.0)
     assert listed["joints"][0]["travel"] == "road"
     assert listed["watched"][0]["on"] == "table"
-    broken = json.loads(json.dumps(mechanism.to_dict({"strut.stiffness": float("nan")}), allow_nan=False))
+    broken = json.loads(
+        json.dumps(mechanism.to_dict({"strut.stiffness": float("nan")}), allow_nan=False)
+    )
     assert broken["loads"][0]["stiffness"] is None
-    with pytest.raises(jn.DescriptionError, match=r"unknown parameter 'strut.stifness'.*strut\.stiffness"):
+    with pytest.raises(
+        jn.DescriptionError, match=r"unknown parameter 'strut.stifness'.*strut\.stiffness"
+    ):
         mechanism.to_dict({"strut.stifness": 1.0})
 
 
 def test_a_listing_holds_all_that_acts():
     """Every number and law that was given is found again, in the numbers, expressions and signs of the listing."""
     mechanism = jn.mechanics.Mechanism()
-    block, other = mechanism.body("block", 1.0, ORIGIN, BALL), mechanism.body("other", 1.0, ORIGIN, BALL)
+    block, other = (
+        mechanism.body("block", 1.0, ORIGIN, BALL),
+        mechanism.body("other", 1.0, ORIGIN, BALL),
+    )
     slid = mechanism.prismatic("slide", mechanism.ground, block, axis=Z)
     turn = mechanism.revolute("turn", mechanism.ground, other, at=ORIGIN, axis=Y)
     rate = mechanism.number("own.rate", "1.2345678901 kN/m", "N/m")
@@ -322,7 +366,11 @@ def test_a_listing_holds_all_that_acts():
         {"force": "N", "at": "m"},
     )
     assert (twist["body"], twist["torque"]) == ("other", [0.0, 4.0, 0.0])
-    assert (apart["at"], apart["second_at"], apart["positive"]) == ([0.1, 0, 0], [0, 0, 1], "pushes the points apart")
+    assert (apart["at"], apart["second_at"], apart["positive"]) == (
+        [0.1, 0, 0],
+        [0, 0, 1],
+        "pushes the points apart",
+    )
     assert apart["force"] == {"expression": "(5*slide.distance)", "parameters": {}}
     assert load["magnitude"]["expression"] == "(-0.3*turn.angle rate)"
     assert general["along"]["expression"] == "block.point(1, 0, 0).z"
@@ -376,7 +424,11 @@ def test_a_listing_holds_switches_states_and_moving_axes():
 
 
 def test_every_joint_is_exported():
-    classes = {name for name, one in vars(joints).items() if isinstance(one, type) and issubclass(one, joints.Joint)}
+    classes = {
+        name
+        for name, one in vars(joints).items()
+        if isinstance(one, type) and issubclass(one, joints.Joint)
+    }
     assert classes <= set(jn.mechanics.__all__)
     mechanism = jn.mechanics.Mechanism()
     block = mechanism.body("block", 1.0, ORIGIN, BALL)

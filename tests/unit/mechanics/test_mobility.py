@@ -21,7 +21,9 @@ def axle(rods):
     linkage.rod("Panhard", linkage.ground, body, at=(-0.1, 0.5, 0.3), second_at=(-0.1, -0.5, 0.3))
     for y in (-0.4, 0.4):
         top, bottom = (0.0, y, 0.7), (0.0, y, 0.35)
-        linkage.spring_damper(f"spring {y:+g}", linkage.ground, body, top, bottom, stiffness=20e3, damping=1500.0)
+        linkage.spring_damper(
+            f"spring {y:+g}", linkage.ground, body, top, bottom, stiffness=20e3, damping=1500.0
+        )
     linkage.watch_body(body)
     return linkage
 
@@ -86,7 +88,9 @@ def test_a_link_at_its_dead_point_holds_the_crank_and_is_not_left_out(what):
     mechanism.rod("rod", mechanism.ground, crank, at=(0.0, 0.0, -0.5), second_at=(0.0, 0.0, 0.3))
     mechanism.watch_body(crank)
     with pytest.raises(jn.AssemblyError, match="rod: the mechanism is in a singular configuration"):
-        mechanism.mobility() if what == "mobility" else jn.simulate_mechanism(mechanism, 0.1, redundant=what)
+        mechanism.mobility() if what == "mobility" else jn.simulate_mechanism(
+            mechanism, 0.1, redundant=what
+        )
 
 
 def test_a_rod_that_spins_about_its_own_line_feels_no_force():
@@ -116,7 +120,11 @@ def test_a_rod_that_spins_about_its_own_line_feels_no_force():
     ("joint", "freedom", "text"),
     [
         (lambda m, b: m.free("f", b), 6, "body slides along (0, 0, 1)"),
-        (lambda m, b: m.spherical("f", m.ground, b, at=ORIGIN), 3, "body turns about the line through (0, 0, 0) m"),
+        (
+            lambda m, b: m.spherical("f", m.ground, b, at=ORIGIN),
+            3,
+            "body turns about the line through (0, 0, 0) m",
+        ),
         (
             lambda m, b: m.screw("f", m.ground, b, at=ORIGIN, axis=Y, pitch=0.1),
             1,
@@ -162,14 +170,17 @@ def test_a_structure_that_cannot_move_says_so():
 
 
 @pytest.mark.parametrize(
-    ("scale", "text"), [(1e3, "millimetres given as metres?"), (1e-3, "metres given as millimetres?"), (1.0, None)]
+    ("scale", "text"),
+    [(1e3, "millimetres given as metres?"), (1e-3, "metres given as millimetres?"), (1.0, None)],
 )
 def test_millimetres_taken_for_metres_are_asked_about(scale, text):
     mechanism = jn.mechanics.Mechanism()
     bob = mechanism.body("bob", 1.0, (0.3 * scale, 0.0, 0.0), BALL)
     mechanism.revolute("pivot", mechanism.ground, bob, at=(0.0, 0.0, 0.1 * scale), axis=Y)
     mechanism.watch_body(bob)
-    found = [one for one in jn.simulate_mechanism(mechanism, 0.01).attrs["findings"] if "points" in one]
+    found = [
+        one for one in jn.simulate_mechanism(mechanism, 0.01).attrs["findings"] if "points" in one
+    ]
     assert [text in one for one in found] == [True] * (text is not None)
 
 
@@ -179,9 +190,15 @@ def test_freedoms_are_counted_once_for_a_start():
     first = jn.simulate_mechanism(linkage, 0.1, output_step=0.05)
     freedoms = linkage.freedoms(linkage.model())
     assert linkage.freedoms(linkage.model()) is freedoms
-    given = np.zeros(len(linkage.model().states)), np.zeros(0), np.array(list(linkage.values.values()))
+    given = (
+        np.zeros(len(linkage.model().states)),
+        np.zeros(0),
+        np.array(list(linkage.values.values())),
+    )
     given[0][: len(linkage.model().start)] = linkage.model().start
     assert freedoms.at(*given) is freedoms.at(*given)
-    other = jn.simulate_mechanism(linkage, 0.1, output_step=0.05, values={"rod 0.at[2]": 0.26, "rod 2.at[2]": 0.26})
+    other = jn.simulate_mechanism(
+        linkage, 0.1, output_step=0.05, values={"rod 0.at[2]": 0.26, "rod 2.at[2]": 0.26}
+    )
     assert other.attrs["degrees_of_freedom"] == first.attrs["degrees_of_freedom"] == 1
     assert other.attrs["findings"] != first.attrs["findings"]

@@ -14,7 +14,9 @@ TIME = np.array([-1.0, 0.0, 1.0, 1.5, 2.0, 3.0, 4.0])
 def test_two_points_are_a_line_with_level_ends(smooth: bool) -> None:
     value, rate = jn.mechanics.interpolated([1.0, 3.0], [2.0, -2.0], smooth=smooth).evaluate(TIME)
     np.testing.assert_allclose(value, [2.0, 2.0, 2.0, 1.0, 0.0, -2.0, -2.0], rtol=0.0, atol=1e-14)
-    np.testing.assert_allclose(rate[[0, 1, 3, 4, 6]], [0.0, 0.0, -2.0, -2.0, 0.0], rtol=0.0, atol=1e-14)
+    np.testing.assert_allclose(
+        rate[[0, 1, 3, 4, 6]], [0.0, 0.0, -2.0, -2.0, 0.0], rtol=0.0, atol=1e-14
+    )
 
 
 @pytest.mark.parametrize(
@@ -37,8 +39,12 @@ def test_points_that_are_no_motion(time: object, value: object) -> None:
 def test_steps_and_rates() -> None:
     value, rate = jn.mechanics.step(1.0, -2.0, begin=1.0, stop=3.0).evaluate(TIME)
     share = np.clip((TIME - 1.0) / 2.0, 0.0, 1.0)
-    np.testing.assert_allclose(value, 1.0 - 3.0 * (3.0 * share**2 - 2.0 * share**3), rtol=0.0, atol=1e-14)
-    np.testing.assert_allclose(rate, -3.0 * (6.0 * share - 6.0 * share**2) / 2.0, rtol=0.0, atol=1e-14)
+    np.testing.assert_allclose(
+        value, 1.0 - 3.0 * (3.0 * share**2 - 2.0 * share**3), rtol=0.0, atol=1e-14
+    )
+    np.testing.assert_allclose(
+        rate, -3.0 * (6.0 * share - 6.0 * share**2) / 2.0, rtol=0.0, atol=1e-14
+    )
     value, rate = jn.mechanics.constant_rate(0.5, start=3.0).evaluate(TIME)
     np.testing.assert_allclose(value, 3.0 + 0.5 * TIME, rtol=1e-14)
     np.testing.assert_allclose(rate, 0.5, rtol=1e-14)

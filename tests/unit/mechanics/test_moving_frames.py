@@ -45,7 +45,10 @@ def car(*, moving: bool, shared: bool = False, held: bool = False) -> jn.mechani
     mechanism.spring_damper("left.strut", *strut, stiffness=900.0, damping=70.0, free_length=0.5)
     size = mechanism.constant("size", 2.0) if moving else 2.0
     mechanism.apply_force(upright, size * inward(PUSH), upright.point((0.05, 0.72, -0.1)))
-    lower, upper = hung("right.lower", 0.6, (0.0, -0.5, 0.1)), hung("right.upper", 0.5, (0.0, -0.5, 0.3))
+    lower, upper = (
+        hung("right.lower", 0.6, (0.0, -0.5, 0.1)),
+        hung("right.upper", 0.5, (0.0, -0.5, 0.3)),
+    )
     mechanism.revolute("right.below", frame, lower, at=(0.0, -0.2, 0.1), axis=ARM_AXIS)
     mechanism.prismatic("right.above", frame, upper, axis=(0.1, 0.3, 1.0))
     mechanism.rod("right.rod", lower, upper, (0.0, -0.6, 0.1), (0.05, -0.55, 0.3))
@@ -57,11 +60,17 @@ def car(*, moving: bool, shared: bool = False, held: bool = False) -> jn.mechani
         for one, other, axis in zip([frame, *slides], slides, np.eye(3), strict=False):
             mechanism.prismatic(other.name, one, other, axis=tuple(axis))
         mechanism.spherical("load", slides[-1], load, at=(0.3, 0.1, 0.5))
-    mechanism.spring_damper("strap", frame, load, (0.3, 0.0, 0.2), (0.32, 0.12, 0.45), stiffness=300.0, damping=9.0)
+    mechanism.spring_damper(
+        "strap", frame, load, (0.3, 0.0, 0.2), (0.32, 0.12, 0.45), stiffness=300.0, damping=9.0
+    )
     for name, (mass, place) in list(masses.items())[: 1 if moving else None]:
-        mechanism.apply_force(mechanism.bodies[name], ca.SX([mass * FIELD[0], mass * FIELD[1], 0.0]), place)
+        mechanism.apply_force(
+            mechanism.bodies[name], ca.SX([mass * FIELD[0], mass * FIELD[1], 0.0]), place
+        )
     if shared:
-        mechanism.share([f"body.{axis}" for axis in ("x rate", "y rate", "z rate", "wx", "wy", "wz")])
+        mechanism.share(
+            [f"body.{axis}" for axis in ("x rate", "y rate", "z rate", "wx", "wy", "wz")]
+        )
     return mechanism
 
 
@@ -76,7 +85,9 @@ def of_the_ground(x: dict[str, float]) -> dict[str, float]:
         own = turn(x, joint)
         e = (body * own).as_quat()
         found |= {f"{joint}.e{i}": e[i - 1] for i in range(4)}
-        found |= dict(zip(spins(joint), vector(x, f"{joint}.w") + own.inv().apply(spin), strict=True))
+        found |= dict(
+            zip(spins(joint), vector(x, f"{joint}.w") + own.inv().apply(spin), strict=True)
+        )
     return found
 
 
@@ -125,7 +136,10 @@ def test_a_moving_frame_gives_the_equations_of_joints_to_its_body() -> None:
         state = start if is_moving else of_the_ground(start)
         values = [mechanism.values[name] for name in model.parameters]
         whole = ca.Function("f", [model.x, model.u, model.p], [model.rate, model.constraint])
-        rate, gap = (part.full().ravel() for part in whole([state[name] for name in model.states], [], values))
+        rate, gap = (
+            part.full().ravel()
+            for part in whole([state[name] for name in model.states], [], values)
+        )
         speeds = dict(zip(model.states[n_q:], rate[n_q:], strict=True))
         assert (model.generic is not None) == is_moving
         found.append((rate_of_the_ground(start, speeds) if is_moving else speeds, gap))
@@ -133,7 +147,9 @@ def test_a_moving_frame_gives_the_equations_of_joints_to_its_body() -> None:
     assert max(map(abs, expected.values())) > 10.0
     for rate, own in found:
         np.testing.assert_allclose(own, gap, rtol=1e-9, atol=1e-12)
-        assert rate == {name: pytest.approx(value, rel=1e-8, abs=1e-7) for name, value in expected.items()}
+        assert rate == {
+            name: pytest.approx(value, rel=1e-8, abs=1e-7) for name, value in expected.items()
+        }
 
 
 JOINTS = ("left.hinge", "left.ball", "right.below", "right.above", "body")
@@ -147,12 +163,17 @@ def test_a_moving_frame_gives_the_reactions_of_joints_to_its_body() -> None:
     for is_moving in (True, False):
         mechanism = car(moving=is_moving)
         for joint in (*JOINTS, *CLOSURES):
-            given = {"left.ball": {"frame": "left.upright", "at": (0.1, 0.7, 0.2)}, "right.below": {"on": "body"}}
+            given = {
+                "left.ball": {"frame": "left.upright", "at": (0.1, 0.7, 0.2)},
+                "right.below": {"on": "body"},
+            }
             mechanism.watch_reaction(joint, **given.get(joint, {}))
         assert mechanism.reaction("left.hinge").body.name == "left.arm"
         model = mechanism.finish()
         if not start:
-            start = dict(zip(model.states, 0.2 * generator.normal(size=len(model.states)), strict=True))
+            start = dict(
+                zip(model.states, 0.2 * generator.normal(size=len(model.states)), strict=True)
+            )
             for joint in model.quaternions:
                 e = np.array([(i == 0) + start[f"{joint}.e{i}"] for i in range(4)])
                 start |= {f"{joint}.e{i}": value for i, value in enumerate(e / np.linalg.norm(e))}
@@ -160,12 +181,19 @@ def test_a_moving_frame_gives_the_reactions_of_joints_to_its_body() -> None:
         values = [mechanism.values[name] for name in model.parameters]
         shown = ca.Function("f", [model.x, model.u, model.p], [model.output])
         outputs = shown([state[name] for name in model.states], [], values).full().ravel()
-        found.append({output.name: value for output, value in zip(model.outputs, outputs, strict=True)})
+        found.append(
+            {output.name: value for output, value in zip(model.outputs, outputs, strict=True)}
+        )
     moving, still = found
     assert len(moving) == 6 * len((*JOINTS, *CLOSURES))
-    sizes = {joint: max(abs(still[f"{joint}.f{axis}"]) for axis in "xyz") for joint in (*JOINTS, *CLOSURES)}
+    sizes = {
+        joint: max(abs(still[f"{joint}.f{axis}"]) for axis in "xyz")
+        for joint in (*JOINTS, *CLOSURES)
+    }
     assert all(size > 1.0 for joint, size in sizes.items() if joint != "body")
-    assert moving == {name: pytest.approx(value, rel=1e-9, abs=1e-8) for name, value in still.items()}
+    assert moving == {
+        name: pytest.approx(value, rel=1e-9, abs=1e-8) for name, value in still.items()
+    }
 
 
 def test_loops_on_a_body_close_as_if_it_stood_still() -> None:
@@ -195,7 +223,9 @@ def test_loops_on_a_body_close_as_if_it_stood_still() -> None:
         }
     assert 0.01 < found[0][-1]["conditioning"] < 0.99
     body = [name for name in one.states if name.startswith("body.") and ".e" not in name]
-    assert [found[0][-1][name] for name in body] == [pytest.approx(numbers[name], abs=1e-15) for name in body]
+    assert [found[0][-1][name] for name in body] == [
+        pytest.approx(numbers[name], abs=1e-15) for name in body
+    ]
 
 
 def test_heights_and_directions_are_those_of_the_ground() -> None:
@@ -216,18 +246,30 @@ def test_heights_and_directions_are_those_of_the_ground() -> None:
     numbers = generator.normal(size=q.numel())
     first = mechanism.finish().quaternions["body"]
     numbers[first : first + 4] /= np.linalg.norm(numbers[first : first + 4])
-    p, values = ca.vertcat(*mechanism.collection.parameters.values()), list(mechanism.values.values())
+    p, values = (
+        ca.vertcat(*mechanism.collection.parameters.values()),
+        list(mechanism.values.values()),
+    )
     function = ca.Function("f", [q, v, p], [ca.vertcat(*parts)])
-    np.testing.assert_allclose(function(numbers, generator.normal(size=v.numel()), values).full(), 0.0, atol=1e-12)
+    np.testing.assert_allclose(
+        function(numbers, generator.normal(size=v.numel()), values).full(), 0.0, atol=1e-12
+    )
     with pytest.raises(jn.AssemblyError, match="body axes: the name is used twice"):
         mechanism.moving_frame(body, ca.SX(3, 1))
     upright = mechanism.bodies["left.upright"]
     for other in (body, mechanism.ground):
-        with pytest.raises(jn.AssemblyError, match=r"in different moving frames; found 'left\.upright, "):
+        with pytest.raises(
+            jn.AssemblyError, match=r"in different moving frames; found 'left\.upright, "
+        ):
             mechanism.rod("rod", upright, other, (0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
     mechanism.track("go")
-    for watch in (lambda: mechanism.watch_body(upright), lambda: mechanism.watch_point("p", upright, (0.0, 0.0, 0.0))):
-        with pytest.raises(jn.AssemblyError, match=r"not for what hangs in a moving frame; found 'left\.upright'"):
+    for watch in (
+        lambda: mechanism.watch_body(upright),
+        lambda: mechanism.watch_point("p", upright, (0.0, 0.0, 0.0)),
+    ):
+        with pytest.raises(
+            jn.AssemblyError, match=r"not for what hangs in a moving frame; found 'left\.upright'"
+        ):
             watch()
 
 
@@ -246,11 +288,17 @@ def test_masses_that_one_coordinate_moves_weigh_as_their_bodies():
     moment, angular, tensor, energy = ca.SX(3, 1), ca.SX(3, 1), ca.SX(3, 3), ca.SX(0.0)
     bodies = []
     for one in (arm, tip):
-        mass, design, inertia = (getattr(one.mass_properties, name) for name in ("mass", "centre", "inertia"))
+        mass, design, inertia = (
+            getattr(one.mass_properties, name) for name in ("mass", "centre", "inertia")
+        )
         centre, orientation = one.frame.point(design), one.frame.orientation
-        bodies.append(Carried(mass, centre, orientation, inertia, RigidMass(one.frame, one.mass_properties)))
+        bodies.append(
+            Carried(mass, centre, orientation, inertia, RigidMass(one.frame, one.mass_properties))
+        )
         place, turned = carrier.arm(centre.value), orientation.turned(inertia)
-        rate, spin = (ca.substitute(each, speed, 1.0) for each in (centre.rate, orientation.ground_spin))
+        rate, spin = (
+            ca.substitute(each, speed, 1.0) for each in (centre.rate, orientation.ground_spin)
+        )
         moment += mass * place
         angular += mass * ca.cross(place, rate) + turned @ spin
         tensor += turned + mass * (ca.dot(place, place) * ca.SX.eye(3) - place @ place.T)
@@ -269,7 +317,9 @@ def test_masses_that_one_coordinate_moves_weigh_as_their_bodies():
     for _ in range(3):
         turn = random.normal(size=4)
         found = f(
-            np.concatenate([random.normal(size=3), turn / np.linalg.norm(turn), random.normal(size=1)]),
+            np.concatenate(
+                [random.normal(size=3), turn / np.linalg.norm(turn), random.normal(size=1)]
+            ),
             random.normal(size=7),
             values,
         )

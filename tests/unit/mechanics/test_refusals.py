@@ -47,13 +47,25 @@ def refused(text: str):
         ({"centre_of_mass": None}, "bob: a mass without its place"),
         ({"centre_of_mass": (1.0, 0.0)}, "bob.centre_of_mass: not a vector; found '2 numbers'"),
         ({"centre_of_mass": (NAN, 0.0, 0.0)}, "bob.centre_of_mass[0]: not a finite number"),
-        ({"inertia": (1.0, 1.0, 3.0)}, "bob: impossible inertia; found 'principal moments 1, 1, 3 kg m^2'"),
+        (
+            {"inertia": (1.0, 1.0, 3.0)},
+            "bob: impossible inertia; found 'principal moments 1, 1, 3 kg m^2'",
+        ),
         ({"inertia": (-1.0, 1.0, 1.0)}, "bob: impossible inertia"),
-        ({"inertia": (1.0, 1.0, 1.0, 0.0)}, "bob.inertia: not a tensor of inertia; found '4 numbers'"),
-        ({"inertia": np.array([[1.0, 0.1, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])}, "found 'not symmetric'"),
+        (
+            {"inertia": (1.0, 1.0, 1.0, 0.0)},
+            "bob.inertia: not a tensor of inertia; found '4 numbers'",
+        ),
+        (
+            {"inertia": np.array([[1.0, 0.1, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])},
+            "found 'not symmetric'",
+        ),
         ({"mass": None}, "bob: a centre of mass or an inertia without a mass"),
         ({"mass": None, "inertia": None}, "bob: a centre of mass or an inertia without a mass"),
-        ({"mass": None, "centre_of_mass": None}, "bob: a centre of mass or an inertia without a mass"),
+        (
+            {"mass": None, "centre_of_mass": None},
+            "bob: a centre of mass or an inertia without a mass",
+        ),
     ],
 )
 def test_masses(changed, text):
@@ -81,7 +93,10 @@ def test_masses(changed, text):
         ({"tolerance": 0.0}, "tolerance: not a tolerance"),
         ({"tolerance": NAN}, "tolerance: not a tolerance"),
         ({"tolerance": "1e-6"}, "tolerance: not a number; found '1e-6'"),
-        ({"output_step": "1 ms"}, "output_step: not a number; found '1 ms'; allowed: a number in s"),
+        (
+            {"output_step": "1 ms"},
+            "output_step: not a number; found '1 ms'; allowed: a number in s",
+        ),
         ({"output_step": float("inf")}, "output_step: not an output step"),
         ({"values": {3: 1.0}}, "values: not a name; found 'int'"),
         ({"redundant": "delete"}, "redundant: unknown choice 'delete'"),
@@ -94,26 +109,41 @@ def test_what_a_run_is_given(given, text):
 
 def test_axes_and_places():
     mechanism, body = pendulum()
-    with refused("hinge.axis: an axis without direction; found (0.0, 0.0, 0.0); allowed: not all zero"):
+    with refused(
+        "hinge.axis: an axis without direction; found (0.0, 0.0, 0.0); allowed: not all zero"
+    ):
         mechanism.revolute("hinge", mechanism.ground, mechanism.body("a"), at=ORIGIN, axis=ORIGIN)
     with refused("slide.axis: not a finite number"):
         mechanism.prismatic("slide", mechanism.ground, mechanism.body("b"), axis=(0.0, NAN, 0.0))
     with refused("ball.at: not a vector; found '2 numbers'"):
         mechanism.spherical("ball", mechanism.ground, mechanism.body("c"), at=(0.0, 0.0))
-    with refused("cross: the axes of a universal joint are not at right angles; found '0 degrees between them'"):
-        mechanism.universal("cross", mechanism.ground, mechanism.body("d"), at=ORIGIN, axis=Y, second_axis=Y)
+    with refused(
+        "cross: the axes of a universal joint are not at right angles; found '0 degrees between them'"
+    ):
+        mechanism.universal(
+            "cross", mechanism.ground, mechanism.body("d"), at=ORIGIN, axis=Y, second_axis=Y
+        )
     with refused("45 degrees between them"):
-        mechanism.universal("other", mechanism.ground, body, at=ORIGIN, axis=Y, second_axis=(0.0, 1.0, 1.0))
+        mechanism.universal(
+            "other", mechanism.ground, body, at=ORIGIN, axis=Y, second_axis=(0.0, 1.0, 1.0)
+        )
     tilt = mechanism.parameter("tilt")  # without a number nothing is known of its angle
     tilted = casadi.vertcat(0.0, casadi.cos(tilt), casadi.sin(tilt))
-    mechanism.universal("late", mechanism.ground, mechanism.body("f"), at=ORIGIN, axis=Y, second_axis=tilted)
+    mechanism.universal(
+        "late", mechanism.ground, mechanism.body("f"), at=ORIGIN, axis=Y, second_axis=tilted
+    )
     with refused("rail.axis: an axis without direction"):
-        mechanism.driven("rail", mechanism.ground, mechanism.body("e"), axis=ORIGIN, travel=mechanism.track("t"))
+        mechanism.driven(
+            "rail", mechanism.ground, mechanism.body("e"), axis=ORIGIN, travel=mechanism.track("t")
+        )
 
 
 def test_bodies_that_hang_on_nothing():
     mechanism, body = pendulum()
-    one, other = mechanism.body("one", 1.0, ORIGIN, BALL), mechanism.body("other", 1.0, ORIGIN, BALL)
+    one, other = (
+        mechanism.body("one", 1.0, ORIGIN, BALL),
+        mechanism.body("other", 1.0, ORIGIN, BALL),
+    )
     with refused("hinge: neither body hangs on anything yet; found 'one, other'"):
         mechanism.revolute("hinge", one, other, at=ORIGIN, axis=Y)
     with refused("link: the body hangs on nothing yet; found 'one'"):
@@ -163,11 +193,15 @@ def test_rods_without_length():
 
 def test_motions_of_what_is_no_coordinate():
     mechanism, body = flying()
-    forces = mechanism.spherical("ball", mechanism.ground, body, at=(1.0, 0.0, 0.0))  # closes a loop: gives its forces
+    forces = mechanism.spherical(
+        "ball", mechanism.ground, body, at=(1.0, 0.0, 0.0)
+    )  # closes a loop: gives its forces
     track = mechanism.track("go")
     with refused("drive: not one coordinate; found '3 expressions'"):
         mechanism.motion("drive", forces, track)
-    with refused("drive: not a condition on coordinates; found 'an expression of ball.x multiplier'"):
+    with refused(
+        "drive: not a condition on coordinates; found 'an expression of ball.x multiplier'"
+    ):
         mechanism.motion("drive", forces[0], track)
     with refused("rule: not a condition on coordinates; found 'an expression of no coordinate'"):
         mechanism.condition("rule", track.value)
@@ -176,7 +210,9 @@ def test_motions_of_what_is_no_coordinate():
 def test_motions_that_are_none():
     mechanism = jn.mechanics.Mechanism()
     body = mechanism.body("bob", 1.0, ORIGIN, BALL)
-    mechanism.motion("drive", mechanism.prismatic("slide", mechanism.ground, body, axis=Y), mechanism.track("go"))
+    mechanism.motion(
+        "drive", mechanism.prismatic("slide", mechanism.ground, body, axis=Y), mechanism.track("go")
+    )
     with refused("go: tracks without a motion"):
         jn.simulate_mechanism(mechanism, 0.1)
     with refused("motions: go: not a motion; found '0.1'"):
@@ -220,9 +256,12 @@ def chain(points, *, mass=True, closing="revolute", gap=0.0):
     mechanism = jn.mechanics.Mechanism()
     a, b, c, d = (np.array([x, 0.0, z]) for x, z in points)
     crank, rocker = (
-        mechanism.body(name, 1.0, 0.5 * (p + q), BALL) for name, p, q in (("crank", a, b), ("rocker", c, d))
+        mechanism.body(name, 1.0, 0.5 * (p + q), BALL)
+        for name, p, q in (("crank", a, b), ("rocker", c, d))
     )
-    coupler = mechanism.body("coupler", 1.0, 0.5 * (b + c), BALL) if mass else mechanism.body("coupler")
+    coupler = (
+        mechanism.body("coupler", 1.0, 0.5 * (b + c), BALL) if mass else mechanism.body("coupler")
+    )
     mechanism.revolute("A", mechanism.ground, crank, at=a, axis=Y)
     mechanism.revolute("B", crank, coupler, at=b, axis=Y)
     mechanism.revolute("D", mechanism.ground, rocker, at=d, axis=Y)
@@ -259,7 +298,9 @@ def test_singular_configurations_are_no_place_to_start(redundant):
 
 
 def test_massless_links_in_a_loop_are_named():
-    with refused("B.angle: nothing with mass or inertia moves when these coordinates change together"):
+    with refused(
+        "B.angle: nothing with mass or inertia moves when these coordinates change together"
+    ):
         jn.simulate_mechanism(chain(GOOD, mass=False), 0.1, redundant="remove")
 
 
@@ -270,21 +311,31 @@ def test_two_motions_of_one_coordinate_are_named():
     mechanism.motion("one", place, mechanism.track("a"))
     mechanism.motion("two", place, mechanism.track("b"))
     still = jn.mechanics.constant(0.0)
-    with refused("one, two: redundant joints: they repeat each other; found '1 superfluous equation (one, two)'"):
+    with refused(
+        "one, two: redundant joints: they repeat each other; found '1 superfluous equation (one, two)'"
+    ):
         jn.simulate_mechanism(mechanism, 0.1, motions={"a": still, "b": still})
 
 
 def test_equations_that_repeat_each_other_are_told_in_groups():
     mechanism = jn.mechanics.Mechanism()
     body, other = (mechanism.body(name, 1.0, ORIGIN, BALL) for name in ("bob", "other"))
-    places = [mechanism.prismatic(f"slide {one.name}", mechanism.ground, one, axis=Y) for one in (body, other)]
+    places = [
+        mechanism.prismatic(f"slide {one.name}", mechanism.ground, one, axis=Y)
+        for one in (body, other)
+    ]
     still = {}
     for i, place in enumerate((*places, *places, places[0])):
         mechanism.motion(f"drive {i}", place, mechanism.track(f"t{i}"))
         still[f"t{i}"] = jn.mechanics.constant(0.0)
-    with refused("redundant joints: they repeat each other; found '3 superfluous equations (") as caught:
+    with refused(
+        "redundant joints: they repeat each other; found '3 superfluous equations ("
+    ) as caught:
         jn.simulate_mechanism(mechanism, 0.1, motions=still)
-    groups = [set(group.split(", ")) for group in str(caught.value).split("equations (")[1].split(")")[0].split("; ")]
+    groups = [
+        set(group.split(", "))
+        for group in str(caught.value).split("equations (")[1].split(")")[0].split("; ")
+    ]
     first, second = {f"drive {i}" for i in (0, 2, 4)}, {"drive 1", "drive 3"}
     assert sorted(map(len, groups)) == [2, 2, 3]
     assert second in groups
@@ -298,7 +349,9 @@ def test_equations_on_what_cannot_move_are_each_superfluous():
     for each in (one, other):
         mechanism.fixed(f"weld of {each.name}", mechanism.ground, each)
     mechanism.coincident("peg", one, other, at=ORIGIN)
-    with refused("peg: redundant joints: they repeat each other; found '3 superfluous equations (peg.x; peg.y; peg.z)"):
+    with refused(
+        "peg: redundant joints: they repeat each other; found '3 superfluous equations (peg.x; peg.y; peg.z)"
+    ):
         jn.simulate_mechanism(mechanism, 0.1)
 
 
@@ -310,14 +363,20 @@ def test_loops_that_stay_askew_are_told_in_degrees():
         jn.simulate_mechanism(mechanism, 0.1, motions={"turn": jn.mechanics.constant(0.5)})
     askew, missed = (float(re.search(pattern, str(caught.value))[1]) for pattern in
                      (r"level stays askew by (\S+) degrees", r"drive misses its condition by (\S+) "))  # fmt: skip
-    assert np.radians(askew) + missed == pytest.approx(0.5, rel=1e-3)  # the angle lies between 0 and what is driven
-    assert str(caught.value).startswith("level, drive: " if np.radians(askew) > missed else "drive, level: ")
+    assert np.radians(askew) + missed == pytest.approx(
+        0.5, rel=1e-3
+    )  # the angle lies between 0 and what is driven
+    assert str(caught.value).startswith(
+        "level, drive: " if np.radians(askew) > missed else "drive, level: "
+    )
 
 
 def test_loops_that_are_no_numbers_are_named():
     mechanism, body = pendulum()
     along = mechanism.parameter("along")
-    mechanism.revolute("hinge", mechanism.ground, body, at=ORIGIN, axis=casadi.vertcat(0.0, along, 0.0))
+    mechanism.revolute(
+        "hinge", mechanism.ground, body, at=ORIGIN, axis=casadi.vertcat(0.0, along, 0.0)
+    )
     model = mechanism.finish()
     p = np.array([mechanism.values.get(name, 0.0) for name in model.parameters])
     with refused("hinge: the loop cannot be computed; found 'not a number'. Check the axes"):
@@ -339,7 +398,12 @@ def test_forces_along_what_moves_nothing():
     angle, place = mechanism.coordinate_named("pivot.angle"), body.point((1.0, 0.0, 0.0)).value
     other, far = pendulum()
     text = "force: a force along what moves nothing of this mechanism"
-    for along in (mechanism.rate_of(angle), other.coordinate_named("pivot.angle"), far.point(ORIGIN).value[2], 3.0):
+    for along in (
+        mechanism.rate_of(angle),
+        other.coordinate_named("pivot.angle"),
+        far.point(ORIGIN).value[2],
+        3.0,
+    ):
         with refused(text):
             mechanism.force(along, 100.0)
     with refused("force: as many forces as expressions"):
@@ -348,7 +412,8 @@ def test_forces_along_what_moves_nothing():
 
 
 @pytest.mark.parametrize(
-    ("name", "hint"), [(None, ""), (3.0, ""), ("", ""), (" a", ""), ("body", " Give the name, 'bob'.")]
+    ("name", "hint"),
+    [(None, ""), (3.0, ""), ("", ""), (" a", ""), ("body", " Give the name, 'bob'.")],
 )
 def test_a_thing_in_the_place_of_its_name_is_told(name, hint):
     mechanism, body = pendulum()
@@ -367,7 +432,9 @@ def test_what_a_finished_builder_cannot_give():
     given.m.watch_angle("turn", given.b, given.s, Y)
     with refused("turn: the name is used twice"):
         given.m.watch_angle("turn", given.b, given.s, Y)
-    given.m.rod("rod", given.m.ground, given.s, ORIGIN, (0.0, 0.0, 1.0), length=given.m.parameter("length"))
+    given.m.rod(
+        "rod", given.m.ground, given.s, ORIGIN, (0.0, 0.0, 1.0), length=given.m.parameter("length")
+    )
     with refused("inputs: unknown track 'stop'"):
         given.m.finish("remove", inputs={"stop": 1.0})
     with refused("length: parameters without a value. Give them in values."):
@@ -393,7 +460,9 @@ def test_forces_at_points_of_another_body():
 
 def state_of(mechanism):
     """All that a builder has collected."""
-    return mechanism.to_dict(), {name: len(part) for name, part in vars(mechanism.collection).items() if part}
+    return mechanism.to_dict(), {
+        name: len(part) for name, part in vars(mechanism.collection).items() if part
+    }
 
 
 def loaded():
@@ -525,7 +594,9 @@ def test_wrong_arguments_are_refused_and_leave_the_builder_as_it_was(call, text)
     with refused(text):
         call(given)
     after = state_of(given.m)
-    bare = [body for body in after[0]["bodies"] if body != {"name": "n"}]  # made for the call, not by it
+    bare = [
+        body for body in after[0]["bodies"] if body != {"name": "n"}
+    ]  # made for the call, not by it
     assert (after[0] | {"bodies": bare}, after[1]) == before
     assert set(given.m.bodies) == {"ground", *(body["name"] for body in after[0]["bodies"])}
 
@@ -573,7 +644,10 @@ def test_numbers_with_units_are_taken_where_numbers_stand():
         ({"rod.length": "-1 mm"}, "rod: a rod without length; found '-0.001 m'"),
         ({"tie.at[2]": 0.0}, "tie: a rod without length; found '0 m'"),
         ({"thread.pitch": 0.0}, "thread: a screw without pitch"),
-        ({"cross.second_axis[1]": 1.0}, "cross: the axes of a universal joint are not at right angles"),
+        (
+            {"cross.second_axis[1]": 1.0},
+            "cross: the axes of a universal joint are not at right angles",
+        ),
         ({"cross.axis[1]": 0.0}, "cross.axis: an axis without direction"),
         ({"spring.stiffness": -3.0}, "spring.stiffness: out of range; found '-3 N/m'"),
         ({"drag.force": -1.0}, "drag.force: out of range"),
@@ -583,7 +657,10 @@ def test_numbers_with_units_are_taken_where_numbers_stand():
 )
 def test_numbers_that_are_changed_for_a_run_are_checked_as_when_they_are_built_in(values, text):
     mechanism = jn.mechanics.Mechanism()
-    nut, cross = mechanism.body("nut", 1.0, ORIGIN, BALL), mechanism.body("cross body", 1.0, ORIGIN, BALL)
+    nut, cross = (
+        mechanism.body("nut", 1.0, ORIGIN, BALL),
+        mechanism.body("cross body", 1.0, ORIGIN, BALL),
+    )
     turn = mechanism.screw("thread", mechanism.ground, nut, ORIGIN, Y, "50 mm")
     mechanism.universal("cross", mechanism.ground, cross, ORIGIN, Y, (1.0, 0.0, 0.0))
     mechanism.rod("rod", nut, cross, ORIGIN, (0.0, 0.0, 1.0), length=1.0)
@@ -624,20 +701,26 @@ def test_signals_of_one_name_are_refused_when_they_are_asked_for(order):
         first()
         with refused(text):
             second()
-    jn.mechanics.assemble(mechanism.finish(), np.array(list(mechanism.values.values())), np.zeros(0))
+    jn.mechanics.assemble(
+        mechanism.finish(), np.array(list(mechanism.values.values())), np.zeros(0)
+    )
 
 
 def test_an_output_of_another_mechanism_is_said_before_anything_is_compiled():
     given = loaded()
     given.m.output("strange", given.o[0].coordinate_named("pivot.angle"), "rad", "-")
-    with refused("output strange: an expression of what this mechanism does not have; found 'pivot.angle'"):
+    with refused(
+        "output strange: an expression of what this mechanism does not have; found 'pivot.angle'"
+    ):
         given.m.finish()
 
 
 def test_an_elastic_rod_whose_ends_are_one_point_is_refused():
     mechanism, body = pendulum()
     both = (mechanism.ground, body, (1.0, 0.0, 0.0), (1.0, 0.0, 0.0))
-    with refused("both ends lie in one point, so its force has no direction; found '0 m in the design pose'"):
+    with refused(
+        "both ends lie in one point, so its force has no direction; found '0 m in the design pose'"
+    ):
         jn.mechanics.add_elastic_rod(mechanism, "stay", *both, stiffness=(1e6, 1e6, 1e6))
 
 
@@ -647,13 +730,19 @@ def test_a_spring_whose_ends_are_one_point_at_the_start_is_refused(what):
     mechanism, body = pendulum()
     at, values = (1.0, 0.0, 0.0), {}
     if what == "spring":
-        mechanism.spring_damper("coil", mechanism.ground, body, at, at, stiffness=1e4, free_length=0.2)
+        mechanism.spring_damper(
+            "coil", mechanism.ground, body, at, at, stiffness=1e4, free_length=0.2
+        )
     elif what == "push":
         mechanism.push_apart(mechanism.ground, body, at, at, force=10.0)
     else:
-        mechanism.spring_damper("coil", mechanism.ground, body, (1.0, 0.0, 0.5), at, stiffness=1e4, free_length=0.5)
+        mechanism.spring_damper(
+            "coil", mechanism.ground, body, (1.0, 0.0, 0.5), at, stiffness=1e4, free_length=0.5
+        )
         values = {"coil.at[2]": 0.0}
-    with refused("both ends lie in one point, so its force has no direction; found '0 m at the start'"):
+    with refused(
+        "both ends lie in one point, so its force has no direction; found '0 m at the start'"
+    ):
         jn.simulate_mechanism(mechanism, 0.1, values=values)
 
 

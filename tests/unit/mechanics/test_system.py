@@ -57,8 +57,12 @@ def test_double_pendulum():
     x = [0.4, -1.1, 2.0, -0.5]
     cos, sin = np.cos(x[0] - x[1]), np.sin(x[0] - x[1])
     mass = np.array([[2.0, cos], [cos, 1.0]])
-    load = np.array([-sin * x[3] ** 2 - 2 * 9.81 * np.sin(x[0]), sin * x[2] ** 2 - 9.81 * np.sin(x[1])])
-    assert evaluated(model, model.rate, x)[2:] == pytest.approx(np.linalg.solve(mass, load), rel=1e-12)
+    load = np.array(
+        [-sin * x[3] ** 2 - 2 * 9.81 * np.sin(x[0]), sin * x[2] ** 2 - 9.81 * np.sin(x[1])]
+    )
+    assert evaluated(model, model.rate, x)[2:] == pytest.approx(
+        np.linalg.solve(mass, load), rel=1e-12
+    )
 
 
 def test_force_between_a_mass_and_a_track():
@@ -70,7 +74,9 @@ def test_force_between_a_mass_and_a_track():
     system.force(stretch, -3.0 * system.rate_of(stretch))
     system.output("z", z, "m", "height")
     model = system.finish()
-    assert evaluated(model, model.rate, [0.0, 5.0], u=[0.1, 7.0]) == pytest.approx([5.0, -3.0 * (5.0 - 7.0) / 2.0])
+    assert evaluated(model, model.rate, [0.0, 5.0], u=[0.1, 7.0]) == pytest.approx(
+        [5.0, -3.0 * (5.0 - 7.0) / 2.0]
+    )
     assert model.tracks == ("road.z",)
     assert model.is_piecewise_linear()
 
@@ -98,7 +104,9 @@ def test_names_and_order():
         -12.0,
     ]
     assert evaluated(model, model.rate, [2.0, 1.0, 0.5, 0.6, 4.0], p=[10.0], m=[0.0])[2] == 0.0
-    assert evaluated(model, model.switch, [2.0, 1.0, 0.0, 0.0, 0.0], p=[1.0], m=[0.0]).tolist() == [1.0]
+    assert evaluated(model, model.switch, [2.0, 1.0, 0.0, 0.0, 0.0], p=[1.0], m=[0.0]).tolist() == [
+        1.0
+    ]
     assert model.is_piecewise_linear()
 
 
@@ -155,7 +163,9 @@ def test_solver_inside_the_graph(size, seed):
     matrix, rhs = root @ root.T + size * np.eye(size), generator.normal(size=(size, 2))
     symbol = ca.SX.sym("A", size, size)
     solve = ca.Function("solve", [symbol], [Ldl(symbol).solve(ca.SX(rhs))])
-    np.testing.assert_allclose(solve(matrix).full(), np.linalg.solve(matrix, rhs), rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(
+        solve(matrix).full(), np.linalg.solve(matrix, rhs), rtol=1e-9, atol=1e-12
+    )
 
 
 def test_solver_keeps_zeros():

@@ -62,19 +62,27 @@ def test_tangent_is_the_derivative(name):
     generator = np.random.default_rng(1)
     n = model.x.shape[0]
     u, m = 0.01 * generator.normal(size=model.u.shape[0]), np.ones(model.m.shape[0])
-    x = np.concatenate([model.start, np.zeros(n - len(model.start))]) + 0.02 * generator.normal(size=n)
+    x = np.concatenate([model.start, np.zeros(n - len(model.start))]) + 0.02 * generator.normal(
+        size=n
+    )
     symbols = [model.x, model.u, model.p, model.m]
     if model.projection.shape[0]:
         project = ca.Function("project", symbols, [model.projection])
         for _ in range(8):
             x = project(x, u, p, m).full()[:n, 0]
-    directions = [generator.normal(size=n), generator.normal(size=len(u)), generator.normal(size=len(p)) * np.abs(p)]
+    directions = [
+        generator.normal(size=n),
+        generator.normal(size=len(u)),
+        generator.normal(size=len(p)) * np.abs(p),
+    ]
     known, along = ca.vertcat(model.x, model.u, model.p), ca.vertcat(*seeds)
     for part in ("rate", "output", "switch", "constraint", "projection"):
         expression = getattr(model, part)
         if part == "projection" and expression.shape[0]:
             expression = expression[:n]
         pair = ca.horzcat(getattr(found, part), ca.jtimes(expression, known, along))
-        ours, expected = ca.Function("pair", [*symbols, *seeds], [pair])(x, u, p, m, *directions).full().T
+        ours, expected = (
+            ca.Function("pair", [*symbols, *seeds], [pair])(x, u, p, m, *directions).full().T
+        )
         allowed = 1e-11 * np.max(np.abs(expected), initial=1e-12)
         assert np.max(np.abs(ours - expected), initial=0.0) <= allowed, part

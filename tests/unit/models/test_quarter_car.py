@@ -14,20 +14,30 @@ KART = parts.load("kart-quarter-car")
 CURVES = {
     "polynomial": {"kind": "polynomial", "coefficients": [1e4, -2e5, 3e7]},
     "power": {"kind": "power", "coefficient": 2e6, "exponent": 1.5},
-    "table": {"kind": "table", "deflection": [-0.01, 0.0, 0.01, 0.02], "force": [-50.0, 10.0, 200.0, 600.0]},
+    "table": {
+        "kind": "table",
+        "deflection": [-0.01, 0.0, 0.01, 0.02],
+        "force": [-50.0, 10.0, 200.0, 600.0],
+    },
 }
 
 
 def at(rig, *, zs=0.0, zu=0.0, vs=0.0, vu=0.0, road=0.0, rate=0.0, internal=()):
     """Outputs by name and state rates at one state; modes as the switches say."""
     compiled = compile_model(build(rig))
-    p, x, u = compiled.parameter_values(rig.parameters()), np.array([zs, zu, vs, vu, *internal]), np.array([road, rate])
+    p, x, u = (
+        compiled.parameter_values(rig.parameters()),
+        np.array([zs, zu, vs, vu, *internal]),
+        np.array([road, rate]),
+    )
     modes = np.ones(len(compiled.model.switches))
     for _ in range(3):
         if len(modes):
             modes = (compiled.evaluate("switch", x, u, p, modes) > 0.0).astype(float)
     outputs = compiled.evaluate("output", x, u, p, modes)
-    return dict(zip(compiled.output_names, outputs, strict=True)), compiled.evaluate("rate", x, u, p, modes)
+    return dict(zip(compiled.output_names, outputs, strict=True)), compiled.evaluate(
+        "rate", x, u, p, modes
+    )
 
 
 def test_rigs_that_differ_in_numbers_share_a_model():
@@ -37,7 +47,9 @@ def test_rigs_that_differ_in_numbers_share_a_model():
 
 
 def test_every_number_of_the_rig_is_a_parameter_of_the_model():
-    rig = KART.with_changes({"strut.friction": {"force": 1.0}, "strut.bump_stop": {"gap": 0.01, "rate": 1e4}})
+    rig = KART.with_changes(
+        {"strut.friction": {"force": 1.0}, "strut.bump_stop": {"gap": 0.01, "rate": 1e4}}
+    )
     assert set(build(rig).parameters) == set(rig.parameters())
 
 
@@ -48,10 +60,16 @@ def test_channels_have_known_quantities_units_and_labels():
         unit, _ = QUANTITIES[output.name.rpartition(".")[2]]
         assert output.unit == unit, output.name
         assert output.long_name
-    expected = {f"{body}.{quantity}" for body in ("sprung", "unsprung") for quantity in ("z", "vz", "az")}
-    assert expected | {"strut.deflection", "strut.force", "tyre.deflection", "tyre.force", "road.z"} <= {
-        o.name for o in outputs
+    expected = {
+        f"{body}.{quantity}" for body in ("sprung", "unsprung") for quantity in ("z", "vz", "az")
     }
+    assert expected | {
+        "strut.deflection",
+        "strut.force",
+        "tyre.deflection",
+        "tyre.force",
+        "road.z",
+    } <= {o.name for o in outputs}
 
 
 def test_piecewise_linear_as_long_as_nothing_is_curved():
@@ -59,7 +77,10 @@ def test_piecewise_linear_as_long_as_nothing_is_curved():
     for changes in ({}, {"tyre.lift_off": False}, bilinear):
         assert build(KART.with_changes(changes)).facts.linear_without == ()
     assert build(KART.with_changes({"strut.friction": {"force": 1.0}})).facts.linear_without is None
-    curve = {"tyre.stiffness": None, "tyre.curve": {"kind": "polynomial", "coefficients": [6e4, 2e7]}}
+    curve = {
+        "tyre.stiffness": None,
+        "tyre.curve": {"kind": "polynomial", "coefficients": [6e4, 2e7]},
+    }
     assert build(KART.with_changes(curve)).facts.linear_without is None
 
 
@@ -91,8 +112,20 @@ def test_tyre():
 
 @pytest.mark.parametrize(
     ("zu", "vu", "touching"),
-    [(0.001, -1.0, False), (-0.001, 0.0, True), (-0.001, 5.0, False), (0.001, 5.0, False), (-0.001, -1.0, True)],
-    ids=["above, coming down", "compressed", "leaving faster than the tyre follows", "flying", "landing"],
+    [
+        (0.001, -1.0, False),
+        (-0.001, 0.0, True),
+        (-0.001, 5.0, False),
+        (0.001, 5.0, False),
+        (-0.001, -1.0, True),
+    ],
+    ids=[
+        "above, coming down",
+        "compressed",
+        "leaving faster than the tyre follows",
+        "flying",
+        "landing",
+    ],
 )
 def test_a_tyre_never_pulls(zu, vu, touching):
     out, _ = at(KART.with_changes({"tyre.damping_coefficient": 60.0}), zu=zu, vu=vu)
@@ -120,14 +153,19 @@ def test_without_lift_off_it_does():
 )
 def test_curves(kind, x, force):
     """Polynomial and power law by hand; a table's outer lines go on."""
-    rig = KART.with_changes({"strut.angle": 0.0, "strut.spring": {"rate": None, "curve": CURVES[kind]}})
+    rig = KART.with_changes(
+        {"strut.angle": 0.0, "strut.spring": {"rate": None, "curve": CURVES[kind]}}
+    )
     out, _ = at(rig, zu=x, road=-1.0)
     assert out["strut.force"] == pytest.approx(force, rel=1e-12, abs=1e-12)
 
 
 @pytest.mark.parametrize(("velocity", "force"), [(0.5, 40.0), (-0.5, -120.0), (0.0, 0.0)])
 def test_bilinear_damper(velocity, force):
-    changes = {"strut.angle": 0.0, "strut.damper": {"bump_coefficient": 80.0, "rebound_coefficient": 240.0}}
+    changes = {
+        "strut.angle": 0.0,
+        "strut.damper": {"bump_coefficient": 80.0, "rebound_coefficient": 240.0},
+    }
     out, _ = at(KART.with_changes(changes), vu=velocity, road=-1.0)
     assert out["strut.force"] == pytest.approx(force)
     assert out["strut.velocity"] == pytest.approx(velocity)
@@ -143,8 +181,15 @@ def test_tanh_damper():
         "displacement_coupling": 3.0,
         "offset": 4.0,
     }
-    out, _ = at(KART.with_changes({"strut.angle": 0.0, "strut.damper": damper}), zu=0.01, vu=-0.02, road=-1.0)
-    expected = 227.3 + 80.0 * -0.02 + 500.0 * 0.01 + 20.0 * np.tanh(30.0 * (-0.02 + 3.0 * 0.01)) + 4.0
+    out, _ = at(
+        KART.with_changes({"strut.angle": 0.0, "strut.damper": damper}),
+        zu=0.01,
+        vu=-0.02,
+        road=-1.0,
+    )
+    expected = (
+        227.3 + 80.0 * -0.02 + 500.0 * 0.01 + 20.0 * np.tanh(30.0 * (-0.02 + 3.0 * 0.01)) + 4.0
+    )
     assert out["strut.force"] == pytest.approx(expected, rel=1e-13)
 
 
@@ -184,7 +229,9 @@ def test_hysteresis_stays_within_its_bounds():
 
 
 def test_friction_of_strut_and_guide():
-    rig = KART.with_changes({"strut.angle": 0.0, "strut.friction": {"force": 12.0}, "guide.friction": {"force": 6.0}})
+    rig = KART.with_changes(
+        {"strut.angle": 0.0, "strut.friction": {"force": 12.0}, "guide.friction": {"force": 6.0}}
+    )
     out, _ = at(rig, vs=0.01, vu=0.03, road=-1.0)
     assert out["strut.force"] == pytest.approx(150.0 * 0.02 + 12.0 * np.tanh(10.0))
     guide = 6.0 * np.tanh(5.0)
@@ -192,8 +239,12 @@ def test_friction_of_strut_and_guide():
     assert out["unsprung.az"] == pytest.approx(-out["strut.force"] / 5.0 - 9.81)
 
 
-@pytest.mark.parametrize(("deflection", "extra"), [(0.009, 0.0), (0.01, 0.0), (0.015, 6e4 * 0.005 + 3e8 * 0.005**3)])
+@pytest.mark.parametrize(
+    ("deflection", "extra"), [(0.009, 0.0), (0.01, 0.0), (0.015, 6e4 * 0.005 + 3e8 * 0.005**3)]
+)
 def test_bump_stop(deflection, extra):
-    rig = KART.with_changes({"strut.angle": 0.0, "strut.bump_stop": {"gap": 0.01, "rate": 6e4, "progression": 3e8}})
+    rig = KART.with_changes(
+        {"strut.angle": 0.0, "strut.bump_stop": {"gap": 0.01, "rate": 6e4, "progression": 3e8}}
+    )
     out, _ = at(rig, zu=deflection, road=-1.0)
     assert out["strut.force"] == pytest.approx(22730.0 * deflection + extra)

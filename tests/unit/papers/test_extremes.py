@@ -31,7 +31,8 @@ def test_ends_count_between_samples_too():
 
 
 @pytest.mark.parametrize(
-    "cubic", [(1.0, -2.0, 0.5, 3.0), (0.0, 1.0, 0.0, 0.0), (2.0, 0.0, 0.0, 0.0), (0.0, 1.0, -1.0, 0.0)]
+    "cubic",
+    [(1.0, -2.0, 0.5, 3.0), (0.0, 1.0, 0.0, 0.0), (2.0, 0.0, 0.0, 0.0), (0.0, 1.0, -1.0, 0.0)],
 )
 def test_cubics_are_exact(cubic):
     law = np.polynomial.Polynomial(cubic)
@@ -40,14 +41,18 @@ def test_cubics_are_exact(cubic):
     assert found.min == pytest.approx(fine.min(), abs=1e-9)
     assert found.max == pytest.approx(fine.max(), abs=1e-9)
     inside = extremes_within(TIME, law(TIME), law.deriv()(TIME), 0.777, 0.778)
-    assert [inside.min, inside.max] == pytest.approx(sorted(law(np.array([0.777, 0.778]))), abs=1e-12)
+    assert [inside.min, inside.max] == pytest.approx(
+        sorted(law(np.array([0.777, 0.778]))), abs=1e-12
+    )
 
 
 def test_error_falls_with_the_fourth_power_of_the_step():
     errors, places = [], np.linspace(0.0, 2.0, 801)[:-1]
     for count in (41, 81):
         time = np.linspace(0.0, 2.0, count)
-        found = [extremes_within(time, *wave(time), place, place + 1e-9).max for place in places]  # the signal there
+        found = [
+            extremes_within(time, *wave(time), place, place + 1e-9).max for place in places
+        ]  # the signal there
         errors.append(np.max(np.abs(found - wave(places)[0])))
     assert errors[0] / errors[1] == pytest.approx(16.0, rel=0.02)
 

@@ -52,9 +52,9 @@ def test_same_plan_gives_the_same_bytes(tmp_path):
 def test_another_seed_gives_other_noise():
     assert (
         measurement_texts(SMALL)["bench/spring_1.csv"]
-        != measurement_texts(BenchPlan(spring_trials=1, tyre_trials=0, decays=0, trials=(), seed=1))[
-            "bench/spring_1.csv"
-        ]
+        != measurement_texts(
+            BenchPlan(spring_trials=1, tyre_trials=0, decays=0, trials=(), seed=1)
+        )["bench/spring_1.csv"]
     )
 
 
@@ -92,7 +92,9 @@ def test_intervals_of_the_spring_rate_cover_the_truth_on_most_benches():
     for seed in range(count):
         made = measurement_texts(BenchPlan(tyre_trials=0, decays=0, trials=(), seed=seed))
         trials = [
-            ForceDeflectionTrial(*(np.loadtxt(text.splitlines()[2:], delimiter=",").T * [[1e-3], [1.0]]), name)
+            ForceDeflectionTrial(
+                *(np.loadtxt(text.splitlines()[2:], delimiter=",").T * [[1e-3], [1.0]]), name
+            )
             for name, text in made.items()
         ]
         low, high = fit_stiffness(trials).stiffness.interval
@@ -154,7 +156,9 @@ def test_the_contact_patch_keeps_the_area_of_the_obstacle_and_lowers_its_crest()
     # mean of h sin(pi x / l) over +-half around the crest
     crest = 0.010 * np.sin(np.pi * half / 0.060) / (np.pi * half / 0.060)
     assert height.max() == pytest.approx(crest, rel=1e-3)
-    slowed = 1.0 - TRUTH.belt.speed_drop  # the belt slows down at the foot; it recovers little within the obstacle
+    slowed = (
+        1.0 - TRUTH.belt.speed_drop
+    )  # the belt slows down at the foot; it recovers little within the obstacle
     area = np.trapezoid(height, time) * speed
     assert area == pytest.approx(0.010 * 0.060 * 2.0 / np.pi / slowed, rel=1e-3)
     assert np.all(np.diff(time) > 0.0)
@@ -165,7 +169,9 @@ def test_a_train_slows_the_belt_at_every_obstacle():
     road = course(row)
     path = virtual_bench.wheel_path(road, 2.0, 3.0)
     height, time = np.array(path.height), np.array(path.time)
-    crests = time[1:-1][(height[1:-1] > height[:-2]) & (height[1:-1] > height[2:]) & (height[1:-1] > 0.008)]
+    crests = time[1:-1][
+        (height[1:-1] > height[:-2]) & (height[1:-1] > height[2:]) & (height[1:-1] > 0.008)
+    ]
     assert len(crests) == 5
     late = crests - (0.2 + 0.03 + 0.2 * np.arange(5)) / 2.0
     assert np.all(np.diff(late) > 0.0)
@@ -214,7 +220,11 @@ def test_another_truth_gives_other_recordings_and_says_so(tmp_path):
     x, force = virtual_bench.tyre_cycle(0.010, 201, 250e3, 1.0, free)
     assert force[200] / (x[200] - 0.45e-3) == pytest.approx(120e3, rel=1e-3)
     rig = free.true_rig(250e3)
-    assert (rig.strut.damper.coefficient, rig.strut.friction.force, rig.tyre.stiffness) == (104.0, 0.0, 120e3)
+    assert (rig.strut.damper.coefficient, rig.strut.friction.force, rig.tyre.stiffness) == (
+        104.0,
+        0.0,
+        120e3,
+    )
 
 
 @pytest.mark.parametrize("rig", ["kart-quarter-car", "kart-double-wishbone"])
@@ -250,10 +260,14 @@ def test_what_cannot_be_is_refused_and_nothing_is_written(tmp_path, arguments, p
 def test_a_change_within_an_element_leaves_it_to_others_and_survives_its_file(tmp_path):
     """In a file the tables of whole elements stand behind the numbers within them; whole elements still come first."""
     given = {"force": "5 N", "regularisation_velocity": "1 mm/s"}
-    truth = jn.BenchTruth(rig="kart-quarter-car", changes={"strut.friction": given, "strut.friction.force": "2 N"})
+    truth = jn.BenchTruth(
+        rig="kart-quarter-car", changes={"strut.friction": given, "strut.friction.force": "2 N"}
+    )
     assert truth.true_rig().strut.friction.force == 2.0
     assert given["force"] == truth.changes["strut.friction"]["force"] == "5 N"
-    (tmp_path / "truth.toml").write_text(virtual_bench.truth_text(BenchPlan(trials=()), truth), encoding="utf-8")
+    (tmp_path / "truth.toml").write_text(
+        virtual_bench.truth_text(BenchPlan(trials=()), truth), encoding="utf-8"
+    )
     assert jn.load_truth(tmp_path / "truth.toml").true_rig() == truth.true_rig()
     renewed = truth.with_changes({"rig.strut.friction": {"force": "3 N"}})
     assert renewed.true_rig().strut.friction.force == 3.0
@@ -261,7 +275,9 @@ def test_a_change_within_an_element_leaves_it_to_others_and_survives_its_file(tm
 
 def test_a_rig_s_changes_leave_what_was_given_as_it_was():
     given = {"force": "5 N"}
-    jn.load("kart-quarter-car").with_changes({"strut.friction": given, "strut.friction.force": "0 N"})
+    jn.load("kart-quarter-car").with_changes(
+        {"strut.friction": given, "strut.friction.force": "0 N"}
+    )
     assert given == {"force": "5 N"}
 
 

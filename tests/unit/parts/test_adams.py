@@ -41,14 +41,23 @@ def test_points_and_bodies_are_those_of_the_rig() -> None:
     assert rig.model == "double-wishbone"
     up = np.array([0.0, 0.0, rig.hardpoints.wheel_centre[2] - RIG.hardpoints.wheel_centre[2]])
     for name, point in RIG.hardpoints.given().items():
-        np.testing.assert_allclose(getattr(rig.hardpoints, name), np.array(point) + up, rtol=0.0, atol=1e-9)
+        np.testing.assert_allclose(
+            getattr(rig.hardpoints, name), np.array(point) + up, rtol=0.0, atol=1e-9
+        )
     for name in ("lower_arm", "upper_arm", "upright"):
         found, own = rig.body_masses()[name], RIG.body_masses()[name]
         assert found.mass == pytest.approx(own.mass)
-        np.testing.assert_allclose(found.centre_of_mass, np.array(own.centre_of_mass) + up, rtol=0.0, atol=1e-9)
+        np.testing.assert_allclose(
+            found.centre_of_mass, np.array(own.centre_of_mass) + up, rtol=0.0, atol=1e-9
+        )
         size = np.abs(own.inertia.tensor).max()
-        np.testing.assert_allclose(found.inertia.tensor, own.inertia.tensor, rtol=0.0, atol=2e-6 * size)
-    assert (rig.wheel.camber, rig.wheel.toe) == (pytest.approx(np.radians(-0.5)), pytest.approx(np.radians(0.2)))
+        np.testing.assert_allclose(
+            found.inertia.tensor, own.inertia.tensor, rtol=0.0, atol=2e-6 * size
+        )
+    assert (rig.wheel.camber, rig.wheel.toe) == (
+        pytest.approx(np.radians(-0.5)),
+        pytest.approx(np.radians(0.2)),
+    )
     assert "wheel.radius" not in rig.estimated
     assert {"bodies.wheel.mass", "tyre.stiffness", "sprung.mass", "strut.on"} <= set(rig.estimated)
     said = " ".join(finding.message for finding in findings)
@@ -61,7 +70,9 @@ def test_property_files_in_their_units_and_signs(changed) -> None:
     """Installed at 250 mm, with 330 mm free: 80 mm at 60 N/mm. Rebound is positive in Adams, bump is here."""
     rig, _, _ = import_adams(DATABASE / SUB)
     assert rig.strut.spring.rate == pytest.approx(60e3)
-    assert rig.strut.spring.free_length - rig.hardpoints.length("strut") == pytest.approx(0.08, abs=1e-8)
+    assert rig.strut.spring.free_length - rig.hardpoints.length("strut") == pytest.approx(
+        0.08, abs=1e-8
+    )
     assert rig.strut.damper.velocity == pytest.approx((-1.0, -0.1, 0.0, 0.1, 1.0))
     assert rig.strut.damper.force == pytest.approx((-2500.0, -800.0, 0.0, 400.0, 1200.0))
     stop = rig.strut.bump_stop
@@ -95,13 +106,19 @@ def test_a_spring_in_xml(changed, tmp_path) -> None:
 
 def test_what_is_not_there_is_estimated_and_named(changed) -> None:
     file = changed(
-        ("springs.tbl", "other.tbl"), ("dampers.tbl", "../../etc"), ("stop.bum", "none.bum"), ("'upright'", "'other'")
+        ("springs.tbl", "other.tbl"),
+        ("dampers.tbl", "../../etc"),
+        ("stop.bum", "none.bum"),
+        ("'upright'", "'other'"),
     )
     changed(("X,Y,Z location", "somewhere"))
     rig, findings, _ = import_adams(file)
-    assert {"strut.spring.rate", "strut.spring.preload", "strut.damper.coefficient", "bodies.upright.mass"} <= set(
-        rig.estimated
-    )
+    assert {
+        "strut.spring.rate",
+        "strut.spring.preload",
+        "strut.damper.coefficient",
+        "bodies.upright.mass",
+    } <= set(rig.estimated)
     assert rig.strut.bump_stop is None
     assert rig.bodies.lower_arm.mass == pytest.approx(RIG.bodies.lower_arm.mass)
     assert "bodies.lower_arm.inertia" in rig.estimated
@@ -125,10 +142,16 @@ def test_a_part_without_inertia_is_estimated(changed) -> None:
         ([("'mm'", "'furlong'")], "no unit of LENGTH; found 'furlong'.*inch"),
         ([("'mm'", "'inch'")], r"an implausible half track.*20\.27 m"),
         ([("-797.9", "797.9")], "left and right are swapped: y points to the right"),
-        ([("'lca_front       ", "'lca_frunt       ")], "points of a double-wishbone are missing.*lower_arm_front"),
+        (
+            [("'lca_front       ", "'lca_frunt       ")],
+            "points of a double-wishbone are missing.*lower_arm_front",
+        ),
         ([("'subframe_front  ", "'lca_front       ")], "lower_arm_front is given twice"),
         ([("-200  -420  163.066", "-200  -420")], "not a hardpoint"),
-        ([("MASS                     =  1.397", "MASS                     =  heavy")], "not a number; found 'heavy'"),
+        (
+            [("MASS                     =  1.397", "MASS                     =  heavy")],
+            "not a number; found 'heavy'",
+        ),
         ([("MASS                     =  1.397", "MASS                     =  0.0")], "no mass"),
         ([("[HARDPOINT]", "[HARDPOINTS]")], "no hardpoints are in it"),
     ],
@@ -141,7 +164,11 @@ def test_mistakes_are_said(changed, pairs, what) -> None:
 @pytest.mark.parametrize(
     ("name", "pair", "what"),
     [
-        ("springs.tbl/ride.spr", ("50.0   3000.0", "-50.0   3000.0"), "the first column does not rise"),
+        (
+            "springs.tbl/ride.spr",
+            ("50.0   3000.0", "-50.0   3000.0"),
+            "the first column does not rise",
+        ),
         ("springs.tbl/ride.spr", (" FREE_LENGTH  =  330.0", ""), "FREE_LENGTH is missing"),
         ("dampers.tbl/ride.dpr", ("[CURVE]", "[CURVES]"), r"the block \[CURVE\] is missing"),
         ("bumpstops.tbl/stop.bum", ("40   8400", "40   -8400"), "a stop without force|rate"),
@@ -176,19 +203,28 @@ BUSHING = """[MDI_HEADER]
 """
 
 
-def bushing(*, length="mm", force="newton", angle="deg", size=1.0, push=1.0, turn=1.0, **curves: str) -> str:
+def bushing(
+    *, length="mm", force="newton", angle="deg", size=1.0, push=1.0, turn=1.0, **curves: str
+) -> str:
     """A ``.bus``: 1000, 2000 and 4000 N/mm, 100 N mm/deg about x, soft at first about z; in other units by factors."""
     text = BUSHING.format(length=length, force=force, angle=angle, damping=5.0 * push / size)
     for axis, rate in (("FX", 1000.0), ("FY", 2000.0), ("FZ", 4000.0)):
         text += curves.get(
-            axis, f"[{axis}_CURVE]\n{{x fx}}\n" + "".join(f"{x * size} {rate * x * push}\n" for x in (-2.0, 0.0, 2.0))
+            axis,
+            f"[{axis}_CURVE]\n{{x fx}}\n"
+            + "".join(f"{x * size} {rate * x * push}\n" for x in (-2.0, 0.0, 2.0)),
         )
     for axis, rate in (("TX", 100.0), ("TY", 0.0)):
-        text += f"[{axis}_CURVE]\n" + "".join(f"{x * turn} {rate * x * push * size}\n" for x in (-20.0, 0.0, 20.0))
+        text += f"[{axis}_CURVE]\n" + "".join(
+            f"{x * turn} {rate * x * push * size}\n" for x in (-20.0, 0.0, 20.0)
+        )
     return (
         text
         + "[TZ_CURVE]\n"
-        + "".join(f"{x * turn} {y * push * size}\n" for x, y in ((-20, -5000), (-10, -500), (10, 500), (20, 5000)))
+        + "".join(
+            f"{x * turn} {y * push * size}\n"
+            for x, y in ((-20, -5000), (-10, -500), (10, 500), (20, 5000))
+        )
     )
 
 
@@ -196,7 +232,12 @@ def bushing(*, length="mm", force="newton", angle="deg", size=1.0, push=1.0, tur
     "units",
     [
         {},
-        {"length": "inch", "size": 1.0 / 25.4, "force": "pound_force", "push": 1.0 / 4.4482216152605},
+        {
+            "length": "inch",
+            "size": 1.0 / 25.4,
+            "force": "pound_force",
+            "push": 1.0 / 4.4482216152605,
+        },
         {"angle": "radians", "turn": np.pi / 180.0},
     ],
 )
@@ -209,9 +250,15 @@ def test_bushings_in_their_units(changed, units) -> None:
     found = rig.bushings.lower_arm_front
     assert found.stiffness == pytest.approx((1.5e6, 2e6, 4e6), rel=1e-9)
     turning = 180.0 / np.pi * 1e-3  # N m/rad for N mm/deg
-    assert found.rotational_stiffness == pytest.approx((100.0 * turning, 0.0, 50.0 * turning), rel=1e-9)
+    assert found.rotational_stiffness == pytest.approx(
+        (100.0 * turning, 0.0, 50.0 * turning), rel=1e-9
+    )
     assert found.damping == pytest.approx((5000.0, 0.0, 0.0), rel=1e-9)
-    said = {finding.place.rpartition(": ")[2]: finding for finding in findings if "bushings" in finding.place}
+    said = {
+        finding.place.rpartition(": ")[2]: finding
+        for finding in findings
+        if "bushings" in finding.place
+    }
     assert any("T_PRELOAD_X" in finding.message for finding in findings)
     assert said
     assert not any("the joints are rigid" in finding.message for finding in findings)
@@ -246,7 +293,9 @@ def test_tabs_and_parts_given_twice(changed) -> None:
     begin = text.index("[PART_ASSEMBLY]")
     end = text.index("[", begin + 1)
     file.write_text(text[:end] + text[begin:end] + text[end:])
-    with pytest.raises(DescriptionError, match=r"is given twice; found 'first in .*allowed: every part once"):
+    with pytest.raises(
+        DescriptionError, match=r"is given twice; found 'first in .*allowed: every part once"
+    ):
         import_adams(file)
 
 
@@ -258,15 +307,23 @@ def in_inches(text: str) -> str:
 
     def keyed(found: re.Match[str]) -> str:
         name, value = found[2], float(found[3])
-        for pattern, unit in (("MASS", pound), ("I[XYZ]{2}", pound * inch**2), ("(PART_LOC|CM_LOC|USER_).*", inch)):
+        for pattern, unit in (
+            ("MASS", pound),
+            ("I[XYZ]{2}", pound * inch**2),
+            ("(PART_LOC|CM_LOC|USER_).*", inch),
+        ):
             value = value / unit if re.fullmatch(pattern, name) else value
         return f"{found[1]}{value!r}"
 
     text = re.sub(r"(?m)^( *(\w+) *= *)(-?\d[\d.E+-]*)$", keyed, text)
     rows = r"(?m)^( '\w+ *' +'(?:left/right|single)' +)(\S+) +(\S+) +(\S+)$"
-    text = re.sub(rows, lambda row: row[1] + " ".join(repr(float(row[i]) / inch) for i in (2, 3, 4)), text)
     text = re.sub(
-        r"(?<=location = )(.*)", lambda row: ", ".join(repr(float(x) / inch) for x in row[1].split(",")), text
+        rows, lambda row: row[1] + " ".join(repr(float(row[i]) / inch) for i in (2, 3, 4)), text
+    )
+    text = re.sub(
+        r"(?<=location = )(.*)",
+        lambda row: ", ".join(repr(float(x) / inch) for x in row[1].split(",")),
+        text,
     )
     angle = r"(?m)^( '(?:camber|toe)_angle.*'real' +)(\S+)$"
     return re.sub(angle, lambda row: f"{row[1]}{float(np.radians(float(row[2])))!r}", text)
@@ -283,14 +340,21 @@ def test_inches_pounds_and_radians_are_the_same_rig(changed) -> None:
     before, after = whole.parameters(), found.parameters()
     assert set(before) == set(after)
     for path, value in after.items():
-        assert value == pytest.approx(before[path], rel=1e-5, abs=2e-6), path  # the rig's file has six digits
+        assert value == pytest.approx(before[path], rel=1e-5, abs=2e-6), (
+            path
+        )  # the rig's file has six digits
 
 
 def test_without_a_strut_it_is_a_rig_for_kinematics(changed) -> None:
-    struts = ("'lwr_strut_mount             '", "'nobody_knows_me             '"), ("'top_mount", "'top_of_it")
+    struts = (
+        ("'lwr_strut_mount             '", "'nobody_knows_me             '"),
+        ("'top_mount", "'top_of_it"),
+    )
     rig, findings, text = import_adams(changed(*struts), wheel_radius=RIG.wheel.radius)
     assert rig.lacks == ("strut", "bodies", "spring", "damper", "tyre")
     assert any("no strut is in it" in finding.message for finding in findings)
     assert "[bodies" not in text
-    found, expected = (jn.sweep_travel(one, [-0.03, 0.0, 0.03]) for one in (rig, import_adams(DATABASE / SUB)[0]))
+    found, expected = (
+        jn.sweep_travel(one, [-0.03, 0.0, 0.03]) for one in (rig, import_adams(DATABASE / SUB)[0])
+    )
     np.testing.assert_allclose(found["toe"], expected["toe"], rtol=0.0, atol=1e-12)

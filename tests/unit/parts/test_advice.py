@@ -68,7 +68,11 @@ def test_lever_through_a_rocker():
         "strut.pushrod_on": "upright",
     }
     assert motion_ratio(REFERENCE.with_changes(rocker)) == pytest.approx(1.0, rel=1e-12)
-    doubled = {**rocker, "hardpoints.strut_bottom": [0.0, 0.66, 1.0], "hardpoints.strut_top": [0.0, 0.36, 1.0]}
+    doubled = {
+        **rocker,
+        "hardpoints.strut_bottom": [0.0, 0.66, 1.0],
+        "hardpoints.strut_top": [0.0, 0.36, 1.0],
+    }
     assert motion_ratio(REFERENCE.with_changes(doubled)) == pytest.approx(2.0, rel=1e-12)
 
 
@@ -99,7 +103,8 @@ def test_levers_agree_with_a_small_step(name: str):
             off = np.cross(line, points["strut_top"] - bottom)
             held = [off[0], off[1]]
         lengths = [
-            np.linalg.norm(placed(q, points[outer]) - points[inner]) - np.linalg.norm(points[outer] - points[inner])
+            np.linalg.norm(placed(q, points[outer]) - points[inner])
+            - np.linalg.norm(points[outer] - points[inner])
             for outer, inner in rods
         ]
         return [*lengths, *held, q[2] - rise]
@@ -110,12 +115,16 @@ def test_levers_agree_with_a_small_step(name: str):
             return float(np.linalg.norm(points["strut_top"] - placed(q, points["strut_bottom"])))
         inner, outer = points["link_4_inner"], placed(q, points["link_4_outer"])
         before, now = points["link_4_outer"] - inner, outer - inner
-        axis = np.cross(before, now) / (before @ before)  # small turn of the link, none about itself
+        axis = np.cross(before, now) / (
+            before @ before
+        )  # small turn of the link, none about itself
         away = points["strut_bottom"] - inner
         return float(np.linalg.norm(points["strut_top"] - inner - away - np.cross(axis, away)))
 
     step = 1e-4
-    assert motion_ratio(rig) == pytest.approx((length(-step) - length(step)) / (2.0 * step), rel=1e-5)
+    assert motion_ratio(rig) == pytest.approx(
+        (length(-step) - length(step)) / (2.0 * step), rel=1e-5
+    )
 
 
 def test_forces_of_laws():
@@ -126,7 +135,9 @@ def test_forces_of_laws():
         }
     )
     assert spring_force(rig) == pytest.approx(5726.56)
-    assert spring_force(rig, 0.03) == pytest.approx(5726.56 + 40e3 * 0.03 + 100e3 * 0.02 + 1e9 * 0.02**3)
+    assert spring_force(rig, 0.03) == pytest.approx(
+        5726.56 + 40e3 * 0.03 + 100e3 * 0.02 + 1e9 * 0.02**3
+    )
     assert spring_force(rig, -0.03) == pytest.approx(5726.56 - 40e3 * 0.03 - 50e3 * 0.01)
     curved = REFERENCE.with_changes(
         {
@@ -138,16 +149,25 @@ def test_forces_of_laws():
     )
     assert spring_force(curved) == pytest.approx(2500.0)
     assert spring_force(curved, 0.1) == pytest.approx(7500.0), "tables go on beyond their ends"
-    law = {"polynomial": {"coefficients": [2.0, 3.0]}, "power": {"coefficient": 4.0, "exponent": 1.5}}
+    law = {
+        "polynomial": {"coefficients": [2.0, 3.0]},
+        "power": {"coefficient": 4.0, "exponent": 1.5},
+    }
     tyres = {
-        kind: REFERENCE.with_changes({"tyre.stiffness": None, "tyre.curve": {"kind": kind, **law[kind]}}).tyre.curve
+        kind: REFERENCE.with_changes(
+            {"tyre.stiffness": None, "tyre.curve": {"kind": kind, **law[kind]}}
+        ).tyre.curve
         for kind in law
     }
     assert force_at(tyres["polynomial"], 2.0) == pytest.approx(16.0)
-    assert (force_at(tyres["power"], 4.0), force_at(tyres["power"], -1.0)) == pytest.approx((32.0, 0.0))
+    assert (force_at(tyres["power"], 4.0), force_at(tyres["power"], -1.0)) == pytest.approx(
+        (32.0, 0.0)
+    )
 
 
-@pytest.mark.parametrize("name", ["kart-double-wishbone", "reference-double-wishbone", "kart-quarter-car"])
+@pytest.mark.parametrize(
+    "name", ["kart-double-wishbone", "reference-double-wishbone", "kart-quarter-car"]
+)
 def test_nothing_is_found_where_nothing_is_wrong(name: str):
     assert rig_findings(load(name)) == []
 
@@ -163,21 +183,31 @@ def test_shipped_rigs_stand_in_equilibrium_at_design(name: str):
 
 def test_kart_has_the_dimensions_that_its_paper_gives():
     """20 mm at the upright turn it by 5 deg, 20 mm at the steering arm by 10.5 deg; the strut stands at 26 deg."""
-    points = {name: np.array(point) for name, point in load("kart-double-wishbone").hardpoints.given().items()}
+    points = {
+        name: np.array(point)
+        for name, point in load("kart-double-wishbone").hardpoints.given().items()
+    }
     upright = points["upper_ball_joint"] - points["lower_ball_joint"]
     assert np.linalg.norm(upright) == pytest.approx(0.020 / np.tan(np.radians(5.0)), abs=1e-4)
-    at_tie_rod = points["lower_ball_joint"] + upright * 0.060 / upright[2]  # the tie rod is 60 mm above the lower joint
+    at_tie_rod = (
+        points["lower_ball_joint"] + upright * 0.060 / upright[2]
+    )  # the tie rod is 60 mm above the lower joint
     assert points["tie_rod_outer"][2] - points["lower_ball_joint"][2] == pytest.approx(0.060)
     base = at_tie_rod[0] - points["tie_rod_outer"][0]
     assert base == pytest.approx(0.020 / np.tan(np.radians(10.5)), abs=1e-4)
     strut = points["strut_top"] - points["strut_bottom"]
     assert np.degrees(np.arctan2(-strut[1], strut[2])) == pytest.approx(26.0, abs=0.01)
     for arm, ball in (("lower_arm", "lower_ball_joint"), ("upper_arm", "upper_ball_joint")):
-        assert np.linalg.norm((points[ball] - points[f"{arm}_front"])[1:]) == pytest.approx(0.225, abs=1e-4)
+        assert np.linalg.norm((points[ball] - points[f"{arm}_front"])[1:]) == pytest.approx(
+            0.225, abs=1e-4
+        )
 
 
 def scaled(factor: float) -> Corner:
-    points = {f"hardpoints.{name}": [factor * x for x in point] for name, point in REFERENCE.hardpoints.given().items()}
+    points = {
+        f"hardpoints.{name}": [factor * x for x in point]
+        for name, point in REFERENCE.hardpoints.given().items()
+    }
     return REFERENCE.with_changes(points)
 
 
@@ -188,30 +218,75 @@ SUSPICIOUS: list[tuple[dict[str, Any], str, str, float | None]] = [
     ({"wheel.toe": 0.3}, "wheel.toe", "17.2 deg is a lot", 0.3),
     ({"tyre.undeformed_radius": 0.42}, "hardpoints.wheel_centre", "pressed in by 120 mm", 0.12),
     ({"tyre.undeformed_radius": 0.2}, "hardpoints.wheel_centre", "above the road by 100 mm", -0.1),
-    ({"hardpoints.strut_top": [0.01, 0.3, 0.52]}, "hardpoints.strut_top", "leans 42.6 deg", np.arctan2(0.34, 0.37)),
-    ({"hardpoints.strut_top": [0.01, 0.52, 0.1]}, "hardpoints.strut_top", "does not lie above strut_bottom", None),
+    (
+        {"hardpoints.strut_top": [0.01, 0.3, 0.52]},
+        "hardpoints.strut_top",
+        "leans 42.6 deg",
+        np.arctan2(0.34, 0.37),
+    ),
+    (
+        {"hardpoints.strut_top": [0.01, 0.52, 0.1]},
+        "hardpoints.strut_top",
+        "does not lie above strut_bottom",
+        None,
+    ),
     (
         {"hardpoints.lower_arm_front[0]": -0.15, "hardpoints.lower_arm_rear[0]": 0.15},
         "hardpoints.lower_arm_front",
         "lies behind lower_arm_rear",
         None,
     ),
-    ({"hardpoints.tie_rod_inner[1]": 0.72}, "hardpoints.tie_rod_inner", "further out than tie_rod_outer", None),
-    ({"hardpoints.tie_rod_inner[1]": -0.02}, "hardpoints.tie_rod_inner", "just across the middle", -0.02),
-    ({"bodies.lower_arm.centre_of_mass[1]": 2.0}, "bodies.lower_arm.centre_of_mass", "from the nearest", None),
-    ({"bodies.lower_arm.centre_of_mass[2]": 147.0}, "bodies.lower_arm.centre_of_mass", "from the nearest", None),
+    (
+        {"hardpoints.tie_rod_inner[1]": 0.72},
+        "hardpoints.tie_rod_inner",
+        "further out than tie_rod_outer",
+        None,
+    ),
+    (
+        {"hardpoints.tie_rod_inner[1]": -0.02},
+        "hardpoints.tie_rod_inner",
+        "just across the middle",
+        -0.02,
+    ),
+    (
+        {"bodies.lower_arm.centre_of_mass[1]": 2.0},
+        "bodies.lower_arm.centre_of_mass",
+        "from the nearest",
+        None,
+    ),
+    (
+        {"bodies.lower_arm.centre_of_mass[2]": 147.0},
+        "bodies.lower_arm.centre_of_mass",
+        "from the nearest",
+        None,
+    ),
     (
         {"bodies.upright.inertia": {"xx": 850.0, "yy": 1200.0, "zz": 800.0}},
         "bodies.upright.inertia",
         "radius of gyration is 6124 mm",
         np.sqrt(1200.0 / 32.0),
     ),
-    ({"strut.spring.rate": 400.0, "strut.spring.preload": 0.0}, "strut.spring", "cannot hold the weight", None),
-    ({"strut.spring.preload": 0.0}, "strut.spring", "205 mm of wheel travel into bump", 5726.52 / 40e3 / 0.6985),
+    (
+        {"strut.spring.rate": 400.0, "strut.spring.preload": 0.0},
+        "strut.spring",
+        "cannot hold the weight",
+        None,
+    ),
+    (
+        {"strut.spring.preload": 0.0},
+        "strut.spring",
+        "205 mm of wheel travel into bump",
+        5726.52 / 40e3 / 0.6985,
+    ),
     ({"strut.spring.preload": 11000.0}, "strut.spring", "of wheel travel into rebound", None),
     ({"sprung.mass": "40260 kg"}, "strut.spring", "cannot hold the weight", None),
     ({"tyre.stiffness": "20 N/mm"}, "tyre", "is the stiffness right", None),
-    ({"strut.bump_stop": {"gap": -0.005, "rate": 1e5}}, "strut.bump_stop.gap", "pressed in by 5 mm", -0.005),
+    (
+        {"strut.bump_stop": {"gap": -0.005, "rate": 1e5}},
+        "strut.bump_stop.gap",
+        "pressed in by 5 mm",
+        -0.005,
+    ),
     (
         {"strut.damper": {"velocity": [-1.0, 0.0, 1.0], "force": [500.0, 0.0, -300.0]}},
         "strut.damper.force",
@@ -219,7 +294,12 @@ SUSPICIOUS: list[tuple[dict[str, Any], str, str, float | None]] = [
         500.0,
     ),
     ({"sprung.joint": [0.0, 0.0, 0.5]}, "sprung", "joint not used", None),
-    ({"estimated": ("bodies", "strut.damping")}, "estimated", "'strut.damping' names no parameter", None),
+    (
+        {"estimated": ("bodies", "strut.damping")},
+        "estimated",
+        "'strut.damping' names no parameter",
+        None,
+    ),
     (
         {"strut.on": "upper_arm", "hardpoints.strut_bottom": [0.0, 0.455, 0.375]},
         "strut",
@@ -230,17 +310,25 @@ SUSPICIOUS: list[tuple[dict[str, Any], str, str, float | None]] = [
 
 
 @pytest.mark.parametrize(
-    ("changes", "place", "message", "value"), SUSPICIOUS, ids=[s[1] + " " + s[2] for s in SUSPICIOUS]
+    ("changes", "place", "message", "value"),
+    SUSPICIOUS,
+    ids=[s[1] + " " + s[2] for s in SUSPICIOUS],
 )
 def test_suspicious_rigs(changes: dict[str, Any], place: str, message: str, value: float | None):
     found = rig_findings(REFERENCE.with_changes(changes), "rig.toml")
-    matching = [finding for finding in found if finding.place == f"rig.toml: {place}" and message in finding.message]
+    matching = [
+        finding
+        for finding in found
+        if finding.place == f"rig.toml: {place}" and message in finding.message
+    ]
     assert len(matching) == 1, [str(finding) for finding in found]
     if value is not None:
         assert matching[0].value == pytest.approx(value, rel=1e-3)
 
 
-@pytest.mark.parametrize(("factor", "message"), [(1e3, "millimetres given as metres"), (1e-3, "given as millimetres")])
+@pytest.mark.parametrize(
+    ("factor", "message"), [(1e3, "millimetres given as metres"), (1e-3, "given as millimetres")]
+)
 def test_a_wrong_unit_everywhere_is_told_once(factor: float, message: str):
     found = rig_findings(scaled(factor))
     assert [finding.place for finding in found] == ["hardpoints"]
@@ -300,7 +388,10 @@ def test_springs_beside_the_strut_carry_the_car_too() -> None:
     rig = type(plain).from_table({**table, "guide": "vertical", "sprung": {"mass": 60.0}})
     lever = torsion_ratio(rig)
     travel = static_load(rig) / (1900.0 * lever**2)
-    found = {item.place: item for item in rig_findings(rig.with_changes({"torsion_bar.stiffness": 950.0}))}
+    found = {
+        item.place: item
+        for item in rig_findings(rig.with_changes({"torsion_bar.stiffness": 950.0}))
+    }
     assert found["torsion_bar"].value == pytest.approx(2.0 * travel, rel=1e-6)
     assert "mm of wheel travel into bump" in found["torsion_bar"].message
     assert "all springs together give 0 N" in found["torsion_bar"].message
@@ -314,7 +405,9 @@ def test_springs_beside_the_strut_carry_the_car_too() -> None:
 
 def test_choices_may_be_estimated():
     """What carries the strut is a guess of importers, and no number."""
-    rig = load("formula-student-front").with_changes({"estimated": ["strut.on", "strut.onn", "guide"]})
+    rig = load("formula-student-front").with_changes(
+        {"estimated": ["strut.on", "strut.onn", "guide"]}
+    )
     said = [finding.message for finding in rig_findings(rig) if finding.place.endswith("estimated")]
     assert said == ["'strut.onn' names no parameter and no part of this rig."]
 

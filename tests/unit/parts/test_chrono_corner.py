@@ -12,7 +12,12 @@ import pytest
 from jounce.core.errors import DescriptionError
 from jounce.parts.importers import read_chrono_corner
 
-SHIPPED = Path(str(resources.files("jounce.parts"))) / "library" / "hmmwv" / "HMMWV_DoubleWishboneFront_mapShock.json"
+SHIPPED = (
+    Path(str(resources.files("jounce.parts")))
+    / "library"
+    / "hmmwv"
+    / "HMMWV_DoubleWishboneFront_mapShock.json"
+)
 
 
 def changed(tmp_path: Path, change: Callable[[dict[str, Any]], object]) -> Path:
@@ -40,25 +45,43 @@ def test_values_are_those_of_the_file():
     assert (corner.spring_rate, corner.spring_free_length) == (167062.0, 0.339)
     assert corner.damper.force.shape == (5, 15)
     # the row of -0.333333 m/s holds -4173.85 N at mid stroke, that of 0.333333 m/s 7486.67 N
-    assert corner.damper.coefficients_at(0.37) == pytest.approx((4173.85 / 0.333333, 7486.67 / 0.333333), rel=1e-6)
+    assert corner.damper.coefficients_at(0.37) == pytest.approx(
+        (4173.85 / 0.333333, 7486.67 / 0.333333), rel=1e-6
+    )
     # near the ends of the stroke it is harder in rebound, as in the file: 20022.8 N
     assert corner.damper.coefficients_at(0.28)[1] == pytest.approx(20022.8 / 0.333333, rel=1e-6)
 
 
 def test_comments_are_allowed_as_chrono_allows_them(tmp_path: Path):
-    text = SHIPPED.read_text(encoding="utf-8").replace('"Name":', '// of "a" vehicle\n  /* front\n axle */ "Name":')
+    text = SHIPPED.read_text(encoding="utf-8").replace(
+        '"Name":', '// of "a" vehicle\n  /* front\n axle */ "Name":'
+    )
     file = tmp_path / "corner.json"
-    file.write_text(text.replace("HMMWV DoubleWishbone Front", "http://x /* y */"), encoding="utf-8")
+    file.write_text(
+        text.replace("HMMWV DoubleWishbone Front", "http://x /* y */"), encoding="utf-8"
+    )
     assert read_chrono_corner(file).name == "http://x /* y */"
 
 
 BAD: list[tuple[Callable[[dict[str, Any]], object], str]] = [
-    (lambda t: t.update(Template="MacPhersonStrut"), "cannot be read.*MacPhersonStrut.*DoubleWishbone"),
+    (
+        lambda t: t.update(Template="MacPhersonStrut"),
+        "cannot be read.*MacPhersonStrut.*DoubleWishbone",
+    ),
     (lambda t: t.pop("Spring"), "'Spring' is missing"),
-    (lambda t: t["Spring"].pop("Spring Coefficient"), "Spring: the key 'Spring Coefficient' is missing"),
-    (lambda t: t["Spring"].update({"Spring Coefficient": -1.0}), "Spring Coefficient: out of range; found -1"),
+    (
+        lambda t: t["Spring"].pop("Spring Coefficient"),
+        "Spring: the key 'Spring Coefficient' is missing",
+    ),
+    (
+        lambda t: t["Spring"].update({"Spring Coefficient": -1.0}),
+        "Spring Coefficient: out of range; found -1",
+    ),
     (lambda t: t["Spring"].update({"Minimum Length": 0.4}), "lengths contradict"),
-    (lambda t: t["Spindle"].update(COM=[1.0, 2.0]), "Spindle: COM: not the numbers.*3 finite numbers"),
+    (
+        lambda t: t["Spindle"].update(COM=[1.0, 2.0]),
+        "Spindle: COM: not the numbers.*3 finite numbers",
+    ),
     (lambda t: t["Spindle"].update(COM=[1.0, 2.0, "a"]), "Spindle: COM: not a regular list"),
     (lambda t: t["Spindle"].update(COM=[1.0, 2.0, float("nan")]), "Spindle: COM: not the numbers"),
     (lambda t: t["Spindle"].update(Mass=True), "Spindle: Mass: not the numbers"),
@@ -66,7 +89,10 @@ BAD: list[tuple[Callable[[dict[str, Any]], object], str]] = [
     (lambda t: t["Shock"]["Map Data"][1].pop(), "Map Data: not a regular list"),
     (lambda t: t["Shock"]["Deformation"].pop(), r"Map Data: not the numbers.*n x 15 finite"),
     (lambda t: t["Shock"]["Deformation"].reverse(), "Deformation: not at least two ascending"),
-    (lambda t: [row.__setitem__(0, row[0] + 2.0) for row in t["Shock"]["Map Data"]], "do not lie about zero"),
+    (
+        lambda t: [row.__setitem__(0, row[0] + 2.0) for row in t["Shock"]["Map Data"]],
+        "do not lie about zero",
+    ),
 ]
 
 

@@ -32,12 +32,22 @@ SHIPPED: dict[str, tuple[str, dict[str, float], str]] = {
     ),
     "suv-front": (
         "suv_DoubleWishboneFront",
-        {"wheel_radius": 0.409, "wheel_mass": 56.4, "tyre_stiffness": 248316.0, "sprung_mass": 561.3},
+        {
+            "wheel_radius": 0.409,
+            "wheel_mass": 56.4,
+            "tyre_stiffness": 248316.0,
+            "sprung_mass": 561.3,
+        },
         "; wheel, tyre and share of the body of the same vehicle",
     ),
     "van-front": (
         "van_DoubleWishboneFront",
-        {"wheel_radius": 0.376, "wheel_mass": 31.8, "tyre_stiffness": 175000.0, "sprung_mass": 627.2},
+        {
+            "wheel_radius": 0.376,
+            "wheel_mass": 31.8,
+            "tyre_stiffness": 175000.0,
+            "sprung_mass": 627.2,
+        },
         "; wheel, tyre (185/80 R14) and share of the body of the same vehicle",
     ),
     "polaris-front": (
@@ -58,14 +68,18 @@ SHIPPED: dict[str, tuple[str, dict[str, float], str]] = {
 def imported(name: str) -> tuple[Any, str]:
     file, values, more = SHIPPED[name]
     label = import_chrono(FILES / f"{file}.json")[0].source.partition(",")[0]
-    rig, _, text = import_chrono(FILES / f"{file}.json", **values, source=f"{label} ({file}.json), {CHRONO}{more}")
+    rig, _, text = import_chrono(
+        FILES / f"{file}.json", **values, source=f"{label} ({file}.json), {CHRONO}{more}"
+    )
     return rig, text
 
 
 @pytest.mark.parametrize("name", SHIPPED)
 def test_shipped_file_is_what_the_importer_writes(name: str):
     rig, text = imported(name)
-    assert library()[name].read_text(encoding="utf-8") == text, "run python tests/unit/parts/test_chrono_library.py"
+    assert library()[name].read_text(encoding="utf-8") == text, (
+        "run python tests/unit/parts/test_chrono_library.py"
+    )
     assert load(name) == rig
     assert CHRONO in rig.source
 

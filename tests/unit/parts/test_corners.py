@@ -81,7 +81,9 @@ def test_every_model_has_its_class():
     }
 
 
-@pytest.mark.parametrize("rig", [REFERENCE, FIVE_LINK, MAP], ids=["double wishbone", "five-link", "damper map"])
+@pytest.mark.parametrize(
+    "rig", [REFERENCE, FIVE_LINK, MAP], ids=["double wishbone", "five-link", "damper map"]
+)
 def test_every_number_has_path_and_unit_and_can_be_changed(rig):
     before = rig.parameters()
     assert {"hardpoints.wheel_centre[2]", "sprung.mass"} <= set(before)
@@ -101,10 +103,19 @@ def test_units_of_inertia_and_maps():
 
 
 def test_points_are_changed_as_a_whole_or_by_coordinate():
-    moved = REFERENCE.with_changes({"hardpoints.strut_top": ["10 mm", "500 mm", "520 mm"], "wheel.camber": "-2 deg"})
+    moved = REFERENCE.with_changes(
+        {"hardpoints.strut_top": ["10 mm", "500 mm", "520 mm"], "wheel.camber": "-2 deg"}
+    )
     assert moved.hardpoints.strut_top == pytest.approx((0.01, 0.5, 0.52))
-    assert REFERENCE.with_changes({"hardpoints.strut_top[1]": "500 mm"}).hardpoints.strut_top[1] == pytest.approx(0.5)
-    assert REFERENCE.with_changes({"hardpoints.strut_top": np.array([0.0, 0.5, 0.6])}).hardpoints.strut_top[2] == 0.6
+    assert REFERENCE.with_changes({"hardpoints.strut_top[1]": "500 mm"}).hardpoints.strut_top[
+        1
+    ] == pytest.approx(0.5)
+    assert (
+        REFERENCE.with_changes(
+            {"hardpoints.strut_top": np.array([0.0, 0.5, 0.6])}
+        ).hardpoints.strut_top[2]
+        == 0.6
+    )
 
 
 def test_one_number_is_written_into_one_line():
@@ -142,7 +153,8 @@ def test_spring_with_free_length_or_preload():
     free = REFERENCE.with_changes({"strut.spring": {"rate": 4e4, "free_length": "500 mm"}})
     assert free.strut.spring.preload is None
     with pytest.raises(
-        DescriptionError, match=r"strut.spring: give preload or free_length, not both; found .*5726.56 N"
+        DescriptionError,
+        match=r"strut.spring: give preload or free_length, not both; found .*5726.56 N",
     ):
         REFERENCE.with_changes({"strut.spring.free_length": 0.5})
 
@@ -156,7 +168,9 @@ def test_a_corner_is_mirrored_as_a_whole():
     assert right.bodies.upright.centre_of_mass[1] == -rig.bodies.upright.centre_of_mass[1]
     assert right.wheel == rig.wheel
     flip = np.diag([1.0, -1.0, 1.0])
-    assert right.bodies.upright.inertia.tensor == pytest.approx(flip @ rig.bodies.upright.inertia.tensor @ flip)
+    assert right.bodies.upright.inertia.tensor == pytest.approx(
+        flip @ rig.bodies.upright.inertia.tensor @ flip
+    )
     assert right.mirrored() == rig
     steered = REFERENCE.with_changes(
         {"steering.rack_travel": 0.01, "bushings.lower_arm_rear": {"stiffness": [1.0, 2.0, 3.0]}}
@@ -166,13 +180,22 @@ def test_a_corner_is_mirrored_as_a_whole():
 
 
 def test_a_bump_stop_may_stand_at_the_top():
-    text = TEXT.replace("[hardpoints]", '[bump_stop]\ngap = "40 mm"\nrate = "60 N/mm"\n\n[hardpoints]')
+    text = TEXT.replace(
+        "[hardpoints]", '[bump_stop]\ngap = "40 mm"\nrate = "60 N/mm"\n\n[hardpoints]'
+    )
     assert read(text).strut.bump_stop.gap == pytest.approx(0.04)
 
 
 def test_the_body_on_a_spherical_joint_needs_more_than_mass():
-    sprung = {"mass": 400.0, "centre_of_mass": [0.0, 0.2, 0.5], "inertia": INERTIA, "joint": [0.0, 0.0, 0.5]}
-    assert REFERENCE.with_changes({"guide": "vertical+spherical", "sprung": sprung}).sprung.joint == (0.0, 0.0, 0.5)
+    sprung = {
+        "mass": 400.0,
+        "centre_of_mass": [0.0, 0.2, 0.5],
+        "inertia": INERTIA,
+        "joint": [0.0, 0.0, 0.5],
+    }
+    assert REFERENCE.with_changes(
+        {"guide": "vertical+spherical", "sprung": sprung}
+    ).sprung.joint == (0.0, 0.0, 0.5)
     with pytest.raises(DescriptionError, match="sprung: centre_of_mass, inertia, joint missing"):
         REFERENCE.with_changes({"guide": "vertical+spherical"})
 
@@ -181,42 +204,79 @@ def test_a_fixed_body_needs_no_mass():
     table = REFERENCE.model_dump(by_alias=True, exclude_none=True)
     del table["sprung"]
     assert rig_from_table({**table, "guide": "fixed"}).sprung is None
-    with pytest.raises(DescriptionError, match='sprung: mass missing; guide = "vertical" needs mass'):
+    with pytest.raises(
+        DescriptionError, match='sprung: mass missing; guide = "vertical" needs mass'
+    ):
         rig_from_table(table)
 
 
 MISTAKES = [  # old text, new text, line of the message, message
-    ("lower_ball_joint", "lower_bal_joint", 14, r"hardpoints.lower_bal_joint: unknown key.*mean 'lower_ball_joint'"),
-    ('"720 mm", "140 mm"]', '"720 mm"]', 14, r"hardpoints.lower_ball_joint: three values along x, y and z.*found 2"),
+    (
+        "lower_ball_joint",
+        "lower_bal_joint",
+        14,
+        r"hardpoints.lower_bal_joint: unknown key.*mean 'lower_ball_joint'",
+    ),
+    (
+        '"720 mm", "140 mm"]',
+        '"720 mm"]',
+        14,
+        r"hardpoints.lower_ball_joint: three values along x, y and z.*found 2",
+    ),
     (
         '["5 mm", "720 mm", "140 mm"]',
         '"5 mm"',
         14,
         r"lower_ball_joint: three values along x, y and z.*as in \[.*'5 mm'",
     ),
-    ('"720 mm", "140 mm"', '"720", "140 mm"', 14, r"hardpoints.lower_ball_joint\[1\]: the unit is missing"),
+    (
+        '"720 mm", "140 mm"',
+        '"720", "140 mm"',
+        14,
+        r"hardpoints.lower_ball_joint\[1\]: the unit is missing",
+    ),
     (
         '"720 mm", "140 mm"',
         '720, "140 mm"',
         14,
         r"lower_ball_joint: lies far from the other points.*Millimetres as metres",
     ),
-    ('"720 mm", "140 mm"', '"-720 mm", "140 mm"', 14, r"lower_ball_joint: on the other side of the car than the wheel"),
-    ('["110 mm", "450 mm"', '["110 mm", "-450 mm"', 15, r"upper_arm_front: on the other side.*Is the sign of y wrong"),
+    (
+        '"720 mm", "140 mm"',
+        '"-720 mm", "140 mm"',
+        14,
+        r"lower_ball_joint: on the other side of the car than the wheel",
+    ),
+    (
+        '["110 mm", "450 mm"',
+        '["110 mm", "-450 mm"',
+        15,
+        r"upper_arm_front: on the other side.*Is the sign of y wrong",
+    ),
     (
         'side = "left"',
         'side = "right"',
         20,
         r"wheel_centre: not on the right side of the car; found y = 760 mm.*below 0",
     ),
-    ('"760 mm", "300 mm"', '"760 mm", "-10 mm"', 20, r"wheel_centre: lies in or below the road.*found z = -10 mm"),
+    (
+        '"760 mm", "300 mm"',
+        '"760 mm", "-10 mm"',
+        20,
+        r"wheel_centre: lies in or below the road.*found z = -10 mm",
+    ),
     (
         '["-120 mm", "700 mm", "180 mm"]',
         '["-130 mm", "380 mm", "185 mm"]',
         19,
         r"tie_rod_outer: the same point as tie_rod",
     ),
-    ('["10 mm", "520 mm", "520 mm"]', '["0 mm", "640 mm", "150 mm"]', 22, r"strut_top: the same point as strut_bottom"),
+    (
+        '["10 mm", "520 mm", "520 mm"]',
+        '["0 mm", "640 mm", "150 mm"]',
+        22,
+        r"strut_top: the same point as strut_bottom",
+    ),
     (
         '["-150 mm", "400 mm", "145 mm"]',
         '["150 mm", "400 mm", "155 mm"]',
@@ -235,7 +295,12 @@ MISTAKES = [  # old text, new text, line of the message, message
         19,
         r"tie_rod_outer: lies on the line through lower",
     ),
-    ('mass = "6 kg"', 'mass = "0 kg"', 33, r"bodies.lower_arm.mass: out of range; found '0 kg'; allowed: above 0 kg"),
+    (
+        'mass = "6 kg"',
+        'mass = "0 kg"',
+        33,
+        r"bodies.lower_arm.mass: out of range; found '0 kg'; allowed: above 0 kg",
+    ),
     ('mass = "6 kg"', 'mass = "-6 kg"', 33, r"bodies.lower_arm.mass: out of range"),
     (
         'xx = "0.08 kg*m^2"',
@@ -243,10 +308,25 @@ MISTAKES = [  # old text, new text, line of the message, message
         35,
         r"lower_arm.inertia: impossible inertia.*0.06, 0.13 and 0.8.*sum of the others",
     ),
-    ('zz = "0.13 kg*m^2"', 'zz = "0.13 kg*m^2", xy = 0.2', 35, r"impossible inertia.*-0.13.*all must be above 0"),
+    (
+        'zz = "0.13 kg*m^2"',
+        'zz = "0.13 kg*m^2", xy = 0.2',
+        35,
+        r"impossible inertia.*-0.13.*all must be above 0",
+    ),
     ('xx = "0.08 kg*m^2"', 'xx = "-0.08 kg*m^2"', 35, r"bodies.lower_arm.inertia.xx: out of range"),
-    ("[bodies.upright]", "[bodies.uprigt]", 42, r"bodies.uprigt: unknown key.*Did you mean 'upright'"),
-    ('on = "lower_arm"', 'on = "lower_arms"', 48, r"strut.on: input should be 'lower_arm', 'upper_arm', 'upright' or"),
+    (
+        "[bodies.upright]",
+        "[bodies.uprigt]",
+        42,
+        r"bodies.uprigt: unknown key.*Did you mean 'upright'",
+    ),
+    (
+        'on = "lower_arm"',
+        'on = "lower_arms"',
+        48,
+        r"strut.on: input should be 'lower_arm', 'upper_arm', 'upright' or",
+    ),
     (
         'on = "lower_arm"',
         'on = "rocker"',
@@ -265,9 +345,24 @@ MISTAKES = [  # old text, new text, line of the message, message
         9,
         r"guide: input should be 'fixed', 'vertical' or 'vertical\+spherical'",
     ),
-    ('side = "left"', 'side = "centre"', 8, r"side: input should be 'left' or 'right'; found 'centre'"),
-    ("[tyre]", '[tyre]\nlaw = "radal"', 53, r"tyre.law: input should be 'vertical' or 'radial'; found 'radal'"),
-    ("[tyre]", "[bushings.strut_top]\n[tyre]", 52, r"bushings.strut_top: unknown key; allowed: lower_arm_front"),
+    (
+        'side = "left"',
+        'side = "centre"',
+        8,
+        r"side: input should be 'left' or 'right'; found 'centre'",
+    ),
+    (
+        "[tyre]",
+        '[tyre]\nlaw = "radal"',
+        53,
+        r"tyre.law: input should be 'vertical' or 'radial'; found 'radal'",
+    ),
+    (
+        "[tyre]",
+        "[bushings.strut_top]\n[tyre]",
+        52,
+        r"bushings.strut_top: unknown key; allowed: lower_arm_front",
+    ),
     (
         "[steering]",
         "[anti_roll_bar]\nstiffness = 1e4\n[steering]",
@@ -277,7 +372,9 @@ MISTAKES = [  # old text, new text, line of the message, message
 ]
 
 
-@pytest.mark.parametrize(("old", "new", "line", "message"), MISTAKES, ids=[f"{m[1]} {m[3][:20]}" for m in MISTAKES])
+@pytest.mark.parametrize(
+    ("old", "new", "line", "message"), MISTAKES, ids=[f"{m[1]} {m[3][:20]}" for m in MISTAKES]
+)
 def test_mistakes_are_named_with_file_line_and_path(old: str, new: str, line: int, message: str):
     assert old in TEXT
     with pytest.raises(DescriptionError) as caught:
@@ -289,7 +386,9 @@ def test_mistakes_are_named_with_file_line_and_path(old: str, new: str, line: in
 
 
 def test_a_missing_hardpoint_is_named():
-    with pytest.raises(DescriptionError, match=r"line 11: hardpoints.lower_ball_joint: the key is missing"):
+    with pytest.raises(
+        DescriptionError, match=r"line 11: hardpoints.lower_ball_joint: the key is missing"
+    ):
         read(re.sub(r"lower_ball_joint = .*\n", "", TEXT))
 
 
@@ -300,11 +399,21 @@ def test_a_missing_hardpoint_is_named():
             {"hardpoints.link_1_outer": FIVE_LINK.hardpoints.link_1_inner},
             "link_1_outer: the same point as link_1_inner",
         ),
-        ({"hardpoints.link_2_inner": FIVE_LINK.hardpoints.link_1_inner}, "link 2 has both ends of link 1"),
+        (
+            {"hardpoints.link_2_inner": FIVE_LINK.hardpoints.link_1_inner},
+            "link 2 has both ends of link 1",
+        ),
         ({"strut.on": "link_2"}, r"strut.on: the body 'link_2' carries it.*\[bodies.link_2\]"),
         ({"bodies.link_6": BODY}, "bodies.link_6: unknown key.*Did you mean 'link_5'"),
         (
-            {"strut.damper": {"kind": "map", "length": [0.4, 0.3], "velocity": [-1.0, 1.0], "force": [[0.0] * 2] * 2}},
+            {
+                "strut.damper": {
+                    "kind": "map",
+                    "length": [0.4, 0.3],
+                    "velocity": [-1.0, 1.0],
+                    "force": [[0.0] * 2] * 2,
+                }
+            },
             "sort",
         ),
         (
@@ -312,14 +421,23 @@ def test_a_missing_hardpoint_is_named():
             "force has 1 rows and le",
         ),
         (
-            {"strut.damper": {"length": [0.3, 0.4], "velocity": [-1.0, 1.0], "force": [[0.0] * 2, [0.0]]}},
+            {
+                "strut.damper": {
+                    "length": [0.3, 0.4],
+                    "velocity": [-1.0, 1.0],
+                    "force": [[0.0] * 2, [0.0]],
+                }
+            },
             r"strut.damper.force\[1\]: this row has 1 forces and velocity 2 points",
         ),
         (
             {"strut.damper": {"kind": "maps"}},
             "unknown kind 'maps'; allowed: linear, bilinear, blow-off, table, tanh, bouc-wen, map",
         ),
-        ({"hardpoints.strut_topp[0]": 1.0}, r"no such parameter.*Did you mean 'hardpoints.strut_top\[0\]'"),
+        (
+            {"hardpoints.strut_topp[0]": 1.0},
+            r"no such parameter.*Did you mean 'hardpoints.strut_top\[0\]'",
+        ),
         ({"hardpoints.strut_top[3]": 1.0}, "no such parameter"),
         ({"tyre.undeformed_radius": 0.0}, "undeformed_radius: out of range"),
         ({"wheel.radius": "-1 mm"}, "wheel.radius: out of range"),
@@ -343,7 +461,10 @@ def test_links_may_share_a_point():
             {"hardpoints.rocker_axis": None},
             "rocker_axis missing; give all of pushrod_outer, pushrod_inner, rocker_pivot",
         ),
-        ({"hardpoints.pushrod_inner": [0.05, 0.35, 0.45]}, "pushrod_inner: lies on the line through rocker_pivot and"),
+        (
+            {"hardpoints.pushrod_inner": [0.05, 0.35, 0.45]},
+            "pushrod_inner: lies on the line through rocker_pivot and",
+        ),
         ({"strut.pushrod_on": "wheel"}, "strut.pushrod_on: input should be"),
     ],
     ids=str,
@@ -358,7 +479,10 @@ def test_rocker(changes: dict[str, Any], message: str):
 def test_anti_roll_bar():
     rig = REFERENCE.with_changes(BAR)
     assert rig.anti_roll_bar.stiffness == pytest.approx(300.0 * 180.0 / np.pi)
-    for changes in ({"anti_roll_bar": None}, {key: None for key in BAR if key.startswith("hardpoints")}):
+    for changes in (
+        {"anti_roll_bar": None},
+        {key: None for key in BAR if key.startswith("hardpoints")},
+    ):
         with pytest.raises(DescriptionError, match="an anti-roll bar needs its table"):
             rig.with_changes(changes)
     with pytest.raises(DescriptionError, match="arb_link_end missing; give all of arb_pivot"):
@@ -368,13 +492,17 @@ def test_anti_roll_bar():
 def test_trailing_arm():
     rig = rig_from_table(TRAILING)
     assert rig.strut.on == "arm"
-    with pytest.raises(DescriptionError, match="wheel_centre: lies on the line through arm_inner and arm_outer"):
+    with pytest.raises(
+        DescriptionError, match="wheel_centre: lies on the line through arm_inner and arm_outer"
+    ):
         rig.with_changes({"hardpoints.wheel_centre": [0.3, 1.0, 0.3]})
 
 
 def test_an_inertia_on_the_edge_of_the_possible_is_allowed():
     """A thin plate has exactly zz = xx + yy; data sheets round."""
-    rig = REFERENCE.with_changes({"bodies.lower_arm.inertia": {"xx": 0.05, "yy": 0.06, "zz": 0.11005}})
+    rig = REFERENCE.with_changes(
+        {"bodies.lower_arm.inertia": {"xx": 0.05, "yy": 0.06, "zz": 0.11005}}
+    )
     assert rig.bodies.lower_arm.inertia.principal_moments == pytest.approx([0.05, 0.06, 0.11005])
     with pytest.raises(DescriptionError, match="impossible inertia"):
         REFERENCE.with_changes({"bodies.lower_arm.inertia": {"xx": 0.05, "yy": 0.06, "zz": 0.1105}})

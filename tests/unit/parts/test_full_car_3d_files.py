@@ -27,7 +27,10 @@ def message(file):
 
 def test_a_corner_is_a_shipped_rig_or_a_file_beside_the_vehicle(tmp_path):
     (tmp_path / "own.toml").write_text(CORNER, encoding="utf-8")
-    by_file, by_name = jn.load(written(tmp_path, corner='"own.toml"')), jn.load("formula-student-car")
+    by_file, by_name = (
+        jn.load(written(tmp_path, corner='"own.toml"')),
+        jn.load("formula-student-car"),
+    )
     assert by_file.front.corner == by_name.front.corner == jn.load("formula-student-front")
     assert by_name.parameters()["front.corner.tyre.stiffness"] == 105e3
 
@@ -43,7 +46,9 @@ def test_a_corner_that_names_nothing_gets_the_nearest_name(tmp_path):
     assert "Did you mean 'formula-student-front'?" in said
 
 
-@pytest.mark.parametrize("corner", ['"kart-quarter-car"', '"audi-a6-full-car"', "3", '"none.toml"', '["a"]'])
+@pytest.mark.parametrize(
+    "corner", ['"kart-quarter-car"', '"audi-a6-full-car"', "3", '"none.toml"', '["a"]']
+)
 def test_what_is_no_corner_is_refused_where_it_stands(tmp_path, corner):
     assert "car.toml, line 16: front.corner" in message(written(tmp_path, corner=corner))
 
@@ -70,7 +75,9 @@ def test_a_negative_distance_is_refused(tmp_path):
 def test_a_right_corner_is_refused():
     car = jn.load("formula-student-car")
     table = car.model_dump(by_alias=True, exclude_none=True)
-    table["front"]["corner"] = car.front.corner.mirrored().model_dump(by_alias=True, exclude_none=True)
+    table["front"]["corner"] = car.front.corner.mirrored().model_dump(
+        by_alias=True, exclude_none=True
+    )
     with pytest.raises(DescriptionError, match="the right one is its mirror"):
         FullCar3D.from_table(table)
 

@@ -54,15 +54,30 @@ LOTUS_5 = "{x:.3f}\t{y:.3f}\t{z:.3f}\tPOINT:{number} {name}"
     ("lines", "told"),
     [
         (["name,x [mm],y [mm],z [mm]", *rows()], ""),
-        (["name;x;y;z;what", *(line + ";by hand" for line in rows("{name};{x};{y};{z}"))], "names no unit: mm"),
+        (
+            ["name;x;y;z;what", *(line + ";by hand" for line in rows("{name};{x};{y};{z}"))],
+            "names no unit: mm",
+        ),
         ([line.replace(".", ",") for line in rows("{name}; {x}; {y}; {z}")], "names no unit: mm"),
         (["units: m", *rows("{name} {x} {y} {z}", scale=1.0)], ""),
-        (["# Shark", "TYPE 1 Double wishbone", *rows(LOTUS_4, LOTUS, turn=(-1, 1, 1))], "x points rearward"),
+        (
+            ["# Shark", "TYPE 1 Double wishbone", *rows(LOTUS_4, LOTUS, turn=(-1, 1, 1))],
+            "x points rearward",
+        ),
         (rows(LOTUS_5, LOTUS, turn=(-1, -1, 1)), "they are mirrored"),
-        (["Name,X (in),Y (in),Z (in)", *rows("{name}_L,{x},{y},{z}", OPTIMUM, scale=1 / 0.0254)], ""),
+        (
+            ["Name,X (in),Y (in),Z (in)", *rows("{name}_L,{x},{y},{z}", OPTIMUM, scale=1 / 0.0254)],
+            "",
+        ),
         (rows("  {name}: [{x}, {y}, {z}]"), "names no unit: mm"),
         (rows('  "{name}": {{"x": {x}, "y": {y}, "z": {z}}},'), "names no unit: mm"),
-        (rows("{name},{x},{y},{z}", {name: name.replace("_", " ").title().replace(" ", "") for name in POINTS}), "mm"),
+        (
+            rows(
+                "{name},{x},{y},{z}",
+                {name: name.replace("_", " ").title().replace(" ", "") for name in POINTS},
+            ),
+            "mm",
+        ),
     ],
 )
 def test_every_manner_of_writing_gives_the_rig(tmp_path, lines, told) -> None:
@@ -108,21 +123,34 @@ def test_axes_sides_axles_and_names(tmp_path) -> None:
     lines = [f"{name};{1e3 * y};{1e3 * x};{1e3 * z}" for name, (x, y, z) in POINTS.items()]
     rig, _, _ = read(tmp_path, lines, axes="y,x,z")
     np.testing.assert_allclose(rig.hardpoints.tie_rod_outer, POINTS["tie_rod_outer"], atol=1e-12)
-    both = rows("hpl_{name},{x},{y},{z}") + rows("hpr_{name},{x},{y},{z}", turn=(1, -1, 1), strut_top=(0.0, 0.02, 0.4))
+    both = rows("hpl_{name},{x},{y},{z}") + rows(
+        "hpr_{name},{x},{y},{z}", turn=(1, -1, 1), strut_top=(0.0, 0.02, 0.4)
+    )
     assert read(tmp_path, both)[0].hardpoints.strut_top[2] == pytest.approx(0.428)
-    assert read(tmp_path, both, side="right")[0].hardpoints.strut_top == pytest.approx((0.0, 0.02, 0.4))
-    axles = rows("{name} FL,{x},{y},{z}") + rows("{name} RL,{x},{y},{z}", strut_top=(0.0, 0.02, 0.4))
+    assert read(tmp_path, both, side="right")[0].hardpoints.strut_top == pytest.approx(
+        (0.0, 0.02, 0.4)
+    )
+    axles = rows("{name} FL,{x},{y},{z}") + rows(
+        "{name} RL,{x},{y},{z}", strut_top=(0.0, 0.02, 0.4)
+    )
     with pytest.raises(DescriptionError, match=r"two axles.*--axle front or rear"):
         read(tmp_path, axles)
     assert read(tmp_path, axles, axle="rear")[0].hardpoints.strut_top[2] == pytest.approx(0.4)
     column = ["side,point,x [mm],y [mm],z [mm]", *rows("L,{name},{x},{y},{z}")]
     column += rows("R,{name},{x},{y},{z}", turn=(1, -1, 1), strut_top=(0.0, 0.02, 0.4))
     assert read(tmp_path, column)[0].hardpoints.strut_top[2] == pytest.approx(0.428)
-    assert read(tmp_path, column, side="right")[0].hardpoints.strut_top == pytest.approx((0.0, 0.02, 0.4))
-    with pytest.raises(DescriptionError, match=r"given twice.*told apart by a column of left and right"):
+    assert read(tmp_path, column, side="right")[0].hardpoints.strut_top == pytest.approx(
+        (0.0, 0.02, 0.4)
+    )
+    with pytest.raises(
+        DescriptionError, match=r"given twice.*told apart by a column of left and right"
+    ):
         read(tmp_path, rows() + rows(turn=(1, -1, 1)))
     own = rows(names={"wheel_centre": "Hub"})
-    with pytest.raises(DescriptionError, match=r"points of a double-wishbone are missing.*also wheel_centre.*--name"):
+    with pytest.raises(
+        DescriptionError,
+        match=r"points of a double-wishbone are missing.*also wheel_centre.*--name",
+    ):
         read(tmp_path, own)
     assert read(tmp_path, own, names={"hub": "wheel_centre"})[0].model == "double-wishbone"
 
@@ -131,7 +159,9 @@ def test_the_road_is_found(tmp_path) -> None:
     low = [0.0, 0.0, -0.3]
     moved = {name: point + low for name, point in POINTS.items()}
     lines = rows(**moved)
-    with pytest.raises(DescriptionError, match=r"the height of the road is not in the table.*--wheel-radius"):
+    with pytest.raises(
+        DescriptionError, match=r"the height of the road is not in the table.*--wheel-radius"
+    ):
         read(tmp_path, lines)
     rig, findings, _ = read(tmp_path, lines, wheel_radius=0.23)
     assert rig.hardpoints.wheel_centre[2] == pytest.approx(0.23)
@@ -146,18 +176,34 @@ def test_the_road_is_found(tmp_path) -> None:
     ("lines", "options", "what"),
     [
         (["hello"], {}, "no points are in it"),
-        (["name,x [mm],y [mm],z [mm]", *rows(scale=1 / 0.0254)], {}, r"half track.*Is the table in inch or cm\?"),
+        (
+            ["name,x [mm],y [mm],z [mm]", *rows(scale=1 / 0.0254)],
+            {},
+            r"half track.*Is the table in inch or cm\?",
+        ),
         (rows(scale=100.0), {}, "unit is not in the file.*may be in inch or cm"),
         (rows(scale=1 / 0.0254), {}, "unit is not in the file.*may be in inch"),
         (rows(), {"unit": "kg"}, "wrong unit"),
         (["name,x [mm],y [m],z [mm]", *rows()], {}, "columns in different units"),
         (["unit: furlong", *rows()], {}, "unknown unit 'furlong'"),
-        ([*rows(), "LCA front,1,2,3"], {}, r"lower_arm_front is given twice.*'LCA front' at \[1\.0, 2\.0, 3\.0\]"),
+        (
+            [*rows(), "LCA front,1,2,3"],
+            {},
+            r"lower_arm_front is given twice.*'LCA front' at \[1\.0, 2\.0, 3\.0\]",
+        ),
         (rows(strut_top=None), {}, "points of a double-wishbone are missing.*also strut_top"),
         (rows(names=dict.fromkeys(POINTS, "P")), {}, "given twice|no suspension has these points"),
         ([*rows(), "a,1,2,3,4"], {}, "more than three numbers"),
-        ([*rows(strut_top=None), "strut_top,1,2,three"], {}, "strut_top: a hardpoint without three.*'strut_top, 1, 2"),
-        ([*rows(), "UCA front L,5,13,"], {}, "UCA front L: a hardpoint without three coordinates.*name and three"),
+        (
+            [*rows(strut_top=None), "strut_top,1,2,three"],
+            {},
+            "strut_top: a hardpoint without three.*'strut_top, 1, 2",
+        ),
+        (
+            [*rows(), "UCA front L,5,13,"],
+            {},
+            "UCA front L: a hardpoint without three coordinates.*name and three",
+        ),
         (rows(), {"axes": "x,y"}, "not three axes"),
         (rows(), {"axes": "-x,y,z"}, "the arm's front lies behind its rear.*Turn x round"),
         (rows(), {"model": "five-links"}, "unknown suspension 'five-links'.*five-link"),
@@ -166,7 +212,8 @@ def test_the_road_is_found(tmp_path) -> None:
         (rows(), {"names": {"wheel_centre": "hub"}}, "unknown hardpoint 'hub'"),
         (rows(), {"wheel_radius": -1.0}, "out of range"),
         (
-            rows("{name} L,{x},{y},{z}") + rows("{name} R,{x},{y},{z}", lower_ball_joint=(0.0, 0.5, 0.1)),
+            rows("{name} L,{x},{y},{z}")
+            + rows("{name} R,{x},{y},{z}", lower_ball_joint=(0.0, 0.5, 0.1)),
             {},
             "left and right points lie on the same side",
         ),
@@ -201,7 +248,9 @@ def test_units_and_comments_as_tables_have_them(tmp_path, lines) -> None:
 
 def test_unicode_text_of_a_spreadsheet(tmp_path) -> None:
     file = tmp_path / "points.txt"
-    file.write_text("\r\n".join([HEAD.replace(",", "\t"), *rows("{name}\t{x}\t{y}\t{z}")]), encoding="utf-16")
+    file.write_text(
+        "\r\n".join([HEAD.replace(",", "\t"), *rows("{name}\t{x}\t{y}\t{z}")]), encoding="utf-16"
+    )
     found, _, _ = import_hardpoints(file)
     for name, point in POINTS.items():
         assert getattr(found.hardpoints, name) == pytest.approx(point, abs=1e-9)
@@ -211,7 +260,9 @@ def test_decimal_commas_between_commas_are_no_further_columns(tmp_path) -> None:
     """150,5,220,0,118,0 under name, x, y, z was x = 150, y = 5, z = 220."""
     lines = [HEAD, *rows("{name},{x:.1f},{y:.1f},{z:.1f}")]
     lines[1:] = [line.replace(".", ",") for line in lines[1:]]
-    with pytest.raises(DescriptionError, match=r"line 2: more numbers than columns.*allowed: 4 cells.*semicolons"):
+    with pytest.raises(
+        DescriptionError, match=r"line 2: more numbers than columns.*allowed: 4 cells.*semicolons"
+    ):
         read(tmp_path, lines)
 
 
@@ -222,7 +273,11 @@ def test_two_units_are_refused(tmp_path) -> None:
 
 def test_a_strut_is_known_by_its_everyday_names_and_what_it_lacks_is_said(tmp_path):
     rig = jn.load("generic-mcpherson")
-    names = {"lower_ball_joint": "Ball joint", "strut_top": "Strut top mount", "strut_bottom": "Strut lower mount"}
+    names = {
+        "lower_ball_joint": "Ball joint",
+        "strut_top": "Strut top mount",
+        "strut_bottom": "Strut lower mount",
+    }
     points = {name: 1e3 * np.array(place) for name, place in rig.hardpoints.given().items()}
     lines = [f"{names.get(name, name)},{x},{y},{z}" for name, (x, y, z) in points.items()]
     found, _, _ = read(tmp_path, ["name,x [mm],y [mm],z [mm]", *lines])
@@ -230,5 +285,7 @@ def test_a_strut_is_known_by_its_everyday_names_and_what_it_lacks_is_said(tmp_pa
     for name in names:
         assert np.allclose(getattr(found.hardpoints, name), getattr(rig.hardpoints, name))
     few = [line for line in lines if line.startswith(("Ball joint", "Strut top", "strut"))]
-    with pytest.raises(DescriptionError, match=r"nearest is a mcpherson, of which .*tie_rod_outer are missing"):
+    with pytest.raises(
+        DescriptionError, match=r"nearest is a mcpherson, of which .*tie_rod_outer are missing"
+    ):
         read(tmp_path, ["name,x [mm],y [mm],z [mm]", *few], name="few.csv")

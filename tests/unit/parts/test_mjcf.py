@@ -105,13 +105,17 @@ def test_without_a_spring_it_is_a_rig_for_kinematics(tmp_path: Path) -> None:
 def test_springs_and_dampers_of_joints_are_said_to_be_left_out(tmp_path: Path) -> None:
     file = tmp_path / "corner.xml"
     file.write_text(
-        ARMS.format(**PLAIN).replace('<joint class="arm"/> <site', '<joint class="arm" damping="5"/> <site')
+        ARMS.format(**PLAIN).replace(
+            '<joint class="arm"/> <site', '<joint class="arm" damping="5"/> <site'
+        )
     )
     warned = [finding.message for finding in import_mjcf(file)[1] if finding.severity == "warning"]
     assert warned == ["left out: damping."]
     rig = jn.load("kart-double-wishbone").with_changes({"guide_friction": {"force": "12 N"}})
     found = import_mjcf(write_mjcf(rig, tmp_path / "rig.xml").path)[1]
-    assert [finding.message for finding in found if finding.severity == "warning"] == ["left out: frictionloss."]
+    assert [finding.message for finding in found if finding.severity == "warning"] == [
+        "left out: frictionloss."
+    ]
 
 
 @pytest.mark.parametrize(
@@ -126,26 +130,61 @@ def test_springs_and_dampers_of_joints_are_said_to_be_left_out(tmp_path: Path) -
         ("<mujoco><worldbody/></mujoco>", "no points are in it"),
         (ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'pos="0 0"'), "3 numbers"),
         (ARMS.format(**PLAIN).replace('axis="1 0 0"', 'axis="0 0 0"'), "an axis without direction"),
-        (ARMS.format(**PLAIN).replace('name="top"', 'name="knuckle"'), "two bodies have the same name"),
+        (
+            ARMS.format(**PLAIN).replace('name="top"', 'name="knuckle"'),
+            "two bodies have the same name",
+        ),
         (ARMS.format(**PLAIN).replace('name="b"', 'name="a"'), "two sites have the same name"),
-        (ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'zaxis="0 0 0"'), "an axis without direction"),
-        (ARMS.format(**PLAIN).replace('name="b" pos', 'name="b" fromto'), "b: fromto: a site between two places"),
+        (
+            ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'zaxis="0 0 0"'),
+            "an axis without direction",
+        ),
+        (
+            ARMS.format(**PLAIN).replace('name="b" pos', 'name="b" fromto'),
+            "b: fromto: a site between two places",
+        ),
         (ARMS.format(**PLAIN).replace("30000", "hard"), "tendon.*stiffness: not the numbers"),
         (ARMS.format(**PLAIN).replace("30000", ""), "tendon.*stiffness: not the numbers"),
-        (ARMS.format(**PLAIN).replace("<compiler", '<compiler settotalmass="300"'), "masses that are not those"),
-        (ARMS.format(**PLAIN).replace("<compiler", '<compiler inertiafromgeom="true"'), "masses that are not those"),
-        (ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'quat="0 0 0 0"'), "quaternion of zeros"),
-        (ARMS.format(**PLAIN).replace("0.7", "nan").replace('pos="0 0 0.2"', 'pos="0 0 nan"'), "3 numbers"),
-        (ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'axisangle="0 0 0 1"'), "axis without direction"),
-        (ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'xyaxes="1 0 0 2 0 0"'), "axis without direction"),
-        (ARMS.format(**PLAIN).replace("<compiler", '<compiler eulerseq="xYz"'), "order of angles"),
-        (ARMS.format(**PLAIN).replace('"rod" class="rod"', '"rod" class="road"'), "unknown class.*allowed: arm, "),
         (
-            ARMS.format(**PLAIN).replace("<worldbody>", "<worldbody><frame>").replace("</worldb", "</frame></worldb"),
+            ARMS.format(**PLAIN).replace("<compiler", '<compiler settotalmass="300"'),
+            "masses that are not those",
+        ),
+        (
+            ARMS.format(**PLAIN).replace("<compiler", '<compiler inertiafromgeom="true"'),
+            "masses that are not those",
+        ),
+        (ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'quat="0 0 0 0"'), "quaternion of zeros"),
+        (
+            ARMS.format(**PLAIN).replace("0.7", "nan").replace('pos="0 0 0.2"', 'pos="0 0 nan"'),
+            "3 numbers",
+        ),
+        (
+            ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'axisangle="0 0 0 1"'),
+            "axis without direction",
+        ),
+        (
+            ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'xyaxes="1 0 0 2 0 0"'),
+            "axis without direction",
+        ),
+        (ARMS.format(**PLAIN).replace("<compiler", '<compiler eulerseq="xYz"'), "order of angles"),
+        (
+            ARMS.format(**PLAIN).replace('"rod" class="rod"', '"rod" class="road"'),
+            "unknown class.*allowed: arm, ",
+        ),
+        (
+            ARMS.format(**PLAIN)
+            .replace("<worldbody>", "<worldbody><frame>")
+            .replace("</worldb", "</frame></worldb"),
             "frame is not read",
         ),
-        ("<mujoco>" + "<default>" * 300 + "</default>" * 300 + "<worldbody/></mujoco>", "nested too deeply"),
-        ("<mujoco><worldbody>" + "<body>" * 300 + "</body>" * 300 + "</worldbody></mujoco>", "nested too deeply"),
+        (
+            "<mujoco>" + "<default>" * 300 + "</default>" * 300 + "<worldbody/></mujoco>",
+            "nested too deeply",
+        ),
+        (
+            "<mujoco><worldbody>" + "<body>" * 300 + "</body>" * 300 + "</worldbody></mujoco>",
+            "nested too deeply",
+        ),
     ],
 )
 def test_mistakes_are_named(tmp_path: Path, text: str, message: str) -> None:

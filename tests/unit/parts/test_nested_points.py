@@ -36,7 +36,9 @@ FORMS = {
 def points() -> dict[str, np.ndarray]:
     """The rig's points in mm, the axle with a camber of -1 degree and a toe of 0.5 degrees in place of the centre."""
     given = {
-        EXPLORER[name]: 1e3 * np.array(point) for name, point in RIG.hardpoints.given().items() if name in EXPLORER
+        EXPLORER[name]: 1e3 * np.array(point)
+        for name, point in RIG.hardpoints.given().items()
+        if name in EXPLORER
     }
     camber, toe = np.radians([-1.0, 0.5])
     along = np.array([np.sin(toe) * np.cos(camber), np.cos(toe) * np.cos(camber), -np.sin(camber)])
@@ -46,7 +48,12 @@ def points() -> dict[str, np.ndarray]:
 
 def explorer(form: str = "flow", **changes: str) -> str:
     keys = {"type": "double_wishbone", "scope": "axle", "units": "millimeters"} | changes
-    lines = ["# made up", *(f"{key}: {value}" for key, value in keys.items()), "axle_config:", "  axle_position: front"]
+    lines = [
+        "# made up",
+        *(f"{key}: {value}" for key, value in keys.items()),
+        "axle_config:",
+        "  axle_position: front",
+    ]
     lines += [
         "  actuation:",
         "    type: pushrod_rocker",
@@ -74,11 +81,15 @@ def test_a_file_of_suspension_explorer(tmp_path, form: str) -> None:
     rig, findings, _ = import_hardpoints(file)
     assert rig.model == "double-wishbone"
     radius = 0.5 * 10 * 0.0254 + 0.542105 * 0.190
-    up = radius * np.cos(np.radians(1.0)) - RIG.hardpoints.wheel_centre[2]  # the road is where the tyre ends
+    up = (
+        radius * np.cos(np.radians(1.0)) - RIG.hardpoints.wheel_centre[2]
+    )  # the road is where the tyre ends
     for name in (*EXPLORER, "wheel_centre"):
         wanted = np.add(getattr(RIG.hardpoints, name), (0.0, 0.0, up))
         assert getattr(rig.hardpoints, name) == pytest.approx(wanted, abs=1e-8), name
-    assert (rig.wheel.camber, rig.wheel.toe) == pytest.approx(tuple(np.radians([-1.0, 0.5])), abs=1e-9)
+    assert (rig.wheel.camber, rig.wheel.toe) == pytest.approx(
+        tuple(np.radians([-1.0, 0.5])), abs=1e-9
+    )
     assert (rig.strut.on, rig.strut.pushrod_on) == ("rocker", "lower_arm")
     said = " ".join(finding.message for finding in findings)
     assert "arb_t_bar_pivot" in said
@@ -97,7 +108,11 @@ def test_axes_of_a_file_turn_the_wheel_too(tmp_path, axes: str | None, side: str
     turn = np.zeros((3, 3))
     for row, word in enumerate(words):
         turn[row, "xyz".index(word[-1])] = -1.0 if word[0] == "-" else 1.0
-    keys: dict = {"units": "millimeters", "wheel": {"offset": 10}, "hardpoints": {"left": {}, "right": {}}}
+    keys: dict = {
+        "units": "millimeters",
+        "wheel": {"offset": 10},
+        "hardpoints": {"left": {}, "right": {}},
+    }
     keys["wheel"] |= {"rim_diameter": 10, "section_width": 190, "aspect_ratio": 0.542105}
     for name, point in points().items():
         for where, sign in (("left", 1.0), ("right", -1.0)):
@@ -105,7 +120,9 @@ def test_axes_of_a_file_turn_the_wheel_too(tmp_path, axes: str | None, side: str
     file = tmp_path / "turned.json"
     file.write_text(json.dumps(keys))
     rig, _, _ = import_hardpoints(file, axes=axes, side=side)
-    assert (rig.wheel.camber, rig.wheel.toe) == pytest.approx(tuple(np.radians([-1.0, 0.5])), abs=1e-9)
+    assert (rig.wheel.camber, rig.wheel.toe) == pytest.approx(
+        tuple(np.radians([-1.0, 0.5])), abs=1e-9
+    )
     radius = 0.5 * 10 * 0.0254 + 0.542105 * 0.190
     assert rig.wheel.radius == pytest.approx(radius, abs=1e-9)
     up = radius * np.cos(np.radians(1.0)) - RIG.hardpoints.wheel_centre[2]
@@ -117,7 +134,9 @@ def test_axes_of_a_file_turn_the_wheel_too(tmp_path, axes: str | None, side: str
 
 def test_json_of_points(tmp_path) -> None:
     file = tmp_path / "points.json"
-    named = {name: [1e3 * value for value in point] for name, point in RIG.hardpoints.given().items()}
+    named = {
+        name: [1e3 * value for value in point] for name, point in RIG.hardpoints.given().items()
+    }
     file.write_text(json.dumps({"unit": "mm", "points": named}, indent=2))
     rig, _, _ = import_hardpoints(file)
     assert rig.hardpoints.lower_ball_joint == pytest.approx(RIG.hardpoints.lower_ball_joint)
@@ -125,10 +144,16 @@ def test_json_of_points(tmp_path) -> None:
 
 def test_links_and_arms_of_suspension_explorer(tmp_path) -> None:
     five = {
-        f"{end}_link_inboard": [0.1 * i, 0.4, 0.2 + 0.05 * i] for i, end in enumerate(("upper_front", "upper_rear"))
+        f"{end}_link_inboard": [0.1 * i, 0.4, 0.2 + 0.05 * i]
+        for i, end in enumerate(("upper_front", "upper_rear"))
     }
-    five |= {f"{end}_link_inboard": [0.2 - 0.3 * i, 0.4, 0.15] for i, end in enumerate(("lower_front", "lower_rear"))}
-    five |= {name.replace("inboard", "outboard"): [0.5 * x, 0.7, z] for name, (x, _, z) in five.items()}
+    five |= {
+        f"{end}_link_inboard": [0.2 - 0.3 * i, 0.4, 0.15]
+        for i, end in enumerate(("lower_front", "lower_rear"))
+    }
+    five |= {
+        name.replace("inboard", "outboard"): [0.5 * x, 0.7, z] for name, (x, _, z) in five.items()
+    }
     five |= {
         "trackrod_inboard": [-0.15, 0.4, 0.2],
         "trackrod_outboard": [-0.12, 0.7, 0.2],
@@ -177,13 +202,20 @@ def test_a_front_view_of_vsusp(tmp_path) -> None:
     assert length("lower_ball_joint", "upper_ball_joint") == pytest.approx(np.hypot(0.01, 0.22))
     camber = rig.wheel.camber
     assert rig.wheel.radius == pytest.approx(0.255)
-    assert points["wheel_centre"][1] == pytest.approx(0.255 * np.cos(camber))  # the tyre stands on the road
+    assert points["wheel_centre"][1] == pytest.approx(
+        0.255 * np.cos(camber)
+    )  # the tyre stands on the road
     # The roll centre as it is constructed on paper: both arms meet, and so does the line from the contact point.
     normals = [
-        (-d[1], d[0]) for d in (points[f"{a}_ball_joint"] - points[f"{a}_arm_front"] for a in ("lower", "upper"))
+        (-d[1], d[0])
+        for d in (points[f"{a}_ball_joint"] - points[f"{a}_arm_front"] for a in ("lower", "upper"))
     ]
     centre = np.linalg.solve(
-        normals, [n @ points[f"{a}_arm_front"] for n, a in zip(np.array(normals), ("lower", "upper"), strict=True)]
+        normals,
+        [
+            n @ points[f"{a}_arm_front"]
+            for n, a in zip(np.array(normals), ("lower", "upper"), strict=True)
+        ],
     )
     contact = np.array([points["wheel_centre"][0] - 0.255 * np.sin(camber), 0.0])
     height = contact[0] * centre[1] / (contact[0] - centre[0])
@@ -195,9 +227,16 @@ def test_a_front_view_of_vsusp(tmp_path) -> None:
 
 
 def test_axles_of_one_project_keep_their_own_wheels(tmp_path) -> None:
-    front, rear = vsusp(), vsusp(**{"tires.diameter_expl": 600000, "knuckles.hub_to_upper_x": 60000})
+    front, rear = (
+        vsusp(),
+        vsusp(**{"tires.diameter_expl": 600000, "knuckles.hub_to_upper_x": 60000}),
+    )
     found = {}
-    for name, text in (("both", front + "&rear" + rear.rpartition("front")[2]), ("front", front), ("rear", rear)):
+    for name, text in (
+        ("both", front + "&rear" + rear.rpartition("front")[2]),
+        ("front", front),
+        ("rear", rear),
+    ):
         file = tmp_path / f"{name}.txt"
         file.write_text(text)
         for axle in ("front", "rear") if name == "both" else (None,):
@@ -222,7 +261,11 @@ def test_axles_of_one_project_keep_their_own_wheels(tmp_path) -> None:
             "a.yaml",
             "axle's two points are the same",
         ),
-        (vsusp(**{"tires.diameter_expl": None}), "a.txt", "tires.diameter_expl: the number is missing"),
+        (
+            vsusp(**{"tires.diameter_expl": None}),
+            "a.txt",
+            "tires.diameter_expl: the number is missing",
+        ),
         (vsusp(**{"tires.diameter_expl": "wide"}), "a.txt", "not a number; found 'wide'"),
         (vsusp(**{"control_arms.upper_length": 60000}), "a.txt", "do not meet"),
         (explorer(units="furlongs"), "a.yaml", "unknown unit 'furlongs'"),
@@ -231,7 +274,11 @@ def test_axles_of_one_project_keep_their_own_wheels(tmp_path) -> None:
         ('{"unit": "mm", "unit": "m", "a": [1, 2, 3]}', "a.json", "unit is given twice"),
         ("a: {x: 1, y: 2}\n", "a.yaml", "no points are in it"),
         ("{" * 1000, "a.json", "no points are in it"),
-        ("{" * 5000, "a.json", "a line is too long for a point; found '5000'; allowed: up to 2000 characters"),
+        (
+            "{" * 5000,
+            "a.json",
+            "a line is too long for a point; found '5000'; allowed: up to 2000 characters",
+        ),
     ],
 )
 def test_mistakes_are_named(tmp_path, text: str, name: str, message: str) -> None:
@@ -252,6 +299,7 @@ def test_numbers_that_are_none(tmp_path) -> None:
         import_hardpoints(file)
     file.write_text("a:\n  wheel_centre: {x: 1.0D+03, y: 2, z: 3}\n")
     with pytest.raises(
-        DescriptionError, match=r"wheel_centre: a point without three coordinates; found '1.0D\+03, 2, 3"
+        DescriptionError,
+        match=r"wheel_centre: a point without three coordinates; found '1.0D\+03, 2, 3",
     ):
         import_hardpoints(file)

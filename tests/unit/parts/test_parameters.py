@@ -16,7 +16,11 @@ KART = parts.load("kart-quarter-car")
 TABLE_TYRE = KART.with_changes(
     {
         "tyre.stiffness": None,
-        "tyre.curve": {"kind": "table", "deflection": [0.0, 0.001, 0.003], "force": [0.0, 90.0, 350.0]},
+        "tyre.curve": {
+            "kind": "table",
+            "deflection": [0.0, 0.001, 0.003],
+            "force": [0.0, 90.0, 350.0],
+        },
     }
 )
 EVERYTHING = TABLE_TYRE.with_changes(
@@ -61,10 +65,13 @@ def test_every_path_can_be_changed_and_only_it_changes(rig):
 
 
 def test_frozen():
-    with pytest.raises(DescriptionError, match=r"gravity: .* frozen.*: with_changes\(\{'gravity': 1.0\}\)"):
+    with pytest.raises(
+        DescriptionError, match=r"gravity: .* frozen.*: with_changes\(\{'gravity': 1.0\}\)"
+    ):
         KART.gravity = 1.0
     with pytest.raises(
-        DescriptionError, match=r"rate: .* frozen.*model_copy\(update=\{'rate': 1.0\}\).*rig.with_changes"
+        DescriptionError,
+        match=r"rate: .* frozen.*model_copy\(update=\{'rate': 1.0\}\).*rig.with_changes",
     ):
         KART.strut.spring.rate = 1.0
     with pytest.raises(DescriptionError, match=r"frozen.*with_changes"):
@@ -81,14 +88,18 @@ def test_a_copy_with_other_fields_is_checked():
 
 
 def test_changes_read_units():
-    changed = KART.with_changes({"strut.spring.rate": "25 N/mm", "strut.angle": "10 deg", "gravity": "1 g"})
+    changed = KART.with_changes(
+        {"strut.spring.rate": "25 N/mm", "strut.angle": "10 deg", "gravity": "1 g"}
+    )
     assert changed.strut.spring.rate == pytest.approx(25000.0)
     assert changed.strut.angle == pytest.approx(np.radians(10.0))
     assert changed.gravity == pytest.approx(9.80665)
 
 
 def test_a_part_may_be_exchanged():
-    changed = KART.with_changes({"strut.damper": {"bump_coefficient": 80.0, "rebound_coefficient": 240.0}})
+    changed = KART.with_changes(
+        {"strut.damper": {"bump_coefficient": 80.0, "rebound_coefficient": 240.0}}
+    )
     assert changed.strut.damper.kind == "bilinear"
     assert changed.strut.spring == KART.strut.spring
 
@@ -108,9 +119,15 @@ def test_bump_stop_may_stand_at_the_top():
             "strut.spring.rat: unknown key; allowed: curve, preload, rate. Did you mean 'rate'?",
         ),
         ({"gravty": 1.0}, "gravty: unknown key.*Did you mean 'gravity'"),
-        ({"strut.damper.force[0]": 1.0}, r"strut.damper.force\[0\]: no such parameter.*strut.damper.coefficient"),
+        (
+            {"strut.damper.force[0]": 1.0},
+            r"strut.damper.force\[0\]: no such parameter.*strut.damper.coefficient",
+        ),
         ({"strut.spring.rate[0]": 1.0}, "no such parameter"),
-        ({"strut.spring.rate": "25 Nmm"}, "strut.spring.rate: wrong unit; found '25 Nmm'.*converts to N/m"),
+        (
+            {"strut.spring.rate": "25 Nmm"},
+            "strut.spring.rate: wrong unit; found '25 Nmm'.*converts to N/m",
+        ),
         ({"strut.spring.rate": "25"}, "the unit is missing.*'25 N/m'"),
         ({"strut.spring.rate": "25 kg"}, "wrong unit"),
         ({"strut.spring.rate": -3.0}, "out of range; found -3.0; allowed: above 0 N/m"),
@@ -122,8 +139,14 @@ def test_bump_stop_may_stand_at_the_top():
         ({"strut.spring.rate": True}, "not a physical value"),
         ({"strut.spring.rate": [1.0]}, "not a physical value"),
         ({"strut.spring.rate": None}, "give exactly one of rate, curve; found none"),
-        ({"strut.spring.curve": {"kind": "polynomial", "coefficients": [1.0]}}, "exactly one.*found rate and curve"),
-        ({"tyre.curve": {"kind": "polynomial", "coefficients": [1.0]}}, "exactly one.*found stiffness and curve"),
+        (
+            {"strut.spring.curve": {"kind": "polynomial", "coefficients": [1.0]}},
+            "exactly one.*found rate and curve",
+        ),
+        (
+            {"tyre.curve": {"kind": "polynomial", "coefficients": [1.0]}},
+            "exactly one.*found stiffness and curve",
+        ),
         ({"tyre.lift_off": "maybe"}, "tyre.lift_off: input should be a valid boolean"),
         ({"tyre": 3}, "tyre: input should be a valid dictionary"),
         ({"strut.friction.force": "-5 N"}, "at least 0 N"),
@@ -150,8 +173,14 @@ DAMPER = "strut.damper"
             {"velocity": [0.0, 1.0, 1.0], "force": [0.0, 1.0, 2.0]},
             r"velocity\[2\] = 1 does not lie above velocity\[1\]",
         ),
-        ({"velocity": [0.0, 1.0, 0.5], "force": [0.0, 1.0, 2.0]}, r"velocity\[2\] = 0.5 does not lie above"),
-        ({"velocity": [0.0, 1.0], "force": [0.0, 1.0, 2.0]}, "velocity has 2 points and force has 3"),
+        (
+            {"velocity": [0.0, 1.0, 0.5], "force": [0.0, 1.0, 2.0]},
+            r"velocity\[2\] = 0.5 does not lie above",
+        ),
+        (
+            {"velocity": [0.0, 1.0], "force": [0.0, 1.0, 2.0]},
+            "velocity has 2 points and force has 3",
+        ),
         ({"velocity": [0.0], "force": [0.0]}, "at least 2"),
         ({"bump_coefficient": 1.0}, "rebound_coefficient: the key is missing"),
         ({"kind": "bouc-wen", "coefficient": 1.0}, "hysteretic_force: the key is missing"),
@@ -170,7 +199,10 @@ DAMPER = "strut.damper"
             {"kind": "tanhh", "coefficient": 1.0},
             "'tanhh'; allowed: linear, bilinear, blow-off, table, tanh, bouc-wen.*'tanh'",
         ),
-        ({"coefficient": 1.0, "bump_coefficient": 2.0, "rebound_coefficient": 2.0}, "coefficient: unknown key"),
+        (
+            {"coefficient": 1.0, "bump_coefficient": 2.0, "rebound_coefficient": 2.0},
+            "coefficient: unknown key",
+        ),
     ],
     ids=str,
 )
@@ -182,7 +214,10 @@ def test_refused_dampers(damper, expected):
 @pytest.mark.parametrize(
     ("curve", "expected"),
     [
-        ({"kind": "table", "deflection": [0.0, 0.0], "force": [0.0, 1.0]}, r"deflection\[1\] = 0 does not lie above"),
+        (
+            {"kind": "table", "deflection": [0.0, 0.0], "force": [0.0, 1.0]},
+            r"deflection\[1\] = 0 does not lie above",
+        ),
         ({"kind": "polynomial", "coefficients": []}, "coefficients"),
         ({"kind": "power", "coefficient": 1.0, "exponent": 0.0}, "exponent.*above 0"),
         ({"kind": "spline"}, "'spline'; allowed: polynomial, power, table"),
@@ -207,7 +242,9 @@ def test_numbers_of_arrays_are_numbers(number):
 
 
 def test_float64_is_a_number():
-    assert KART.with_changes({"strut.spring.rate": np.float64(25000.0)}).strut.spring.rate == 25000.0
+    assert (
+        KART.with_changes({"strut.spring.rate": np.float64(25000.0)}).strut.spring.rate == 25000.0
+    )
 
 
 def test_paths_are_split():
@@ -226,7 +263,9 @@ def test_units_by_path():
 
 
 def test_structure_is_blind_to_numbers_only():
-    assert structure_of(KART) == structure_of(KART.with_changes(dict.fromkeys(KART.parameters(), 0.5)))
+    assert structure_of(KART) == structure_of(
+        KART.with_changes(dict.fromkeys(KART.parameters(), 0.5))
+    )
     assert structure_of(KART) == structure_of(KART.model_copy(update={"source": "another, 3"}))
     others = [
         {"tyre.lift_off": False},
@@ -254,18 +293,23 @@ def test_library():
         assert rig.source, name
         starts = tuple(rig.parameters())
         assert all(
-            any(path == part or path.startswith((f"{part}.", f"{part}[")) for path in starts) for part in rig.estimated
+            any(path == part or path.startswith((f"{part}.", f"{part}[")) for path in starts)
+            for part in rig.estimated
         )
 
 
 def test_unknown_rig():
-    with pytest.raises(DescriptionError, match=r"(?s)kart-quarter-cat.*Did you mean 'kart-quarter-car'"):
+    with pytest.raises(
+        DescriptionError, match=r"(?s)kart-quarter-cat.*Did you mean 'kart-quarter-car'"
+    ):
         parts.load("kart-quarter-cat")
     with pytest.raises(DescriptionError, match="no such file"):
         parts.load("missing.toml")
 
 
-@pytest.mark.parametrize("changes", [{1: 2.0}, {None: 2.0}, [("strut.spring.rate", 2.0)], "strut.spring.rate", None])
+@pytest.mark.parametrize(
+    "changes", [{1: 2.0}, {None: 2.0}, [("strut.spring.rate", 2.0)], "strut.spring.rate", None]
+)
 def test_what_is_no_change_is_told(changes: object) -> None:
     with pytest.raises(DescriptionError, match=r"changes: no changes; .*values by path"):
         parts.load("kart-quarter-car").with_changes(changes)

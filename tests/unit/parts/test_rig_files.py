@@ -75,8 +75,12 @@ def test_round_trip_of_every_number(path):
     text = changed_text(TEXT, RIG, {path: value})
     assert read(text) == RIG.with_changes({path: value})
     changed = [line for line in TEXT.splitlines() if line not in text.splitlines()]
-    assert len(changed) == (path != "strut.friction.regularisation_velocity"), "one line, or a new one"
-    assert all(line.partition("#")[2] in text for line in TEXT.splitlines() if "#" in line), "comments stay"
+    assert len(changed) == (path != "strut.friction.regularisation_velocity"), (
+        "one line, or a new one"
+    )
+    assert all(line.partition("#")[2] in text for line in TEXT.splitlines() if "#" in line), (
+        "comments stay"
+    )
 
 
 def test_round_trip_of_everything():
@@ -119,7 +123,9 @@ def test_bump_stop_at_the_top():
 def test_a_part_that_the_rig_lacks_is_an_error_of_the_user():
     kart = load("kart-quarter-car")
     with pytest.raises(DescriptionError, match=r"strut\.friction\.force"):
-        changed_text(parts.library()["kart-quarter-car"].read_text(), kart, {"strut.friction.force": 5.0})
+        changed_text(
+            parts.library()["kart-quarter-car"].read_text(), kart, {"strut.friction.force": 5.0}
+        )
 
 
 MISTAKES = [
@@ -148,38 +154,77 @@ MISTAKES = [
     ("guide", '"3 mm/s"', '"0 mm/s"', 25, "guide.friction.regularisation_velocity: out of range"),
     ("stop", 'gap = "12 mm"', 'gab = "12 mm"', 28, "strut.bump_stop.gab: unknown key.*'gap'"),
     ("stop unit", '"300 N/mm^3"', '"300 N/mm"', 30, "strut.bump_stop.progression: wrong unit"),
-    ("tyre", "lift_off = true", "lift_off = 3", 34, "tyre.lift_off: input should be a valid boolean"),
-    ("tyre curve", '"polynomial"', '"polynomal"', 32, "tyre.curve: unknown kind 'polynomal'.*'polynomial'"),
-    ("tyre law", "lift_off = true", "stiffness = 1.0", 32, "tyre: give exactly one of stiffness, curve"),
+    (
+        "tyre",
+        "lift_off = true",
+        "lift_off = 3",
+        34,
+        "tyre.lift_off: input should be a valid boolean",
+    ),
+    (
+        "tyre curve",
+        '"polynomial"',
+        '"polynomal"',
+        32,
+        "tyre.curve: unknown kind 'polynomal'.*'polynomial'",
+    ),
+    (
+        "tyre law",
+        "lift_off = true",
+        "stiffness = 1.0",
+        32,
+        "tyre: give exactly one of stiffness, curve",
+    ),
     ("section", "[guide]", "[giude]", 24, "giude: unknown key.*'guide'"),
 ]
 
 
-@pytest.mark.parametrize(("name", "old", "new", "line", "message"), MISTAKES, ids=[mistake[0] for mistake in MISTAKES])
+@pytest.mark.parametrize(
+    ("name", "old", "new", "line", "message"), MISTAKES, ids=[mistake[0] for mistake in MISTAKES]
+)
 def test_errors_name_file_line_and_path(name, old, new, line, message):
     assert old in TEXT
     with pytest.raises(DescriptionError) as caught:
         read(TEXT.replace(old, new, 1), where="folder/rig.toml")
-    place = [text for text in str(caught.value).splitlines() if f"folder/rig.toml, line {line}: " in text]
+    place = [
+        text for text in str(caught.value).splitlines() if f"folder/rig.toml, line {line}: " in text
+    ]
     assert any(re.search(message, text) for text in place), str(caught.value)
 
 
 def test_several_mistakes_are_told_at_once():
-    text = TEXT.replace('"16 kg" ', '"16 m" ').replace('"5 N"', '"-5 N"').replace('gap = "12 mm"', 'gab = "12 mm"')
+    text = (
+        TEXT.replace('"16 kg" ', '"16 m" ')
+        .replace('"5 N"', '"-5 N"')
+        .replace('gap = "12 mm"', 'gab = "12 mm"')
+    )
     with pytest.raises(DescriptionError) as caught:
         read(text)
     message = str(caught.value)
     assert all(
-        place in message for place in ("line 8: sprung.mass", "line 22: strut.friction", "line 28: strut.bump_stop.gab")
+        place in message
+        for place in (
+            "line 8: sprung.mass",
+            "line 22: strut.friction",
+            "line 28: strut.bump_stop.gab",
+        )
     )
 
 
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('"quarter-car"', '"quater-car"', "rig.toml.*unknown model 'quater-car'; allowed: .*quarter-car.*Did you mean"),
+        (
+            '"quarter-car"',
+            '"quater-car"',
+            "rig.toml.*unknown model 'quater-car'; allowed: .*quarter-car.*Did you mean",
+        ),
         ('model = "quarter-car"', "", "the key 'model' is missing"),
-        ('"jounce.rig/1"', '"jounce.rig/2"', "schema line.*found 'jounce.rig/2'; allowed: schema = \"jounce.rig/1\""),
+        (
+            '"jounce.rig/1"',
+            '"jounce.rig/2"',
+            "schema line.*found 'jounce.rig/2'; allowed: schema = \"jounce.rig/1\"",
+        ),
         ('schema = "jounce.rig/1"', "", "schema line is missing"),
     ],
 )

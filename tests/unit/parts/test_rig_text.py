@@ -37,7 +37,10 @@ RIGS = {
             "hardpoints.arb_pivot": [0.3, 0.0, 0.2],
             "hardpoints.arb_arm_end": [0.1, 0.45, 0.2],
             "hardpoints.arb_link_end": [0.1, 0.5, 0.15],
-            "bushings.upper_arm_rear": {"stiffness": [1e6, 2e6, 3e6], "rotational_stiffness": [10.0, 20.0, 30.0]},
+            "bushings.upper_arm_rear": {
+                "stiffness": [1e6, 2e6, 3e6],
+                "rotational_stiffness": [10.0, 20.0, 30.0],
+            },
             "guide_friction": {"force": 5.0},
         }
     ),
@@ -63,4 +66,7 @@ def test_units_and_long_lines():
     assert 'lower_ball_joint = ["5 mm", "720 mm", "140 mm"]' in text
     assert 'camber = "-1 deg"' in text
     assert "N*m/rad" in text
-    assert max(len(line) for line in rig_text(load("hmmwv-front")).splitlines() if '"kg*m' not in line) < 200
+    assert (
+        max(len(line) for line in rig_text(load("hmmwv-front")).splitlines() if '"kg*m' not in line)
+        < 200
+    )

@@ -15,7 +15,9 @@ ROUGH = {"road": "C", "speed": "20 m/s"}
 TAKES_NAMES = {
     "simulate": lambda rig: jn.simulate(rig, TRIAL)["sprung.az"].values,
     "simulate_many": lambda rig: (
-        jn.simulate_many(rig, TRIAL, {"sprung.mass": [400.0]}, metrics="rms sprung.az")["rms sprung.az"].values
+        jn.simulate_many(rig, TRIAL, {"sprung.mass": [400.0]}, metrics="rms sprung.az")[
+            "rms sprung.az"
+        ].values
     ),
     "stationary": lambda rig: jn.stationary(rig, **ROUGH)["sprung.az"],
     "optimise": lambda rig: list(jn.optimise(rig, DAMPER, "sprung.az", **ROUGH).values.values()),
@@ -49,7 +51,9 @@ def test_a_name_that_is_none_is_refused_with_the_nearest(call):
 
 
 @pytest.mark.parametrize("given", [None, 3, {"sprung": 1.0}])
-@pytest.mark.parametrize("call", {**TAKES_NAMES, **TAKES_RIGS}.values(), ids={**TAKES_NAMES, **TAKES_RIGS})
+@pytest.mark.parametrize(
+    "call", {**TAKES_NAMES, **TAKES_RIGS}.values(), ids={**TAKES_NAMES, **TAKES_RIGS}
+)
 def test_what_is_no_rig_is_refused(call, given):
     with pytest.raises(DescriptionError, match=r"rig: not a rig.*a rig or a vehicle"):
         call(given)

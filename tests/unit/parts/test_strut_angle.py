@@ -25,7 +25,9 @@ def test_upper_end_turns_about_the_lower_one_at_constant_length(degrees, side):
     inboard = abs(new.strut_top[1]) < abs(new.strut_bottom[1])
     assert inboard == (degrees > 0.0)
     assert turned.strut == rig.strut
-    changed = {path for path, value in turned.parameters().items() if value != rig.parameters()[path]}
+    changed = {
+        path for path, value in turned.parameters().items() if value != rig.parameters()[path]
+    }
     assert changed == {"hardpoints.strut_top[1]", "hardpoints.strut_top[2]"}
 
 

@@ -60,8 +60,16 @@ def test_columns_of_the_records_are_in_the_same_file(tmp_path):
         ('kind = "sprung-plate"', 'kind = "rigid"', "rigid-plate"),
         ('method = "theta"', 'method = "thetta"', "theta"),
         ('start_frequency = "12 Hz"', 'start_frequency = "12 Hz", run_down = "free"', "inertia"),
-        ('start_frequency = "12 Hz"', 'start_frequency = "12 Hz", rundown = "free"', "Did you mean 'run_down'"),
-        ("[columns]", 'limits = {wheel_load_min = "9 kN", wheel_load_max = "1 kN"}\n[columns]', "not below"),
+        (
+            'start_frequency = "12 Hz"',
+            'start_frequency = "12 Hz", rundown = "free"',
+            "Did you mean 'run_down'",
+        ),
+        (
+            "[columns]",
+            'limits = {wheel_load_min = "9 kN", wheel_load_max = "1 kN"}\n[columns]',
+            "not below",
+        ),
         ("jounce.tester/1", "jounce.rig/1", "schema"),
     ],
 )
@@ -81,7 +89,10 @@ def test_an_unknown_tester_is_named_with_the_nearest():
 def test_changes_make_a_copy():
     tester = load_tester("eusama")
     changed = tester.with_changes({"stroke": "8 mm", "programme.sweep_rate": "1 Hz/s"})
-    assert (changed.amplitude, changed.programme.sweep_rate) == (pytest.approx(0.004, rel=1e-12), 1.0)
+    assert (changed.amplitude, changed.programme.sweep_rate) == (
+        pytest.approx(0.004, rel=1e-12),
+        1.0,
+    )
     assert tester.amplitude == 0.003
     with pytest.raises(DescriptionError):
         tester.with_changes({"stroke": "-8 mm"})
@@ -102,7 +113,10 @@ def test_an_axle_carries_its_share_of_the_body():
 
 
 def test_two_quarter_cars_keep_their_loads_as_an_axle():
-    light, heavy = load("audi-a6-quarter-car"), load("audi-a6-quarter-car").with_changes({"sprung.mass": 500.0})
+    light, heavy = (
+        load("audi-a6-quarter-car"),
+        load("audi-a6-quarter-car").with_changes({"sprung.mass": 500.0}),
+    )
     axle = axle_from(light, heavy, track=1.5)
     assert axle.mass * axle.right.distance / 1.5 == pytest.approx(light.sprung.mass, rel=1e-12)
     assert axle.mass * axle.left.distance / 1.5 == pytest.approx(heavy.sprung.mass, rel=1e-12)

@@ -58,10 +58,16 @@ def small(folder: Path, *changes: tuple[str, str], more: str = "") -> Path:
 )
 def test_real_files(name, stiffness, damping, radius, load) -> None:
     tyre = read_tir(FILES / f"{name}.tir")
-    assert (tyre.stiffness, tyre.damping_coefficient, tyre.radius) == pytest.approx((stiffness, damping, radius))
+    assert (tyre.stiffness, tyre.damping_coefficient, tyre.radius) == pytest.approx(
+        (stiffness, damping, radius)
+    )
     assert (tyre.nominal_load, tyre.file_format, tyre.findings) == (load, "PAC2002", ())
     table = tyre_from_tir(FILES / f"{name}.tir")
-    assert table == {"stiffness": tyre.stiffness, "damping_coefficient": damping, "undeformed_radius": radius}
+    assert table == {
+        "stiffness": tyre.stiffness,
+        "damping_coefficient": damping,
+        "undeformed_radius": radius,
+    }
     table.pop("undeformed_radius")
     assert Tyre(**table).stiffness == pytest.approx(stiffness)
 
@@ -76,10 +82,16 @@ def test_units_of_the_file_count(tmp_path) -> None:
     assert tyre.stiffness == pytest.approx(210e3, rel=1e-12)
     assert tyre.damping_coefficient == pytest.approx(80.0, rel=1e-12)
     assert (tyre.nominal_load, tyre.file_format, tyre.name) == (4000.0, "MF61", "small")
-    inches = read_tir(small(tmp_path, ("'mm'", "'inch'"), ("'newton'", "'pound_force'"), ("320.5", "12.6")))
+    inches = read_tir(
+        small(tmp_path, ("'mm'", "'inch'"), ("'newton'", "'pound_force'"), ("320.5", "12.6"))
+    )
     assert inches.radius == pytest.approx(0.32004, rel=1e-12)
     assert inches.stiffness == pytest.approx(210 * 4.4482216152605 / 0.0254, rel=1e-12)
-    kilo = read_tir(small(tmp_path, ("'newton'", "'kilo_newton'"), ("210 ", "0.21"), ("'second'", "'millisecond'")))
+    kilo = read_tir(
+        small(
+            tmp_path, ("'newton'", "'kilo_newton'"), ("210 ", "0.21"), ("'second'", "'millisecond'")
+        )
+    )
     assert kilo.stiffness == pytest.approx(210e3, rel=1e-12)
     assert kilo.damping_coefficient == pytest.approx(0.08 * 1e6 * 1e-3, rel=1e-12)
 
@@ -96,7 +108,10 @@ def test_stiffness_rises_with_the_pressure() -> None:
     tyre = read_tir(FILES / "CityBus_Pac02Tire.tir")
     assert (tyre.pressure, tyre.nominal_pressure) == (800e3, 800e3)
     assert tyre.stiffness_at() == tyre.stiffness_at(800e3) == tyre.stiffness
-    with pytest.raises(DescriptionError, match=r"does not say how .* pressure; found '700000 Pa'; allowed: 800000 Pa"):
+    with pytest.raises(
+        DescriptionError,
+        match=r"does not say how .* pressure; found '700000 Pa'; allowed: 800000 Pa",
+    ):
         tyre.stiffness_at(700e3)
     with pytest.raises(DescriptionError, match="files with PFZ1"):
         read_tir(FILES / "audi_Pac02Tire.tir").stiffness_at(2e5)
@@ -108,8 +123,13 @@ def test_pressures_under_all_their_names(tmp_path) -> None:
     assert (tyre.pressure, tyre.nominal_pressure) == pytest.approx((2.5e5, 2e5))
     assert tyre.stiffness_at() == pytest.approx(210e3 * (1 + 0.7 * 0.25), rel=1e-12)
     assert tyre.stiffness_at(1.8e5) == pytest.approx(210e3 * (1 - 0.07), rel=1e-12)
-    assert tyre_from_tir(tmp_path / "small.tir", pressure=1.8e5)["stiffness"] == pytest.approx(210e3 * 0.93)
-    for pressure, says in [(0.0, "not an inflation pressure"), (float("nan"), "not an inflation pressure")]:
+    assert tyre_from_tir(tmp_path / "small.tir", pressure=1.8e5)["stiffness"] == pytest.approx(
+        210e3 * 0.93
+    )
+    for pressure, says in [
+        (0.0, "not an inflation pressure"),
+        (float("nan"), "not an inflation pressure"),
+    ]:
         with pytest.raises(DescriptionError, match=says):
             tyre.stiffness_at(pressure)
     steep = read_tir(small(tmp_path, more=modern.replace("0.7", "4.0")))
@@ -176,16 +196,34 @@ def test_a_load_that_rises_with_the_square_of_the_deflection(tmp_path) -> None:
     [
         ([("[UNITS]\n", "[UNIT]\n")], r"small\.tir: the section \[UNITS\] is missing"),
         ([("LENGTH = 'mm'\n", "")], "the unit of LENGTH is missing"),
-        ([("'mm'", "'parsec'")], r"line 2: unknown unit of LENGTH; found 'parsec'; allowed: meter, millimeter"),
-        ([("'newton'", "'newtonn'")], "unknown unit of FORCE; found 'newtonn'.*Did you mean 'newton'"),
-        ([("VERTICAL_STIFFNESS", "VERTICAL_STIFNESS")], "VERTICAL_STIFFNESS is missing.*'VERTICAL_STIFNESS'"),
-        ([("UNLOADED_RADIUS", "RADIUS")], r"UNLOADED_RADIUS is missing; allowed: UNLOADED_RADIUS in \[DIMENSION\]"),
+        (
+            [("'mm'", "'parsec'")],
+            r"line 2: unknown unit of LENGTH; found 'parsec'; allowed: meter, millimeter",
+        ),
+        (
+            [("'newton'", "'newtonn'")],
+            "unknown unit of FORCE; found 'newtonn'.*Did you mean 'newton'",
+        ),
+        (
+            [("VERTICAL_STIFFNESS", "VERTICAL_STIFNESS")],
+            "VERTICAL_STIFFNESS is missing.*'VERTICAL_STIFNESS'",
+        ),
+        (
+            [("UNLOADED_RADIUS", "RADIUS")],
+            r"UNLOADED_RADIUS is missing; allowed: UNLOADED_RADIUS in \[DIMENSION\]",
+        ),
         ([("= 210 ", "= soft ")], r"line 11: VERTICAL_STIFFNESS: not a number; found 'soft'"),
         ([("= 210 ", "= 2,1 ")], "not a number; found '2,1'. Write a decimal point"),
         ([("= 210 ", "= nan ")], "not a finite number"),
-        ([("= 210 ", "= -210 ")], r"line 11: VERTICAL_STIFFNESS: out of range; found '-210'; allowed: above 0"),
+        (
+            [("= 210 ", "= -210 ")],
+            r"line 11: VERTICAL_STIFFNESS: out of range; found '-210'; allowed: above 0",
+        ),
         ([("= 0.08", "= -1")], "VERTICAL_DAMPING: out of range; found '-1'; allowed: at least 0"),
-        ([("FNOMIN = 4000", "VERTICAL_STIFFNESS = 3")], r"line 13: VERTICAL_STIFFNESS is given twice in \[VERTICAL\]"),
+        (
+            [("FNOMIN = 4000", "VERTICAL_STIFFNESS = 3")],
+            r"line 13: VERTICAL_STIFFNESS is given twice in \[VERTICAL\]",
+        ),
     ],
 )
 def test_refuses(tmp_path, changes, says) -> None:
@@ -209,7 +247,9 @@ def test_refuses_what_is_no_tyre_file(tmp_path) -> None:
 
 def test_spellings_that_other_programs_write(tmp_path) -> None:
     text = SMALL.replace("\n", "\r\n").replace("= 210  ", "=2.1D+02").replace("'mm'", "'MM'")
-    (tmp_path / "other.tir").write_bytes(text.replace("[VERTICAL]", "[ vertical ]").encode("cp1252"))
+    (tmp_path / "other.tir").write_bytes(
+        text.replace("[VERTICAL]", "[ vertical ]").encode("cp1252")
+    )
     assert read_tir(tmp_path / "other.tir").stiffness == pytest.approx(210e3)
 
 
@@ -222,7 +262,10 @@ def test_bottoming_curves_are_read_and_named_as_dropped(tmp_path: Path) -> None:
     file = tmp_path / "rim.tir"
     file.write_text(text)
     tyre = read_tir(file)
-    assert (tyre.bottoming_penetration, tyre.bottoming_load) == ((0.0, 0.005, 0.01), (0.0, 4000.0, 20000.0))
+    assert (tyre.bottoming_penetration, tyre.bottoming_load) == (
+        (0.0, 0.005, 0.01),
+        (0.0, 4000.0, 20000.0),
+    )
     assert tyre.bottoming_radius == pytest.approx(0.21)
     (finding,) = tyre.findings
     assert (finding.severity, finding.value) == ("note", pytest.approx(0.09))
@@ -233,11 +276,17 @@ def test_bottoming_curves_are_read_and_named_as_dropped(tmp_path: Path) -> None:
     assert curve["force"] == pytest.approx([0.0, 18000.0, 19000.0 + 4000.0, 20000.0 + 20000.0])
     rig = load("sedan-double-wishbone").with_changes({"tyre": tyre.tyre(rim=True)})
     assert rig.tyre.stiffness is None
-    file.write_text(text.replace("[BOTTOMING_CURVE]\n{pen fz}\n0 0\n5 4000\n10 20000\n", "BOTTOM_STIFF = 2000\n"))
+    file.write_text(
+        text.replace(
+            "[BOTTOMING_CURVE]\n{pen fz}\n0 0\n5 4000\n10 20000\n", "BOTTOM_STIFF = 2000\n"
+        )
+    )
     stiff = read_tir(file).tyre(rim=True)["curve"]
     assert stiff["force"] == pytest.approx([0.0, 18000.0, 0.099 * 2e5 + 0.009 * 2e6])
     file.write_text(text.replace("BOTTOMING_RADIUS = 210\n", ""))
     assert "it never acts" in read_tir(file).findings[0].message
     file.write_text(text.replace("5 4000", "5 -4000"))
-    with pytest.raises(DescriptionError, match=r"line 13: \[BOTTOMING_CURVE\]: the curve does not ascend"):
+    with pytest.raises(
+        DescriptionError, match=r"line 13: \[BOTTOMING_CURVE\]: the curve does not ascend"
+    ):
         read_tir(file)

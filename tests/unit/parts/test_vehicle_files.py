@@ -73,7 +73,9 @@ def test_wheels_stand_where_they_stand():
 
 def test_changes_leave_the_car_alone():
     car = jn.load("audi-a6-full-car")
-    other = car.with_changes({"front.spring_rate": "30 N/mm", "rear.tyre.lift_off": False, "front.bump_stop": STOP})
+    other = car.with_changes(
+        {"front.spring_rate": "30 N/mm", "rear.tyre.lift_off": False, "front.bump_stop": STOP}
+    )
     assert other.front.spring_rate == 30e3
     assert other.front.bump_stop.gap == 0.1
     assert other.rear.tyre.lift_off is False
@@ -92,7 +94,9 @@ def test_constants_are_laws_of_their_own():
 
 
 def test_a_table_in_place_of_a_constant(tmp_path):
-    text = FULL.replace('spring_rate = "28000 N/m"', 'spring = {rate = "28000 N/m", preload = "100 N"}')
+    text = FULL.replace(
+        'spring_rate = "28000 N/m"', 'spring = {rate = "28000 N/m", preload = "100 N"}'
+    )
     text = text.replace(
         'damping_coefficient = "2500 N*s/m"',
         'damper = {bump_coefficient = "1500 N*s/m", rebound_coefficient = "3500 N*s/m"}',
@@ -117,15 +121,31 @@ BAD = {
         "line 8: front.distance: out of range; found '-1.29 m'; allowed: above 0 m",
     ),
     "no distance at all": ('"1.29 m"', "0", "front.distance: out of range"),
-    "missing key": ('pitch_inertia = "2500 kg*m^2"\n', "", "line 4: body.pitch_inertia: the key is missing"),
+    "missing key": (
+        'pitch_inertia = "2500 kg*m^2"\n',
+        "",
+        "line 4: body.pitch_inertia: the key is missing",
+    ),
     "missing axle": (HALF[HALF.index("[rear]") :], "", "rear: the key is missing"),
     "misspelt form": ("[body]", 'compat = "simulnik"\n[body]', "compat: .*Did you mean 'simulink'"),
-    "form with a blank": ("[body]", 'compat = "sign corrected"\n[body]', "Did you mean 'sign-corrected'"),
-    "misspelt model": ('"half-car"', '"half-cra"', "unknown model 'half-cra'.*Did you mean 'half-car'"),
+    "form with a blank": (
+        "[body]",
+        'compat = "sign corrected"\n[body]',
+        "Did you mean 'sign-corrected'",
+    ),
+    "misspelt model": (
+        '"half-car"',
+        '"half-cra"',
+        "unknown model 'half-cra'.*Did you mean 'half-car'",
+    ),
     "no model": ('model = "half-car"\n', "", "the key 'model' is missing; allowed: half-car, "),
     "a rig's schema": ("vehicle/1", "rig/1", 'schema = "jounce.vehicle/1"'),
     "later schema": ("vehicle/1", "vehicle/2", "found 'jounce.vehicle/2'"),
-    "misspelt key": ("spring_rate", "springrate", "line 9: front.springrate: unknown key.*Did you mean 'spring_rate'"),
+    "misspelt key": (
+        "spring_rate",
+        "springrate",
+        "line 9: front.springrate: unknown key.*Did you mean 'spring_rate'",
+    ),
     "NaN": ('"1636 kg"', "nan", "body.mass: not a finite number"),
     "infinite": ('"1636 kg"', "inf", "body.mass: not a finite number"),
     "wrong unit": (
@@ -137,7 +157,11 @@ BAD = {
     "driving damper": ('"3000 N*s/m"', '"-3000 N*s/m"', "front.damping_coefficient: out of range"),
     "soft spring": ('"28000 N/m"', '"0 N/m"', "front.spring_rate: out of range"),
     "mass without weight": ('"1636 kg"', '"0 kg"', "body.mass: out of range"),
-    "wheel of a half car": ("[rear]", '[rear]\nunsprung_mass = "4 kg"', "rear.unsprung_mass: unknown key"),
+    "wheel of a half car": (
+        "[rear]",
+        '[rear]\nunsprung_mass = "4 kg"',
+        "rear.unsprung_mass: unknown key",
+    ),
     "third axle": ("[rear]", "[middle]\n[rear]", "middle: unknown key"),
     "height below the road": ("[front]", 'height = "-0.5 m"\n[front]', "body.height: out of range"),
 }
@@ -155,15 +179,27 @@ def test_refused(case, tmp_path):
 BAD_FULL = {
     "no track": ('track = "1.54 m"\n', "", "front.track: the key is missing"),
     "negative track": ('track = "1.54 m"', 'track = "-1.54 m"', "front.track: out of range"),
-    "no roll inertia": ('roll_inertia = "600 kg*m^2"\n', "", "body.roll_inertia: the key is missing"),
+    "no roll inertia": (
+        'roll_inertia = "600 kg*m^2"\n',
+        "",
+        "body.roll_inertia: the key is missing",
+    ),
     "negative bar": ('"12 N/mm"', '"-12 N/mm"', "front.anti_roll_bar_rate: out of range"),
-    "form": ('model = "full-car"', 'model = "full-car"\ncompat = "simulink"', "compat: unknown key"),
+    "form": (
+        'model = "full-car"',
+        'model = "full-car"\ncompat = "simulink"',
+        "compat: unknown key",
+    ),
     "two dampers": (
         'spring_rate = "28',
         'damper = {coefficient = 3}\nspring_rate = "28',
         "damping_coefficient and damper",
     ),
-    "no damper": ('damping_coefficient = "3000 N*s/m"\n', "", "exactly one of damping_coefficient, damper; found none"),
+    "no damper": (
+        'damping_coefficient = "3000 N*s/m"\n',
+        "",
+        "exactly one of damping_coefficient, damper; found none",
+    ),
     "tyre by the old key": ("tyre = {stiffness", "tyre = {stiffnes", "Did you mean 'stiffness'"),
     "stop without rate": (
         "[rear]",

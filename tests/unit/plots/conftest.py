@@ -15,7 +15,9 @@ def comparison(rating: float, grade: str, verdict: str, nrmse: float = 0.2) -> T
     return TrialComparison({"sprung.az": channel}, verdict, 10.0)
 
 
-def trial_result(number: int, use: str, speed: float, pitch: float | None = None, nrmse: float = 0.2) -> TrialResult:
+def trial_result(
+    number: int, use: str, speed: float, pitch: float | None = None, nrmse: float = 0.2
+) -> TrialResult:
     time = np.arange(0.0, 1.0, 1e-3)
     measured = np.where((time > 0.2) & (time < 0.6), np.sin(40.0 * (time - 0.2)), 0.0)
     entry = TrialEntry(number=number, speed=speed, road="A", recording=f"{number}.csv", use=use)
@@ -31,7 +33,9 @@ def trial_result(number: int, use: str, speed: float, pitch: float | None = None
 
 @pytest.fixture
 def trials() -> tuple[TrialResult, ...]:
-    lost = TrialResult(TrialEntry(number=4, speed=2.0, road="A", recording="4.csv"), None, None, None, {}, {})
+    lost = TrialResult(
+        TrialEntry(number=4, speed=2.0, road="A", recording="4.csv"), None, None, None, {}, {}
+    )
     return (
         trial_result(1, "fit", 1.95),
         trial_result(2, "hold-out", 2.86, nrmse=0.4),
@@ -48,6 +52,10 @@ def update_result() -> UpdateResult:
         ),
         "tyre.stiffness": UpdatedParameter(100e3, 110e3, None, None, 90e3, 110e3, True, "N/m"),
     }
-    known = Identifiability(tuple(parameters), (1.0, 0.5), (2.0, 1.0), 2, 2.0, ((1.0, -0.4), (-0.4, 1.0)), ())
+    known = Identifiability(
+        tuple(parameters), (1.0, 0.5), (2.0, 1.0), 2, 2.0, ((1.0, -0.4), (-0.4, 1.0)), ()
+    )
     correlation = ((1.0, 0.0), (0.0, 0.0))
-    return UpdateResult("strategy 2", "bfgs", 200.0, 50.0, 75.0, 5, 9, parameters, correlation, {}, known)
+    return UpdateResult(
+        "strategy 2", "bfgs", 200.0, 50.0, 75.0, 5, 9, parameters, correlation, {}, known
+    )

@@ -54,7 +54,8 @@ def run(kart, trial) -> xr.Dataset:
 def data_of(page: Path) -> dict[str, Any]:
     """What the page was given."""
     text = re.search(
-        r'<script type="application/json" id="jounce-data">(.*?)</script>', page.read_text(encoding="utf-8")
+        r'<script type="application/json" id="jounce-data">(.*?)</script>',
+        page.read_text(encoding="utf-8"),
     )
     assert text is not None
 
@@ -79,7 +80,9 @@ def array(data: dict[str, Any], index: int) -> np.ndarray:
     n, at = packed["n"], packed["at"]
     if "even" in packed:
         return packed["even"][0] + packed["even"][1] * np.arange(n)
-    raw = np.frombuffer(zlib.decompress(base64.b64decode(data["packed"])), np.uint8).astype(np.int64)
+    raw = np.frombuffer(zlib.decompress(base64.b64decode(data["packed"])), np.uint8).astype(
+        np.int64
+    )
     folded = raw[at : at + n] | raw[at + n : at + 2 * n] << 8
     whole = folded if packed["order"] == 0 else (folded >> 1) ^ -(folded & 1)
     for _ in range(packed["order"]):
@@ -101,7 +104,9 @@ def test_page_holds_every_pose_to_a_thousandth_of_a_millimetre(kart, sweep, page
         for name, places in zip(mechanism["names"], mechanism["points"], strict=True):
             expected = [1e3 * float(sweep[f"{name}.{letter}"][k]) for letter in "xyz"]
             assert places[k] == pytest.approx(expected, abs=0.00051)
-        assert mechanism["contact"][k][1] == pytest.approx(1e3 * float(sweep["contact_point_y"][k]), abs=0.00051)
+        assert mechanism["contact"][k][1] == pytest.approx(
+            1e3 * float(sweep["contact_point_y"][k]), abs=0.00051
+        )
     assert scene["motion"]["road"] is None
 
 
@@ -117,8 +122,12 @@ def test_page_of_a_rack_sweep_turns_its_wheel(kart, tmp_path: Path) -> None:
     (mechanism,) = data["mechanisms"]
     assert data["viewers"][0]["x"]["words"] == "rack travel"
     inner = mechanism["points"][mechanism["names"].index("tie_rod_inner")]
-    assert [place[1] - inner[2][1] for place in inner] == pytest.approx([-10.0, -5.0, 0.0, 5.0, 10.0], abs=0.002)
-    turned = np.degrees(np.arctan2(-np.array(mechanism["spin"])[:, 0], np.array(mechanism["spin"])[:, 1]))
+    assert [place[1] - inner[2][1] for place in inner] == pytest.approx(
+        [-10.0, -5.0, 0.0, 5.0, 10.0], abs=0.002
+    )
+    turned = np.degrees(
+        np.arctan2(-np.array(mechanism["spin"])[:, 0], np.array(mechanism["spin"])[:, 1])
+    )
     assert turned == pytest.approx(np.degrees(steered["steer"].to_numpy()), abs=0.01)
     assert np.ptp(turned) > 5.0
 
@@ -132,18 +141,28 @@ def test_page_shows_quantities_in_usual_units(sweep, page: Path) -> None:
     assert shown == pytest.approx(np.degrees(sweep["caster"].to_numpy()), abs=6e-5)
     camber = array(data, panes["camber"]["curves"][0]["y"])
     assert set(camber) == {0.0}  # parallel arms of one length: rounding is no curve
-    assert [name for name, pane in panes.items() if pane["shown"]] == ["camber", "toe", "motion_ratio"]
+    assert [name for name, pane in panes.items() if pane["shown"]] == [
+        "camber",
+        "toe",
+        "motion_ratio",
+    ]
     assert not any(name.endswith(("_front.x", "_joint.z")) for name in panes)
     assert "wheel_travel" not in panes
 
 
-def test_page_needs_nothing_else_and_is_always_the_same(kart, sweep, page: Path, tmp_path: Path) -> None:
+def test_page_needs_nothing_else_and_is_always_the_same(
+    kart, sweep, page: Path, tmp_path: Path
+) -> None:
     first = page.read_bytes()
     assert animate(kart, sweep, tmp_path / "b.html").read_bytes() == first
-    text = re.sub(r"<script>.*?</script>", "", first.decode(), flags=re.DOTALL)  # the viewer is tested in a browser
+    text = re.sub(
+        r"<script>.*?</script>", "", first.decode(), flags=re.DOTALL
+    )  # the viewer is tested in a browser
     text = re.sub(r' xmlns(:\w+)?="[^"]+"', "", text)  # names of namespaces are no addresses
     assert "default-src 'none'" in text
-    assert not re.search(r"https?:|//cdn|@import|\bfetch\(|XMLHttpRequest|<link|\bsrc=|import\(", text)
+    assert not re.search(
+        r"https?:|//cdn|@import|\bfetch\(|XMLHttpRequest|<link|\bsrc=|import\(", text
+    )
     assert "{{" not in text
 
 
@@ -193,10 +212,14 @@ def test_run_lifts_off_and_its_road_passes(kart, run, trial, tmp_path: Path) -> 
 
 
 def test_part_of_a_run_and_fewer_poses(kart, run, trial, tmp_path: Path) -> None:
-    data = data_of(animate(kart, run, tmp_path / "a.html", trial=trial, between=("0.1 s", 0.2), frames=11))
+    data = data_of(
+        animate(kart, run, tmp_path / "a.html", trial=trial, between=("0.1 s", 0.2), frames=11)
+    )
     assert array(data, scene_in(data)["x"]) == pytest.approx(np.linspace(0.1, 0.2, 11))
     assert data["mechanisms"][0]["travel"] == pytest.approx(np.linspace(100.0, 200.0, 11))  # ms
-    with pytest.raises(DescriptionError, match=r"between: there is no pose at this time.*0 s to 0\.4000 s"):
+    with pytest.raises(
+        DescriptionError, match=r"between: there is no pose at this time.*0 s to 0\.4000 s"
+    ):
         animate(kart, run, tmp_path / "b.html", between=(0.1, 0.5))
 
 
@@ -241,13 +264,18 @@ def test_excitation_has_no_road(kart, tmp_path: Path) -> None:
     data = data_of(animate(kart, run, tmp_path / "a.html", trial=trial))
     motion = scene_in(data)["motion"]
     assert motion["road"] is None
-    assert array(data, motion["ground"]) == pytest.approx(1e3 * run["road.z"].to_numpy(), abs=0.0051)
+    assert array(data, motion["ground"]) == pytest.approx(
+        1e3 * run["road.z"].to_numpy(), abs=0.0051
+    )
 
 
 @pytest.mark.parametrize(
-    ("name", "message"), [("a.avi", "format"), ("a", "format"), ("no/a.html", "folder"), ("there.html", "exists")]
+    ("name", "message"),
+    [("a.avi", "format"), ("a", "format"), ("no/a.html", "folder"), ("there.html", "exists")],
 )
-def test_files_that_cannot_be_written_are_refused_first(kart, name: str, message: str, tmp_path: Path) -> None:
+def test_files_that_cannot_be_written_are_refused_first(
+    kart, name: str, message: str, tmp_path: Path
+) -> None:
     (tmp_path / "there.html").write_text("mine", encoding="utf-8")
     with pytest.raises(OutputError, match=message):
         animate(kart, xr.Dataset(), tmp_path / name)
@@ -289,7 +317,9 @@ def test_tyre_leaves_the_road_in_the_film(kart, run, trial) -> None:
     scene = scene_of(kart)
     poses = poses_of(kart, scene, run)
     film = films._Film(
-        films.Animation(scene, poses, roadway_of(trial, poses.over, scene.undeformed_radius), "kart", 5.0, print)
+        films.Animation(
+            scene, poses, roadway_of(trial, poses.over, scene.undeformed_radius), "kart", 5.0, print
+        )
     )
     flying, standing = int(np.argmin(poses.touches)), 0
     for k, words in ((standing, "time 0.000 s"), (flying, f"no contact · {poses.label(flying)}")):
@@ -300,7 +330,9 @@ def test_tyre_leaves_the_road_in_the_film(kart, run, trial) -> None:
     assert lowest > road  # what is drawn agrees with what is said
 
 
-def test_mp4_without_ffmpeg_says_what_to_install(kart, sweep, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_mp4_without_ffmpeg_says_what_to_install(
+    kart, sweep, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def missing(name: str) -> None:
         raise ImportError(name)
 
@@ -311,7 +343,9 @@ def test_mp4_without_ffmpeg_says_what_to_install(kart, sweep, tmp_path: Path, mo
     assert list(tmp_path.iterdir()) == []
 
 
-def test_complaints_of_ffmpeg_are_shown(kart, sweep, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_complaints_of_ffmpeg_are_shown(
+    kart, sweep, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     broken = tmp_path / "ffmpeg"
     broken.write_text("#!/bin/sh\necho 'Unknown encoder' >&2\nexit 1\n", encoding="utf-8")
     broken.chmod(0o755)

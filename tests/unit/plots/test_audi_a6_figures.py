@@ -30,7 +30,9 @@ def exciter() -> EccentricExciter:
     return run_eccentric_exciter()
 
 
-@pytest.mark.parametrize(("channel", "output"), [("bounce.displacement", "z"), ("pitch.angle", "theta")])
+@pytest.mark.parametrize(
+    ("channel", "output"), [("bounce.displacement", "z"), ("pitch.angle", "theta")]
+)
 def test_one_line_for_each_variant_in_thousandths(case, channel, output):
     figure = case_curve(case, channel)
     assert len(figure.axes) == 2
@@ -64,7 +66,9 @@ def test_start_up(case):
 def test_exciter(exciter):
     plate, length, _ = exciter_spring(exciter, 2.0).axes
     assert max(plate.lines[0].get_ydata()) == pytest.approx(3.0, rel=1e-6)
-    assert [line.get_ydata()[0] for line in length.lines[:3]] == pytest.approx([341.0] * 3, abs=1e-9)
+    assert [line.get_ydata()[0] for line in length.lines[:3]] == pytest.approx(
+        [341.0] * 3, abs=1e-9
+    )
     torque = exciter_torque_curve(exciter).axes[0]
     assert {line.get_label() for line in torque.lines[:3]} == {"summed", "series", "two-mass"}
 
@@ -81,13 +85,18 @@ def test_figures_of_the_cases_follow_the_chosen_units(case, exciter):
         assert axes.get_ylabel() == label
         np.testing.assert_allclose(axes.lines[0].get_ydata(), np.asarray(usual) * size, rtol=1e-6)
     with local_units("imperial"):
-        labels = [axes.get_ylabel() for axes in (*exciter_spring(exciter).axes, *exciter_torque_curve(exciter).axes)]
+        labels = [
+            axes.get_ylabel()
+            for axes in (*exciter_spring(exciter).axes, *exciter_torque_curve(exciter).axes)
+        ]
         page = audi_case_page(case)
     assert labels == [
         "plate\n[in]", "spring length\n[in]", "spring force\n[lbf]", "drive torque\n[lbf·ft]", "force on plate\n[lbf]",
     ]  # fmt: skip
     tables = [block for block in page.blocks() if isinstance(block, PageTable)]
-    extremes = next(table for table in tables if table.caption.startswith("Extremes with a pitch moment"))
+    extremes = next(
+        table for table in tables if table.caption.startswith("Extremes with a pitch moment")
+    )
     assert extremes.header[1] == "z min [in]"
     window = next(run for run in case.runs).outputs["z"][0]
     cell = extremes.rows[0][1]

@@ -8,7 +8,14 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.core.display import SYSTEMS, current_units, display_unit, display_unit_for, local_units, size
+from jounce.core.display import (
+    SYSTEMS,
+    current_units,
+    display_unit,
+    display_unit_for,
+    local_units,
+    size,
+)
 from jounce.core.errors import DescriptionError
 from jounce.core.units import conversion_factor
 from jounce.identify.force_deflection import ForceDeflectionTrial
@@ -42,7 +49,9 @@ def test_every_unit_is_what_the_library_of_units_says() -> None:
         large = {si: unit for si, (_, unit) in _LARGE[system].items()}
         for si, unit in [*_UNITS[system].items(), *large.items()]:
             if unit.name and si != "m/km":
-                assert unit.factor * conversion_factor(unit.name, si) == pytest.approx(1.0, rel=1e-9), unit
+                assert unit.factor * conversion_factor(unit.name, si) == pytest.approx(
+                    1.0, rel=1e-9
+                ), unit
 
 
 def test_units_by_size_and_by_words(imperial: None) -> None:
@@ -52,7 +61,9 @@ def test_units_by_size_and_by_words(imperial: None) -> None:
     assert display_unit("N", 1e6).name == "lbf"
     assert display_unit_for("m/s", "speed") == display_unit("m/s", 10.0)
     assert display_unit_for("kN").factor == pytest.approx(224.8089, rel=1e-6)
-    assert display_unit_for("in").factor == pytest.approx(1.0, rel=1e-12)  # what is converted already
+    assert display_unit_for("in").factor == pytest.approx(
+        1.0, rel=1e-12
+    )  # what is converted already
     assert display_unit_for("psi").factor == pytest.approx(1.0, rel=1e-12)
     assert size(0.31, "MPa") == "44.96 psi"
     assert setting_text(1.95, "m/s", "speed") == "4.362 mph"
@@ -67,7 +78,9 @@ def test_a_block_and_a_choice_end_where_they_should() -> None:
         assert current_units() == "imperial"
         raise ZeroDivisionError
     assert current_units() == "metric"
-    with pytest.raises(DescriptionError, match=r"unknown system of units 'imperal'; .*Did you mean 'imperial'"):
+    with pytest.raises(
+        DescriptionError, match=r"unknown system of units 'imperal'; .*Did you mean 'imperial'"
+    ):
         jn.use_units("imperal")
     assert current_units() == "metric"
     assert size(0.31, "MPa") == "0.31 MPa"
@@ -89,7 +102,11 @@ def drawn() -> dict[str, list]:
     trials = [ForceDeflectionTrial(x, k * x, f"spring {k}") for k in (22700.0, 22760.0)]
     fit = jn.fit_stiffness(trials)
     road = [(p.x_label, p.y_label, p.series[0].x, p.series[0].y) for p in road_panels({"a": BUMP})]
-    bench = [(p.x_label, p.y_label, s.x, s.y) for p in stiffness_panels(fit, trials, "")[:1] for s in p.series]
+    bench = [
+        (p.x_label, p.y_label, s.x, s.y)
+        for p in stiffness_panels(fit, trials, "")[:1]
+        for s in p.series
+    ]
     return {
         "road": lines(jn.plots.road_profile(BUMP)),
         "stiffness": lines(jn.plots.stiffness_fit(fit, trials))[:3],
@@ -132,8 +149,17 @@ def test_a_mechanism_has_its_places_in_inches() -> None:
         found = []
         for axes in figure.axes[:3]:
             axis = axes.xaxis
-            places = [place for place in axis.get_majorticklocs() if axes.get_xlim()[0] <= place <= axes.get_xlim()[1]]
-            found.append((axes.get_xlabel(), [(place, axis.get_major_formatter()(place, 0)) for place in places]))
+            places = [
+                place
+                for place in axis.get_majorticklocs()
+                if axes.get_xlim()[0] <= place <= axes.get_xlim()[1]
+            ]
+            found.append(
+                (
+                    axes.get_xlabel(),
+                    [(place, axis.get_major_formatter()(place, 0)) for place in places],
+                )
+            )
         return found
 
     with local_units("imperial"):

@@ -52,7 +52,12 @@ def test_bars_third_springs_and_torsion_bars_are_parts(side: str) -> None:
 def test_bars_with_an_axis_are_drawn_along_it() -> None:
     rig = jn.load("formula-student-front")
     given = rig.with_changes({**U_BAR, "hardpoints.arb_axis": [-0.1, 0.02, 0.38]})
-    assert parts_of(given)["anti_roll_bar"] == ("arb_axis", "arb_pivot", "arb_arm_end", "arb_link_end")
+    assert parts_of(given)["anti_roll_bar"] == (
+        "arb_axis",
+        "arb_pivot",
+        "arb_arm_end",
+        "arb_link_end",
+    )
     assert "arb_middle" not in scene_of(given).design.points
     stem = scene_of(rig.with_changes(T_BAR))
     assert {part.name: part.points for part in stem.parts}["anti_roll_bar"] == (

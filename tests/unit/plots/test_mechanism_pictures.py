@@ -92,7 +92,9 @@ def rig_of(model: str, side: str = "left") -> Any:
     )
 
 
-def lifted(rig: Any, heights: np.ndarray, dimension: str = "wheel_travel", units: str = "m") -> xr.Dataset:
+def lifted(
+    rig: Any, heights: np.ndarray, dimension: str = "wheel_travel", units: str = "m"
+) -> xr.Dataset:
     """Poses in which everything that is not on the body rises by ``heights``."""
     scene = scene_of(rig)
     rise = np.zeros((len(heights), 3))
@@ -120,7 +122,12 @@ def test_every_hardpoint_is_named_once_in_every_view(model: str, side: str) -> N
     for axes in figure.axes[:3]:
         assert sorted(text.get_text() for text in axes.texts) == wanted
     assert (
-        sorted(text.get_text() for text in figure.axes[3].texts if text.get_text() not in ("", "x", "y", "z")) == wanted
+        sorted(
+            text.get_text()
+            for text in figure.axes[3].texts
+            if text.get_text() not in ("", "x", "y", "z")
+        )
+        == wanted
     )
 
 
@@ -160,7 +167,9 @@ def test_scale_is_the_same_in_all_directions_and_in_the_three_views() -> None:
     for axes in figure.axes:
         box = axes.get_position()
         width, height = np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim())
-        assert width / (box.width * size[0]) == pytest.approx(height / (box.height * size[1]), rel=1e-9)
+        assert width / (box.width * size[0]) == pytest.approx(
+            height / (box.height * size[1]), rel=1e-9
+        )
         scales.append(width / box.width)
     assert scales[0] == pytest.approx(scales[1], rel=1e-9)
     assert scales[0] == pytest.approx(scales[2], rel=1e-9)
@@ -193,7 +202,9 @@ def test_left_and_right_are_mirror_images_from_the_front() -> None:
     for marker in "so+^":
         mirrored = mark(right[0], marker) * [-1.0, 1.0]
         assert mirrored == pytest.approx(mark(left[0], marker))
-        assert mark(right[1], marker) * [-1.0, 1.0] == pytest.approx(mark(left[1], marker))  # each from outside
+        assert mark(right[1], marker) * [-1.0, 1.0] == pytest.approx(
+            mark(left[1], marker)
+        )  # each from outside
 
 
 def test_parts_join_the_hardpoints_that_the_model_joins() -> None:
@@ -202,12 +213,23 @@ def test_parts_join_the_hardpoints_that_the_model_joins() -> None:
     assert parts["lower_arm"] == ("lower_arm_front", "lower_ball_joint", "lower_arm_rear")
     assert parts["tie_rod"] == ("tie_rod_inner", "tie_rod_outer")
     assert scene.on_body == {
-        *("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear", "tie_rod_inner", "strut_top"),
+        *(
+            "lower_arm_front",
+            "lower_arm_rear",
+            "upper_arm_front",
+            "upper_arm_rear",
+            "tie_rod_inner",
+            "strut_top",
+        ),
     }
     held = {bracket.point: (bracket.first, bracket.second) for bracket in scene.brackets}
     assert set(held) == {"strut_bottom"}  # stands on the arm, beside its lines
     five = scene_of(rig_of("five-link"))
-    assert {bracket.point for bracket in five.brackets} == {"wheel_centre", "pushrod_outer", "rocker_axis"}
+    assert {bracket.point for bracket in five.brackets} == {
+        "wheel_centre",
+        "pushrod_outer",
+        "rocker_axis",
+    }
     assert five.steering_axis is None
 
 
@@ -218,7 +240,9 @@ def test_wheel_stands_on_the_ground_with_its_camber() -> None:
     assert -np.degrees(np.arcsin(pose.spin_axis[2])) == pytest.approx(-3.0)
     assert pose.spin_axis[0] > 0.0  # toe-in: the axis of a left wheel points forward
     assert np.linalg.norm(pose.contact - pose.points["wheel_centre"]) == pytest.approx(0.31)
-    assert (pose.contact - pose.points["wheel_centre"]) @ pose.spin_axis == pytest.approx(0.0, abs=1e-12)
+    assert (pose.contact - pose.points["wheel_centre"]) @ pose.spin_axis == pytest.approx(
+        0.0, abs=1e-12
+    )
 
 
 def test_overlay_draws_poses_ways_and_says_so() -> None:
@@ -273,11 +297,15 @@ def test_real_sweep_and_run_are_drawn() -> None:
     sweep = jn.sweep_travel(rig, np.linspace(-0.02, 0.02, 5), points=True)
     poses = poses_of(rig, scene_of(rig), sweep)
     assert poses.contact[:, 1] == pytest.approx(sweep["contact_point_y"].to_numpy(), abs=1e-12)
-    assert poses.points["wheel_centre"][:, 2] - rig.hardpoints.wheel_centre[2] == pytest.approx(poses.over, abs=1e-9)
+    assert poses.points["wheel_centre"][:, 2] - rig.hardpoints.wheel_centre[2] == pytest.approx(
+        poses.over, abs=1e-9
+    )
     axis = spin_axes(sweep["camber"].to_numpy(), sweep["steer"].to_numpy(), 1.0)
     # the helper's own lowest point of the wheel is where the kinematics say that it touches
     down = axis * axis[:, 2:] - [0.0, 0.0, 1.0]
-    lowest = poses.points["wheel_centre"] + rig.wheel.radius * down / np.linalg.norm(down, axis=1, keepdims=True)
+    lowest = poses.points["wheel_centre"] + rig.wheel.radius * down / np.linalg.norm(
+        down, axis=1, keepdims=True
+    )
     assert lowest == pytest.approx(poses.contact, abs=1e-9)
     assert mechanism(rig, sweep).legends
 
@@ -326,10 +354,19 @@ def test_shapes() -> None:
 def test_a_centre_that_lies_nowhere_has_no_height() -> None:
     rows = {"side_instant_centre_x": 3e6, "side_instant_centre_z": -0.48, "instant_centre_y": -1.5}
     centres = _Centres(
-        scene_of(jn.load("formula-student-front")), {**rows, "instant_centre_z": 0.1, "camber": 0.02}, {}
+        scene_of(jn.load("formula-student-front")),
+        {**rows, "instant_centre_z": 0.1, "camber": 0.02},
+        {},
     )
-    assert kinematic_value("side_instant_centre_z", centres.value_to_show("side_instant_centre_z"), "m") == "parallel"
-    assert [centres.value_to_show(name) for name in ("instant_centre_z", "instant_centre_y", "camber")] == [
+    assert (
+        kinematic_value(
+            "side_instant_centre_z", centres.value_to_show("side_instant_centre_z"), "m"
+        )
+        == "parallel"
+    )
+    assert [
+        centres.value_to_show(name) for name in ("instant_centre_z", "instant_centre_y", "camber")
+    ] == [
         0.1,
         -1.5,
         0.02,

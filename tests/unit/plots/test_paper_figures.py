@@ -16,12 +16,17 @@ def result(tmp_path_factory):
     """Strategies 1 and 2 of the shipped quick look on trials 1 and 4."""
     folder = tmp_path_factory.mktemp("paper")
     rows = tuple(row for row in table2() if row.number in (1, 4))
-    make_measurements(folder, BenchPlan(trials=rows, spring_trials=2, tyre_trials=1, decays=1, duration=0.8))
+    make_measurements(
+        folder, BenchPlan(trials=rows, spring_trials=2, tyre_trials=1, decays=1, duration=0.8)
+    )
     texts = campaign_texts()
     (folder / "quarter-car.toml").write_text(texts["quarter-car.toml"], encoding="utf-8")
     head, *trials = texts["quick-look.toml"].split("[[trial]]")
     updates = trials[-1][trials[-1].index("# --- updating") :]
-    short = "[[trial]]".join([head, trials[0], trials[3]]) + updates[: updates.index('[[update]]\nname = "strategy 3"')]
+    short = (
+        "[[trial]]".join([head, trials[0], trials[3]])
+        + updates[: updates.index('[[update]]\nname = "strategy 3"')]
+    )
     (folder / "short.toml").write_text(short, encoding="utf-8")
     return jn.run_campaign(folder / "short.toml")
 
@@ -35,13 +40,17 @@ def test_there_is_a_figure_for_all_that_was_done(result):
     (axes,) = figures["figure-4b"].axes
     linear = result.characterisation.tyre["0.31 MPa"]
     low = 1e3 * linear.fitted_range[0]
-    assert low == pytest.approx(2.0, abs=0.06)  # the first point of this trial above the 2 mm that are discarded
+    assert low == pytest.approx(
+        2.0, abs=0.06
+    )  # the first point of this trial above the 2 mm that are discarded
     assert [line.get_label() for line in axes.get_lines()] == [
         "experiment, 1 trial",
         f"linear fit, loading, from {low:.3g} mm: {1e-3 * linear.stiffness.value:.1f} N/mm",
         "polynomial fit, loading, all deflections",
     ]
-    assert [line.get_xdata()[0] for line in axes.get_lines()[1:]] == pytest.approx([low, 0.0], abs=1e-9)
+    assert [line.get_xdata()[0] for line in axes.get_lines()[1:]] == pytest.approx(
+        [low, 0.0], abs=1e-9
+    )
     assert [axes.get_title("left") for axes in figures["figure-6"].axes] == [
         "(a) single obstacle",
         "(b) a series of 5 obstacles",
@@ -56,10 +65,14 @@ def test_there_is_a_figure_for_all_that_was_done(result):
 def test_curves_are_experiment_and_both_simulations(result):
     strategy = result.strategies[1]
     trial = strategy.trial(1)
-    for axes, name in zip(adjusted_and_not(strategy, trial).axes, ("sprung.az", "unsprung.az"), strict=True):
+    for axes, name in zip(
+        adjusted_and_not(strategy, trial).axes, ("sprung.az", "unsprung.az"), strict=True
+    ):
         drawn = {line.get_label(): line.get_ydata() for line in axes.get_lines()}
         np.testing.assert_array_equal(drawn["experiment"], trial.signals[name].measured)
-        np.testing.assert_array_equal(drawn["simulation, not adjusted"], trial.signals_before[name].simulated)
+        np.testing.assert_array_equal(
+            drawn["simulation, not adjusted"], trial.signals_before[name].simulated
+        )
         np.testing.assert_array_equal(drawn["simulation, adjusted"], trial.signals[name].simulated)
         pair = [one.channels[name].r2 for one in (trial.before, trial.after)]
         assert axes.get_title("right") == f"R² {pair[0]:.3f} → {pair[1]:.3f}"
@@ -69,7 +82,9 @@ def test_an_update_is_drawn_on_every_trial_with_the_fitted_ones_marked(result):
     figure = update_on_every_trial(result.strategies[0])
     titles = [axes.get_title("left") for axes in figure.axes]
     assert titles == [
-        f"{trial}: {name} [m/s²]" for trial in ("1, fitted", "4") for name in ("sprung.az", "unsprung.az")
+        f"{trial}: {name} [m/s²]"
+        for trial in ("1, fitted", "4")
+        for name in ("sprung.az", "unsprung.az")
     ]
 
 

@@ -16,7 +16,9 @@ from jounce.report import REPORTS, recordings_page
 
 
 def run(time: np.ndarray, scale: float) -> xr.Dataset:
-    return recording(time, {"sprung.az": (scale * time, "m/s^2", ""), "strut.deflection": (1e-3 * time, "m", "")})
+    return recording(
+        time, {"sprung.az": (scale * time, "m/s^2", ""), "strut.deflection": (1e-3 * time, "m", "")}
+    )
 
 
 def test_differences_are_read_on_the_line_between_samples() -> None:
@@ -34,7 +36,10 @@ def test_differences_are_read_on_the_line_between_samples() -> None:
 
 def test_display_units_and_defaults() -> None:
     figure = compare([run(np.linspace(0.0, 1.0, 5), 1.0)])
-    assert [axes.get_ylabel() for axes in figure.axes] == ["acceleration\n[m/s²]", "deflection\n[mm]"]
+    assert [axes.get_ylabel() for axes in figure.axes] == [
+        "acceleration\n[m/s²]",
+        "deflection\n[mm]",
+    ]
     assert figure.axes[1].lines[0].get_ydata()[-1] == pytest.approx(1.0)
 
 
@@ -50,9 +55,16 @@ def test_sweeps_are_compared_over_travel() -> None:
     ("runs", "channels", "message"),
     [
         ({}, None, "nothing to compare"),
-        ({"a": run(np.arange(3.0), 1.0)}, ["sprung.ax"], r"a: no channel 'sprung.ax'.*Did you mean 'sprung.az'"),
         (
-            {"a": run(np.arange(3.0), 1.0), "b": xr.Dataset({"camber": ("travel", [0.0])}, {"travel": [0.0]})},
+            {"a": run(np.arange(3.0), 1.0)},
+            ["sprung.ax"],
+            r"a: no channel 'sprung.ax'.*Did you mean 'sprung.az'",
+        ),
+        (
+            {
+                "a": run(np.arange(3.0), 1.0),
+                "b": xr.Dataset({"camber": ("travel", [0.0])}, {"travel": [0.0]}),
+            },
             None,
             "different axes.*a: time, b: travel",
         ),
@@ -80,7 +92,8 @@ def test_long_recordings_keep_their_peaks() -> None:
 
 def test_a_page_of_runs_says_extremes_and_largest_difference(tmp_path: Path) -> None:
     page = recordings_page(
-        {"a": run(np.linspace(0.0, 1.0, 5), 1.0), "b": run(np.linspace(0.0, 2.0, 5), -3.0)}, title="Two"
+        {"a": run(np.linspace(0.0, 1.0, 5), 1.0), "b": run(np.linspace(0.0, 2.0, 5), -3.0)},
+        title="Two",
     )
     table = page.sections[0].blocks[0]
     assert table.rows[0][:7] == ("sprung.az", "a", "m/s²", "0", "0", "1.000", "1.000")

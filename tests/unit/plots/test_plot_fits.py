@@ -15,7 +15,9 @@ from jounce.plots import damper_loops, decay_fit, objectives, stiffness_fit, tyr
 
 def tyre_trials() -> list[ForceDeflectionTrial]:
     x = np.linspace(0.0, 0.010, 60)
-    return [ForceDeflectionTrial(x, k * x + 3e6 * x**2, f"tyre_{k:.0f}.csv") for k in (100e3, 101e3)]
+    return [
+        ForceDeflectionTrial(x, k * x + 3e6 * x**2, f"tyre_{k:.0f}.csv") for k in (100e3, 101e3)
+    ]
 
 
 def line_of(axes, label: str):
@@ -26,7 +28,9 @@ def test_stiffness_shows_points_fit_and_model() -> None:
     trials = tyre_trials()
     result = jn.fit_stiffness(trials, discard_below=0.002, operating_force=206.0)
     left, right = stiffness_fit(result, trials, "tyre").axes
-    fit, model, points = (line_of(left, label) for label in ("fit, linear", "used in the model", "measured, 2 trials"))
+    fit, model, points = (
+        line_of(left, label) for label in ("fit, linear", "used in the model", "measured, 2 trials")
+    )
     assert points.get_xdata()[-1] == pytest.approx(10.0)
     assert points.get_ydata() == pytest.approx(trials[0].force)
     slope = np.diff(fit.get_ydata())[0] / np.diff(fit.get_xdata())[0]
@@ -36,13 +40,17 @@ def test_stiffness_shows_points_fit_and_model() -> None:
     at = 1e-3 * float(fit.get_xdata()[0])
     assert fit.get_ydata()[0] == pytest.approx(result.stiffness.value * at + result.intercept.value)
     assert model.get_ydata()[0] == pytest.approx(0.0, abs=1e-9)  # what goes into the rig
-    assert line_of(left, "static operating point").get_xdata()[0] == pytest.approx(1e3 * result.operating_deflection)
+    assert line_of(left, "static operating point").get_xdata()[0] == pytest.approx(
+        1e3 * result.operating_deflection
+    )
     assert [label.get_text() for label in right.get_yticklabels()] == ["tyre_100000", "tyre_101000"]
 
 
 def test_a_fit_to_one_branch_of_two_says_which() -> None:
     x = np.linspace(0.0, 0.010, 30)
-    cycle = ForceDeflectionTrial(np.append(x, x[::-1]), np.append(22e3 * x, 22e3 * x[::-1] - 10.0), "spring")
+    cycle = ForceDeflectionTrial(
+        np.append(x, x[::-1]), np.append(22e3 * x, 22e3 * x[::-1] - 10.0), "spring"
+    )
     for branch, told in (("loading", "fit, linear, loading"), ("both", "fit, linear")):
         left = stiffness_fit(jn.fit_stiffness([cycle], branch=branch), [cycle]).axes[0]
         assert line_of(left, "fit").get_label() == told
@@ -51,7 +59,9 @@ def test_a_fit_to_one_branch_of_two_says_which() -> None:
 def test_kept_intercept_is_part_of_the_model() -> None:
     trials = tyre_trials()
     left = stiffness_fit(jn.fit_stiffness(trials, intercept="keep"), trials).axes[0]
-    assert line_of(left, "fit, linear").get_ydata()[0] == pytest.approx(line_of(left, "beyond").get_ydata()[0])
+    assert line_of(left, "fit, linear").get_ydata()[0] == pytest.approx(
+        line_of(left, "beyond").get_ydata()[0]
+    )
 
 
 def test_stiffness_without_points_and_curved_laws() -> None:
@@ -92,7 +102,11 @@ def test_decay_shows_response_and_turning_points() -> None:
     record = decay_response(time, truth, "displacement")
     result = fit_decay(time, record, mass=16.0)
     axes = decay_fit(result, time, record, "decay_1.csv").axes
-    assert [one.get_xlabel() for one in axes] == ["time [s]", "turning point, from equilibrium [mm]", "cycle"]
+    assert [one.get_xlabel() for one in axes] == [
+        "time [s]",
+        "turning point, from equilibrium [mm]",
+        "cycle",
+    ]
     fitted = line_of(axes[0], "fit: viscous")
     at = np.interp(fitted.get_xdata(), time, 1e3 * record)
     assert fitted.get_ydata() == pytest.approx(at, abs=0.02)
@@ -117,8 +131,15 @@ def test_update_places_parameters_between_bounds(update_result) -> None:
     left, right = update(update_result).axes
     marks = [line for line in left.lines if line.get_marker() in ("o", "s")]
     assert [float(line.get_xdata()[0]) for line in marks] == pytest.approx([0.0, 50.0, 0.0, 100.0])
-    assert [line.get_marker() for line in marks] == ["o", "o", "o", "s"]  # a square stands on its bound
-    interval = next(line for line in left.lines if len(line.get_xdata()) == 2 and line.get_alpha() == 0.6)
+    assert [line.get_marker() for line in marks] == [
+        "o",
+        "o",
+        "o",
+        "s",
+    ]  # a square stands on its bound
+    interval = next(
+        line for line in left.lines if len(line.get_xdata()) == 2 and line.get_alpha() == 0.6
+    )
     assert interval.get_xdata() == pytest.approx([40.2, 59.8])
     texts = [text.get_text() for text in left.texts]
     assert texts == ["21.00 ± 0.20 N/mm", "110.0 N/mm (at bound)"]

@@ -62,7 +62,12 @@ def test_labels() -> None:
 
 @pytest.mark.parametrize(
     ("value", "error", "text"),
-    [(22731.4, 12.3, "22731"), (0.10961, 0.0021, "0.1096"), (5.0, 40.0, "5.0"), (1.0, None, "1.000")],
+    [
+        (22731.4, 12.3, "22731"),
+        (0.10961, 0.0021, "0.1096"),
+        (5.0, 40.0, "5.0"),
+        (1.0, None, "1.000"),
+    ],
 )
 def test_error_decides_the_digits(value: float, error: float | None, text: str) -> None:
     assert number(value, digits_for(value, error)) == text

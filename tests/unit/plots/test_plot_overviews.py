@@ -29,7 +29,12 @@ def test_matrix_says_everything_in_words(trials) -> None:
     assert texts.count("0.50") == 3
     assert "0.84" in texts  # lowest R2 of trial 2
     labels = [label.get_text() for label in axes.get_yticklabels()]
-    assert labels == ["trial 1, fitted", "trial 2, held out", "trial 3, held out", "trial 4, held out"]
+    assert labels == [
+        "trial 1, fitted",
+        "trial 2, held out",
+        "trial 3, held out",
+        "trial 4, held out",
+    ]
 
 
 def test_heads_of_a_matrix_do_not_run_into_each_other(trials) -> None:
@@ -39,7 +44,11 @@ def test_heads_of_a_matrix_do_not_run_into_each_other(trials) -> None:
     three = replace(trials[0].after, channels=dict.fromkeys(names, one))
     figure = trial_matrix([replace(trials[0], before=three, after=three)])
     figure.canvas.draw()
-    heads = [one for one in figure.axes[0].texts if one.get_text().replace("\n", "") in (*names, "lowest R²")]
+    heads = [
+        one
+        for one in figure.axes[0].texts
+        if one.get_text().replace("\n", "") in (*names, "lowest R²")
+    ]
     boxes = sorted((text.get_window_extent() for text in heads), key=lambda box: box.x0)
     assert len(boxes) == 7
     assert all(after.x0 > before.x1 + 3.0 for before, after in pairwise(boxes))
@@ -49,7 +58,10 @@ def test_residuals_stand_where_they_belong(trials) -> None:
     left, right = residual_against_speed_and_pitch(trials).axes
     points = [(float(line.get_xdata()[0]), float(line.get_ydata()[0])) for line in left.lines]
     assert points == [(1.95, 0.2), (2.86, 0.4)]
-    assert [line.get_markerfacecolor() == "white" for line in left.lines] == [False, True]  # fitted, held out
+    assert [line.get_markerfacecolor() == "white" for line in left.lines] == [
+        False,
+        True,
+    ]  # fitted, held out
     assert [float(line.get_xdata()[0]) for line in right.lines] == pytest.approx([150.0])
     assert [text.get_text() for text in left.texts] == ["1", "2"]
 
@@ -65,7 +77,9 @@ def test_residuals_of_one_kind_have_the_whole_width(trials) -> None:
         both.draw_without_rendering()
         assert figure.axes[0].get_position().width > 1.5 * both.axes[0].get_position().width
     entry = trials[0].entry
-    nowhere = replace(trials[0], entry=type(entry).model_construct(**{**dict(entry), "speed": None}))
+    nowhere = replace(
+        trials[0], entry=type(entry).model_construct(**{**dict(entry), "speed": None})
+    )
     with pytest.raises(FitError, match="speed or a pitch"):
         residual_against_speed_and_pitch([nowhere])
 
@@ -76,7 +90,9 @@ def test_residuals_need_a_trial(trials) -> None:
 
 
 def test_jumps_are_upright() -> None:
-    x, height = sample_segments(jn.Rectangle(height="10 mm", length="60 mm", start="0.2 m").segments(1.0))
+    x, height = sample_segments(
+        jn.Rectangle(height="10 mm", length="60 mm", start="0.2 m").segments(1.0)
+    )
     assert np.all(np.diff(x) >= 0.0)
     rise = int(np.argmax(height > 0.005))
     assert x[rise] - x[rise - 1] < 1e-6

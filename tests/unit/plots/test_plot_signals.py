@@ -44,13 +44,20 @@ def test_channels_in_display_units(run: xr.Dataset) -> None:
 
 def test_lost_contact_is_shaded(run: xr.Dataset) -> None:
     figure = time_history(run, ["tyre.force", "rear.wheel.az", "sprung.az"])
-    assert spans(figure.axes[0]) == [(0.3, 0.4), (0.9, 0.99)]  # no corner in the name: any tyre counts
+    assert spans(figure.axes[0]) == [
+        (0.3, 0.4),
+        (0.9, 0.99),
+    ]  # no corner in the name: any tyre counts
     assert spans(figure.axes[1]) == [(0.9, 0.99)]  # its own tyre
     assert spans(figure.axes[2]) == [(0.3, 0.4), (0.9, 0.99)]
 
 
 def test_default_channels(run: xr.Dataset) -> None:
-    assert [axes.get_title("left") for axes in time_history(run).axes] == ["road.z", "sprung.az", "tyre.force"]
+    assert [axes.get_title("left") for axes in time_history(run).axes] == [
+        "road.z",
+        "sprung.az",
+        "tyre.force",
+    ]
     other = run[["rear.wheel.az"]]
     assert [axes.get_title("left") for axes in time_history(other).axes] == ["rear.wheel.az"]
 
@@ -93,14 +100,22 @@ def test_trial_that_only_ran_before(trials) -> None:
 
 
 def test_window_holds_the_obstacle(trials) -> None:
-    assert lively_window(trials[0].signals, (0.05, 0.7)) == pytest.approx((0.05 - 0.039, 0.739), abs=1e-9)
+    assert lively_window(trials[0].signals, (0.05, 0.7)) == pytest.approx(
+        (0.05 - 0.039, 0.739), abs=1e-9
+    )
 
 
 def test_sweep_lines_and_errors() -> None:
     speed = ("speed", [1.0, 2.0, 3.0], {"units": "m/s"})
     channel = ("channel", ["sprung.az", "unsprung.az"])
-    values = (("speed", "channel"), [[1.0, 2.0], [3.0, 4.0], [5.0, np.nan]], {"units": "m", "long_name": "peak"})
-    results = xr.Dataset({"peak": values, "scalar": 3.0}, coords={"speed": speed, "channel": channel})
+    values = (
+        ("speed", "channel"),
+        [[1.0, 2.0], [3.0, 4.0], [5.0, np.nan]],
+        {"units": "m", "long_name": "peak"},
+    )
+    results = xr.Dataset(
+        {"peak": values, "scalar": 3.0}, coords={"speed": speed, "channel": channel}
+    )
     axes = sweep(results).axes[0]
     assert [line.get_label() for line in axes.lines] == ["sprung.az", "unsprung.az"]
     assert axes.lines[0].get_ydata() == pytest.approx([1e3, 3e3, 5e3])

@@ -15,7 +15,10 @@ def runs(design=None, **more):
     """A metric in m that is 0.003 a - 0.001 b; b lies between 2 and 4 kg."""
     made = design or jn.sobol({"a": [0.0, 1.0], "b": ["2 kg", "4 kg"]}, 64, seed=1)
     columns = made.values(lambda path: (1.0, "kg" if path == "b" else "1"))
-    where = {path: ("variant", one, {"units": "kg" if path == "b" else "1"}) for path, one in columns.items()}
+    where = {
+        path: ("variant", one, {"units": "kg" if path == "b" else "1"})
+        for path, one in columns.items()
+    }
     y = 0.003 * columns["a"] - 0.001 * columns["b"]
     reason = np.full(len(y), "", dtype=object)
     if more.get("lost"):
@@ -29,11 +32,16 @@ def test_a_tornado_s_bars_go_from_the_mean_to_the_means_at_the_ends():
     many = runs()
     left, right = tornado(many).axes
     assert left.get_title("left") == "max x.z"
-    assert [text.get_text() for text in left.get_yticklabels()] == ["a", "b"]  # what matters most above
+    assert [text.get_text() for text in left.get_yticklabels()] == [
+        "a",
+        "b",
+    ]  # what matters most above
     found = jn.sensitivity_indices(many).sel(metric="max x.z")
     mean = 1e3 * float(many["max x.z"].mean())  # in mm
     wanted = [*(1e3 * found["at_low"].values), *(1e3 * found["at_high"].values)]
-    assert np.abs([bar.get_width() for bar in left.patches]) == pytest.approx(np.abs(np.array(wanted) - mean))
+    assert np.abs([bar.get_width() for bar in left.patches]) == pytest.approx(
+        np.abs(np.array(wanted) - mean)
+    )
     assert left.get_xlabel().endswith("[mm]")
     assert right.get_title("left") == "Regression"
 
@@ -49,7 +57,9 @@ def test_a_tornado_has_as_many_metrics_as_bars_fit(numbers, rows):
 
 def test_a_tornado_of_trajectories_shows_half_of_their_effects():
     left, _ = tornado(runs(jn.morris({"a": [0.0, 1.0], "b": [2.0, 4.0]}, 12))).axes
-    assert [bar.get_width() for bar in left.patches] == pytest.approx([-1.5, 1.0, 1.5, -1.0])  # mm: 3 over a, -2 over b
+    assert [bar.get_width() for bar in left.patches] == pytest.approx(
+        [-1.5, 1.0, 1.5, -1.0]
+    )  # mm: 3 over a, -2 over b
 
 
 def test_a_scatter_has_a_dot_a_variant_that_ran_and_means_of_what_is_alike():
@@ -62,7 +72,12 @@ def test_a_scatter_has_a_dot_a_variant_that_ran_and_means_of_what_is_alike():
 
 
 def test_pictures_of_many_numbers_keep_those_that_matter():
-    many = runs(jn.sobol({**{f"idle {i}": [0.0, 1.0] for i in range(8)}, "a": [0.0, 1.0], "b": ["2 kg", "4 kg"]}, 64))
+    many = runs(
+        jn.sobol(
+            {**{f"idle {i}": [0.0, 1.0] for i in range(8)}, "a": [0.0, 1.0], "b": ["2 kg", "4 kg"]},
+            64,
+        )
+    )
     shown = [axes.get_xlabel().split(" [")[0] for axes in scatter_matrix(many).axes]
     assert len(shown) == 7
     assert shown[-2:] == ["a", "b"]
@@ -82,10 +97,15 @@ def test_lines_of_parallel_coordinates_are_the_variants_that_ran():
 def test_bands_hold_the_shares_they_say():
     values = np.arange(101.0)[:, None] * np.array([0.0, 1e-3])
     many = xr.Dataset(
-        {"x.z": (("variant", "time"), values, {"units": "m"}), "reason": ("variant", np.full(101, "", dtype=object))},
+        {
+            "x.z": (("variant", "time"), values, {"units": "m"}),
+            "reason": ("variant", np.full(101, "", dtype=object)),
+        },
         {"variant": np.arange(101), "time": [0.0, 1.0]},
     )
-    assert jn.bands(many, "x.z").values == pytest.approx(np.array([[0.0, 0.005], [0.0, 0.05], [0.0, 0.095]]))
+    assert jn.bands(many, "x.z").values == pytest.approx(
+        np.array([[0.0, 0.005], [0.0, 0.05], [0.0, 0.095]])
+    )
     axes = variant_bands(many).axes[0]
     assert axes.lines[0].get_ydata() == pytest.approx([0.0, 50.0])
     assert axes.collections[0].get_paths()[0].get_extents().y1 == pytest.approx(95.0)

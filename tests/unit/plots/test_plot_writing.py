@@ -38,8 +38,12 @@ def test_one_figure_gives_the_same_bytes_each_time() -> None:
     assert render_figure(figure, [".png"])[".png"] == first[".png"]
 
 
-@pytest.mark.skipif(os.name != "posix", reason="elsewhere what still runs is not known, and left for a day")
-def test_figures_that_were_shown_go_with_the_next_process(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.skipif(
+    os.name != "posix", reason="elsewhere what still runs is not known, and left for a day"
+)
+def test_figures_that_were_shown_go_with_the_next_process(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     opened: list[str] = []
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     monkeypatch.setenv("DISPLAY", ":0")
@@ -81,7 +85,9 @@ def test_existing_file_is_refused(tmp_path: Path) -> None:
     assert [entry.name for entry in tmp_path.iterdir()] == ["road.png"]
 
 
-@pytest.mark.parametrize(("name", "message"), [("a.jpg", "format"), ("a", "format"), ("no/a.svg", "folder")])
+@pytest.mark.parametrize(
+    ("name", "message"), [("a.jpg", "format"), ("a", "format"), ("no/a.svg", "folder")]
+)
 def test_what_cannot_be_written_is_refused(name: str, message: str, tmp_path: Path) -> None:
     with pytest.raises(OutputError, match=message):
         write_figure(road_profile(OBSTACLE), tmp_path / name)
@@ -109,7 +115,9 @@ def test_empty_note_changes_nothing() -> None:
         (2e4, 9e4, ["2·10⁴", "3·10⁴", "4·10⁴", "6·10⁴"]),
     ],
 )
-def test_logarithmic_ticks_are_written_without_markup(low: float, high: float, expected: list[str]) -> None:
+def test_logarithmic_ticks_are_written_without_markup(
+    low: float, high: float, expected: list[str]
+) -> None:
     with style():
         figure = new_figure(2.0)
         axes = figure.subplots()
@@ -118,7 +126,11 @@ def test_logarithmic_ticks_are_written_without_markup(low: float, high: float, e
         axes.set_xlim(low, high)
         figure.draw_without_rendering()
         ticks = [*axes.get_xticklabels(), *axes.get_xticklabels(minor=True)]
-    shown = [tick.get_text() for tick in ticks if tick.get_text() and low <= tick.get_position()[0] <= high]
+    shown = [
+        tick.get_text()
+        for tick in ticks
+        if tick.get_text() and low <= tick.get_position()[0] <= high
+    ]
     assert shown == expected
 
 

@@ -26,7 +26,11 @@ def curves(*, sprung: bool = False) -> WheelCurves:
 def inspection(*, sprung: bool = False) -> Inspection:
     wheels = (
         WheelResult(
-            "left", static_load=4e3, phase_angle_min_deg=30.0, phase_frequency_hz=6.0, curves=curves(sprung=sprung)
+            "left",
+            static_load=4e3,
+            phase_angle_min_deg=30.0,
+            phase_frequency_hz=6.0,
+            curves=curves(sprung=sprung),
         ),
         WheelResult("right", static_load=3e3, curves=curves(sprung=sprung)),
     )
@@ -38,13 +42,17 @@ def record() -> xr.Dataset:
     time = np.arange(5000) / 1000.0
     force = 4000.0 + 1000.0 * np.sin(100.0 * time)
     return xr.Dataset(
-        {"left.plate.force": ("time", force), "left.plate.z": ("time", 1e-6 * force)}, coords={"time": time}
+        {"left.plate.force": ("time", force), "left.plate.z": ("time", 1e-6 * force)},
+        coords={"time": time},
     )
 
 
 def test_the_limit_that_fails_is_drawn_beside_the_one_that_passes(record: xr.Dataset) -> None:
     phase = inspection_curves(inspection(), record, phase_limit=45.0, phase_failure=30.0).axes[1]
-    assert {text.get_text(): text.xy[1] for text in phase.texts} == {"passes from here": 45.0, "fails below": 30.0}
+    assert {text.get_text(): text.xy[1] for text in phase.texts} == {
+        "passes from here": 45.0,
+        "fails below": 30.0,
+    }
     same = inspection_curves(inspection(), record, phase_limit=35.0, phase_failure=35.0).axes[1]
     assert [text.get_text() for text in same.texts] == ["limit"]
 
@@ -61,7 +69,11 @@ def test_rigid_plates_show_force_phase_and_force_over_time(record: xr.Dataset) -
     assert line.get_ydata()[-1] == pytest.approx(1e-3 * 50.0 * 25.0)  # half of greatest less least
     phase = figure.axes[1]
     assert [text.get_text() for text in phase.texts] == ["limit"]
-    marks = [(line.get_xdata()[0], line.get_ydata()[0]) for line in phase.lines if line.get_marker() == "o"]
+    marks = [
+        (line.get_xdata()[0], line.get_ydata()[0])
+        for line in phase.lines
+        if line.get_marker() == "o"
+    ]
     assert marks == [(6.0, 30.0)]
     low, high = figure.axes[2].get_ylim()
     assert low < 3.01
@@ -82,7 +94,10 @@ def test_sprung_plates_show_the_plate(record: xr.Dataset) -> None:
     titles = [axes.get_title(loc="left") for axes in figure.axes]
     assert titles == ["Plattenamplitude [mm]", "Plattenhub [mm]", "Plattenkraft [kN]"]
     assert figure.axes[0].lines[0].get_ydata()[-1] == pytest.approx(2.5)
-    assert [text.get_text() for text in figure.axes[0].get_legend().get_texts()] == ["links", "rechts"]
+    assert [text.get_text() for text in figure.axes[0].get_legend().get_texts()] == [
+        "links",
+        "rechts",
+    ]
 
 
 def test_without_curves_and_record_it_says_so() -> None:
@@ -97,7 +112,9 @@ def test_a_jolt_at_the_start_does_not_flatten_the_rest(record: xr.Dataset) -> No
 
 
 def test_the_picture_is_the_same_every_time(record: xr.Dataset) -> None:
-    first, second = (render_figure(inspection_curves(inspection(), record), [".svg"])[".svg"] for _ in range(2))
+    first, second = (
+        render_figure(inspection_curves(inspection(), record), [".svg"])[".svg"] for _ in range(2)
+    )
     assert first == second
     assert len(first) < 150_000
 
@@ -130,4 +147,11 @@ def test_sprung_plates_are_drawn_over_the_run_down_alone() -> None:
     line = figure.axes[0].lines[0]
     assert np.array_equal(line.get_xdata(), np.sort(frequency[4:]))
     upwards = WheelCurves(time, frequency[::-1], nothing, nothing, nothing, 1e-3 / frequency[::-1])
-    assert inspection_curves(Inspection((WheelResult("left", curves=upwards),))).axes[0].lines[0].get_xdata().size > 0
+    assert (
+        inspection_curves(Inspection((WheelResult("left", curves=upwards),)))
+        .axes[0]
+        .lines[0]
+        .get_xdata()
+        .size
+        > 0
+    )

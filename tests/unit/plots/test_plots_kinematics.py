@@ -36,7 +36,9 @@ def test_poles_are_cut_off(sweep) -> None:
 
 
 def test_axles_have_two_lines_and_pairs_at_most_five() -> None:
-    rolled = kinematic_curves(jn.sweep_roll(RIG, np.radians([-2.0, 0.0, 2.0])), ["camber", "roll_stiffness"])
+    rolled = kinematic_curves(
+        jn.sweep_roll(RIG, np.radians([-2.0, 0.0, 2.0])), ["camber", "roll_stiffness"]
+    )
     assert [line.get_label() for line in rolled.axes[0].lines[:2]] == ["left", "right"]
     pairs = jn.sweep_travel(RIG, [-0.02, 0.0, 0.02], np.linspace(-0.03, 0.03, 13))
     labels = [line.get_label() for line in kinematic_curves(pairs, ["camber"]).axes[0].lines]
@@ -52,7 +54,9 @@ def test_axles_have_two_lines_and_pairs_at_most_five() -> None:
 def test_every_quantity_is_on_one_sheet(sweep, tmp_path: Path, monkeypatch) -> None:
     """Sheets are drawn as pictures where the command writes them: seconds."""
     drawn = []
-    monkeypatch.setattr(kinematics, "render_figure", lambda figure, _: drawn.append(figure) or {".png": b"\x89PNG"})
+    monkeypatch.setattr(
+        kinematics, "render_figure", lambda figure, _: drawn.append(figure) or {".png": b"\x89PNG"}
+    )
     named = [name for names in SHEETS.values() for name in names]
     assert len(set(named)) == len(named)
     files = write_kinematics(sweep, tmp_path / "curves")
@@ -72,7 +76,10 @@ def test_unknown_quantities_are_refused(sweep) -> None:
 def test_sweeps_are_shown_like_every_result(sweep) -> None:
     figure = jn.plots.figure_of(sweep, quantities=["toe"])
     assert figure.axes[0].get_title("left") == "toe [°]"
-    assert jn.plots.figure_of(jn.sweep_roll(RIG, [0.0, 0.01])).axes[0].get_xlabel() in {"", "roll angle [°]"}
+    assert jn.plots.figure_of(jn.sweep_roll(RIG, [0.0, 0.01])).axes[0].get_xlabel() in {
+        "",
+        "roll angle [°]",
+    }
 
 
 def test_jumps_of_stops_are_drawn_whole() -> None:
@@ -83,7 +90,9 @@ def test_jumps_of_stops_are_drawn_whole() -> None:
 
 
 def test_variants_are_drawn_over_each_other_with_a_legend() -> None:
-    other = RIG.with_changes({"hardpoints.tie_rod_inner[2]": RIG.hardpoints.tie_rod_inner[2] + 0.003})
+    other = RIG.with_changes(
+        {"hardpoints.tie_rod_inner[2]": RIG.hardpoints.tie_rod_inner[2] + 0.003}
+    )
     sweeps = {
         "as it is": jn.sweep_travel(RIG, [-0.02, 0.0, 0.02]),
         "higher": jn.sweep_travel(other, [-0.01, 0.0, 0.01]),
@@ -101,7 +110,11 @@ def test_variants_are_drawn_over_each_other_with_a_legend() -> None:
 
 def test_a_wide_legend_meets_neither_the_title_nor_the_edge() -> None:
     swept = jn.sweep_travel(jn.load("reference-double-wishbone"), [-0.02, 0.0, 0.02])
-    long = ["as drawn in the sketch", "upper arm 10 mm higher in front", "steering rack of another supplier, long"]
+    long = [
+        "as drawn in the sketch",
+        "upper arm 10 mm higher in front",
+        "steering rack of another supplier, long",
+    ]
     for names, quantities in ((long, ["camber"]), (long, None), (["a", "b"], None)):
         figure = jn.plots.kinematic_curves(dict.fromkeys(names, swept), quantities)
         name_figure(figure, "a rather long title of a suspension and of its travel")

@@ -20,7 +20,9 @@ from jounce.ride.study import RideStudy, compare_rides, iso_trial
 @pytest.fixture(scope="module")
 def ride() -> RideStudy:
     rig = jn.load("audi-a6-half-car-4dof")
-    return compare_rides(rig, iso_trial(rig, "C", 20.0, duration=10.0, seed=3), ["passive", "skyhook"])
+    return compare_rides(
+        rig, iso_trial(rig, "C", 20.0, duration=10.0, seed=3), ["passive", "skyhook"]
+    )
 
 
 class TestViewer:
@@ -36,15 +38,22 @@ class TestViewer:
         assert np.ptp(settle(noise, "rad")) == 0.0
         assert settle(noise, "rad")[0] == 0.0
         assert np.ptp(settle(-0.03 + 1e-13 * noise, "rad")) == 0.0
-        assert np.array_equal(settle(np.array([0.0, 0.01, np.nan]), "rad"), [0.0, 0.01, np.nan], equal_nan=True)
+        assert np.array_equal(
+            settle(np.array([0.0, 0.01, np.nan]), "rad"), [0.0, 0.01, np.nan], equal_nan=True
+        )
 
 
 class TestRideSpectra:
     def test_all_wheels_with_title_density_and_linear_model(self, ride):
-        figure = ride_spectra(ride.rides, ride.stationary, "audi-a6-half-car-4dof on iso:C at 20 m/s")
+        figure = ride_spectra(
+            ride.rides, ride.stationary, "audi-a6-half-car-4dof on iso:C at 20 m/s"
+        )
         titles = [axes.get_title("left") for axes in figure.axes]
         assert titles == ["body.az", "front.tyre.force", "rear.tyre.force"]
-        assert figure.get_suptitle() == "audi-a6-half-car-4dof on iso:C at 20 m/s, 10 s, resolution 0.3 Hz"
+        assert (
+            figure.get_suptitle()
+            == "audi-a6-half-car-4dof on iso:C at 20 m/s, 10 s, resolution 0.3 Hz"
+        )
         assert all("power spectral density" in axes.get_ylabel() for axes in figure.axes[:3])
         labels = [line.get_label() for line in figure.axes[0].lines]
         assert labels == ["passive", "skyhook", "linear model, passive"]
@@ -65,8 +74,12 @@ class TestRideSpectra:
         rig = jn.load("audi-a6-quarter-car")
         names, found = ("sprung.az", "tyre.force"), []
         for seed in range(30):
-            study = compare_rides(rig, iso_trial(rig, "C", 20.0, duration=10.0, seed=seed), ["passive"])
-            found.append([study.rides[0].standard_deviation(name) / study.stationary[name] for name in names])
+            study = compare_rides(
+                rig, iso_trial(rig, "C", 20.0, duration=10.0, seed=seed), ["passive"]
+            )
+            found.append(
+                [study.rides[0].standard_deviation(name) / study.stationary[name] for name in names]
+            )
         half = 1.96 * np.std(found, axis=0, ddof=1)
         said = [study.stationary.chance(name, 10.0) for name in names]
         assert half == pytest.approx(said, rel=4.0 / np.sqrt(2.0 * 29.0))
@@ -83,7 +96,9 @@ def test_areas_of_the_trade_off_are_as_the_travel(ride):
 @pytest.mark.parametrize("count", [3, 7, 12, 16])
 def test_correlations_do_not_overlap(count):
     figure = new_figure(1.15 + 0.42 * count)
-    left, right = figure.subplots(1, 2, gridspec_kw={"width_ratios": [1.0, 0.3 + 0.11 * min(count, 10)]})
+    left, right = figure.subplots(
+        1, 2, gridspec_kw={"width_ratios": [1.0, 0.3 + 0.11 * min(count, 10)]}
+    )
     _draw_correlation(right, (-0.9 * np.ones((count, count)) + 1.9 * np.eye(count)).tolist(), count)
     figure.draw_without_rendering()
     boxes = [text.get_window_extent() for text in right.texts if text.get_text()]
@@ -124,7 +139,10 @@ def test_headline_holds_no_run_that_uses_more_travel_than_there_is():
         return type("Study", (), {"figures": figures})()
 
     within = _headline(study([0.8, 0.9, 2.82]), "0 V")
-    assert (within.value, within.note) == ("2.00 m/s²", "r.m.s. of the body at 20 km/h, 90 % of the travel used")
+    assert (within.value, within.note) == (
+        "2.00 m/s²",
+        "r.m.s. of the body at 20 km/h, 90 % of the travel used",
+    )
     beyond = _headline(study([1.5, 2.82, 1.4]), "0 V")
     assert beyond.value == "not valid"
     assert "140 % of the travel used even at 40 km/h" in beyond.note

@@ -12,14 +12,19 @@ TIME = np.arange(1500) / RATE
 
 
 def motion(time: np.ndarray) -> np.ndarray:
-    return np.where(time > 0.3, np.exp(-4.0 * (time - 0.3)) * np.sin(60.0 * (time - 0.3)) * (time - 0.3), 0.0)
+    return np.where(
+        time > 0.3, np.exp(-4.0 * (time - 0.3)) * np.sin(60.0 * (time - 0.3)) * (time - 0.3), 0.0
+    )
 
 
 @pytest.mark.parametrize("lag", [-0.0123, -0.0004, 0.0, 0.0017, 0.2])
 def test_shift_reads_between_samples(lag: float) -> None:
     inner = slice(210, -20)
     np.testing.assert_allclose(
-        shift_signals(motion(TIME), RATE, lag)[inner], motion(TIME - lag)[inner], rtol=0.0, atol=2e-5
+        shift_signals(motion(TIME), RATE, lag)[inner],
+        motion(TIME - lag)[inner],
+        rtol=0.0,
+        atol=2e-5,
     )
 
 
@@ -35,7 +40,9 @@ def test_derivative_with_respect_to_the_lag() -> None:
     both = np.stack((motion(TIME), np.cos(9.0 * TIME)), axis=1)
     shifted, slope = shift_with_derivative(both, RATE, 0.0052)
     h = 1e-6
-    numeric = (shift_signals(both, RATE, 0.0052 + h) - shift_signals(both, RATE, 0.0052 - h)) / (2.0 * h)
+    numeric = (shift_signals(both, RATE, 0.0052 + h) - shift_signals(both, RATE, 0.0052 - h)) / (
+        2.0 * h
+    )
     np.testing.assert_allclose(slope, numeric, rtol=0.0, atol=1e-5)
     assert (slope[:5] == 0.0).all()
     np.testing.assert_array_equal(shifted, shift_signals(both, RATE, 0.0052))
@@ -56,7 +63,9 @@ def test_lag_survives_noise() -> None:
 
 def test_lag_stays_within_the_largest_allowed() -> None:
     assert abs(estimate_lag(motion(TIME), motion(TIME - 0.2), RATE, maximum_lag=0.02)) <= 0.021
-    assert estimate_lag(motion(TIME), motion(TIME - 0.2), RATE, maximum_lag=9.0) == pytest.approx(0.2, abs=2e-5)
+    assert estimate_lag(motion(TIME), motion(TIME - 0.2), RATE, maximum_lag=9.0) == pytest.approx(
+        0.2, abs=2e-5
+    )
 
 
 def test_constant_signals_have_no_lag() -> None:

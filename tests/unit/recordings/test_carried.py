@@ -24,7 +24,9 @@ CAR = jn.load("audi-a6-half-car-4dof")
 RIDE = jn.iso_trial(CAR, "C", "20 m/s", duration="3 s")
 FREE = {"strut.spring.rate": "10 %"}
 VARIED = {"sprung.mass": [15.0, 16.0], "strut.spring.rate": [2e4, 21e3]}
-VARIED_TABLE = pd.DataFrame({"sprung.mass [kg]": [15.0, 16.0], "strut.spring.rate [N/mm]": [20.0, 21.0]})
+VARIED_TABLE = pd.DataFrame(
+    {"sprung.mass [kg]": [15.0, 16.0], "strut.spring.rate [N/mm]": [20.0, 21.0]}
+)
 
 
 def in_ms(run: Any) -> pd.DataFrame:
@@ -39,7 +41,12 @@ def fitted(measured: Any) -> jn.FitTrial:
 
 
 def many(variants: Any) -> Any:
-    return jn.simulate_many(RIG, TRIAL, variants, metrics=["rms sprung.az"]).to_dataframe().to_numpy()[:, 0].tolist()
+    return (
+        jn.simulate_many(RIG, TRIAL, variants, metrics=["rms sprung.az"])
+        .to_dataframe()
+        .to_numpy()[:, 0]
+        .tolist()
+    )
 
 
 @pytest.mark.parametrize(
@@ -71,7 +78,9 @@ def many(variants: Any) -> Any:
         (lambda: many(VARIED_TABLE), lambda: many(VARIED)),
     ],
 )  # fmt: skip
-def test_what_carries_its_own_gives_what_arrays_give(carried: Callable[[], Any], plain: Callable[[], Any]) -> None:
+def test_what_carries_its_own_gives_what_arrays_give(
+    carried: Callable[[], Any], plain: Callable[[], Any]
+) -> None:
     found, wanted = carried(), plain()
     if hasattr(found, "data_vars"):
         assert dict(found.sizes) == dict(wanted.sizes)

@@ -33,7 +33,9 @@ _COUPLING = 20.0  # Hz: AC couplings are slower, and by bilinear transform they 
         (("100 mV/g", "32768 counts / 10 V"), "m/s^2", 0.1 / GRAVITY * 3276.8, "1"),
     ],
 )
-def test_sensitivities_are_read(text: str | tuple[str, ...], unit: str, factor: float, recorded: str) -> None:
+def test_sensitivities_are_read(
+    text: str | tuple[str, ...], unit: str, factor: float, recorded: str
+) -> None:
     found = sensitivity_of(text, unit)
     assert found.factor == pytest.approx(factor, rel=1e-12)
     assert found.recorded == recorded
@@ -60,7 +62,9 @@ def test_other_sensitivities_are_refused(text: str | tuple[str, ...], unit: str,
 
 def written(folder: Path, header: str, *columns: np.ndarray) -> Path:
     file = folder / "raw.csv"
-    rows = "\n".join(",".join(f"{value:.9g}" for value in row) for row in zip(*columns, strict=True))
+    rows = "\n".join(
+        ",".join(f"{value:.9g}" for value in row) for row in zip(*columns, strict=True)
+    )
     file.write_text(f"{header}\n{rows}\n", encoding="utf-8")
     return file
 
@@ -69,7 +73,9 @@ def test_volts_become_quantities(tmp_path: Path) -> None:
     time = np.arange(400) / 400.0
     motion = 0.02 * np.sin(2.0 * np.pi * 3.0 * time)
     file = written(tmp_path, "time [s],ch3 [mV]", time, 1e3 * (2.5 + 100.0 * motion))
-    run, _ = read_recording(file, sensors={"sprung.z": Sensor(column="ch3", sensitivity="5 V / 50 mm", zero="2.5 V")})
+    run, _ = read_recording(
+        file, sensors={"sprung.z": Sensor(column="ch3", sensitivity="5 V / 50 mm", zero="2.5 V")}
+    )
     assert list(run.data_vars) == ["sprung.z"]
     assert run["sprung.z"].attrs["units"] == "m"
     np.testing.assert_allclose(run["sprung.z"], motion, atol=1e-7)
@@ -95,13 +101,17 @@ def test_behind_ac_coupling_the_mean_is_an_offset(tmp_path: Path) -> None:
 def test_files_without_the_column_are_read_all_the_same(tmp_path: Path) -> None:
     time = np.arange(400) / 400.0
     file = written(tmp_path, "time [s],sprung.az [m/s^2]", time, np.sin(20.0 * time))
-    run, _ = read_recording(file, sensors={"sprung.z": Sensor(column="ch3", sensitivity="5 V / 50 mm")})
+    run, _ = read_recording(
+        file, sensors={"sprung.z": Sensor(column="ch3", sensitivity="5 V / 50 mm")}
+    )
     assert list(run.data_vars) == ["sprung.az"]
 
 
 def test_what_reaches_the_end_of_a_range_is_said(tmp_path: Path) -> None:
     time = np.arange(1000) / 1000.0
-    file = written(tmp_path, "time [s],ch0 [V]", time, np.clip(2.0 * np.sin(12.0 * time), -1.0, 1.0))
+    file = written(
+        tmp_path, "time [s],ch0 [V]", time, np.clip(2.0 * np.sin(12.0 * time), -1.0, 1.0)
+    )
     sensor = Sensor(column="ch0", sensitivity="1 V/g", range="1 V")
     _, findings = read_recording(file, sensors={"sprung.az": sensor})
     (at_end,) = [item for item in findings if item.code == "recordings.at_end_of_range"]
@@ -124,12 +134,16 @@ def test_ranges(given: dict[str, str], ends: tuple[float, float] | None) -> None
 
 def test_a_range_cuts_the_model_as_it_cut_the_record() -> None:
     rig = jn.load("kart-quarter-car")
-    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s"
+    )
     stiff = rig.with_changes({"strut.spring.rate": "24 N/mm"})
     sensors = {"sprung.az": Sensor(range="10 m/s^2")}
     record = jn.apply_sensors(jn.simulate(stiff, trial, tolerance=1e-8)[["sprung.az"]], sensors)
     assert float(abs(record["sprung.az"]).max()) == 10.0
-    found = jn.update_model([jn.FitTrial("one", rig, trial, record, sensors)], {"strut.spring.rate": "15 %"})
+    found = jn.update_model(
+        [jn.FitTrial("one", rig, trial, record, sensors)], {"strut.spring.rate": "15 %"}
+    )
     assert found.parameters["strut.spring.rate"].value == pytest.approx(24e3, rel=1e-6)
 
 
@@ -142,7 +156,9 @@ def test_a_voltage_without_a_sensitivity_is_refused(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("order", [1, 2, 3, 4, 5, 8])
 @pytest.mark.parametrize(("corner", "error"), [(5.0, 1e-3), (100.0, 3e-3)])
-def test_filters_have_the_response_of_the_analogue_ones(order: int, corner: float, error: float) -> None:
+def test_filters_have_the_response_of_the_analogue_ones(
+    order: int, corner: float, error: float
+) -> None:
     rate = 2000.0
     frequency = np.linspace(0.2, 2.0, 50) * corner
     for kind, keys in (("low", "low_pass"), ("high", "high_pass")):
@@ -165,7 +181,9 @@ def test_an_offset_behind_ac_coupling_is_said() -> None:
         assert float(run["sprung.az"].mean()) == pytest.approx(0.0, abs=1e-9)
         for item in findings:
             assert item.value == pytest.approx(5.0, rel=1e-6)
-        stated, findings = condition(raw, {"sprung.az": sensor.model_copy(update={"zero": "0 V"})}, where="a.csv")
+        stated, findings = condition(
+            raw, {"sprung.az": sensor.model_copy(update={"zero": "0 V"})}, where="a.csv"
+        )
         assert findings == []
         assert float(stated["sprung.az"].mean()) == pytest.approx(10.0 * offset, abs=1e-9)
 

@@ -19,8 +19,12 @@ def gain_and_phase(filtered: np.ndarray, frequency: float) -> complex:
 
 
 @pytest.mark.parametrize("order", [1, 2, 4])
-@pytest.mark.parametrize(("key", "corner"), [("below", 30.0), ("above", 30.0), ("below", 3000.0), ("above", 3000.0)])
-def test_minus_3_db_at_the_given_frequency_without_phase(order: int, key: str, corner: float) -> None:
+@pytest.mark.parametrize(
+    ("key", "corner"), [("below", 30.0), ("above", 30.0), ("below", 3000.0), ("above", 3000.0)]
+)
+def test_minus_3_db_at_the_given_frequency_without_phase(
+    order: int, key: str, corner: float
+) -> None:
     response = gain_and_phase(
         band_limit(np.sin(2.0 * np.pi * corner * TIME), RATE, order=order, **{key: corner}), corner
     )
@@ -46,7 +50,9 @@ def test_band_pass_and_no_filter() -> None:
 
 def test_columns_are_filtered_alike() -> None:
     both = np.stack((np.sin(TIME * 30.0), np.cos(TIME * 30.0)), axis=1)
-    np.testing.assert_array_equal(band_limit(both, RATE, below=9.0)[:, 1], band_limit(both[:, 1], RATE, below=9.0))
+    np.testing.assert_array_equal(
+        band_limit(both, RATE, below=9.0)[:, 1], band_limit(both[:, 1], RATE, below=9.0)
+    )
 
 
 @pytest.mark.parametrize("frequency", [0.0, -1.0, 5000.0, float("nan")])
@@ -62,7 +68,9 @@ def test_too_short_to_filter() -> None:
 
 def test_cfc_gains() -> None:
     # SAE J211 / ISO 6487 with the design constant 2.0775: -6 dB at 2.0775 CFC, -3 dB at 1.667 CFC (1.6670 for CFC 60)
-    half = gain_and_phase(cfc_filter(np.sin(2.0 * np.pi * 2.0775 * 60.0 * TIME), RATE, 60.0), 2.0775 * 60.0)
+    half = gain_and_phase(
+        cfc_filter(np.sin(2.0 * np.pi * 2.0775 * 60.0 * TIME), RATE, 60.0), 2.0775 * 60.0
+    )
     assert abs(half) == pytest.approx(0.5, rel=2e-3)
     assert np.angle(half) == pytest.approx(0.0, abs=1e-3)
     w = 2.0 * np.pi * 1.6670 * 60.0 / RATE
@@ -91,11 +99,19 @@ def test_resampling_up_is_accurate_and_keeps_both_ends() -> None:
 
 
 def test_resampling_down_lets_nothing_fold_back() -> None:
-    slow, fast = np.sin(2.0 * np.pi * 5.0 * TIME), np.sin(2.0 * np.pi * 995.0 * TIME)  # 995 Hz would appear as 5 Hz
+    slow, fast = (
+        np.sin(2.0 * np.pi * 5.0 * TIME),
+        np.sin(2.0 * np.pi * 995.0 * TIME),
+    )  # 995 Hz would appear as 5 Hz
     coarse, values = resample(TIME, slow + fast, 1000.0)
     inner = slice(100, -100)
-    np.testing.assert_allclose(values[inner], np.sin(2.0 * np.pi * 5.0 * coarse)[inner], rtol=0.0, atol=1e-4)
-    for share, gain in ((0.4, np.sqrt(0.5)), (0.44, 0.340)):  # Butterworth of order 8, both ways, at 0.4 of the rate
+    np.testing.assert_allclose(
+        values[inner], np.sin(2.0 * np.pi * 5.0 * coarse)[inner], rtol=0.0, atol=1e-4
+    )
+    for share, gain in (
+        (0.4, np.sqrt(0.5)),
+        (0.44, 0.340),
+    ):  # Butterworth of order 8, both ways, at 0.4 of the rate
         wave = resample(TIME, np.sin(2.0 * np.pi * 1000.0 * share * TIME), 1000.0)[1][200:-200]
         assert np.sqrt(2.0 * np.mean(wave**2)) == pytest.approx(gain, rel=1e-2)
 
@@ -106,7 +122,9 @@ def test_a_gap_of_more_than_ten_steps_is_bridged_by_a_line() -> None:
         instants, values = resample(time, np.stack((time**2, time), axis=1), 4.0)
         within = (instants > 39.0) & (instants < 39.0 + gap)
         chord = 39.0**2 + (78.0 + gap) * (instants - 39.0)
-        np.testing.assert_allclose(values[:, 0], np.where(within & bridged, chord, instants**2), rtol=1e-9)
+        np.testing.assert_allclose(
+            values[:, 0], np.where(within & bridged, chord, instants**2), rtol=1e-9
+        )
         np.testing.assert_allclose(values[:, 1], instants, rtol=1e-12)
 
 
@@ -132,6 +150,8 @@ def test_lengths_must_fit() -> None:
 def test_derivative_is_exact_for_parabolas_up_to_the_ends() -> None:
     t = np.arange(10) / 100.0
     both = np.stack((t, 3.0 * t**2), axis=1)
-    np.testing.assert_allclose(derivative(both, 100.0), np.stack((np.ones(10), 6.0 * t), axis=1), rtol=0.0, atol=1e-12)
+    np.testing.assert_allclose(
+        derivative(both, 100.0), np.stack((np.ones(10), 6.0 * t), axis=1), rtol=0.0, atol=1e-12
+    )
     with pytest.raises(RecordingError, match="too short to differentiate"):
         derivative([0.0, 1.0], 100.0)

@@ -12,7 +12,9 @@ from jounce.core.errors import RecordingError
 from jounce.recordings import read_recording
 
 FOREIGN = Path(__file__).parents[2] / "files" / "foreign"
-FILES = sorted(file for file in FOREIGN.iterdir() if file.is_file() and file.suffix not in (".py", ".md"))
+FILES = sorted(
+    file for file in FOREIGN.iterdir() if file.is_file() and file.suffix not in (".py", ".md")
+)
 TIME = np.arange(40) / 100.0
 TRUTH = {
     "sprung.az": (np.round(2.0 * np.sin(9.0 * TIME), 6), "m/s^2"),
@@ -27,10 +29,16 @@ def options(file: Path) -> dict[str, Any]:
     return {"columns": {"strut.force": "strut.forc"}} if file.suffix == ".uff" else {}
 
 
-@pytest.mark.parametrize("begin", [b"# Created by Octave 7.3.0, Sat Nov 28", b"Octave-1-L\0\1", b"\x89HDF\r\n\x1a\n"])
-def test_a_mat_file_in_a_format_of_octave_is_refused_with_what_to_do(tmp_path: Path, begin: bytes) -> None:
+@pytest.mark.parametrize(
+    "begin", [b"# Created by Octave 7.3.0, Sat Nov 28", b"Octave-1-L\0\1", b"\x89HDF\r\n\x1a\n"]
+)
+def test_a_mat_file_in_a_format_of_octave_is_refused_with_what_to_do(
+    tmp_path: Path, begin: bytes
+) -> None:
     (tmp_path / "a.mat").write_bytes(begin + bytes(200))
-    with pytest.raises(RecordingError, match=r"a\.mat: a file in a format of Octave.*save -v7 FILE\.mat"):
+    with pytest.raises(
+        RecordingError, match=r"a\.mat: a file in a format of Octave.*save -v7 FILE\.mat"
+    ):
         read_recording(tmp_path / "a.mat")
 
 

@@ -18,7 +18,16 @@ BODY, HEIGHT = np.sin(40.0 * TIME), 5.0 * np.cos(20.0 * TIME)
 
 
 def written(
-    path, *, columns="One", mark=".", separator="Tab", header=None, times=(TIME, TIME), digits=7, segments=1, special=""
+    path,
+    *,
+    columns="One",
+    mark=".",
+    separator="Tab",
+    header=None,
+    times=(TIME, TIME),
+    digits=7,
+    segments=1,
+    special="",
 ):
     """Write two channels, in g and mm, in the layout of LabVIEW; ``header`` replaces or leaves out what it says."""
     between = {"Tab": "\t", "Comma": ","}[separator]
@@ -93,7 +102,10 @@ def test_channels_have_their_units_and_times(tmp_path, name, how):
             {"header": {"X0": ("0", "0.1")}, "columns": "Multi"},
             "X0: channels begin or step differently; found '0 s and 0.1",
         ),
-        ({"header": {"X_Dimension": ("Time", "Frequency")}}, "no signals over time; found 'Frequency'"),
+        (
+            {"header": {"X_Dimension": ("Time", "Frequency")}},
+            "no signals over time; found 'Frequency'",
+        ),
         ({"header": {"Delta_X": ("NaN", "NaN")}}, "Delta_X: not a number of seconds; found 'NaN'"),
         ({"header": {"X0": None, "Delta_X": None}, "columns": "No"}, "time is zero in every row"),
     ],
@@ -109,7 +121,11 @@ def test_what_is_no_one_table_is_refused(tmp_path, how, said):
         (
             "multi_time_column.lvm",
             ["time [s]", "Voltage [Volts]", "Acceleration [g]"],
-            [[0.0, -0.035229, 0.532608], [1.953125e-5, -0.034882, 0.502991], [3.90625e-5, -0.034191, 0.467541]],
+            [
+                [0.0, -0.035229, 0.532608],
+                [1.953125e-5, -0.034882, 0.502991],
+                [3.90625e-5, -0.034191, 0.467541],
+            ],
         ),
         (
             "x_columns_multi.lvm",
@@ -121,7 +137,9 @@ def test_what_is_no_one_table_is_refused(tmp_path, how, said):
 def test_files_of_labview_with_a_column_of_times_for_each_channel(name, labels, rows):
     table = read_signals(FILES / name, ReaderOptions()).columns
     assert [column.label for column in table] == labels
-    assert np.column_stack([column.values for column in table]) == pytest.approx(np.array(rows), rel=1e-12)
+    assert np.column_stack([column.values for column in table]) == pytest.approx(
+        np.array(rows), rel=1e-12
+    )
 
 
 @pytest.mark.parametrize("columns", ["No", "One", "Multi"])
@@ -135,7 +153,8 @@ def test_what_the_header_says_of_a_column_of_times_is_refused(tmp_path):
     file = written(tmp_path / "run.lvm", columns="Multi")
     file.write_text(file.read_text().replace("Y_Unit_Label\tg\t\tmm", "Y_Unit_Label\tg\tmm"))
     with pytest.raises(
-        RecordingError, match=r"Y_Unit_Label: the header says something of a column of X .*'mm' in column 3"
+        RecordingError,
+        match=r"Y_Unit_Label: the header says something of a column of X .*'mm' in column 3",
     ):
         read_recording(file)
 
@@ -145,21 +164,27 @@ def test_channels_whose_times_differ_are_refused_whatever_the_header_says(tmp_pa
     how = {"columns": "Multi", "digits": 12, "header": {"Delta_X": step}}
     late = TIME + np.where(np.arange(40) == 39, 2e-6, 0.0)
     with pytest.raises(
-        RecordingError, match=r"line 5[56]: channels begin or step.*0.289000000000 s and 0.289002000000 s"
+        RecordingError,
+        match=r"line 5[56]: channels begin or step.*0.289000000000 s and 0.289002000000 s",
     ):
         read_recording(written(tmp_path / "late.lvm", times=(TIME, late), **how))
-    record, findings = read_recording(written(tmp_path / "same.lvm", times=(TIME, TIME + 1e-12), **how))
+    record, findings = read_recording(
+        written(tmp_path / "same.lvm", times=(TIME, TIME + 1e-12), **how)
+    )
     assert record["time"].to_numpy() == pytest.approx(TIME, abs=1e-9)
     assert not findings
 
 
 @pytest.mark.parametrize(
-    ("columns", "cells"), [("One", "{}\t1\t1"), ("Multi", "{}\t1\t0.289\t1"), ("Multi", "0.289\t1\t{}\t1")]
+    ("columns", "cells"),
+    [("One", "{}\t1\t1"), ("Multi", "{}\t1\t0.289\t1"), ("Multi", "0.289\t1\t{}\t1")],
 )
 @pytest.mark.parametrize("cell", ["n/a", "NaN", "Inf"])
 def test_a_time_that_is_no_number_is_named_by_its_line(tmp_path, columns, cells, cell):
     file = with_line(written(tmp_path / "run.lvm", columns=columns), -1, cells.format(cell))
-    with pytest.raises(RecordingError, match=f"line 56: X_Value: not a number of seconds; found '{cell}'"):
+    with pytest.raises(
+        RecordingError, match=f"line 56: X_Value: not a number of seconds; found '{cell}'"
+    ):
         read_recording(file)
 
 
@@ -195,7 +220,8 @@ def test_points_beside_times_with_commas_are_read(tmp_path):
     file = written(tmp_path / "run.lvm", mark=",")
     head, names, rows = file.read_text().partition("Comment\n")
     rows = [
-        time + "\t" + cells.replace(",", ".") for time, _, cells in (row.partition("\t") for row in rows.splitlines())
+        time + "\t" + cells.replace(",", ".")
+        for time, _, cells in (row.partition("\t") for row in rows.splitlines())
     ]
     file.write_text(head + names + "\n".join([*rows, ""]))
     record, _ = read_recording(file)
@@ -219,13 +245,19 @@ def test_times_of_six_decimals_are_those_of_the_header(tmp_path, columns):
 def test_times_that_count_from_a_far_past_follow_from_their_step(tmp_path, rate, begins):
     how = {"X0": ("3660000000.0",) * 2, "Delta_X": (f"{1 / rate!r}",) * 2}
     record, findings = read_recording(written(tmp_path / "run.lvm", columns="No", header=how))
-    assert record["time"].to_numpy() == pytest.approx(begins + np.arange(40) / rate, abs=1e-6 if begins else 1e-12)
+    assert record["time"].to_numpy() == pytest.approx(
+        begins + np.arange(40) / rate, abs=1e-6 if begins else 1e-12
+    )
     assert not findings
 
 
 @pytest.mark.parametrize(
     ("columns", "told", "said"),
-    [("One", 38, "rows were added to it"), ("No", 41, "it was cut off; what is there was read"), ("No", 40, None)],
+    [
+        ("One", 38, "rows were added to it"),
+        ("No", 41, "it was cut off; what is there was read"),
+        ("No", 40, None),
+    ],
 )
 def test_other_numbers_of_rows_than_the_header_announces_are_told(tmp_path, columns, told, said):
     file = written(tmp_path / "run.lvm", columns=columns)
@@ -254,14 +286,22 @@ STAMPS = {"Date": ("2024/05/06", "2024/05/06"), "Time": ("10:45:47,0352", "10:45
 @pytest.mark.parametrize("columns", ["One", "Multi", "No"])
 @pytest.mark.parametrize(
     ("day", "time"),
-    [("2024/05/06", "10:45:47,1352"), ("2024/05/07", "10:45:47,0352"), ("2024/05/06", "10:45:47,0354"), ("never", "x")],
+    [
+        ("2024/05/06", "10:45:47,1352"),
+        ("2024/05/07", "10:45:47,0352"),
+        ("2024/05/06", "10:45:47,0354"),
+        ("never", "x"),
+    ],
 )
-def test_channels_that_began_at_different_times_of_the_day_are_refused(tmp_path, columns, day, time):
+def test_channels_that_began_at_different_times_of_the_day_are_refused(
+    tmp_path, columns, day, time
+):
     """They were read as if they had begun together: X0 counts from each one's own stamp."""
     header = {"Date": ("2024/05/06", day), "Time": ("10:45:47,0352", time)}
     file = written(tmp_path / "run.lvm", columns=columns, header=header)
     with pytest.raises(
-        RecordingError, match=r"Date, Time: channels begin or step differently; found '2024/05/06 10:45"
+        RecordingError,
+        match=r"Date, Time: channels begin or step differently; found '2024/05/06 10:45",
     ):
         read_recording(file)
 
@@ -276,7 +316,10 @@ def test_stamps_that_are_the_same_within_a_tenth_of_a_step_are(tmp_path, second)
 
 def test_stamps_of_many_decimals_are_told_apart_by_no_more_than_they_are(tmp_path):
     """Of seconds since some year floats hold 1e-7 s: at 1 MHz that was a tenth of a step."""
-    stamps = {"Date": ("2024/05/06",) * 2, "Time": ("10:45:47.0352557312499836422", "10:45:47.03525573")}
+    stamps = {
+        "Date": ("2024/05/06",) * 2,
+        "Time": ("10:45:47.0352557312499836422", "10:45:47.03525573"),
+    }
     header = stamps | {"X0": ("0", "0"), "Delta_X": ("1E-6", "1E-6")}
     run, _ = read_recording(written(tmp_path / "run.lvm", columns="No", header=header))
     assert float(run["time"][1]) == pytest.approx(1e-6)

@@ -70,7 +70,9 @@ def cell(*items: object) -> np.ndarray:
         ({"c": cell("made by hand", TIME, WAVE)}, {"columns": {"time": "c{2} [s]", "sprung.az": "c{3} [g]"}}),
     ],
 )  # fmt: skip
-def test_structs_and_cells(tmp_path: Path, content: dict[str, object], told: dict[str, object]) -> None:
+def test_structs_and_cells(
+    tmp_path: Path, content: dict[str, object], told: dict[str, object]
+) -> None:
     savemat(tmp_path / "a.mat", content)
     check(tmp_path / "a.mat", **told)
     write_hdf5(tmp_path / "b.mat", content)
@@ -91,11 +93,15 @@ def write_hdf5(path: Path, content: dict[str, object]) -> None:
             elif isinstance(value, str):
                 group[name] = np.array([[ord(letter)] for letter in value], dtype=np.uint16)
                 group[name].attrs["MATLAB_class"] = np.bytes_("char")
-            elif isinstance(value, list):  # array of structs: a group with references for each field
+            elif isinstance(
+                value, list
+            ):  # array of structs: a group with references for each field
                 inner = group.create_group(name)
                 inner.attrs["MATLAB_class"] = np.bytes_("struct")
                 for key in value[0]:
-                    inner[key] = np.array([[reference(item[key])] for item in value], dtype=h5py.ref_dtype)
+                    inner[key] = np.array(
+                        [[reference(item[key])] for item in value], dtype=h5py.ref_dtype
+                    )
             elif isinstance(value, np.ndarray) and value.dtype == object:
                 group[name] = np.array([[reference(item)] for item in value], dtype=h5py.ref_dtype)
                 group[name].attrs["MATLAB_class"] = np.bytes_("cell")
@@ -137,14 +143,23 @@ def test_nesting_without_end_is_left_out(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("inside", [False, True])
-def test_a_matrix_that_announces_other_numbers_than_it_holds_is_refused(tmp_path: Path, inside: bool) -> None:
-    savemat(tmp_path / "a.mat", {"t": TIME, "s": {"acc": WAVE}} if inside else {"t": TIME, "acc": WAVE})
+def test_a_matrix_that_announces_other_numbers_than_it_holds_is_refused(
+    tmp_path: Path, inside: bool
+) -> None:
+    savemat(
+        tmp_path / "a.mat", {"t": TIME, "s": {"acc": WAVE}} if inside else {"t": TIME, "acc": WAVE}
+    )
     content = (tmp_path / "a.mat").read_bytes()
     count, more = (struct.pack("<2i", 1, WAVE.size + extra) for extra in (0, 7))
     at = content.rindex(count)
     (tmp_path / "a.mat").write_bytes(content[:at] + more + content[at + len(more) :])
-    with pytest.raises(RecordingError, match=f"announces {WAVE.size + 7} numbers and holds {WAVE.size}"):
-        read_recording(tmp_path / "a.mat", columns={"time": "t [s]", "sprung.az": f"{'s.' if inside else ''}acc [g]"})
+    with pytest.raises(
+        RecordingError, match=f"announces {WAVE.size + 7} numbers and holds {WAVE.size}"
+    ):
+        read_recording(
+            tmp_path / "a.mat",
+            columns={"time": "t [s]", "sprung.az": f"{'s.' if inside else ''}acc [g]"},
+        )
 
 
 def test_variables_that_do_not_end_where_they_should(tmp_path: Path) -> None:
@@ -155,41 +170,65 @@ def test_variables_that_do_not_end_where_they_should(tmp_path: Path) -> None:
     size = struct.pack("<2i", 9, WAVE.nbytes)
     numbers = good.rindex(size)
     file.write_bytes(good[:numbers] + struct.pack("<2i", 9, WAVE.nbytes + 1) + good[numbers + 8 :])
-    with pytest.raises(RecordingError, match=r"a\.mat: not a MATLAB file.*a part of a variable is cut off"):
+    with pytest.raises(
+        RecordingError, match=r"a\.mat: not a MATLAB file.*a part of a variable is cut off"
+    ):
         read_recording(file, **told)
     for end, missing in ((good[:-1], 1), (good[:-8], 8)):
         file.write_bytes(end)
         held = 48 + WAVE.nbytes
         with pytest.raises(
-            RecordingError, match=f"cut off within a variable; found '{held - missing} bytes'; allowed: {held}"
+            RecordingError,
+            match=f"cut off within a variable; found '{held - missing} bytes'; allowed: {held}",
         ):
             read_recording(file, **told)
     savemat(file, {"t": TIME, "acc": WAVE}, do_compression=True)
     good = file.read_bytes()
     kind, size = struct.unpack("<2i", good[128:136])
-    more = good[:128] + struct.pack("<2i", kind, size + 3) + good[136 : 136 + size] + b"abc" + good[136 + size :]
-    less = good[:128] + struct.pack("<2i", kind, size - 1) + good[136 : 135 + size] + good[136 + size :]
+    more = (
+        good[:128]
+        + struct.pack("<2i", kind, size + 3)
+        + good[136 : 136 + size]
+        + b"abc"
+        + good[136 + size :]
+    )
+    less = (
+        good[:128]
+        + struct.pack("<2i", kind, size - 1)
+        + good[136 : 135 + size]
+        + good[136 + size :]
+    )
     for bad in (more, less):
         file.write_bytes(bad)
-        with pytest.raises(RecordingError, match="a compressed variable does not end where it should"):
+        with pytest.raises(
+            RecordingError, match="a compressed variable does not end where it should"
+        ):
             read_recording(file, **told)
 
 
 def test_objects_and_empty_values_of_version_7_3_are_no_signals(tmp_path: Path) -> None:
-    write_hdf5(tmp_path / "a.mat", {"t": TIME, "acc": WAVE, "series": WAVE, "note": "x", "none": WAVE})
+    write_hdf5(
+        tmp_path / "a.mat", {"t": TIME, "acc": WAVE, "series": WAVE, "note": "x", "none": WAVE}
+    )
     with h5py.File(tmp_path / "a.mat", "a") as file:
         file["series"].attrs["MATLAB_object_decode"] = 3
         file["note"].attrs["MATLAB_empty"] = 1
         file["none"].attrs["MATLAB_empty"] = 1
     content = (tmp_path / "a.mat").read_bytes()
-    run, (finding,) = read_recording(tmp_path / "a.mat", columns={"time": "t [s]", "sprung.az": "acc [g]"})
+    run, (finding,) = read_recording(
+        tmp_path / "a.mat", columns={"time": "t [s]", "sprung.az": "acc [g]"}
+    )
     np.testing.assert_allclose(run["sprung.az"], 9.80665 * WAVE)
     assert finding.message.endswith("left out: series")
     assert content == (tmp_path / "a.mat").read_bytes()
 
 
 def test_damaged_files_are_refused_in_one_way(tmp_path: Path) -> None:
-    savemat(tmp_path / "a.mat", {"t": TIME, "s": {"acc": WAVE, "names": cell("a", "b")}}, do_compression=True)
+    savemat(
+        tmp_path / "a.mat",
+        {"t": TIME, "s": {"acc": WAVE, "names": cell("a", "b")}},
+        do_compression=True,
+    )
     good = (tmp_path / "a.mat").read_bytes()
     random = np.random.default_rng(5)
     outcomes = []

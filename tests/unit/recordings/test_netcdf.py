@@ -74,12 +74,18 @@ def test_attributes_are_plain(tmp_path: Path) -> None:
 
 def test_the_group_with_signals_is_read_and_of_several_the_chosen_one(tmp_path: Path) -> None:
     file = written(tmp_path / "a.nc", place="bench/run")
-    assert read_recording(file)[0]["sprung.az"].equals(read_recording(file, variable="bench/run")[0]["sprung.az"])
+    assert read_recording(file)[0]["sprung.az"].equals(
+        read_recording(file, variable="bench/run")[0]["sprung.az"]
+    )
     with h5py.File(file, "a") as whole:
         whole.copy("bench", "again")
-    with pytest.raises(RecordingError, match=r"several groups hold signals; found 'again/run, bench/run'"):
+    with pytest.raises(
+        RecordingError, match=r"several groups hold signals; found 'again/run, bench/run'"
+    ):
         read_recording(file)
-    with pytest.raises(RecordingError, match=r"no group 'bench/rnu' with signals; .*Did you mean 'bench/run'"):
+    with pytest.raises(
+        RecordingError, match=r"no group 'bench/rnu' with signals; .*Did you mean 'bench/run'"
+    ):
         read_recording(file, variable="bench/rnu")
     assert read_recording(file, variable="again/run")[0].sizes["time"] == 50
 
@@ -89,7 +95,11 @@ def classic(file: Path, *, records: bool = False, **more: Any) -> Path:
     with netcdf_file(file, "w", **more) as whole:
         whole.createDimension("time", None if records else TIME.size)
         whole.createDimension("of_nothing", 1_000_000)
-        for name, values, unit in (("time", TIME, "s"), ("sprung.az", WAVE, "m/s^2"), ("short", TIME, "cm")):
+        for name, values, unit in (
+            ("time", TIME, "s"),
+            ("sprung.az", WAVE, "m/s^2"),
+            ("short", TIME, "cm"),
+        ):
             one = whole.createVariable(name, "h" if name == "short" else "d", ("time",))
             one.units, one[:] = unit, np.round(100 * values) if name == "short" else values
     return file
@@ -127,10 +137,16 @@ def test_netcdf_3_variables_that_lie_over_each_other_are_refused(tmp_path: Path)
     file = classic(tmp_path / "a.nc", version=1)
     content = bytearray(file.read_bytes())
     at = content.index(b"sprung.az")
-    place = content.index(struct.pack(">ii", 6, 8 * TIME.size), at) + 8  # behind kind and size: where it begins
-    content[place : place + 4] = struct.pack(">i", struct.unpack(">i", content[place : place + 4])[0] - 8)
+    place = (
+        content.index(struct.pack(">ii", 6, 8 * TIME.size), at) + 8
+    )  # behind kind and size: where it begins
+    content[place : place + 4] = struct.pack(
+        ">i", struct.unpack(">i", content[place : place + 4])[0] - 8
+    )
     file.write_bytes(content)
-    with pytest.raises(RecordingError, match=r"a\.nc: not a netCDF file, or damaged \(variables overlap\)"):
+    with pytest.raises(
+        RecordingError, match=r"a\.nc: not a netCDF file, or damaged \(variables overlap\)"
+    ):
         read_recording(file)
 
 
@@ -159,4 +175,6 @@ def test_a_time_since_an_instant_begins_at_zero(tmp_path: Path, unit: str, scale
             one.units, one[:] = own, values
     run, findings = read_recording(file)
     np.testing.assert_allclose(run["time"], TIME, rtol=0.0, atol=2e-6)
-    assert [one.message for one in findings if "clock" in one.message] == [f"'time' is a clock: {unit}"]
+    assert [one.message for one in findings if "clock" in one.message] == [
+        f"'time' is a clock: {unit}"
+    ]

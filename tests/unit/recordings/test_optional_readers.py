@@ -16,11 +16,15 @@ WAVE = np.sin(TIME * 200.0)
 
 
 def test_missing_package_says_what_to_install() -> None:
-    with pytest.raises(MissingPackageError, match=f"'not_there_at_all'.*{re.escape(how_to_install('io'))}"):
+    with pytest.raises(
+        MissingPackageError, match=f"'not_there_at_all'.*{re.escape(how_to_install('io'))}"
+    ):
         require("not_there_at_all", "io")
 
 
-def test_broken_package_is_not_called_missing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_broken_package_is_not_called_missing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     (tmp_path / "jounce_broken_package.py").write_text("import not_there_at_all\n")
     monkeypatch.syspath_prepend(tmp_path)
     with pytest.raises(ModuleNotFoundError, match="not_there_at_all"):
@@ -33,7 +37,9 @@ def test_tdms(tmp_path: Path) -> None:
     timing = {"wf_increment": 0.001, "wf_start_offset": 0.5}
     channels = [
         nptdms.ChannelObject("Run", "Body", WAVE, properties={"unit_string": "g", **timing}),
-        nptdms.ChannelObject("Run", "strut.force", WAVE * 2.0, properties={"unit_string": "kN", **timing}),
+        nptdms.ChannelObject(
+            "Run", "strut.force", WAVE * 2.0, properties={"unit_string": "kN", **timing}
+        ),
     ]
     with nptdms.TdmsWriter(file) as writer:
         writer.write_segment([*channels, nptdms.ChannelObject("Other", "a", WAVE[:4])])
@@ -62,17 +68,24 @@ def test_tdms_with_bytes_that_belong_to_no_segment(tmp_path: Path) -> None:
         assert [one.value for one in findings] == [lost] * bool(lost)
         for finding in findings:
             assert (finding.severity, finding.place) == ("problem", str(file))
-            assert f"{lost} bytes from byte {len(content)} on belong to no segment" in finding.message
+            assert (
+                f"{lost} bytes from byte {len(content)} on belong to no segment" in finding.message
+            )
     file.write_bytes(content + b"x" * 28)  # as long as the head of a segment
     with pytest.raises(RecordingError, match="not a TDMS file, or damaged"):
         read_recording(file, columns=columns)
     last = content.rindex(b"TDSm")
-    file.write_bytes(content[: last + 12] + b"\xff" * 8 + content[last + 20 :])  # the writer did not come to its end
+    file.write_bytes(
+        content[: last + 12] + b"\xff" * 8 + content[last + 20 :]
+    )  # the writer did not come to its end
     run, findings = read_recording(file, columns=columns)
     assert (run.sizes["time"], findings) == (80, [])
     with nptdms.TdmsWriter(file) as writer:
         writer.write_segment(
-            [nptdms.ChannelObject("Run", "a", np.array(["x", "y"])), nptdms.ChannelObject("Run", "b", WAVE[:1])]
+            [
+                nptdms.ChannelObject("Run", "a", np.array(["x", "y"])),
+                nptdms.ChannelObject("Run", "b", WAVE[:1]),
+            ]
         )
     with pytest.raises(RecordingError, match=r"a\.tdms: group 'Run': no numeric channel"):
         read_recording(file, columns=columns)
@@ -82,9 +95,16 @@ def data_set_58(entity: str, node: int, values: np.ndarray) -> str:
     """A time response as the Universal File Format has it, ASCII, double precision, 1 kHz."""
     axis = f"{0:10d}{0:5d}{0:5d}{0:5d} "
     lines = ["    -1", "    58", "title", "NONE", "01-Jan-26", "NONE", "NONE"]
-    lines.append(f"{1:5d}{0:10d}{0:5d}{0:10d} {entity:<10s}{node:10d}{3:4d} {'NONE':<10s}{0:10d}{0:4d}")
+    lines.append(
+        f"{1:5d}{0:10d}{0:5d}{0:10d} {entity:<10s}{node:10d}{3:4d} {'NONE':<10s}{0:10d}{0:4d}"
+    )
     lines.append(f"{4:10d}{len(values):10d}{1:10d}{0.0:13.5e}{0.001:13.5e}{0.0:13.5e}")
-    for label, unit in (("Time", "s"), ("Acceleration", "m/s^2"), ("NONE", "NONE"), ("NONE", "NONE")):
+    for label, unit in (
+        ("Time", "s"),
+        ("Acceleration", "m/s^2"),
+        ("NONE", "NONE"),
+        ("NONE", "NONE"),
+    ):
         lines.append(f"{axis}{label:<20s} {unit:<20s}")
     lines += ["".join(f"{v:20.12e}" for v in values[i : i + 4]) for i in range(0, len(values), 4)]
     return "\n".join([*lines, "    -1", ""])
@@ -95,12 +115,17 @@ def test_uff(tmp_path: Path) -> None:
     file = tmp_path / "a.uff"
     sets = [("NONE", 1, WAVE), ("Wheel", 2, WAVE * 2.0), ("Wheel", 3, WAVE[:20])]
     file.write_text("".join(data_set_58(*one) for one in sets))
-    run, findings = read_recording(file, columns={"sprung.az": "point_1", "unsprung.az": "Wheel:2+3"})
+    run, findings = read_recording(
+        file, columns={"sprung.az": "point_1", "unsprung.az": "Wheel:2+3"}
+    )
     np.testing.assert_allclose(run["sprung.az"], WAVE, rtol=0.0, atol=1e-9)
     np.testing.assert_allclose(run["unsprung.az"], WAVE * 2.0, rtol=0.0, atol=1e-9)
     assert "Wheel:3+3" in findings[0].message  # it has fewer samples
     kind, samples = f"{4:10d}{40:10d}", f"{6:10d}{20:10d}"  # pairs of numbers are complex ones
-    phasor, short = data_set_58("Phasor", 4, WAVE).replace(kind, samples), data_set_58("Blink", 5, WAVE[:1])
+    phasor, short = (
+        data_set_58("Phasor", 4, WAVE).replace(kind, samples),
+        data_set_58("Blink", 5, WAVE[:1]),
+    )
     file.write_text(data_set_58("Wheel", 2, WAVE) + phasor + short)
     run, findings = read_recording(file, columns={"sprung.az": "Wheel"})
     assert run.sizes["time"] == 40
@@ -117,7 +142,9 @@ def test_mdf(tmp_path: Path) -> None:
         content.append([asammdf.Signal(WAVE, TIME, name="Acc_Body", unit="g")])
         content.append([asammdf.Signal(WAVE * 2.0, TIME, name="strut.force", unit="kN")])
         content.append([asammdf.Signal(WAVE[:5], TIME[:5] * 4.0, name="slow.az", unit="g")])
-        content.append([asammdf.Signal(np.array([b"a"] * 40), TIME, name="remark", encoding="utf-8")])
+        content.append(
+            [asammdf.Signal(np.array([b"a"] * 40), TIME, name="remark", encoding="utf-8")]
+        )
         content.append([asammdf.Signal(WAVE[:1], TIME[:1], name="once", unit="g")])
         content.save(file)
     run, findings = read_recording(file, columns={"sprung.az": "Acc_Body"})
@@ -129,7 +156,8 @@ def test_mdf(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("package", "suffix"), [("nptdms", ".tdms"), ("pyuff", ".uff"), ("asammdf", ".mf4"), ("pyarrow", ".parquet")]
+    ("package", "suffix"),
+    [("nptdms", ".tdms"), ("pyuff", ".uff"), ("asammdf", ".mf4"), ("pyarrow", ".parquet")],
 )
 def test_broken_file(tmp_path: Path, package: str, suffix: str) -> None:
     pytest.importorskip(package)
@@ -144,7 +172,9 @@ def test_uff_in_the_units_it_gives_and_cut_off(tmp_path: Path) -> None:
     file = tmp_path / "a.uff"
     whole = data_set_58("Wheel", 2, WAVE)
     axis = f"{'Time':<20s} {'s':<20s}"
-    file.write_text(whole.replace(axis, f"{'Time':<20s} {'ms':<20s}").replace("1.00000e-03", "1.00000e+00"))
+    file.write_text(
+        whole.replace(axis, f"{'Time':<20s} {'ms':<20s}").replace("1.00000e-03", "1.00000e+00")
+    )
     run, _ = read_recording(file, columns={"sprung.az": "Wheel"})
     np.testing.assert_allclose(run["time"], TIME, rtol=1e-12)
     lines = whole.splitlines()
@@ -156,17 +186,22 @@ def test_uff_in_the_units_it_gives_and_cut_off(tmp_path: Path) -> None:
     run, findings = read_recording(file, columns={"sprung.az": "Wheel"})
     assert "the last data set has no end" in findings[0].message
     file.write_text("\n".join(lines[:16]))
-    with pytest.raises(RecordingError, match=r"no time response; found 'no whole data set'|damaged"):
+    with pytest.raises(
+        RecordingError, match=r"no time response; found 'no whole data set'|damaged"
+    ):
         read_recording(file)
 
 
 def test_uff_messages_do_not_contradict_themselves(tmp_path: Path) -> None:
     pytest.importorskip("pyuff")
     file = tmp_path / "a.uff"
-    frequency_response = data_set_58("Wheel", 2, WAVE).replace(f"{1:5d}{0:10d}{0:5d}", f"{4:5d}{0:10d}{0:5d}", 1)
+    frequency_response = data_set_58("Wheel", 2, WAVE).replace(
+        f"{1:5d}{0:10d}{0:5d}", f"{4:5d}{0:10d}{0:5d}", 1
+    )
     file.write_text(frequency_response)
     says = (
-        r"no time response; found 'data set 58 with functions of type 4'; allowed: data set 58 with functions of type 1"
+        r"no time response; found 'data set 58 with functions of type 4'; allowed: data set 58 "
+        r"with functions of type 1"
     )
     with pytest.raises(RecordingError, match=says):
         read_recording(file)
@@ -181,7 +216,9 @@ def test_tdms_cut_off_says_how_much_is_there(tmp_path: Path) -> None:
     wave = np.sin(np.arange(2000) * 0.01)
     told = {"unit_string": "g", "wf_increment": 0.001}
     with nptdms.TdmsWriter(file) as writer:
-        writer.write_segment([nptdms.ChannelObject("Run", name, wave, properties=told) for name in ("a", "b")])
+        writer.write_segment(
+            [nptdms.ChannelObject("Run", name, wave, properties=told) for name in ("a", "b")]
+        )
     content = file.read_bytes()
     file.write_bytes(content[: round(0.9 * len(content))])
     run, findings = read_recording(file, columns={"sprung.az": "a", "unsprung.az": "b"})
@@ -201,7 +238,9 @@ def test_tdms_cut_off_where_a_segment_says_what_is_in_it(tmp_path: Path) -> None
     wave = np.sin(np.arange(400) * 0.01)
     with nptdms.TdmsWriter(file) as writer:
         for part in (wave[:150], wave[150:]):
-            writer.write_segment([nptdms.ChannelObject("Run", "a", part, properties={"wf_increment": 0.001})])
+            writer.write_segment(
+                [nptdms.ChannelObject("Run", "a", part, properties={"wf_increment": 0.001})]
+            )
     content = file.read_bytes()
     first = content.index(b"TDSm", 4)
     for more in (5, 40, 60):
@@ -213,11 +252,15 @@ def test_tdms_cut_off_where_a_segment_says_what_is_in_it(tmp_path: Path) -> None
     assert read_recording(file, columns={"body.speed": "a [m/s]"})[0].sizes["time"] == 400
 
 
-@pytest.mark.parametrize("options", [{}, {"row_group_size": 30}, {"write_page_index": True}, {"compression": "none"}])
+@pytest.mark.parametrize(
+    "options", [{}, {"row_group_size": 30}, {"write_page_index": True}, {"compression": "none"}]
+)
 def test_parquet_with_bytes_between_its_columns(tmp_path: Path, options: dict[str, Any]) -> None:
     pa, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
     file, time = tmp_path / "a.parquet", np.arange(100) * 0.01
-    parquet.write_table(pa.table({"time [s]": time, "tyre.force [N]": np.sin(time) + 1.0}), file, **options)
+    parquet.write_table(
+        pa.table({"time [s]": time, "tyre.force [N]": np.sin(time) + 1.0}), file, **options
+    )
     assert [one for one in read_recording(file)[1] if "bytes" in one.message] == []
     content = file.read_bytes()
     at = len(content) - 8 - int.from_bytes(content[-8:-4], "little")
@@ -239,7 +282,9 @@ def test_tdms_and_mdf_signals_on_other_clocks_are_brought_onto_one(tmp_path: Pat
     clocks = [(name, clock, {"unit_string": unit, "wf_increment": clock[1] - clock[0], "wf_start_offset": clock[0]})
               for name, clock, unit in (("az", fast, "g"), ("speed", slow, "m/s"))]  # fmt: skip
     with nptdms.TdmsWriter(tmp_path / "a.tdms") as writer:
-        writer.write_segment([nptdms.ChannelObject("R", name, truth(t), properties=told) for name, t, told in clocks])
+        writer.write_segment(
+            [nptdms.ChannelObject("R", name, truth(t), properties=told) for name, t, told in clocks]
+        )
     with asammdf.MDF(version="4.10") as content:
         for name, time, told in clocks:
             content.append([asammdf.Signal(truth(time), time, name=name, unit=told["unit_string"])])
@@ -248,10 +293,15 @@ def test_tdms_and_mdf_signals_on_other_clocks_are_brought_onto_one(tmp_path: Pat
     for file in (tmp_path / "a.tdms", tmp_path / "a.mf4"):
         both, notes = read_recording(file, columns=columns)
         assert both["body.speed"].attrs["recorded_rate"] == pytest.approx(1.0 / 0.013)
-        assert [note.severity for note in notes] == ["warning", "note"]  # what the slower one lacks at its end is told
+        assert [note.severity for note in notes] == [
+            "warning",
+            "note",
+        ]  # what the slower one lacks at its end is told
         assert (float(both["time"][0]), float(both["time"][-1])) == pytest.approx((0.013, 3.899))
         np.testing.assert_allclose(both["body.speed"], truth(both["time"].to_numpy()), atol=2e-4)
-        np.testing.assert_allclose(both["sprung.az"], 9.80665 * truth(both["time"].to_numpy()), atol=1e-9)
+        np.testing.assert_allclose(
+            both["sprung.az"], 9.80665 * truth(both["time"].to_numpy()), atol=1e-9
+        )
         alone, notes = read_recording(file, columns={"sprung.az": "az"})
         assert "speed [m/s]; resample brings them onto one time" in notes[0].message
         np.testing.assert_allclose(alone["sprung.az"], 9.80665 * truth(fast), atol=1e-9)
@@ -259,11 +309,20 @@ def test_tdms_and_mdf_signals_on_other_clocks_are_brought_onto_one(tmp_path: Pat
         time = run["time"].to_numpy()
         assert time[0] == pytest.approx(0.0123)
         np.testing.assert_allclose(run["body.speed"][5:-5], truth(time)[5:-5], atol=2e-4)
-        np.testing.assert_allclose(run["sprung.az"][20:-20], 9.80665 * truth(time)[20:-20], atol=2e-3)
-        assert any("largest gap in the recorded time of body.speed is 0.013 s" in note.message for note in notes)
-        with pytest.raises(RecordingError, match=r"with resample, e\.g\. '10 ms' and without a sample time"):
+        np.testing.assert_allclose(
+            run["sprung.az"][20:-20], 9.80665 * truth(time)[20:-20], atol=2e-3
+        )
+        assert any(
+            "largest gap in the recorded time of body.speed is 0.013 s" in note.message
+            for note in notes
+        )
+        with pytest.raises(
+            RecordingError, match=r"with resample, e\.g\. '10 ms' and without a sample time"
+        ):
             read_recording(file, columns=columns, resample="5 ms", sample_time="2 ms")
-        slowed, notes = read_recording(file, columns={"sprung.az": "az"}, resample="5 ms", sample_time="2 ms")
+        slowed, notes = read_recording(
+            file, columns={"sprung.az": "az"}, resample="5 ms", sample_time="2 ms"
+        )
         assert float(slowed["time"][-1]) == pytest.approx(7.995)
         assert any("resample and without a sample time brings" in note.message for note in notes)
 
@@ -287,9 +346,15 @@ def bus_file(folder: Path) -> Path:
 
     first, second = np.arange(400) * 0.005, 0.0007 + np.arange(100) * 0.02
     payload = np.zeros((500, 8), np.uint8)
-    payload[:400, 0:2] = np.round(np.sin(first * 9.0) / 0.001).astype("<i2").view(np.uint8).reshape(-1, 2)
-    payload[:400, 2:4] = np.round(20.0 * np.cos(first * 9.0) / 0.01).astype("<i2").view(np.uint8).reshape(-1, 2)
-    payload[400:, 0:2] = np.round((50.0 + second) / 0.01).astype("<u2").view(np.uint8).reshape(-1, 2)
+    payload[:400, 0:2] = (
+        np.round(np.sin(first * 9.0) / 0.001).astype("<i2").view(np.uint8).reshape(-1, 2)
+    )
+    payload[:400, 2:4] = (
+        np.round(20.0 * np.cos(first * 9.0) / 0.01).astype("<i2").view(np.uint8).reshape(-1, 2)
+    )
+    payload[400:, 0:2] = (
+        np.round((50.0 + second) / 0.01).astype("<u2").view(np.uint8).reshape(-1, 2)
+    )
     fields = {
         "BusChannel": "u1",
         "ID": "<u4",
@@ -299,7 +364,9 @@ def bus_file(folder: Path) -> Path:
         "DataBytes": "(8,)u1",
         "Dir": "u1",
     }
-    frames = np.zeros(500, np.dtype([(f"CAN_DataFrame.{name}", kind) for name, kind in fields.items()]))
+    frames = np.zeros(
+        500, np.dtype([(f"CAN_DataFrame.{name}", kind) for name, kind in fields.items()])
+    )
     frames["CAN_DataFrame.BusChannel"] = 1
     frames["CAN_DataFrame.ID"] = np.repeat([256, 257], [400, 100])
     frames["CAN_DataFrame.DLC"] = frames["CAN_DataFrame.DataLength"] = 8
@@ -342,13 +409,17 @@ def test_mdf_bus_frames_with_a_database(tmp_path: Path) -> None:
         read_recording(file, columns=columns, database=tmp_path / "none.dbc")
     plain = tmp_path / "a.csv"
     plain.write_text("time [s], sprung.az [g]\n0, 1\n")
-    with pytest.raises(RecordingError, match=r"a database of bus messages means nothing.*allowed: \.mf4"):
+    with pytest.raises(
+        RecordingError, match=r"a database of bus messages means nothing.*allowed: \.mf4"
+    ):
         read_recording(plain, database=database)
 
 
 def test_parquet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pa, pq = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
-    monkeypatch.setattr(readers, "is_possible", lambda: False)  # a child that has loaded Arrow serves one file only
+    monkeypatch.setattr(
+        readers, "is_possible", lambda: False
+    )  # a child that has loaded Arrow serves one file only
     file = tmp_path / "a.parquet"
     stamps = pa.array(1_700_000_000_000_000_000 + np.arange(40) * 1_000_000, pa.timestamp("ns"))
     fields = [
@@ -358,7 +429,13 @@ def test_parquet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         pa.field("remark", pa.string()),
         pa.field("seconds", pa.float64()),
     ]
-    arrays = [stamps, pa.array(WAVE, pa.float32()), pa.array(np.arange(40), pa.int32()), pa.array(["a"] * 40), TIME]
+    arrays = [
+        stamps,
+        pa.array(WAVE, pa.float32()),
+        pa.array(np.arange(40), pa.int32()),
+        pa.array(["a"] * 40),
+        TIME,
+    ]
     pq.write_table(pa.table(arrays, schema=pa.schema(fields)), file)
     columns = {"sprung.az": "acc", "strut.force": "force"}
     for time in ("clock", "seconds [s]"):
@@ -367,7 +444,9 @@ def test_parquet(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         np.testing.assert_allclose(run["strut.force"], np.arange(40.0))
         np.testing.assert_allclose(run["time"], TIME, atol=1e-9)
         assert "remark" in findings[0].message
-    with pytest.raises(RecordingError, match="column 'remark': text in a number column; found 'string'"):
+    with pytest.raises(
+        RecordingError, match="column 'remark': text in a number column; found 'string'"
+    ):
         read_recording(file, columns={"time": "clock", "sprung.az": "remark [g]"})
     holes = pa.table({"time [s]": TIME, "sprung.az [g]": pa.array([None, *WAVE[1:]])})
     pq.write_table(holes, file)
@@ -385,7 +464,9 @@ def test_durations_in_a_channel_of_parquet_are_no_seconds(tmp_path: Path, head: 
         read_columns(tmp_path / "a.parquet", {name: "s"})
 
 
-def test_parquet_without_rows_and_with_durations(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_parquet_without_rows_and_with_durations(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     pa, pq = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
     monkeypatch.setattr(readers, "is_possible", lambda: False)
     file = tmp_path / "a.parquet"

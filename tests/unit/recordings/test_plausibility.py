@@ -46,7 +46,12 @@ def test_usual_suspensions_have_no_findings() -> None:
         ("strut.deflection", "m", "cm", "is its unit cm"),
         ("strut.deflection_velocity", "m/s", "mm/s", "mm/s"),
         ("tyre.force", "kN", "N", "is its unit N or lbf rather than kN"),
-        ("front_left.camber", "rad", "deg", ""),  # 1.1 degrees taken for radians are below 1.6: not told
+        (
+            "front_left.camber",
+            "rad",
+            "deg",
+            "",
+        ),  # 1.1 degrees taken for radians are below 1.6: not told
         ("pitch_rate", "rad/s", "deg/s", ""),
         ("sprung.z", "m", "mm", "is its unit mm or cm rather than m"),
         ("speed", "m/s", "mm/s", "mm/s"),
@@ -67,12 +72,18 @@ def test_the_likely_unit_is_named(name: str, said: str, true: str, says: str) ->
     (finding,) = found
     assert says in finding.message
     assert f"rather than {said}" in finding.message
-    assert finding.severity == ("problem" if abs(wrong).max() > abs(USUAL[name]).max() else "warning")
+    assert finding.severity == (
+        "problem" if abs(wrong).max() > abs(USUAL[name]).max() else "warning"
+    )
     assert finding.place == f"a.csv: {name}"
     assert finding.value is not None
 
 
-MOTIONS, RATES, FORCES = ("deflection", "displacement", "stroke", "travel"), ("velocity", "vz"), ("force", "load")
+MOTIONS, RATES, FORCES = (
+    ("deflection", "displacement", "stroke", "travel"),
+    ("velocity", "vz"),
+    ("force", "load"),
+)
 LIMITS = [  # quantities, number, what no suspension reaches, below which a number is suspicious, SI
     (MOTIONS, "range", 1.5, 1e-4),
     ((*MOTIONS, "z"), "rate", 30.0, None),
@@ -114,10 +125,16 @@ def test_limits_are_where_they_are_said_to_be(
         places = name if "." in name else f"left.{name}"
         assert implausible({places: of_size(number, 0.99 * most)}, STEP, where="") == []
         (finding,) = implausible({places: of_size(number, 1.01 * most)}, STEP, where="")
-        assert (finding.severity, finding.value) == ("problem", pytest.approx(1.01 * most, rel=1e-3))
+        assert (finding.severity, finding.value) == (
+            "problem",
+            pytest.approx(1.01 * most, rel=1e-3),
+        )
         si = channel_unit(name) + "/s" * (number == "rate")
         said = "it changes by" if number == "rate" else f"the {number} is"
-        assert f"{said} {1.01 * most:.3g} {si}, and no suspension reaches {most:g} {si}" in finding.message
+        assert (
+            f"{said} {1.01 * most:.3g} {si}, and no suspension reaches {most:g} {si}"
+            in finding.message
+        )
         if least is None:
             continue
         for size, told in ((1.01, False), (0.99, True), (0.0101, True), (0.0099, False)):
@@ -130,12 +147,22 @@ def test_limits_are_where_they_are_said_to_be(
 
 
 def test_limits_of_time_of_work_and_of_rates() -> None:
-    for step, told in ((0.2, ""), (0.21, "ms"), (190.0, "ms"), (210.0, "µs"), (2e-4, ""), (1e-5, "a larger one")):
+    for step, told in (
+        (0.2, ""),
+        (0.21, "ms"),
+        (190.0, "ms"),
+        (210.0, "µs"),
+        (2e-4, ""),
+        (1e-5, "a larger one"),
+    ):
         found = implausible({"sprung.az": WAVE}, step, where="")
         assert [told in one.message for one in found] == [True] * bool(told)
         assert [one.place for one in found] == ["time"] * bool(told)
     turn = np.cos(2.0 * np.pi * 1.7 * TIME)
-    for frequency, size in ((1.6, 8e3), (3.2, 2e4 / 3.2)):  # J a cycle: the work, then the power of 20 kW
+    for frequency, size in (
+        (1.6, 8e3),
+        (3.2, 2e4 / 3.2),
+    ):  # J a cycle: the work, then the power of 20 kW
         wave, other = np.sin(2.0 * np.pi * frequency * TIME), np.cos(2.0 * np.pi * frequency * TIME)
         for share, told in ((0.97, 0), (1.03, 1)):
             channels = {"travel": 0.05 * other, "force": share * size / (np.pi * 0.05) * wave}
@@ -145,8 +172,14 @@ def test_limits_of_time_of_work_and_of_rates() -> None:
         moved = {"left.z": 0.01 * WAVE, "left.vz": share * 2.0 * np.pi * 1.7 * 0.01 * turn}
         found = implausible(moved, STEP, where="a.csv")
         assert [one.place for one in found] == ["a.csv: left.vz"] * told
-        assert implausible({"road.z": moved["left.z"], "road.vz": moved["left.vz"]}, STEP, where="") == []
-        assert implausible({"left.z": moved["left.z"], "right.vz": moved["left.vz"]}, STEP, where="") == []
+        assert (
+            implausible({"road.z": moved["left.z"], "road.vz": moved["left.vz"]}, STEP, where="")
+            == []
+        )
+        assert (
+            implausible({"left.z": moved["left.z"], "right.vz": moved["left.vz"]}, STEP, where="")
+            == []
+        )
 
 
 def test_rounding_at_rest_has_no_rate() -> None:
@@ -158,14 +191,24 @@ def test_rounding_at_rest_has_no_rate() -> None:
 
 @pytest.mark.parametrize("name", ["sprung.az", "wheel.az"])
 def test_gravity_is_looked_for_in_a_second_of_record(name: str) -> None:
-    for mean, samples, told in ((0.981, 1000, 1), (1.019, 1000, 1), (0.979, 1000, 0), (1.021, 1000, 0), (1.0, 999, 0)):
-        values = mean + 0.3 * (-1.0) ** np.arange(2 * (samples // 2) + samples % 2) * (np.arange(samples) < 998)
+    for mean, samples, told in (
+        (0.981, 1000, 1),
+        (1.019, 1000, 1),
+        (0.979, 1000, 0),
+        (1.021, 1000, 0),
+        (1.0, 999, 0),
+    ):
+        values = mean + 0.3 * (-1.0) ** np.arange(2 * (samples // 2) + samples % 2) * (
+            np.arange(samples) < 998
+        )
         found = implausible({name: values}, STEP, where="a.csv", written={name: "m/s^2"})
         assert [one.place for one in found] == [f"a.csv: {name}"] * told
 
 
 def test_a_unit_that_cannot_be_read_gives_no_advice_of_another() -> None:
-    (finding,) = implausible({"stroke": 12.45 * WAVE}, STEP, where="", written={"stroke": "furlongs per egg"})
+    (finding,) = implausible(
+        {"stroke": 12.45 * WAVE}, STEP, where="", written={"stroke": "furlongs per egg"}
+    )
     assert finding.message.endswith("; check its unit")
     assert implausible({"stroke": np.array([9.0])}, STEP, where="") == []  # one number is no motion
 
@@ -201,11 +244,18 @@ def test_velocity_and_displacement_that_contradict_each_other() -> None:
         assert finding.value == pytest.approx(factor, rel=0.05)
         assert "times the rate of stroke" in finding.message
     noisy = np.random.default_rng(1).normal(0.0, 1e-4, TIME.size)
-    assert implausible({"stroke": 0.0125 * WAVE + noisy, "velocity": rate + 100.0 * noisy}, STEP, where="") == []
+    assert (
+        implausible(
+            {"stroke": 0.0125 * WAVE + noisy, "velocity": rate + 100.0 * noisy}, STEP, where=""
+        )
+        == []
+    )
 
 
 def test_gravity_in_g_under_a_header_in_metres() -> None:
-    (finding,) = implausible({"sprung.az": 1.002 + 0.1 * WAVE}, STEP, where="", written={"sprung.az": "m/s^2"})
+    (finding,) = implausible(
+        {"sprung.az": 1.002 + 0.1 * WAVE}, STEP, where="", written={"sprung.az": "m/s^2"}
+    )
     assert "is it gravity, and the unit g" in finding.message
 
 

@@ -40,7 +40,9 @@ def test_missing_and_double_pulses_are_found() -> None:
     gone, twice = [40, 41, 200], [100, 300]
     kept = np.delete(at, gone)
     again = at[twice] + 2.5e-3
-    found = pulse_speed(TIME, seen(np.sort(np.concatenate([kept, again]))), per_turn=12, radius="50 mm")
+    found = pulse_speed(
+        TIME, seen(np.sort(np.concatenate([kept, again]))), per_turn=12, radius="50 mm"
+    )
     assert (found.missing, found.doubled) == (len(gone), len(twice))
     assert found.mean == pytest.approx(1.95, rel=2e-4)
     assert [item.code for item in found.findings] == ["recordings.pulses_corrected"]

@@ -18,7 +18,9 @@ def test_uniform_time_passes_with_rounding() -> None:
 
 
 def test_late_start_is_kept_and_rounding_of_large_times_is_no_jitter() -> None:
-    time, findings = check_time(1.7e9 + STEPS * 1e-4, where="a.csv")  # a clock in seconds since 1970
+    time, findings = check_time(
+        1.7e9 + STEPS * 1e-4, where="a.csv"
+    )  # a clock in seconds since 1970
     assert findings == []
     assert time[0] == 1.7e9
 
@@ -37,14 +39,17 @@ def test_jitter_below_a_millionth_is_rounding() -> None:
     for shift, told in ((0.9e-9, 0), (1.1e-9, 1), (9.9e-6, 1)):
         recorded = STEPS * 0.001
         recorded[50] += shift
-        assert [found.value for found in check_time(recorded, where="a.csv")[1]] == [pytest.approx(1e3 * shift)] * told
+        assert [found.value for found in check_time(recorded, where="a.csv")[1]] == [
+            pytest.approx(1e3 * shift)
+        ] * told
 
 
 def test_numbers_that_no_range_holds_are_marks() -> None:
     assert check_channels({"sprung.az": np.where(STEPS == 7, 0.99e20, STEPS)}, where="a.csv") == []
     for value in (1.01e20, -9.9e37):
         with pytest.raises(
-            RecordingError, match=r"a\.csv: sprung\.az: no measured number at row 8; found '.*over range"
+            RecordingError,
+            match=r"a\.csv: sprung\.az: no measured number at row 8; found '.*over range",
         ):
             check_channels({"sprung.az": np.where(STEPS == 7, value, STEPS)}, where="a.csv")
 
@@ -53,13 +58,28 @@ def test_numbers_that_no_range_holds_are_marks() -> None:
     ("change", "message"),
     [
         (lambda t: np.where(STEPS == 50, t + 12e-6, t), r"jitters by 1\.2 % at row 51"),
-        (lambda t: np.where(STEPS == 50, t + 10.1e-6, t), r"jitters by 1\.01 % at row 51; .*too few digits"),
-        (lambda t: np.delete(t, 70), r"at row 71.*found 'a step of 0\.002 s'.*1 sample missing there"),
-        (lambda t: np.delete(t, [70, 71]), r"at row 71.*allowed: 0\.001 s within 1 %.*2 samples missing there"),
-        (lambda t: np.where(STEPS == 9, t[8], t), r"time does not ascend at row 10; found '0\.008 s after 0\.008 s'"),
+        (
+            lambda t: np.where(STEPS == 50, t + 10.1e-6, t),
+            r"jitters by 1\.01 % at row 51; .*too few digits",
+        ),
+        (
+            lambda t: np.delete(t, 70),
+            r"at row 71.*found 'a step of 0\.002 s'.*1 sample missing there",
+        ),
+        (
+            lambda t: np.delete(t, [70, 71]),
+            r"at row 71.*allowed: 0\.001 s within 1 %.*2 samples missing there",
+        ),
+        (
+            lambda t: np.where(STEPS == 9, t[8], t),
+            r"time does not ascend at row 10; found '0\.008 s after 0\.008 s'",
+        ),
         (lambda t: t[::-1].copy(), "time does not ascend at row 2"),
         (lambda t: t * 0.0, "time is zero in every row"),
-        (lambda t: np.where(STEPS == 3, np.nan, t), "a.csv: time: not a finite number at row 4; found 'nan'"),
+        (
+            lambda t: np.where(STEPS == 3, np.nan, t),
+            "a.csv: time: not a finite number at row 4; found 'nan'",
+        ),
         (lambda t: t[:7], "too few samples; found '7'; allowed: at least 8"),
         (lambda t: t[:1], "too few samples"),
         (lambda t: t[:0], "too few samples"),
@@ -74,16 +94,27 @@ def test_bad_time(change: object, message: str) -> None:
 
 def test_rows_are_named_by_the_caller() -> None:
     with pytest.raises(RecordingError, match="at line 12"):
-        check_time(np.where(STEPS == 10, 0.0, STEPS * 0.001), where="a.csv", name_row=lambda row: f"line {row + 2}")
+        check_time(
+            np.where(STEPS == 10, 0.0, STEPS * 0.001),
+            where="a.csv",
+            name_row=lambda row: f"line {row + 2}",
+        )
 
 
 def test_good_channels_have_no_findings() -> None:
     wave = np.sin(STEPS * 0.1)
-    assert check_channels({"sprung.az": wave, "sprung.z": np.concatenate((np.zeros(50), wave))}, where="a") == []
+    assert (
+        check_channels(
+            {"sprung.az": wave, "sprung.z": np.concatenate((np.zeros(50), wave))}, where="a"
+        )
+        == []
+    )
 
 
 def test_not_a_number_names_channel_and_row() -> None:
-    with pytest.raises(RecordingError, match=r"a\.csv: sprung\.az: not a finite number at row 6; found 'inf'"):
+    with pytest.raises(
+        RecordingError, match=r"a\.csv: sprung\.az: not a finite number at row 6; found 'inf'"
+    ):
         check_channels({"sprung.az": np.where(STEPS == 5, np.inf, 0.1 * STEPS)}, where="a.csv")
 
 
@@ -96,12 +127,18 @@ def test_constant_channel() -> None:
 
 
 def test_nothing_is_said_of_a_level_road_and_of_no_braking() -> None:
-    still = dict.fromkeys(("road.z", "front.road.z", "body.pitch_moment", "body.lateral_acceleration"), np.zeros(20))
+    still = dict.fromkeys(
+        ("road.z", "front.road.z", "body.pitch_moment", "body.lateral_acceleration"), np.zeros(20)
+    )
     assert check_channels(still, where="a.csv") == []
-    (finding,) = check_channels({"front.road.z": np.full(20, 0.3), "platform.z": np.arange(20.0)}, where="a.csv")
+    (finding,) = check_channels(
+        {"front.road.z": np.full(20, 0.3), "platform.z": np.arange(20.0)}, where="a.csv"
+    )
     assert finding.place == "a.csv: front.road.z"
     wave = np.clip(np.sin(STEPS * 0.1), -0.9, 2.0)
-    assert check_channels({"front_left.road.z": wave, "body.pitch_moment": wave}, where="a.csv") == []
+    assert (
+        check_channels({"front_left.road.z": wave, "body.pitch_moment": wave}, where="a.csv") == []
+    )
 
 
 def test_clipped_channel() -> None:
@@ -120,18 +157,32 @@ def test_clipped_channel() -> None:
         (([2.0, *[5.0] * 5, 2.0],), 0),  # fewer than six samples
         (([2.0, 5.0, 5.0, 2.0],) * 3, 0),  # runs of two
         (([2.0, 5.0, 5.0, 5.0, 2.0], [2.0, 5.0, 5.0, 2.0], [2.0, *[5.0] * 4, 2.0]), 7),
-        (([4.84, *[5.0] * 6, 4.84],), 6),  # entered and left by more than one and a half of the resolution
+        (
+            ([4.84, *[5.0] * 6, 4.84],),
+            6,
+        ),  # entered and left by more than one and a half of the resolution
         (([4.86, *[5.0] * 6, 2.0],), 0),
         (([2.0, *[5.0] * 6, 4.86],), 0),
         (([2.0, *[5.0] * 6],), 0),  # at the end of the record
     ],
 )
-def test_clipped_samples_are_counted_in_runs_of_three(pieces: tuple[list[float], ...], clipped: int) -> None:
+def test_clipped_samples_are_counted_in_runs_of_three(
+    pieces: tuple[list[float], ...], clipped: int
+) -> None:
     wave = np.array([0.5, 0.6, 0.7, *(value for piece in pieces for value in piece)])
     for values in (wave, wave[::-1], 9.0 - wave):
         found = check_channels({"sprung.az": values}, where="a.csv")
-        assert [one.value for one in found] == [pytest.approx(clipped / wave.size, rel=1e-12)] * bool(clipped)
-        for name in ("road.z", "left.platform.z", "road.slope", "damper.command", "left.adhesion", "body.deceleration"):
+        assert [one.value for one in found] == [
+            pytest.approx(clipped / wave.size, rel=1e-12)
+        ] * bool(clipped)
+        for name in (
+            "road.z",
+            "left.platform.z",
+            "road.slope",
+            "damper.command",
+            "left.adhesion",
+            "body.deceleration",
+        ):
             assert check_channels({name: values}, where="a.csv") == []
     both = np.concatenate(((5.0 - wave)[::-1], wave))
     assert [one.value for one in check_channels({"sprung.az": both - 9.0}, where="a.csv")] == (
@@ -142,9 +193,15 @@ def test_clipped_samples_are_counted_in_runs_of_three(pieces: tuple[list[float],
 @pytest.mark.parametrize(
     ("name", "values"),
     [
-        ("sprung.az", np.round(np.sin(STEPS * 0.02) * 100.0) / 100.0),  # coarse but unclipped: enters by one step
+        (
+            "sprung.az",
+            np.round(np.sin(STEPS * 0.02) * 100.0) / 100.0,
+        ),  # coarse but unclipped: enters by one step
         ("tyre.force", np.maximum(np.sin(STEPS * 0.1) * 300.0, 0.0)),  # lift-off
-        ("sprung.z", np.concatenate((np.full(30, -0.05), -0.05 + 0.01 * (1.0 - np.cos(STEPS * 0.1))))),  # rest first
+        (
+            "sprung.z",
+            np.concatenate((np.full(30, -0.05), -0.05 + 0.01 * (1.0 - np.cos(STEPS * 0.1)))),
+        ),  # rest first
         ("road.z", np.where((STEPS > 50) & (STEPS < 90), 0.01, 0.0)),  # a rectangular obstacle
     ],
 )
@@ -202,7 +259,9 @@ def _with(values: np.ndarray, start: int, count: int, held: float | None) -> np.
         (_with(2.0 + SWING, 1100, 20, 0.0), 1100, 20),  # at the end of the range, but by a jump
     ],
 )
-def test_a_stretch_without_signal_is_found_and_told(values: np.ndarray, start: int, count: int) -> None:
+def test_a_stretch_without_signal_is_found_and_told(
+    values: np.ndarray, start: int, count: int
+) -> None:
     assert frozen_stretches(values) == [(start, start + count)]
     assert np.flatnonzero(frozen_samples(values)).tolist() == list(range(start, start + count))
     (told,) = check_channels({"sprung.az": values}, where="a.csv")
@@ -216,15 +275,28 @@ def test_a_stretch_without_signal_is_found_and_told(values: np.ndarray, start: i
 @pytest.mark.parametrize("noise", [0.0, 0.1, 0.3, 0.5, 1.0])
 def test_a_coarse_sensor_that_comes_to_rest_is_not_frozen(bits: int, noise: float) -> None:
     step, time = 2.0 / 2**bits, np.arange(3000) * 1e-3
-    rest = np.where(time % 1.0 < 0.7, SWING, 0.0) * np.clip((0.7 - time % 1.0) / 0.3, 0.0, 1.0) ** 2  # hits, settles
-    for signal in (SWING, rest, np.sin(3.0 * time), np.cumsum(NOISE) / 60.0, np.maximum(np.sin(20.0 * time), 0.0)):
+    rest = (
+        np.where(time % 1.0 < 0.7, SWING, 0.0) * np.clip((0.7 - time % 1.0) / 0.3, 0.0, 1.0) ** 2
+    )  # hits, settles
+    for signal in (
+        SWING,
+        rest,
+        np.sin(3.0 * time),
+        np.cumsum(NOISE) / 60.0,
+        np.maximum(np.sin(20.0 * time), 0.0),
+    ):
         assert frozen_stretches(np.round((signal + noise * step * NOISE) / step) * step) == []
 
 
 def test_a_tyre_off_the_ground_and_a_model_at_rest_are_not_frozen() -> None:
     force = np.maximum(400.0 + 500.0 * np.sin(STEPS * 0.1), 0.0)
     assert frozen_stretches(force) == []
-    assert frozen_stretches(np.maximum(400.0 + 500.0 * np.sin(np.arange(3000) * 0.05) + 5.0 * NOISE, 0.0)) == []
+    assert (
+        frozen_stretches(
+            np.maximum(400.0 + 500.0 * np.sin(np.arange(3000) * 0.05) + 5.0 * NOISE, 0.0)
+        )
+        == []
+    )
     rest = 1e-17 * np.round(NOISE[:100])
     rest[40:60] = 1e-17
     assert frozen_stretches(np.concatenate((rest, SWING))) == []

@@ -55,7 +55,9 @@ def test_units_and_order_do_not_matter(tmp_path: Path) -> None:
 
 
 def test_mapping_by_name_and_by_unit(tmp_path: Path) -> None:
-    file = write(tmp_path / "a.csv", "t, AccBody [g], F_kN, temperature_1 [K]", TIME, WAVE, WAVE, WAVE)
+    file = write(
+        tmp_path / "a.csv", "t, AccBody [g], F_kN, temperature_1 [K]", TIME, WAVE, WAVE, WAVE
+    )
     columns = {"time": "t [s]", "sprung.az": "AccBody", "strut.force": "F_kN [kN]"}
     run, findings = read_recording(file, columns=columns)
     assert sorted(run.data_vars) == ["sprung.az", "strut.force"]
@@ -76,20 +78,54 @@ def test_all_columns_renamed_in_order(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("header", "columns", "error", "message"),
     [
-        ("u [s], sprung.az [g]", None, RecordingError, "no column 'time'; found 'u .s., sprung.az .g.'.*Map it"),
-        ("time [s], sprung.az", None, RecordingError, "column 'sprung.az': the column has no unit.*sprung.az .m/s.2."),
+        (
+            "u [s], sprung.az [g]",
+            None,
+            RecordingError,
+            "no column 'time'; found 'u .s., sprung.az .g.'.*Map it",
+        ),
+        (
+            "time [s], sprung.az",
+            None,
+            RecordingError,
+            "column 'sprung.az': the column has no unit.*sprung.az .m/s.2.",
+        ),
         ("time, sprung.az [g]", None, RecordingError, "column 'time': the column has no unit"),
-        ("time [s], sprung.az [mm]", None, DescriptionError, "column 'sprung.az .mm.': wrong unit; found 'mm'"),
-        ("time [mm], sprung.az [g]", None, DescriptionError, "wrong unit; found 'mm'; allowed: a unit that.*to s"),
+        (
+            "time [s], sprung.az [mm]",
+            None,
+            DescriptionError,
+            "column 'sprung.az .mm.': wrong unit; found 'mm'",
+        ),
+        (
+            "time [mm], sprung.az [g]",
+            None,
+            DescriptionError,
+            "wrong unit; found 'mm'; allowed: a unit that.*to s",
+        ),
         ("time [s], a [g]", None, RecordingError, "no channel was found"),
         ("time [s], a [g]", {"sprung.az": "b"}, RecordingError, "no column 'b'"),
-        ("time [s], AccBody [g]", {"sprung.az": "AccBdy"}, RecordingError, "Did you mean 'AccBody'"),
+        (
+            "time [s], AccBody [g]",
+            {"sprung.az": "AccBdy"},
+            RecordingError,
+            "Did you mean 'AccBody'",
+        ),
         ("time [s], a [g]", {"sprung.foo": "a"}, RecordingError, "no known quantity; found 'foo'"),
-        ("time [s], a [g]", {"sprung.az": "a [m/s^2]"}, RecordingError, "another unit; found 'g'; allowed: m/s.2"),
+        (
+            "time [s], a [g]",
+            {"sprung.az": "a [m/s^2]"},
+            RecordingError,
+            "another unit; found 'g'; allowed: m/s.2",
+        ),
     ],
 )
 def test_bad_columns(
-    tmp_path: Path, header: str, columns: dict[str, str] | None, error: type[Exception], message: str
+    tmp_path: Path,
+    header: str,
+    columns: dict[str, str] | None,
+    error: type[Exception],
+    message: str,
 ) -> None:
     file = write(tmp_path / "a.csv", header, TIME, WAVE)
     with pytest.raises(error, match=message):
@@ -127,10 +163,14 @@ def test_bad_files(tmp_path: Path) -> None:
 
 def test_small_jitter_is_resampled(tmp_path: Path) -> None:
     jittered = TIME + 4e-6 * np.sin(TIME * 3000.0) * np.sign(TIME * (TIME[-1] - TIME))
-    file = write(tmp_path / "a.csv", "time [s], sprung.az [m/s^2]", jittered, np.sin(jittered * 200.0))
+    file = write(
+        tmp_path / "a.csv", "time [s], sprung.az [m/s^2]", jittered, np.sin(jittered * 200.0)
+    )
     run, findings = read_recording(file)
     assert "resampled" in findings[0].message
-    np.testing.assert_allclose(run["sprung.az"], WAVE, rtol=0.0, atol=2e-5)  # the shift itself would be 8e-4
+    np.testing.assert_allclose(
+        run["sprung.az"], WAVE, rtol=0.0, atol=2e-5
+    )  # the shift itself would be 8e-4
     np.testing.assert_allclose(np.diff(run["time"]), 0.001, rtol=1e-9)
 
 
@@ -166,7 +206,11 @@ def test_columns_without_time(tmp_path: Path) -> None:
 def test_written_recordings_come_back(tmp_path: Path, suffix: str) -> None:
     run = recording(
         TIME,
-        {"sprung.az": (WAVE / 3.0, "m/s^2", ""), "road.slope": (WAVE / 7.0, "1", ""), "pitch": (WAVE, "rad", "nod")},
+        {
+            "sprung.az": (WAVE / 3.0, "m/s^2", ""),
+            "road.slope": (WAVE / 7.0, "1", ""),
+            "pitch": (WAVE, "rad", "nod"),
+        },
         attributes={"source": "test", "speed": 1.95, "ok": True, "list": [1, 2], "none": None},
     )
     file = write_recording(run, tmp_path / f"run{suffix}")
@@ -176,7 +220,11 @@ def test_written_recordings_come_back(tmp_path: Path, suffix: str) -> None:
     assert [path.name for path in tmp_path.iterdir()] == [file.name]  # no temporary file is left
     if suffix == ".nc":
         assert back["pitch"].attrs == run["pitch"].attrs
-        assert {k: back.attrs[k] for k in ("source", "speed", "ok")} == {"source": "test", "speed": 1.95, "ok": "true"}
+        assert {k: back.attrs[k] for k in ("source", "speed", "ok")} == {
+            "source": "test",
+            "speed": 1.95,
+            "ok": "true",
+        }
     assert run.attrs["ok"] is True  # the caller's recording is untouched
 
 
@@ -200,42 +248,69 @@ def test_netcdf_of_others(tmp_path: Path) -> None:
 
 def test_matlab_version_5(tmp_path: Path) -> None:
     file = tmp_path / "a.mat"
-    content = {"x_F": np.stack((WAVE, WAVE * 2.0, WAVE * 3.0), axis=1), "Tout": TIME[None, :], "Ts": 0.001, "n": "text"}
+    content = {
+        "x_F": np.stack((WAVE, WAVE * 2.0, WAVE * 3.0), axis=1),
+        "Tout": TIME[None, :],
+        "Ts": 0.001,
+        "n": "text",
+    }
     savemat(file, content)
-    columns = {"time": "Tout [s]", "strut.deflection": "x_F(:,1) [mm]", "strut.force": "x_F(:,3) [N]"}
+    columns = {
+        "time": "Tout [s]",
+        "strut.deflection": "x_F(:,1) [mm]",
+        "strut.force": "x_F(:,3) [N]",
+    }
     run, findings = read_recording(file, columns=columns)
     np.testing.assert_allclose(run["strut.deflection"], WAVE * 1e-3, rtol=1e-14)
     np.testing.assert_allclose(run["strut.force"], WAVE * 3.0, rtol=1e-14)
     assert "x_F(:,2)" in findings[0].message
     header = "displacement [mm], velocity [mm/s], force [N]"
     for variable in ("x_F", ""):
-        values, _ = read_columns(file, {"force": "N", "velocity": "m/s"}, columns=header, variable=variable)
+        values, _ = read_columns(
+            file, {"force": "N", "velocity": "m/s"}, columns=header, variable=variable
+        )
         np.testing.assert_allclose(values["velocity"], WAVE * 2e-3, rtol=1e-14)
-    with pytest.raises(RecordingError, match=r"no numeric variable 'x_f'; found '.*x_F \(40 x 3\).*Did you mean 'x_F'"):
+    with pytest.raises(
+        RecordingError,
+        match=r"no numeric variable 'x_f'; found '.*x_F \(40 x 3\).*Did you mean 'x_F'",
+    ):
         read_columns(file, {"force": "N"}, columns=header, variable="x_f")
     with pytest.raises(RecordingError, match=r"names 2 columns, 'x_F' has 3"):
         read_columns(file, {"force": "N"}, columns="a [m], b [N]", variable="x_F")
-    with pytest.raises(RecordingError, match=r"0 variables have as many columns as the given header \(2\)"):
+    with pytest.raises(
+        RecordingError, match=r"0 variables have as many columns as the given header \(2\)"
+    ):
         read_columns(file, {"force": "N"}, columns="a [m], force [N]")
-    for given in ("force [N]", "force"):  # a header of one name is for the one vector, not for a number or a matrix
+    for given in (
+        "force [N]",
+        "force",
+    ):  # a header of one name is for the one vector, not for a number or a matrix
         content = {"a": 3.0, "b": WAVE[:, None], "c": np.stack((WAVE, WAVE), axis=1)}
         savemat(file, content)
         values, _ = read_columns(file, {"force": "N"}, columns="force [N]")
         np.testing.assert_array_equal(values["force"], WAVE)
         savemat(file, content | {"d": WAVE})
         with pytest.raises(
-            RecordingError, match=r"2 variables have as many.*\(1\); found 'b \(40 x 1\), c \(40 x 2\), d"
+            RecordingError,
+            match=r"2 variables have as many.*\(1\); found 'b \(40 x 1\), c \(40 x 2\), d",
         ):
             read_columns(file, {"force": "N"}, columns=given)
-    savemat(file, {"t": TIME, "az": WAVE, "long": np.arange(50.0), "wide": np.zeros((40, 65)), "one": 1.0})
+    savemat(
+        file,
+        {"t": TIME, "az": WAVE, "long": np.arange(50.0), "wide": np.zeros((40, 65)), "one": 1.0},
+    )
     run, findings = read_recording(file, columns={"time": "t [s]", "sprung.az": "az [g]"})
     assert run.sizes["time"] == 40
     assert "left out: long" in findings[-1].message
     assert "wide" not in " ".join(one.message for one in findings)
     savemat(file, {"wide": np.stack([WAVE] * 65, axis=1)})
     named = ", ".join(f"c{i} [N]" for i in range(64)) + ", force [N]"
-    np.testing.assert_array_equal(read_columns(file, {"force": "N"}, columns=named)[0]["force"], WAVE)
-    savemat(file, {"a": TIME[:30], "b": WAVE[:30], "c": WAVE, "d": TIME})  # as many of each: the longer ones
+    np.testing.assert_array_equal(
+        read_columns(file, {"force": "N"}, columns=named)[0]["force"], WAVE
+    )
+    savemat(
+        file, {"a": TIME[:30], "b": WAVE[:30], "c": WAVE, "d": TIME}
+    )  # as many of each: the longer ones
     assert read_columns(file, {"force": "N"}, columns={"force": "c [N]"})[0]["force"].size == 40
     savemat(file, {"a": "only text"})
     with pytest.raises(RecordingError, match="no numeric variable"):
@@ -244,7 +319,9 @@ def test_matlab_version_5(tmp_path: Path) -> None:
 
 def test_matlab_version_7_3(tmp_path: Path) -> None:
     file = tmp_path / "a.mat"
-    with h5py.File(file, "w", userblock_size=512) as content:  # a version 7.3 file is HDF5 behind a MATLAB header
+    with h5py.File(
+        file, "w", userblock_size=512
+    ) as content:  # a version 7.3 file is HDF5 behind a MATLAB header
         for name, values in {"x_F": np.stack((TIME, WAVE), axis=0), "t": TIME[:, None]}.items():
             content[name] = values
             content[name].attrs["MATLAB_class"] = np.bytes_("double")
@@ -267,7 +344,9 @@ def test_registry_rows_are_complete() -> None:
     assert len(set(suffixes)) == len(suffixes) - 1  # .dat is text or MDF, as its first bytes say
     for reader in READERS:
         assert all((reader.name, reader.label, reader.source, reader.example))
-        assert all(suffix.startswith(".") and suffix == suffix.lower() for suffix in reader.suffixes)
+        assert all(
+            suffix.startswith(".") and suffix == suffix.lower() for suffix in reader.suffixes
+        )
 
 
 def test_a_format_is_one_function(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -291,7 +370,10 @@ def test_a_format_is_one_function(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
 def test_a_reader_whose_time_is_spent_is_told_from_one_that_crashed() -> None:
     child = object.__new__(isolated._Child)
     child.is_ready = True
-    for code, says in ((signal.SIGXCPU, "does not end"), (signal.SIGSEGV, r"ended the process.*\(SIGSEGV\)")):
+    for code, says in (
+        (signal.SIGXCPU, "does not end"),
+        (signal.SIGSEGV, r"ended the process.*\(SIGSEGV\)"),
+    ):
         child.process = SimpleNamespace(wait=lambda code=code: -code)
         assert re.search(says, str(child._fate(Path("a.csv"), 9.0, late=False)))
 
@@ -300,5 +382,7 @@ def test_a_reader_whose_time_is_spent_is_told_from_one_that_crashed() -> None:
 def test_times_as_other_languages_write_them_are_named(tmp_path: Path, cell: str) -> None:
     file = tmp_path / "a.csv"
     file.write_text("time [s], sprung.az [m/s^2]\n" + f"{cell}, {cell}\n" * 20, encoding="utf-8")
-    with pytest.raises(RecordingError, match=r"a\.csv, line 2: column 'time \[s\]': text in a number column"):
+    with pytest.raises(
+        RecordingError, match=r"a\.csv, line 2: column 'time \[s\]': text in a number column"
+    ):
         read_recording(file)

@@ -21,7 +21,13 @@ TIME = np.arange(5) * 0.001
 
 
 def test_variables_carry_unit_words_and_place() -> None:
-    run = recording(TIME, {"front_left.wheel.az": (np.arange(5.0), "m/s^2", ""), "pitch_rate": (TIME, "rad/s", "rate")})
+    run = recording(
+        TIME,
+        {
+            "front_left.wheel.az": (np.arange(5.0), "m/s^2", ""),
+            "pitch_rate": (TIME, "rad/s", "rate"),
+        },
+    )
     assert run["front_left.wheel.az"].attrs == {
         "units": "m/s^2",
         "long_name": "vertical acceleration, front left wheel",
@@ -102,16 +108,21 @@ def test_check_refuses_what_is_no_recording() -> None:
     other = run.copy(deep=True)
     other["time"].attrs["units"] = "ms"
     with pytest.raises(
-        RecordingError, match=r"time has another unit; found 'ms'; allowed: an attribute 'units' of 's'"
+        RecordingError,
+        match=r"time has another unit; found 'ms'; allowed: an attribute 'units' of 's'",
     ):
         check_recording(other)
     with pytest.raises(RecordingError, match="does not ascend"):
         check_recording(recording(TIME[::-1].copy(), good()))
-    with pytest.raises(RecordingError, match=r"sprung\.az: the channel has another unit; found 'g'; allowed: m/s\^2"):
+    with pytest.raises(
+        RecordingError,
+        match=r"sprung\.az: the channel has another unit; found 'g'; allowed: m/s\^2",
+    ):
         check_recording(recording(TIME, {"sprung.az": (TIME, "g", "")}))
     with pytest.raises(RecordingError, match=r"a\.nc: sprung\.az: sample 3 is not a finite number"):
         check_recording(
-            recording(TIME, {"sprung.az": (np.array([0.0, 0.0, np.nan, 0.0, 0.0]), "m/s^2", "")}), where="a.nc"
+            recording(TIME, {"sprung.az": (np.array([0.0, 0.0, np.nan, 0.0, 0.0]), "m/s^2", "")}),
+            where="a.nc",
         )
     with pytest.raises(RecordingError, match="not a signal over time"):
         check_recording(run.assign({"mass": 1.0}))

@@ -61,7 +61,10 @@ def test_the_file_reads_a_record_as_the_sensors_do(tmp_path: Path, record: Path)
     assert by_file.identical(by_sensors)
     expected = np.sin(40.0 * by_file["time"].to_numpy())
     np.testing.assert_allclose(by_file["sprung.az"], expected, atol=1e-6)
-    assert recording_in_python("a.csv", sensors="card.toml") == "jn.read_recording('a.csv', sensors='card.toml')"
+    assert (
+        recording_in_python("a.csv", sensors="card.toml")
+        == "jn.read_recording('a.csv', sensors='card.toml')"
+    )
 
 
 @pytest.mark.parametrize(

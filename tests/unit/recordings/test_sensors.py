@@ -51,8 +51,12 @@ def test_the_low_pass_is_the_analogue_filter(corner: float) -> None:
 
 
 def test_corners_are_at_minus_3_db() -> None:
-    assert abs(gain_and_phase(Sensor(high_pass=20.0), 20.0)) == pytest.approx(np.sqrt(0.5), abs=1e-4)
-    assert abs(gain_and_phase(Sensor(low_pass=100.0), 100.0)) == pytest.approx(np.sqrt(0.5), abs=1e-4)
+    assert abs(gain_and_phase(Sensor(high_pass=20.0), 20.0)) == pytest.approx(
+        np.sqrt(0.5), abs=1e-4
+    )
+    assert abs(gain_and_phase(Sensor(low_pass=100.0), 100.0)) == pytest.approx(
+        np.sqrt(0.5), abs=1e-4
+    )
 
 
 def test_low_pass_is_causal_and_delays_as_documented() -> None:
@@ -105,7 +109,8 @@ def test_ideal_sensor_changes_nothing() -> None:
 @pytest.mark.parametrize("key", ["high_pass", "low_pass"])
 def test_corner_above_half_the_sample_rate(key: str) -> None:
     with pytest.raises(
-        RecordingError, match=rf"sensor of sprung\.az: {key}: .*found '500 Hz'; allowed: .*below 500 Hz"
+        RecordingError,
+        match=rf"sensor of sprung\.az: {key}: .*found '500 Hz'; allowed: .*below 500 Hz",
     ):
         apply_sensors(run(), {"sprung.az": Sensor(**{key: "500 Hz"})})
 
@@ -132,7 +137,9 @@ def test_impossible_sensors(fields: dict[str, object], message: str) -> None:
 
 
 def run() -> object:
-    return recording(TIME, {"sprung.az": (np.sin(TIME * 30.0), "m/s^2", ""), "road.z": (TIME * 0.0, "m", "")})
+    return recording(
+        TIME, {"sprung.az": (np.sin(TIME * 30.0), "m/s^2", ""), "road.z": (TIME * 0.0, "m", "")}
+    )
 
 
 def test_bias_and_noise_have_the_unit_of_the_channel() -> None:
@@ -140,31 +147,44 @@ def test_bias_and_noise_have_the_unit_of_the_channel() -> None:
     assert bias_of(sensor, "m/s^2") == pytest.approx(0.980665, rel=1e-14)
     assert noise_of(sensor, "m/s^2") == pytest.approx(0.01, rel=1e-14)
     with pytest.raises(
-        DescriptionError, match=r"sensor of road\.z: bias: wrong unit; found 'g'; allowed: .*converts to m"
+        DescriptionError,
+        match=r"sensor of road\.z: bias: wrong unit; found 'g'; allowed: .*converts to m",
     ):
         apply_sensors(run(), {"road.z": sensor})
 
 
 def test_recorded_signal() -> None:
     motion = run()
-    record = apply_sensors(motion, {"sprung.az": Sensor(bias="2 m/s^2", gain=1.1, orientation=-1, noise="1 m/s^2")})
-    np.testing.assert_allclose(record["sprung.az"], 2.0 - 1.1 * motion["sprung.az"], rtol=0.0, atol=1e-14)
+    record = apply_sensors(
+        motion, {"sprung.az": Sensor(bias="2 m/s^2", gain=1.1, orientation=-1, noise="1 m/s^2")}
+    )
+    np.testing.assert_allclose(
+        record["sprung.az"], 2.0 - 1.1 * motion["sprung.az"], rtol=0.0, atol=1e-14
+    )
     assert record["sprung.az"].attrs == motion["sprung.az"].attrs
     np.testing.assert_array_equal(record["road.z"], motion["road.z"])
     np.testing.assert_array_equal(motion["sprung.az"], np.sin(TIME * 30.0))
 
 
-@pytest.mark.parametrize(("datum", "zero"), [("rest", 3.0), ("undeformed", 0.0), ("free offset", 0.0), (None, 0.0)])
-def test_a_sensor_that_was_zeroed_at_rest_counts_from_the_first_sample(datum: str | None, zero: float) -> None:
+@pytest.mark.parametrize(
+    ("datum", "zero"), [("rest", 3.0), ("undeformed", 0.0), ("free offset", 0.0), (None, 0.0)]
+)
+def test_a_sensor_that_was_zeroed_at_rest_counts_from_the_first_sample(
+    datum: str | None, zero: float
+) -> None:
     motion = recording(TIME, {"sprung.z": (3.0 + np.sin(TIME * 30.0), "m", "")})
     record = apply_sensors(motion, {"sprung.z": Sensor(datum=datum, gain=2.0, bias="10 mm")})
-    np.testing.assert_allclose(record["sprung.z"], 0.01 + 2.0 * (motion["sprung.z"] - zero), rtol=0.0, atol=1e-14)
+    np.testing.assert_allclose(
+        record["sprung.z"], 0.01 + 2.0 * (motion["sprung.z"] - zero), rtol=0.0, atol=1e-14
+    )
 
 
 def test_values_of_sensors_are_checked_before_anything_is_computed() -> None:
     check_sensors({"sprung.az": Sensor(bias="1 g", noise="1 mm/s^2")}, "bench")
     for key in ("bias", "noise"):
-        with pytest.raises(DescriptionError, match=rf"bench: sprung\.az\.{key}: wrong unit; found 'mm'"):
+        with pytest.raises(
+            DescriptionError, match=rf"bench: sprung\.az\.{key}: wrong unit; found 'mm'"
+        ):
             check_sensors({"sprung.az": Sensor(**{key: "3 mm"})}, "bench")
 
 
@@ -176,13 +196,19 @@ def test_noise_needs_a_seed_and_depends_on_seed_and_channel_only() -> None:
     np.testing.assert_array_equal(first["sprung.az"], again["sprung.az"])
     np.testing.assert_array_equal(first["sprung.az"], alone["sprung.az"])
     difference = (first["sprung.az"] - run()["sprung.az"]).values
-    same_ever = 0.2 * np.random.default_rng([1, zlib.crc32(b"sprung.az")]).standard_normal(TIME.size)
+    same_ever = 0.2 * np.random.default_rng([1, zlib.crc32(b"sprung.az")]).standard_normal(
+        TIME.size
+    )
     np.testing.assert_allclose(difference, same_ever, rtol=0.0, atol=1e-14)
     assert abs(difference.mean()) < 0.015
     assert abs(np.corrcoef(difference, first["road.z"].values)[0, 1]) < 0.06
-    assert abs(np.corrcoef(difference, (other["sprung.az"] - run()["sprung.az"]).values)[0, 1]) < 0.06
+    assert (
+        abs(np.corrcoef(difference, (other["sprung.az"] - run()["sprung.az"]).values)[0, 1]) < 0.06
+    )
 
 
 def test_unknown_channel() -> None:
-    with pytest.raises(DescriptionError, match=r"unknown channel 'sprung\.ax'.*Did you mean 'sprung\.az'"):
+    with pytest.raises(
+        DescriptionError, match=r"unknown channel 'sprung\.ax'.*Did you mean 'sprung\.az'"
+    ):
         apply_sensors(run(), {"sprung.ax": CHAIN})

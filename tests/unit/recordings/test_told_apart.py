@@ -25,7 +25,12 @@ def written(file: Path, header: str, *columns: np.ndarray, separator: str = ",")
 @pytest.mark.parametrize(("rate", "told"), [(500.0, True), (125.0, True), (50.0, True)])
 def test_seconds_called_milliseconds_are_doubted(tmp_path: Path, rate: float, told: bool) -> None:
     time = np.arange(1000) / rate
-    file = written(tmp_path / "a.csv", "time [ms], sprung.az [m/s^2]", time, np.interp(time, TIME, ACCELERATION))
+    file = written(
+        tmp_path / "a.csv",
+        "time [ms], sprung.az [m/s^2]",
+        time,
+        np.interp(time, TIME, ACCELERATION),
+    )
     _, findings = read_recording(file)
     assert any("s rather than ms" in one.message for one in findings) is told
 
@@ -36,7 +41,9 @@ def test_fast_and_short_records_are_not_doubted(rate: float, count: int) -> None
     assert implausible({"sprung.az": values}, 1.0 / rate, where="a.csv") == []
 
 
-@pytest.mark.parametrize("names", [("strut.deflection", "strut.deflection_velocity"), ("displacement", "velocity")])
+@pytest.mark.parametrize(
+    "names", [("strut.deflection", "strut.deflection_velocity"), ("displacement", "velocity")]
+)
 def test_a_rate_without_sign_or_with_the_other_one_is_told(names: tuple[str, str]) -> None:
     rate = np.gradient(STROKE, TIME)
     for given, severity, words in (
@@ -50,13 +57,17 @@ def test_a_rate_without_sign_or_with_the_other_one_is_told(names: tuple[str, str
 
 @pytest.mark.parametrize("suffix", [".dat", ".csv", ".txt"])
 @pytest.mark.parametrize("separator", [",", ";", "\t", " "])
-def test_text_is_read_without_a_header_and_as_dat(tmp_path: Path, suffix: str, separator: str) -> None:
+def test_text_is_read_without_a_header_and_as_dat(
+    tmp_path: Path, suffix: str, separator: str
+) -> None:
     file = written(tmp_path / f"a{suffix}", "", TIME, ACCELERATION, separator=separator)
     run, _ = read_recording(file, columns="time [s], sprung.az [m/s^2]")
     assert np.allclose(run["sprung.az"], ACCELERATION, atol=1e-6)
     with pytest.raises(RecordingError, match="names 3 columns, the file has 2"):
         read_recording(file, columns="time [s], sprung.az [m/s^2], sprung.z [m]")
-    with pytest.raises(RecordingError, match=r"the header is missing.*give all names in their order"):
+    with pytest.raises(
+        RecordingError, match=r"the header is missing.*give all names in their order"
+    ):
         read_recording(file)
     headed = written(tmp_path / f"b{suffix}", "time [s],sprung.az [g]".replace(",", separator), TIME, ACCELERATION,
                      separator=separator)  # fmt: skip
@@ -65,7 +76,9 @@ def test_text_is_read_without_a_header_and_as_dat(tmp_path: Path, suffix: str, s
 
 def test_lines_of_a_text_without_header_are_counted_as_they_stand(tmp_path: Path) -> None:
     file = tmp_path / "a.csv"
-    file.write_text("# bench 3\n" + "\n".join(f"{i}, {i % 7}" for i in range(20)).replace("8, 1", "8, half"))
+    file.write_text(
+        "# bench 3\n" + "\n".join(f"{i}, {i % 7}" for i in range(20)).replace("8, 1", "8, half")
+    )
     with pytest.raises(RecordingError, match="line 10"):
         read_recording(file, columns="time [s], sprung.az [m/s^2]")
 
@@ -81,7 +94,11 @@ def test_turning_is_read_in_any_unit(tmp_path: Path) -> None:
     names = "time [s], angular_velocity [deg/s], gyro/(rad/s), body.pitch_rate [°/s]"
     file = written(tmp_path / "a.csv", names, TIME, ACCELERATION, ACCELERATION, ACCELERATION)
     run, _ = read_recording(file, columns={"roll_rate": "gyro"})
-    for name, factor in (("angular_velocity", np.pi / 180.0), ("roll_rate", 1.0), ("body.pitch_rate", np.pi / 180.0)):
+    for name, factor in (
+        ("angular_velocity", np.pi / 180.0),
+        ("roll_rate", 1.0),
+        ("body.pitch_rate", np.pi / 180.0),
+    ):
         assert np.allclose(run[name], factor * ACCELERATION, atol=1e-6)
         assert run[name].attrs["units"] == "rad/s"
 
@@ -91,7 +108,10 @@ def test_a_channel_without_unit_that_nobody_maps_refuses_nothing(tmp_path: Path)
     file = written(tmp_path / "a.csv", header, TIME, ACCELERATION, STROKE, STROKE)
     run, (told,) = read_recording(file)
     assert list(run) == ["sprung.az"]
-    assert "body.pitch_rate = 'body.pitch_rate [rad/s]', wheel.force = 'wheel.force [N]'" in told.message
+    assert (
+        "body.pitch_rate = 'body.pitch_rate [rad/s]', wheel.force = 'wheel.force [N]'"
+        in told.message
+    )
     assert told.severity == "warning"
     mapped, _ = read_recording(file, columns={"wheel.force": "wheel.force [kN]"})
     assert np.allclose(mapped["wheel.force"], 1e3 * STROKE, atol=1e-4)
@@ -128,13 +148,23 @@ def test_rows_of_a_sheet_are_chosen_and_named(tmp_path: Path) -> None:
             sheet.append([0.01 * i, first + i % 3, "x"])
         sheet.append([])
     book.save(file := tmp_path / "a.xlsx")
-    for variable, first in (("Run 1!1:13", 0.0), ("!A15:C27", 5.0), ("Run 1!$A$15:$B$27", 5.0), ("run!15:27", None)):
+    for variable, first in (
+        ("Run 1!1:13", 0.0),
+        ("!A15:C27", 5.0),
+        ("Run 1!$A$15:$B$27", 5.0),
+        ("run!15:27", None),
+    ):
         if first is None:
             with pytest.raises(RecordingError, match="no sheet 'run'"):
                 read_recording(file, variable=variable)
         else:
             run, _ = read_recording(file, variable=variable)
-            assert run["sprung.az"].to_numpy()[:4].tolist() == [first, first + 1.0, first + 2.0, first]
+            assert run["sprung.az"].to_numpy()[:4].tolist() == [
+                first,
+                first + 1.0,
+                first + 2.0,
+                first,
+            ]
             assert run.time.size == 12
     with pytest.raises(RecordingError, match="'Run 1!A5:D300'"):
         read_recording(file, variable="Run 1!A5")

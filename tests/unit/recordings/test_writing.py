@@ -25,7 +25,9 @@ def test_existing_file_needs_force(tmp_path: Path, suffix: str) -> None:
 def test_missing_folder_and_unknown_format(tmp_path: Path) -> None:
     with pytest.raises(OutputError, match="folder of the output does not exist"):
         write_recording(RUN, tmp_path / "none" / "run.nc")
-    with pytest.raises(OutputError, match=r"not written in this format; found '\.txt'; allowed: \.nc, \.csv"):
+    with pytest.raises(
+        OutputError, match=r"not written in this format; found '\.txt'; allowed: \.nc, \.csv"
+    ):
         write_recording(RUN, tmp_path / "run.txt")
 
 
@@ -34,7 +36,9 @@ def test_a_table_of_pandas_is_of_one_dimension() -> None:
     assert (frame.index.name, list(frame)) == ("time [s]", ["sprung.z [m]"])
     assert frame.loc[0.2, "sprung.z [m]"] == 4.0
     for dataset, found in ((RUN.expand_dims("trial"), "trial, time"), (RUN.isel(time=0), "none")):
-        with pytest.raises(RecordingError, match=f"dataset: not a table; found 'dimensions {found}'"):
+        with pytest.raises(
+            RecordingError, match=f"dataset: not a table; found 'dimensions {found}'"
+        ):
             to_pandas(dataset)
 
 

@@ -13,8 +13,12 @@ from jounce.recordings.writers import RECORDING_FILES
 
 @pytest.fixture(scope="module")
 def run():
-    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.2 s")
-    return jn.simulate(jn.load("kart-quarter-car"), trial).assign_attrs(note="ümlaut ✓ {}", numbers=[1, 2.5])
+    trial = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.2 s"
+    )
+    return jn.simulate(jn.load("kart-quarter-car"), trial).assign_attrs(
+        note="ümlaut ✓ {}", numbers=[1, 2.5]
+    )
 
 
 @pytest.mark.parametrize("suffix", RECORDING_FILES.writers)
@@ -38,13 +42,17 @@ def test_round_trip(run, tmp_path, suffix):
 @pytest.mark.parametrize("suffix", [".mat", ".parquet", ".csv", ".xlsx"])
 def test_the_same_recording_gives_the_same_bytes(run, tmp_path, suffix):
     """Not so for MDF, whose library notes when it wrote, nor within MATLAB's header, which has the date."""
-    first, second = (jn.write_recording(run, tmp_path / f"{name}{suffix}").read_bytes() for name in "ab")
+    first, second = (
+        jn.write_recording(run, tmp_path / f"{name}{suffix}").read_bytes() for name in "ab"
+    )
     head = 128 if suffix == ".mat" else 0
     assert first[head:] == second[head:]
 
 
 def test_long_names_of_cars_in_matlab(tmp_path):
-    trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="0.5 m"), speed="5 m/s", duration="0.05 s")
+    trial = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="0.5 m"), speed="5 m/s", duration="0.05 s"
+    )
     car = jn.simulate(jn.load("audi-a6-full-car"), trial)
     again, _ = jn.read_recording(jn.write_recording(car, tmp_path / "car.mat"))
     assert set(again.data_vars) == set(car.data_vars)
@@ -57,14 +65,23 @@ def test_names_that_collide_in_matlab_are_refused(run, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("suffix", [suffix for suffix in RECORDING_FILES.writers if suffix != ".nc"])
+@pytest.mark.parametrize(
+    "suffix", [suffix for suffix in RECORDING_FILES.writers if suffix != ".nc"]
+)
 def test_what_a_format_would_lose_is_refused(tmp_path, suffix) -> None:
     """A table, a single number and texts were left out without a word, or ended in a traceback."""
     time = {"time": ("time", np.arange(10) * 0.01, {"units": "s"})}
     channel = ("time", np.arange(10.0), {"units": "N"})
-    for other in (("time", ["a"] * 10), ("time", np.ones(10) * 1j), (("time", "k"), np.ones((10, 3))), 3.0):
+    for other in (
+        ("time", ["a"] * 10),
+        ("time", np.ones(10) * 1j),
+        (("time", "k"), np.ones((10, 3))),
+        3.0,
+    ):
         whole = xr.Dataset({"tyre.force": channel, "more": other}, coords=time)
-        with pytest.raises(OutputError, match=r"more: not a channel of numbers over time; found .* Leave it out"):
+        with pytest.raises(
+            OutputError, match=r"more: not a channel of numbers over time; found .* Leave it out"
+        ):
             jn.write_recording(whole, tmp_path / f"run{suffix}")
     assert not list(tmp_path.iterdir())
 

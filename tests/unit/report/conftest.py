@@ -86,11 +86,15 @@ def write_inputs(folder: Path) -> None:
         for name, rate in (("spring", 22500.0), ("tyre", 130000.0)):
             force = rate * (1.0 + 0.004 * k) * x + 0.05 * random.standard_normal(len(x))
             rows = "".join(f"{1e3 * a:.5f}, {b:.4f}\n" for a, b in zip(x, force, strict=True))
-            (folder / f"{name}_{k}.csv").write_text(f"displacement [mm], force [N]\n{rows}", encoding="utf-8")
+            (folder / f"{name}_{k}.csv").write_text(
+                f"displacement [mm], force [N]\n{rows}", encoding="utf-8"
+            )
     time = np.arange(0.0, 1.5, 2e-3)
     for k in range(2):
         parameters = DecayParameters(32.0, 0.10, 0.3e-3, -8e-3, 0.2, 0.015 + 0.002 * k)
-        record = decay_response(time, parameters, "displacement") + 1e-5 * random.standard_normal(len(time))
+        record = decay_response(time, parameters, "displacement") + 1e-5 * random.standard_normal(
+            len(time)
+        )
         write_recording(recording(time, {"sprung.z": (record, "m", "")}), folder / f"decay_{k}.csv")
     described = jn.load(folder / "rig.toml")
     rig = described.with_changes({"strut.damper.coefficient": 165.0, "tyre.stiffness": 125000.0})
@@ -99,7 +103,11 @@ def write_inputs(folder: Path) -> None:
     for number, road, speed in ((1, one, 1.95), (2, train, 2.5), (3, one, 3.0)):
         run = jn.simulate(rig, jn.Trial(road=road, speed=speed, duration="1 s"))
         noisy = {
-            name: (run[name].to_numpy() + 0.1 * random.standard_normal(run.sizes["time"]), "m/s^2", "")
+            name: (
+                run[name].to_numpy() + 0.1 * random.standard_normal(run.sizes["time"]),
+                "m/s^2",
+                "",
+            )
             for name in ("sprung.az", "unsprung.az")
         }
         write_recording(recording(run["time"].to_numpy(), noisy), folder / f"{number}.csv")
@@ -128,7 +136,9 @@ def damaged(campaign_folder: Path, tmp_path_factory: pytest.TempPathFactory) -> 
     shutil.copytree(campaign_folder, folder)
     (folder / "3.csv").write_text("time [s], sprung.az [m/s^2]\n0, nan\n", encoding="utf-8")
     (folder / "tyre_0.csv").write_text("displacement [mm]\n1\n2\n", encoding="utf-8")
-    text = CAMPAIGN.replace('synthetic = "Made by a test."\n', "").replace('trials = "fit"', "trials = [3]")
+    text = CAMPAIGN.replace('synthetic = "Made by a test."\n', "").replace(
+        'trials = "fit"', "trials = [3]"
+    )
     (folder / "campaign.toml").write_text(text, encoding="utf-8")
     return run_campaign(folder / "campaign.toml")
 

@@ -15,7 +15,16 @@ import pytest
 
 from jounce.plots.thinning import thin
 from jounce.report.chart import Chart, Panel, Series, chart_svg, panel_svg, tick_text, ticks
-from jounce.report.live import Curve, PageArrays, Pane, Viewer, ViewerScene, bundle, live_data, scene_panels
+from jounce.report.live import (
+    Curve,
+    PageArrays,
+    Pane,
+    Viewer,
+    ViewerScene,
+    bundle,
+    live_data,
+    scene_panels,
+)
 from jounce.report.render import chart_style, png_of
 
 ROOT = Path(__file__).parents[3]
@@ -58,7 +67,18 @@ def unpacked(packed: PageArrays, index: int) -> np.ndarray:
         np.array([-1e300, 1e300, 0.0]),
         np.where(np.arange(50) % 2 == 0, -1.0, 1.0),
     ],
-    ids=["even", "smooth", "noise", "gaps", "infinite", "constant", "unknown", "single", "huge", "jumps"],
+    ids=[
+        "even",
+        "smooth",
+        "noise",
+        "gaps",
+        "infinite",
+        "constant",
+        "unknown",
+        "single",
+        "huge",
+        "jumps",
+    ],
 )
 def test_arrays_come_back_within_half_a_step(values: np.ndarray) -> None:
     packed = PageArrays()
@@ -69,14 +89,19 @@ def test_arrays_come_back_within_half_a_step(values: np.ndarray) -> None:
     assert np.array_equal(np.isfinite(back), known)
     if known.any():
         range_ = np.ptp(values[known] / 2.0) * 2.0
-        assert np.abs(back[known] - values[known]).max() <= range_ / 131_000 + 1e-12 * np.abs(values[known]).max()
+        assert (
+            np.abs(back[known] - values[known]).max()
+            <= range_ / 131_000 + 1e-12 * np.abs(values[known]).max()
+        )
 
 
 def test_long_records_keep_their_peaks() -> None:
     time = np.arange(1_000_000) / 1000.0
     signal = np.sin(time)
     signal[543_210], signal[654_321] = 9.0, -8.0
-    scene = ViewerScene("long", "long", time, (Pane("a", "a", "", (Curve("a", "measured", signal),)),))
+    scene = ViewerScene(
+        "long", "long", time, (Pane("a", "a", "", (Curve("a", "measured", signal),)),)
+    )
     viewer = Viewer("long", (scene,), (("measured", "measured", True),))
     data = live_data([viewer])
     array = data["arrays"][data["viewers"][0]["scenes"][0]["panes"][0]["curves"][0]["y"]]
@@ -86,7 +111,11 @@ def test_long_records_keep_their_peaks() -> None:
 
 
 def test_zero_is_zero_in_a_page() -> None:
-    for values in (np.array([-0.3, 0.0, 17.0, 5.0]), np.array([0.0, -1e-7, 2e5, 3.0]), np.array([0.0, 0.1, np.nan])):
+    for values in (
+        np.array([-0.3, 0.0, 17.0, 5.0]),
+        np.array([0.0, -1e-7, 2e5, 3.0]),
+        np.array([0.0, 0.1, np.nan]),
+    ):
         packed = PageArrays()
         back = unpacked(packed, packed.add(values))
         assert (back[values == 0.0] == 0.0).all()
@@ -106,11 +135,18 @@ def test_ticks_are_round_and_inside() -> None:
     for low, high in ((0.0, 1.0), (-3.2e-7, 8.1e-7), (1234.0, 1239.0), (-5e9, 7e9)):
         found = ticks(low, high)
         assert 3 <= len(found) <= 11
-        assert all(low - 1e-9 * (high - low) <= tick <= high + 1e-9 * (high - low) for tick in found)
+        assert all(
+            low - 1e-9 * (high - low) <= tick <= high + 1e-9 * (high - low) for tick in found
+        )
         assert len({round((b - a) / (high - low), 6) for a, b in pairwise(found)}) == 1
     assert ticks(2.0, 2.0) == [2.0]
     assert ticks(float("nan"), 1.0) == []
-    assert [tick_text(value) for value in (-0.5, 1200.0, 1e-7, 0.30000000000000004)] == ["−0.5", "1200", "1e−7", "0.3"]
+    assert [tick_text(value) for value in (-0.5, 1200.0, 1e-7, 0.30000000000000004)] == [
+        "−0.5",
+        "1200",
+        "1e−7",
+        "0.3",
+    ]
 
 
 HOSTILE = '<script>alert("x")</script>&\'"'
@@ -148,7 +184,9 @@ def test_nothing_finite_is_an_empty_figure() -> None:
 
 
 def test_gaps_part_a_line() -> None:
-    svg = panel_svg(Panel((Series([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, np.nan, 1.0, 0.0]),)), "p", "")
+    svg = panel_svg(
+        Panel((Series([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.0, np.nan, 1.0, 0.0]),)), "p", ""
+    )
     line = re.search(r'class="l q after line"[^>]*d="([^"]*)"', svg)
     assert line is not None
     assert line[1].count("M") == 2
@@ -171,10 +209,16 @@ def test_a_still_figure_shows_what_the_viewer_shows_first() -> None:
     x = np.linspace(0.0, 1.0, 11)
     curves = (Curve("measured", "measured", x), Curve("other", "other-1", x))
     scene = ViewerScene(
-        "s", "s", x, (Pane("a", "words", "mm", curves), Pane("b", "b", "", curves, False)), window=(0.2, 0.4)
+        "s",
+        "s",
+        x,
+        (Pane("a", "words", "mm", curves), Pane("b", "b", "", curves, False)),
+        window=(0.2, 0.4),
     )
     panels = scene_panels(scene, "time", "s", ("measured",))
-    assert [(len(panel.series), panel.x_range, panel.y_label) for panel in panels] == [(1, (0.2, 0.4), "[mm]")]
+    assert [(len(panel.series), panel.x_range, panel.y_label) for panel in panels] == [
+        (1, (0.2, 0.4), "[mm]")
+    ]
 
 
 def test_the_bundle_is_made_from_the_sources_that_stand_here() -> None:
@@ -182,7 +226,11 @@ def test_the_bundle_is_made_from_the_sources_that_stand_here() -> None:
     if not folder.is_dir():
         pytest.skip("the sources of the viewer are not here")
     sources = ["build.mjs", "package.json", "package-lock.json", "tsconfig.json"]
-    sources += sorted(file.relative_to(folder).as_posix() for file in (folder / "src").rglob("*") if file.is_file())
+    sources += sorted(
+        file.relative_to(folder).as_posix()
+        for file in (folder / "src").rglob("*")
+        if file.is_file()
+    )
     total = sha256()
     for name in sources:
         total.update(f"{name}\0".encode())
@@ -197,7 +245,9 @@ def test_the_bundle_asks_for_nothing_and_brings_its_licences() -> None:
         assert "</style" not in text.lower()
         assert "@import" not in text
         assert not re.search(r"url\((?!data:|#)", text)
-    assert re.findall(r"^(\S+) \d+\.\d+\.\d+ \(MIT\)$", bundle("licences.txt"), re.MULTILINE) == ["uplot"]
+    assert re.findall(r"^(\S+) \d+\.\d+\.\d+ \(MIT\)$", bundle("licences.txt"), re.MULTILINE) == [
+        "uplot"
+    ]
     lock = ROOT / "viewer" / "package-lock.json"
     if lock.is_file():
         assert '"resolved"' not in lock.read_text(encoding="utf-8")

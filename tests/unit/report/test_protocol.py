@@ -41,7 +41,12 @@ def wheel(side: str, damping: float = 1300.0) -> WheelResult:
     force = 3e-3 * np.abs(response)
     load = corner.static_load
     curves = WheelCurves(
-        26.0 - frequency, frequency, load - force, load + force, np.degrees(phase_angle(response)), np.full(60, 3e-3)
+        26.0 - frequency,
+        frequency,
+        load - force,
+        load + force,
+        np.degrees(phase_angle(response)),
+        np.full(60, 3e-3),
     )
     return WheelResult(
         side,
@@ -61,7 +66,9 @@ def wheel(side: str, damping: float = 1300.0) -> WheelResult:
 
 def axle(name: str, *wheels: WheelResult, **facts: str) -> Inspection:
     shown = wheels or (wheel("left"), wheel("right"))
-    return Inspection(shown, {"axle": name} if name else {}, {**FACTS, **facts}, ("eusama", "egea", "theta"))
+    return Inspection(
+        shown, {"axle": name} if name else {}, {**FACTS, **facts}, ("eusama", "egea", "theta")
+    )
 
 
 def vehicle(*inspections: Inspection) -> VehicleGrade:
@@ -94,7 +101,9 @@ def viewer_in(page: str) -> dict[str, Any]:
     return viewer
 
 
-def test_the_viewer_speaks_the_language_of_its_page(sound: VehicleGrade, record: xr.Dataset) -> None:
+def test_the_viewer_speaks_the_language_of_its_page(
+    sound: VehicleGrade, record: xr.Dataset
+) -> None:
     records = {"front": record}
     german = viewer_in(protocol_html(sound, records=records, language="de"))
     assert german["x"] == {"words": "Zeit", "unit": "s"}
@@ -102,7 +111,10 @@ def test_the_viewer_speaks_the_language_of_its_page(sound: VehicleGrade, record:
     (axle,) = german["scenes"]
     assert axle["label"] == "Vorderachse"
     panes = {pane["name"]: pane["words"] for pane in axle["panes"]}
-    assert panes == {"Plattenkraft": "Plattenkraft", "Δ Plattenkraft": "Δ Plattenkraft: Rechts − Links"}
+    assert panes == {
+        "Plattenkraft": "Plattenkraft",
+        "Δ Plattenkraft": "Δ Plattenkraft: Rechts − Links",
+    }
     english = viewer_in(protocol_html(sound, records=records))
     assert english["x"]["words"] == "time"
     panes = {pane["name"]: pane["words"] for pane in english["scenes"][0]["panes"]}
@@ -141,7 +153,9 @@ class Text(HTMLParser):
 # --- content --------------------------------------------------------------------------------------------------------
 
 
-def test_both_wheels_of_both_axles_with_value_uncertainty_band_and_verdict(worn: VehicleGrade) -> None:
+def test_both_wheels_of_both_axles_with_value_uncertainty_band_and_verdict(
+    worn: VehicleGrade,
+) -> None:
     content = protocol_content(worn, FACTS)
     assert [one["title"] for one in content["axles"]] == ["Front axle", "Rear axle"]
     front = content["axles"][0]
@@ -151,7 +165,9 @@ def test_both_wheels_of_both_axles_with_value_uncertainty_band_and_verdict(worn:
     assert row["decides"] is True
     steady = steady_state(LinearQuarterCar(330.0, 36.0, 22e3, 1300.0, 210e3))
     assert left["text"] == f"{steady.phase_angle_min_deg:.1f}°"
-    assert left["half"] == f"± 0.4° at {steady.phase_frequency_hz:.1f} Hz"  # behind its value, rounded up
+    assert (
+        left["half"] == f"± 0.4° at {steady.phase_frequency_hz:.1f} Hz"
+    )  # behind its value, rounded up
     assert (left["band"], left["tone"]) == ("sufficient", "green")
     assert (right["band"], right["tone"]) == ("too small", "red")
     assert difference["band"] == "too large"
@@ -179,7 +195,9 @@ def test_simulated_records_say_so_across_the_page(worn: VehicleGrade, language, 
     assert 'class="across"' not in protocol_html(worn, language=language, about=FACTS)
     (axle, *others) = worn.axles
     facts = {**axle.inspection.facts, "simulated": "jounce, seed 0"}
-    simulated = replace(worn, axles=(replace(axle, inspection=replace(axle.inspection, facts=facts)), *others))
+    simulated = replace(
+        worn, axles=(replace(axle, inspection=replace(axle.inspection, facts=facts)), *others)
+    )
     page = protocol_html(simulated, language=language, about=FACTS)
     assert f'<p class="across" aria-hidden="true">{words}</p>' in page
     assert protocol_content(simulated, FACTS)["simulated"]
@@ -196,7 +214,9 @@ def test_both_languages_have_the_same_words() -> None:
 def test_a_sound_car_says_so(sound: VehicleGrade) -> None:
     content = protocol_content(sound, FACTS)
     assert content["verdict"]["tone"] == "green"
-    assert [one["text"] for one in content["reasons"]] == ["All deciding values are within their limits."]
+    assert [one["text"] for one in content["reasons"]] == [
+        "All deciding values are within their limits."
+    ]
     assert content["more"] == ""
 
 
@@ -210,13 +230,17 @@ def test_reasons_that_do_not_fit_are_counted(worn: VehicleGrade) -> None:
 
 
 def test_a_wheel_that_is_not_graded_shows_no_bands() -> None:
-    unfit = WheelResult("left", adhesion=0.7, findings=(Finding("left", "problem", "the force is clipped."),))
+    unfit = WheelResult(
+        "left", adhesion=0.7, findings=(Finding("left", "problem", "the force is clipped."),)
+    )
     content = protocol_content(vehicle(axle("front", unfit, wheel("right"))), {})
     assert content["verdict"] == {"text": "not graded", "tone": "grey"}
     row = next(row for row in content["axles"][0]["rows"] if row["label"].startswith("Adhesion"))
     assert row["cells"][0]["band"] == ""
     assert row["cells"][1]["band"] != ""
-    assert {"place": "Front left", "text": "The force is clipped.", "tone": "grey"} in content["reasons"]
+    assert {"place": "Front left", "text": "The force is clipped.", "tone": "grey"} in content[
+        "reasons"
+    ]
 
 
 def test_a_missing_wheel_and_missing_facts_are_shown_as_missing() -> None:
@@ -234,7 +258,13 @@ def test_sources_of_the_limits_are_named(sound: VehicleGrade) -> None:
 
 @pytest.mark.parametrize(
     ("text", "shown"),
-    [("a\x00b\r\nc", "a b c"), ("\u202eevil", "evil"), ("  ", "–"), ("x" * 300, "x" * 159 + "…"), ("\ud800", "–")],
+    [
+        ("a\x00b\r\nc", "a b c"),
+        ("\u202eevil", "evil"),
+        ("  ", "–"),
+        ("x" * 300, "x" * 159 + "…"),
+        ("\ud800", "–"),
+    ],
 )
 def test_texts_become_one_short_line(text: str, shown: str) -> None:
     assert shorten(text) == shown
@@ -243,7 +273,9 @@ def test_texts_become_one_short_line(text: str, shown: str) -> None:
 # --- pages ----------------------------------------------------------------------------------------------------------
 
 
-def test_the_pdf_is_one_page_and_the_same_bytes_every_time(worn: VehicleGrade, record: xr.Dataset) -> None:
+def test_the_pdf_is_one_page_and_the_same_bytes_every_time(
+    worn: VehicleGrade, record: xr.Dataset
+) -> None:
     records = {"front": record, "rear": record}
     first = protocol_pdf(worn, records=records)
     assert first.startswith(b"%PDF-")
@@ -261,7 +293,9 @@ def test_german_dates_are_dates(worn: VehicleGrade) -> None:
 
 def test_the_comment_says_what_is_simulated() -> None:
     """Synthetic data says so wherever it is shown."""
-    car = vehicle(axle("front", comment="simulated, seed 0"), axle("rear", comment="simulated, seed 0"))
+    car = vehicle(
+        axle("front", comment="simulated, seed 0"), axle("rear", comment="simulated, seed 0")
+    )
     html = protocol_html(car, language="de")
     assert re.search(r"<dt>Bemerkung</dt><dd>simulated, seed 0</dd>", html)
 
@@ -292,7 +326,9 @@ def drawn(worn: VehicleGrade) -> dict[str, bytes]:
 
 
 @pytest.mark.parametrize("text", HOSTILE)
-def test_hostile_texts_are_printed_and_not_run(worn: VehicleGrade, drawn, monkeypatch, text: str) -> None:
+def test_hostile_texts_are_printed_and_not_run(
+    worn: VehicleGrade, drawn, monkeypatch, text: str
+) -> None:
     monkeypatch.setattr(protocol, "_figures", lambda *_: drawn)
     about = dict.fromkeys((*FACTS, "place", "operator", "record"), text)
     pages = protocol_png(worn, about=about, ppi=20.0)
@@ -307,17 +343,29 @@ def test_hostile_texts_are_printed_and_not_run(worn: VehicleGrade, drawn, monkey
 
 
 def test_hostile_findings_and_labels_are_printed(tmp_path: Path) -> None:
-    finding = Finding("left", "warning", '#panic("x") <script>alert(1)</script> $a$ ' + "long" * 200)
-    inspection = axle("front", replace(wheel("left"), findings=(finding,)), wheel("right"), vehicle=HOSTILE[0])
+    finding = Finding(
+        "left", "warning", '#panic("x") <script>alert(1)</script> $a$ ' + "long" * 200
+    )
+    inspection = axle(
+        "front", replace(wheel("left"), findings=(finding,)), wheel("right"), vehicle=HOSTILE[0]
+    )
     files = write_protocol(grade(inspection), tmp_path / "a.pdf")
     assert [file.name for file in files] == ["a.pdf", "a.json"]
     assert json.loads(files[1].read_text(encoding="utf-8"))["about"]["vehicle"] == HOSTILE[0]
-    assert Text(protocol_html(grade_vehicle([grade(inspection)]))).tags.count("script") == 1  # the page's own
+    assert (
+        Text(protocol_html(grade_vehicle([grade(inspection)]))).tags.count("script") == 1
+    )  # the page's own
 
 
 def test_many_remarks_stay_on_one_page() -> None:
-    findings = tuple(Finding("left", "warning", f"remark {i}: " + "this weakens the result " * 8) for i in range(60))
-    crowded = vehicle(axle("front", replace(wheel("left", 300.0), findings=findings), wheel("right")), axle("rear"))
+    findings = tuple(
+        Finding("left", "warning", f"remark {i}: " + "this weakens the result " * 8)
+        for i in range(60)
+    )
+    crowded = vehicle(
+        axle("front", replace(wheel("left", 300.0), findings=findings), wheel("right")),
+        axle("rear"),
+    )
     assert len(protocol_png(crowded, ppi=20.0)) == 1
     for text in ("Remark 0:", "Remark 59:"):
         assert text in Text(protocol_html(crowded)).text  # a screen has room
@@ -329,12 +377,22 @@ def test_no_values_at_all_still_make_a_page() -> None:
     assert "keine Kurven vorhanden" in protocol_html(empty, language="de")
 
 
-def test_the_html_needs_nothing_else_and_holds_the_same(worn: VehicleGrade, record: xr.Dataset) -> None:
+def test_the_html_needs_nothing_else_and_holds_the_same(
+    worn: VehicleGrade, record: xr.Dataset
+) -> None:
     page = protocol_html(worn, records={"front": record}, language="de")
     found = Text(page)
     assert found.tags.count("svg") == 2
     assert not re.search(r"(?:src|href)=\"(?!#)", page)
-    for text in ("Prüfprotokoll", "M-ÄÖ 12", "Vorderachse", "nicht bestanden", "zu klein", "Unterschrift", "35°"):
+    for text in (
+        "Prüfprotokoll",
+        "M-ÄÖ 12",
+        "Vorderachse",
+        "nicht bestanden",
+        "zu klein",
+        "Unterschrift",
+        "35°",
+    ):
         assert text in found.text
     identities = re.findall(r'\bid="([^"]+)"', page)
     assert len(identities) == len(set(identities))
@@ -373,7 +431,9 @@ def test_nothing_is_overwritten_without_force(sound: VehicleGrade, tmp_path: Pat
 
 
 def test_other_formats_and_missing_folders_are_refused(sound: VehicleGrade, tmp_path: Path) -> None:
-    with pytest.raises(OutputError, match=r"not written in this format; found '.docx'; allowed: .pdf, .html"):
+    with pytest.raises(
+        OutputError, match=r"not written in this format; found '.docx'; allowed: .pdf, .html"
+    ):
         write_protocol(sound, tmp_path / "car.docx")
     with pytest.raises(OutputError, match="folder"):
         write_protocol(sound, tmp_path / "none" / "car.pdf")

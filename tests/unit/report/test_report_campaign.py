@@ -37,7 +37,9 @@ class Reader(HTMLParser):
         self.tags[tag] += 1
         self.ids += [str(found["id"])] if "id" in found else []
         self.links += [str(value) for key, value in attrs if key in ("href", "src", "xlink:href")]
-        self.links += [f"#{name}" for name in re.findall(r"url\(#([^)]+)\)", self.get_starttag_text() or "")]
+        self.links += [
+            f"#{name}" for name in re.findall(r"url\(#([^)]+)\)", self.get_starttag_text() or "")
+        ]
         if "aria-labelledby" in found:
             self.links.append(f"#{found['aria-labelledby']}")
         if tag == "svg" and found.get("role") != "img":
@@ -82,7 +84,12 @@ def text_of(cell: object) -> str:
 
 def test_files(written: Path, result: CampaignResult) -> None:
     names = {str(file.relative_to(written)) for file in written.rglob("*") if file.is_file()}
-    assert {"report.html", "results.json", "rig-strategy-a-1.toml", "rig-strategy-a-1-2.toml"} <= names
+    assert {
+        "report.html",
+        "results.json",
+        "rig-strategy-a-1.toml",
+        "rig-strategy-a-1-2.toml",
+    } <= names
     vectors = {name.removesuffix(".svg") for name in names if name.endswith(".svg")}
     assert vectors == {name.removesuffix(".png") for name in names if name.endswith(".png")}
     assert {f"figures/trial-0{number}" for number in (1, 2, 3)} <= vectors
@@ -93,7 +100,9 @@ def test_results_are_strict_and_complete(written: Path, result: CampaignResult) 
     def refuse(constant: str) -> None:
         raise AssertionError(constant)
 
-    found = json.loads((written / "results.json").read_text(encoding="utf-8"), parse_constant=refuse)
+    found = json.loads(
+        (written / "results.json").read_text(encoding="utf-8"), parse_constant=refuse
+    )
     assert found == result.to_dict()
     assert {"characterisation", "updates", "trials", "findings"} <= set(found)
 
@@ -110,7 +119,9 @@ def test_page_is_sound(html: str) -> None:
     assert reader.open == []
     assert reader.missing == []
     assert [name for name, count in Counter(reader.ids).items() if count > 1] == []
-    assert {link.removeprefix("#") for link in reader.links if link.startswith("#")} <= set(reader.ids)
+    assert {link.removeprefix("#") for link in reader.links if link.startswith("#")} <= set(
+        reader.ids
+    )
     assert reader.tags["caption"] == reader.tags["table"] > 10
     assert reader.tags["figure"] == reader.tags["figcaption"] > 8
     assert reader.tags["svg"] > reader.tags["figure"]  # every panel of a figure is one
@@ -118,14 +129,20 @@ def test_page_is_sound(html: str) -> None:
 
 
 def test_page_needs_nothing_else(html: str) -> None:
-    assert [link for link in Reader(html).links if not link.startswith(("#", "data:image/png;"))] == []
+    assert [
+        link for link in Reader(html).links if not link.startswith(("#", "data:image/png;"))
+    ] == []
     assert "@import" not in html
     assert re.findall(r"url\((?!#)", html) == []
 
 
 def test_synthetic_everywhere(html: str, written: Path) -> None:
     reader = Reader(html)
-    assert html.count('<span class="tag">Synthetic data, not measurements</span>') == reader.tags["section"] == 9
+    assert (
+        html.count('<span class="tag">Synthetic data, not measurements</span>')
+        == reader.tags["section"]
+        == 9
+    )
     assert "Made by a test." in html
     for file in (written / "figures").glob("*.svg"):
         assert "Synthetic data, not measurements" in file.read_text(encoding="utf-8")
@@ -169,15 +186,29 @@ def test_parameters_with_bounds_and_units(result: CampaignResult) -> None:
 
 def test_replaced_values(result: CampaignResult) -> None:
     rows = table_named(campaign_page(result), "Rig parameters replaced by measured values").rows
-    assert [row[0] for row in rows] == ["strut.spring.rate", "tyre.stiffness", "strut.damper.coefficient"]
+    assert [row[0] for row in rows] == [
+        "strut.spring.rate",
+        "tyre.stiffness",
+        "strut.damper.coefficient",
+    ]
     assert rows[0][1] == "22.73"
-    assert float(str(rows[0][2])) == pytest.approx(22.59, abs=0.03)  # 22.5, 22.59 and 22.68 N/mm were measured
+    assert float(str(rows[0][2])) == pytest.approx(
+        22.59, abs=0.03
+    )  # 22.5, 22.59 and 22.68 N/mm were measured
 
 
 def test_summary_counts_verdicts(result: CampaignResult) -> None:
-    facts = next(block for block in campaign_page(result).sections[0].blocks if isinstance(block, Facts)).items
-    assert [fact.label for fact in facts] == ["Fitted trials", "Held-out trials", "Objective, strategy a 1"]
-    held = sum(trial.after.verdict == "holds" for trial in result.trials if trial.entry.use == "hold-out")
+    facts = next(
+        block for block in campaign_page(result).sections[0].blocks if isinstance(block, Facts)
+    ).items
+    assert [fact.label for fact in facts] == [
+        "Fitted trials",
+        "Held-out trials",
+        "Objective, strategy a 1",
+    ]
+    held = sum(
+        trial.after.verdict == "holds" for trial in result.trials if trial.entry.use == "hold-out"
+    )
     assert facts[1].value == f"{held} of 2 hold"
 
 
@@ -190,26 +221,43 @@ def test_the_answer_comes_first_with_intervals(result: CampaignResult) -> None:
     assert list(rows) == ["strut.spring.rate", "tyre.stiffness", "strut.damper.coefficient"]
     assert [text_of(cell) for cell in rows["strut.spring.rate"][1:2]] == ["22.73"]
     low, _, high = rows["strut.spring.rate"][3].note.partition(" to ")
-    assert (float(low), float(high)) == pytest.approx([1e-3 * end for end in spring.interval], rel=1e-3)
+    assert (float(low), float(high)) == pytest.approx(
+        [1e-3 * end for end in spring.interval], rel=1e-3
+    )
     bench = result.characterisation.spring.stiffness
-    assert float(text_of(rows["strut.spring.rate"][2])) == pytest.approx(1e-3 * bench.value, rel=1e-4)
+    assert float(text_of(rows["strut.spring.rate"][2])) == pytest.approx(
+        1e-3 * bench.value, rel=1e-4
+    )
     low, _, high = rows["strut.spring.rate"][2].note.partition(" to ")
-    assert (float(low), float(high)) == pytest.approx([1e-3 * end for end in bench.interval], rel=1e-3)
+    assert (float(low), float(high)) == pytest.approx(
+        [1e-3 * end for end in bench.interval], rel=1e-3
+    )
 
 
 def test_superseded_updates_stand_folded_with_their_findings(result: CampaignResult) -> None:
     first = result.strategies[0].update.name
     alone = tuple(
-        entry.model_copy(update={"start_from": None}) if entry.start_from else entry for entry in result.campaign.update
+        entry.model_copy(update={"start_from": None}) if entry.start_from else entry
+        for entry in result.campaign.update
     )
-    notes = (jn.Finding(f"{first}: x", "warning", "old"), jn.Finding("strategy a 1: x", "warning", "new"))
+    notes = (
+        jn.Finding(f"{first}: x", "warning", "old"),
+        jn.Finding("strategy a 1: x", "warning", "new"),
+    )
     campaign = result.campaign.model_copy(update={"update": alone})
     page = campaign_page(replace(result, campaign=campaign, findings=notes))
-    careful = next(block for block in page.sections[0].blocks if getattr(block, "title", "").startswith("Warnings"))
+    careful = next(
+        block
+        for block in page.sections[0].blocks
+        if getattr(block, "title", "").startswith("Warnings")
+    )
     assert [finding.message for finding in careful.blocks[0].items] == ["new"]
     folded = [block.summary for block in page.blocks() if isinstance(block, Details)]
     assert f"{first}: superseded, the final model is not made of it" in folded
-    assert [finding.message for finding in next(s for s in page.sections if s.title == "Findings").blocks[0].items] == [
+    assert [
+        finding.message
+        for finding in next(s for s in page.sections if s.title == "Findings").blocks[0].items
+    ] == [
         "old",
         "new",
     ]
@@ -241,10 +289,20 @@ def test_failures_are_shown_as_such(damaged: CampaignResult, tmp_path: Path) -> 
 
 
 def test_without_bench_updates_and_usable_trials(result: CampaignResult, tmp_path: Path) -> None:
-    lost = tuple(replace(trial, before=None, after=None, signals={}, signals_before={}) for trial in result.trials)
-    campaign = result.campaign.model_copy(update={"update": (), "bench": type(result.campaign.bench)()})
+    lost = tuple(
+        replace(trial, before=None, after=None, signals={}, signals_before={})
+        for trial in result.trials
+    )
+    campaign = result.campaign.model_copy(
+        update={"update": (), "bench": type(result.campaign.bench)()}
+    )
     bare = replace(
-        result, campaign=campaign, characterisation=Characterisation(), strategies=(), trials=lost, findings=()
+        result,
+        campaign=campaign,
+        characterisation=Characterisation(),
+        strategies=(),
+        trials=lost,
+        findings=(),
     )
     write_campaign(bare, tmp_path / "out")
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
@@ -257,7 +315,10 @@ def test_without_bench_updates_and_usable_trials(result: CampaignResult, tmp_pat
 
 def test_no_trial_at_all_is_said(result: CampaignResult, tmp_path: Path) -> None:
     bare = replace(
-        result, trials=(), strategies=(), campaign=result.campaign.model_copy(update={"trial": (), "update": ()})
+        result,
+        trials=(),
+        strategies=(),
+        campaign=result.campaign.model_copy(update={"trial": (), "update": ()}),
     )
     write_campaign(bare, tmp_path / "out", pdf=True)
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
@@ -270,7 +331,13 @@ def test_five_hundred_trials_are_a_page_that_opens(result: CampaignResult, tmp_p
     for k in range(500):
         trial = result.trials[k % 3]
         use = "fit" if k == 499 else "hold-out"
-        many.append(replace(trial, entry=trial.entry.model_copy(update={"number": k + 1, "use": use}), motion=None))
+        many.append(
+            replace(
+                trial,
+                entry=trial.entry.model_copy(update={"number": k + 1, "use": use}),
+                motion=None,
+            )
+        )
     strategies = tuple(replace(strategy, trials=()) for strategy in result.strategies)
     write_campaign(replace(result, trials=tuple(many), strategies=strategies), tmp_path / "out")
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
@@ -279,11 +346,18 @@ def test_five_hundred_trials_are_a_page_that_opens(result: CampaignResult, tmp_p
     assert len(re.findall(r"<details><summary>Trial", html)) == 64
     assert len(html) < 4_000_000
     reader = Reader(html)
-    assert {link.removeprefix("#") for link in reader.links if link.startswith("#")} <= set(reader.ids)
+    assert {link.removeprefix("#") for link in reader.links if link.startswith("#")} <= set(
+        reader.ids
+    )
 
 
-def test_bench_files_that_vanished_do_not_stop_the_report(result: CampaignResult, tmp_path: Path) -> None:
-    names = {picture.name for picture in campaign_page(replace(result, folder=tmp_path / "gone")).pictures()}
+def test_bench_files_that_vanished_do_not_stop_the_report(
+    result: CampaignResult, tmp_path: Path
+) -> None:
+    names = {
+        picture.name
+        for picture in campaign_page(replace(result, folder=tmp_path / "gone")).pictures()
+    }
     assert {"bench-spring", "bench-decay-1", "bench-decay-2", "trial-01"} <= names
 
 
@@ -291,7 +365,9 @@ def test_same_campaign_same_bytes(result: CampaignResult, written: Path, tmp_pat
     write_campaign(result, tmp_path / "out", figures=("svg", "png"))
     for file in sorted(written.rglob("*")):
         if file.is_file():
-            assert (tmp_path / "out" / file.relative_to(written)).read_bytes() == file.read_bytes(), file.name
+            assert (
+                tmp_path / "out" / file.relative_to(written)
+            ).read_bytes() == file.read_bytes(), file.name
 
 
 def test_the_answer_says_of_which_trials_a_verdict_is(html: str) -> None:

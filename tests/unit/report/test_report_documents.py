@@ -46,15 +46,33 @@ def page(*blocks: object) -> Page:
 def everything() -> Page:
     figure = new_figure(1.5, 3.0)
     figure.subplots().plot([0.0, 1.0], label=HOSTILE)
-    chart = Chart((Panel((Series([0.0, 1.0], [0.0, 1.0], label=HOSTILE),), HOSTILE),) * 5, "c", HOSTILE, HOSTILE)
+    chart = Chart(
+        (Panel((Series([0.0, 1.0], [0.0, 1.0], label=HOSTILE),), HOSTILE),) * 5,
+        "c",
+        HOSTILE,
+        HOSTILE,
+    )
     return page(
         Paragraph(HOSTILE, "bad"),
         Bullets((HOSTILE,)),
         Facts((Fact(HOSTILE, HOSTILE, HOSTILE, "good"),) * 5),
-        PageTable(HOSTILE, (HOSTILE,) * 3, (("a", Cell(HOSTILE, "fair", HOSTILE), "1.0"),) * 60, "lrc", HOSTILE),
+        PageTable(
+            HOSTILE,
+            (HOSTILE,) * 3,
+            (("a", Cell(HOSTILE, "fair", HOSTILE), "1.0"),) * 60,
+            "lrc",
+            HOSTILE,
+        ),
         Findings((Finding(HOSTILE, "problem", HOSTILE), Finding("p", "note", "n"))),
         Findings(()),
-        Details(HOSTILE, (Subsection(HOSTILE, (Paragraph("deep"), Picture(figure, "p", HOSTILE, HOSTILE), chart)),)),
+        Details(
+            HOSTILE,
+            (
+                Subsection(
+                    HOSTILE, (Paragraph("deep"), Picture(figure, "p", HOSTILE, HOSTILE), chart)
+                ),
+            ),
+        ),
     )
 
 
@@ -66,10 +84,16 @@ def test_any_text_is_printed_and_not_run(tmp_path: Path) -> None:
     assert (tmp_path / "again" / "report.pdf").read_bytes() == pdf
 
 
-def test_a_campaign_s_document_is_the_same_each_time(result: CampaignResult, tmp_path: Path) -> None:
+def test_a_campaign_s_document_is_the_same_each_time(
+    result: CampaignResult, tmp_path: Path
+) -> None:
     for name in ("a", "b"):
         write_campaign(result, tmp_path / name, pdf=True, tables=("csv", "xlsx"))
-    for file in ("report.pdf", "tables.xlsx", *(f"tables/{f.name}" for f in (tmp_path / "a" / "tables").iterdir())):
+    for file in (
+        "report.pdf",
+        "tables.xlsx",
+        *(f"tables/{f.name}" for f in (tmp_path / "a" / "tables").iterdir()),
+    ):
         assert (tmp_path / "a" / file).read_bytes() == (tmp_path / "b" / file).read_bytes()
 
 
@@ -97,10 +121,16 @@ def test_no_column_leaves_the_page() -> None:
 
 def test_tables_hold_numbers_and_no_formula() -> None:
     table = PageTable(
-        "A/B", ("=name", "value [mm]", "word"), (("=1+1", "−0.50", Cell("good", "good", "of all")), ("+x", "–", "-"))
+        "A/B",
+        ("=name", "value [mm]", "word"),
+        (("=1+1", "−0.50", Cell("good", "good", "of all")), ("+x", "–", "-")),
     )
     rows = list(csv.reader(io.StringIO(table_csv(table))))
-    assert rows == [["'=name", "value [mm]", "word"], ["'=1+1", "-0.50", "good (of all)"], ["'+x", "–", "'-"]]
+    assert rows == [
+        ["'=name", "value [mm]", "word"],
+        ["'=1+1", "-0.50", "good (of all)"],
+        ["'+x", "–", "'-"],
+    ]
     openpyxl = pytest.importorskip("openpyxl")
     book = openpyxl.load_workbook(io.BytesIO(tables_xlsx(page(table, Details("d", (table,))))))
     assert book.sheetnames == ["Contents", "01-a-b", "02-a-b"]
@@ -124,7 +154,9 @@ def test_unknown_formats_are_refused_before_any_work(tmp_path: Path) -> None:
 def test_on_paper_figures_stand_alone_where_a_page_has_them_below_what_moves() -> None:
     still = Details("The same as a figure", (Paragraph("drawn"),), is_still=True)
     folded = Details("More", (Paragraph("told"),))
-    assert [(one["kind"], one.get("text", one.get("title"))) for one in _blocks((still, folded), {})] == [
+    assert [
+        (one["kind"], one.get("text", one.get("title"))) for one in _blocks((still, folded), {})
+    ] == [
         ("Paragraph", "drawn"),
         ("Group", "More"),
     ]

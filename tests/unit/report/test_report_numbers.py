@@ -3,7 +3,14 @@ from __future__ import annotations
 import pytest
 
 from jounce.identify.estimate import Estimate
-from jounce.plots.display import correlation, estimate_cells, estimate_text, milliseconds, percent, setting_text
+from jounce.plots.display import (
+    correlation,
+    estimate_cells,
+    estimate_text,
+    milliseconds,
+    percent,
+    setting_text,
+)
 
 
 @pytest.mark.parametrize(
@@ -19,7 +26,10 @@ def test_estimates(found: Estimate | None, cells: tuple[str, ...]) -> None:
 
 
 def test_estimate_in_a_sentence() -> None:
-    assert estimate_text(Estimate(0.1096, 0.002, (0.1057, 0.1135)), "1") == "0.1096 (95 %: 0.1057 to 0.1135)"
+    assert (
+        estimate_text(Estimate(0.1096, 0.002, (0.1057, 0.1135)), "1")
+        == "0.1096 (95 %: 0.1057 to 0.1135)"
+    )
     assert estimate_text(Estimate(5.0), "N") == "5.000 N"
 
 
@@ -28,7 +38,8 @@ def test_interval_that_touches_zero() -> None:
 
 
 @pytest.mark.parametrize(
-    ("share", "text"), [(0.0512, "5.1 %"), (-0.9, "−90.0 %"), (-0.0001, "0.0 %"), (float("nan"), "–")]
+    ("share", "text"),
+    [(0.0512, "5.1 %"), (-0.9, "−90.0 %"), (-0.0001, "0.0 %"), (float("nan"), "–")],
 )
 def test_percent(share: float, text: str) -> None:
     assert percent(share) == text

@@ -41,11 +41,19 @@ def page(*blocks: object, **options: object) -> Page:
 
 
 def test_everything_is_shown_and_escaped(tmp_path: Path) -> None:
-    nested = Details("More <i>", (Subsection("Deep", (Bullets(("<li>first", "second")),)),), is_open=True)
-    table = PageTable("Numbers", ("name", "value [mm]"), (("a<b", Cell("1.0", "bad", "note")),), "lr", "small")
+    nested = Details(
+        "More <i>", (Subsection("Deep", (Bullets(("<li>first", "second")),)),), is_open=True
+    )
+    table = PageTable(
+        "Numbers", ("name", "value [mm]"), (("a<b", Cell("1.0", "bad", "note")),), "lr", "small"
+    )
     facts = Facts((Fact("label", "42 %", "<note>", "good"),))
     found = Findings((Finding("trial 1", "problem", "x < y"),))
-    write(page(Paragraph("a < b & c"), table, facts, found, nested, picture("p")), tmp_path / "out", figures=BOTH)
+    write(
+        page(Paragraph("a < b & c"), table, facts, found, nested, picture("p")),
+        tmp_path / "out",
+        figures=BOTH,
+    )
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     for text in (
         "a &lt; b &amp; c",
@@ -61,7 +69,10 @@ def test_everything_is_shown_and_escaped(tmp_path: Path) -> None:
     assert '<th scope="col" class="right">value [mm]</th>' in html
     assert 'class="right bad"' in html
     assert "&#34;line&#34; &lt;rising&gt;" in html or "&quot;line&quot; &lt;rising&gt;" in html
-    assert sorted(file.name for file in (tmp_path / "out" / "figures").iterdir()) == ["p.png", "p.svg"]
+    assert sorted(file.name for file in (tmp_path / "out" / "figures").iterdir()) == [
+        "p.png",
+        "p.svg",
+    ]
 
 
 def test_bytes_are_the_same_each_time(tmp_path: Path) -> None:
@@ -87,7 +98,9 @@ def test_full_folder_is_refused_before_any_drawing(tmp_path: Path) -> None:
 
 def test_banner_on_every_section_and_in_every_figure(tmp_path: Path) -> None:
     write(
-        page(picture("p"), banner="Synthetic: made up.", figure_note="Synthetic data"), tmp_path / "out", figures=BOTH
+        page(picture("p"), banner="Synthetic: made up.", figure_note="Synthetic data"),
+        tmp_path / "out",
+        figures=BOTH,
     )
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert html.count('<span class="tag">Synthetic data</span>') == 2
@@ -127,7 +140,13 @@ def test_findings_are_grouped_worst_first() -> None:
         ("note", "Notes", [("a, b", "same")]),
     ]
     assert [row[0] for row in group_findings(Findings(items, most=1))] == ["problem"]
-    assert [item.severity for item in worst_first(items)] == ["problem", "warning", "note", "note", "note"]
+    assert [item.severity for item in worst_first(items)] == [
+        "problem",
+        "warning",
+        "note",
+        "note",
+        "note",
+    ]
 
 
 def test_many_places_are_counted() -> None:
@@ -142,5 +161,10 @@ def test_slugs() -> None:
 
 
 def test_negative_numbers_in_findings_have_a_minus_as_in_tables() -> None:
-    found = Findings((Finding("a", "note", "moved by -0.5 (-3 to -1e-05), ISO 2631-1 of 2026-11-22"),))
-    assert group_findings(found)[0][2][0][1] == "moved by −0.5 (−3 to −1e-05), ISO 2631-1 of 2026-11-22"
+    found = Findings(
+        (Finding("a", "note", "moved by -0.5 (-3 to -1e-05), ISO 2631-1 of 2026-11-22"),)
+    )
+    assert (
+        group_findings(found)[0][2][0][1]
+        == "moved by −0.5 (−3 to −1e-05), ISO 2631-1 of 2026-11-22"
+    )

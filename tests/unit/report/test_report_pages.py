@@ -37,11 +37,15 @@ def run(samples: int = 50, channels: int = 0) -> xr.Dataset:
     named = {HOSTILE: known, LONG: gaps, "a.z": infinite, "b.z": np.full(samples, np.nan)}
     named |= {f"more_{k}.z": known + k for k in range(channels)}
     units = {"units": HOSTILE, "long_name": HOSTILE}
-    return xr.Dataset({name: ("time", y, units) for name, y in named.items()}, coords={"time": ("time", time)})
+    return xr.Dataset(
+        {name: ("time", y, units) for name, y in named.items()}, coords={"time": ("time", time)}
+    )
 
 
 def test_names_and_values_of_any_kind_are_shown_as_they_are(tmp_path: Path) -> None:
-    page = recordings_page({HOSTILE: run(), LONG: 2.0 * run()}, [HOSTILE, LONG, "a.z", "b.z"], title=HOSTILE)
+    page = recordings_page(
+        {HOSTILE: run(), LONG: 2.0 * run()}, [HOSTILE, LONG, "a.z", "b.z"], title=HOSTILE
+    )
     html = REPORTS.write(page, tmp_path / "a.html").read_text(encoding="utf-8")
     assert "<img" not in html
     assert LONG in html.replace("<wbr>", "")
@@ -121,7 +125,12 @@ def test_a_front_has_its_units_ends_and_texts_that_are_no_markup(tmp_path: Path)
     )  # fmt: skip
     page = front_page(front, title=HOSTILE)
     beside, every = (block for block in page.blocks() if isinstance(block, PageTable))
-    assert beside.rows[0][2:] == ("1.100", "0.2000", "15.00", "strut.damper.coefficient: 700.0 N·s/m")
+    assert beside.rows[0][2:] == (
+        "1.100",
+        "0.2000",
+        "15.00",
+        "strut.damper.coefficient: 700.0 N·s/m",
+    )
     assert [row[1] for row in every.rows] == ["1.000", "2.000", "∞"]
     assert every.rows[1][2] == "–"
     assert page.subtitle == f"Pareto front, {HOSTILE} to tyre.force, on a road, G_d = 1e-6 m³"
@@ -136,7 +145,9 @@ def test_a_history_shows_what_is_not_known_as_such(tmp_path: Path) -> None:
         WheelVisit(1, "2025-11-21", HOSTILE, "rear", "left", values, "fail", ""),
         WheelVisit(2, "", HOSTILE, "", HOSTILE, {"adhesion": None}, "", ""),
     ]
-    page = history_page(visits, [Trend("rear", "left", "adhesion", -0.104, 2)], title="B-AB 123 " + "漢" * 300)
+    page = history_page(
+        visits, [Trend("rear", "left", "adhesion", -0.104, 2)], title="B-AB 123 " + "漢" * 300
+    )
     change, every = (block for block in page.blocks() if isinstance(block, PageTable))
     assert change.rows == (("rear left", "adhesion (EUSAMA)", "−10 %", "2"),)
     first, second = every.rows
@@ -149,6 +160,16 @@ def test_a_history_shows_what_is_not_known_as_such(tmp_path: Path) -> None:
 
 def test_titles_of_panels_keep_within_them() -> None:
     words = ("spring, stops, damper and friction, compression positive", "漢" * 300, "force")
-    panes = tuple(Pane("strut.force", f"strut.force, {one}", "N", (Curve("", "after", np.zeros(2)),)) for one in words)
-    titles = [panel.title for panel in scene_panels(ViewerScene("a", "a", np.arange(2.0), panes), "time", "s")]
-    assert titles == ["strut.force, spring, stops, damper and friction", "strut.force", "strut.force, force"]
+    panes = tuple(
+        Pane("strut.force", f"strut.force, {one}", "N", (Curve("", "after", np.zeros(2)),))
+        for one in words
+    )
+    titles = [
+        panel.title
+        for panel in scene_panels(ViewerScene("a", "a", np.arange(2.0), panes), "time", "s")
+    ]
+    assert titles == [
+        "strut.force, spring, stops, damper and friction",
+        "strut.force",
+        "strut.force, force",
+    ]

@@ -58,7 +58,13 @@ def test_statistics_are_those_of_the_records(result: CampaignResult) -> None:
 def test_clipping_is_a_share(result: CampaignResult) -> None:
     record, _ = jn.read_recording(result.folder / "2.csv")
     limit = 0.3 * float(abs(record["sprung.az"]).max())
-    cut = record.assign({"sprung.az": record["sprung.az"].clip(-limit, limit).assign_attrs(record["sprung.az"].attrs)})
+    cut = record.assign(
+        {
+            "sprung.az": record["sprung.az"]
+            .clip(-limit, limit)
+            .assign_attrs(record["sprung.az"].attrs)
+        }
+    )
     look = first_look(result.campaign, result.characterisation, result.start, {2: cut}, ())
     assert 0.01 < look.statistics[0].clipped["sprung.az"] < 0.9
     table = list(blocks_in(records(look).blocks))[-1]
@@ -78,7 +84,10 @@ def test_the_report_has_few_pictures_of_it(result: CampaignResult) -> None:
     blocks = list(blocks_in(records(result.look).blocks))
     assert [len(block.panels) for block in blocks if isinstance(block, Chart)] == [4]
     captions = [block.caption for block in blocks if isinstance(block, PageTable)]
-    assert captions == ["Modes of the records beside those of the model", "Statistics of the channels"]
+    assert captions == [
+        "Modes of the records beside those of the model",
+        "Statistics of the channels",
+    ]
 
 
 def test_records_that_cannot_be_analysed_are_left_out(result: CampaignResult) -> None:

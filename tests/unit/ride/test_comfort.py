@@ -55,7 +55,9 @@ def test_running_rms_over_other_times(averaging) -> None:
     """A quarter of the time is a quarter of the rate for the same samples."""
     noise = np.random.default_rng(6).normal(size=3000)
     short = comfort.running_rms(noise, RATE, averaging=averaging, time_constant=0.25)
-    np.testing.assert_allclose(short, comfort.running_rms(noise, 0.25 * RATE, averaging=averaging), rtol=1e-9)
+    np.testing.assert_allclose(
+        short, comfort.running_rms(noise, 0.25 * RATE, averaging=averaging), rtol=1e-9
+    )
     assert abs(short - comfort.running_rms(noise, RATE, averaging=averaging)).max() > 0.1
 
 
@@ -110,7 +112,12 @@ def test_words_of_the_comfort_scale(value: float, words: str) -> None:
 
 def test_edges_of_the_comfort_scale() -> None:
     """ISO 2631-1, C.2.3: from and to, in m/s^2."""
-    edges = {"not": (0.0, 0.315), "a little": (0.315, 0.63), "fairly": (0.5, 1.0), "very": (1.25, 2.5)}
+    edges = {
+        "not": (0.0, 0.315),
+        "a little": (0.315, 0.63),
+        "fairly": (0.5, 1.0),
+        "very": (1.25, 2.5),
+    }
     edges |= {"uncomfortable": (0.8, 1.6), "extremely": (2.0, 1e6)}
     for start, (low, high) in edges.items():
         for value, is_felt in (
@@ -155,7 +162,9 @@ def test_shocks_are_pointed_out() -> None:
     ],
     ids=["crest", "mtvv", "vdv"],
 )
-def test_advice_begins_at_the_limits_of_the_standard(ratio, limit: float, lasting: float, words: str) -> None:
+def test_advice_begins_at_the_limits_of_the_standard(
+    ratio, limit: float, lasting: float, words: str
+) -> None:
     def burst(size: float) -> np.ndarray:
         return np.where(lasting > TIME, size, 1.0) * SINE
 
@@ -167,7 +176,10 @@ def test_advice_begins_at_the_limits_of_the_standard(ratio, limit: float, lastin
 
 
 def test_bad_signals() -> None:
-    with pytest.raises(jn.RecordingError, match=r"too short for the running r\.m\.s\.; found '0\.5 s'; allowed: 1 s"):
+    with pytest.raises(
+        jn.RecordingError,
+        match=r"too short for the running r\.m\.s\.; found '0\.5 s'; allowed: 1 s",
+    ):
         comfort.mtvv(SINE[:501], RATE)
     with pytest.raises(jn.DescriptionError, match="unknown averaging 'cubic'"):
         comfort.running_rms(SINE, RATE, averaging="cubic")

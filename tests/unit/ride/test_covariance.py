@@ -24,7 +24,14 @@ from jounce.ride.covariance import (
     relative,
     sources_of,
 )
-from jounce.ride.family import Eigen, Families, LinearFamily, Matrices, side_by_side, without_unreached
+from jounce.ride.family import (
+    Eigen,
+    Families,
+    LinearFamily,
+    Matrices,
+    side_by_side,
+    without_unreached,
+)
 from jounce.ride.stationary import StationaryResponse, stationary, with_spectra
 from jounce.ride.surface import surface
 
@@ -32,7 +39,9 @@ RNG = np.random.default_rng(5)
 STABLE = RNG.normal(size=(6, 6)) - 4.0 * np.eye(6)
 DEFECTIVE = np.array([[-1.0, 1.0, 0.0], [0.0, -1.0, 1.0], [0.0, 0.0, -1.0]])
 TURN = RNG.normal(size=(3, 3))
-NEAR = TURN @ np.diag([-1.0, -1.0028, -3.0]) @ np.linalg.inv(TURN)  # eigenvalues that are nearly the same
+NEAR = (
+    TURN @ np.diag([-1.0, -1.0028, -3.0]) @ np.linalg.inv(TURN)
+)  # eigenvalues that are nearly the same
 CASES = pytest.mark.parametrize("a", [STABLE, DEFECTIVE, NEAR], ids=["plain", "defective", "near"])
 
 
@@ -92,32 +101,50 @@ def test_inverse_at_many_frequencies(a):
         exact = np.linalg.inv(value * np.eye(len(a)) - a)
         moved = np.stack([column[:, i] for column in columns], axis=1)
         assert moved == pytest.approx(exact @ b, rel=1e-10)
-        assert inverse.before(np.tile(c, (3, 1, 1)))[1, :, :, i] == pytest.approx(c @ exact, rel=1e-10)
+        assert inverse.before(np.tile(c, (3, 1, 1)))[1, :, :, i] == pytest.approx(
+            c @ exact, rel=1e-10
+        )
 
 
 def test_quadrature_resolves_light_damping_and_delays():
     for ratio in (1e-3, 0.02, 0.5):
         omega = 2 * np.pi * 3.0
         a = np.array([[0.0, 1.0], [-(omega**2), -2 * ratio * omega]])
-        (f,), (weights,) = frequencies(1e-6, 1e4, np.linalg.eigvals(a)[None].astype(complex), np.zeros(1))
-        response = np.abs(1.0 / (omega**2 - (2 * np.pi * f) ** 2 + 2j * ratio * omega * 2 * np.pi * f)) ** 2
-        assert response @ weights == pytest.approx(1.0 / (8.0 * ratio * omega**3), rel=1e-6)  # one-sided
+        (f,), (weights,) = frequencies(
+            1e-6, 1e4, np.linalg.eigvals(a)[None].astype(complex), np.zeros(1)
+        )
+        response = (
+            np.abs(1.0 / (omega**2 - (2 * np.pi * f) ** 2 + 2j * ratio * omega * 2 * np.pi * f))
+            ** 2
+        )
+        assert response @ weights == pytest.approx(
+            1.0 / (8.0 * ratio * omega**3), rel=1e-6
+        )  # one-sided
     delays, values = np.array([0.3, 0.0, 0.1]), np.full((3, 1), -1.0 + 0.0j)
     nodes, weights = frequencies(0.2, 60.0, values, delays)
     for f, weight, delay in zip(nodes, weights, np.maximum(delays, 1e-9), strict=True):
-        exact = (np.sin(2 * np.pi * 60.0 * delay) - np.sin(2 * np.pi * 0.2 * delay)) / (2 * np.pi * delay)
+        exact = (np.sin(2 * np.pi * 60.0 * delay) - np.sin(2 * np.pi * 0.2 * delay)) / (
+            2 * np.pi * delay
+        )
         assert np.cos(2 * np.pi * f * delay) @ weight == pytest.approx(exact, abs=1e-9)
 
 
 def test_wheels_are_sorted_by_what_drives_them():
     delays = np.array([[0.0, 0.0, 0.1, 0.1], [0.0, 0.0, 0.2, 0.2]])
     one = sources_of(delays, [1, -1, 1, -1], same=True)
-    assert [(group.delay.tolist(), group.wheels) for group in one[0]] == [([0.0, 0.0], (0, 1)), ([0.1, 0.2], (2, 3))]
+    assert [(group.delay.tolist(), group.wheels) for group in one[0]] == [
+        ([0.0, 0.0], (0, 1)),
+        ([0.1, 0.2], (2, 3)),
+    ]
     left, right = sources_of(delays, [1, -1, 1, -1], same=False)
     assert [group.wheels for group in left] == [(0,), (2,)]
     assert [group.wheels for group in right] == [(1,), (3,)]
     assert len(sources_of(np.array([[0.0, 0.1]]), [0, 0], same=False)) == 1
-    for other in ([0.0, 0.0, 0.0, 0.0], [0.1, 0.1, 0.0, 0.0], [0.0, 0.1, 0.2, 0.2]):  # the wheels follow otherwise
+    for other in (
+        [0.0, 0.0, 0.0, 0.0],
+        [0.1, 0.1, 0.0, 0.0],
+        [0.0, 0.1, 0.2, 0.2],
+    ):  # the wheels follow otherwise
         assert sources_of(np.array([delays[0], other]), [1, -1, 1, -1], same=True) is None
     groups = [
         (WheelGroup(np.array([0.1, 0.0]), (0,)), WheelGroup(np.array([0.4, 0.6]), (1,))),
@@ -146,7 +173,9 @@ def test_neutral_motions_that_are_driven_stay_and_are_refused():
 
     none = side_by_side([model(0.0)])[:0]
     reduced, _ = without_unreached(model(0.0), none)
-    assert pytest.approx(np.array([[-1.0]]), rel=1e-14) == reduced.A  # a projection of two rows: some roundings
+    assert (
+        pytest.approx(np.array([[-1.0]]), rel=1e-14) == reduced.A
+    )  # a projection of two rows: some roundings
     kept, _ = without_unreached(model(1.0), none)
     assert kept.A.shape == (2, 2)
     with pytest.raises(SimulationError, match="not asymptotically stable"):
@@ -160,17 +189,25 @@ def test_where_wheels_stand() -> None:
     full = LinearFamily(jn.load("audi-a6-full-car"), ("front.distance", "front.track", "body.mass"))
     first, slopes = full.geometry
     assert first == pytest.approx([0.0, 0.0, 2.91, 2.91, 1.54])
-    assert slopes == pytest.approx(np.array([[0, 0, 1, 1, 0], [0, 0, 0, 0, 0.5], [0, 0, 0, 0, 0]]), abs=1e-9)
-    assert full.geometry_at(full.start + np.array([0.1, 0.2, 5.0])) == pytest.approx([0.0, 0.0, 3.01, 3.01, 1.64])
+    assert slopes == pytest.approx(
+        np.array([[0, 0, 1, 1, 0], [0, 0, 0, 0, 0.5], [0, 0, 0, 0, 0]]), abs=1e-9
+    )
+    assert full.geometry_at(full.start + np.array([0.1, 0.2, 5.0])) == pytest.approx(
+        [0.0, 0.0, 3.01, 3.01, 1.64]
+    )
     half = LinearFamily(jn.load("audi-a6-half-car-4dof"))
-    assert (half.wheels, list(half.geometry_at())) == (("front", "rear"), pytest.approx([0.0, 2.91, 0.0]))
+    assert (half.wheels, list(half.geometry_at())) == (
+        ("front", "rear"),
+        pytest.approx([0.0, 2.91, 0.0]),
+    )
     quarter = LinearFamily(jn.load("audi-a6-quarter-car"), ("sprung.mass",))
     assert (quarter.wheels, quarter.places) == (("",), ((0.0, 0),))
     assert [part.tolist() for part in quarter.geometry] == [[0.0, 0.0], [[0.0, 0.0]]]
 
 
 @pytest.mark.parametrize(
-    "options", [{"cut_off": 0.011}, {"band": "iso", "weighting": {"sprung.az": "Wk", "unsprung.az": "Wd"}}]
+    "options",
+    [{"cut_off": 0.011}, {"band": "iso", "weighting": {"sprung.az": "Wk", "unsprung.az": "Wd"}}],
 )
 def test_slopes_with_a_cut_off_and_of_weighted_signals(options) -> None:
     rig = jn.load("audi-a6-quarter-car").with_changes({"tyre.damping_coefficient": 100.0})
@@ -179,21 +216,29 @@ def test_slopes_with_a_cut_off_and_of_weighted_signals(options) -> None:
     for path in paths:
         value = rig.parameters()[path]
         above, below = (
-            stationary(rig.with_changes({path: value * (1.0 + side)}), "C", 20.0, **options) for side in (1e-4, -1e-4)
+            stationary(rig.with_changes({path: value * (1.0 + side)}), "C", 20.0, **options)
+            for side in (1e-4, -1e-4)
         )
-        for kind, slopes in (("standard_deviation", found.slopes), ("weighted", found.weighted_slopes)):
+        for kind, slopes in (
+            ("standard_deviation", found.slopes),
+            ("weighted", found.weighted_slopes),
+        ):
             high, low, here = (getattr(one, kind) for one in (above, below, found))
             assert slopes[path].keys() == here.keys()
             for name, slope in slopes[path].items():
                 difference = (high[name] - low[name]) / 2e-4
-                assert slope * value == pytest.approx(difference, rel=1e-5, abs=1e-6 * here[name]), (path, name)
+                assert slope * value == pytest.approx(
+                    difference, rel=1e-5, abs=1e-6 * here[name]
+                ), (path, name)
 
 
 def test_distances_of_wheels_follow_numbers_whatever_the_others_allow() -> None:
     """A product of inertia may move by little; a distance by half of itself."""
     car = jn.load("sedan-full-car-3d")
     inertia = "front.corner.bodies.upright.inertia.xy"
-    family = LinearFamily(car, (inertia, "front.corner.hardpoints.wheel_centre[1]", "rear.distance"))
+    family = LinearFamily(
+        car, (inertia, "front.corner.hardpoints.wheel_centre[1]", "rear.distance")
+    )
     family.__dict__["wheels"] = tuple(car.wheels)  # known without compiling the car
     first, slopes = family.geometry
     assert first[-1] == pytest.approx(0.7979 + 0.8)  # half tracks of front and rear
@@ -207,7 +252,9 @@ def test_a_distance_that_may_not_move_is_told_with_its_unit(monkeypatch) -> None
 
     car = jn.load("audi-a6-half-car")
     monkeypatch.setattr(type(car), "with_changes", refuse)
-    with pytest.raises(DescriptionError, match=r"no value other than this one is allowed; found '1\.62 m'"):
+    with pytest.raises(
+        DescriptionError, match=r"no value other than this one is allowed; found '1\.62 m'"
+    ):
         _ = LinearFamily(car, ("rear.distance",)).geometry
 
 
@@ -223,14 +270,20 @@ def test_spectra_hold_the_variances_and_end_with_the_band() -> None:
     assert with_spectra(white, quarter) is white
     road = surface("C", 20.0, band=band)
     families = Families((LinearFamily(quarter),))
-    densities = RandomVibration(families, road, (Signal(0),)).densities(np.array([0.39, 0.41, 19.9, 20.1]))
+    densities = RandomVibration(families, road, (Signal(0),)).densities(
+        np.array([0.39, 0.41, 19.9, 20.1])
+    )
     assert (densities > 0.0).tolist() == [[False, True, True, False]]
 
 
 def test_chance_of_a_finite_run() -> None:
     """A flat density over a band B: the variance over a time T scatters by its share of one over the root of B T."""
-    flat = SimpleNamespace(frequency=np.linspace(1.0, 5.0, 9), spectra={"a": np.full(9, 3.0), "still": np.zeros(9)})
-    assert StationaryResponse.chance(flat, "a", 25.0) == pytest.approx(0.5 * 1.959964 / 10.0, rel=1e-6)
+    flat = SimpleNamespace(
+        frequency=np.linspace(1.0, 5.0, 9), spectra={"a": np.full(9, 3.0), "still": np.zeros(9)}
+    )
+    assert StationaryResponse.chance(flat, "a", 25.0) == pytest.approx(
+        0.5 * 1.959964 / 10.0, rel=1e-6
+    )
     assert StationaryResponse.chance(flat, "still", 25.0) is None
     assert StationaryResponse.chance(flat, "b", 25.0) is None
     assert StationaryResponse.chance(SimpleNamespace(frequency=None, spectra={}), "a", 25.0) is None

@@ -56,7 +56,12 @@ def test_of_a_car_only_what_no_file_tells_is_silent(rides: ModuleType) -> None:
 @pytest.mark.parametrize("corner", ["van", "kart"])
 @pytest.mark.parametrize(
     ("what", "corner_hz", "order", "high"),
-    [("low", 5.0, 1, False), ("low", 10.0, 1, False), ("second-order low", 10.0, 2, False), ("high", 3.0, 1, True)],
+    [
+        ("low", 5.0, 1, False),
+        ("low", 10.0, 1, False),
+        ("second-order low", 10.0, 2, False),
+        ("high", 3.0, 1, True),
+    ],
 )
 def test_a_body_behind_a_gentle_filter_follows_its_wheel_otherwise(
     rides: ModuleType, corner: str, what: str, corner_hz: float, order: int, high: bool
@@ -64,7 +69,11 @@ def test_a_body_behind_a_gentle_filter_follows_its_wheel_otherwise(
     run = rides.ride(corner, "good", 25.0, 5)
     body, wheel = run["sprung.az"], run["unsprung.az"]
     behind = rides.filtered(body, corner_hz, order, high=high)
-    found = [one for one in doubts({"sprung.az": behind, "unsprung.az": wheel}, rides.RATE) if "follows" in one.message]
+    found = [
+        one
+        for one in doubts({"sprung.az": behind, "unsprung.az": wheel}, rides.RATE)
+        if "follows" in one.message
+    ]
     assert [f"after a {what}-pass filter at about" in one.message for one in found] == [True]
     assert found[0].value == pytest.approx(corner_hz, rel=0.1)
     assert list(doubts({"sprung.az": body, "unsprung.az": wheel}, rides.RATE)) == []

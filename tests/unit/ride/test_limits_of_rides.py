@@ -11,7 +11,13 @@ from jounce.core.errors import RecordingError
 from jounce.recordings import recording
 from jounce.ride import comfort
 from jounce.ride.metrics import ride_metrics
-from jounce.ride.spectra import Transfer, channel_transfer, power_spectrum, third_octaves, transfer_function
+from jounce.ride.spectra import (
+    Transfer,
+    channel_transfer,
+    power_spectrum,
+    third_octaves,
+    transfer_function,
+)
 
 TIME = np.arange(0.0, 20.0 + 5e-4, 1e-3)
 WAVE = np.sin(2.0 * np.pi * 5.0 * TIME)
@@ -21,14 +27,20 @@ NOISE = np.random.default_rng(2).standard_normal(4003)
 def run(**signals: np.ndarray):
     units = {"az": "m/s^2", "force": "N"}
     channels = {
-        name.replace("__", "."): (values, units[name.rpartition("__")[2]], "") for name, values in signals.items()
+        name.replace("__", "."): (values, units[name.rpartition("__")[2]], "")
+        for name, values in signals.items()
     }
     return recording(TIME, channels)
 
 
 @pytest.mark.parametrize(
     ("exposure", "words"),
-    [(0.499, None), (0.501, "action value of 0.5"), (1.149, "action"), (1.151, "limit value of 1.15")],
+    [
+        (0.499, None),
+        (0.501, "action value of 0.5"),
+        (1.149, "action"),
+        (1.151, "limit value of 1.15"),
+    ],
 )
 def test_daily_exposure_beside_the_directive(exposure: float, words: str | None) -> None:
     once = ride_metrics(run(body__az=WAVE)).value("daily_exposure")
@@ -43,7 +55,12 @@ def test_daily_exposure_beside_the_directive(exposure: float, words: str | None)
 
 def test_a_wheel_counts_as_lifted_up_to_a_load() -> None:
     load = 4000.0 + 3900.0 * WAVE
-    for limit, share in ((0.0, 0.0), (100.0, 0.0), (2050.0, math.acos(0.5) / math.pi), ("3 kN", None)):
+    for limit, share in (
+        (0.0, 0.0),
+        (100.0, 0.0),
+        (2050.0, math.acos(0.5) / math.pi),
+        ("3 kN", None),
+    ):
         found = ride_metrics(run(tyre__force=load), lift_off_load=limit).value("lift_off_time")
         expected = share if share is not None else 0.5 - math.asin(1.0 / 3.9) / math.pi
         assert found == pytest.approx(expected, abs=6e-3)
@@ -69,14 +86,23 @@ def test_values_over_the_whole_record() -> None:
     assert comfort.daily_exposure(1.2, 2.0 * 3600.0) == pytest.approx(0.6)
     assert comfort.time_to_reach(0.5, 1.0) == pytest.approx(2.0 * 3600.0)
     assert comfort.time_to_reach(0.5, 0.0) == math.inf
-    assert comfort.total_value({"x": 1.0, "z": 2.0}, comfort.HEALTH_FACTORS) == pytest.approx(math.hypot(1.4, 2.0))
+    assert comfort.total_value({"x": 1.0, "z": 2.0}, comfort.HEALTH_FACTORS) == pytest.approx(
+        math.hypot(1.4, 2.0)
+    )
 
 
 @pytest.mark.parametrize(
     ("window", "segment", "count", "wide"),
-    [("hann", None, 500, 1.5), ("boxcar", None, 500, 1.0), ("hann", "0.2 s", 200, 1.5), ("boxcar", 4.003, 4003, 1.0)],
+    [
+        ("hann", None, 500, 1.5),
+        ("boxcar", None, 500, 1.0),
+        ("hann", "0.2 s", 200, 1.5),
+        ("boxcar", 4.003, 4003, 1.0),
+    ],
 )
-def test_pieces_of_a_spectrum(window: str, segment: float | str | None, count: int, wide: float) -> None:
+def test_pieces_of_a_spectrum(
+    window: str, segment: float | str | None, count: int, wide: float
+) -> None:
     found = power_spectrum(NOISE, 1000.0, segment=segment, window=window)
     assert found.frequency[1] == pytest.approx(1000.0 / count)
     assert found.resolution == pytest.approx(wide * 1000.0 / count)
@@ -84,13 +110,18 @@ def test_pieces_of_a_spectrum(window: str, segment: float | str | None, count: i
     if window == "boxcar":
         assert found.averages == pieces
     else:  # pieces that overlap by half are correlated by a sixth
-        assert found.averages == pytest.approx(pieces / (1.0 + 2.0 / 36.0 * (pieces - 1) / pieces), rel=1e-9)
+        assert found.averages == pytest.approx(
+            pieces / (1.0 + 2.0 / 36.0 * (pieces - 1) / pieces), rel=1e-9
+        )
 
 
 def test_segments_that_do_not_fit() -> None:
     for samples, fits in ((4003, True), (4004, False), (8, True), (7, False)):
         if fits:
-            assert power_spectrum(NOISE, 1000.0, segment=samples / 1000.0).frequency.size == samples // 2 + 1
+            assert (
+                power_spectrum(NOISE, 1000.0, segment=samples / 1000.0).frequency.size
+                == samples // 2 + 1
+            )
         else:
             with pytest.raises(RecordingError, match="the segment does not fit the record"):
                 power_spectrum(NOISE, 1000.0, segment=samples / 1000.0)
@@ -105,7 +136,9 @@ def test_a_transfer_function_needs_two_pieces() -> None:
     found = transfer_function(NOISE, 3.0 * NOISE, 1000.0, segment=2.0, window="boxcar")
     assert found.averages == 2.0
     np.testing.assert_allclose(found.response[1:], 3.0, rtol=1e-9)
-    with pytest.raises(RecordingError, match=r"needs two pieces or more; found '2\.002 s'; allowed: at most half"):
+    with pytest.raises(
+        RecordingError, match=r"needs two pieces or more; found '2\.002 s'; allowed: at most half"
+    ):
         transfer_function(NOISE, NOISE, 1000.0, segment=2.002, window="boxcar")
 
 
@@ -131,5 +164,7 @@ def test_bands_that_are_resolved() -> None:
     assert found.centre[0] == pytest.approx(10.0**1.2)  # 12.6 Hz is 2.9 Hz wide
     assert found.high[-1] <= 500.0 < found.high[-1] * 10.0**0.1
     np.testing.assert_allclose(found.high / found.low, 10.0**0.1)
-    with pytest.raises(RecordingError, match=r"resolves no third-octave band; found '93\.75 Hz up to 500 Hz'"):
+    with pytest.raises(
+        RecordingError, match=r"resolves no third-octave band; found '93\.75 Hz up to 500 Hz'"
+    ):
         third_octaves(power_spectrum(NOISE, 1000.0, segment=0.016, window="hann"))

@@ -75,7 +75,9 @@ def test_third_octaves_are_those_of_the_standard() -> None:
     assert bands.high[-1] < 0.5 * RATE < bands.high[-1] * 10**0.1
     assert bands.high[0] - bands.low[0] >= 0.075
     flat = bands.centre > 5.0
-    np.testing.assert_allclose(bands.rms[flat] ** 2, ((bands.high - bands.low) / 250.0)[flat], rtol=0.15)
+    np.testing.assert_allclose(
+        bands.rms[flat] ** 2, ((bands.high - bands.low) / 250.0)[flat], rtol=0.15
+    )
 
 
 def test_bands_give_the_weighted_value_of_the_signal() -> None:
@@ -84,7 +86,9 @@ def test_bands_give_the_weighted_value_of_the_signal() -> None:
     over_time = comfort.rms(weight(signal, RATE, "Wk"), RATE)
     bands = third_octaves(power_spectrum(signal, RATE, segment="20 s"))
     assert bands.weighted("Wk") == pytest.approx(over_time, rel=0.02)
-    assert bands.weighted("Wd") == pytest.approx(comfort.rms(weight(signal, RATE, "Wd"), RATE), rel=0.02)
+    assert bands.weighted("Wd") == pytest.approx(
+        comfort.rms(weight(signal, RATE, "Wd"), RATE), rel=0.02
+    )
 
 
 def test_a_linear_model_in_the_same_form() -> None:
@@ -105,7 +109,9 @@ def test_a_delayed_track_is_added_with_its_phase() -> None:
     # gains 1 and j, the second one an eighth of a second late: they meet at 2 Hz, and not at 4 Hz
     gains = {"front.road.z": 1.0, "rear.road.z": 1j}
     twin = SimpleNamespace(frequency_response=lambda f, _, track: np.full(f.shape, gains[track]))
-    both = response_spectrum(twin, f[:2], np.full(2, 2.0), "body.az", {"front.road.z": 0.0, "rear.road.z": 0.125})
+    both = response_spectrum(
+        twin, f[:2], np.full(2, 2.0), "body.az", {"front.road.z": 0.0, "rear.road.z": 0.125}
+    )
     np.testing.assert_allclose(both, [2.0 * 4.0, 2.0 * 2.0])
 
 
@@ -121,15 +127,26 @@ def test_a_channel_that_is_missing() -> None:
         (lambda: power_spectrum(NOISE[:4], RATE), "too little for a spectrum"),
         (lambda: power_spectrum(NOISE, 0.0), "too little for a spectrum"),
         (
-            lambda: power_spectrum(recording(np.arange(9.0), {"sprung.az": (NOISE[:9], "m/s^2", "")}), RATE),
+            lambda: power_spectrum(
+                recording(np.arange(9.0), {"sprung.az": (NOISE[:9], "m/s^2", "")}), RATE
+            ),
             "signal: a whole Dataset; give the values of one channel",
         ),
         (lambda: power_spectrum([*NOISE[:20], np.nan], RATE), "sample 21 is not a finite number"),
-        (lambda: power_spectrum(NOISE, RATE, segment="300 s"), "the segment does not fit the record"),
-        (lambda: power_spectrum(NOISE, RATE, segment="1 ms"), "the segment does not fit the record"),
+        (
+            lambda: power_spectrum(NOISE, RATE, segment="300 s"),
+            "the segment does not fit the record",
+        ),
+        (
+            lambda: power_spectrum(NOISE, RATE, segment="1 ms"),
+            "the segment does not fit the record",
+        ),
         (lambda: power_spectrum(NOISE, RATE, window="flat"), "unknown window 'flat'"),
         (lambda: transfer_function(NOISE, NOISE[1:], RATE), "different lengths"),
-        (lambda: transfer_function(NOISE, NOISE, RATE, segment="200 s"), "needs two pieces or more"),
+        (
+            lambda: transfer_function(NOISE, NOISE, RATE, segment="200 s"),
+            "needs two pieces or more",
+        ),
         (lambda: third_octaves(power_spectrum(NOISE[:16], RATE)), "resolves no third-octave band"),
     ],
 )

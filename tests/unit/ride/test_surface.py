@@ -53,7 +53,15 @@ def test_sides_share_the_root_of_the_coherence(sides: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "value"), [("C", C), (" iso:C ", C), ("ISO:c", C), ("64e-6 m^3", 64e-6), ("64 cm^3", 64e-6), (3e-5, 3e-5)]
+    ("text", "value"),
+    [
+        ("C", C),
+        (" iso:C ", C),
+        ("ISO:c", C),
+        ("64e-6 m^3", 64e-6),
+        ("64 cm^3", 64e-6),
+        (3e-5, 3e-5),
+    ],
 )
 def test_degrees_of_roughness(text: str | float, value: float) -> None:
     assert read_roughness(text) == pytest.approx(value, rel=1e-12)
@@ -64,14 +72,23 @@ def test_degrees_of_roughness(text: str | float, value: float) -> None:
     [
         ({"speed": 0.0}, "speed: out of range; found .*0.*; allowed: above 0 m/s"),
         ({"contact_length": "-1 mm"}, "contact_length: out of range; found '-1 mm'"),
-        ({"waviness": 4.0, "band": "iso"}, "waviness: out of range; found 4.*; allowed: above 0, below 4"),
+        (
+            {"waviness": 4.0, "band": "iso"},
+            "waviness: out of range; found 4.*; allowed: above 0, below 4",
+        ),
         ({"waviness": 0.0, "band": "iso"}, "waviness: out of range; found 0"),
         ({"waviness": math.nan, "band": "iso"}, "waviness: out of range"),
         ({"cut_off": 0.0}, "cut_off: out of range; found 0.*; allowed: above 0 1/m"),
         ({"cut_off": math.inf}, "cut_off: out of range"),
-        ({"cut_off": 0.01, "waviness": 1.9, "band": "iso"}, "a cut-off belongs to a road of waviness 2"),
+        (
+            {"cut_off": 0.01, "waviness": 1.9, "band": "iso"},
+            "a cut-off belongs to a road of waviness 2",
+        ),
         ({"road": flat, "cut_off": 0.01}, "a cut-off belongs to a road of waviness 2"),
-        ({"waviness": 1.9}, 'waviness: this needs a band of frequencies; found 1.9.*Give band="iso"'),
+        (
+            {"waviness": 1.9},
+            'waviness: this needs a band of frequencies; found 1.9.*Give band="iso"',
+        ),
         ({"contact_length": 0.1}, "contact_length: this needs a band"),
         ({"sides": "isotropic"}, "sides: this needs a band"),
         ({"sides": "mirrored"}, "relation of left and right.*mirrored"),
@@ -89,7 +106,9 @@ def test_refused(options, words) -> None:
 
 @pytest.mark.parametrize("wrong", [lambda n: -n, lambda n: n * math.nan, lambda n: n[:2]])
 def test_a_function_that_gives_no_densities(wrong) -> None:
-    with pytest.raises(DescriptionError, match="does not give densities; allowed: finite and at least 0"):
+    with pytest.raises(
+        DescriptionError, match="does not give densities; allowed: finite and at least 0"
+    ):
         surface(wrong, 20.0).heights(N)
     assert surface(lambda n: 0.0 * n, 20.0).heights(N).tolist() == [0.0, 0.0, 0.0]
 

@@ -5,7 +5,14 @@ import pytest
 from scipy import signal
 
 import jounce as jn
-from jounce.ride.weighting import WEIGHTINGS, Start, _block_length, _continuation, weight, weighting_response
+from jounce.ride.weighting import (
+    WEIGHTINGS,
+    Start,
+    _block_length,
+    _continuation,
+    weight,
+    weighting_response,
+)
 
 
 def test_a_long_record_is_the_same_as_its_parts() -> None:
@@ -13,7 +20,9 @@ def test_a_long_record_is_the_same_as_its_parts() -> None:
     whole = weight(noise, 1000.0, "Wk")
     first = weight(noise[:150_000], 1000.0, "Wk")
     np.testing.assert_allclose(first[:-600], whole[: first.size - 600], atol=1e-5)
-    assert abs(first - whole[: first.size]).max() < 2e-3  # the last samples feel what is not there yet
+    assert (
+        abs(first - whole[: first.size]).max() < 2e-3
+    )  # the last samples feel what is not there yet
 
 
 def test_nothing_answers_before_it_happens() -> None:
@@ -46,10 +55,20 @@ def test_the_start_is_that_of_the_filter(name: str) -> None:
     """From rest, transient included: against the analog filter as a recursion at ten times the rate."""
     rate, fine = 1000.0, 10_000.0
     time = np.arange(0.0, 6.0, 1.0 / fine)
-    shaken = np.sin(2.0 * np.pi * 3.0 * time) + 0.3 * np.sin(2.0 * np.pi * 0.4 * time) * np.exp(-0.3 * time)
+    shaken = np.sin(2.0 * np.pi * 3.0 * time) + 0.3 * np.sin(2.0 * np.pi * 0.4 * time) * np.exp(
+        -0.3 * time
+    )
     row = WEIGHTINGS[name]
-    numerator, denominator = np.array([1.0, 0.0, 0.0]), np.array([1.0])  # high pass, low pass, transition, step
-    for corner, quality in ((row.f1, 0.5**0.5), (row.f2, 0.5**0.5), (row.f4, row.q4), (row.f6, row.q6)):
+    numerator, denominator = (
+        np.array([1.0, 0.0, 0.0]),
+        np.array([1.0]),
+    )  # high pass, low pass, transition, step
+    for corner, quality in (
+        (row.f1, 0.5**0.5),
+        (row.f2, 0.5**0.5),
+        (row.f4, row.q4),
+        (row.f6, row.q6),
+    ):
         if np.isfinite(corner):
             w = 2.0 * np.pi * corner
             denominator = np.polymul(denominator, [1.0 / w**2, 1.0 / (quality * w), 1.0])
@@ -58,7 +77,9 @@ def test_the_start_is_that_of_the_filter(name: str) -> None:
         numerator = np.polymul(numerator, [1.0 / (2.0 * np.pi * row.f3), 1.0])
     if np.isfinite(row.f5):
         w = 2.0 * np.pi * row.f5
-        numerator = np.polymul(numerator, np.array([1.0 / w**2, 1.0 / (row.q5 * w), 1.0]) * (row.f5 / row.f6) ** 2)
+        numerator = np.polymul(
+            numerator, np.array([1.0 / w**2, 1.0 / (row.q5 * w), 1.0]) * (row.f5 / row.f6) ** 2
+        )
     zeros, poles, gain = signal.tf2zpk(numerator, denominator)
     sections = signal.zpk2sos(*signal.bilinear_zpk(zeros, poles, gain, fine))
     expected = signal.sosfilt(sections, shaken)[::10]
@@ -85,7 +106,12 @@ def test_the_largest_gain_of_wk() -> None:
     [
         ([0.0, 1.0], 1000.0, "Wq", "unknown weighting 'Wq'; allowed: Wc, Wd, We, Wf, Wk"),
         ([0.0, np.nan], 1000.0, "Wk", "sample 2 is not a finite number"),
-        ([0.0, 1.0], 40.0, "Wk", "the sample rate is too low for the weighting; found '40 Hz'; allowed: 50 Hz or more"),
+        (
+            [0.0, 1.0],
+            40.0,
+            "Wk",
+            "the sample rate is too low for the weighting; found '40 Hz'; allowed: 50 Hz or more",
+        ),
         ([0.0, 1.0], np.nan, "Wk", "the sample rate is too low"),
         ([0.0], 1000.0, "Wk", "not a signal"),
         ([[0.0, 1.0]], 1000.0, "Wk", "not a signal"),
@@ -121,5 +147,9 @@ def test_behind_its_end_a_record_is_mirrored_and_fades() -> None:
     rising = _continuation(np.arange(2000.0))
     assert rising.size == 512
     assert (rising[0], rising[255]) == pytest.approx((2000.0, 0.5 * (1999.0 + 256.0)), rel=1e-4)
-    for samples, needed, block in ((1000, 5000, 8192), (400_000, 20_000, 131_072), (10**6, 5000, 65_536)):
+    for samples, needed, block in (
+        (1000, 5000, 8192),
+        (400_000, 20_000, 131_072),
+        (10**6, 5000, 65_536),
+    ):
         assert _block_length(samples, needed) == block

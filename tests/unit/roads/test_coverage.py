@@ -55,19 +55,28 @@ def test_a_run_longer_than_the_road_is_refused() -> None:
     TABLE.check_covers(8.0, behind=2.0)
     BUMP.check_covers(1e6)
     with pytest.raises(
-        DescriptionError, match=r"^trial: the road is shorter than the run; found '7 m driven'; allowed: up to 6 m"
+        DescriptionError,
+        match=r"^trial: the road is shorter than the run; found '7 m driven'; allowed: up to 6 m",
     ):
         TABLE.check_covers(7.0, where="trial")
 
 
 @pytest.mark.parametrize(
-    "road", [BUMP, TABLE, SineSum(), Train(of=BUMP, count=2, pitch=1), HalfSine(height=1, length=1, recurrence=9)]
+    "road",
+    [
+        BUMP,
+        TABLE,
+        SineSum(),
+        Train(of=BUMP, count=2, pitch=1),
+        HalfSine(height=1, length=1, recurrence=9),
+    ],
 )
 def test_a_wheel_so_far_behind_that_the_run_is_lost_in_the_digits_is_refused(road) -> None:
     road.segments(10.0, behind=1e9)
     for behind in (1e14, 1e29, -1e29):
         with pytest.raises(
-            DescriptionError, match=r"too far behind .*; found '-?1e\+(14|29) m'; allowed: up to 1e\+13 m"
+            DescriptionError,
+            match=r"too far behind .*; found '-?1e\+(14|29) m'; allowed: up to 1e\+13 m",
         ):
             road.segments(10.0, behind=behind)
 
@@ -84,7 +93,10 @@ def test_points_of_tables(tmp_path) -> None:
 @pytest.mark.parametrize(
     ("rows", "says"),
     [
-        ("2,0\n1,0\n0,1\n", r"lane\.csv: column 'x \[m\]': x runs backwards; found '2 to 0 m'\. Reverse the order"),
+        (
+            "2,0\n1,0\n0,1\n",
+            r"lane\.csv: column 'x \[m\]': x runs backwards; found '2 to 0 m'\. Reverse the order",
+        ),
         ("0,0\n2,0\n1,1\n", r"x does not ascend from row 2 to row 3"),
         ("0,0\n1,0\n1,1\n", r"x does not ascend from row 2 to row 3; found '1 m, then 1 m'"),
         ("0,0\n1,1\nNaN,NaN\n", r"line 4: column 'x \[m\]': not a finite number; found 'NaN'"),
@@ -101,4 +113,6 @@ def test_refuses_profiles(tmp_path, rows, says) -> None:
 
 def test_uneven_distances_are_taken_as_they_are(tmp_path) -> None:
     (tmp_path / "lane.csv").write_text("x [m],z [m]\n0,0\n1,0.1\n1.5,0\n7,0.2\n")
-    assert load_road(tmp_path / "lane.csv").height_at([0.5, 1.25, 4.25]) == pytest.approx([0.05, 0.05, 0.1])
+    assert load_road(tmp_path / "lane.csv").height_at([0.5, 1.25, 4.25]) == pytest.approx(
+        [0.05, 0.05, 0.1]
+    )

@@ -33,7 +33,12 @@ METHODS = [
 
 @pytest.mark.parametrize("fields", METHODS, ids=lambda f: f["method"])
 def test_windows_of_one_road_agree(fields) -> None:
-    for of in (CLEAT, Train(of=CLEAT, count=3, pitch=0.3), Iso8608(class_="E", length=4, start="-1 m"), SineSum()):
+    for of in (
+        CLEAT,
+        Train(of=CLEAT, count=3, pitch=0.3),
+        Iso8608(class_="E", length=4, start="-1 m"),
+        SineSum(),
+    ):
         road = Enveloped(of=of, **fields)
         x = np.linspace(0.0, 2.9, 800)
         height = road.height_at(x)
@@ -53,13 +58,17 @@ def test_a_level_road_stays_level_and_a_lifted_one_is_lifted(fields) -> None:
     flat = Enveloped(of=Table(x=[0, 10], height=[0.3, 0.3]), **fields).segments(10.0)
     assert np.abs(flat.evaluate(np.linspace(0, 10, 99))[0] - 0.3).max() < 1e-12
     road = Enveloped(of=Step(height=0.02, start=1), **fields)
-    assert road.height_at([1.0 - road.reach(), 1.0 + road.reach() + 1e-9]) == pytest.approx([0.0, 0.02], abs=1e-9)
+    assert road.height_at([1.0 - road.reach(), 1.0 + road.reach() + 1e-9]) == pytest.approx(
+        [0.0, 0.02], abs=1e-9
+    )
     assert road.end() == pytest.approx(1.0 + road.reach())
 
 
 @pytest.mark.parametrize("fields", METHODS, ids=lambda f: f["method"])
 def test_a_belt_loop_and_a_train_of_felt_obstacles(fields) -> None:
-    belt = Enveloped(of=Rectangle(height="20 mm", length="40 mm", start="1 m", recurrence="1.97 m"), **fields)
+    belt = Enveloped(
+        of=Rectangle(height="20 mm", length="40 mm", start="1 m", recurrence="1.97 m"), **fields
+    )
     assert (belt.start, belt.recurrence) == (1.0, 1.97)
     x = np.linspace(0.5, 1.6, 200)
     np.testing.assert_allclose(belt.height_at(x + 1.97), belt.height_at(x), rtol=0, atol=2e-6)
@@ -78,13 +87,20 @@ def test_plain_form_gives_the_road_back() -> None:
 def test_roads_in_files_are_named() -> None:
     roads = read_roads(
         {
-            "felt": {"kind": "enveloped", "of": "bump", "method": "rigid-circle", "radius": "0.3 m"},
+            "felt": {
+                "kind": "enveloped",
+                "of": "bump",
+                "method": "rigid-circle",
+                "radius": "0.3 m",
+            },
             "bump": {"kind": "half-sine", "height": "10 mm", "length": "60 mm", "start": "1 m"},
         }
     )
     assert roads["felt"].of == HalfSine(height=0.01, length=0.06, start=1.0)
     with pytest.raises(DescriptionError, match="the enveloped contains itself: 'felt' of 'felt'"):
-        read_roads({"felt": {"kind": "enveloped", "of": "felt", "method": "rigid-circle", "radius": 0.3}})
+        read_roads(
+            {"felt": {"kind": "enveloped", "of": "felt", "method": "rigid-circle", "radius": 0.3}}
+        )
 
 
 @pytest.mark.parametrize(
@@ -95,7 +111,10 @@ def test_roads_in_files_are_named() -> None:
         ({"method": "rigid-circle", "radius": 0}, "radius: out of range"),
         ({"method": "tandem-cam", "radius": 0.3}, "the method 'tandem-cam' needs contact_length"),
         ({"method": "string", "radius": 0.3}, "method: "),
-        ({"method": "rigid-circle", "radius": 0.3, "start": 3.0}, "start belongs to the road inside"),
+        (
+            {"method": "rigid-circle", "radius": 0.3, "start": 3.0},
+            "start belongs to the road inside",
+        ),
         ({"method": "rigid-circle", "radius": 0.3, "cam_exponent": 1.0}, "cam with corners"),
         ({}, "method: the key is missing"),
     ],
@@ -107,13 +126,17 @@ def test_refuses(fields, says) -> None:
 
 def test_a_wall_is_refused() -> None:
     with pytest.raises(DescriptionError, match="the wheel meets a wall"):
-        Enveloped(of=Step(height="0.35 m", start="1 m"), method="rigid-circle", radius="0.3 m").segments(3.0)
+        Enveloped(
+            of=Step(height="0.35 m", start="1 m"), method="rigid-circle", radius="0.3 m"
+        ).segments(3.0)
 
 
 def test_length_of_the_contact() -> None:
     # domain D3: a = R0 [q1 sqrt(Fz/(cz R0)) + q2 Fz/(cz R0)], q1 = .671, q2 = .733
     share = 4000.0 / (200e3 * 0.32)
-    assert contact_length(4000.0, 200e3, 0.32) == pytest.approx(0.64 * (0.671 * share**0.5 + 0.733 * share), rel=1e-12)
+    assert contact_length(4000.0, 200e3, 0.32) == pytest.approx(
+        0.64 * (0.671 * share**0.5 + 0.733 * share), rel=1e-12
+    )
     for wrong in ((0.0, 200e3, 0.32), (4e3, 0.0, 0.32), (4e3, 200e3, -0.1)):
         with pytest.raises(DescriptionError, match="not a loaded tyre"):
             contact_length(*wrong)
@@ -122,7 +145,12 @@ def test_length_of_the_contact() -> None:
 
 def test_how_far_a_tyre_feels() -> None:
     cams = Enveloped(of=CLEAT, **METHODS[2])
-    assert (cams.cam_length, cams.cam_height, cams.cam_exponent, cams.cam_distance) == (1.471, 0.9622, 1.5174, 0.8335)
+    assert (cams.cam_length, cams.cam_height, cams.cam_exponent, cams.cam_distance) == (
+        1.471,
+        0.9622,
+        1.5174,
+        0.8335,
+    )
     reaches = [Enveloped(of=CLEAT, **fields).reach() for fields in METHODS]
     assert reaches == pytest.approx([0.06, 0.3, 0.3 * 1.471 + 0.5 * 0.8335 * 0.12])
 
@@ -141,7 +169,9 @@ def test_curvatures_and_cubics_are_those_of_their_definitions() -> None:
     road = Segments(edges, np.array([SINE, POLYNOMIAL]), coefficients)
     piece, x, step = np.array([0, 0, 1, 1]), np.array([0.2, 0.7, 1.4, 2.2]), 1e-5
     slopes = [road.on_pieces(piece, x + side * step)[1] for side in (-1.0, 1.0)]
-    np.testing.assert_allclose(_curvature(road, piece, x), (slopes[1] - slopes[0]) / (2.0 * step), rtol=1e-7)
+    np.testing.assert_allclose(
+        _curvature(road, piece, x), (slopes[1] - slopes[0]) / (2.0 * step), rtol=1e-7
+    )
     spline = CubicHermiteSpline([2.0, 2.5], [0.3, 0.7], [-0.4, 0.9])
     ends = (np.array([0.3]), np.array([-0.4])), (np.array([0.7]), np.array([0.9]))
     for share in (0.3, 0.5, 0.8):
@@ -169,7 +199,9 @@ def test_small_kinks_are_found_and_kept() -> None:
     hollow = Table(x=[0.0, 1.01, 3.0], height=[1.01 * steep, 0.0, 1.99 * steep])
     felt = Enveloped(of=hollow, method="rigid-circle", radius=0.3, step=0.04).segments(2.9)
     assert np.abs(felt.edges - 1.01).min() < 1e-8
-    np.testing.assert_allclose(felt.evaluate(np.array([1.0099, 1.0101]))[1], [-steep, steep], rtol=1e-9)
+    np.testing.assert_allclose(
+        felt.evaluate(np.array([1.0099, 1.0101]))[1], [-steep, steep], rtol=1e-9
+    )
 
 
 def test_areas_are_the_integrals_of_heights() -> None:
@@ -190,4 +222,6 @@ def test_the_last_piece_of_a_window_is_as_true_as_the_others() -> None:
     felt = Enveloped(of=waves, method="rigid-circle", radius=0.2, step=0.5)
     fine = Enveloped(of=waves, method="rigid-circle", radius=0.2, step=0.002)
     x = np.linspace(0.0, 2.9, 2901)
-    np.testing.assert_allclose(felt.segments(2.9).evaluate(x)[0], fine.height_at(x), rtol=0, atol=3e-6)
+    np.testing.assert_allclose(
+        felt.segments(2.9).evaluate(x)[0], fine.height_at(x), rtol=0, atol=3e-6
+    )

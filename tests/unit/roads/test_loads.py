@@ -42,7 +42,9 @@ def test_a_ramp():
 
 def test_points():
     load = PitchMoment(time=["0.2 s", 0.6, 1.5], values=["10 N*m", -20.0, 5.0])
-    np.testing.assert_allclose(at(load)[0], np.interp(TIMES, [0.2, 0.6, 1.5], [10.0, -20.0, 5.0]), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(
+        at(load)[0], np.interp(TIMES, [0.2, 0.6, 1.5], [10.0, -20.0, 5.0]), rtol=0, atol=1e-12
+    )
 
 
 @pytest.mark.parametrize("duration", [0.3, 0.5, 0.51, 1.0, 1.5, 5.0])
@@ -50,14 +52,20 @@ def test_points():
     ("load", "times", "values"),
     [
         (PitchMoment(value=7.0, start=0.5, ramp=1.0), [0.5, 1.5], [0.0, 7.0]),
-        (PitchMoment(time=[0.0, 0.5, 4.0], values=[1.0, 2.0, -5.0]), [0.0, 0.5, 4.0], [1.0, 2.0, -5.0]),
+        (
+            PitchMoment(time=[0.0, 0.5, 4.0], values=[1.0, 2.0, -5.0]),
+            [0.0, 0.5, 4.0],
+            [1.0, 2.0, -5.0],
+        ),
         (PitchMoment(time=[0.5, 3.0], values=[1.0, 9.0]), [0.5, 3.0], [1.0, 9.0]),
     ],
 )
 def test_the_run_may_end_before_the_load_does(load, times, values, duration):
     """A shorter run sees the same load, only less of it."""
     t = np.linspace(0.0, duration, 23)
-    np.testing.assert_allclose(at(load, t, duration)[0], np.interp(t, times, values), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(
+        at(load, t, duration)[0], np.interp(t, times, values), rtol=0, atol=1e-12
+    )
 
 
 def test_a_load_that_never_comes():

@@ -30,18 +30,28 @@ INCH = 0.0254
     ("file", "recomputed", "header"),
     [
         (ONE_INCH, 0.95732, 0.96944),  # header comment "Detrended RMS = 0.96944 in"
-        (FILES / "detrended_rms_course_3in.crg", 2.31545, 2.3164),  # header comment "Detrended RMS = 2.3164 in"
+        (
+            FILES / "detrended_rms_course_3in.crg",
+            2.31545,
+            2.3164,
+        ),  # header comment "Detrended RMS = 2.3164 in"
     ],
 )
-def test_the_measured_courses_have_the_roughness_their_headers_say(file, recomputed, header) -> None:
+def test_the_measured_courses_have_the_roughness_their_headers_say(
+    file, recomputed, header
+) -> None:
     u, z = read_crg_profile(file)
     undulated = (u >= 100.0) & (u <= 404.8)  # header: starts at 100 m, 304.8 m long
     rms = np.sqrt(np.mean(z[undulated] ** 2)) / INCH
     assert rms == pytest.approx(recomputed, abs=2e-5)
-    assert rms == pytest.approx(header, rel=0.015)  # the header is of the source file, before resampling
+    assert rms == pytest.approx(
+        header, rel=0.015
+    )  # the header is of the source file, before resampling
     assert not z[~undulated].any()
     assert u[-1] == pytest.approx(504.75, abs=1e-9)
-    assert len(u) == 10096  # 504.75 m / 0.05 m + 1: the NaN that pad the last 80 bytes are no heights
+    assert (
+        len(u) == 10096
+    )  # 504.75 m / 0.05 m + 1: the NaN that pad the last 80 bytes are no heights
 
 
 def test_binary_heights_are_those_in_the_file() -> None:
@@ -53,19 +63,25 @@ def test_binary_heights_are_those_in_the_file() -> None:
     grid = raw[: 10096 * 3].reshape(10096, 3)
     for v, column in ((-3.0, 0), (0.0, 1), (3.0, 2)):
         np.testing.assert_array_equal(read_crg_profile(ONE_INCH, v)[1], grid[:, column])
-    np.testing.assert_allclose(read_crg_profile(ONE_INCH, 1.5)[1], 0.5 * (grid[:, 1] + grid[:, 2]), rtol=0, atol=1e-16)
+    np.testing.assert_allclose(
+        read_crg_profile(ONE_INCH, 1.5)[1], 0.5 * (grid[:, 1] + grid[:, 2]), rtol=0, atol=1e-16
+    )
 
 
 def test_the_halfround_obstacle_is_four_inches_high() -> None:
     road = Crg(file=FILES / "halfround_4in.crg", start="-49 m")
     x = np.linspace(0.0, 5.0, 5001)
     z = road.height_at(x)
-    assert z.max() == pytest.approx(4 * INCH, rel=2e-4)  # sampled at 10 mm: the crest lies between two samples
+    assert z.max() == pytest.approx(
+        4 * INCH, rel=2e-4
+    )  # sampled at 10 mm: the crest lies between two samples
     assert x[z > 0][[0, -1]] == pytest.approx([1.0, 1.21], abs=0.01)
     assert z[0] == 0.0
 
 
-@pytest.mark.parametrize("name", ["handmade_straight", "handmade_straight_minimalist", "handmade_straight_double"])
+@pytest.mark.parametrize(
+    "name", ["handmade_straight", "handmade_straight_minimalist", "handmade_straight_double"]
+)
 def test_handmade_text_files(name) -> None:
     u, z = read_crg_profile(FILES / f"{name}.crg")
     np.testing.assert_array_equal(u, np.arange(23.0))
@@ -81,12 +97,16 @@ def test_slope_of_the_reference_line_is_integrated() -> None:
     _, z = read_crg_profile(FILES / "handmade_sloped.crg")
     level = read_crg_profile(FILES / "handmade_straight.crg")[1]
     slope = 0.011 * np.array([0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0])
-    np.testing.assert_allclose(z - level, np.concatenate([[0], np.cumsum(slope)]), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(
+        z - level, np.concatenate([[0], np.cumsum(slope)]), rtol=0, atol=1e-12
+    )
 
 
 def test_banking_raises_the_left_and_lowers_the_right() -> None:
     file = FILES / "handmade_banked.crg"
-    banking = 0.011 * np.array([0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0])
+    banking = 0.011 * np.array(
+        [0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0]
+    )
     level = FILES / "handmade_straight.crg"
     # the same sections 2 to 6 lie at other offsets in the two files
     for v, v_level in ((-1.25, -1.0), (-1.0, -0.5), (0.0, 0.0), (1.0, 0.5), (1.25, 1.0)):
@@ -102,13 +122,17 @@ def test_banking_raises_the_left_and_lowers_the_right() -> None:
     tolerance="double precision",
     compares="heights along straight, banked and sloped roads",
 )
-@pytest.mark.parametrize(("name", "v"), [("handmade_banked", 0.3), ("handmade_sloped", -1.4), ("halfround_4in", 0.7)])
+@pytest.mark.parametrize(
+    ("name", "v"), [("handmade_banked", 0.3), ("handmade_sloped", -1.4), ("halfround_4in", 0.7)]
+)
 def test_agrees_with_the_evaluation_of_pyopencrg(name, v) -> None:
     import pyopencrg
 
     road = pyopencrg.read(FILES / f"{name}.crg")
     u = np.linspace(0.0, road.length, 3000)[1:-1]
-    np.testing.assert_allclose(Crg(file=FILES / f"{name}.crg", v=v).height_at(u), road.uv_to_z(u, v), rtol=0, atol=1e-9)
+    np.testing.assert_allclose(
+        Crg(file=FILES / f"{name}.crg", v=v).height_at(u), road.uv_to_z(u, v), rtol=0, atol=1e-9
+    )
 
 
 def test_modifiers_of_the_file_are_applied(tmp_path) -> None:
@@ -116,7 +140,10 @@ def test_modifiers_of_the_file_are_applied(tmp_path) -> None:
     file = tmp_path / "scaled.crg"
     file.write_text(f"$ROAD_CRG_MODS\nSCALE_Z_GRID = 2.0\n$\n{text}")
     np.testing.assert_allclose(
-        read_crg_profile(file)[1], 2.0 * read_crg_profile(FILES / "handmade_straight.crg")[1], rtol=0, atol=1e-12
+        read_crg_profile(file)[1],
+        2.0 * read_crg_profile(FILES / "handmade_straight.crg")[1],
+        rtol=0,
+        atol=1e-12,
     )
 
 
@@ -158,7 +185,9 @@ def test_damage_is_refused(tmp_path) -> None:
     content = bytearray(ONE_INCH.read_bytes())
     file = tmp_path / "damaged.crg"
     file.write_bytes(content[:60_000] + content[60_001:])  # one byte lost
-    with pytest.raises(RecordingError, match="damaged or contradicts itself: size of the binary data"):
+    with pytest.raises(
+        RecordingError, match="damaged or contradicts itself: size of the binary data"
+    ):
         read_crg_profile(file)
     start = content.index(b"\n$$$$") + 1
     start = content.index(b"\n", start) + 1
@@ -180,10 +209,18 @@ def test_damage_is_refused(tmp_path) -> None:
 def test_contradictions_are_refused_not_guessed(tmp_path) -> None:
     text = (FILES / "handmade_sloped.crg").read_text()
     file = tmp_path / "edited.crg"
-    file.write_text(text.replace("REFERENCE_LINE_END_U     = 22.0", "REFERENCE_LINE_END_U     = 44.0"))
-    with pytest.raises(RecordingError, match="header u range gives 45 cross sections but the file has 23"):
+    file.write_text(
+        text.replace("REFERENCE_LINE_END_U     = 22.0", "REFERENCE_LINE_END_U     = 44.0")
+    )
+    with pytest.raises(
+        RecordingError, match="header u range gives 45 cross sections but the file has 23"
+    ):
         read_crg_profile(file)
-    file.write_text("\n".join(line for line in text.splitlines() if not line.startswith("D:reference line slope")))
+    file.write_text(
+        "\n".join(
+            line for line in text.splitlines() if not line.startswith("D:reference line slope")
+        )
+    )
     with pytest.raises(RecordingError, match="row 1 of the data holds more than the 7 channels"):
         read_crg_profile(file)
     file.write_text(text.replace("0.0111111", "0.01O1111", 1))
@@ -208,7 +245,9 @@ def test_the_lateral_offset_chooses_the_track() -> None:
 
 
 @pytest.mark.parametrize(("channels", "longest"), [(3, 30), (8, 80), (11, 80)])
-def test_rows_that_hold_more_than_the_header_says(tmp_path, monkeypatch, channels: int, longest: int) -> None:
+def test_rows_that_hold_more_than_the_header_says(
+    tmp_path, monkeypatch, channels: int, longest: int
+) -> None:
     """Ten columns a value, and eighty a row, over which the values of many channels go on."""
     import pyopencrg.io
 
@@ -218,4 +257,6 @@ def test_rows_that_hold_more_than_the_header_says(tmp_path, monkeypatch, channel
     file.write_text(f"{'1' * longest}\n{'2' * longest}   \n")
     assert _overlong_rows(str(file)) == []
     file.write_text(f"{'1' * longest}\n{'2' * (longest + 1)}\n")
-    assert _overlong_rows(str(file)) == [f"row 2 of the data holds more than the {channels} channels of the header"]
+    assert _overlong_rows(str(file)) == [
+        f"row 2 of the data holds more than the {channels} channels of the header"
+    ]

@@ -81,12 +81,16 @@ def test_load_road_takes_every_kind_of_file(tmp_path) -> None:
         'kind = "train"\nof = {kind = "half-sine", height = "10 mm", length = "60 mm"}\ncount = 5\npitch = 0.1\n'
     )
     assert load_road(road).end() == pytest.approx(0.46, abs=1e-12)
-    road.write_text('schema = "jounce.road/1"\nkind = "half-sine"\nheight = "10 mm"\nlength = "60 mm"\n')
+    road.write_text(
+        'schema = "jounce.road/1"\nkind = "half-sine"\nheight = "10 mm"\nlength = "60 mm"\n'
+    )
     assert load_road(str(road)) == HalfSine(height=0.01, length=0.06)
     (tmp_path / "lane.csv").write_text("x [m],z [mm]\n0,0\n1,5\n")
     assert isinstance(load_road(tmp_path / "lane.csv"), Table)
     assert isinstance(load_road(FILES / "halfround_4in.crg"), Crg)
-    assert load_road("detrended_rms_course_1in") == Crg(file=road_library()["detrended_rms_course_1in"])
+    assert load_road("detrended_rms_course_1in") == Crg(
+        file=road_library()["detrended_rms_course_1in"]
+    )
 
 
 def test_every_shipped_course_loads_and_has_source_and_licence() -> None:
@@ -104,11 +108,23 @@ def test_every_shipped_course_loads_and_has_source_and_licence() -> None:
             'kind = "half-sin"\n',
             r"road\.toml, line 1: kind: unknown kind of road 'half-sin'; allowed: .*Did you mean 'half-sine'\?",
         ),
-        ('height = "10 mm"\n', r"road\.toml: the key 'kind' is missing; allowed: circular-segment, crg"),
+        (
+            'height = "10 mm"\n',
+            r"road\.toml: the key 'kind' is missing; allowed: circular-segment, crg",
+        ),
         ('kind = "half-sine"\nheight = "10 mm"\n', r"road\.toml: length: the key is missing"),
-        ('kind = "half-sine"\nheight = "10 mm"\nlength = 0\n', r"road\.toml, line 3: length: out of range"),
-        ('kind = "train"\nof = "A"\ncount = 2\npitch = 1\n', r"road\.toml, line 2: of: a road file has no other roads"),
-        ('kind = "train"\nof = 3\ncount = 2\npitch = 1\n', r"road\.toml, line 2: of: not a road; found 3"),
+        (
+            'kind = "half-sine"\nheight = "10 mm"\nlength = 0\n',
+            r"road\.toml, line 3: length: out of range",
+        ),
+        (
+            'kind = "train"\nof = "A"\ncount = 2\npitch = 1\n',
+            r"road\.toml, line 2: of: a road file has no other roads",
+        ),
+        (
+            'kind = "train"\nof = 3\ncount = 2\npitch = 1\n',
+            r"road\.toml, line 2: of: not a road; found 3",
+        ),
         ('kind = "train"\ncount = 2\npitch = 1\n', r"of: the key is missing"),
         (
             'schema = "jounce.rig/1"\nkind = "flat"\n',
@@ -128,7 +144,8 @@ def test_road_files_with_mistakes(tmp_path, text, says) -> None:
 
 def test_files_that_are_no_roads(tmp_path) -> None:
     with pytest.raises(
-        DescriptionError, match=r"no such file and no shipped road.*Did you mean 'detrended_rms_course_1in'"
+        DescriptionError,
+        match=r"no such file and no shipped road.*Did you mean 'detrended_rms_course_1in'",
     ):
         load_road("detrended_rms_course_1inch")
     (tmp_path / "photo.png").write_bytes(b"\x89PNG")
@@ -177,11 +194,18 @@ def test_named_roads_with_mistakes(tables, says) -> None:
 
 
 def test_mistakes_name_file_and_line(tmp_path) -> None:
-    text = '[roads.A]\nkind = "step"\nheight = "10 mm"\n[roads.B]\nkind = "step"\nheight = "ten mm"\n'
-    with pytest.raises(DescriptionError, match=r"campaign\.toml, line 6: roads\.B\.height: not a number with a unit"):
+    text = (
+        '[roads.A]\nkind = "step"\nheight = "10 mm"\n[roads.B]\nkind = "step"\nheight = "ten mm"\n'
+    )
+    with pytest.raises(
+        DescriptionError,
+        match=r"campaign\.toml, line 6: roads\.B\.height: not a number with a unit",
+    ):
         from_text(tmp_path, text)
 
 
 def test_every_kind_is_registered_under_its_own_name() -> None:
-    assert {name: kind.model_fields["kind"].default for name, kind in ROADS.items()} == {name: name for name in ROADS}
+    assert {name: kind.model_fields["kind"].default for name, kind in ROADS.items()} == {
+        name: name for name in ROADS
+    }
     assert len(ROADS) == 20

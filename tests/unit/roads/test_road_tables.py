@@ -31,8 +31,12 @@ def test_a_cubic_table_gives_a_cubic_back() -> None:
     x = np.array([0.0, 0.3, 1.1, 1.9, 3.0])
     road = Table(x=x, height=0.01 - 0.02 * x + 0.03 * x**2 - 0.01 * x**3, interpolation="cubic")
     at = np.linspace(0, 2.99, 200)
-    np.testing.assert_allclose(road.height_at(at), 0.01 - 0.02 * at + 0.03 * at**2 - 0.01 * at**3, rtol=0, atol=1e-15)
-    np.testing.assert_allclose(road.slope_at(at), -0.02 + 0.06 * at - 0.03 * at**2, rtol=0, atol=1e-14)
+    np.testing.assert_allclose(
+        road.height_at(at), 0.01 - 0.02 * at + 0.03 * at**2 - 0.01 * at**3, rtol=0, atol=1e-15
+    )
+    np.testing.assert_allclose(
+        road.slope_at(at), -0.02 + 0.06 * at - 0.03 * at**2, rtol=0, atol=1e-14
+    )
 
 
 @pytest.mark.parametrize("interpolation", ["linear", "cubic"])
@@ -62,13 +66,22 @@ def test_units_arrays_and_a_closed_loop() -> None:
         ({"x": [0, 1]}, "x has 2 values and height has 0"),
         ({"x": [0, 1], "height": [0, 1, 2]}, "x has 2 values and height has 3"),
         ({"x": [0], "height": [0]}, "1 points; linear interpolation needs at least 2"),
-        ({"x": [0, 1, 2], "height": [0, 0, 0], "interpolation": "cubic"}, "3 points; cubic .* at least 4"),
+        (
+            {"x": [0, 1, 2], "height": [0, 0, 0], "interpolation": "cubic"},
+            "3 points; cubic .* at least 4",
+        ),
         ({"x": [0, 2, 2], "height": [0, 1, 2]}, r"x\[2\] = 2 does not lie above x\[1\] = 2"),
         ({"x": [0, 2, 1], "height": [0, 1, 2]}, r"x\[2\] = 1 does not lie above x\[1\] = 2"),
         ({"x": [0, float("nan")], "height": [0, 1]}, r"x\[1\]: not a finite number"),
         ({"x": [0, 1], "height": [0, "1"]}, r"height\[1\]: the unit is missing"),
-        ({"x": [0, 1], "height": [0, 1], "file": "profile.csv"}, "points and a file are both given"),
-        ({"x": [0, 1], "height": [0, 1], "interpolation": "spline"}, "interpolation: .*found 'spline'"),
+        (
+            {"x": [0, 1], "height": [0, 1], "file": "profile.csv"},
+            "points and a file are both given",
+        ),
+        (
+            {"x": [0, 1], "height": [0, 1], "interpolation": "spline"},
+            "interpolation: .*found 'spline'",
+        ),
     ],
 )
 def test_refuses_points(fields, says) -> None:
@@ -80,7 +93,9 @@ def test_reads_a_file_in_any_unit_and_order(tmp_path) -> None:
     file = tmp_path / "profile.csv"
     file.write_text("# scanned\nz [mm];quality;x [m]\n1;9;0\n11;9;2\n-4;9;5\n")
     road = Table(file=file)
-    np.testing.assert_allclose(road.height_at([0, 1, 2, 7]), [0.001, 0.006, 0.011, -0.004], rtol=0, atol=1e-15)
+    np.testing.assert_allclose(
+        road.height_at([0, 1, 2, 7]), [0.001, 0.006, 0.011, -0.004], rtol=0, atol=1e-15
+    )
     assert road.end() == 5.0
     file.write_text("x [m],z [mm]\n0,1\n1,2\n")  # the file is read again when it has changed
     assert road.end() == 1.0
@@ -89,17 +104,33 @@ def test_reads_a_file_in_any_unit_and_order(tmp_path) -> None:
 @pytest.mark.parametrize(
     ("content", "error", "says"),
     [
-        ("x [m],height [m]\n0,0\n1,1\n", RecordingError, r"profile\.csv: no column 'z'; found 'x \[m\], height \[m\]'"),
-        ("x,z [m]\n0,0\n1,1\n", RecordingError, r"column 'x': the header has no unit; allowed: 'x \[m\]'"),
+        (
+            "x [m],height [m]\n0,0\n1,1\n",
+            RecordingError,
+            r"profile\.csv: no column 'z'; found 'x \[m\], height \[m\]'",
+        ),
+        (
+            "x,z [m]\n0,0\n1,1\n",
+            RecordingError,
+            r"column 'x': the header has no unit; allowed: 'x \[m\]'",
+        ),
         ("x [s],z [m]\n0,0\n1,1\n", DescriptionError, r"column 'x \[s\]': wrong unit"),
         ("x [m],z [m]\n0,0\n", RecordingError, "too few rows; found 1; allowed: at least 2"),
-        ("x [mm],z [m]\n0,0\n2000,1\n1000,1\n", RecordingError, "row 2 to row 3; found '2 m, then 1 m'"),
+        (
+            "x [mm],z [m]\n0,0\n2000,1\n1000,1\n",
+            RecordingError,
+            "row 2 to row 3; found '2 m, then 1 m'",
+        ),
         (
             "x [m],z [m]\n0,0\n1,-9999\n2,0\n",
             RecordingError,
             "height jumps implausibly from row 1 to row 2.*-9999 m'. Fill the gap",
         ),
-        ("x [m],z [m]\n0,0\n1,\n", RecordingError, r"profile\.csv, line 3: column 'z \[m\]': the cell is blank"),
+        (
+            "x [m],z [m]\n0,0\n1,\n",
+            RecordingError,
+            r"profile\.csv, line 3: column 'z \[m\]': the cell is blank",
+        ),
     ],
 )
 def test_refuses_files(tmp_path, content, error, says) -> None:

@@ -16,7 +16,16 @@ from jounce.roughness.spectra import (
     white_noise_intensity,
 )
 
-MEANS = {"A": 16, "B": 64, "C": 256, "D": 1024, "E": 4096, "F": 16384, "G": 65536, "H": 262144}  # domain D1, 1e-6 m^3
+MEANS = {
+    "A": 16,
+    "B": 64,
+    "C": 256,
+    "D": 1024,
+    "E": 4096,
+    "F": 16384,
+    "G": 65536,
+    "H": 262144,
+}  # domain D1, 1e-6 m^3
 
 
 @pytest.mark.source(
@@ -34,7 +43,9 @@ def test_means_and_limits_of_the_classes(name, mean) -> None:
     # the limits lie at half and at twice the mean
     assert roughness_class(mean * 0.501e-6) == name
     assert roughness_class(mean * 1.999e-6) == name
-    assert Iso8608(class_=name.lower(), length=100).degree_of_roughness == pytest.approx(mean * 1e-6, rel=1e-12)
+    assert Iso8608(class_=name.lower(), length=100).degree_of_roughness == pytest.approx(
+        mean * 1e-6, rel=1e-12
+    )
 
 
 def test_classes_end_at_a_and_h() -> None:
@@ -61,7 +72,9 @@ def test_density_in_cycles_and_in_radians() -> None:
     ("name", "intensity"), [("A", 6.3165e-5), ("B", 2.5266e-4), ("C", 1.0106e-3), ("D", 4.0426e-3)]
 )
 def test_white_noise_of_the_classes(name, intensity) -> None:
-    assert white_noise_intensity(name, 20.0) == pytest.approx(intensity, rel=5e-5)  # domain D1, 20 m/s
+    assert white_noise_intensity(name, 20.0) == pytest.approx(
+        intensity, rel=5e-5
+    )  # domain D1, 20 m/s
 
 
 def test_filtered_noise_has_the_density_of_the_road() -> None:
@@ -113,9 +126,13 @@ def test_begins_and_ends_level(interpolation) -> None:
     assert road.height_at([-3.0, 0.0, 5.0, 305.0, 400.0]).tolist() == [0.0] * 5
     assert road.end() == 305.0
     assert abs(float(road.slope_at(5.0))) < 1e-3
-    assert abs(float(road.height_at(5.5))) < 1e-3  # 0.5 m into a fade of 10 m: at most 0.6 % of the height is left
+    assert (
+        abs(float(road.height_at(5.5))) < 1e-3
+    )  # 0.5 m into a fade of 10 m: at most 0.6 % of the height is left
     assert road.segments(400.0).edges[[1, -2]].tolist() == [5.0, 305.0]
-    whole = Iso8608(class_="D", length="300 m", start="5 m", interpolation=interpolation, run_in=0.0)
+    whole = Iso8608(
+        class_="D", length="300 m", start="5 m", interpolation=interpolation, run_in=0.0
+    )
     x = np.linspace(15.0, 294.9, 3000)  # nothing is changed between the fades
     np.testing.assert_allclose(road.height_at(x), whole.height_at(x), rtol=0, atol=1e-12)
     assert abs(whole.points()[1].mean()) < 0.05
@@ -127,12 +144,16 @@ def test_behind_the_front_wheel_and_inside_the_road() -> None:
     shifted = Iso8608(class_="C", length=100, seed=1).height_at(x + 20.0)
     np.testing.assert_allclose(road.height_at(x), shifted, rtol=0, atol=1e-14)
     rear = road.segments(60.0, behind=2.9)
-    np.testing.assert_allclose(rear.evaluate(x[500:1500])[0], road.height_at(x[500:1500] - 2.9), rtol=0, atol=1e-13)
+    np.testing.assert_allclose(
+        rear.evaluate(x[500:1500])[0], road.height_at(x[500:1500] - 2.9), rtol=0, atol=1e-13
+    )
 
 
 def test_a_belt_loop_of_rough_road() -> None:
     road = Iso8608(class_="C", length=100, recurrence=100.0)
-    np.testing.assert_allclose(road.height_at([33.0, 133.0, 933.0]), road.height_at(33.0), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(
+        road.height_at([33.0, 133.0, 933.0]), road.height_at(33.0), rtol=0, atol=1e-14
+    )
 
 
 def test_the_other_track() -> None:
@@ -142,7 +163,9 @@ def test_the_other_track() -> None:
     assert right.other_track() == left
     narrow = Iso8608(class_="C", length=500, seed=1, side="right", track="1 mm")
     zl, zr, zn = (road.points()[1] for road in (left, right, narrow))
-    np.testing.assert_allclose(zn, zl, rtol=0, atol=0.02 * zl.std())  # tracks that lie together are one
+    np.testing.assert_allclose(
+        zn, zl, rtol=0, atol=0.02 * zl.std()
+    )  # tracks that lie together are one
     assert 0.5 < np.corrcoef(zl, zr)[0, 1] < 0.999  # long waves are common to both
     slopes = np.corrcoef(np.diff(zl), np.diff(zr))[0, 1]
     assert -0.1 < slopes < 0.2  # short ones are not
@@ -152,7 +175,13 @@ def test_the_other_track() -> None:
 def test_plain_form_and_table_give_the_same_road() -> None:
     road = Iso8608(class_="C", length=100, side="right", band=["0.02 1/m", 2.0])
     assert Iso8608.model_validate_json(road.model_dump_json()) == road
-    table = {"kind": "iso-8608", "class": "c", "length": "100 m", "side": "right", "band": [0.02, "2 1/m"]}
+    table = {
+        "kind": "iso-8608",
+        "class": "c",
+        "length": "100 m",
+        "side": "right",
+        "band": [0.02, "2 1/m"],
+    }
     assert read_roads({"rough": table})["rough"] == road
 
 
@@ -173,8 +202,14 @@ def test_roads_by_the_name_of_their_class() -> None:
     ("fields", "says"),
     [
         ({"length": 100}, "neither a class nor a roughness is given"),
-        ({"length": 100, "class": "A", "roughness": 1e-6}, "both a class and a roughness are given"),
-        ({"length": 100, "class": "I"}, "class: unknown road class 'I'; allowed: A, B, C, D, E, F, G, H"),
+        (
+            {"length": 100, "class": "A", "roughness": 1e-6},
+            "both a class and a roughness are given",
+        ),
+        (
+            {"length": 100, "class": "I"},
+            "class: unknown road class 'I'; allowed: A, B, C, D, E, F, G, H",
+        ),
         ({"length": 100, "class": 3}, "class: "),
         ({"length": 100, "roughness": "256 mm"}, "roughness: wrong unit"),
         ({"length": 100, "roughness": 0}, "roughness: out of range"),
@@ -182,7 +217,10 @@ def test_roads_by_the_name_of_their_class() -> None:
         ({"class": "C", "length": 0}, "length: out of range"),
         ({"class": "C", "length": 100, "step": 0}, "step: out of range"),
         ({"class": "C", "length": 100, "step": 60}, "cannot represent waves of 0.011 1/m and more"),
-        ({"class": "C", "length": 100, "run_in": 51}, r"two fades of 51 m do not fit into the length 100 m"),
+        (
+            {"class": "C", "length": 100, "run_in": 51},
+            r"two fades of 51 m do not fit into the length 100 m",
+        ),
         ({"class": "C", "length": 100, "band": [2, 1]}, "band: 1 1/m does not lie above 2 1/m"),
         ({"class": "C", "length": 100, "seed": -1}, "seed: "),
         ({"class": "C", "length": 100, "seed": 1.5}, "seed: "),
@@ -208,17 +246,28 @@ def test_the_benchmark_has_its_level_and_its_period() -> None:
     amplitude = np.sqrt(2.0 * 256e-6 * (0.01 * i / 0.1) ** -2.0 * 0.01)
     angle = 2.0 * np.pi * 0.01 * i * np.linspace(-150.0, 250.0, 401)[:, None] + phase
     at = np.linspace(-150.0, 250.0, 401)
-    np.testing.assert_allclose(road.height_at(at), (amplitude * np.cos(angle)).sum(axis=1), rtol=0, atol=1e-11)
+    np.testing.assert_allclose(
+        road.height_at(at), (amplitude * np.cos(angle)).sum(axis=1), rtol=0, atol=1e-11
+    )
     between = road.height_at(0.01 + 0.02 * np.arange(5000))  # halfway between the points
-    exact = (amplitude * np.cos(2.0 * np.pi * 0.01 * i * (0.01 + 0.02 * np.arange(5000))[:, None] + phase)).sum(axis=1)
+    exact = (
+        amplitude
+        * np.cos(2.0 * np.pi * 0.01 * i * (0.01 + 0.02 * np.arange(5000))[:, None] + phase)
+    ).sum(axis=1)
     np.testing.assert_allclose(between, exact, rtol=0, atol=5e-7)
 
 
 def test_the_benchmark_has_the_level_that_is_asked_for() -> None:
     x = np.linspace(0.0, 99.0, 50)
     default = SineSum().height_at(x)
-    for fields, share in (({"class_": "C"}, 1.0), ({"class_": "A"}, 0.25), ({"roughness": 64e-6}, 0.5)):
-        np.testing.assert_allclose(SineSum(**fields).height_at(x), share * default, rtol=0, atol=1e-12)
+    for fields, share in (
+        ({"class_": "C"}, 1.0),
+        ({"class_": "A"}, 0.25),
+        ({"roughness": 64e-6}, 0.5),
+    ):
+        np.testing.assert_allclose(
+            SineSum(**fields).height_at(x), share * default, rtol=0, atol=1e-12
+        )
 
 
 def test_the_waves_of_the_benchmark_meet_once_a_period() -> None:
@@ -235,7 +284,9 @@ def test_the_benchmark_has_no_beginning() -> None:
     x = np.linspace(0.0, 99.0, 500)
     rear = road.segments(100.0, behind=130.0)
     np.testing.assert_allclose(rear.evaluate(x)[0], road.height_at(x + 70.0), rtol=0, atol=1e-12)
-    assert np.abs(np.diff(road.segments(250.0).evaluate(np.linspace(0, 249, 100_000))[0])).max() < 1e-3  # no jump
+    assert (
+        np.abs(np.diff(road.segments(250.0).evaluate(np.linspace(0, 249, 100_000))[0])).max() < 1e-3
+    )  # no jump
 
 
 @pytest.mark.parametrize(
@@ -280,7 +331,9 @@ def test_coherence_of_the_models() -> None:
     # w = 3: gamma = (1 + y) exp(-y), the Bessel function of order 3/2 in closed form
     n = np.array([0.01, 0.1, 0.3])
     y = 2.0 * np.pi * n * 1.5
-    assert track_coherence(n, 1.5, waviness=3.0) == pytest.approx(((1.0 + y) * np.exp(-y)) ** 2, rel=1e-12)
+    assert track_coherence(n, 1.5, waviness=3.0) == pytest.approx(
+        ((1.0 + y) * np.exp(-y)) ** 2, rel=1e-12
+    )
 
 
 @pytest.mark.parametrize(
@@ -291,7 +344,11 @@ def test_coherence_of_the_models() -> None:
         (np.arange(30.0), np.full(30, np.nan), "NaN or infinite"),
         (np.arange(30.0)[::-1], np.zeros(30), "the distance is reversed"),
         (np.arange(30.0) ** 1.1, np.zeros(30), r"not evenly spaced; found '1 m after x = 0 m"),
-        (np.arange(30.0) * 0.1, np.random.default_rng(1).normal(size=30), "too short or too coarse"),
+        (
+            np.arange(30.0) * 0.1,
+            np.random.default_rng(1).normal(size=30),
+            "too short or too coarse",
+        ),
     ],
 )
 def test_refuses_profiles_without_a_spectrum(x, z, says) -> None:

@@ -44,10 +44,18 @@ def test_start_and_recurrence_come_from_the_obstacle_unless_given() -> None:
 
 def test_steps_and_ramps_climb() -> None:
     stairs = Train(of=Step(height="0.1 m"), count=3, pitch="0.5 m", start="1 m")
-    assert stairs.height_at([0.9, 1.0, 1.6, 2.0, 9.0]).round(15).tolist() == [0.0, 0.1, 0.2, 0.3, 0.3]
+    assert stairs.height_at([0.9, 1.0, 1.6, 2.0, 9.0]).round(15).tolist() == [
+        0.0,
+        0.1,
+        0.2,
+        0.3,
+        0.3,
+    ]
     assert stairs.end() == 2.0
     ramps = Train(of=Ramp(height=-0.1, length=1), count=2, pitch=2)
-    np.testing.assert_allclose(ramps.height_at([0.5, 1.5, 2.5, 9]), [-0.05, -0.1, -0.15, -0.2], rtol=0, atol=1e-15)
+    np.testing.assert_allclose(
+        ramps.height_at([0.5, 1.5, 2.5, 9]), [-0.05, -0.1, -0.15, -0.2], rtol=0, atol=1e-15
+    )
     with pytest.raises(DescriptionError, match="cannot recur"):
         Train(of=Step(height=0.1), count=3, pitch=0.5, recurrence=10)
 
@@ -58,14 +66,23 @@ def test_trains_of_trains_and_of_tables() -> None:
     expected = sum(A.height_at(x + 0.2 - at) for at in (0.0, 0.1, 1.0, 1.1))
     np.testing.assert_allclose(groups.height_at(x), expected, rtol=0, atol=1e-14)
     waves = Train(of=Table(x=[0.5, 1.0, 1.5], height=[0.0, 0.01, 0.0]), count=3, pitch=1.0)
-    assert waves.height_at([0.4, 1.0, 1.5, 2.0, 3.0, 4.0]).round(15).tolist() == [0.0, 0.01, 0.0, 0.01, 0.01, 0.0]
+    assert waves.height_at([0.4, 1.0, 1.5, 2.0, 3.0, 4.0]).round(15).tolist() == [
+        0.0,
+        0.01,
+        0.0,
+        0.01,
+        0.01,
+        0.0,
+    ]
     assert waves.end() == 3.5
 
 
 def test_recurring_trains_repeat_as_a_whole() -> None:
     train = Train(of=A, count=5, pitch=0.15, recurrence=1.97)
     x = np.linspace(0, 1.96, 500)
-    np.testing.assert_allclose(train.height_at(x + 3 * 1.97), train.height_at(x), rtol=0, atol=1e-13)
+    np.testing.assert_allclose(
+        train.height_at(x + 3 * 1.97), train.height_at(x), rtol=0, atol=1e-13
+    )
 
 
 @pytest.mark.parametrize(
@@ -80,7 +97,10 @@ def test_recurring_trains_repeat_as_a_whole() -> None:
         ({"count": True, "pitch": 1}, "count: .*valid integer"),
         ({"count": 2, "pitch": 0}, "pitch: out of range"),
         ({"count": 2}, "pitch: the key is missing"),
-        ({"count": 5, "pitch": 0.1, "recurrence": 0.45}, r"recurrence 0\.45 m is shorter than its length 0\.46 m"),
+        (
+            {"count": 5, "pitch": 0.1, "recurrence": 0.45},
+            r"recurrence 0\.45 m is shorter than its length 0\.46 m",
+        ),
     ],
 )
 def test_refuses(options, says) -> None:
@@ -92,10 +112,13 @@ def test_of_may_be_a_table_with_errors_at_its_path() -> None:
     table = {"kind": "rectangle", "height": "10 mm", "length": "60 mm"}
     assert Train(of=table, count=1, pitch=1).of == Rectangle(height=0.01, length=0.06)
     with pytest.raises(
-        DescriptionError, match=r"^of\.lenght: unknown key; allowed: height, kind, length, recurrence, s"
+        DescriptionError,
+        match=r"^of\.lenght: unknown key; allowed: height, kind, length, recurrence, s",
     ):
         Train(of={"kind": "rectangle", "height": 1, "length": 1, "lenght": 1}, count=1, pitch=1)
-    with pytest.raises(DescriptionError, match=r"^of: unknown kind 'rectangel'; .*Did you mean 'rectangle'\?$"):
+    with pytest.raises(
+        DescriptionError, match=r"^of: unknown kind 'rectangel'; .*Did you mean 'rectangle'\?$"
+    ):
         Train(of={"kind": "rectangel"}, count=1, pitch=1)
     with pytest.raises(DescriptionError, match=r"^of: the key 'kind' is missing"):
         Train(of={"height": 1}, count=1, pitch=1)

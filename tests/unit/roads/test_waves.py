@@ -15,7 +15,9 @@ from jounce.roads import Kerb, Pothole, Ramp, Sine, SineSweep, Step, Trapezoid, 
 def test_a_sine_holds_its_heights_at_both_ends() -> None:
     road = Sine(amplitude="10 mm", wavelength="2 m", length="5 m", start="1 m", phase="90 deg")
     x = np.linspace(1.0, 5.999, 400)
-    np.testing.assert_allclose(road.height_at(x), 0.01 * np.cos(np.pi * (x - 1.0)), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(
+        road.height_at(x), 0.01 * np.cos(np.pi * (x - 1.0)), rtol=0, atol=1e-14
+    )
     assert road.height_at([0.0, 7.0]) == pytest.approx([0.01, -0.01], abs=1e-15)
     assert road.segments(9.0).edges.tolist() == [0.0, 1.0, 6.0, 9.0]
 
@@ -23,7 +25,9 @@ def test_a_sine_holds_its_heights_at_both_ends() -> None:
 @pytest.mark.parametrize("law", ["linear", "logarithmic"])
 @pytest.mark.parametrize(("first", "last"), [(10.0, 0.5), (0.5, 10.0), (2.0, 2.0)])
 def test_sweep_follows_the_integral_of_its_frequency(law, first, last) -> None:
-    road = SineSweep(amplitude=0.005, first_wavelength=first, last_wavelength=last, length=60, start=2, law=law)
+    road = SineSweep(
+        amplitude=0.005, first_wavelength=first, last_wavelength=last, length=60, start=2, law=law
+    )
     x = np.linspace(0.0, 59.99, 5000)
     a, b, share = 1.0 / first, 1.0 / last, x / 60.0
     if law == "linear":
@@ -32,7 +36,9 @@ def test_sweep_follows_the_integral_of_its_frequency(law, first, last) -> None:
         cycles = a * x
     else:
         cycles = 60.0 * a * ((b / a) ** share - 1.0) / math.log(b / a)
-    np.testing.assert_allclose(road.height_at(2 + x), 0.005 * np.sin(2 * np.pi * cycles), rtol=0, atol=5e-9)
+    np.testing.assert_allclose(
+        road.height_at(2 + x), 0.005 * np.sin(2 * np.pi * cycles), rtol=0, atol=5e-9
+    )
     n = a + (b - a) * share if law == "linear" else a * (b / a) ** share
     slope = 0.005 * 2 * np.pi * n * np.cos(2 * np.pi * cycles)
     np.testing.assert_allclose(road.slope_at(2 + x), slope, rtol=0, atol=1e-4 * np.abs(slope).max())
@@ -44,7 +50,11 @@ def test_a_sweep_in_time_is_an_excitation(law) -> None:
     shaker = swept_sine("2 mm", "1 Hz", "20 Hz", "8 s", law=law)
     trial = Trial(excitation=shaker)
     t = np.linspace(0.01, 7.99, 4000)
-    cycles = 8 * (t / 8 + 9.5 * (t / 8) ** 2) if law == "linear" else 8 * (20 ** (t / 8) - 1) / math.log(20)
+    cycles = (
+        8 * (t / 8 + 9.5 * (t / 8) ** 2)
+        if law == "linear"
+        else 8 * (20 ** (t / 8) - 1) / math.log(20)
+    )
     height = trial.segments().evaluate(t)[0]
     np.testing.assert_allclose(height, 0.002 * np.sin(2 * np.pi * cycles), rtol=0, atol=2e-7)
     assert trial.duration == 8.0
@@ -106,7 +116,10 @@ def test_a_kerb_is_a_rounded_step(height) -> None:
         expected = np.sqrt(r**2 - x**2) - r
     np.testing.assert_allclose(road.height_at(1 + x), expected, rtol=0, atol=1e-12)
     assert road.height_at([0.99, 1.04]).tolist() == [0.0, height]
-    assert Kerb(height=height).height_at([-1, 0, 1]).tolist() == Step(height=height).height_at([-1, 0, 1]).tolist()
+    assert (
+        Kerb(height=height).height_at([-1, 0, 1]).tolist()
+        == Step(height=height).height_at([-1, 0, 1]).tolist()
+    )
     chord = road.segments(3.0).with_finite_slopes()  # an upright arc gets a short chord
     assert len(chord.kind) == len(road.segments(3.0).kind) + 1
 
@@ -115,7 +128,9 @@ def test_a_pothole_has_walls_and_a_bottom() -> None:
     road = Pothole(depth="80 mm", length="0.5 m", edge_radius="20 mm", start="2 m")
     assert road.height_at([1.9, 2.25, 2.6]).tolist() == [0.0, -0.08, 0.0]
     x = np.linspace(0.0, 0.25, 500, endpoint=False)
-    np.testing.assert_allclose(road.height_at(2 + x), road.height_at(2.5 - x - 1e-15), rtol=0, atol=1e-9)  # symmetric
+    np.testing.assert_allclose(
+        road.height_at(2 + x), road.height_at(2.5 - x - 1e-15), rtol=0, atol=1e-9
+    )  # symmetric
     assert road.height_at(2.01) == pytest.approx(math.sqrt(0.02**2 - 0.01**2) - 0.02, abs=1e-12)
     assert road.segments(3.0).kind.tolist().count(CIRCLE) == 2
     round_ = Pothole(depth="80 mm", length="40 mm", edge_radius="20 mm")  # two edges and no bottom
@@ -128,10 +143,16 @@ def test_a_pothole_has_walls_and_a_bottom() -> None:
 @pytest.mark.parametrize(
     ("make", "says"),
     [
-        (lambda: Kerb(height=0.02, edge_radius=0.03), r"edge of radius 0.03 m is rounder than the height 0.02 m"),
+        (
+            lambda: Kerb(height=0.02, edge_radius=0.03),
+            r"edge of radius 0.03 m is rounder than the height 0.02 m",
+        ),
         (lambda: Kerb(height=0.02, edge_radius=-0.03), "edge_radius: out of range"),
         (lambda: Pothole(depth=0.02, length=1, edge_radius=0.03), r"rounder than the depth 0.02 m"),
-        (lambda: Pothole(depth=0.2, length=0.1, edge_radius=0.06), r"two edges of radius 0.06 m do not fit"),
+        (
+            lambda: Pothole(depth=0.2, length=0.1, edge_radius=0.06),
+            r"two edges of radius 0.06 m do not fit",
+        ),
         (lambda: Pothole(depth=-0.2, length=0.1), "depth: out of range"),
         (lambda: Trapezoid(height=0.1, length=1, ramp=0.1, shape="round"), "shape: "),
     ],

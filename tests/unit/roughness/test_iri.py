@@ -25,12 +25,19 @@ def plain_loop(height: np.ndarray, spacing: float) -> np.ndarray:
     """The algorithm as it is printed: one step after the other."""
     count = max(2, int(0.25 / spacing + 0.5) + 1) - 1
     system = np.array(
-        [[0, 1, 0, 0], [-63.3, -6, 63.3, 6], [0, 0, 0, 1], [63.3 / 0.15, 6 / 0.15, -716.3 / 0.15, -6 / 0.15]]
+        [
+            [0, 1, 0, 0],
+            [-63.3, -6, 63.3, 6],
+            [0, 0, 0, 1],
+            [63.3 / 0.15, 6 / 0.15, -716.3 / 0.15, -6 / 0.15],
+        ]
     )
     step = expm(system * spacing / SPEED)
     drive = np.linalg.solve(system, (step - np.eye(4)) @ np.array([0, 0, 0, 653.0 / 0.15]))
     state = (
-        np.array([1.0, 0.0, 1.0, 0.0]) * (np.interp(11.0, spacing * np.arange(height.size), height) - height[0]) / 11
+        np.array([1.0, 0.0, 1.0, 0.0])
+        * (np.interp(11.0, spacing * np.arange(height.size), height) - height[0])
+        / 11
     )
     found = []
     for i in range(height.size - count):
@@ -48,12 +55,23 @@ def plain_loop(height: np.ndarray, spacing: float) -> np.ndarray:
 )
 @pytest.mark.parametrize("spacing", [0.05, 0.1, 0.25, 0.3])
 def test_blocks_give_what_the_loop_gives(spacing: float) -> None:
-    np.testing.assert_allclose(rectified_slope(Z, spacing), plain_loop(Z, spacing), rtol=1e-9, atol=1e-13)
+    np.testing.assert_allclose(
+        rectified_slope(Z, spacing), plain_loop(Z, spacing), rtol=1e-9, atol=1e-13
+    )
 
 
 @pytest.mark.parametrize(
     ("spacing", "count"),
-    [(0.001, 250), (0.05, 5), (0.1, 3), (0.1 + 1e-12, 3), (0.125, 2), (0.2, 1), (0.25, 1), (0.5, 1)],
+    [
+        (0.001, 250),
+        (0.05, 5),
+        (0.1, 3),
+        (0.1 + 1e-12, 3),
+        (0.125, 2),
+        (0.2, 1),
+        (0.25, 1),
+        (0.5, 1),
+    ],
 )
 def test_base_of_the_slope(spacing: float, count: int) -> None:
     # K = max(2, int(0.25/dx + 0.5) + 1) points
@@ -73,14 +91,18 @@ def test_a_settled_sinusoid_has_the_gain_of_the_car(spacing: float, base: float)
     assert expected == pytest.approx(3.9855, abs=6e-5)
     start = round(1000.0 / spacing)
     mean = trace[start : start + round(154.0 * 16.0 / spacing)].mean()  # whole waves
-    assert mean == pytest.approx(expected * np.sinc(spacing / 15.4), rel=5e-5)  # slopes are held between the samples
+    assert mean == pytest.approx(
+        expected * np.sinc(spacing / 15.4), rel=5e-5
+    )  # slopes are held between the samples
 
 
 def test_state_transition_is_the_matrix_exponential() -> None:
     half, drive = state_transition(0.125)
     whole, _ = state_transition(0.25)
     np.testing.assert_allclose(half @ half, whole, atol=1e-12)
-    np.testing.assert_allclose(half @ np.array([1.0, 0, 1.0, 0]) + drive, [1.0, 0, 1.0, 0], atol=1e-12)  # on a ramp
+    np.testing.assert_allclose(
+        half @ np.array([1.0, 0, 1.0, 0]) + drive, [1.0, 0, 1.0, 0], atol=1e-12
+    )  # on a ramp
 
 
 def test_segments_share_the_state_and_make_up_the_whole() -> None:
@@ -97,13 +119,18 @@ def test_segments_share_the_state_and_make_up_the_whole() -> None:
     mean = np.average([s.iri_m_per_km for s in found.segments], weights=lengths)
     assert mean == pytest.approx(found.iri_m_per_km, rel=1e-12)
     alone = iri(X[240:481], Z[240:481])
-    assert abs(alone.iri_m_per_km / found.segments[1].iri_m_per_km - 1.0) > 1e-4  # started anew it differs
+    assert (
+        abs(alone.iri_m_per_km / found.segments[1].iri_m_per_km - 1.0) > 1e-4
+    )  # started anew it differs
 
 
 def test_whole_segments_are_not_partial() -> None:
     assert [s.partial for s in iri(X[:801], Z[:801], segment=100.0).segments] == [False, False]
     fine = iri(0.05 * np.arange(4001), np.interp(0.05 * np.arange(4001), X, Z), segment=100.0)
-    assert [(s.start, s.end, s.partial) for s in fine.segments] == [(0.0, 100.0, False), (100.0, 200.0, False)]
+    assert [(s.start, s.end, s.partial) for s in fine.segments] == [
+        (0.0, 100.0, False),
+        (100.0, 200.0, False),
+    ]
 
 
 def test_a_profile_shorter_than_a_segment_is_partial() -> None:
@@ -131,7 +158,11 @@ def changed(values: np.ndarray, row: int, value: float) -> np.ndarray:
         (changed(X, 7, X[6]), Z, "distance does not ascend at row 8"),
         (changed(X, 7, X[7] + 0.01), Z, "not evenly spaced: see row"),
         (np.concatenate([X[:500], X[501:]]), Z[:-1], "see row 501; found 'a step of 0.5 m'"),
-        (X, changed(Z, 3, np.nan), "1 values are not finite numbers, the first at row 4; found 'nan'. Fill the gap"),
+        (
+            X,
+            changed(Z, 3, np.nan),
+            "1 values are not finite numbers, the first at row 4; found 'nan'. Fill the gap",
+        ),
         (
             X,
             np.where(X > 240.0, np.nan, Z),
@@ -143,7 +174,11 @@ def changed(values: np.ndarray, row: int, value: float) -> np.ndarray:
             "1 values are not finite numbers, the first at row 1000; found 'nan'. Fill the gap",
         ),
         (X, np.full_like(X, np.nan), "1001 values are not finite"),
-        (X[:45], Z[:45], "too short for the roughness index; found '11 m'; allowed: at least 11.25 m"),
+        (
+            X[:45],
+            Z[:45],
+            "too short for the roughness index; found '11 m'; allowed: at least 11.25 m",
+        ),
         (X[:2], Z[:2], "too few samples"),
         (1e3 * X, Z, "too far apart for the roughness index; found '250 m'"),
         (1e-3 * X, Z, "too short"),
@@ -163,7 +198,9 @@ def test_the_shortest_profile() -> None:
     assert iri(X[:46], Z[:46]).iri_m_per_km > 0.0
 
 
-@pytest.mark.parametrize(("segment", "text"), [("0.1 m", "too short"), ("-1 m", "too short"), ("2 s", "wrong unit")])
+@pytest.mark.parametrize(
+    ("segment", "text"), [("0.1 m", "too short"), ("-1 m", "too short"), ("2 s", "wrong unit")]
+)
 def test_bad_segments(segment: str, text: str) -> None:
     with pytest.raises(jn.JounceError, match=text):
         iri(X, Z, segment=segment)
@@ -181,11 +218,17 @@ def test_what_weakens_the_index_is_said() -> None:
 def test_limits_of_what_a_road_can_be() -> None:
     usual = iri(X, Z).iri_m_per_km
     for limit, direction in ((0.1, -1.0), (30.0, 1.0)):  # m/km: smoother, rougher than any road
-        within, beyond = (iri(X, Z * limit / usual * (1.0 + 0.01 * side * direction)) for side in (-1.0, 1.0))
+        within, beyond = (
+            iri(X, Z * limit / usual * (1.0 + 0.01 * side * direction)) for side in (-1.0, 1.0)
+        )
         assert within.findings == ()
-        assert [finding.value for finding in beyond.findings] == [pytest.approx(limit * (1.0 + 0.01 * direction))]
+        assert [finding.value for finding in beyond.findings] == [
+            pytest.approx(limit * (1.0 + 0.01 * direction))
+        ]
     assert iri(X, Z * 297.0 / usual).iri_m_per_km == pytest.approx(297.0)
-    with pytest.raises(jn.RecordingError, match="allowed: at most 300 m/km; the roughest tracks have some 30"):
+    with pytest.raises(
+        jn.RecordingError, match="allowed: at most 300 m/km; the roughest tracks have some 30"
+    ):
         iri(X, Z * 303.0 / usual)
     assert iri(changed(X, 7, X[7] + 0.99e-2 * 0.25), Z).iri_m_per_km == pytest.approx(usual)
     with pytest.raises(jn.RecordingError, match="within 1 %"):

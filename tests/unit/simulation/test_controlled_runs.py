@@ -6,11 +6,21 @@ import numpy as np
 import pytest
 
 import jounce as jn
-from jounce.control import PID, ActiveActuator, Passive, PythonControl, SemiActiveDamper, Skyhook, controller
+from jounce.control import (
+    PID,
+    ActiveActuator,
+    Passive,
+    PythonControl,
+    SemiActiveDamper,
+    Skyhook,
+    controller,
+)
 from jounce.simulation.controlled import closed_loop_poles
 from jounce.simulation.environment import Stepper
 
-TRIAL = jn.Trial(road=jn.HalfSine(height="30 mm", length="0.5 m", start="1 m"), speed="10 m/s", duration="0.6 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="30 mm", length="0.5 m", start="1 m"), speed="10 m/s", duration="0.6 s"
+)
 CORNERS = ("front_left", "front_right", "rear_left", "rear_right")
 
 
@@ -22,12 +32,17 @@ def rig() -> jn.Rig:
 def test_channels_of_the_actuators_come_along(rig: jn.Rig) -> None:
     run = jn.simulate(rig, TRIAL, control="skyhook")
     assert (run["command"].attrs["units"], run["actuator.force"].attrs["units"]) == ("N*s/m", "N")
-    assert set(jn.simulate(rig, TRIAL).data_vars) == set(run.data_vars) - {"command", "actuator.force"}
+    assert set(jn.simulate(rig, TRIAL).data_vars) == set(run.data_vars) - {
+        "command",
+        "actuator.force",
+    }
 
 
 def test_every_corner_of_a_vehicle_has_its_own() -> None:
     run = jn.simulate(jn.load("audi-a6-full-car"), TRIAL, control="lqr")
-    assert [name for name in run.data_vars if name.endswith("command")] == [f"{corner}.command" for corner in CORNERS]
+    assert [name for name in run.data_vars if name.endswith("command")] == [
+        f"{corner}.command" for corner in CORNERS
+    ]
     assert run["rear_left.command"].attrs["units"] == "N"
 
 
@@ -53,7 +68,11 @@ def test_measurement_holds_all_channels_and_the_time(rig: jn.Rig) -> None:
     assert [t for _, t in seen] == pytest.approx(np.arange(60) * 0.01)
     assert set(seen[0][0]) == set(run.data_vars)
     at = run.sel(time=[t for _, t in seen], method="nearest")
-    for channel in ("sprung.vz", "tyre.force", "strut.deflection"):  # continuous ones: no change at the instant
+    for channel in (
+        "sprung.vz",
+        "tyre.force",
+        "strut.deflection",
+    ):  # continuous ones: no change at the instant
         values = [measurement[channel] for measurement, _ in seen]
         np.testing.assert_allclose(values, at[channel], rtol=1e-9, atol=1e-9)
 
@@ -66,19 +85,25 @@ def test_answers_for_a_vehicle(answer: object) -> None:
 
 @pytest.mark.parametrize("answer", [1000, np.float64(1000.0), [1000.0], {"": 1000.0}])
 def test_answers_for_one_corner(rig: jn.Rig, answer: object) -> None:
-    assert float(jn.simulate(rig, TRIAL, control=lambda _measurement, _t: answer)["command"][-1]) == 1000.0
+    assert (
+        float(jn.simulate(rig, TRIAL, control=lambda _measurement, _t: answer)["command"][-1])
+        == 1000.0
+    )
 
 
 @pytest.mark.parametrize("answer", [[1.0, 2.0], "firm", None, {"front": 1.0}, []])
 def test_answers_that_are_no_command(rig: jn.Rig, answer: object) -> None:
     with pytest.raises(
-        jn.SimulationError, match=r"control function at t = 0 s: the controller's answer is not a command"
+        jn.SimulationError,
+        match=r"control function at t = 0 s: the controller's answer is not a command",
     ):
         jn.simulate(rig, TRIAL, control=lambda _measurement, _t: answer)
 
 
 def test_a_number_is_not_enough_for_a_vehicle() -> None:
-    with pytest.raises(jn.SimulationError, match="4 numbers: a dict or a sequence for front_left, front_right"):
+    with pytest.raises(
+        jn.SimulationError, match="4 numbers: a dict or a sequence for front_left, front_right"
+    ):
         jn.simulate(jn.load("audi-a6-full-car"), TRIAL, control=lambda _measurement, _t: 1000.0)
 
 
@@ -93,7 +118,10 @@ def test_an_exception_is_told_once_with_its_time(rig: jn.Rig) -> None:
     ) as error:
         jn.simulate(rig, TRIAL, control=broken)
     assert isinstance(error.value.__cause__, KeyError)
-    assert jn.simulate(rig, TRIAL, control=lambda _measurement, _t: 1000.0).attrs["status"] == "completed"
+    assert (
+        jn.simulate(rig, TRIAL, control=lambda _measurement, _t: 1000.0).attrs["status"]
+        == "completed"
+    )
 
 
 def test_an_interrupt_goes_through(rig: jn.Rig) -> None:
@@ -119,7 +147,8 @@ def test_unstable_linear_loop_is_refused_before_it_runs(rig: jn.Rig) -> None:
     law = PID(proportional=-9000.0, actuator=ActiveActuator(force_limit=1e9))
     assert closed_loop_poles(rig, law)[0].real > 1.0
     with pytest.raises(
-        jn.SimulationError, match="pid: the closed loop is unstable: small motions grow; found 'a pole at"
+        jn.SimulationError,
+        match="pid: the closed loop is unstable: small motions grow; found 'a pole at",
     ):
         jn.simulate(rig, TRIAL, control=law)
 
@@ -129,7 +158,9 @@ def test_diverging_loop_is_stopped_and_dated(rig: jn.Rig) -> None:
         return 3e4 * measurement["sprung.vz"]
 
     law = PythonControl(function=push, actuator=ActiveActuator(force_limit=1e12))
-    with pytest.raises(jn.SimulationError, match=r"stopped after.* '?0\.\d+ s: the closed loop diverges"):
+    with pytest.raises(
+        jn.SimulationError, match=r"stopped after.* '?0\.\d+ s: the closed loop diverges"
+    ):
         jn.simulate(rig, TRIAL, control=law)
     run = jn.simulate(rig, TRIAL, control=law, check=False)
     assert run.attrs["status"] == "diverged"
@@ -153,7 +184,10 @@ def test_poles_of_dampers_are_not_asked_for(rig: jn.Rig) -> None:
 def test_massless_axles_refuse_laws_that_need_a_wheel() -> None:
     with pytest.raises(jn.SimulationError, match="'lqr' needs wheels with mass and tyre"):
         jn.simulate(jn.load("audi-a6-half-car"), TRIAL, control="lqr")
-    assert jn.simulate(jn.load("audi-a6-half-car"), TRIAL, control="skyhook").attrs["status"] == "completed"
+    assert (
+        jn.simulate(jn.load("audi-a6-half-car"), TRIAL, control="skyhook").attrs["status"]
+        == "completed"
+    )
 
 
 def test_noise_on_a_channel_that_is_not_there(rig: jn.Rig) -> None:
@@ -177,7 +211,9 @@ def test_gravity_says_what_a_corner_carries() -> None:
         ({"control": 3}, "not a controller"),
     ],
 )
-def test_what_no_run_can_follow_is_refused(rig: jn.Rig, options: dict[str, object], message: str) -> None:
+def test_what_no_run_can_follow_is_refused(
+    rig: jn.Rig, options: dict[str, object], message: str
+) -> None:
     with pytest.raises(jn.JounceError, match=message):
         jn.simulate(rig, TRIAL, **options)
 
@@ -198,7 +234,9 @@ def test_mechanisms_are_controlled_like_lumped_corners() -> None:
 
 def test_steps_make_the_same_run(rig: jn.Rig) -> None:
     damper = SemiActiveDamper(minimum=300.0, maximum=4000.0)
-    run = jn.simulate(rig, TRIAL, control=Passive(damping_coefficient=2000.0, actuator=damper, rate=100.0))
+    run = jn.simulate(
+        rig, TRIAL, control=Passive(damping_coefficient=2000.0, actuator=damper, rate=100.0)
+    )
     stepper = Stepper(rig, TRIAL, damper, 100.0, samples=10)
     for _ in range(2):  # also after a new start
         stepper.start()

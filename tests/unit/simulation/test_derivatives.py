@@ -10,7 +10,11 @@ import pytest
 import jounce as jn
 from jounce.recordings import check_recording
 
-TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="100 mm", start="0.1 m"), speed="1.95 m/s", duration="0.4 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="10 mm", length="100 mm", start="0.1 m"),
+    speed="1.95 m/s",
+    duration="0.4 s",
+)
 WISHBONES = jn.load(Path(__file__).parents[2] / "files" / "prototype-double-wishbone.toml")
 QUARTER = jn.load("kart-quarter-car")
 TEN = (
@@ -64,15 +68,22 @@ def test_value_is_the_weighted_mean_square():
 
 
 def test_against_a_recording():
-    measured = jn.simulate(QUARTER.with_changes({"tyre.stiffness": 150e3}), TRIAL)[["sprung.az", "unsprung.az"]]
+    measured = jn.simulate(QUARTER.with_changes({"tyre.stiffness": 150e3}), TRIAL)[
+        ["sprung.az", "unsprung.az"]
+    ]
     measured = measured.isel(time=slice(20, None, 3))  # starts later, at another rate
     weights = {"unsprung.az": 0.5}
     run = jn.simulate(QUARTER, TRIAL, method="explicit").isel(time=slice(20, None, 3))
-    found = jn.gradient(QUARTER, TRIAL, ["tyre.stiffness", "unsprung.mass"], measured, weights=weights)
-    assert found.value == pytest.approx(0.5 * float(((run - measured)["unsprung.az"] ** 2).sum()), rel=1e-6)
+    found = jn.gradient(
+        QUARTER, TRIAL, ["tyre.stiffness", "unsprung.mass"], measured, weights=weights
+    )
+    assert found.value == pytest.approx(
+        0.5 * float(((run - measured)["unsprung.az"] ** 2).sum()), rel=1e-6
+    )
     for path, slope in found.gradient.items():
         assert slope == pytest.approx(
-            central(QUARTER, path, measured, weights=weights, compiled=tuple(found.gradient)), rel=1e-4
+            central(QUARTER, path, measured, weights=weights, compiled=tuple(found.gradient)),
+            rel=1e-4,
         )
     whole = jn.gradient(QUARTER, TRIAL, ["tyre.stiffness"], measured)
     assert set(whole.channels) == {"sprung.az", "unsprung.az"}
@@ -94,7 +105,8 @@ def test_sensitivities_are_the_slopes_of_the_channels():
     step = 1e-6
     value = WISHBONES.parameters()[paths[1]]
     ahead, behind = (
-        jn.simulate(WISHBONES.with_changes({paths[1]: value + sign * step}), TRIAL, tolerance=1e-11) for sign in (1, -1)
+        jn.simulate(WISHBONES.with_changes({paths[1]: value + sign * step}), TRIAL, tolerance=1e-11)
+        for sign in (1, -1)
     )
     for channel in ("sprung.z", "strut.force", "wheel.camber", "unsprung.az"):
         expected = (ahead[channel] - behind[channel]) / (2 * step)
@@ -139,11 +151,25 @@ def test_recordings_that_are_refused():
 @pytest.mark.parametrize(
     ("change", "text"),
     [
-        (lambda run: run.assign({"sprung.az": (1e3 * run["sprung.az"]).assign_attrs(units="mm/s^2")}), "found 'mm/s"),
-        (lambda run: run.assign({"sprung.az": run["sprung.az"].assign_attrs({"units": None})}), "has no unit"),
-        (lambda run: run.assign_coords(time=("time", run["time"].values / 1e3, {"units": "ks"})), "found 'ks'"),
+        (
+            lambda run: run.assign(
+                {"sprung.az": (1e3 * run["sprung.az"]).assign_attrs(units="mm/s^2")}
+            ),
+            "found 'mm/s",
+        ),
+        (
+            lambda run: run.assign({"sprung.az": run["sprung.az"].assign_attrs({"units": None})}),
+            "has no unit",
+        ),
+        (
+            lambda run: run.assign_coords(time=("time", run["time"].values / 1e3, {"units": "ks"})),
+            "found 'ks'",
+        ),
         (lambda run: run.assign_coords(time=("time", run["time"].values)), "time has no unit"),
-        (lambda run: run.assign({"sprung.az": run["sprung.az"] + 1j * run["sprung.az"]}), "no real numbers"),
+        (
+            lambda run: run.assign({"sprung.az": run["sprung.az"] + 1j * run["sprung.az"]}),
+            "no real numbers",
+        ),
     ],
 )
 def test_measured_data_are_checked_as_by_an_update(change, text: str) -> None:
@@ -159,12 +185,18 @@ def test_measured_data_are_checked_as_by_an_update(change, text: str) -> None:
     [
         lambda run: run.assign({"sprung.az": run["sprung.az"].assign_attrs(units="m/s**2")}),
         lambda run: run.assign({"sprung.az": run["sprung.az"].assign_attrs(units="m s-2")}),
-        lambda run: run.assign_coords(time=("time", np.round(1e9 * run["time"].values).astype("m8[ns]"))),
-        lambda run: run.assign_coords(time=np.datetime64("2026-03-29") + np.round(1e9 * run["time"]).astype("m8[ns]")),
+        lambda run: run.assign_coords(
+            time=("time", np.round(1e9 * run["time"].values).astype("m8[ns]"))
+        ),
+        lambda run: run.assign_coords(
+            time=np.datetime64("2026-03-29") + np.round(1e9 * run["time"]).astype("m8[ns]")
+        ),
     ],
 )
 def test_measured_data_count_however_units_and_times_are_written(change) -> None:
-    softer = jn.simulate(QUARTER.with_changes({"sprung.mass": 1.05 * QUARTER.sprung.mass}), TRIAL)[["sprung.az"]]
+    softer = jn.simulate(QUARTER.with_changes({"sprung.mass": 1.05 * QUARTER.sprung.mass}), TRIAL)[
+        ["sprung.az"]
+    ]
     plain = jn.gradient(QUARTER, TRIAL, ["sprung.mass"], softer)
     check_recording(jn.FitTrial("a", QUARTER, TRIAL, change(softer)).measured)
     found = jn.gradient(QUARTER, TRIAL, ["sprung.mass"], change(softer))

@@ -10,7 +10,9 @@ import jounce as jn
 from jounce.control import ActiveActuator
 from jounce.simulation.environment import ride_environment
 
-TRIAL = jn.Trial(road=jn.HalfSine(height="30 mm", length="0.5 m", start="1 m"), speed="10 m/s", duration="0.5 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="30 mm", length="0.5 m", start="1 m"), speed="10 m/s", duration="0.5 s"
+)
 
 
 def random_trial(generator: np.random.Generator) -> jn.Trial:
@@ -24,11 +26,15 @@ def test_gymnasium_accepts_it(name: str, trial: object) -> None:
     check_env(ride_environment(jn.load(name), trial), skip_render_check=True)
 
 
-def episode(environment: object, action: float, seed: int = 0) -> tuple[float, int, dict[str, object]]:
+def episode(
+    environment: object, action: float, seed: int = 0
+) -> tuple[float, int, dict[str, object]]:
     environment.reset(seed=seed)
     total, steps, truncated, info = 0.0, 0, False, {}
     while not truncated:
-        _, reward, terminated, truncated, info = environment.step(np.array([action], dtype=np.float32))
+        _, reward, terminated, truncated, info = environment.step(
+            np.array([action], dtype=np.float32)
+        )
         assert not terminated
         total, steps = total + reward, steps + 1
     return total, steps, info
@@ -47,7 +53,9 @@ def test_cost_is_the_mean_square_of_the_run() -> None:
     environment = ride_environment(rig, TRIAL, cost={"sprung.az": 2.0}, actuator=ActiveActuator())
     total, steps, info = episode(environment, 0.0)  # no force: the passive rig
     run = jn.simulate(rig, TRIAL)
-    assert -total / steps == pytest.approx(2.0 * float((run["sprung.az"][1:] ** 2).mean()), rel=1e-3)
+    assert -total / steps == pytest.approx(
+        2.0 * float((run["sprung.az"][1:] ** 2).mean()), rel=1e-3
+    )
     assert info["commands"] == {"": 0.0}
 
 

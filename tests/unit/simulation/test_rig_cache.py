@@ -15,7 +15,9 @@ from jounce.simulation.compiled import compile_model, compile_rig
 
 KART = jn.load("kart-quarter-car")
 FREE = ("tyre.stiffness", "sprung.mass")
-TRIAL = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.2 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="0.2 s"
+)
 
 
 @pytest.fixture
@@ -52,7 +54,11 @@ def test_second_process_builds_no_equations(fresh):
     assert counts == {"built": 2, "emitted": 2}
     assert second is not first
     assert second.facts == first.facts
-    assert (second.shapes, second.scalars, second.lanes) == (first.shapes, first.scalars, first.lanes)
+    assert (second.shapes, second.scalars, second.lanes) == (
+        first.shapes,
+        first.scalars,
+        first.lanes,
+    )
     assert second.plain.facts == first.plain.facts
 
 
@@ -76,7 +82,12 @@ def test_equations_are_there_when_asked_for(fresh):
 
 @pytest.mark.parametrize(
     ("change", "free"),
-    [({"tyre.lift_off": False}, ()), ({}, FREE), ({}, FREE[::-1]), ({"strut.friction": {"force": 1.0}}, ())],
+    [
+        ({"tyre.lift_off": False}, ()),
+        ({}, FREE),
+        ({}, FREE[::-1]),
+        ({"strut.friction": {"force": 1.0}}, ()),
+    ],
 )
 def test_another_structure_or_choice_is_another_entry(fresh, change, free):
     counts = fresh()

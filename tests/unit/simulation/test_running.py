@@ -24,7 +24,9 @@ def test_a_periodic_start_repeats_after_a_loop(name: str, speed: float) -> None:
     time = run["time"].to_numpy()
     grid = np.linspace(0.0, period, 300)
     for channel in ("sprung.z", "unsprung.z"):
-        first, second = (np.interp(grid + at, time, run[channel].to_numpy()) for at in (0.0, period))
+        first, second = (
+            np.interp(grid + at, time, run[channel].to_numpy()) for at in (0.0, period)
+        )
         assert np.max(np.abs(first - second)) < 3e-3 * np.ptp(second), channel
     rest = jn.simulate(rig, trial, output_step=2e-4)
     assert abs(float(rest["sprung.vz"][0])) < 1e-9 < abs(float(run["sprung.vz"][0]))
@@ -35,15 +37,22 @@ def test_loops_are_counted() -> None:
     trial = jn.Trial(road=BELT, speed="3.87 m/s", duration="0.6 s")
     period = 1.97 / 3.87
     three = jn.simulate(RIG, trial, start=3)
-    whole = jn.simulate(RIG, trial.model_copy(update={"duration": 0.6 + 3.0 * period}), output_step=1e-4)
+    whole = jn.simulate(
+        RIG, trial.model_copy(update={"duration": 0.6 + 3.0 * period}), output_step=1e-4
+    )
     at = np.interp(three["time"] + 3.0 * period, whole["time"], whole["sprung.z"])
     assert np.max(np.abs(at - three["sprung.z"])) < 2e-3 * float(np.ptp(at))
     assert three.attrs["start"] == "after 3 loops"
-    np.testing.assert_array_equal(jn.simulate(RIG, trial, start="0")["sprung.z"], jn.simulate(RIG, trial)["sprung.z"])
+    np.testing.assert_array_equal(
+        jn.simulate(RIG, trial, start="0")["sprung.z"], jn.simulate(RIG, trial)["sprung.z"]
+    )
 
 
 def test_a_softer_damper_takes_more_loops() -> None:
-    loops = [loops_before(RIG.with_changes({"strut.damper.coefficient": c}), 0.5) for c in (20.0, 60.0, 150.0)]
+    loops = [
+        loops_before(RIG.with_changes({"strut.damper.coefficient": c}), 0.5)
+        for c in (20.0, 60.0, 150.0)
+    ]
     assert loops == sorted(loops, reverse=True)
     assert loops[0] > loops[-1]
 

@@ -16,13 +16,21 @@ from jounce.simulation.settings import output_times
 
 KART = parts.load("kart-quarter-car")
 TRIAL = jounce.Trial(
-    road=jounce.HalfSine(height="10 mm", length="60 mm", start="0.2 m"), speed="1.95 m/s", duration="1 s"
+    road=jounce.HalfSine(height="10 mm", length="60 mm", start="0.2 m"),
+    speed="1.95 m/s",
+    duration="1 s",
 )
 
 
 @pytest.mark.parametrize(
     ("duration", "step", "count", "last"),
-    [(1.0, 1e-3, 1001, 1.0), (0.3, 0.1, 4, 0.3), (0.35, 0.1, 5, 0.35), (0.05, 0.1, 2, 0.05), (3.0, 1e-3, 3001, 3.0)],
+    [
+        (1.0, 1e-3, 1001, 1.0),
+        (0.3, 0.1, 4, 0.3),
+        (0.35, 0.1, 5, 0.35),
+        (0.05, 0.1, 2, 0.05),
+        (3.0, 1e-3, 3001, 3.0),
+    ],
 )
 def test_output_times(duration, step, count, last):
     times = output_times(duration, step)
@@ -50,7 +58,9 @@ def test_starts_at_rest_and_until_the_obstacle_nothing_moves():
     before = run.where(run["time"] < 0.2 / 1.95 - 1e-9, drop=True)
     assert float(abs(before["sprung.az"]).max()) < 1e-9
     assert float(before["tyre.force"].std()) < 1e-9
-    assert float(before["sprung.z"][0]) == pytest.approx(jounce.equilibrium(KART)["sprung.z"], rel=1e-12)
+    assert float(before["sprung.z"][0]) == pytest.approx(
+        jounce.equilibrium(KART)["sprung.z"], rel=1e-12
+    )
 
 
 def test_channels_agree_with_each_other():
@@ -59,12 +69,16 @@ def test_channels_agree_with_each_other():
     for body in ("sprung", "unsprung"):
         z, v, a = (run[f"{body}.{quantity}"].values for quantity in ("z", "vz", "az"))
         assert np.max(np.abs(np.gradient(z, 1e-4)[1:-1] - v[1:-1])) < 1e-3 * np.max(np.abs(v)) * 2
-        assert np.max(np.abs(np.cumsum(0.5 * (a[1:] + a[:-1])) * 1e-4 - (v[1:] - v[0]))) < 1e-3 * np.max(np.abs(v))
+        assert np.max(
+            np.abs(np.cumsum(0.5 * (a[1:] + a[:-1])) * 1e-4 - (v[1:] - v[0]))
+        ) < 1e-3 * np.max(np.abs(v))
     cos = np.cos(np.radians(26.0))
     assert run["strut.deflection"].values == pytest.approx(
         cos * (run["unsprung.z"] - run["sprung.z"]).values, abs=1e-15
     )
-    assert run["tyre.deflection"].values == pytest.approx((run["road.z"] - run["unsprung.z"]).values, abs=1e-15)
+    assert run["tyre.deflection"].values == pytest.approx(
+        (run["road.z"] - run["unsprung.z"]).values, abs=1e-15
+    )
     newton = 5.0 * (run["unsprung.az"] + 9.81) + cos * run["strut.force"] - run["tyre.force"]
     assert float(abs(newton).max()) < 1e-9
 
@@ -85,13 +99,16 @@ def test_offset_that_is_no_state():
 
 def test_free_parameter_that_is_none():
     with pytest.raises(
-        SimulationError, match=r"strut\.sprung\.rate: not a parameter of the model.*strut\.spring\.rate"
+        SimulationError,
+        match=r"strut\.sprung\.rate: not a parameter of the model.*strut\.spring\.rate",
     ):
         compile_model(build(KART), ("strut.sprung.rate",))
 
 
 def test_a_model_is_compiled_once():
-    assert compile_model(build(KART)) is compile_model(build(KART.with_changes({"sprung.mass": 20.0})))
+    assert compile_model(build(KART)) is compile_model(
+        build(KART.with_changes({"sprung.mass": 20.0}))
+    )
 
 
 def test_run_that_does_not_reach_its_end(monkeypatch):
@@ -128,7 +145,9 @@ def test_remembered_fresh_and_sliced_times_are_the_same_to_the_loops():
     remembered = fresh.copy()
     remembered.setflags(write=False)
     sliced = np.linspace(0.0, 1.0, 2001)[::2]
-    runs = [run_module.solve(compiled, p, signal, times).states for times in (fresh, remembered, sliced)]
+    runs = [
+        run_module.solve(compiled, p, signal, times).states for times in (fresh, remembered, sliced)
+    ]
     assert np.array_equal(runs[0], runs[1])
     assert np.array_equal(sliced, fresh)
     assert np.array_equal(runs[0], runs[2])
@@ -138,7 +157,9 @@ def test_a_run_repeated_is_the_same_run_whatever_is_remembered():
     from jounce.simulation.compiled import compile_rig
 
     trial = jounce.Trial(
-        road=jounce.HalfSine(height="10 mm", length="60 mm", start="0.2 m"), speed="1.95 m/s", duration="1 s"
+        road=jounce.HalfSine(height="10 mm", length="60 mm", start="0.2 m"),
+        speed="1.95 m/s",
+        duration="1 s",
     )
     rig = jounce.load("kart-quarter-car")
     first = jounce.simulate(rig, trial)
@@ -186,7 +207,9 @@ def test_what_is_shared_between_runs_cannot_be_changed():
         RunSettings().times(1.0)[0] = 1.0
     rig = jounce.load("kart-quarter-car")
     compiled = compile_rig(rig)
-    rest = find_equilibrium(compiled, compiled.parameter_values(rig.parameters()), compiled.inputs())
+    rest = find_equilibrium(
+        compiled, compiled.parameter_values(rig.parameters()), compiled.inputs()
+    )
     for name in ("x", "slope", "balance"):
         with pytest.raises(ValueError, match="read-only"):
             getattr(rest, name)[0] = 1.0
@@ -197,8 +220,12 @@ def test_what_is_shared_between_runs_cannot_be_changed():
 def test_slips_in_units_that_no_run_can_follow_are_told_at_once(mass: float, method: str) -> None:
     """A wheel of 1e-12 kg swings at 70 MHz: the run would end after all its steps, ten seconds later."""
     rig = jounce.load("kart-quarter-car").with_changes({"unsprung.mass": mass})
-    trial = jounce.Trial(road=jounce.HalfSine(height=0.01, length=0.06, start=0.2), speed=2.0, duration=3.0)
-    with pytest.raises(SimulationError, match=r"too fast for a run as long as this; found '\S+ Hz for 3 s") as caught:
+    trial = jounce.Trial(
+        road=jounce.HalfSine(height=0.01, length=0.06, start=0.2), speed=2.0, duration=3.0
+    )
+    with pytest.raises(
+        SimulationError, match=r"too fast for a run as long as this; found '\S+ Hz for 3 s"
+    ) as caught:
         jounce.simulate(rig, trial, method=method)
     assert method == "explicit" or caught.value.where == "unsprung.z"
     assert "Check masses and stiffnesses" in str(caught.value)

@@ -22,22 +22,46 @@ HARD = {
     "preload far above": {"strut.spring.preload": 4e4},
     "tyre with a dead zone": {
         "tyre.stiffness": None,
-        "tyre.curve": {"kind": "table", "deflection": POINTS, "force": [0.0, 0.0, 150.0, 420.0, 1400.0]},
+        "tyre.curve": {
+            "kind": "table",
+            "deflection": POINTS,
+            "force": [0.0, 0.0, 150.0, 420.0, 1400.0],
+        },
     },
     "tyre with a plateau": {
         "tyre.stiffness": None,
-        "tyre.curve": {"kind": "table", "deflection": POINTS, "force": [0.0, 60.0, 60.0, 420.0, 1400.0]},
+        "tyre.curve": {
+            "kind": "table",
+            "deflection": POINTS,
+            "force": [0.0, 60.0, 60.0, 420.0, 1400.0],
+        },
     },
     "digressive tyre": {
         "tyre.stiffness": None,
-        "tyre.curve": {"kind": "table", "deflection": POINTS, "force": [0.0, 60.0, 150.0, 180.0, 190.0]},
+        "tyre.curve": {
+            "kind": "table",
+            "deflection": POINTS,
+            "force": [0.0, 60.0, 150.0, 180.0, 190.0],
+        },
     },
-    "cubic tyre": {"tyre.stiffness": None, "tyre.curve": {"kind": "polynomial", "coefficients": [1.0, 0.0, 1e10]}},
-    "cubic spring": {"strut.spring": {"rate": None, "curve": {"kind": "polynomial", "coefficients": [10.0, 0.0, 2e7]}}},
+    "cubic tyre": {
+        "tyre.stiffness": None,
+        "tyre.curve": {"kind": "polynomial", "coefficients": [1.0, 0.0, 1e10]},
+    },
+    "cubic spring": {
+        "strut.spring": {
+            "rate": None,
+            "curve": {"kind": "polynomial", "coefficients": [10.0, 0.0, 2e7]},
+        }
+    },
     "spring with play": {
         "strut.spring": {
             "rate": None,
-            "curve": {"kind": "table", "deflection": [-0.02, 0.0, 0.01, 0.02], "force": [0.0, 0.0, 0.0, 340.0]},
+            "curve": {
+                "kind": "table",
+                "deflection": [-0.02, 0.0, 0.01, 0.02],
+                "force": [0.0, 0.0, 0.0, 340.0],
+            },
         }
     },
     "damper with an offset": {
@@ -45,7 +69,9 @@ HARD = {
     },
     "very soft": {"strut.spring.rate": 20.0},
     "very hard": {"strut.spring.rate": 1e8, "tyre.stiffness": 1e9},
-    "quadratic spring": {"strut.spring": {"rate": None, "curve": {"kind": "polynomial", "coefficients": [0.0, 2e6]}}},
+    "quadratic spring": {
+        "strut.spring": {"rate": None, "curve": {"kind": "polynomial", "coefficients": [0.0, 2e6]}}
+    },
 }
 POWER = {"kind": "power", "coefficient": 1.5e6, "exponent": 1.4}
 LEVEL = {"kind": "table", "deflection": [0.0, 0.1]}

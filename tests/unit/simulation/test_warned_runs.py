@@ -7,7 +7,9 @@ import pytest
 import jounce as jn
 from jounce.parts import rig_findings
 
-TRIAL = jn.Trial(road=jn.HalfSine(height="1 mm", length="60 mm"), speed="1.95 m/s", duration="0.05 s")
+TRIAL = jn.Trial(
+    road=jn.HalfSine(height="1 mm", length="60 mm"), speed="1.95 m/s", duration="0.05 s"
+)
 
 
 @pytest.mark.parametrize(
@@ -23,7 +25,9 @@ TRIAL = jn.Trial(road=jn.HalfSine(height="1 mm", length="60 mm"), speed="1.95 m/
 def test_a_tyre_of_200_newton_a_metre_is_asked_about(name, path):
     rig = jn.load(name)
     assert not [one for one in rig_findings(rig) if one.severity != "note"]
-    (found,) = (one for one in rig_findings(rig.with_changes({path: 200.0})) if "pressed in" in one.message)
+    (found,) = (
+        one for one in rig_findings(rig.with_changes({path: 200.0})) if "pressed in" in one.message
+    )
     assert (found.place, found.severity) == (path.removesuffix(".stiffness"), "warning")
     assert found.value > 1.0  # m
 

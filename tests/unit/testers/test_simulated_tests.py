@@ -37,14 +37,21 @@ def test_the_angle_is_smooth_and_ends_at_rest():
 
 def test_sweeps_may_go_up():
     programme = Programme(start_frequency=2.0, end_frequency=12.0, hold_time=0.0, sweep_rate=2.0)
-    rates = angle_of([swept_angle(programme, 4000.0)]).evaluate(np.array([0.0, 2.5, 4.999]))[1] / (2.0 * np.pi)
+    rates = angle_of([swept_angle(programme, 4000.0)]).evaluate(np.array([0.0, 2.5, 4.999]))[1] / (
+        2.0 * np.pi
+    )
     assert rates == pytest.approx([2.0, 7.0, 11.998], abs=1e-9)
 
 
 def test_a_record_is_a_recording():
     record = simulate_test(CAR, QUICK, about={"axle": "rear", "vehicle": "A6"})
     check_recording(record)
-    assert {"left.plate.z", "left.plate.force", "truth.left.tyre.force", "truth.left.sprung.az"} <= set(record)
+    assert {
+        "left.plate.z",
+        "left.plate.force",
+        "truth.left.tyre.force",
+        "truth.left.sprung.az",
+    } <= set(record)
     assert record.attrs["left.static_load"] == pytest.approx(4954.05, abs=1e-6)
     assert (record.attrs["left.plate_mass"], record.attrs["axle"]) == (20.0, "rear")
     assert np.allclose(np.diff(record["time"]), 1e-3, atol=1e-12)
@@ -59,7 +66,10 @@ def test_a_record_is_a_recording():
 def test_left_is_tested_before_right():
     record = simulate_test(axle_of(load("audi-a6-full-car"), "front"), QUICK, truth=False)
     assert record.attrs["wheel_order"] == "left, right"
-    moving = {side: np.flatnonzero(np.abs(np.diff(record[f"{side}.plate.z"])) > 1e-9) for side in ("left", "right")}
+    moving = {
+        side: np.flatnonzero(np.abs(np.diff(record[f"{side}.plate.z"])) > 1e-9)
+        for side in ("left", "right")
+    }
     assert moving["left"][-1] + 950 < moving["right"][0]
     same = simulate_test(load("audi-a6-full-car"), QUICK, truth=False)
     assert same.equals(record)
@@ -78,10 +88,15 @@ def test_noise_is_as_asked_and_repeatable():
 
 def test_sensors_clip_shift_and_count():
     sensors = Sensors(displacement_noise=1e-5, force_offset=100.0, force_limit=5500.0, tacho=True)
-    clean, read = simulate_test(CAR, QUICK, truth=False), simulate_test(CAR, QUICK, truth=False, sensors=sensors)
+    clean, read = (
+        simulate_test(CAR, QUICK, truth=False),
+        simulate_test(CAR, QUICK, truth=False, sensors=sensors),
+    )
     force = np.minimum(clean["left.plate.force"].values + 100.0, 5500.0)
     assert np.allclose(read["left.plate.force"], force, atol=1e-9)
-    assert np.std(read["left.plate.z"].values - clean["left.plate.z"].values) == pytest.approx(1e-5, rel=0.1)
+    assert np.std(read["left.plate.z"].values - clean["left.plate.z"].values) == pytest.approx(
+        1e-5, rel=0.1
+    )
     assert read["left.plate.frequency"].values[0] == pytest.approx(25.0, abs=1e-6)
 
 
@@ -124,7 +139,10 @@ def test_files_have_a_header_that_says_the_load(tmp_path):
         (lambda: steady_response(CAR, EGEA, [0.0]), "above 0 Hz"),
         (lambda: steady_response(CAR, EGEA, [10.0], wheel="both"), "left, right"),
         (lambda: wheel_mode(CAR, EGEA, on="moon"), "rig, road"),
-        (lambda: simulate_test(load("audi-a6-full-car"), EGEA, about={"axle": "middle"}), "front, rear"),
+        (
+            lambda: simulate_test(load("audi-a6-full-car"), EGEA, about={"axle": "middle"}),
+            "front, rear",
+        ),
         (lambda: wear_dampers(CAR, 1.5), "0 .new. to 1"),
     ],
 )
@@ -134,7 +152,9 @@ def test_refused(call, says):
     assert isinstance(caught.value, (DescriptionError, SimulationError))
 
 
-@pytest.mark.parametrize("name", ["audi-a6-quarter-car", "audi-a6-full-car", "kart-double-wishbone", "polaris-front"])
+@pytest.mark.parametrize(
+    "name", ["audi-a6-quarter-car", "audi-a6-full-car", "kart-double-wishbone", "polaris-front"]
+)
 def test_wear_takes_force_from_the_dampers_only(name):
     new = load(name)
     half, before = wear_dampers(new, 0.5).parameters(), new.parameters()
@@ -153,7 +173,9 @@ def test_the_band_limit_counts_with_a_damped_tyre():
     damped = CAR.with_changes({"tyre.damping_coefficient": 3000.0})
     adhesion, at = closed_form_adhesion(damped, EGEA)
     assert at == 25.0
-    assert adhesion == pytest.approx(float(steady_response(damped, EGEA, [25.0]).adhesion[0]), abs=1e-12)
+    assert adhesion == pytest.approx(
+        float(steady_response(damped, EGEA, [25.0]).adhesion[0]), abs=1e-12
+    )
 
 
 def test_a_tester_is_named_as_a_rig_is() -> None:
@@ -161,9 +183,15 @@ def test_a_tester_is_named_as_a_rig_is() -> None:
     assert named.adhesion.tolist() == given.adhesion.tolist()
     assert simulate_inspection(CAR, "egea-specsus2018", steady=True).wheel.adhesion is not None
     record = simulate_test(CAR, QUICK)
-    named, given = (evaluate(record, tester).wheels[0].phase_angle_min_deg for tester in ("egea-specsus2018", EGEA))
+    named, given = (
+        evaluate(record, tester).wheels[0].phase_angle_min_deg
+        for tester in ("egea-specsus2018", EGEA)
+    )
     assert named == given is not None
-    for call in (lambda: simulate_test(CAR, "egea-specsus2018x"), lambda: evaluate(record, "egea-specsus2018x")):
+    for call in (
+        lambda: simulate_test(CAR, "egea-specsus2018x"),
+        lambda: evaluate(record, "egea-specsus2018x"),
+    ):
         with pytest.raises(DescriptionError, match="egea-specsus2018"):
             call()
     with pytest.raises(DescriptionError, match="not a tester"):

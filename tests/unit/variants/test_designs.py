@@ -24,7 +24,9 @@ def test_a_grid_has_every_combination_the_last_number_changing_fastest():
 
 
 def whole(spread, count=240):
-    return latin_hypercube({"mass": spread}, count, seed=1).values(NUMBERS.__getitem__, lambda path: path == "mass")
+    return latin_hypercube({"mass": spread}, count, seed=1).values(
+        NUMBERS.__getitem__, lambda path: path == "mass"
+    )
 
 
 @pytest.mark.parametrize("spread", [[1, 4], {"low": 1.0, "high": 4.0}, [0.2, 4.9]])
@@ -38,7 +40,9 @@ def test_whole_numbers_of_a_distribution_are_rounded_and_keep_its_mean():
     drawn = whole({"mean": 10.0, "sd": 3.0})["mass"]
     assert np.array_equal(drawn, np.rint(drawn))
     assert drawn.mean() == pytest.approx(10.0, abs=0.1)
-    assert drawn.std() == pytest.approx(np.hypot(3.0, 12.0**-0.5), rel=0.03)  # and the rounding's own
+    assert drawn.std() == pytest.approx(
+        np.hypot(3.0, 12.0**-0.5), rel=0.03
+    )  # and the rounding's own
 
 
 def test_a_range_without_a_whole_number_is_refused():
@@ -61,7 +65,9 @@ def test_spreads_have_their_ends_and_moments(make):
     assert found["rate"].std() == pytest.approx(1000.0, rel=0.04)
     triangle = (-0.3 - 0.1 + 0.3) / 3.0
     assert found["height"].mean() == pytest.approx(triangle, abs=3 * 0.125 / 64)
-    assert found["height"].var() == pytest.approx((0.09 + 0.01 + 0.09 - (0.03 - 0.09 - 0.03)) / 18.0, rel=0.05)
+    assert found["height"].var() == pytest.approx(
+        (0.09 + 0.01 + 0.09 - (0.03 - 0.09 - 0.03)) / 18.0, rel=0.05
+    )
 
 
 @pytest.mark.parametrize("count", [1, 2, 7, 8, 1000, 1024, 1025, 5000])
@@ -88,7 +94,9 @@ def test_a_latin_hypercube_takes_every_part_once():
 
 @pytest.mark.parametrize("make", [sobol, latin_hypercube, monte_carlo])
 def test_the_same_seed_gives_the_same_points(make):
-    first, again, other = (values(make({"mass": "10 %"}, 8, seed=seed))["mass"] for seed in (4, 4, 5))
+    first, again, other = (
+        values(make({"mass": "10 %"}, 8, seed=seed))["mass"] for seed in (4, 4, 5)
+    )
     assert first.tolist() == again.tolist() != other.tolist()
 
 

@@ -26,7 +26,9 @@ METRICS = ["rms sprung.az", "max tyre.force"]
 
 
 def design(count: int = 40, seed: int = 1, heaviest: str = "520 kg") -> jn.sobol:
-    return jn.sobol({"strut.damper.coefficient": "40 %", "sprung.mass": ["400 kg", heaviest]}, count, seed=seed)
+    return jn.sobol(
+        {"strut.damper.coefficient": "40 %", "sprung.mass": ["400 kg", heaviest]}, count, seed=seed
+    )
 
 
 def sweep(out: Path, variants=None, **options):
@@ -99,7 +101,10 @@ def test_a_variant_that_ends_in_an_unforeseen_way_is_a_row_with_its_reason(monke
 
     monkeypatch.setattr(many._TrialGroup, "_solve", lambda *_: 1 / 0)
     found = jn.simulate_many(
-        RIG, TRIAL.model_copy(update={"duration": 3.0}), {"sprung.mass": [400.0, 500.0]}, metrics="Wk sprung.az"
+        RIG,
+        TRIAL.model_copy(update={"duration": 3.0}),
+        {"sprung.mass": [400.0, 500.0]},
+        metrics="Wk sprung.az",
     )
     assert all("division by zero" in text for text in found["reason"].values)
 
@@ -114,19 +119,25 @@ def test_channels_over_time_are_kept_by_shards(tmp_path: Path, small, folder) ->
 
 
 @pytest.mark.parametrize("damage", ["gone", "cut", "changed"])
-def test_a_resumed_sweep_works_on_what_is_missing_or_damaged_only(tmp_path: Path, small, monkeypatch, damage) -> None:
+def test_a_resumed_sweep_works_on_what_is_missing_or_damaged_only(
+    tmp_path: Path, small, monkeypatch, damage
+) -> None:
     before = sweep(tmp_path)
     chosen = sorted((tmp_path / "shards").iterdir())[2]
     content = chosen.read_bytes()
     if damage == "gone":
         chosen.unlink()
     else:
-        chosen.write_bytes(content[:-50] if damage == "cut" else content[:-50] + b"!" + content[-49:])
+        chosen.write_bytes(
+            content[:-50] if damage == "cut" else content[:-50] + b"!" + content[-49:]
+        )
     assert jn.load_sweep(tmp_path).sizes["variant"] == 32  # what is damaged is not read
     worked: list[int] = []
     run = workers.shard_of
     monkeypatch.setattr(
-        workers, "shard_of", lambda work, task, threads: worked.append(task.number) or run(work, task, threads)
+        workers,
+        "shard_of",
+        lambda work, task, threads: worked.append(task.number) or run(work, task, threads),
     )
     after = sweep(tmp_path, resume=True)
     assert worked == [2]
@@ -136,7 +147,9 @@ def test_a_resumed_sweep_works_on_what_is_missing_or_damaged_only(tmp_path: Path
 
 @pytest.mark.parametrize("damage", ["gone", "cut", "changed"])
 @pytest.mark.parametrize("piece", ["rms sprung.az/2", "reason/2", "shards/000002.*.json"])
-def test_a_damaged_chunk_of_a_zarr_group_is_worked_on_again(tmp_path: Path, small, piece, damage) -> None:
+def test_a_damaged_chunk_of_a_zarr_group_is_worked_on_again(
+    tmp_path: Path, small, piece, damage
+) -> None:
     out = tmp_path / "out.zarr"
     before = sweep(out)
     (chosen,) = out.glob(piece)
@@ -144,7 +157,9 @@ def test_a_damaged_chunk_of_a_zarr_group_is_worked_on_again(tmp_path: Path, smal
     if damage == "gone":
         chosen.unlink()
     else:
-        chosen.write_bytes(content[:-1] if damage == "cut" else bytes([content[0] ^ 1]) + content[1:])
+        chosen.write_bytes(
+            content[:-1] if damage == "cut" else bytes([content[0] ^ 1]) + content[1:]
+        )
     assert jn.load_sweep(out)["variant"].values.tolist() == [*range(16), *range(24, 40)]
     assert sweep(out, resume=True).identical(before)
     assert len(files(out)) == 5
@@ -156,13 +171,17 @@ def test_other_programs_read_a_zarr_group(tmp_path: Path, small) -> None:
     masses = [450.0 + i for i in range(37)]
     masses[17] = -1.0
     variants = {"sprung.mass": masses}
-    found = jn.simulate_many(RIG, TRIAL, variants, metrics=METRICS, outputs="sprung.z", out=tmp_path / "of masses.zarr")
+    found = jn.simulate_many(
+        RIG, TRIAL, variants, metrics=METRICS, outputs="sprung.z", out=tmp_path / "of masses.zarr"
+    )
     with xr.open_zarr(tmp_path / "of masses.zarr") as group:
         assert group["sprung.z"].encoding["chunks"] == (8, found.sizes["time"])
         assert group.load().identical(found)
 
 
-def test_a_zarr_group_can_be_read_while_its_sweep_goes_on(tmp_path: Path, small, monkeypatch) -> None:
+def test_a_zarr_group_can_be_read_while_its_sweep_goes_on(
+    tmp_path: Path, small, monkeypatch
+) -> None:
     pytest.importorskip("zarr")
     whole, put = sweep(tmp_path / "whole"), shards.zarr_shards.put
 
@@ -186,7 +205,11 @@ def test_a_folder_that_was_begun_with_netcdf_goes_on_with_it(tmp_path: Path, sma
     """Once the name of a folder did not choose the format, and ``sweep.json`` did not tell it."""
     before = sweep(tmp_path / "out")
     about = tmp_path / "out" / "sweep.json"
-    about.write_text(json.dumps({key: one for key, one in json.loads(about.read_text()).items() if key != "format"}))
+    about.write_text(
+        json.dumps(
+            {key: one for key, one in json.loads(about.read_text()).items() if key != "format"}
+        )
+    )
     (tmp_path / "out").rename(tmp_path / "out.zarr")
     next((tmp_path / "out.zarr" / "shards").iterdir()).unlink()
     assert sweep(tmp_path / "out.zarr", resume=True).identical(before)
@@ -198,13 +221,19 @@ def test_what_is_full_keeps_what_is_finished(tmp_path: Path, small, monkeypatch)
 
     def full(path: Path, content, **options):
         if Path(path).name.startswith("000003"):
-            raise OutputError("the file cannot be written", where=str(path), found="No space left on device")
+            raise OutputError(
+                "the file cannot be written", where=str(path), found="No space left on device"
+            )
         return write(path, content, **options)
 
     monkeypatch.setattr(shards, "write_atomically", full)
-    with pytest.raises(OutputError, match=r"No space left on device'\. What is finished is kept: make room"):
+    with pytest.raises(
+        OutputError, match=r"No space left on device'\. What is finished is kept: make room"
+    ):
         sweep(tmp_path)
-    with pytest.raises(OutputError, match=r"holds a sweep; found '3 of 5 shards'\. Go on with --resume"):
+    with pytest.raises(
+        OutputError, match=r"holds a sweep; found '3 of 5 shards'\. Go on with --resume"
+    ):
         sweep(tmp_path)
     assert len(files(tmp_path)) == 3
     monkeypatch.undo()
@@ -213,7 +242,9 @@ def test_what_is_full_keeps_what_is_finished(tmp_path: Path, small, monkeypatch)
     np.testing.assert_array_equal(found["variant"], np.arange(40))
 
 
-def test_more_results_than_the_disk_holds_are_refused_before_the_work(tmp_path: Path, small, monkeypatch) -> None:
+def test_more_results_than_the_disk_holds_are_refused_before_the_work(
+    tmp_path: Path, small, monkeypatch
+) -> None:
     usage = namedtuple("usage", "total used free")
     monkeypatch.setattr(shards.shutil, "disk_usage", lambda _: usage(1e6, 1e6 - 2e5, 2e5))
     with pytest.raises(OutputError, match="more than the disk has room for"):
@@ -223,7 +254,12 @@ def test_more_results_than_the_disk_holds_are_refused_before_the_work(tmp_path: 
 
 def changed_rig(out: Path) -> None:
     jn.simulate_many(
-        RIG.with_changes({"tyre.stiffness": 3.1e5}), TRIAL, design(), metrics=METRICS, out=out, resume=True
+        RIG.with_changes({"tyre.stiffness": 3.1e5}),
+        TRIAL,
+        design(),
+        metrics=METRICS,
+        out=out,
+        resume=True,
     )
 
 
@@ -231,15 +267,23 @@ def changed_rig(out: Path) -> None:
     ("change", "named"),
     [
         (changed_rig, "rig.tyre.stiffness: 300000.0 before, 310000.0 now"),
-        (lambda out: sweep(out, design(seed=2), resume=True), r"found 'variants.seed: 1 before, 2 now'\."),
+        (
+            lambda out: sweep(out, design(seed=2), resume=True),
+            r"found 'variants.seed: 1 before, 2 now'\.",
+        ),
         (lambda out: sweep(out, design(48), resume=True), r"found 'variants: 40 before, 48 now'\."),
         (
             lambda out: sweep(out, design(heaviest="600 kg"), resume=True),
             r"found 'variants.sprung.mass: 40\S+ to 5[12]\S+ before, 40\S+ to 59\S+ now'\.",
         ),
-        (lambda out: sweep(out, resume=True, output_step=2e-3), "settings.output_step: 0.001 before, 0.002 now"),
         (
-            lambda out: jn.simulate_many(RIG, TRIAL, design(), metrics=METRICS[:1], out=out, resume=True),
+            lambda out: sweep(out, resume=True, output_step=2e-3),
+            "settings.output_step: 0.001 before, 0.002 now",
+        ),
+        (
+            lambda out: jn.simulate_many(
+                RIG, TRIAL, design(), metrics=METRICS[:1], out=out, resume=True
+            ),
             r"metrics\[1\]: max tyre.force before, nothing now",
         ),
     ],
@@ -260,7 +304,12 @@ def test_a_file_that_the_trial_reads_belongs_to_the_study(tmp_path: Path, small)
         base.write_text(f"time [s], road.z [m]\n{rows}", encoding="utf-8")
         trial = jn.Trial(excitation=base)
         return jn.simulate_many(
-            RIG, trial, {"sprung.mass": [400.0, 450.0]}, metrics=METRICS, out=tmp_path / "out", resume=True
+            RIG,
+            trial,
+            {"sprung.mass": [400.0, 450.0]},
+            metrics=METRICS,
+            out=tmp_path / "out",
+            resume=True,
         )
 
     run(1e-3)
@@ -279,7 +328,9 @@ def test_a_folder_with_other_things_is_left_alone(tmp_path: Path, small) -> None
         jn.load_sweep(tmp_path)
 
 
-@pytest.mark.parametrize("content", [b"", b"\xff", b"[]", b"{}", b'{"schema": "jounce.sweep-results/1", "count": "x"}'])
+@pytest.mark.parametrize(
+    "content", [b"", b"\xff", b"[]", b"{}", b'{"schema": "jounce.sweep-results/1", "count": "x"}']
+)
 def test_a_manifest_that_says_nothing_is_told(tmp_path: Path, small, content) -> None:
     sweep(tmp_path)
     (tmp_path / "sweep.json").write_bytes(content)
@@ -297,7 +348,12 @@ def test_what_goes_with_a_folder_only(options) -> None:
 def test_a_function_is_no_part_of_a_file(tmp_path: Path) -> None:
     with pytest.raises(DescriptionError, match="Python function"):
         jn.simulate_many(
-            RIG, TRIAL, {"sprung.mass": [450.0]}, metrics=METRICS, control=lambda _m, _t: 0.0, out=tmp_path / "out"
+            RIG,
+            TRIAL,
+            {"sprung.mass": [450.0]},
+            metrics=METRICS,
+            control=lambda _m, _t: 0.0,
+            out=tmp_path / "out",
         )
 
 
@@ -311,7 +367,9 @@ def test_two_at_once_on_one_folder(tmp_path: Path, small) -> None:
 def test_a_sweep_that_begins_anew_leaves_nothing_of_the_earlier_one(tmp_path: Path, small) -> None:
     sweep(tmp_path, design(40))
     (tmp_path / "shards" / "notes.nc").write_text("mine", encoding="utf-8")
-    work, columns = read_request(RIG, TRIAL, jn.sobol({"sprung.mass": "5 %"}, 10), RunSettings(), METRICS, None, None)
+    work, columns = read_request(
+        RIG, TRIAL, jn.sobol({"sprung.mass": "5 %"}, 10), RunSettings(), METRICS, None, None
+    )
     with shards._lock(tmp_path), pytest.raises(OutputError, match="another process works"):
         shards.keep_in_shards(work, columns, tmp_path, force=True)
     assert len(files(tmp_path)) == 6
@@ -353,13 +411,19 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
 def test_memory_hardly_grows_with_variants() -> None:
     """Four numbers of each variant are kept, twice while they are read; what a shard works with is that of any."""
     few, many = (
-        int(subprocess.run([sys.executable, "-c", MEMORY, str(count)], capture_output=True, check=True).stdout)
+        int(
+            subprocess.run(
+                [sys.executable, "-c", MEMORY, str(count)], capture_output=True, check=True
+            ).stdout
+        )
         for count in (65_536, 524_288)
     )
     assert 1024 * (many - few) < 200 * (524_288 - 65_536)
 
 
-def test_a_normal_distribution_that_strays_says_how_much_of_it_is_cut_off(tmp_path: Path, small) -> None:
+def test_a_normal_distribution_that_strays_says_how_much_of_it_is_cut_off(
+    tmp_path: Path, small
+) -> None:
     stray = jn.sobol({"sprung.mass": {"mean": "300 kg", "sd": "200 kg"}}, 64, seed=1)
     found = sweep(tmp_path / "out", stray)
     below = int(np.sum(found["sprung.mass"].values <= 0.0))
@@ -371,7 +435,9 @@ def test_a_normal_distribution_that_strays_says_how_much_of_it_is_cut_off(tmp_pa
 
 
 def test_a_range_that_no_mass_can_have_runs_nothing(tmp_path: Path) -> None:
-    with pytest.raises(DescriptionError, match=r"sprung\.mass: the spread reaches beyond .* above 0 kg"):
+    with pytest.raises(
+        DescriptionError, match=r"sprung\.mass: the spread reaches beyond .* above 0 kg"
+    ):
         sweep(tmp_path / "out", jn.latin_hypercube({"sprung.mass": ["-1 kg", "2 kg"]}, 8))
     with pytest.raises(DescriptionError, match=r"trial\.speed: the spread reaches beyond"):
         sweep(tmp_path / "out", jn.sobol({"trial.speed": "150 %"}, 8))

@@ -9,7 +9,9 @@ from jounce.variants.side_by_side import _align, _spans
 @pytest.mark.parametrize("shape", [(13, 24), (88, 8), (1, 32)])
 def test_vectors_lie_within_lines_of_the_cache(shape):
     array = np.arange(np.prod(shape), dtype=float).reshape(shape)
-    shifted = np.append(0.0, array)[1:].reshape(shape)  # which begins 8 bytes farther than memory is given out
+    shifted = np.append(0.0, array)[1:].reshape(
+        shape
+    )  # which begins 8 bytes farther than memory is given out
     found = _align(shifted)
     assert found.ctypes.data % 64 == 0
     assert found.flags.c_contiguous

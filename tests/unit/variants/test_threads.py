@@ -117,7 +117,9 @@ def test_who_is_interrupted_while_it_waits_leaves_nothing_to_the_others(monkeypa
     assert taken == []
 
 
-@pytest.mark.skipif(not hasattr(os, "sched_getaffinity"), reason="processes are bound to processors on Linux")
+@pytest.mark.skipif(
+    not hasattr(os, "sched_getaffinity"), reason="processes are bound to processors on Linux"
+)
 def test_a_process_that_is_bound_to_a_processor_uses_no_more(monkeypatch):
     before = os.sched_getaffinity(0)
     monkeypatch.setattr(threads, "time_share", lambda: math.inf)
@@ -131,9 +133,16 @@ def test_a_process_that_is_bound_to_a_processor_uses_no_more(monkeypatch):
 
 @pytest.mark.parametrize(
     ("above", "here", "found", "used"),
-    [(None, None, math.inf, 8), ("max", "max", math.inf, 8), ("200000", "max", 2.0, 2), ("max", "50000", 0.5, 1)],
+    [
+        (None, None, math.inf, 8),
+        ("max", "max", math.inf, 8),
+        ("200000", "max", 2.0, 2),
+        ("max", "50000", 0.5, 1),
+    ],
 )
-def test_a_container_with_little_time_counts_as_few_processors(tmp_path, monkeypatch, above, here, found, used):
+def test_a_container_with_little_time_counts_as_few_processors(
+    tmp_path, monkeypatch, above, here, found, used
+):
     own = tmp_path / "own"
     own.write_text("1:cpu:/other\n0::/box/job\n")
     (tmp_path / "box" / "job").mkdir(parents=True)
@@ -146,7 +155,9 @@ def test_a_container_with_little_time_counts_as_few_processors(tmp_path, monkeyp
     assert processors() == used
 
 
-@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems have no control groups")
+@pytest.mark.skipif(
+    not sys.platform.startswith("linux"), reason="other systems have no control groups"
+)
 def test_a_control_group_may_have_any_name(tmp_path):
     own, group = tmp_path / "own", tmp_path / os.fsdecode(b"caf\xe9")
     own.write_bytes(b"0::/caf\xe9\n")
@@ -159,7 +170,10 @@ def test_a_control_group_may_have_any_name(tmp_path):
 def test_what_is_to_be_done_meanwhile_is_done_once_before_this_thread_takes_items(workers):
     done = []
     share(
-        range(9), lambda some: done.extend((threading.get_ident(), i) for i in some), workers, lambda: done.append("m")
+        range(9),
+        lambda some: done.extend((threading.get_ident(), i) for i in some),
+        workers,
+        lambda: done.append("m"),
     )
     assert done.count("m") == 1
     assert sorted(i for _, i in (one for one in done if one != "m")) == list(range(9))

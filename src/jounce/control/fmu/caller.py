@@ -22,7 +22,9 @@ _MESSAGES = 5  # last ones, that an error quotes
 _MUCH = 1000  # messages without an error, after which logging is switched off
 _POINTER, _SIZE, _DOUBLE, _TEXT = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_double, ctypes.c_char_p
 _MORE = 3  # variable arguments that are read
-_LOGGER_2 = ctypes.CFUNCTYPE(None, _POINTER, _TEXT, ctypes.c_int, _TEXT, _TEXT, *(_POINTER,) * _MORE)
+_LOGGER_2 = ctypes.CFUNCTYPE(
+    None, _POINTER, _TEXT, ctypes.c_int, _TEXT, _TEXT, *(_POINTER,) * _MORE
+)
 """It is variadic: its first arguments lie where those of a fixed number would."""
 _LOGGER_3 = ctypes.CFUNCTYPE(None, _POINTER, ctypes.c_int, _TEXT, _TEXT)
 _TYPES: dict[str, Any] = {
@@ -120,7 +122,10 @@ class _Instance:
         self._version: int = spec["version"]
         self._period: float = spec["period"]
         self._messages: deque[str] = deque(maxlen=_MESSAGES)
-        self._in, self._out = _groups(spec["inputs"], self._version), _groups(spec["outputs"], self._version)
+        self._in, self._out = (
+            _groups(spec["inputs"], self._version),
+            _groups(spec["outputs"], self._version),
+        )
         self._component: int | None = None
         self._broken = False
         self._x: Any
@@ -155,12 +160,20 @@ class _Instance:
         many = _SIZE.from_param(len(group.references))
         # FMI 3.0 also takes the number of values: an array has several.
         more = () if self._version == 2 else (_SIZE.from_param(len(group.values)),)
-        return (_place(self._component), _place(group.references), many, _place(group.values), *more)
+        return (
+            _place(self._component),
+            _place(group.references),
+            many,
+            _place(group.values),
+            *more,
+        )
 
     def _prepare_arguments(self) -> None:
         """Prepare the arguments of a step's functions, except the time."""
         inputs, outputs = self._counts
-        if _are_reals(self._in, inputs):  # the usual case, and the fastest: C takes the step's numbers as they are
+        if _are_reals(
+            self._in, inputs
+        ):  # the usual case, and the fastest: C takes the step's numbers as they are
             self._x, self._fill = self._in[0].values, struct.Struct(f"{inputs}d").pack_into
             self._set, self._put = self._sets[0], self._values(self._in[0])
         else:
@@ -209,16 +222,26 @@ class _Instance:
                 *(value.encode() if isinstance(value, str) else value for value in values)
             )
             many = () if self._version == 2 else (len(values),)
-            put = self._bind(f"Set{kind}", _POINTER, _POINTER, _SIZE, _POINTER, *(_SIZE,) * len(many))
+            put = self._bind(
+                f"Set{kind}", _POINTER, _POINTER, _SIZE, _POINTER, *(_SIZE,) * len(many)
+            )
             refs = (ctypes.c_uint32 * 1)(reference)
-            self._check("a start value", put(c, ctypes.addressof(refs), 1, ctypes.addressof(held), *many))
+            self._check(
+                "a start value", put(c, ctypes.addressof(refs), 1, ctypes.addressof(held), *many)
+            )
         if self._version == 2:
-            setup = self._bind("SetupExperiment", _POINTER, ctypes.c_int, _DOUBLE, _DOUBLE, ctypes.c_int, _DOUBLE)
+            setup = self._bind(
+                "SetupExperiment", _POINTER, ctypes.c_int, _DOUBLE, _DOUBLE, ctypes.c_int, _DOUBLE
+            )
             self._check("set-up", setup(c, 0, 0.0, 0.0, 0, 0.0))
-            self._check("the begin of initialisation", self._bind("EnterInitializationMode", _POINTER)(c))
+            self._check(
+                "the begin of initialisation", self._bind("EnterInitializationMode", _POINTER)(c)
+            )
         else:
             whether, number = ctypes.c_bool, _DOUBLE
-            enter = self._bind("EnterInitializationMode", _POINTER, whether, number, number, whether, number)
+            enter = self._bind(
+                "EnterInitializationMode", _POINTER, whether, number, number, whether, number
+            )
             self._check("the begin of initialisation", enter(c, False, 0.0, 0.0, False, 0.0))
         self._check("the end of initialisation", self._bind("ExitInitializationMode", _POINTER)(c))
 
@@ -227,24 +250,44 @@ class _Instance:
         self._logged = 0
         truth = ctypes.c_int if self._version == 2 else ctypes.c_bool
         with contextlib.suppress(FmuFailedError):
-            self._bind("SetDebugLogging", _POINTER, truth, _SIZE, _POINTER)(self._component, 0, 0, None)
+            self._bind("SetDebugLogging", _POINTER, truth, _SIZE, _POINTER)(
+                self._component, 0, 0, None
+            )
 
     def _instantiate(self) -> None:
         spec, name, token = self._spec, self._name, self._spec["token"].encode()
         kind = "Instantiate" if self._version == 2 else "InstantiateCoSimulation"
         if self._version == 2:
-            make = self._bind(kind, _TEXT, ctypes.c_int, _TEXT, _TEXT, _POINTER, ctypes.c_int, ctypes.c_int)
+            make = self._bind(
+                kind, _TEXT, ctypes.c_int, _TEXT, _TEXT, _POINTER, ctypes.c_int, ctypes.c_int
+            )
             make.restype = _POINTER
             c_library = ctypes.CDLL(None) if os.name == "posix" else ctypes.CDLL("msvcrt")
-            allocate, free = (ctypes.cast(getattr(c_library, word), _POINTER) for word in ("calloc", "free"))
+            allocate, free = (
+                ctypes.cast(getattr(c_library, word), _POINTER) for word in ("calloc", "free")
+            )
             self._callbacks = _Callbacks(self._logger, allocate, free, None, None)
-            instance = make(name, 1, token, spec["resources"].encode(), ctypes.addressof(self._callbacks), 0, 1)
+            instance = make(
+                name, 1, token, spec["resources"].encode(), ctypes.addressof(self._callbacks), 0, 1
+            )
         else:
-            types = (_TEXT, _TEXT, _TEXT, *(ctypes.c_bool,) * 4, _POINTER, _SIZE, _POINTER, _LOGGER_3, _POINTER)
+            types = (
+                _TEXT,
+                _TEXT,
+                _TEXT,
+                *(ctypes.c_bool,) * 4,
+                _POINTER,
+                _SIZE,
+                _POINTER,
+                _LOGGER_3,
+                _POINTER,
+            )
             make = self._bind(kind, *types)
             make.restype = _POINTER
             resources = spec["resources"].encode()
-            instance = make(name, token, resources, False, True, False, False, None, 0, None, self._logger, None)
+            instance = make(
+                name, token, resources, False, True, False, False, None, 0, None, self._logger, None
+            )
         if not instance:
             said = " ".join(self._messages)
             raise FmuFailedError("it gives no instance" + (f": {said}" if said else ""))
@@ -308,8 +351,14 @@ def _format_message(text: bytes, values: list[int | None]) -> bytes:
     (b'step 7 of 100 %', b'at %g s')
     """
     places = [place for place in _PLACE.findall(text) if place != b"%%"]
-    is_elsewhere = sys.platform == "darwin" and os.uname().machine == "arm64"  # such arguments lie on the stack there
-    if is_elsewhere or len(places) > len(values) or any(place[-1:] not in b"sdi" for place in places):
+    is_elsewhere = (
+        sys.platform == "darwin" and os.uname().machine == "arm64"
+    )  # such arguments lie on the stack there
+    if (
+        is_elsewhere
+        or len(places) > len(values)
+        or any(place[-1:] not in b"sdi" for place in places)
+    ):
         return text
     left = iter(values)
 
@@ -374,7 +423,10 @@ def serve() -> None:
     for stream in (0, 1, 2):
         os.dup2(nowhere, stream)
     specs = json.loads(questions.readline())
-    inputs, outputs = (struct.Struct(f"={sum(len(spec[word]) for spec in specs)}d") for word in ("inputs", "outputs"))
+    inputs, outputs = (
+        struct.Struct(f"={sum(len(spec[word]) for spec in specs)}d")
+        for word in ("inputs", "outputs")
+    )
     instances: Instances | None = None
     while head := questions.read(1):
         try:
@@ -384,7 +436,12 @@ def serve() -> None:
                 instances.start()
                 answers.write(b"+" + outputs.pack(*[0.0] * (outputs.size // 8)))
             else:
-                answers.write(b"+" + outputs.pack(*instances.step(list(inputs.unpack(questions.read(inputs.size))))))
+                answers.write(
+                    b"+"
+                    + outputs.pack(
+                        *instances.step(list(inputs.unpack(questions.read(inputs.size))))
+                    )
+                )
         except FmuFailedError as error:
             text = str(error).encode()
             answers.write(b"-" + len(text).to_bytes(8, "little") + text)

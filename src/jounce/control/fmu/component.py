@@ -27,7 +27,11 @@ from jounce.core.turns import turn
 from jounce.core.units import base_units, conversion_factor, is_unit
 from jounce.core.writing import lasting_folder
 
-_MOST_FILES, _MOST_BYTES, _LONGEST_DESCRIPTION = 20_000, 1_000_000_000, 50_000_000  # bytes: no archive fills the disk
+_MOST_FILES, _MOST_BYTES, _LONGEST_DESCRIPTION = (
+    20_000,
+    1_000_000_000,
+    50_000_000,
+)  # bytes: no archive fills the disk
 _BASES = ("kg", "m", "s", "A", "K", "mol", "cd")  # an angle is one whether it says so or not
 REALS = ("Real", "Float64", "Float32")
 """Types of real numbers."""
@@ -82,7 +86,9 @@ class FmuVariable(Plain):
     @property
     def shape(self) -> str:
         """Its type in a message, with the dimensions of an array."""
-        return f"{self.kind}[{', '.join(map(str, self.dimensions))}]" if self.dimensions else self.kind
+        return (
+            f"{self.kind}[{', '.join(map(str, self.dimensions))}]" if self.dimensions else self.kind
+        )
 
     @property
     def is_number(self) -> bool:
@@ -147,7 +153,14 @@ class FmuComponent(Plain):
     [('road.z', 'm'), ('road.vz', 'm/s')]
     """
 
-    left_out: ClassVar[tuple[str, ...]] = ("token", "identifier", "units", "is_once", "fixed_step", "needs_tool")
+    left_out: ClassVar[tuple[str, ...]] = (
+        "token",
+        "identifier",
+        "units",
+        "is_once",
+        "fixed_step",
+        "needs_tool",
+    )
     path: Path
     version: int
     name: str
@@ -176,7 +189,9 @@ class FmuComponent(Plain):
             return 1.0, 0.0
         unit = self.units.get(variable.unit, _Unit(1.0, 0.0, None))
         if unit.powers is None:
-            return 1.0 / conversion_factor(variable.unit, si, where=f"{self.path}: {variable.name}"), 0.0
+            return 1.0 / conversion_factor(
+                variable.unit, si, where=f"{self.path}: {variable.name}"
+            ), 0.0
         wanted = base_units(si)
         if any(unit.powers.get(base, 0) != wanted.get(base, 0) for base in _BASES):
             raise DescriptionError(
@@ -247,10 +262,15 @@ def read_fmu(path: Path | str) -> FmuComponent:
     with _refuse_damaged(file), zipfile.ZipFile(file) as archive:
         members = _members(archive, str(file))
         if "modelDescription.xml" not in members:
-            raise DescriptionError("no modelDescription.xml is in it", where=str(file), allowed="an FMU")
+            raise DescriptionError(
+                "no modelDescription.xml is in it", where=str(file), allowed="an FMU"
+            )
         info = members["modelDescription.xml"]
         if info.file_size > _LONGEST_DESCRIPTION:
-            most = Phrase("up to {longest_description} MB", longest_description=_LONGEST_DESCRIPTION // 1_000_000)
+            most = Phrase(
+                "up to {longest_description} MB",
+                longest_description=_LONGEST_DESCRIPTION // 1_000_000,
+            )
             raise DescriptionError("its description is too large", where=str(file), allowed=most)
         text = archive.read(info)
     return _component(file, _parse(text, str(file)), members)
@@ -264,12 +284,19 @@ def _refuse_damaged(file: Path) -> Iterator[None]:
     except DescriptionError:
         raise
     except Exception as error:  # of lzma, bz2, zlib, struct, or of encrypted and unknown archives
-        if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES):
+        if isinstance(error, OSError) and error.errno in (
+            errno.ENOSPC,
+            errno.EDQUOT,
+            errno.EROFS,
+            errno.EACCES,
+        ):
             raise  # of the disk that receives the files
         text = " ".join(str(error).split()) or type(error).__name__
         allowed = "an FMU (a ZIP file)"
         raise DescriptionError(
-            Phrase("not an archive that can be read: {text}", text=text), where=str(file), allowed=allowed
+            Phrase("not an archive that can be read: {text}", text=text),
+            where=str(file),
+            allowed=allowed,
         ) from None
 
 
@@ -295,7 +322,9 @@ def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]
         is_link = stat.S_ISLNK(info.external_attr >> 16)
         if is_link or ".." in parts or "" in parts or any(sign in name for sign in "\\:\0"):
             what = "a link in the archive" if is_link else "a path that leads out of the archive"
-            raise DescriptionError(what, where=where, found=name, allowed="plain files within the FMU")
+            raise DescriptionError(
+                what, where=where, found=name, allowed="plain files within the FMU"
+            )
         if name in members:
             raise DescriptionError("a file is twice in the archive", where=where, found=name)
         members[name] = info
@@ -307,17 +336,24 @@ def _parse(text: bytes, where: str) -> ET.Element:
         return parse_xml(text)
     except (ET.ParseError, ValueError, LookupError) as error:
         raise DescriptionError(
-            Phrase("its modelDescription.xml is not XML of an FMU: {error}", error=str(error)), where=where
+            Phrase("its modelDescription.xml is not XML of an FMU: {error}", error=str(error)),
+            where=where,
         ) from None
 
 
-def _component(file: Path, root: ET.Element, members: Mapping[str, zipfile.ZipInfo]) -> FmuComponent:
+def _component(
+    file: Path, root: ET.Element, members: Mapping[str, zipfile.ZipInfo]
+) -> FmuComponent:
     where = str(file)
     said = root.get("fmiVersion", "")
     version = {"2.0": 2, "3.0": 3}.get(said[:3])
     if root.tag != "fmiModelDescription" or version is None:
         raise DescriptionError(
-            "another version of FMI", where=where, found=said or root.tag, allowed="2.0, 3.0", hint="Export it again."
+            "another version of FMI",
+            where=where,
+            found=said or root.tag,
+            allowed="2.0, 3.0",
+            hint="Export it again.",
         )
     step = root.find("CoSimulation")
     able = step if step is not None else root.find("ModelExchange")
@@ -335,10 +371,14 @@ def _component(file: Path, root: ET.Element, members: Mapping[str, zipfile.ZipIn
     findings = []
     if this_platform() not in platforms:
         code = "control.no_binary" if platforms else "control.sources_only"
-        findings.append(finding(code, where, machine=this_platform(), platforms=", ".join(platforms)))
+        findings.append(
+            finding(code, where, machine=this_platform(), platforms=", ".join(platforms))
+        )
     needs_tool = options.get("needsExecutionTool") in ("true", "1")
     if needs_tool:
-        findings.append(finding("control.tool", where, tool=root.get("generationTool") or "that made it"))
+        findings.append(
+            finding("control.tool", where, tool=root.get("generationTool") or "that made it")
+        )
     if step is None:
         findings.append(finding("control.model_exchange", where))
     return FmuComponent(
@@ -375,7 +415,11 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
         if row.get("causality") == "structuralParameter"
     }
     for row in root.iterfind("ModelVariables/*"):
-        typed = row if version == 3 else next((child for child in row if child.tag != "Annotations"), row)
+        typed = (
+            row
+            if version == 3
+            else next((child for child in row if child.tag != "Annotations"), row)
+        )
         unit = typed.get("unit") or declared.get(typed.get("declaredType", ""), "")
         try:
             reference = int(row.get("valueReference", ""))
@@ -383,9 +427,13 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
             reference = -1
         if not 0 <= reference < 2**32:
             place = f"{where}: {row.get('name')}"
-            raise DescriptionError("no value reference", where=place, found=row.get("valueReference"))
+            raise DescriptionError(
+                "no value reference", where=place, found=row.get("valueReference")
+            )
         if row.get("name", "") in names:
-            raise DescriptionError("two variables have the same name", where=where, found=row.get("name", ""))
+            raise DescriptionError(
+                "two variables have the same name", where=where, found=row.get("name", "")
+            )
         names.add(row.get("name", ""))
         variables.append(
             FmuVariable(
@@ -397,7 +445,10 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
                 _start(typed),
                 row.get("description", ""),
                 reference,
-                tuple(_elements(child, sizes, f"{where}: {row.get('name')}") for child in row.iterfind("Dimension")),
+                tuple(
+                    _elements(child, sizes, f"{where}: {row.get('name')}")
+                    for child in row.iterfind("Dimension")
+                ),
             )
         )
     return variables
@@ -407,7 +458,9 @@ def _elements(dimension: ET.Element, sizes: Mapping[str, str], where: str) -> in
     """Number of elements along a dimension: as written, or the start of the structural parameter that it names."""
     said = dimension.get("start") or sizes.get(dimension.get("valueReference", ""), "")
     if not re.fullmatch("[0-9]{1,18}", said):
-        raise DescriptionError("an array without a size", where=where, found=said, allowed="a whole number")
+        raise DescriptionError(
+            "an array without a size", where=where, found=said, allowed="a whole number"
+        )
     return int(said)
 
 
@@ -426,7 +479,10 @@ def _units(root: ET.Element, where: str) -> dict[str, _Unit]:
             continue
         place = f"{where}: unit {name}"
         factor, offset = (_number(base.get(word), place) for word in ("factor", "offset"))
-        powers = {base_unit: int(_number(base.get(base_unit), place) or 0.0) for base_unit in (*_BASES, "rad")}
+        powers = {
+            base_unit: int(_number(base.get(base_unit), place) or 0.0)
+            for base_unit in (*_BASES, "rad")
+        }
         factor = 1.0 if factor is None else factor
         if factor == 0.0:
             raise DescriptionError("a unit of factor 0", where=place)

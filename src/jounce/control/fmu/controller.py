@@ -35,7 +35,10 @@ _PATIENCE = 60.0  # s that one instant may take
 _NAMED = 5  # files
 _TURN = 0.05  # rad of a rig's fastest mode in a period, where nobody says
 _USUAL, _MOST = 1000.0, 10  # Hz, and how many times that
-_PROBES = {"m": 1e-3, "rad": 1e-3}  # changes of a measurement that show what follows at once; of others:
+_PROBES = {
+    "m": 1e-3,
+    "rad": 1e-3,
+}  # changes of a measurement that show what follows at once; of others:
 _PROBE = 1e-2
 _SHALLOW = 0.01  # of a tyre's deflection at rest
 _MUCH = 0.02  # share of a force's work that holding it may make
@@ -106,7 +109,9 @@ class FmuControl(CallbackController):
     @model_validator(mode="after")
     def _check_outputs(self) -> Self:
         if self.output is not None and self.outputs is not None:
-            raise ValueError("both output and outputs are given; output is for each corner, outputs for the vehicle")
+            raise ValueError(
+                "both output and outputs are given; output is for each corner, outputs for the vehicle"
+            )
         return self
 
     def resolve_paths(self, folder: Path) -> Self:
@@ -182,17 +187,30 @@ class _Whole:
         if value % 1.0 == 0.0 and self.least <= value <= self.most:
             return value
         is_between = not self.is_rounded and value % 1.0 != 0.0
-        hint = Phrase("Say what a count is, counts = {{ {name!r} = ... }}, or connect another channel.", name=self.name)
+        hint = Phrase(
+            "Say what a count is, counts = {{ {name!r} = ... }}, or connect another channel.",
+            name=self.name,
+        )
         raise SimulationError(
-            Phrase("the input {name} takes whole numbers, and {channel} is none", name=self.name, channel=self.channel)
+            Phrase(
+                "the input {name} takes whole numbers, and {channel} is none",
+                name=self.name,
+                channel=self.channel,
+            )
             if is_between
-            else Phrase("{channel} is beyond what the input {name} holds", channel=self.channel, name=self.name),
+            else Phrase(
+                "{channel} is beyond what the input {name} holds",
+                channel=self.channel,
+                name=self.name,
+            ),
             where=where,
             found=f"{value:.9g}",
             allowed="0 and 1"
             if self.most == 1
             else Phrase("whole numbers from {least} to {most}", least=self.least, most=self.most),
-            hint=hint if is_between and self.most > 1 else "Connect another channel, or change its count.",
+            hint=hint
+            if is_between and self.most > 1
+            else "Connect another channel, or change its count.",
         )
 
 
@@ -237,7 +255,11 @@ class _Connection:
             return self.law.outputs
         names = {corner: f"{corner}.command" for corner in corners}
         known = {variable.name for variable in self.component.outputs}
-        return names if self.law.output is None and corners != ("",) and known >= set(names.values()) else None
+        return (
+            names
+            if self.law.output is None and corners != ("",) and known >= set(names.values())
+            else None
+        )
 
     def _own_output(self) -> _VariablePlace:
         outputs = self.component.outputs
@@ -255,7 +277,9 @@ class _Connection:
     def _output(self, name: str, corner: str) -> tuple[_VariablePlace, str]:
         return self._find_variable(name, self.component.outputs, "output"), corner
 
-    def _find_variable(self, name: str, variables: tuple[FmuVariable, ...], what: str) -> _VariablePlace:
+    def _find_variable(
+        self, name: str, variables: tuple[FmuVariable, ...], what: str
+    ) -> _VariablePlace:
         where = f"{self.component.path}"
         by_name = {v.name: v for v in variables}
         element = _ELEMENT.fullmatch(name)
@@ -263,8 +287,12 @@ class _Connection:
             variable, at = by_name[name], None if by_name[name].dimensions else 0
         elif element and element[1] in by_name and by_name[element[1]].dimensions:
             variable = by_name[element[1]]
-            at = _element(variable, [int(index) for index in element[2].split(",")], f"{where}: {name}")
-        elif any(v.name in (name, element and element[1]) for v in self.component.structural_parameters):
+            at = _element(
+                variable, [int(index) for index in element[2].split(",")], f"{where}: {name}"
+            )
+        elif any(
+            v.name in (name, element and element[1]) for v in self.component.structural_parameters
+        ):
             raise DescriptionError(
                 "a structural parameter, which sizes the FMU's arrays, keeps its start",
                 where=f"{where}: {name}",
@@ -297,7 +325,12 @@ class _Connection:
         places = [self._find_variable(name, component.inputs, "input") for name in given]
         for variable in component.inputs:
             channel = qualify(corner, variable.name)
-            if variable.name not in given and channel in channels and variable.is_number and not variable.dimensions:
+            if (
+                variable.name not in given
+                and channel in channels
+                and variable.is_number
+                and not variable.dimensions
+            ):
                 given[variable.name] = channel
                 places.append(_VariablePlace(variable.name, variable, 0))
         starts = self._starts(corner)
@@ -310,17 +343,24 @@ class _Connection:
             a, b = self._conversion(place, channels[channel])
             if place.variable.is_whole:
                 least, most = _range(place.variable, component.version)
-                wholes[len(inputs)] = _Whole(place.name, channel, 1.0 / a, least, most, place.name in self.law.counts)
+                wholes[len(inputs)] = _Whole(
+                    place.name, channel, 1.0 / a, least, most, place.name in self.law.counts
+                )
             inputs.append((place, channel))
             to_own.append((a, b))
         commands = []
         for place, at in outputs:
-            unit = self.setting.controllers[at or next(iter(self.setting.controllers))].actuator.unit
+            unit = self.setting.controllers[
+                at or next(iter(self.setting.controllers))
+            ].actuator.unit
             a, b = self._conversion(place, unit)
             commands.append((1.0 / a, -b / a))
         self._check_counts([*(place for place, _ in inputs), *(place for place, _ in outputs)])
         return _Wires(
-            [(self._kind(variable), variable.reference, values) for variable, values in starts.values()],
+            [
+                (self._kind(variable), variable.reference, values)
+                for variable, values in starts.values()
+            ],
             [self._port(place, starts) for place, _ in inputs],
             [channel for _, channel in inputs],
             to_own,
@@ -345,7 +385,9 @@ class _Connection:
         """Report inputs, and elements of them, that are neither connected nor set."""
         taken = {(place.variable.name, place.at or 0) for place in places}
         for name in self.law.parameters:
-            place = self._find_variable(name, (*self.component.parameters, *self.component.inputs), "parameter")
+            place = self._find_variable(
+                name, (*self.component.parameters, *self.component.inputs), "parameter"
+            )
             every = range(place.variable.size) if place.at is None else [place.at]
             taken |= {(place.variable.name, at) for at in every}
         left = []
@@ -353,7 +395,9 @@ class _Connection:
             open_ = [at for at in range(min(v.size, _LARGEST)) if (v.name, at) not in taken]
             if v.dimensions and 0 < len(open_) < v.size:
                 some = ", ".join(_index(v, at) for at in open_[:_NAMED])
-                left.append(some + (f" and {len(open_) - _NAMED} more" if len(open_) > _NAMED else ""))
+                left.append(
+                    some + (f" and {len(open_) - _NAMED} more" if len(open_) > _NAMED else "")
+                )
             elif open_:
                 left.append(f"{v.name} = {shorten(v.start, _LONGEST) or '0'}")
         if left:
@@ -362,7 +406,11 @@ class _Connection:
 
     def _check_counts(self, places: list[_VariablePlace]) -> None:
         """Refuse counts of variables that are not connected or not integers."""
-        wholes = [place.name for place in places if place.variable.is_whole and place.variable.kind != "Boolean"]
+        wholes = [
+            place.name
+            for place in places
+            if place.variable.is_whole and place.variable.kind != "Boolean"
+        ]
         for name in self.law.counts:
             if name not in wholes:
                 raise DescriptionError(
@@ -384,7 +432,10 @@ class _Connection:
             count = to_si(self.law.counts[place.name], si, where=where)
             if not (math.isfinite(count) and count > 0.0 and math.isfinite(1.0 / count)):
                 raise DescriptionError(
-                    "a count without a size", where=where, found=count, allowed=Phrase("more than 0 {si}", si=si)
+                    "a count without a size",
+                    where=where,
+                    found=count,
+                    allowed=Phrase("more than 0 {si}", si=si),
                 )
             return 1.0 / count, 0.0
         if not variable.unit and si not in ("", "1"):
@@ -398,19 +449,28 @@ class _Connection:
             if channel in channels:
                 return channel
         start = f"{corner}."
-        short = [channel.removeprefix(start) for channel in channels if not corner or channel.startswith(start)]
+        short = [
+            channel.removeprefix(start)
+            for channel in channels
+            if not corner or channel.startswith(start)
+        ]
         raise unknown(name, short, what="channel", where="control: inputs")
 
     def _starts(self, corner: str) -> dict[str, tuple[FmuVariable, list[Any]]]:
         """Variables that are set before a run, by name, with all their values."""
         starts: dict[str, tuple[FmuVariable, list[Any]]] = {}
         for name, given in self.law.parameters.items():
-            place = self._find_variable(name, (*self.component.parameters, *self.component.inputs), "parameter")
+            place = self._find_variable(
+                name, (*self.component.parameters, *self.component.inputs), "parameter"
+            )
             variable, where = place.variable, f"control: parameters: {name}"
             value = self._own_value(given, corner, where) if isinstance(given, Mapping) else given
             if self._kind(variable) not in caller._TYPES:
                 raise DescriptionError(
-                    "it cannot be set", where=where, found=variable.shape, allowed="numbers, booleans, texts"
+                    "it cannot be set",
+                    where=where,
+                    found=variable.shape,
+                    allowed="numbers, booleans, texts",
                 )
             if place.at is None:
                 values = _flatten(value, variable.dimensions)
@@ -420,11 +480,19 @@ class _Connection:
                         shape=" x ".join(map(str, variable.dimensions)),
                         elements=_elements(variable),
                     )
-                    raise DescriptionError("not the values of an array", where=where, found=value, allowed=text)
-                starts[variable.name] = variable, [self._value(variable, element, where) for element in values]
+                    raise DescriptionError(
+                        "not the values of an array", where=where, found=value, allowed=text
+                    )
+                starts[variable.name] = (
+                    variable,
+                    [self._value(variable, element, where) for element in values],
+                )
                 continue
             if variable.name not in starts:
-                starts[variable.name] = variable, self._start_elements(variable) if variable.dimensions else [0]
+                starts[variable.name] = (
+                    variable,
+                    self._start_elements(variable) if variable.dimensions else [0],
+                )
             starts[variable.name][1][place.at] = self._value(variable, value, where)
         return starts
 
@@ -433,21 +501,33 @@ class _Connection:
         kind = self._kind(variable)
         if kind == "String":
             if not isinstance(value, str) or not _is_text(value):
-                raise DescriptionError("not a value of its type", where=where, found=value, allowed="a text")
+                raise DescriptionError(
+                    "not a value of its type", where=where, found=value, allowed="a text"
+                )
             return value
         if kind in REALS:
             si = self.component.si_unit(variable)
             a, b = self.component.conversion(variable, si)
             return a * to_si(value, si, where=where) + b
-        if not isinstance(value, (bool, int, float)) or value % 1 or (kind == "Boolean" and value not in (0, 1)):
+        if (
+            not isinstance(value, (bool, int, float))
+            or value % 1
+            or (kind == "Boolean" and value not in (0, 1))
+        ):
             allowed = (
-                "true, false, 0, 1" if kind == "Boolean" else Phrase("a whole number ({kind})", kind=variable.kind)
+                "true, false, 0, 1"
+                if kind == "Boolean"
+                else Phrase("a whole number ({kind})", kind=variable.kind)
             )
-            raise DescriptionError("not a value of its type", where=where, found=value, allowed=allowed)
+            raise DescriptionError(
+                "not a value of its type", where=where, found=value, allowed=allowed
+            )
         least, most = _range(variable, self.component.version)
         if not least <= value <= most:
             allowed = Phrase("{kind}, {least} to {most}", kind=kind, least=least, most=most)
-            raise DescriptionError("beyond what its type holds", where=where, found=value, allowed=allowed)
+            raise DescriptionError(
+                "beyond what its type holds", where=where, found=value, allowed=allowed
+            )
         return int(value)
 
     def _start_elements(self, variable: FmuVariable) -> list[Any]:
@@ -466,8 +546,12 @@ class _Connection:
                 "an array whose elements have no start, so that none can be set alone",
                 where=f"{self.component.path}: {variable.name}",
                 found=variable.start,
-                allowed=Phrase("{size} values of type {kind}", size=variable.size, kind=variable.kind),
-                hint=Phrase("Give all of them: parameters = {{ {name!r} = [...] }}.", name=variable.name),
+                allowed=Phrase(
+                    "{size} values of type {kind}", size=variable.size, kind=variable.kind
+                ),
+                hint=Phrase(
+                    "Give all of them: parameters = {{ {name!r} = [...] }}.", name=variable.name
+                ),
             )
         return elements
 
@@ -475,7 +559,11 @@ class _Connection:
         """The value of a corner, where a parameter has one for every corner or axle."""
         corners = tuple(self.setting.controllers)
         known = {*corners, *(name.partition("_")[0] for name in corners)} - {""}
-        if not corner or set(given) - known or not any(name in given for name in (corner, corner.partition("_")[0])):
+        if (
+            not corner
+            or set(given) - known
+            or not any(name in given for name in (corner, corner.partition("_")[0]))
+        ):
             raise DescriptionError(
                 "values by corner do not fit the corners that have an instance of their own",
                 where=where,
@@ -506,8 +594,12 @@ def _index(variable: FmuVariable, at: int) -> str:
 def _element(variable: FmuVariable, indices: list[int], where: str) -> int:
     """Place of an element among all of an array, the last index fastest."""
     sizes = variable.dimensions
-    if len(indices) != len(sizes) or any(not 1 <= i <= n for i, n in zip(indices, sizes, strict=True)):
-        raise DescriptionError("no such element", where=where, found=variable.shape, allowed=_elements(variable))
+    if len(indices) != len(sizes) or any(
+        not 1 <= i <= n for i, n in zip(indices, sizes, strict=True)
+    ):
+        raise DescriptionError(
+            "no such element", where=where, found=variable.shape, allowed=_elements(variable)
+        )
     at = 0
     for i, n in zip(indices, sizes, strict=True):
         at = at * n + i - 1
@@ -572,11 +664,16 @@ class _FmuRegulator:
             "period": 1.0 / law.rate,
         }
         self._tool = (component.tool or "the tool that made it") if component.needs_tool else ""
-        specs = [{**start, "starts": wire.starts, "inputs": wire.inputs, "outputs": wire.outputs} for wire in wires]
+        specs = [
+            {**start, "starts": wire.starts, "inputs": wire.inputs, "outputs": wire.outputs}
+            for wire in wires
+        ]
         self._notes = connection.findings
         begins = [sum(len(wire.inputs) for wire in wires[:i]) for i in range(len(wires))]
         self._wholes = {
-            begin + at: whole for begin, wire in zip(begins, wires, strict=True) for at, whole in wire.wholes.items()
+            begin + at: whole
+            for begin, wire in zip(begins, wires, strict=True)
+            for at, whole in wire.wholes.items()
         }
         self.from_rest = law.from_rest
         measured = [channel for wire in wires for channel in wire.channels]
@@ -608,7 +705,9 @@ class _FmuRegulator:
     @property
     def findings(self) -> list[Finding]:
         """Findings on inputs without connection or unit, on cut forces, and on files that the FMU wrote."""
-        written = self._instances.written_files() if isinstance(self._instances, _FmuProcess) else []
+        written = (
+            self._instances.written_files() if isinstance(self._instances, _FmuProcess) else []
+        )
         findings = [*self._notes, *(self._work.findings(self._file) if self._work else ())]
         if self._cut:
             findings.append(finding("control.force_cut", self._file, instants=self._cut))
@@ -634,7 +733,11 @@ class _FmuRegulator:
             raise self._failure(error) from None
 
     def _make_instances(self) -> _Instances:
-        return caller.Instances(self._specs) if self._is_trusted else _FmuProcess(self._specs, whole=bool(self._tool))
+        return (
+            caller.Instances(self._specs)
+            if self._is_trusted
+            else _FmuProcess(self._specs, whole=bool(self._tool))
+        )
 
     def __call__(self, values: list[float]) -> list[float]:
         """Commands from measurements."""
@@ -643,10 +746,16 @@ class _FmuRegulator:
         demands = forces = self._step(values)
         self._instant += 1
         if self._own:
-            demands = [self._excess(*of_one) for of_one in zip(forces, rest, rest[self._own :], strict=False)]
+            demands = [
+                self._excess(*of_one)
+                for of_one in zip(forces, rest, rest[self._own :], strict=False)
+            ]
         held = demands
         if self._extrapolates:
-            held = [1.5 * now - 0.5 * before for now, before in zip(demands, self._before or demands, strict=True)]
+            held = [
+                1.5 * now - 0.5 * before
+                for now, before in zip(demands, self._before or demands, strict=True)
+            ]
             self._before = demands
         commands = self._limits.apply(held)
         if self._work is not None:
@@ -656,7 +765,9 @@ class _FmuRegulator:
 
     def _excess(self, force: float, own: float, rate: float) -> float:
         """Difference of a force (N) from that of the rig's own element, which is compressed at a rate (m/s)."""
-        if self._place == "tyre" and own == 0.0:  # off the ground: its own force begins where they meet
+        if (
+            self._place == "tyre" and own == 0.0
+        ):  # off the ground: its own force begins where they meet
             self._pushed = self._pushed or (rate <= 0.0 and force > _TOUCH)
             return 0.0
         return force - own
@@ -696,13 +807,21 @@ class _FmuRegulator:
                 ends.append(self._step(values))
             columns.append((np.array(ends[0]) - np.array(ends[1])) / (2.0 * probe))
         count, silent = len(self._limits.last), len(self.channels) - self._count - self._own
-        slopes = np.column_stack([*columns, *-np.eye(count)[: self._own], *[np.zeros(count)] * silent])
+        slopes = np.column_stack(
+            [*columns, *-np.eye(count)[: self._own], *[np.zeros(count)] * silent]
+        )
         if not self._extrapolates:
             return np.zeros((count, 0)), slopes
-        return np.vstack([-0.5 * np.eye(count), np.zeros((count, count))]), np.vstack([1.5 * slopes, slopes])
+        return np.vstack([-0.5 * np.eye(count), np.zeros((count, count))]), np.vstack(
+            [1.5 * slopes, slopes]
+        )
 
     def _failure(self, error: Exception) -> SimulationError:
-        hint = Phrase("It needs {tool} on this machine.", tool=self._tool) if self._tool and not self._instant else ""
+        hint = (
+            Phrase("It needs {tool} on this machine.", tool=self._tool)
+            if self._tool and not self._instant
+            else ""
+        )
         return SimulationError(str(error), where=self._now(), hint=hint)
 
     def _now(self) -> str:
@@ -730,13 +849,17 @@ class _HeldWork:
         self._through = self._made = 0.0
         self._last = (self._zeros,) * 4
 
-    def add(self, forces: list[float], demands: list[float], held: list[float], speeds: list[float]) -> None:
+    def add(
+        self, forces: list[float], demands: list[float], held: list[float], speeds: list[float]
+    ) -> None:
         """Add a period that ends with these ``forces`` (N) of the FMU and speeds (m/s).
 
         ``demands`` is the part of the forces that is held, ``held`` its value in the next period.
         """
         half = 0.5 * self._period
-        for whole, force, speed, w, f, h, v in zip(forces, demands, speeds, *self._last, strict=True):
+        for whole, force, speed, w, f, h, v in zip(
+            forces, demands, speeds, *self._last, strict=True
+        ):
             self._made += half * (h * (v + speed) - _along_lines(f, v, force, speed))
             self._through += half * abs(_along_lines(w, v, whole, speed))
         self._last = (forces, demands, held, speeds)
@@ -747,9 +870,16 @@ class _HeldWork:
             return []
         share = abs(self._made) / self._through
         change = "taken" if self._made > 0.0 else "given"
-        numbers: dict[str, Any] = {"what": self._what, "period": self._period, "change": change, "share": share}
+        numbers: dict[str, Any] = {
+            "what": self._what,
+            "period": self._period,
+            "change": change,
+            "share": share,
+        }
         numbers |= {"work": self._through, "held": abs(self._made)}
-        return [finding("control.held" if share <= _MUCH else "control.held_too_long", where, **numbers)]
+        return [
+            finding("control.held" if share <= _MUCH else "control.held_too_long", where, **numbers)
+        ]
 
 
 def _along_lines(f: float, v: float, force: float, speed: float) -> float:
@@ -795,7 +925,8 @@ class _FmuProcess:
 
     def __init__(self, specs: list[dict[str, Any]], *, whole: bool = False) -> None:
         self._inputs, self._outputs = (
-            struct.Struct(f"={sum(len(spec[word]) for spec in specs)}d") for word in ("inputs", "outputs")
+            struct.Struct(f"={sum(len(spec[word]) for spec in specs)}d")
+            for word in ("inputs", "outputs")
         )
         self._place = working_folder()
         self._folder = self._place.__enter__()
@@ -819,13 +950,19 @@ class _FmuProcess:
 
     def written_files(self) -> list[str]:
         """Names of the first files that the FMU wrote into its working folder."""
-        return sorted(file.name for file in self._folder.iterdir())[:_NAMED] if self._folder.is_dir() else []
+        return (
+            sorted(file.name for file in self._folder.iterdir())[:_NAMED]
+            if self._folder.is_dir()
+            else []
+        )
 
     def _ask(self, question: bytes) -> list[float]:
         self._send(question)
         head = self._read(1, _PATIENCE)
         if head == b"-":
-            raise caller.FmuFailedError(self._read(int.from_bytes(self._read(8), "little")).decode(errors="replace"))
+            raise caller.FmuFailedError(
+                self._read(int.from_bytes(self._read(8), "little")).decode(errors="replace")
+            )
         outputs = self._outputs.unpack(self._read(self._outputs.size))
         return list(outputs)
 

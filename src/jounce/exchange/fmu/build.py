@@ -16,7 +16,9 @@ from jounce.core.programs import program_on_path
 from jounce.kernel.cache import cache_folder
 
 C = Path(__file__).parent / "c"
-_LARGE = 1_000_000  # bytes of C: above it -O2 takes 1.5 times as long for branch-free code, without gain
+_LARGE = (
+    1_000_000  # bytes of C: above it -O2 takes 1.5 times as long for branch-free code, without gain
+)
 _FLAGS = (
     "-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=default", "-fPIC", "-shared",
     "-fno-tree-slp-vectorize",  # states are stored one by one: GCC loads two as a vector, which waits for both stores
@@ -39,7 +41,9 @@ def compiler_for(platforms: Sequence[str]) -> tuple[str, list[str]] | None:
     return None
 
 
-def compile_library(folder: Path, version: int, platform: str, compiler: tuple[str, list[str]]) -> bytes:
+def compile_library(
+    folder: Path, version: int, platform: str, compiler: tuple[str, list[str]]
+) -> bytes:
     """Compile ``model.c`` in ``folder`` with the face of an FMI version; return the shared library."""
     name, command = compiler
     out, target = folder / f"{platform}{PLATFORMS[platform].suffix}", PLATFORMS[platform].target
@@ -54,19 +58,36 @@ def compile_library(folder: Path, version: int, platform: str, compiler: tuple[s
         words += ["-target", target, "-s", "-g0"]
     if "darwin" in platform:
         words.append("-Wl,-no_uuid") if name != "zig" else None
-    words += ["-o", str(out), str(folder / "model.c"), str(C / "core.c"), str(C / f"fmi{version}.c")]
+    words += [
+        "-o",
+        str(out),
+        str(folder / "model.c"),
+        str(C / "core.c"),
+        str(C / f"fmi{version}.c"),
+    ]
     if "linux" in platform:
         words.append("-lm")
-    places = {**os.environ, **dict.fromkeys(("TMPDIR", "TMP", "TEMP"), str(folder))}  # which goes, however this ends
+    places = {
+        **os.environ,
+        **dict.fromkeys(("TMPDIR", "TMP", "TEMP"), str(folder)),
+    }  # which goes, however this ends
     if name == "zig":
-        places = {"ZIG_GLOBAL_CACHE_DIR": _zig_folder(folder), **places, "ZIG_LOCAL_CACHE_DIR": str(folder / "zig")}
+        places = {
+            "ZIG_GLOBAL_CACHE_DIR": _zig_folder(folder),
+            **places,
+            "ZIG_LOCAL_CACHE_DIR": str(folder / "zig"),
+        }
     try:
-        done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=_LONGEST, env=places)
+        done = subprocess.run(
+            words, capture_output=True, text=True, check=False, timeout=_LONGEST, env=places
+        )
     except (OSError, subprocess.TimeoutExpired) as error:
         if is_of_system(error):
             raise resource_error(error, f"{platform}, {name}") from None
         raise OutputError(
-            Phrase("the C of the FMU was not compiled: {error}", error=str(error)), where=platform, hint=_HINT
+            Phrase("the C of the FMU was not compiled: {error}", error=str(error)),
+            where=platform,
+            hint=_HINT,
         ) from None
     if done.returncode:
         raise OutputError(

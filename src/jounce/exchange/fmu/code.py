@@ -39,7 +39,9 @@ class _Statements:
         self._made: list[tuple[str, str, str, list[str]]] = []  # type, name, operation, operands
 
     def constant(self, value: float) -> str:
-        text = {"inf": "INFINITY", "-inf": "-INFINITY", "nan": "NAN"}.get(repr(float(value)), repr(float(value)))
+        text = {"inf": "INFINITY", "-inf": "-INFINITY", "nan": "NAN"}.get(
+            repr(float(value)), repr(float(value))
+        )
         return f"({text})" if text.startswith("-") else text
 
     def load(self, argument: int, element: int) -> str:
@@ -70,7 +72,9 @@ class _Statements:
 
     def lines(self) -> list[str]:
         """The statements; a common divisor is inverted once, since a division takes as long as ten products."""
-        divisors = Counter(values[1] for _, _, operation, values in self._made if operation == "DIV")
+        divisors = Counter(
+            values[1] for _, _, operation, values in self._made if operation == "DIV"
+        )
         inverted: dict[str, str] = {}
         result = []
         for kind, name, operation, values in self._made:
@@ -90,9 +94,18 @@ def function_text(name: str, packed: Packed, takes: Sequence[str], gives: Mappin
     """C of a function with arguments ``takes`` and consecutive results ``gives`` with their sizes."""
     statements = _Statements(takes)
     emission = Emission(packed, statements)
-    places = list(chain.from_iterable([f"{result}[{i}]" for i in range(size)] for result, size in gives.items()))
-    results = [f"{places[element]} = {emission.number(node)};" for element, node in packed.graph.results.items()]
-    parameters = [f"const double *restrict {word}" for word in takes] + [f"double *restrict {word}" for word in gives]
+    places = list(
+        chain.from_iterable(
+            [f"{result}[{i}]" for i in range(size)] for result, size in gives.items()
+        )
+    )
+    results = [
+        f"{places[element]} = {emission.number(node)};"
+        for element, node in packed.graph.results.items()
+    ]
+    parameters = [f"const double *restrict {word}" for word in takes] + [
+        f"double *restrict {word}" for word in gives
+    ]
     unused = " ".join(f"(void){word};" for word in (*takes, *gives))
     body = "\n    ".join([unused, *statements.lines(), *results])
     kind = "JN_LONG " if len(body) > _LONG else ""

@@ -56,7 +56,9 @@ def _units(variables: Variables) -> list[ET.Element]:
     units = []
     for name in sorted({v.unit for v in variables.everything if v.unit and not v.is_boolean}):
         element = ET.Element("Unit", name=name)
-        ET.SubElement(element, "BaseUnit", {base: str(power) for base, power in base_units(name).items()})
+        ET.SubElement(
+            element, "BaseUnit", {base: str(power) for base, power in base_units(name).items()}
+        )
         if name == "m":
             ET.SubElement(element, "DisplayUnit", name="mm", factor="1000.0")
         if name == "rad":
@@ -71,7 +73,14 @@ def _common(root: ET.Element, variables: Variables) -> ET.Element:
     categories = ET.SubElement(root, "LogCategories")
     for name in ("logStatusWarning", "logStatusError"):
         ET.SubElement(categories, "Category", name=name)
-    ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="1", tolerance="1e-5", stepSize=repr(STEP))
+    ET.SubElement(
+        root,
+        "DefaultExperiment",
+        startTime="0",
+        stopTime="1",
+        tolerance="1e-5",
+        stepSize=repr(STEP),
+    )
     return ET.SubElement(root, "ModelVariables")
 
 
@@ -86,16 +95,27 @@ def _fmi3(variables: Variables, head: Head) -> ET.Element:
         description=head.text, generationTool=head.tool, variableNamingConvention="structured",
     )  # fmt: skip
     can = {"modelIdentifier": FILE, "canGetAndSetFMUState": "true", "canSerializeFMUState": "true"}
-    can |= {"providesDirectionalDerivatives": "true", "providesAdjointDerivatives": _text(head.adjoint)}
+    can |= {
+        "providesDirectionalDerivatives": "true",
+        "providesAdjointDerivatives": _text(head.adjoint),
+    }
     ET.SubElement(root, "ModelExchange", {**can, "needsCompletedIntegratorStep": "true"})
     ET.SubElement(root, "CoSimulation", {**can, "canHandleVariableCommunicationStepSize": "true"})
     table = _common(root, variables)
     for v in variables.everything:
         more = {} if v.derivative is None else {"derivative": str(v.derivative)}
-        ET.SubElement(table, "Boolean" if v.is_boolean else "Float64", {**_attributes(v), **more, **_number(v)})
+        ET.SubElement(
+            table,
+            "Boolean" if v.is_boolean else "Float64",
+            {**_attributes(v), **more, **_number(v)},
+        )
     structure = ET.SubElement(root, "ModelStructure")
     # Some importers refuse unknowns without dependencies; at the start everything follows from what is set.
-    known = [v for v in variables.everything if v.causality in ("input", "parameter") and not v.is_boolean]
+    known = [
+        v
+        for v in variables.everything
+        if v.causality in ("input", "parameter") and not v.is_boolean
+    ]
     whole = " ".join(str(v.reference) for v in known)
     groups = {
         "Output": variables.outputs,
@@ -145,7 +165,9 @@ def _fmi2(variables: Variables, head: Head) -> ET.Element:
         for v in group:
             unknown = ET.SubElement(element, "Unknown", index=str(index[v.reference]))
             if kind != "InitialUnknowns":
-                unknown.set("dependencies", " ".join(str(index[reference]) for reference in v.depends or ()))
+                unknown.set(
+                    "dependencies", " ".join(str(index[reference]) for reference in v.depends or ())
+                )
     return root
 
 
@@ -177,7 +199,11 @@ def terminals(variables: Variables) -> bytes:
         for member in members:
             last = member.name.rpartition(".")[2]
             ET.SubElement(
-                terminal, "TerminalMemberVariable", variableKind="signal", memberName=last, variableName=member.name
+                terminal,
+                "TerminalMemberVariable",
+                variableKind="signal",
+                memberName=last,
+                variableName=member.name,
             )
     return _to_xml(root)
 
@@ -203,8 +229,16 @@ def page(variables: Variables, head: Head, notes: str) -> bytes:
             continue
         lines.append(f"<h2>{title}</h2><table><tr><th>name<th>unit<th>start<th>meaning")
         for v in group:
-            start = "" if v.start is None else _text(v.start) if isinstance(v.start, bool) else f"{v.start:g}"
-            lines.append(f"<tr><td>{html.escape(v.name)}<td>{html.escape(v.unit)}<td>{start}<td>{html.escape(v.text)}")
+            start = (
+                ""
+                if v.start is None
+                else _text(v.start)
+                if isinstance(v.start, bool)
+                else f"{v.start:g}"
+            )
+            lines.append(
+                f"<tr><td>{html.escape(v.name)}<td>{html.escape(v.unit)}<td>{start}<td>{html.escape(v.text)}"
+            )
         lines.append("</table>")
     return ("\n".join(lines) + "\n").encode()
 

@@ -20,7 +20,14 @@ from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.writing import check_writable, working_folder, write_atomically
 from jounce.exchange.fmu import build as native
-from jounce.exchange.fmu.description import FILE, Head, build_description, description, page, terminals
+from jounce.exchange.fmu.description import (
+    FILE,
+    Head,
+    build_description,
+    description,
+    page,
+    terminals,
+)
 from jounce.exchange.fmu.graphs import graphs_of, header, source
 from jounce.exchange.fmu.reference import reference
 from jounce.exchange.fmu.subject import subject_of
@@ -71,7 +78,9 @@ class FmuExport(Plain):
 _AXLES = ("front", "rear")
 
 
-def check_fmu(*, sources_only: bool, platform: Any, axle: str | None, tester: str | None, **_others: Any) -> None:
+def check_fmu(
+    *, sources_only: bool, platform: Any, axle: str | None, tester: str | None, **_others: Any
+) -> None:
     """Refuse platforms for which nothing is compiled, and an axle without a tester."""
     if sources_only and platform:
         what = "--platform says for what is compiled, and --sources-only that nothing is"
@@ -80,7 +89,10 @@ def check_fmu(*, sources_only: bool, platform: Any, axle: str | None, tester: st
         raise unknown(axle, _AXLES, what="axle", where="--axle")
     if axle is not None and tester is None:
         raise DescriptionError(
-            "only a tester takes one axle", where="--axle", found=axle, allowed="--axle with --tester"
+            "only a tester takes one axle",
+            where="--axle",
+            found=axle,
+            allowed="--axle with --tester",
         )
 
 
@@ -114,16 +126,20 @@ def export_fmu(  # noqa: PLR0913 - each is an option of the command
     ] = None,
     sources_only: Annotated[bool, Switch("Compile nothing: the FMU holds its C.")] = False,
     control: Annotated[
-        AnyControl | None, Mark("Controller to put in: a name such as skyhook, or a file.", "CONTROL")
+        AnyControl | None,
+        Mark("Controller to put in: a name such as skyhook, or a file.", "CONTROL"),
     ] = None,
     tester: Annotated[
         Tester | Path | str | None,
         Mark("Put it on a tester of shock absorbers: a name such as eusama, or a file.", "TESTER"),
     ] = None,
     axle: Annotated[
-        Literal["front", "rear"], Mark("Axle of a vehicle on the tester: front or rear. Default: front.", "AXLE")
+        Literal["front", "rear"],
+        Mark("Axle of a vehicle on the tester: front or rear. Default: front.", "AXLE"),
     ] = "front",
-    controller_only: Annotated[bool, Switch("Write the controller by itself, as it is tuned for the rig.")] = False,
+    controller_only: Annotated[
+        bool, Switch("Write the controller by itself, as it is tuned for the rig.")
+    ] = False,
     adjoint: bool = True,
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
 ) -> FmuExport:
@@ -222,12 +238,23 @@ def export_fmu(  # noqa: PLR0913 - each is an option of the command
     shared = {name: (native.C / name).read_bytes() for name in sorted(_c_files(version))}
     digest = hashlib.sha256(b"".join(shared.values()))
     digest.update(
-        (code + header(graphs, "", model.numbers, whole, model.period, model.at_rest) + str(variables)).encode()
+        (
+            code
+            + header(graphs, "", model.numbers, whole, model.period, model.at_rest)
+            + str(variables)
+        ).encode()
     )
     token = f"{{{uuid.UUID(bytes=digest.digest()[:16])}}}"
     head_text = header(graphs, token, model.numbers, whole, model.period, model.at_rest)
     has_adjoint = "adjoint" in graphs.functions
-    head = Head(model.name, f"Suspension model {model.name}", f"jounce {_version()}", token, has_adjoint, sources=True)
+    head = Head(
+        model.name,
+        f"Suspension model {model.name}",
+        f"jounce {_version()}",
+        token,
+        has_adjoint,
+        sources=True,
+    )
     files = {"modelDescription.xml": description(version, variables, head)}
     with working_folder() as folder:
         (folder / "model.c").write_text(code, encoding="utf-8", newline="\n")
@@ -300,4 +327,6 @@ _LAW_NOTES = """<h2>How to connect it</h2>
 <p>Connect the channels that it measures, as changes from static equilibrium (SI; z is up, compression positive), and
 its commands.</p>
 """
-_CONTROL_NOTE = "<p>The controller inside sees its channels and sets its commands {0:g} times a second.</p>\n"
+_CONTROL_NOTE = (
+    "<p>The controller inside sees its channels and sets its commands {0:g} times a second.</p>\n"
+)

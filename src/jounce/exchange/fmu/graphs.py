@@ -54,19 +54,30 @@ def graphs_of(model: Model, law: ca.Function | None = None, *, adjoint: bool = T
     parts = {"rate": [model.rate], "output": [model.output], "switch": [model.switch]}
     if projects:
         parts["project"] = [residual_first(model)]
-    loops = [model.constraint, model.balance.constraint_rate] if model.constraints else [ca.SX(0, 1), ca.SX(0, 1)]
+    loops = (
+        [model.constraint, model.balance.constraint_rate]
+        if model.constraints
+        else [ca.SX(0, 1), ca.SX(0, 1)]
+    )
     parts |= {"loops": loops, "slopes": slopes}
     more = {"slopes": seeds}
     if adjoint:
-        weights = more["adjoint"] = [ca.SX.sym(f"weight{i}", part.shape[0]) for i, part in enumerate(slopes)]
+        weights = more["adjoint"] = [
+            ca.SX.sym(f"weight{i}", part.shape[0]) for i, part in enumerate(slopes)
+        ]
         back = ca.jtimes(ca.vertcat(*slopes), ca.vertcat(*seeds), ca.vertcat(*weights), True)
-        parts["adjoint"] = ca.vertsplit(back, [0, *np.cumsum([seed.shape[0] for seed in seeds]).tolist()])
+        parts["adjoint"] = ca.vertsplit(
+            back, [0, *np.cumsum([seed.shape[0] for seed in seeds]).tolist()]
+        )
     whole = {name: ca.vertcat(*results) for name, results in parts.items()}
     hoisted = Hoisted(whole, model.p, ca.SX(0, 1), generic)
     alike = _in_pairs(model)
     states, inputs, numbers, modes = labels_of(hoisted, model, alike)
     outputs = tuple(alike.label(output.name) for output in model.outputs)
-    behind = {"slopes": (states, inputs, numbers[: model.p.shape[0]]), "adjoint": (states, outputs, modes, states)}
+    behind = {
+        "slopes": (states, inputs, numbers[: model.p.shape[0]]),
+        "adjoint": (states, outputs, modes, states),
+    }
     functions = {}
     for name, results in parts.items():
         function = hoisted.function(name, model, more=more.get(name, ()))
@@ -76,9 +87,13 @@ def graphs_of(model: Model, law: ca.Function | None = None, *, adjoint: bool = T
     assert isinstance(derived, ca.Function)
     functions = {"derived": _plain(derived), **functions}
     if law is not None:
-        memory, measured, numbers = (ca.SX.sym(name, law.size1_in(i)) for i, name in enumerate(("l", "y", "g")))
+        memory, measured, numbers = (
+            ca.SX.sym(name, law.size1_in(i)) for i, name in enumerate(("l", "y", "g"))
+        )
         functions["law"] = _plain(
-            ca.Function("law", [memory, measured, numbers], [law(memory, measured, numbers, ca.SX(0, 1))])
+            ca.Function(
+                "law", [memory, measured, numbers], [law(memory, measured, numbers, ca.SX(0, 1))]
+            )
         )
     return Graphs(model, functions, hoisted.scalars)
 
@@ -88,13 +103,19 @@ def _in_pairs(model: Model) -> Parts:
     if not model.alike:
         return Parts((), ())
     prefixes, groups = model.alike
-    return Parts(prefixes, tuple(group[i : i + 2] for group in groups for i in range(0, len(group), 2)))
+    return Parts(
+        prefixes, tuple(group[i : i + 2] for group in groups for i in range(0, len(group), 2))
+    )
 
 
 def _plain(function: ca.Function) -> tuple[Packed, tuple[int, ...]]:
     """A function without parts, of one result."""
-    labels = (tuple((str(k), SHARED) for k in range(function.size1_in(i))) for i in range(function.n_in()))
-    dense = ca.Function(function.name(), function.sx_in(), [ca.cse(ca.densify(function(*function.sx_in())))])
+    labels = (
+        tuple((str(k), SHARED) for k in range(function.size1_in(i))) for i in range(function.n_in())
+    )
+    dense = ca.Function(
+        function.name(), function.sx_in(), [ca.cse(ca.densify(function(*function.sx_in())))]
+    )
     return Packed(dense, Parts((), ()), tuple(labels)), (function.size1_out(0),)
 
 
@@ -103,7 +124,9 @@ def source(graphs: Graphs) -> str:
     texts = ['#include "core.h"', "#include <math.h>", '#include "pairs.h"', ""]
     for name, (packed, sizes) in graphs.functions.items():
         takes, gives = (text.split() for text in _ARGUMENTS[name])
-        texts.append(function_text(f"jn_{name}", packed, takes, dict(zip(gives, sizes, strict=True))))
+        texts.append(
+            function_text(f"jn_{name}", packed, takes, dict(zip(gives, sizes, strict=True)))
+        )
     return "\n".join(texts)
 
 
@@ -141,9 +164,16 @@ def header(
         "AT_REST": int(at_rest),
         "ADJOINT": int("adjoint" in graphs.functions),
     }
-    lines = ["#ifndef JN_MODEL_H", "#define JN_MODEL_H", f'#define JN_TOKEN "{token}"', f"#define JN_PERIOD {period!r}"]
+    lines = [
+        "#ifndef JN_MODEL_H",
+        "#define JN_MODEL_H",
+        f'#define JN_TOKEN "{token}"',
+        f"#define JN_PERIOD {period!r}",
+    ]
     lines += [f"#define JN_{name} {value}" for name, value in counts.items()]
-    tables = [("double", name, map(repr, map(float, values)), "0.0") for name, values in numbers.items()]
+    tables = [
+        ("double", name, map(repr, map(float, values)), "0.0") for name, values in numbers.items()
+    ]
     tables += [("int", name, map(str, values), "0") for name, values in whole.items()]
     for kind, name, values, none in tables:
         lines.append(f"static const {kind} jn_{name}[] = {{{', '.join(values) or none}}};")

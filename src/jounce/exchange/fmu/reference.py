@@ -25,7 +25,9 @@ Given = Callable[[], tuple[Mapping[str, Array], str]]
 """Columns by name with the time first, and what the run was."""
 
 
-def of_rig(rig: Rig, facts: ModelFacts, control: AnyControl | None) -> tuple[Mapping[str, Array], str]:
+def of_rig(
+    rig: Rig, facts: ModelFacts, control: AnyControl | None
+) -> tuple[Mapping[str, Array], str]:
     """A rig over a bump."""
     run = simulate(rig, _BUMP, control=control, tolerance=TOLERANCE)
     time = run["time"].to_numpy()
@@ -47,14 +49,20 @@ def of_tester(on: TesterRig) -> tuple[Mapping[str, Array], str]:
     for track in on.compiled.facts.tracks:
         columns[track], columns[speed_of(track)] = rate * time, np.full_like(time, rate)
     given = dict(zip(on.compiled.output_names, solution.outputs, strict=True))
-    return columns | {name: value for name, value in given.items() if name not in columns}, "with exciters at 10 Hz"
+    return columns | {
+        name: value for name, value in given.items() if name not in columns
+    }, "with exciters at 10 Hz"
 
 
 def of_mechanism(mechanism: Mechanism) -> tuple[Mapping[str, Array], str]:
     """A mechanism released from its design pose, its tracks at zero."""
     still = constant(0.0)
     run = simulate_mechanism(
-        mechanism, _SECONDS, motions=dict.fromkeys(mechanism.tracks, still), output_step=_STEP, tolerance=TOLERANCE
+        mechanism,
+        _SECONDS,
+        motions=dict.fromkeys(mechanism.tracks, still),
+        output_step=_STEP,
+        tolerance=TOLERANCE,
     )
     time = run["time"].to_numpy()
     columns = {"time": time}
@@ -68,7 +76,10 @@ def reference(given: Given) -> tuple[bytes, str]:
     """The run as CSV, every 1 ms, SI to nine digits, under the names of the FMU; and a text about it."""
     columns, what = given()
     rows = [",".join(map(structured_name, columns))]
-    rows += [",".join(f"{value + 0.0:.9g}" for value in row) for row in np.column_stack([*columns.values()])]
+    rows += [
+        ",".join(f"{value + 0.0:.9g}" for value in row)
+        for row in np.column_stack([*columns.values()])
+    ]
     note = f"""<h2>To test it</h2>
 <p><code>extra/jounce/reference.csv</code> in the archive holds a run of jounce {what}:
 the first columns are time (s) and inputs, the others outputs, all SI. Connect the inputs, compare the outputs.</p>

@@ -114,23 +114,35 @@ def subject_of(
 ) -> Subject:
     """Return the content of an FMU; refuse choices that exclude each other."""
     if isinstance(model, Mechanism):
-        for word, given in (("control", control), ("tester", tester), ("controller", controller_only or None)):
+        for word, given in (
+            ("control", control),
+            ("tester", tester),
+            ("controller", controller_only or None),
+        ):
             if given is not None:
                 raise DescriptionError(
-                    Phrase("a mechanism has no {word}", word=word), where=word, allowed="rigs and vehicles"
+                    Phrase("a mechanism has no {word}", word=word),
+                    where=word,
+                    allowed="rigs and vehicles",
                 )
         return _of_mechanism(model)
     if controller_only and (tester is not None or control is None):
-        raise DescriptionError("a controller alone needs one", where="control", allowed="a controller, and no tester")
+        raise DescriptionError(
+            "a controller alone needs one", where="control", allowed="a controller, and no tester"
+        )
     if controller_only:
         return _of_controller(model, control)
     if tester is None:
         return _of_rig(model, control)
     if control is not None:
         raise DescriptionError(
-            "a rig on a tester is not controlled", where="control", allowed="a controller, or a tester"
+            "a rig on a tester is not controlled",
+            where="control",
+            allowed="a controller, or a tester",
         )
-    return _on_tester(axle_of(model, axle) if isinstance(model, (FullCar, HalfCar4DOF)) else model, tester)
+    return _on_tester(
+        axle_of(model, axle) if isinstance(model, (FullCar, HalfCar4DOF)) else model, tester
+    )
 
 
 def _name(rig: Rig) -> str:
@@ -150,14 +162,22 @@ def _of_rig(rig: Rig, control: AnyControl | None) -> Subject:
     law, gains = _law(loop, findings)
     corners = loop.corners if loop else ()
     names = command_names(corners) if loop else ()
-    rests = {name: loop.controllers[corner].actuator.rest for corner, name in zip(corners, names, strict=True) if loop}
+    rests = {
+        name: loop.controllers[corner].actuator.rest
+        for corner, name in zip(corners, names, strict=True)
+        if loop
+    }
     measured = [_place(name, compiled.output_names) for name in law.channels] if law else []
-    p = compiled.parameter_values({**rig.parameters(), **(loop.parameters(compiled) if loop else {})})
+    p = compiled.parameter_values(
+        {**rig.parameters(), **(loop.parameters(compiled) if loop else {})}
+    )
     memory = np.zeros(law.memory if law else 0)
     if law:
         memory[len(memory) - len(rests) :] = list(rests.values())
     numbers = _at_rest(compiled, p, compiled.inputs(rests))
-    measured_values = compiled.evaluate("output", numbers["x0"], numbers["u0"], p, numbers["m0"])[measured]
+    measured_values = compiled.evaluate("output", numbers["x0"], numbers["u0"], p, numbers["m0"])[
+        measured
+    ]
     paths = compiled.facts.parameters
     return Subject(
         _name(rig), compiled, {**numbers, "g0": gains, "memory0": memory, "rest0": measured_values},
@@ -171,12 +191,18 @@ def _of_controller(rig: Rig, control: AnyControl | None) -> Subject:
     loop = close_loop(rig, control)
     if loop is None:
         raise DescriptionError(
-            "no controller, which decides nothing", where="control", found="passive", allowed="a law"
+            "no controller, which decides nothing",
+            where="control",
+            found="passive",
+            allowed="a law",
         )
     findings: list[Finding] = []
     law, gains = _law(loop, findings)
     assert law is not None
-    known = {output.name: output.unit for output in compile_rig(rig, actuator=loop.actuator).facts.outputs}
+    known = {
+        output.name: output.unit
+        for output in compile_rig(rig, actuator=loop.actuator).facts.outputs
+    }
     names = command_names(loop.corners)
     system = System()
     system.point_mass(ca.SX(1.0), system.coordinate("idle"))  # equations need a state
@@ -186,14 +212,20 @@ def _of_controller(rig: Rig, control: AnyControl | None) -> Subject:
     for name in names:
         system.track(name)
     compiled = compile_model(system.finish())
-    rests = {name: loop.controllers[corner].actuator.rest for corner, name in zip(loop.corners, names, strict=True)}
+    rests = {
+        name: loop.controllers[corner].actuator.rest
+        for corner, name in zip(loop.corners, names, strict=True)
+    }
     memory = np.zeros(law.memory)
     memory[len(memory) - len(rests) :] = list(rests.values())
     numbers = {
         "x0": np.zeros(2), "u0": compiled.inputs(rests), "p0": np.zeros(0), "m0": np.zeros(0), "scale": np.ones(2),
         "band": np.zeros(0), "g0": gains, "memory0": memory, "rest0": np.zeros(len(law.channels)),
     }  # fmt: skip
-    units = {**{channel: known[channel] for channel in law.channels}, **dict.fromkeys(names, loop.actuator.unit)}
+    units = {
+        **{channel: known[channel] for channel in law.channels},
+        **dict.fromkeys(names, loop.actuator.unit),
+    }
     findings.append(finding("exchange.changes_from_rest", "inputs"))
     return Subject(
         f"{loop.first.name} for {_name(rig)}", compiled, numbers, {}, {}, None, at_rest=False, law=law,
@@ -210,9 +242,14 @@ def _on_tester(rig: Rig, tester: Tester) -> Subject:
     quantities = _quantities(rig, paths)
     for path in own:
         where = path.removeprefix("tester.")
-        known = where in ("amplitude", "drive.motor.stall_torque") or getattr(tester, where, None) is not None
+        known = (
+            where in ("amplitude", "drive.motor.stall_torque")
+            or getattr(tester, where, None) is not None
+        )
         if path in quantities:
-            quantities[path] = _TESTER.get(where) or (quantity_at(tester, where) if known else Unit("1"))
+            quantities[path] = _TESTER.get(where) or (
+                quantity_at(tester, where) if known else Unit("1")
+            )
     numbers = {**_at_rest(compiled, p, compiled.inputs()), **_NOTHING}
     return Subject(
         f"{_name(rig)} on {tester.name or 'a tester'}", compiled, numbers,
@@ -229,7 +266,9 @@ def _of_mechanism(mechanism: Mechanism) -> Subject:
     every = mechanism.with_values({})
     lacking = [name for name in mechanism.parameters if name not in every]
     if lacking:
-        raise SimulationError("parameters without a value", where=", ".join(lacking), hint="Give them to the parts.")
+        raise SimulationError(
+            "parameters without a value", where=", ".join(lacking), hint="Give them to the parts."
+        )
     model = mechanism.model("refuse", values=every, inputs=dict.fromkeys(mechanism.tracks, 0.0))
     p = np.array([every[name] for name in model.parameters])
     compiled = compile_model(model)
@@ -239,7 +278,10 @@ def _of_mechanism(mechanism: Mechanism) -> Subject:
     pace = np.abs(np.linalg.eigvals(compiled.evaluate("rate_x", x, u, p, m)))
     n_q, n_v = compiled.facts.counts
     scale = np.ones(len(x))
-    scale[:n_q], scale[n_q : n_q + n_v] = _MOTION, _MOTION * max(1.0, float(np.max(pace, initial=0.0)))
+    scale[:n_q], scale[n_q : n_q + n_v] = (
+        _MOTION,
+        _MOTION * max(1.0, float(np.max(pace, initial=0.0))),
+    )
     band = np.full(len(m), _BAND * _MECHANISM_BAND)
     numbers = {"x0": x, "u0": u, "p0": p, "m0": m, "scale": scale, "band": band}
     units = {path: Unit(mechanism.units.get(path, "1")) for path in model.parameters}

@@ -14,7 +14,12 @@ from jounce.core.units import Unit
 from jounce.mechanics.facts import is_road, speed_of
 from jounce.mechanics.model import Model
 
-LOAD_UNITS = {"pitch_moment": "N*m", "deceleration": "m/s^2", "lateral_acceleration": "m/s^2", "angle": "rad"}
+LOAD_UNITS = {
+    "pitch_moment": "N*m",
+    "deceleration": "m/s^2",
+    "lateral_acceleration": "m/s^2",
+    "angle": "rad",
+}
 """Units of tracks other than roads, by their last word; others are commands of unknown unit."""
 
 
@@ -102,7 +107,14 @@ def list_variables(
     rates of ``sampled`` inputs are not listed.
     """
     gains, order = gains or {}, model.track_order
-    blocks = {"x": model.x, "dx": model.x, "u": model.u, "p": model.p, "g": ca.SX(len(gains), 1), "y": model.output}
+    blocks = {
+        "x": model.x,
+        "dx": model.x,
+        "u": model.u,
+        "p": model.p,
+        "g": ca.SX(len(gains), 1),
+        "y": model.output,
+    }
     first, at = {}, 1
     for block, part in (*blocks.items(), ("z", model.switch)):
         first[block], at = at, at + part.shape[0]
@@ -112,13 +124,19 @@ def list_variables(
     same = {
         name
         for i, name in enumerate(outputs)
-        if name in model.states and ca.is_equal(model.output[i], model.x[model.states.index(name)], 0)
+        if name in model.states
+        and ca.is_equal(model.output[i], model.x[model.states.index(name)], 0)
     }
     known_units = units or {}
     ins = [row for track in model.tracks for row in _inputs(track, order, known_units.get(track))]
-    taken = {name for name, _, _ in ins} | set(outputs)  # also rates that are not listed, so that names are unique
+    taken = {name for name, _, _ in ins} | set(
+        outputs
+    )  # also rates that are not listed, so that names are unique
     own = [name if name in same or name not in taken else f"state.{name}" for name in model.states]
-    state_units = [*model.units, *(outputs[name].unit if name in same else "" for name in model.internal)]
+    state_units = [
+        *model.units,
+        *(outputs[name].unit if name in same else "" for name in model.internal),
+    ]
     states = [
         ModelVariable(
             first["x"] + i, structured_name(name), "output" if name in same else "local", "continuous", "approx",
@@ -143,7 +161,15 @@ def list_variables(
             text = "always zero: a command holds" if place else "command of the controller inside"
             causality = "local" if place else "output"
             tracks.append(
-                ModelVariable(first["u"] + i, structured_name(name), causality, "discrete", "calculated", unit, text)
+                ModelVariable(
+                    first["u"] + i,
+                    structured_name(name),
+                    causality,
+                    "discrete",
+                    "calculated",
+                    unit,
+                    text,
+                )
             )
             continue
         tracks.append(
@@ -212,7 +238,10 @@ def _inputs(track: str, order: int, given: str | None = None) -> list[tuple[str,
     unit = given or ("m" if is_road(track) else LOAD_UNITS.get(track.rpartition(".")[2], ""))
     rate = speed_of(track)
     second = re.sub(r"\.v(\w)$", r".a\1", rate) if is_road(track) else f"{rate}_rate"
-    text = {"m": "height of the road under the wheel, up", "rad": "angle of the exciter: at 0 at mean height, rising"}
+    text = {
+        "m": "height of the road under the wheel, up",
+        "rad": "angle of the exciter: at 0 at mean height, rising",
+    }
     rate_text = "its rate; where it stays zero, co-simulation takes it from the values"
     rows = [
         (track, unit, "" if given else text.get(unit, "")),
@@ -247,12 +276,20 @@ def _at_least(quantity: Unit) -> float | None:
 
 def _dependencies(model: Model, first: Mapping[str, int]) -> dict[str, list[tuple[int, ...]]]:
     """References of the states and inputs that each rate, output and indicator depends on."""
-    known = [first["x"] + i for i in range(model.x.shape[0])] + [first["u"] + i for i in range(model.u.shape[0])]
-    rate = model.rate + model.projection[: model.x.shape[0]] if model.projection.shape[0] else model.rate
+    known = [first["x"] + i for i in range(model.x.shape[0])] + [
+        first["u"] + i for i in range(model.u.shape[0])
+    ]
+    rate = (
+        model.rate + model.projection[: model.x.shape[0]]
+        if model.projection.shape[0]
+        else model.rate
+    )
     dependencies = {}
     for name, part in (("dx", rate), ("y", model.output), ("z", model.switch)):
         rows: list[set[int]] = [set() for _ in range(part.shape[0])]
-        for row, column in zip(*ca.jacobian_sparsity(part, ca.vertcat(model.x, model.u)).get_triplet(), strict=True):
+        for row, column in zip(
+            *ca.jacobian_sparsity(part, ca.vertcat(model.x, model.u)).get_triplet(), strict=True
+        ):
             rows[row].add(known[column])
         dependencies[name] = [tuple(sorted(row)) for row in rows]
     return dependencies

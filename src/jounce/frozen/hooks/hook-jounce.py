@@ -11,11 +11,16 @@ from PyInstaller.utils.hooks import collect_data_files, collect_submodules, copy
 
 _NOT_RUN = ("jounce.frozen", "jounce.kernel.loops.")
 
-datas = [*collect_data_files("jounce", include_py_files=True), *copy_metadata("jounce", recursive=True)]
+datas = [
+    *collect_data_files("jounce", include_py_files=True),
+    *copy_metadata("jounce", recursive=True),
+]
 hiddenimports = collect_submodules("jounce", lambda name: not name.startswith(_NOT_RUN))
 # Packages of extras are imported by name, too: those that are installed where the application is built.
 _extras = "|".join({*(metadata("jounce").get_all("Provides-Extra") or ())} - {"loops"})
 _asked = re.compile(rf'\("(\w+)[\w.]*", "(?:{_extras})"\)')
 _sources = [file.read_text(encoding="utf-8") for file in Path(__file__).parents[2].rglob("*.py")]
-hiddenimports += sorted({name for text in _sources for name in _asked.findall(text) if find_spec(name)})
+hiddenimports += sorted(
+    {name for text in _sources for name in _asked.findall(text) if find_spec(name)}
+)
 excludedimports = ["IPython", "numba"]  # a notebook has them loaded, and the loops are built

@@ -105,7 +105,12 @@ WATCHED = Table(  # files of watched folders that were looked at
     Column("modified", BigInteger, nullable=False),
     Column("message", Text, nullable=False),
 )
-ABOUT = Table("about", _TABLES, Column("name", String, primary_key=True), Column("value", String, nullable=False))
+ABOUT = Table(
+    "about",
+    _TABLES,
+    Column("name", String, primary_key=True),
+    Column("value", String, nullable=False),
+)
 NAMES = frozenset(_TABLES.tables)
 SMALL = tuple(sorted(NAMES - {CONTENTS.name}))
 """Tables that are checked whenever a store is opened."""
@@ -165,10 +170,16 @@ def open_database(location: str, *, read_only: bool, damaged: bool = False) -> E
     if file is None:
         return _open_other(location, read_only=read_only)
     if not file.parent.is_dir():
-        raise OutputError("the folder of the store does not exist", where=str(file.parent), hint="Create it first.")
+        raise OutputError(
+            "the folder of the store does not exist",
+            where=str(file.parent),
+            hint="Create it first.",
+        )
     if not file.exists():
         if read_only:
-            raise RecordingError("no such store", where=location, hint="Check the path and the name.")
+            raise RecordingError(
+                "no such store", where=location, hint="Check the path and the name."
+            )
         _make(file)
     if not file.is_file():
         raise RecordingError("not a file", where=location, allowed="a record store")
@@ -193,8 +204,13 @@ def problems_of(connection: Connection) -> list[str]:
     """Check everything in a SQLite file, page by page; other databases check themselves."""
     if connection.dialect.name != "sqlite":
         return []
-    problems = [str(row) for row in connection.exec_driver_sql("PRAGMA integrity_check(20)").scalars()]
-    problems += [f"{row[0]}: a row points to nothing" for row in connection.exec_driver_sql("PRAGMA foreign_key_check")]
+    problems = [
+        str(row) for row in connection.exec_driver_sql("PRAGMA integrity_check(20)").scalars()
+    ]
+    problems += [
+        f"{row[0]}: a row points to nothing"
+        for row in connection.exec_driver_sql("PRAGMA foreign_key_check")
+    ]
     return [text for text in problems if text != _WHOLE]
 
 
@@ -210,7 +226,9 @@ def reported_errors(location: str) -> Iterator[None]:
         reason = (str(cause).strip() or type(cause).__name__).splitlines()[0]
         if any(word in reason for word in _DAMAGES):
             raise DamagedStoreError(
-                Phrase("the store is damaged: {reason}", reason=reason), where=location, hint=_LEFT_ALONE
+                Phrase("the store is damaged: {reason}", reason=reason),
+                where=location,
+                hint=_LEFT_ALONE,
             ) from None
         hint = "Check the rights and the space."
         if "locked" in reason:
@@ -236,13 +254,19 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
         engine = create_engine(url, pool_pre_ping=True, connect_args=waits)
     except NoSuchModuleError:
         what = "no database of a kind that is known"
-        raise DescriptionError(what, where="store", found=hide_password(location), allowed=allowed) from None
+        raise DescriptionError(
+            what, where="store", found=hide_password(location), allowed=allowed
+        ) from None
     except (ArgumentError, ValueError):  # their texts hold parts of the password
         hint = "In a password, write / : @ as %2F %3A %40."
         what = "no database: the address cannot be read"
-        raise DescriptionError(what, where="store", found=hide_password(location), allowed=allowed, hint=hint) from None
+        raise DescriptionError(
+            what, where="store", found=hide_password(location), allowed=allowed, hint=hint
+        ) from None
     except ModuleNotFoundError as error:
-        command = how_to_install("postgresql") if error.name == "psycopg" else f"pip install {error.name}"
+        command = (
+            how_to_install("postgresql") if error.name == "psycopg" else f"pip install {error.name}"
+        )
         what, hint = (
             "the driver of this database is not installed",
             Phrase("Install it with: {command}", command=command),
@@ -261,12 +285,16 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
 
 def _make_tables(connection: Connection, location: str) -> None:
     """Create the tables in a server's database, unless it has other tables of the same names."""
-    if connection.dialect.name == "postgresql":  # two that make the same table at once get in each other's way
+    if (
+        connection.dialect.name == "postgresql"
+    ):  # two that make the same table at once get in each other's way
         connection.execute(select(func.pg_advisory_xact_lock(_MAKING)))
     there = set(inspect(connection).get_table_names()) & NAMES
     if there and there != NAMES:
         names = ", ".join(sorted(there))
-        raise RecordingError("a database of another kind", where=location, found=names, allowed="a record store")
+        raise RecordingError(
+            "a database of another kind", where=location, found=names, allowed="a record store"
+        )
     create_tables(connection)
 
 
@@ -284,7 +312,9 @@ def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:
     def prepare(connection: Any, _: Any) -> None:
         connection.isolation_level = None  # transactions are begun below, for writing at once
         if damaged:
-            connection.execute("PRAGMA writable_schema=ON")  # SQLite's way to read on although pages are missing
+            connection.execute(
+                "PRAGMA writable_schema=ON"
+            )  # SQLite's way to read on although pages are missing
         connection.execute("PRAGMA synchronous=FULL")
         connection.execute("PRAGMA foreign_keys=ON")
 
@@ -304,7 +334,9 @@ def _make(file: Path) -> None:
         with reported_errors(str(file)):
             with engine.begin() as connection:
                 create_tables(connection)
-            with engine.connect() as connection:  # last: where the disk is full, putting a log in place fails unseen
+            with (
+                engine.connect() as connection
+            ):  # last: where the disk is full, putting a log in place fails unseen
                 raw = connection.connection.driver_connection
                 assert raw is not None
                 raw.execute("PRAGMA journal_mode=WAL")
@@ -312,7 +344,10 @@ def _make(file: Path) -> None:
         _give_name(temporary, file)
     finally:
         engine.dispose()
-        for left in (temporary, *(Path(f"{temporary}{end}") for end in ("-journal", "-wal", "-shm"))):
+        for left in (
+            temporary,
+            *(Path(f"{temporary}{end}") for end in ("-journal", "-wal", "-shm")),
+        ):
             left.unlink(missing_ok=True)
     _write_through(file.parent)
 
@@ -323,7 +358,9 @@ def _give_name(made: Path, file: Path) -> None:
         file.hardlink_to(made)
     except FileExistsError:
         return
-    except OSError:  # no hard links here: a network share, FAT; one process at a time looks and renames
+    except (
+        OSError
+    ):  # no hard links here: a network share, FAT; one process at a time looks and renames
         claim = file.with_name(f".{file.name}.claim")
         end = time.monotonic() + _CLAIMED
         while not file.exists():
@@ -362,15 +399,21 @@ def _check_file(file: Path) -> None:
             head = stream.read(100)
         size = file.stat().st_size
         if size == 0:
-            raise DamagedStoreError("the store is damaged: the file is empty", where=str(file), hint=_LEFT_ALONE)
+            raise DamagedStoreError(
+                "the store is damaged: the file is empty", where=str(file), hint=_LEFT_ALONE
+            )
         if not head.startswith(_MAGIC):
-            raise DamagedStoreError("no record store, or its start is damaged", where=str(file), hint=_LEFT_ALONE)
+            raise DamagedStoreError(
+                "no record store, or its start is damaged", where=str(file), hint=_LEFT_ALONE
+            )
         page = int.from_bytes(head[16:18], "big")
         stated = int.from_bytes(head[28:32], "big") * (65536 if page == 1 else page)
         if has_log or size >= stated:
             return
         time.sleep(0.05 * (attempt + 1))  # another process may be putting its last pages in place
-    what = Phrase("the store is damaged: {size} of {stated} bytes are there", size=size, stated=stated)
+    what = Phrase(
+        "the store is damaged: {size} of {stated} bytes are there", size=size, stated=stated
+    )
     raise DamagedStoreError(what, where=str(file), hint=_LEFT_ALONE)
 
 
@@ -380,15 +423,22 @@ def _check_tables(connection: Connection, location: str) -> None:
     names = set(inspect(connection).get_table_names())
     if not names >= NAMES or (is_file and names - NAMES):
         tables = ", ".join(sorted(names)[:8]) or "no table"
-        raise RecordingError("a database of another kind", where=location, found=tables, allowed="a record store")
+        raise RecordingError(
+            "a database of another kind", where=location, found=tables, allowed="a record store"
+        )
     for name in SMALL if is_file else ():
         report = str(connection.exec_driver_sql(f"PRAGMA quick_check('{name}')").scalar())
         if report != _WHOLE:
             raise DamagedStoreError(
-                Phrase("the store is damaged: {report}", report=report.strip()), where=location, hint=_LEFT_ALONE
+                Phrase("the store is damaged: {report}", report=report.strip()),
+                where=location,
+                hint=_LEFT_ALONE,
             )
     version = connection.execute(text("SELECT value FROM about WHERE name = 'schema'")).scalar()
     if version != SCHEMA_VERSION:
         raise RecordingError(
-            "a record store of another version", where=location, found=str(version), allowed=SCHEMA_VERSION
+            "a record store of another version",
+            where=location,
+            found=str(version),
+            allowed=SCHEMA_VERSION,
         )

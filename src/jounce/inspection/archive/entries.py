@@ -33,7 +33,9 @@ class RecordEntry:
 
     name: str
     content: bytes = field(repr=False)
-    sidecar: bytes | None = field(default=None, repr=False)  # the TOML file beside it, where there is one
+    sidecar: bytes | None = field(
+        default=None, repr=False
+    )  # the TOML file beside it, where there is one
     plate: str = ""  # number plate of the vehicle; empty where nothing says it
     vehicle: str = ""
     date: str = ""  # day of the inspection, ISO 8601
@@ -128,7 +130,12 @@ def pack(record: xr.Dataset, findings: Iterable[Finding] = ()) -> bytes:
         variable = record[name]
         coding, block = _pack_values(np.asarray(variable.values, dtype=float))
         channels.append(
-            {"name": name, "units": variable.attrs["units"], "long_name": variable.attrs["long_name"], **coding}
+            {
+                "name": name,
+                "units": variable.attrs["units"],
+                "long_name": variable.attrs["long_name"],
+                **coding,
+            }
         )
         blocks.append(block)
     head = {
@@ -148,9 +155,13 @@ def unpack(packed: bytes) -> tuple[xr.Dataset, list[Finding]]:
         start = 4 + struct.unpack_from("<I", content)[0]
         head = json.loads(content[4:start])
     except (zlib.error, struct.error, ValueError) as error:
-        raise RecordingError(Phrase("the packed signals are damaged: {error}", error=str(error))) from None
+        raise RecordingError(
+            Phrase("the packed signals are damaged: {error}", error=str(error))
+        ) from None
     if head.get("format") != _FORMAT:
-        raise RecordingError("packed signals of another version", found=str(head.get("format")), allowed=_FORMAT)
+        raise RecordingError(
+            "packed signals of another version", found=str(head.get("format")), allowed=_FORMAT
+        )
     arrays: dict[str, tuple[Array, str, str]] = {}
     for channel in head["channels"]:
         width = 8 if channel["decimals"] is None else 4
@@ -159,7 +170,9 @@ def unpack(packed: bytes) -> tuple[xr.Dataset, list[Finding]]:
         start += width * head["samples"]
         arrays[channel["name"]] = (values, channel["units"], channel["long_name"])
     time = arrays.pop("time")[0]
-    return recording_of(time, arrays, attributes=head["attributes"]), [of_plain(item) for item in head["findings"]]
+    return recording_of(time, arrays, attributes=head["attributes"]), [
+        of_plain(item) for item in head["findings"]
+    ]
 
 
 def _pack_values(values: Array) -> tuple[dict[str, Any], bytes]:
@@ -170,7 +183,10 @@ def _pack_values(values: Array) -> tuple[dict[str, Any], bytes]:
                 break
             if np.array_equal(scaled / 10.0**decimals * factor, values):
                 steps = np.diff(scaled.astype(np.int64), prepend=0)
-                if np.abs(steps).max(initial=0) < _LARGEST and not np.signbit(values[values == 0.0]).any():
+                if (
+                    np.abs(steps).max(initial=0) < _LARGEST
+                    and not np.signbit(values[values == 0.0]).any()
+                ):
                     return {"factor": factor, "decimals": decimals}, steps.astype("<i4").tobytes()
     return {"factor": 1.0, "decimals": None}, values.astype("<f8").tobytes()
 
@@ -178,5 +194,7 @@ def _pack_values(values: Array) -> tuple[dict[str, Any], bytes]:
 def _unpack_values(stored: NDArray[Any], channel: dict[str, Any]) -> Array:
     if channel["decimals"] is None:
         return stored.astype(np.float64)
-    values: Array = np.cumsum(stored, dtype=np.int64) / 10.0 ** channel["decimals"] * channel["factor"]
+    values: Array = (
+        np.cumsum(stored, dtype=np.int64) / 10.0 ** channel["decimals"] * channel["factor"]
+    )
     return values

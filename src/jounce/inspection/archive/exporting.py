@@ -39,22 +39,41 @@ def rows_of(records: Iterable[StoredRecord]) -> list[Row]:
         result: Mapping[str, Any] = {} if record.grading is None else record.grading.result
         if record.grading is not None:
             grading = record.grading
-            about |= {"axle_verdict": grading.verdict, "limits": grading.limits, "software": grading.software}
-            about["axle_reasons"] = " ".join(result.get("reasons", []))  # an axle may fail whose wheels pass
-        wheels = result.get("wheels") or [{"verdict": "not graded", "reasons": result.get("reasons", [])}]
+            about |= {
+                "axle_verdict": grading.verdict,
+                "limits": grading.limits,
+                "software": grading.software,
+            }
+            about["axle_reasons"] = " ".join(
+                result.get("reasons", [])
+            )  # an axle may fail whose wheels pass
+        wheels = result.get("wheels") or [
+            {"verdict": "not graded", "reasons": result.get("reasons", [])}
+        ]
         said = _messages(result)
-        rows += [{**about, **_of_wheel(wheel), "findings": " ".join([*_messages(wheel), *said])} for wheel in wheels]
+        rows += [
+            {**about, **_of_wheel(wheel), "findings": " ".join([*_messages(wheel), *said])}
+            for wheel in wheels
+        ]
     return rows
 
 
 def _messages(about: Mapping[str, Any]) -> list[str]:
     """Messages of the evaluation about a wheel or a record; problems are among the reasons already."""
-    return [finding["message"] for finding in about.get("findings", []) if finding["severity"] != "problem"]
+    return [
+        finding["message"]
+        for finding in about.get("findings", [])
+        if finding["severity"] != "problem"
+    ]
 
 
 def _of_wheel(wheel: Mapping[str, Any]) -> Row:
     uncertainty, grade = wheel.get("uncertainty", {}), wheel.get("grade", {})
-    row: Row = {"wheel": wheel.get("wheel"), "lift_off": wheel.get("lift_off"), "verdict": wheel["verdict"]}
+    row: Row = {
+        "wheel": wheel.get("wheel"),
+        "lift_off": wheel.get("lift_off"),
+        "verdict": wheel["verdict"],
+    }
     for name in VALUES:
         row |= {name: wheel.get(name), f"{name}_half_width": uncertainty.get(name)}
     row |= {f"grade_{method}": grade.get(method) for method in METHODS}
@@ -97,8 +116,12 @@ def _write_parquet(rows: Sequence[Row], file: Path) -> None:
     kinds |= {"number": arrow.int64(), "lift_off": arrow.bool_()}
     units = VALUES | {f"{name}_half_width": unit for name, unit in VALUES.items()}
     about = {name: {"unit": unit} for name, unit in units.items()}
-    schema = arrow.schema([arrow.field(name, kinds[name], metadata=about.get(name)) for name in COLUMNS])
-    parquet.write_table(arrow.Table.from_pylist([{**dict.fromkeys(COLUMNS), **row} for row in rows], schema), file)
+    schema = arrow.schema(
+        [arrow.field(name, kinds[name], metadata=about.get(name)) for name in COLUMNS]
+    )
+    parquet.write_table(
+        arrow.Table.from_pylist([{**dict.fromkeys(COLUMNS), **row} for row in rows], schema), file
+    )
 
 
 TABLES = Formats("tables", {".csv": _write_csv, ".parquet": _write_parquet})

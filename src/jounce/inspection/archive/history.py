@@ -30,7 +30,9 @@ class WheelVisit:
     values: Mapping[str, float | None]
     verdict: str  # of the wheel, by the newest grading
     limits: str  # of the wheel, by the newest grading
-    unreliable: tuple[str, ...] = ()  # which of the values say little, as after lift-off: no trend is drawn from them
+    unreliable: tuple[
+        str, ...
+    ] = ()  # which of the values say little, as after lift-off: no trend is drawn from them
 
 
 @dataclass(frozen=True)

@@ -53,7 +53,11 @@ class InspectedRecord:
     @property
     def facts(self) -> dict[str, str]:
         """Texts of the record's header."""
-        return {name: value for name, value in self.graded.inspection.facts.items() if isinstance(value, str)}
+        return {
+            name: value
+            for name, value in self.graded.inspection.facts.items()
+            if isinstance(value, str)
+        }
 
 
 def check_methods(methods: Sequence[str] | None) -> list[str] | None:
@@ -111,10 +115,21 @@ def inspect_record(
 
 def _without_repeats(findings: Sequence[Finding], inspection: Inspection) -> tuple[Finding, ...]:
     """Findings of reader and evaluation without repeats; those of wheels that were not tested are left out."""
-    unused = [f"{side}." for side in SIDES if all(wheel.wheel != side for wheel in inspection.wheels)]
+    unused = [
+        f"{side}." for side in SIDES if all(wheel.wheel != side for wheel in inspection.wheels)
+    ]
     read = [item for item in findings if not any(side in item.place for side in unused)]
-    places = {item.place for wheel in inspection.wheels for item in wheel.findings if _is_of_clipping(item)}
-    read = [item for item in read if not (_is_of_clipping(item) and item.place.rpartition(": ")[2] in places)]
+    places = {
+        item.place
+        for wheel in inspection.wheels
+        for item in wheel.findings
+        if _is_of_clipping(item)
+    }
+    read = [
+        item
+        for item in read
+        if not (_is_of_clipping(item) and item.place.rpartition(": ")[2] in places)
+    ]
     messages = {item.message for item in read}
     return (*read, *(item for item in inspection.findings if item.message not in messages))
 
@@ -140,7 +155,10 @@ def entry_of(
     beside = file.with_suffix(".toml")
     content = content_of(file, RecordingError)
     sidecar = content_of(beside, RecordingError) if beside != file and beside.is_file() else None
-    known = {**header_facts(content, sidecar), **{name: text for name, text in (facts or {}).items() if text}}
+    known = {
+        **header_facts(content, sidecar),
+        **{name: text for name, text in (facts or {}).items() if text},
+    }
     return RecordEntry(
         file.name,
         content,
@@ -185,7 +203,9 @@ def _table_of(description: Any) -> dict[str, Any]:
 
 def grading_of(graded: GradedInspection) -> Grading:
     """Make the stored grading of a graded axle."""
-    return Grading(graded.verdict, graded.limits.label, metadata.version("jounce"), graded.to_dict())
+    return Grading(
+        graded.verdict, graded.limits.label, metadata.version("jounce"), graded.to_dict()
+    )
 
 
 def refusal_of(error: Exception, limits: Limits | None = None) -> Grading:
@@ -279,13 +299,19 @@ def import_record(
     except Exception as error:  # noqa: BLE001 - whatever the evaluation meets, the record must not be lost
         if is_of_system(error):
             raise resource_error(error, str(file)) from None
-        problem = error if isinstance(error, JounceError) else RuntimeError(f"the evaluation failed: {error!r}")
+        problem = (
+            error
+            if isinstance(error, JounceError)
+            else RuntimeError(f"the evaluation failed: {error!r}")
+        )
         grading = refusal_of(problem, limits)
     number, is_new = store.accept(entry, grading)
     return (
         _describe_known(str(file), number, store)
         if not is_new
-        else ImportedRecord(str(file), number, True, grading.verdict, problem_of(grading), warnings_of(grading))
+        else ImportedRecord(
+            str(file), number, True, grading.verdict, problem_of(grading), warnings_of(grading)
+        )
     )
 
 
@@ -303,13 +329,17 @@ def _describe_known(file: str, number: int, store: Store) -> ImportedRecord:
     grading = store.newest_grading(number)
     if grading is None:
         return ImportedRecord(file, number, False, NOT_GRADED)
-    return ImportedRecord(file, number, False, grading.verdict, problem_of(grading), warnings_of(grading))
+    return ImportedRecord(
+        file, number, False, grading.verdict, problem_of(grading), warnings_of(grading)
+    )
 
 
 def warnings_of(grading: Grading) -> int:
     """Count the findings that weaken values of a record or its wheels, such as a tyre leaving the plate."""
     places = [grading.result, *grading.result.get("wheels", [])]
-    return sum(item["severity"] == "warning" for place in places for item in place.get("findings", []))
+    return sum(
+        item["severity"] == "warning" for place in places for item in place.get("findings", [])
+    )
 
 
 def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
@@ -333,11 +363,15 @@ def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
     return replace(entry, tester_table=_table_of(shipped[entry.tester]))
 
 
-def _evaluate(entry: RecordEntry, vehicle: Any, limits: Limits | None) -> tuple[RecordEntry, GradedInspection]:
+def _evaluate(
+    entry: RecordEntry, vehicle: Any, limits: Limits | None
+) -> tuple[RecordEntry, GradedInspection]:
     """Evaluate the stored bytes of an entry; return it with its signals."""
     tester = stored_tester(entry)
     record, findings = read_entry(entry, tester)
-    inspection = inspect_record(entry.name, tester, vehicle, entry.methods or None, limits, read=(record, findings))
+    inspection = inspect_record(
+        entry.name, tester, vehicle, entry.methods or None, limits, read=(record, findings)
+    )
     facts = inspection.facts
     filled = replace(
         entry,
@@ -353,7 +387,11 @@ def _evaluate(entry: RecordEntry, vehicle: Any, limits: Limits | None) -> tuple[
 def stored_tester(entry: RecordEntry) -> Tester:
     """Give the tester of a stored record from its description."""
     if entry.tester_table is None:
-        raise RecordingError("the tester of this record is not known", where=entry.name, hint="Name it with --tester.")
+        raise RecordingError(
+            "the tester of this record is not known",
+            where=entry.name,
+            hint="Name it with --tester.",
+        )
     return Tester.from_table(dict(entry.tester_table), where=entry.tester)
 
 
@@ -375,7 +413,9 @@ def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Fin
                 error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
             ) from None
     return record, [
-        replace(item, place=item.place.replace(beside, ""), message=item.message.replace(beside, ""))
+        replace(
+            item, place=item.place.replace(beside, ""), message=item.message.replace(beside, "")
+        )
         for item in findings
     ]
 
@@ -383,7 +423,11 @@ def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Fin
 def _file_name(name: str) -> str:
     """File name of an entry: its own, if a file can have it."""
     own = Path(name.replace("\0", "")).name
-    return own if own not in ("", "..") and len(os.fsencode(own)) < _LONGEST_NAME else f"record{Path(own).suffix[:16]}"
+    return (
+        own
+        if own not in ("", "..") and len(os.fsencode(own)) < _LONGEST_NAME
+        else f"record{Path(own).suffix[:16]}"
+    )
 
 
 _LONGEST_NAME = 240  # bytes; systems take 255

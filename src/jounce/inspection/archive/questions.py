@@ -24,7 +24,9 @@ from jounce.inspection.result import NOT_GRADED
 from jounce.parts.testers import library, load_tester
 
 STORE = Mark("The store: a SQLite file, or a database URL.", "STORE")
-PLATES = Mark("Number plate, or a pattern such as B-AB*; case, spaces and hyphens are ignored.", "PLATE")
+PLATES = Mark(
+    "Number plate, or a pattern such as B-AB*; case, spaces and hyphens are ignored.", "PLATE"
+)
 VERDICT = Mark("Verdict of the axle: pass, advise, fail or not graded.", "VERDICT")
 TESTER = Mark("Name of the tester, as in its file, or of a shipped one.", "TESTER")
 SINCE, UNTIL = Mark("First day, e.g. 2026-01-31.", "DAY"), Mark("Last day.", "DAY")
@@ -128,10 +130,15 @@ def read_inspection_history(
         records, visits = opened.records(plate=plate), history_of(opened, plate)
         if not records:
             raise RecordingError(
-                "no record of this number plate", where=opened.location, found=plate, hint="See: inspect search."
+                "no record of this number plate",
+                where=opened.location,
+                found=plate,
+                hint="See: inspect search.",
             )
     newest, numbers = records[-1], tuple(record.number for record in records)
-    return VehicleHistory(newest.plate, newest.vehicle, numbers, tuple(visits), tuple(trends_of(visits)))
+    return VehicleHistory(
+        newest.plate, newest.vehicle, numbers, tuple(visits), tuple(trends_of(visits))
+    )
 
 
 # search ---------------------------------------------------------------------------------------------------------------
@@ -267,7 +274,9 @@ def export_inspections(
     tester: Annotated[str | None, TESTER] = None,
     since: Annotated[str | None, SINCE] = None,
     until: Annotated[str | None, UNTIL] = None,
-    damaged: Annotated[bool, Switch("Write everything that can still be read from a damaged store.")] = False,
+    damaged: Annotated[
+        bool, Switch("Write everything that can still be read from a damaged store.")
+    ] = False,
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
 ) -> ExportedRecords:
     """Write the latest results as a table with one row per wheel (SI).
@@ -391,9 +400,15 @@ class ReevaluatedStore(Shown):
     def to_dict(self) -> dict[str, Any]:
         """Give counts, changes of verdicts, and records that could not be read, as plain data."""
         result = self.result
-        changes = [{"before": a, "after": b, "records": count} for (a, b), count in result.changes.items()]
+        changes = [
+            {"before": a, "after": b, "records": count} for (a, b), count in result.changes.items()
+        ]
         names = ("records", "added", "unchanged", "changed", "failed")
-        about = {"store": self.store, "limits": self.limits, **{name: getattr(result, name) for name in names}}
+        about = {
+            "store": self.store,
+            "limits": self.limits,
+            **{name: getattr(result, name) for name in names},
+        }
         plain: dict[str, Any] = to_plain({**about, "changes": changes})
         return plain
 
@@ -408,11 +423,16 @@ class ReevaluatedStore(Shown):
 )
 def reevaluate_inspections(
     store: Annotated[Path | str, STORE],
-    limits: Annotated[Path | str | None, File("A limits file instead of the shipped limits.", "FILE")] = None,
+    limits: Annotated[
+        Path | str | None, File("A limits file instead of the shipped limits.", "FILE")
+    ] = None,
     *,
     tester: Annotated[
         Path | str | None,
-        Mark("Tester of records that name none: a tester file, or the name of a shipped one.", "TESTER"),
+        Mark(
+            "Tester of records that name none: a tester file, or the name of a shipped one.",
+            "TESTER",
+        ),
     ] = None,
     workers: Annotated[int, Count("Number of processes.", least=1)] = 2,
     from_files: Annotated[bool, Switch("Read the original files again (slower).")] = False,
@@ -456,7 +476,9 @@ def reevaluate_inspections(
     0
     """
     if workers < 1:
-        raise DescriptionError("not a number of processes", where="workers", found=workers, allowed="1 or more")
+        raise DescriptionError(
+            "not a number of processes", where="workers", found=workers, allowed="1 or more"
+        )
     chosen, graded_by = None if tester is None else load_tester(tester), load_limits(limits)
     Store(store, read_only=True).close()  # where there is no store, none is made
     with closing(Store(store)) as opened:
@@ -466,6 +488,8 @@ def reevaluate_inspections(
             tester=chosen,
             workers=workers,
             from_files=from_files,
-            say=lambda done, number: progress(progress_through("evaluated {which} of {count}", done, number)),
+            say=lambda done, number: progress(
+                progress_through("evaluated {which} of {count}", done, number)
+            ),
         )
     return ReevaluatedStore(opened.location, graded_by.label, result)

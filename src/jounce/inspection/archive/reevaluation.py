@@ -12,11 +12,23 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from jounce.core.errors import JounceError, RecordingError, ResourceError, is_of_system, resource_error
+from jounce.core.errors import (
+    JounceError,
+    RecordingError,
+    ResourceError,
+    is_of_system,
+    resource_error,
+)
 from jounce.core.processes import check_workers, starting_workers
 from jounce.core.serialise import to_plain
 from jounce.inspection.archive.entries import Grading, RecordEntry, unpack
-from jounce.inspection.archive.lane import grading_of, inspect_record, read_entry, refusal_of, stored_tester
+from jounce.inspection.archive.lane import (
+    grading_of,
+    inspect_record,
+    read_entry,
+    refusal_of,
+    stored_tester,
+)
 from jounce.inspection.archive.store import Store
 from jounce.inspection.limits import Limits, load_limits
 from jounce.parts.files import rig_from_table
@@ -27,7 +39,9 @@ if TYPE_CHECKING:
     from jounce.core.findings import Finding
     from jounce.parts.testers import Tester
 
-_BATCH = 20  # records handed to a process at once: more are cheaper to hand over, fewer end together
+_BATCH = (
+    20  # records handed to a process at once: more are cheaper to hand over, fewer end together
+)
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 
 
@@ -37,7 +51,9 @@ class Reevaluation:
 
     records: int
     added: int = 0  # new gradings
-    unchanged: int = 0  # records whose newest grading says the same already, by the same limits and software
+    unchanged: int = (
+        0  # records whose newest grading says the same already, by the same limits and software
+    )
     # how many verdicts went from one word to another
     changes: Mapping[tuple[str, str], int] = field(default_factory=dict)
     changed: tuple[int, ...] = ()  # numbers of these records
@@ -70,14 +86,20 @@ def reevaluate(
     many.
     """
     numbers = store.numbers()
-    task = _Reevaluation(store.address, limits if limits is not None else load_limits(), tester, from_files)
+    task = _Reevaluation(
+        store.address, limits if limits is not None else load_limits(), tester, from_files
+    )
     batches = [numbers[start : start + _BATCH] for start in range(0, len(numbers), _BATCH)]
     added, done, changed = 0, 0, []
     changes: Counter[tuple[str, str]] = Counter()
     failed: dict[int, str] = {}
     with _results(task, batches, min(workers, len(batches))) as results:
         for batch in results:
-            new = [(outcome.number, outcome.grading) for outcome in batch if outcome.grading is not None]
+            new = [
+                (outcome.number, outcome.grading)
+                for outcome in batch
+                if outcome.grading is not None
+            ]
             store.add_gradings(new)
             added, done = added + len(new), done + len(batch)
             failed |= {outcome.number: outcome.problem for outcome in batch if outcome.problem}
@@ -100,7 +122,9 @@ class _Reevaluation:
 
 
 @contextmanager
-def _results(task: _Reevaluation, batches: list[list[int]], workers: int) -> Iterator[Iterable[list[_Outcome]]]:
+def _results(
+    task: _Reevaluation, batches: list[list[int]], workers: int
+) -> Iterator[Iterable[list[_Outcome]]]:
     """Give the outcomes of the batches in order, as they are finished."""
     if workers <= 1:
         store = Store(task.address, read_only=True)
@@ -113,7 +137,9 @@ def _results(task: _Reevaluation, batches: list[list[int]], workers: int) -> Ite
     context = multiprocessing.get_context("spawn")
     with _one_thread_each():
         with starting_workers():
-            pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_begin, initargs=(task,))
+            pool = ProcessPoolExecutor(
+                workers, mp_context=context, initializer=_begin, initargs=(task,)
+            )
         try:
             with starting_workers():
                 results = pool.map(_work, batches)
@@ -166,18 +192,30 @@ def _reevaluate_record(store: Store, task: _Reevaluation, number: int) -> _Outco
         return _Outcome(number, problem=str(error))
     before = "" if newest is None else newest.verdict
     try:
-        tester = task.tester if entry.tester_table is None and task.tester is not None else stored_tester(entry)
+        tester = (
+            task.tester
+            if entry.tester_table is None and task.tester is not None
+            else stored_tester(entry)
+        )
         read = _signals(store, number, entry, tester, from_files=task.from_files)
-        inspection = inspect_record(entry.name, tester, _vehicle(entry), entry.methods or None, task.limits, read=read)
+        inspection = inspect_record(
+            entry.name, tester, _vehicle(entry), entry.methods or None, task.limits, read=read
+        )
         grading = grading_of(inspection.graded)
     except _Lost as error:
         return _Outcome(number, before, problem=str(error))
     except Exception as error:  # noqa: BLE001 - one record must not stop ten thousand
         if is_of_system(error):
             raise resource_error(error, entry.name) from None
-        problem = error if isinstance(error, JounceError) else RuntimeError(f"the evaluation failed: {error!r}")
+        problem = (
+            error
+            if isinstance(error, JounceError)
+            else RuntimeError(f"the evaluation failed: {error!r}")
+        )
         grading = refusal_of(problem, task.limits)
-    return _Outcome(number, before, None if newest is not None and _is_same(newest, grading) else grading)
+    return _Outcome(
+        number, before, None if newest is not None and _is_same(newest, grading) else grading
+    )
 
 
 class _Lost(Exception):
@@ -201,7 +239,11 @@ def _signals(
 
 
 def _vehicle(entry: RecordEntry) -> Any:
-    return None if entry.vehicle_table is None else rig_from_table(dict(entry.vehicle_table), where=entry.vehicle)
+    return (
+        None
+        if entry.vehicle_table is None
+        else rig_from_table(dict(entry.vehicle_table), where=entry.vehicle)
+    )
 
 
 def _is_same(first: Grading, second: Grading) -> bool:

@@ -34,7 +34,14 @@ from jounce.inspection.archive.database import (
     problems_of,
     reported_errors,
 )
-from jounce.inspection.archive.entries import Grading, RecordEntry, StoredRecord, digest_of, plate_key, storable
+from jounce.inspection.archive.entries import (
+    Grading,
+    RecordEntry,
+    StoredRecord,
+    digest_of,
+    plate_key,
+    storable,
+)
 
 require("sqlalchemy", "store")
 
@@ -54,7 +61,9 @@ _RESULT_COLUMNS = (
 _OF_ENTRY = ("name", "plate", "vehicle", "date", "axle", "tester")
 _SHOWN = (*_OF_ENTRY, "accepted")
 _SHOWN_COLUMNS = (RECORDS.c.number, *(RECORDS.c[name] for name in _SHOWN), RECORDS.c.seal)
-_ATTEMPTS = 5  # a choice: so many other processes would have to write the same row one after another
+_ATTEMPTS = (
+    5  # a choice: so many other processes would have to write the same row one after another
+)
 _GAP = 100  # rows that may be missing in a row of a damaged table
 
 
@@ -77,11 +86,15 @@ class Store:
     ['pass']
     """
 
-    def __init__(self, location: str | Path, *, read_only: bool = False, damaged: bool = False) -> None:
+    def __init__(
+        self, location: str | Path, *, read_only: bool = False, damaged: bool = False
+    ) -> None:
         self.address, self.read_only = str(location), read_only or damaged
         self.location = hide_password(self.address)  # for messages and results
         self._engine = open_database(self.address, read_only=self.read_only, damaged=damaged)
-        finalize(self, self._engine.dispose)  # from Python 3.13 on, SQLite's connections want to be closed
+        finalize(
+            self, self._engine.dispose
+        )  # from Python 3.13 on, SQLite's connections want to be closed
 
     def accept(self, entry: RecordEntry, grading: Grading | None) -> tuple[int, bool]:
         """Put a record in, with its grading (None where it waits for one), in one transaction.
@@ -98,7 +111,8 @@ class Store:
             except IntegrityError:
                 continue
         raise OutputError(
-            "the record could not be stored: other processes keep writing the same record", where=self.location
+            "the record could not be stored: other processes keep writing the same record",
+            where=self.location,
         )
 
     def _accept(self, entry: RecordEntry, grading: Grading | None) -> tuple[int, bool]:
@@ -108,7 +122,9 @@ class Store:
             "signals": entry.signals,
         }  # before the transaction: others need not wait for it
         with self._writing() as connection:
-            known = connection.execute(select(RECORDS.c.number).where(RECORDS.c.digest == entry.digest)).scalar()
+            known = connection.execute(
+                select(RECORDS.c.number).where(RECORDS.c.digest == entry.digest)
+            ).scalar()
             if known is not None:
                 return int(known), False
             _note_vehicle(connection, entry)
@@ -123,7 +139,11 @@ class Store:
             }
             values = _storable(values)
             values["seal"] = _seal(*(values[name] for name in _SHOWN))
-            number = int(connection.execute(insert(RECORDS).values(**values).returning(RECORDS.c.number)).scalar_one())
+            number = int(
+                connection.execute(
+                    insert(RECORDS).values(**values).returning(RECORDS.c.number)
+                ).scalar_one()
+            )
             connection.execute(insert(CONTENTS).values(record=number, **packed))
             if grading is not None:
                 connection.execute(insert(RESULTS).values(**_row_of(number, grading)))
@@ -132,7 +152,9 @@ class Store:
     def number_of(self, digest: str) -> int | None:
         """Number of the record with a digest, if it is in the store."""
         with self._reading() as connection:
-            number = connection.execute(select(RECORDS.c.number).where(RECORDS.c.digest == digest)).scalar()
+            number = connection.execute(
+                select(RECORDS.c.number).where(RECORDS.c.digest == digest)
+            ).scalar()
         return None if number is None else int(number)
 
     def add_gradings(self, gradings: Sequence[tuple[int, Grading]]) -> None:
@@ -140,7 +162,9 @@ class Store:
         if not gradings:
             return
         with self._writing() as connection:
-            connection.execute(insert(RESULTS), [_row_of(number, grading) for number, grading in gradings])
+            connection.execute(
+                insert(RESULTS), [_row_of(number, grading) for number, grading in gradings]
+            )
 
     def content(self, number: int) -> tuple[bytes, bytes | None]:
         """Return file and sidecar of a record as imported; refuse them if their bytes have changed."""
@@ -152,39 +176,56 @@ class Store:
         if row is None:
             raise RecordingError("no such record", where=self.location, found=number)
         try:
-            content, sidecar = zlib.decompress(row.content), row.sidecar and zlib.decompress(row.sidecar)
+            content, sidecar = (
+                zlib.decompress(row.content),
+                row.sidecar and zlib.decompress(row.sidecar),
+            )
         except zlib.error:
             content, sidecar = b"", None
         if digest_of(content, sidecar) != row.digest:
             raise DamagedStoreError(
-                Phrase("record {number} is damaged", number=number), where=self.location, hint="Take it from a copy."
+                Phrase("record {number} is damaged", number=number),
+                where=self.location,
+                hint="Take it from a copy.",
             )
         return content, sidecar
 
     def signals(self, number: int) -> bytes | None:
         """Return the packed signals of a record; None if it could not be read when imported."""
         with self._reading() as connection:
-            return connection.execute(select(CONTENTS.c.signals).where(CONTENTS.c.record == number)).scalar()
+            return connection.execute(
+                select(CONTENTS.c.signals).where(CONTENTS.c.record == number)
+            ).scalar()
 
     def entry(self, number: int) -> RecordEntry:
         """Return the metadata of a record, without its file."""
         tester, vehicle = DESCRIPTIONS.alias("tester_of"), DESCRIPTIONS.alias("vehicle_of")
         joined = RECORDS.outerjoin(tester, tester.c.digest == RECORDS.c.tester_digest)
         joined = joined.outerjoin(vehicle, vehicle.c.digest == RECORDS.c.vehicle_digest)
-        asked = select(RECORDS, tester.c.content.label("of_tester"), vehicle.c.content.label("of_vehicle"))
+        asked = select(
+            RECORDS, tester.c.content.label("of_tester"), vehicle.c.content.label("of_vehicle")
+        )
         with self._reading() as connection:
-            row = connection.execute(asked.select_from(joined).where(RECORDS.c.number == number)).one_or_none()
+            row = connection.execute(
+                asked.select_from(joined).where(RECORDS.c.number == number)
+            ).one_or_none()
         if row is None:
             raise RecordingError("no such record", where=self.location, found=number)
         places = {name: getattr(row, name) for name in _OF_ENTRY}
-        tables = [None if text is None else json.loads(text) for text in (row.of_tester, row.of_vehicle)]
+        tables = [
+            None if text is None else json.loads(text) for text in (row.of_tester, row.of_vehicle)
+        ]
         methods = tuple(filter(None, row.methods.split(",")))
-        return RecordEntry(content=b"", **places, tester_table=tables[0], vehicle_table=tables[1], methods=methods)
+        return RecordEntry(
+            content=b"", **places, tester_table=tables[0], vehicle_table=tables[1], methods=methods
+        )
 
     def numbers(self) -> list[int]:
         """Numbers of all records, ascending."""
         with self._reading() as connection:
-            return list(connection.execute(select(RECORDS.c.number).order_by(RECORDS.c.number)).scalars())
+            return list(
+                connection.execute(select(RECORDS.c.number).order_by(RECORDS.c.number)).scalars()
+            )
 
     def records(
         self,
@@ -207,7 +248,9 @@ class Store:
             Days, ISO 8601, both included.
         """
         newest = select(func.max(RESULTS.c.number)).group_by(RESULTS.c.record).scalar_subquery()
-        joined = RECORDS.outerjoin(RESULTS, and_(RESULTS.c.record == RECORDS.c.number, RESULTS.c.number.in_(newest)))
+        joined = RECORDS.outerjoin(
+            RESULTS, and_(RESULTS.c.record == RECORDS.c.number, RESULTS.c.number.in_(newest))
+        )
         asked = select(*_SHOWN_COLUMNS, *_RESULT_COLUMNS)
         for column, value in ((RESULTS.c.verdict, verdict), (RECORDS.c.tester, tester)):
             asked = asked if value is None else asked.where(column == value)
@@ -218,7 +261,9 @@ class Store:
         asked = asked if since is None else asked.where(RECORDS.c.date >= since)
         asked = asked if until is None else asked.where(RECORDS.c.date <= until)
         with self._reading() as connection:
-            rows = connection.execute(asked.select_from(joined).order_by(RECORDS.c.date, RECORDS.c.number))
+            rows = connection.execute(
+                asked.select_from(joined).order_by(RECORDS.c.date, RECORDS.c.number)
+            )
             return [_record_of_row(row, _grading(row)) for row in rows]
 
     def readable_records(self) -> tuple[list[StoredRecord], list[str]]:
@@ -253,7 +298,10 @@ class Store:
             except RecordingError:
                 unread.append(at)
             if row is not None:
-                lost += [f"row {row_number} of the {number.table.name} cannot be read" for row_number in unread]
+                lost += [
+                    f"row {row_number} of the {number.table.name} cannot be read"
+                    for row_number in unread
+                ]
                 missing, unread = 0, []
                 yield row
         if unread:
@@ -261,18 +309,31 @@ class Store:
 
     def _record(self, number: int) -> StoredRecord:
         with self._reading() as connection:
-            row = connection.execute(select(*_SHOWN_COLUMNS).where(RECORDS.c.number == number)).one()
+            row = connection.execute(
+                select(*_SHOWN_COLUMNS).where(RECORDS.c.number == number)
+            ).one()
         return _record_of_row(row, self.newest_grading(number))
 
     def gradings(self, number: int) -> list[Grading]:
         """All gradings of a record, the oldest first."""
-        asked = select(*_RESULT_COLUMNS).where(RESULTS.c.record == number).order_by(RESULTS.c.number)
+        asked = (
+            select(*_RESULT_COLUMNS).where(RESULTS.c.record == number).order_by(RESULTS.c.number)
+        )
         with self._reading() as connection:
-            return [grading for row in connection.execute(asked) if (grading := _grading(row)) is not None]
+            return [
+                grading
+                for row in connection.execute(asked)
+                if (grading := _grading(row)) is not None
+            ]
 
     def newest_grading(self, number: int) -> Grading | None:
         """Give the newest grading of a record."""
-        asked = select(*_RESULT_COLUMNS).where(RESULTS.c.record == number).order_by(RESULTS.c.number.desc()).limit(1)
+        asked = (
+            select(*_RESULT_COLUMNS)
+            .where(RESULTS.c.record == number)
+            .order_by(RESULTS.c.number.desc())
+            .limit(1)
+        )
         with self._reading() as connection:
             row = connection.execute(asked).one_or_none()
         return None if row is None else _grading(row)
@@ -326,7 +387,10 @@ class Store:
 
 def _note_vehicle(connection: Connection, entry: RecordEntry) -> None:
     key = plate_key(entry.plate)
-    if not key or connection.execute(select(VEHICLES.c.plate).where(VEHICLES.c.plate_key == key)).first():
+    if (
+        not key
+        or connection.execute(select(VEHICLES.c.plate).where(VEHICLES.c.plate_key == key)).first()
+    ):
         return
     row = {"plate_key": key, "plate": entry.plate, "name": entry.vehicle, "since": _now()}
     connection.execute(insert(VEHICLES).values(**_storable(row)))
@@ -338,7 +402,12 @@ def _note_description(connection: Connection, table: Mapping[str, Any] | None) -
         return None
     text = storable(json.dumps(json.loads(to_json(table)), sort_keys=True))
     digest = hashlib.sha256(text.encode()).hexdigest()
-    if connection.execute(select(DESCRIPTIONS.c.digest).where(DESCRIPTIONS.c.digest == digest)).first() is None:
+    if (
+        connection.execute(
+            select(DESCRIPTIONS.c.digest).where(DESCRIPTIONS.c.digest == digest)
+        ).first()
+        is None
+    ):
         connection.execute(insert(DESCRIPTIONS).values(digest=digest, content=text))
     return digest
 
@@ -350,7 +419,9 @@ def _row_of(record: int, grading: Grading) -> dict[str, Any]:
 
 
 def _storable(row: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: storable(value) if isinstance(value, str) else value for name, value in row.items()}
+    return {
+        name: storable(value) if isinstance(value, str) else value for name, value in row.items()
+    }
 
 
 def _seal(*parts: object) -> str:
@@ -363,7 +434,8 @@ def _grading(row: Any) -> Grading | None:
         return None
     if _seal(row.record, row.verdict, row.limits, row.software, row.result) != row.result_seal:
         raise DamagedStoreError(
-            Phrase("a grading of record {record} is damaged", record=row.record), hint="Use a copy of the store."
+            Phrase("a grading of record {record} is damaged", record=row.record),
+            hint="Use a copy of the store.",
         )
     return Grading(row.verdict, row.limits, row.software, json.loads(row.result))
 
@@ -372,7 +444,8 @@ def _record_of_row(row: Any, grading: Grading | None) -> StoredRecord:
     known: dict[str, Any] = {name: getattr(row, name) for name in _SHOWN}
     if _seal(*known.values()) != row.seal:
         raise DamagedStoreError(
-            Phrase("what is known of record {number} is damaged", number=row.number), hint="Use a copy of the store."
+            Phrase("what is known of record {number} is damaged", number=row.number),
+            hint="Use a copy of the store.",
         )
     return StoredRecord(row.number, **known, grading=grading)
 

@@ -23,7 +23,9 @@ from jounce.inspection.archive.watching import FolderWatch, check_folder
 from jounce.inspection.limits import load_limits
 from jounce.parts.testers import Tester, as_tester
 
-TESTER = Mark("A tester file, or the name of a shipped one; by default the one named in the header.")
+TESTER = Mark(
+    "A tester file, or the name of a shipped one; by default the one named in the header."
+)
 LIMITS = Mark("A limits file instead of the shipped limits.")
 
 
@@ -54,7 +56,12 @@ class ImportedRecords(Shown):
     def to_dict(self) -> dict[str, Any]:
         """Give records and failures as plain data."""
         watched = {"folder": self.folder} if self.folder else {}
-        return {**watched, "store": self.store, "records": to_plain(self.records), "failed": dict(self.failed)}
+        return {
+            **watched,
+            "store": self.store,
+            "records": to_plain(self.records),
+            "failed": dict(self.failed),
+        }
 
 
 @operation(
@@ -70,7 +77,10 @@ class ImportedRecords(Shown):
     ),
 )
 def import_inspections(
-    files: Annotated[Sequence[Path | str], Texts("Records; the TOML files next to them are read as well.", "FILE...")],
+    files: Annotated[
+        Sequence[Path | str],
+        Texts("Records; the TOML files next to them are read as well.", "FILE..."),
+    ],
     store: Annotated[Path | str, STORE],
     tester: Annotated[Tester | Path | str | None, TESTER] = None,
     methods: Annotated[Sequence[str], Texts("Deciding method. Repeat it.")] = (),
@@ -134,7 +144,9 @@ def import_inspections(
             try:
                 kept.append(import_record(file, opened, chosen, methods=deciding, limits=graded_by))
             except (JounceError, OSError) as error:
-                if is_of_system(error) or (isinstance(error, JounceError) and error.where == opened.location):
+                if is_of_system(error) or (
+                    isinstance(error, JounceError) and error.where == opened.location
+                ):
                     raise  # the other files fare no better
                 failed[str(file)] = str(error)
                 each(str(error))
@@ -209,7 +221,9 @@ def watch_inspections(
     ('not graded', True)
     """
     if settle < 0.0:
-        raise DescriptionError("out of range", where="settle", found=f"{settle:g} s", allowed="0 s or more")
+        raise DescriptionError(
+            "out of range", where="settle", found=f"{settle:g} s", allowed="0 s or more"
+        )
     kept: list[ImportedRecord] = []
     failed: dict[str, str] = {}
     chosen, graded_by = None if tester is None else as_tester(tester), load_limits(limits)
@@ -228,7 +242,9 @@ def watch_inspections(
                     each(seen.imported)
             if once and (not watching.waiting or time.monotonic() > end):
                 left = [str(file) for file in watching.waiting if str(file) not in failed]
-                failed |= dict.fromkeys(left, "not stored: still being written, or the store could not be used")
+                failed |= dict.fromkeys(
+                    left, "not stored: still being written, or the store could not be used"
+                )
                 for file in left:
                     each(f"{file}: {failed[file]}")
                 break

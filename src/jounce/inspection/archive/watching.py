@@ -133,7 +133,9 @@ class FolderWatch:
                     yield seen
 
     def _may_be_record(self, file: Path) -> bool:
-        return file.suffix.lower() in self._suffixes and file.name[0] not in ".~" and not file.is_dir()
+        return (
+            file.suffix.lower() in self._suffixes and file.name[0] not in ".~" and not file.is_dir()
+        )
 
     def _take(self, file: Path, path: str, stamp: _Stamp) -> Seen | None:
         """Import a file and remember it; where the store or a disk cannot be written to now, it comes again."""

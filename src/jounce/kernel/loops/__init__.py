@@ -60,7 +60,9 @@ PLATFORMS = {
     "linux-aarch64": Platform("aarch64-unknown-linux-gnu", "generic"),
     "darwin-x86_64": Platform("x86_64-apple-macosx11.0", "x86-64-v3", LEVEL_3),
     "darwin-arm64": Platform("arm64-apple-macosx11.0", "apple-m1"),
-    "windows-amd64": Platform("x86_64-pc-windows-msvc-elf", "x86-64-v3", LEVEL_3),  # MCJIT loads ELF there, too
+    "windows-amd64": Platform(
+        "x86_64-pc-windows-msvc-elf", "x86-64-v3", LEVEL_3
+    ),  # MCJIT loads ELF there, too
 }
 
 

@@ -92,7 +92,16 @@ def _close(problem: Any, work: Any, t: float) -> int:
     work.times[0] = t
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     for _ in range(PROJECTIONS):
-        call_native(problem.engine.project, work.rows, STATE, work.u, problem.p, problem.m, work.projected, 0)
+        call_native(
+            problem.engine.project,
+            work.rows,
+            STATE,
+            work.u,
+            problem.p,
+            problem.m,
+            work.projected,
+            0,
+        )
         closed = sound = True  # comparisons that a residual without a number fails
         for k in range(systems):
             closed = closed and work.projected[0, k] < CLOSED
@@ -108,14 +117,18 @@ def way_through(look: Any, step: Any, dense: Any, kind: type) -> Any:
     """Make the loop of a method from its three functions; ``kind`` is the tuple that says how it goes its way."""
 
     @part()
-    def walk(method: Any, problem: Any, feedback: Any, control: Any, work: Any, out: Any, counts: Any) -> int:
+    def walk(
+        method: Any, problem: Any, feedback: Any, control: Any, work: Any, out: Any, counts: Any
+    ) -> int:
         """Go from the first sample to the last; give a status code.
 
         ``method.first`` is the first step to try (s); where ``method.waits``, no step grows right after a rejected one.
         """
         times = out.times
         t, end = times[0], times[-1]
-        slack = 1e-12 * max(1.0, abs(end))  # rounding of times: what is closer together is the same instant
+        slack = 1e-12 * max(
+            1.0, abs(end)
+        )  # rounding of times: what is closer together is the same instant
         # The run begins with an edge and a control instant, so that pieces and commands are set there.
         edge = instant = t
         h, stalled = min(method.first, end - t, control.longest), 0
@@ -138,7 +151,9 @@ def way_through(look: Any, step: Any, dense: Any, kind: type) -> Any:
                 look(problem, method, work, t, changed)
                 moved = changed = False
             stop = min(edge, instant, end)
-            tried = stop - t if stop - t < 1.1 * h else h  # a tenth more spares a tiny step behind a whole one
+            tried = (
+                stop - t if stop - t < 1.1 * h else h
+            )  # a tenth more spares a tiny step behind a whole one
             if counts[0] + counts[1] >= control.max_steps:
                 return TOO_MANY_STEPS
             if tried < 1e-14 * max(1.0, abs(t)):
@@ -149,11 +164,17 @@ def way_through(look: Any, step: Any, dense: Any, kind: type) -> Any:
             if share > 0.0:
                 switches = len(problem.m) > 0
                 sampled = work.marks[0] < len(times) and times[work.marks[0]] < t + tried - slack
-                if sampled or switches:  # most steps between dense edges show no sample and need no interpolant
+                if (
+                    sampled or switches
+                ):  # most steps between dense edges show no sample and need no interpolant
                     dense(problem, method, work, t, tried)
                 if switches:
-                    call_step(problem.engine.probe, work.rows, work.u, problem.p, problem.m, work.g, 0.0)
-                    event, which = crossing(problem, work, t, tried, work.g, control.dead_band, _INTERVALS, at_edge)
+                    call_step(
+                        problem.engine.probe, work.rows, work.u, problem.p, problem.m, work.g, 0.0
+                    )
+                    event, which = crossing(
+                        problem, work, t, tried, work.g, control.dead_band, _INTERVALS, at_edge
+                    )
                     if which >= 0:
                         # Behind the event what is left of the step is tried.
                         share, factor = event, max(1.0 - event, 0.1)
@@ -171,7 +192,9 @@ def way_through(look: Any, step: Any, dense: Any, kind: type) -> Any:
             if share * tried <= slack * 1e-3:
                 if which < 0:
                     counts[1] += 1
-                    if h < 1e-12 * max(1.0, abs(t)):  # rates without a number shrink steps by ten, stiff ones by less
+                    if h < 1e-12 * max(
+                        1.0, abs(t)
+                    ):  # rates without a number shrink steps by ten, stiff ones by less
                         return NOT_FINITE if factor <= 0.1 else STEP_TOO_SMALL
                     continue
                 # Several switches may flip at one instant (both wheels of an axle on one edge), but not for ever.
@@ -207,7 +230,13 @@ def way_through(look: Any, step: Any, dense: Any, kind: type) -> Any:
         return COMPLETED
 
     def integrate(
-        problem: Problem, feedback: Feedback, method: Any, control: Control, work: Work, out: Samples, counts: Integers
+        problem: Problem,
+        feedback: Feedback,
+        method: Any,
+        control: Control,
+        work: Work,
+        out: Samples,
+        counts: Integers,
     ) -> int:
         """Go from the first sample to the last; give a status code."""
         status = walk(method, problem, feedback, control, work, out, counts)

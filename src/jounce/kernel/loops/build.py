@@ -121,7 +121,9 @@ class _Entry:
         self.context = cpu_target.target_context
         self.module = self.context.codegen().create_library(ENTRY).create_ir_module(ENTRY)
         self.leaves: list[Leaf] = []
-        function = ir.Function(self.module, ir.FunctionType(_INDEX, [_POINTER, _INDEX.as_pointer()]), ENTRY)
+        function = ir.Function(
+            self.module, ir.FunctionType(_INDEX, [_POINTER, _INDEX.as_pointer()]), ENTRY
+        )
         self.builder = b = ir.IRBuilder(function.append_basic_block())
         self.is_array = self._array_check()
         arguments, self.facts = function.args
@@ -132,7 +134,9 @@ class _Entry:
         kind = self.context.call_conv.get_function_type(loop.restype, loop.argtypes)
         target = cgutils.get_or_insert_function(self.module, kind, loop.llvm_func_name)
         lock = b.call(self._python("PyEval_SaveThread", _POINTER, []), []) if unlocked else None
-        status, result = self.context.call_conv.call_function(b, target, loop.restype, loop.argtypes, values)
+        status, result = self.context.call_conv.call_function(
+            b, target, loop.restype, loop.argtypes, values
+        )
         if unlocked:
             b.call(self._python("PyEval_RestoreThread", ir.VoidType(), [_POINTER]), [lock])
         with b.if_then(status.is_error, likely=False):
@@ -142,7 +146,9 @@ class _Entry:
     def _python(self, name: str, result: Any, arguments: list[Any]) -> Any:
         return cgutils.get_or_insert_function(self.module, ir.FunctionType(result, arguments), name)
 
-    def _items(self, value: Any, kinds: Any, names: Any, path: tuple[tuple[int, str], ...]) -> list[Any]:
+    def _items(
+        self, value: Any, kinds: Any, names: Any, path: tuple[tuple[int, str], ...]
+    ) -> list[Any]:
         """Values of a tuple's items."""
         b = self.builder
         size = b.call(self._python("PyTuple_Size", _INDEX, [_POINTER]), [value])
@@ -179,11 +185,15 @@ class _Entry:
         order = _ALIGNED | _ORDERS[kind.layout]
         number = b.load(b.gep(self.facts, [_INDEX(2 + _KINDS.index(kind.dtype))]))
         sound = b.call(self.is_array, [value, self.facts, _SHORT(size), number, _SHORT(order)])
-        self._check(sound, path, f"{kind.dtype}, {size} dimension{'s' * (size != 1)}, order {kind.layout}")
+        self._check(
+            sound, path, f"{kind.dtype}, {size} dimension{'s' * (size != 1)}, order {kind.layout}"
+        )
         head = b.load(b.gep(self.facts, [_INDEX(1)]))
         array = self.context.make_array(kind)(self.context, b)
         fields = [_field(b, value, head, offset, _INDEX.as_pointer()) for offset in (16, 24)]
-        shape, strides = ([b.load(b.gep(field, [_INDEX(i)])) for i in range(size)] for field in fields)
+        shape, strides = (
+            [b.load(b.gep(field, [_INDEX(i)])) for i in range(size)] for field in fields
+        )
         count = shape[0]
         for length in shape[1:]:
             count = b.mul(count, length)
@@ -191,7 +201,9 @@ class _Entry:
         array.parent = cgutils.get_null_value(array.parent.type)
         array.nitems, array.itemsize = count, _INDEX(kind.dtype.bitwidth // 8)
         array.data = b.bitcast(_field(b, value, head, 0, _POINTER), array.data.type)
-        array.shape, array.strides = (cgutils.pack_array(b, values, ty=_INDEX) for values in (shape, strides))
+        array.shape, array.strides = (
+            cgutils.pack_array(b, values, ty=_INDEX) for values in (shape, strides)
+        )
         return array._getvalue()
 
     def _array_check(self) -> Any:
@@ -212,7 +224,9 @@ class _Entry:
         demand(b.icmp_unsigned("==", b.and_(_field(b, value, head, 48, _SHORT), flags), flags))
         type_of_items = _field(b, value, head, 40, _POINTER)
         demand(b.icmp_unsigned("==", _field(b, type_of_items, head, 10, _BYTE), _BYTE(ord("="))))
-        b.ret(b.icmp_signed("==", b.sext(_field(b, type_of_items, head, 12, _SHORT), _INDEX), number))
+        b.ret(
+            b.icmp_signed("==", b.sext(_field(b, type_of_items, head, 12, _SHORT), _INDEX), number)
+        )
         return function
 
 

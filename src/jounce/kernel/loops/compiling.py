@@ -54,19 +54,31 @@ def array_of(context: Any, builder: Any, signature: Any, arguments: Any, i: int)
 def row_of(context: Any, builder: Any, signature: Any, arguments: Any, i: int, row: int) -> Any:
     """Pointer to the row of the C-ordered matrix ``i`` that argument ``row`` names."""
     array = array_of(context, builder, signature, arguments, i)
-    return builder.gep(array.data, [builder.mul(arguments[row], builder.extract_value(array.shape, 1))])
+    return builder.gep(
+        array.data, [builder.mul(arguments[row], builder.extract_value(array.shape, 1))]
+    )
 
 
 def call_address(builder: Any, address: Any, arguments: list[Any]) -> Any:
     """Call a function that gives nothing at an address, with arguments of their own types."""
-    function = ir.FunctionType(ir.VoidType(), [argument.type for argument in arguments]).as_pointer()
+    function = ir.FunctionType(
+        ir.VoidType(), [argument.type for argument in arguments]
+    ).as_pointer()
     builder.call(builder.inttoptr(address, function), arguments)
     return cgutils.get_null_value(ir.IntType(8).as_pointer())
 
 
 @intrinsic  # type: ignore[untyped-decorator]
 def call_native(
-    typing_context: Any, address: Any, x: Any, x_row: Any, u: Any, p: Any, m: Any, out: Any, out_row: Any
+    typing_context: Any,
+    address: Any,
+    x: Any,
+    x_row: Any,
+    u: Any,
+    p: Any,
+    m: Any,
+    out: Any,
+    out_row: Any,
 ) -> Any:
     """Call ``void f(double* x, double* u, double* p, double* m, double* out)`` at an address.
 
@@ -83,20 +95,32 @@ def call_native(
 
 
 @intrinsic  # type: ignore[untyped-decorator]
-def call_step(typing_context: Any, address: Any, rows: Any, u: Any, p: Any, m: Any, g: Any, h: Any) -> Any:
+def call_step(
+    typing_context: Any, address: Any, rows: Any, u: Any, p: Any, m: Any, g: Any, h: Any
+) -> Any:
     """Call ``void f(double* rows, double* u, double* p, double* m, double* g, double h)`` at an address."""
     signature = types.void(types.int64, rows, u, p, m, g, types.float64)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         at = (context, builder, signature, arguments)
-        return call_address(builder, arguments[0], [*(array_of(*at, i).data for i in range(1, 6)), arguments[6]])
+        return call_address(
+            builder, arguments[0], [*(array_of(*at, i).data for i in range(1, 6)), arguments[6]]
+        )
 
     return signature, generate
 
 
 @intrinsic  # type: ignore[untyped-decorator]
 def call_many(
-    typing_context: Any, address: Any, x: Any, u: Any, p: Any, m: Any, out: Any, first: Any, count: Any
+    typing_context: Any,
+    address: Any,
+    x: Any,
+    u: Any,
+    p: Any,
+    m: Any,
+    out: Any,
+    first: Any,
+    count: Any,
 ) -> Any:
     """Call ``void f(x, u, p, m, out, int64 total, int64 first, int64 count)`` at an address.
 
@@ -134,7 +158,9 @@ def sine_and_cosine(typing_context: Any, angle: Any) -> Any:
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         kind = ir.FunctionType(ir.DoubleType(), [ir.DoubleType()])
-        functions = [cgutils.get_or_insert_function(builder.module, kind, name) for name in ("sin", "cos")]
+        functions = [
+            cgutils.get_or_insert_function(builder.module, kind, name) for name in ("sin", "cos")
+        ]
         values = [builder.call(function, arguments) for function in functions]
         return context.make_tuple(builder, signature.return_type, values)
 

@@ -20,7 +20,14 @@ def _acceleration(
 
 @part()
 def _step(
-    x: float, v: float, h: float, side: float, damping: float, square: float, friction: float, drag: float
+    x: float,
+    v: float,
+    h: float,
+    side: float,
+    damping: float,
+    square: float,
+    friction: float,
+    drag: float,
 ) -> tuple[float, float]:
     """One step of the classical Runge-Kutta method."""
     a1 = _acceleration(x, v, side, damping, square, friction, drag)
@@ -30,12 +37,21 @@ def _step(
     a3 = _acceleration(x + 0.5 * h * v2, v3, side, damping, square, friction, drag)
     v4 = v + h * a3
     a4 = _acceleration(x + h * v3, v4, side, damping, square, friction, drag)
-    return x + h / 6.0 * (v + 2.0 * v2 + 2.0 * v3 + v4), v + h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4)
+    return x + h / 6.0 * (v + 2.0 * v2 + 2.0 * v3 + v4), v + h / 6.0 * (
+        a1 + 2.0 * a2 + 2.0 * a3 + a4
+    )
 
 
 @part()
 def _turn(
-    x: float, v: float, h: float, side: float, damping: float, square: float, friction: float, drag: float
+    x: float,
+    v: float,
+    h: float,
+    side: float,
+    damping: float,
+    square: float,
+    friction: float,
+    drag: float,
 ) -> float:
     """Time (s) within a step ``h`` after which the velocity has fallen to zero, by bisection."""
     low, high = 0.0, h

@@ -16,7 +16,9 @@ from jounce.kernel.loops.signals import fill
 _VERTICES = 3  # parabolas followed into a dip: each shrinks the bracket to a quarter
 _NEAR = 0.3  # a dip is followed where its parabola comes within this share of the nearest probe's distance
 _HALVINGS = 16  # the way back to the start of a bracket: 4^-16 of it is the rounding of a share
-_ITERATIONS = 60  # regula falsi needs 5 to 10; a jump that is no root is halved down to rounding in so many
+_ITERATIONS = (
+    60  # regula falsi needs 5 to 10; a jump that is no root is halved down to rounding in so many
+)
 _LAST_PROBE = len(PROBES)
 
 
@@ -58,7 +60,15 @@ def locator(switch_at: Any) -> Any:
 
     @part(forceinline=True)  # asked in every step, and a call copies all that it is given
     def dip(
-        problem: Any, work: Any, t: float, h: float, g: Any, band: float, i: int, probe: int, width: float
+        problem: Any,
+        work: Any,
+        t: float,
+        h: float,
+        g: Any,
+        band: float,
+        i: int,
+        probe: int,
+        width: float,
     ) -> float:
         """Where switch ``i`` is on the wrong side between three probes that are all on the right one; -1: nowhere.
 
@@ -86,7 +96,9 @@ def locator(switch_at: Any) -> Any:
             mid = side * switch_at(problem, work, t, h, middle, i)
             high = side * switch_at(problem, work, t, h, middle + width, i)
             if min(low, mid, high) < -band:
-                return float(middle - width if low < -band else middle if mid < -band else middle + width)
+                return float(
+                    middle - width if low < -band else middle if mid < -band else middle + width
+                )
         return -1.0
 
     @part(forceinline=True)
@@ -115,7 +127,9 @@ def locator(switch_at: Any) -> Any:
                     share = root(problem, work, t, h, i, before, here)
                 elif probe > 1:
                     touched = dip(problem, work, t, h, g, band[i], i, probe, width)
-                    if touched > 0.0:  # in this interval or, as parabolas span two, in the one before
+                    if (
+                        touched > 0.0
+                    ):  # in this interval or, as parabolas span two, in the one before
                         low = before if touched > before else 2.0 * before - here
                         share = root(problem, work, t, h, i, low, touched)
                 if share < first:
@@ -130,7 +144,9 @@ def locator(switch_at: Any) -> Any:
 
 
 @part()
-def switch_on_interpolant(problem: Any, work: Any, t: float, h: float, share: float, i: int) -> float:
+def switch_on_interpolant(
+    problem: Any, work: Any, t: float, h: float, share: float, i: int
+) -> float:
     """Switching function ``i`` at a share of a step with an interpolant."""
     work.times[0] = t + share * h
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
@@ -147,7 +163,9 @@ def rate(problem: Any, work: Any, t: float, into: int) -> None:
     """Rate of the state at ``t``; the input there is left in node 0."""
     work.times[0] = t
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
-    call_native(problem.engine.rate, work.rows, STATE, work.u, problem.p, problem.m, work.rows, into)
+    call_native(
+        problem.engine.rate, work.rows, STATE, work.u, problem.p, problem.m, work.rows, into
+    )
 
 
 @part()
@@ -160,7 +178,16 @@ def flip(problem: Any, work: Any, t: float, which: int, thrown: bool) -> None:
     jumps = size > n and not thrown
     if jumps:
         rate(problem, work, t, RATES + 1)
-        call_native(problem.engine.switch_slope, work.rows, STATE, work.u, problem.p, problem.m, work.slope, 0)
+        call_native(
+            problem.engine.switch_slope,
+            work.rows,
+            STATE,
+            work.u,
+            problem.p,
+            problem.m,
+            work.slope,
+            0,
+        )
     problem.m[which] = 1.0 - problem.m[which]
     if jumps:
         rate(problem, work, t, RATES)
@@ -180,7 +207,9 @@ def _jump_sensitivities(rows: Any, slope: Any, which: int, n: int, columns: int)
     speed = row[n]
     for d in range(n):
         speed += row[d] * before[d]
-    if abs(speed) < 1e-300:  # it only touches the switch: the time of such an event has no derivative
+    if (
+        abs(speed) < 1e-300
+    ):  # it only touches the switch: the time of such an event has no derivative
         return
     for d in range(n):
         jump = (after[d] - before[d]) / speed

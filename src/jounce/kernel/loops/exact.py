@@ -62,7 +62,9 @@ def propagate(work: Work) -> int:
             # With switches a block of one step is no gain: to judge its bend takes a neighbour.
             if nodes > (1 if switches > 0 else 0):
                 passed, status = _block(work, nodes, sub)
-            if passed == laid:  # the pieces at its end are known; after an event ``step_to`` has moved them on
+            if (
+                passed == laid
+            ):  # the pieces at its end are known; after an event ``step_to`` has moved them on
                 for track in range(len(problem.piece)):
                     problem.piece[track] = blocks.reached[track]
         if passed == 0:
@@ -72,7 +74,9 @@ def propagate(work: Work) -> int:
             if end == times[marks[0]]:
                 _place(run, end)
         sub = (sub + passed) % blocks.parts
-        if marks[0] - marks[1] >= BLOCK:  # many at once, since native code takes several side by side
+        if (
+            marks[0] - marks[1] >= BLOCK
+        ):  # many at once, since native code takes several side by side
             finish_samples(problem, run, run.out)
         size = _FIRST_BLOCK if run.counts[2] > events else min(2 * size, BLOCK)
     finish_samples(problem, run, run.out)
@@ -112,7 +116,12 @@ def _next_step(work: Any, sample: int, sub: int) -> tuple[float, float]:
 @part(forceinline=True)
 def _clock(work: Any, sample: int, sub: int, size: int) -> int:
     """Lay out the times of up to ``size`` steps; give their number."""
-    times, clock, parts, step = work.run.out.times, work.blocks.clock, work.blocks.parts, work.run.props.step
+    times, clock, parts, step = (
+        work.run.out.times,
+        work.blocks.clock,
+        work.blocks.parts,
+        work.run.props.step,
+    )
     nodes = int(min(size, _regular(work, sample) * parts - sub))
     if parts == 1:
         _copy(times[sample:], 1, clock[: nodes + 1])
@@ -136,8 +145,15 @@ def _lay_out(work: Any, nodes: int) -> int:
     for d in range(rows.shape[1]):
         rows[0, d] = run.x[0, d]
     set_rows(run.props.loops.set, rows, 1, run.props.matrix[run.props.used[1]], lay.drift, nodes)
-    for row in range(len(blocks.most) if len(run.problem.m) > 0 else 0):  # only switches ask what edges do inside steps
-        blocks.most[row], blocks.most_thrown[row], jumps, thrown = 0.0, 0.0, blocks.jumps[row], blocks.thrown[row]
+    for row in range(
+        len(blocks.most) if len(run.problem.m) > 0 else 0
+    ):  # only switches ask what edges do inside steps
+        blocks.most[row], blocks.most_thrown[row], jumps, thrown = (
+            0.0,
+            0.0,
+            blocks.jumps[row],
+            blocks.thrown[row],
+        )
         for node in range(nodes + 1):
             jumps[node], thrown[node] = 0.0, 0.0
     for track in range(lay.tracks):
@@ -150,9 +166,23 @@ def _lay_track(work: Any, track: int, nodes: int) -> int:
     """The same for one track."""
     run, blocks = work.run, work.blocks
     lay, tracks, cell, clock = run.props.layout, run.problem.tracks, run.props.used[1], blocks.clock
-    matrix, terms, slack, c = run.props.matrix[cell], run.props.terms[cell], blocks.slack, tracks.coefficients
-    i, last, rate, row = run.problem.piece[track], tracks.first[track + 1] - 1, tracks.rate[track], track * lay.signals
-    value, slope, higher = blocks.signals[row], blocks.signals[row + 1], blocks.signals[row + 2 : row + lay.signals]
+    matrix, terms, slack, c = (
+        run.props.matrix[cell],
+        run.props.terms[cell],
+        blocks.slack,
+        tracks.coefficients,
+    )
+    i, last, rate, row = (
+        run.problem.piece[track],
+        tracks.first[track + 1] - 1,
+        tracks.rate[track],
+        track * lay.signals,
+    )
+    value, slope, higher = (
+        blocks.signals[row],
+        blocks.signals[row + 1],
+        blocks.signals[row + 2 : row + lay.signals],
+    )
     stop, start = tracks.stop[i] if i < last else np.inf, tracks.start[i]
     straight, watched = lay.signals == 2, len(run.problem.m) > 0
     c0, c1 = c[i, 0], rate * c[i, 1]
@@ -181,7 +211,10 @@ def _lay_track(work: Any, track: int, nodes: int) -> int:
         else:
             _signals_at(tracks, i, rate, rate * (clock[node] - start), node, value, slope, higher)
         if lay.waves > 1 and node < nodes:
-            forcing, stride = lay.forcing + (blocks.wave[i] * lay.tracks + track) * lay.signals, blocks.signals.shape[1]
+            forcing, stride = (
+                lay.forcing + (blocks.wave[i] * lay.tracks + track) * lay.signals,
+                blocks.signals.shape[1],
+            )
             add_rows(
                 run.props.loops.add,
                 blocks.rows,
@@ -198,7 +231,9 @@ def _lay_track(work: Any, track: int, nodes: int) -> int:
 
 
 @part(forceinline=True)
-def _signals_at(tracks: Any, i: int, rate: float, s: float, node: int, value: Any, slope: Any, higher: Any) -> None:
+def _signals_at(
+    tracks: Any, i: int, rate: float, s: float, node: int, value: Any, slope: Any, higher: Any
+) -> None:
     """Value and derivatives of a piece at a node."""
     c0, c1 = tracks.coefficients[i, 0], tracks.coefficients[i, 1]
     c2, c3 = tracks.coefficients[i, 2], tracks.coefficients[i, 3]
@@ -227,7 +262,17 @@ def _add_edge(work: Any, track: int, i: int, node: int, left: float) -> None:
         blocks.most[row] = max(blocks.most[row], blocks.jumps[row, node])
         if jump != 0.0:
             powers_of(powers, jump, left, terms + 1)
-            add_rows(run.props.loops.add, blocks.rows, node, matrix, lay.series + row * TERMS + 1, powers, 1, terms, 1)
+            add_rows(
+                run.props.loops.add,
+                blocks.rows,
+                node,
+                matrix,
+                lay.series + row * TERMS + 1,
+                powers,
+                1,
+                terms,
+                1,
+            )
 
 
 @part()
@@ -239,7 +284,9 @@ def _jump(tracks: Any, track: int, i: int, j: int) -> float:
         old = c[i, 0] + s * (c[i, 1] + s * (c[i, 2] + s * c[i, 3]))
         # Pieces that join differ by rounding of their values and of the edge's time, which is no jump.
         jump = c[i + 1, 0] - old
-        rounding = 1e-15 * (abs(old) + max(1.0, abs(stop)) * abs(rate) * (abs(c[i, 1]) + abs(c[i + 1, 1])))
+        rounding = 1e-15 * (
+            abs(old) + max(1.0, abs(stop)) * abs(rate) * (abs(c[i, 1]) + abs(c[i + 1, 1]))
+        )
         return jump if abs(jump) > rounding else 0.0
     if j == 1:
         return float(rate * (c[i + 1, 1] - (c[i, 1] + s * (2.0 * c[i, 2] + 3.0 * s * c[i, 3]))))
@@ -264,9 +311,13 @@ def _throw_on_node(work: Any, track: int, i: int, node: int) -> None:
         work.run.props.layout,
     )
     for piece, way in ((i, -1.0), (i + 1, 1.0)):
-        _derivatives(tracks, piece, tracks.rate[track], tracks.stop[i], work.run.props.scratch.derivatives)
+        _derivatives(
+            tracks, piece, tracks.rate[track], tracks.stop[i], work.run.props.scratch.derivatives
+        )
         for j in range(lay.order):
-            found[j] = way * work.run.props.scratch.derivatives[j] + (found[j] if way > 0.0 else 0.0)
+            found[j] = way * work.run.props.scratch.derivatives[j] + (
+                found[j] if way > 0.0 else 0.0
+            )
     for j in range(lay.order):
         _throw(blocks, track * lay.signals + j, node, found[j])
 
@@ -280,7 +331,16 @@ def _block(work: Any, nodes: int, sub: int) -> tuple[int, int]:
     forced = lay.tracks * lay.signals if lay.waves == 1 else 0
     for d in range(lay.states):
         blocks.x[d, 0] = blocks.rows[0, d]
-    march(run.props.loops.march, blocks.rows, nodes, matrix, lay.forcing, forced, blocks.signals, blocks.x)
+    march(
+        run.props.loops.march,
+        blocks.rows,
+        nodes,
+        matrix,
+        lay.forcing,
+        forced,
+        blocks.signals,
+        blocks.x,
+    )
     finite = True
     for d in range(lay.states):
         finite = finite and math.isfinite(blocks.x[d, nodes])
@@ -445,7 +505,9 @@ def step_to(run: Any, t: float, end: float, slack: float) -> int:
             marks[2] = 0
             t = stop if whole else t + length
             continue
-        marks[2] = marks[2] + 1 if share * length <= 1e-3 * slack else 0  # events without time passing
+        marks[2] = (
+            marks[2] + 1 if share * length <= 1e-3 * slack else 0
+        )  # events without time passing
         t += share * length
         _flip(run, which)
         if marks[2] > _STALLED * len(problem.m):
@@ -487,7 +549,9 @@ def _switches_at(run: Any, t: float, x: Any, row: int) -> None:
     problem = run.problem
     run.time[0] = t
     fill(problem.tracks, problem.piece, run.time, run.u)
-    call_native(run.props.calls.switch, x, 0, run.u, problem.p, problem.m, run.props.scratch.switches, row)
+    call_native(
+        run.props.calls.switch, x, 0, run.u, problem.p, problem.m, run.props.scratch.switches, row
+    )
 
 
 @part()
@@ -500,7 +564,9 @@ def _expand(run: Any, t: float, length: float) -> None:
     terms = terms_for(length * props.fastest[current], _CLOSE)
     driven = 0
     for k in range(props.layout.tracks):
-        count = _derivatives(problem.tracks, problem.piece[k], problem.tracks.rate[k], t, room.derivatives)
+        count = _derivatives(
+            problem.tracks, problem.piece[k], problem.tracks.rate[k], t, room.derivatives
+        )
         driven = max(driven, count)
         spread_derivatives(room, k, props.layout.order, terms)
     for d in range(run.x.shape[1]):
@@ -522,7 +588,10 @@ def _derivatives(tracks: Any, i: int, rate: float, t: float, to: Any) -> int:
     for q in range(4, len(to)):
         to[q] = 0.0
     if tracks.kind[i] == 0:
-        to[0], to[1] = c0 + s * (c1 + s * (c2 + s * c3)), rate * (c1 + s * (2.0 * c2 + 3.0 * s * c3))
+        to[0], to[1] = (
+            c0 + s * (c1 + s * (c2 + s * c3)),
+            rate * (c1 + s * (2.0 * c2 + 3.0 * s * c3)),
+        )
         to[2], to[3] = rate * rate * (2.0 * c2 + 6.0 * s * c3), 6.0 * rate**3 * c3
         return 4 if c2 != 0.0 or c3 != 0.0 else 2
     w = rate * c2

@@ -31,7 +31,9 @@ def _advance(u: float, distance: float, sigma: float, exponent: float) -> float:
 
 
 @part()
-def follow(displacement: Vector, rate: float, sigma: float, exponent: float, start: float, state: Vector) -> None:
+def follow(
+    displacement: Vector, rate: float, sigma: float, exponent: float, start: float, state: Vector
+) -> None:
     """Fill in the state at each sample of the displacement."""
     z = start
     for index in range(len(displacement)):

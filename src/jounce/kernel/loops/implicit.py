@@ -35,7 +35,9 @@ def _look(problem: Any, method: Any, work: Any, t: float, changed: bool) -> None
         still = still and method.moving[i] == 0.0
     if still:  # on flat road, and in the air: the slopes along the inputs cost as much as a stage
         return
-    call_native(address.along_input, work.rows, STATE, work.u, problem.p, problem.m, method.by_input, 0)
+    call_native(
+        address.along_input, work.rows, STATE, work.u, problem.p, problem.m, method.by_input, 0
+    )
     for i in range(problem.inputs):
         for d in range(n):
             drift[d] += method.by_input[0, i * n + d] * method.moving[i]
@@ -46,17 +48,30 @@ def _step(problem: Any, method: Any, control: Any, work: Any, t: float, h: float
     """One step from the state to the end row."""
     method.right[0] = 1.0 / (GAMMA * h)
     address = method.slopes_at
-    call_native(address.factor, method.slopes, 0, method.right, problem.p, problem.m, method.factors, 0)
+    call_native(
+        address.factor, method.slopes, 0, method.right, problem.p, problem.m, method.factors, 0
+    )
     if not method.factors[0, 0] > _SOUND:
         return -0.1
     for i in range(1, _OWN):
         work.times[i] = t + C[i] * h
     fill(problem.tracks, problem.piece, work.times[1:_OWN], work.u[:, 1:_OWN])
     for i in range(STAGES):
-        call_step(address.stages[i], work.rows, method.k, method.slopes, method.factors, method.right, h)
+        call_step(
+            address.stages[i], work.rows, method.k, method.slopes, method.factors, method.right, h
+        )
         if i + 1 < STAGES:
             u = work.u[:, min(i + 1, _OWN - 1) :]
-            call_native(problem.engine.rate, work.rows, TRIAL, u, problem.p, problem.m, work.rows, STAGE_RATE)
+            call_native(
+                problem.engine.rate,
+                work.rows,
+                TRIAL,
+                u,
+                problem.p,
+                problem.m,
+                work.rows,
+                STAGE_RATE,
+            )
     error = _error(work, method, control.tolerance)
     if not math.isfinite(error):
         return -0.1
@@ -69,7 +84,9 @@ def _error(work: Any, method: Any, tolerance: float) -> float:
     """Error of the states relative to what is allowed (root mean square): the last stage, of order 4."""
     total, n = 0.0, len(work.widest)
     for d in range(n):
-        share = method.k[STAGES - 1, d] / (tolerance * work.widest[d] + 1e-15 * abs(work.rows[STATE, d]))
+        share = method.k[STAGES - 1, d] / (
+            tolerance * work.widest[d] + 1e-15 * abs(work.rows[STATE, d])
+        )
         total += share * share
     return math.sqrt(total / n)
 
@@ -78,7 +95,9 @@ def _error(work: Any, method: Any, tolerance: float) -> float:
 def _dense(problem: Any, method: Any, work: Any, t: float, h: float) -> None:
     """Coefficients of the interpolant, in the nested form of the explicit one, and the inputs at the probes."""
     address = method.slopes_at
-    call_step(address.interpolant, work.rows, method.k, method.slopes, method.factors, method.right, h)
+    call_step(
+        address.interpolant, work.rows, method.k, method.slopes, method.factors, method.right, h
+    )
     if len(problem.m) > 0:
         inputs(problem, work, t, h, FIRST_PROBE, FIRST_PROBE + len(PROBES))
 

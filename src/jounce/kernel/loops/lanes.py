@@ -81,7 +81,16 @@ def _run_of(work: Any, lane: int) -> Any:
 def _lay_out(work: Any, variant: int, lane: int) -> None:
     """Put what a step needs of a variant into its lane, and the variant where it rests."""
     room, course, none = work.room, work.course, work.modes
-    call_native(work.addresses.derived, work.parameters, variant, course.still, none, none, room.values, lane)
+    call_native(
+        work.addresses.derived,
+        work.parameters,
+        variant,
+        course.still,
+        none,
+        none,
+        room.values,
+        lane,
+    )
     count = room.fastest.shape[1]
     for i in range(len(work.modes)):
         room.modes[lane, i] = work.modes[i]
@@ -99,7 +108,9 @@ def _lay_out(work: Any, variant: int, lane: int) -> None:
         room.rest[lane, i] = room.state[i, 0]
     for q in range(len(course.still)):
         room.inputs[q, 0] = course.still[q]
-    call_one(work.addresses.output, room.state, room.inputs, run.problem.p, run.problem.m, room.outputs)
+    call_one(
+        work.addresses.output, room.state, room.inputs, run.problem.p, run.problem.m, room.outputs
+    )
     for k in range(len(work.chosen)):
         work.rest[variant, k] = room.outputs[work.chosen[k], 0]
     _change(work, run, variant, lane)
@@ -110,7 +121,9 @@ def _lay_out(work: Any, variant: int, lane: int) -> None:
         room.one[0, at], room.one[0, at + 1] = 0.0, 0.0
         room.one[0, at + 2], room.one[0, at + 3] = np.inf, -np.inf
     _look(work, run, lane, work.addresses.look, course.ends, _START)
-    if not sound or not _is_sound(work, room.one[1]):  # other contacts at rest, or thrown over at the start
+    if not sound or not _is_sound(
+        work, room.one[1]
+    ):  # other contacts at rest, or thrown over at the start
         _lose(work, variant, lane)
         return
     for i in range(room.kept.shape[0]):
@@ -254,7 +267,9 @@ def _read_rows(work: Any, run: Any) -> None:
         call_native(calls.slopes, room.seeds, 0, room.still, problem.p, problem.m, room.slopes, 0)
         for lane in range(group):
             for k in range(len(work.chosen)):
-                work.room.rows[k, first + lane] = room.slopes[0, (n + work.chosen[k]) * lanes + lane]
+                work.room.rows[k, first + lane] = room.slopes[
+                    0, (n + work.chosen[k]) * lanes + lane
+                ]
 
 
 @part()
@@ -272,7 +287,9 @@ def _is_sound(work: Any, one: Any) -> bool:
     """Whether all switching functions are on their side, but for rounding."""
     switches, sound = len(work.modes), True
     for i in range(switches):
-        sound = sound and one[len(one) - 1 - NEARS * (switches - i)] >= -work.run.control.dead_band[i]
+        sound = (
+            sound and one[len(one) - 1 - NEARS * (switches - i)] >= -work.run.control.dead_band[i]
+        )
     return sound
 
 
@@ -292,7 +309,9 @@ def _march(work: Any, first: int, count: int) -> None:
                 if room.lost[lane] == 0:
                     _step_alone(work, first + lane, lane, k, sampled, here, there)
         else:
-            kind = (0 if sampled else len(addresses.steps) // 2) + (course.kinds[edge] if edge >= 0 else 0)
+            kind = (0 if sampled else len(addresses.steps) // 2) + (
+                course.kinds[edge] if edge >= 0 else 0
+            )
             row = course.over_edges[edge] if edge >= 0 else course.level[k]
             call_one(addresses.steps[kind], here, room.variant, row, work.length, there)
         if watched and edge != ALONE and _lowest(there[last]) < 0.0:
@@ -317,7 +336,9 @@ def _lowest(row: Any) -> float:
 
 
 @part()
-def _step_alone(work: Any, variant: int, lane: int, k: int, sampled: bool, here: Any, there: Any) -> None:
+def _step_alone(
+    work: Any, variant: int, lane: int, k: int, sampled: bool, here: Any, there: Any
+) -> None:
     """Take one variant over a step by itself, through its events, and bring it back to the others."""
     room, course, run = work.room, work.course, _run_of(work, lane)
     n, last = room.rest.shape[1], room.kept.shape[0] - 1
@@ -338,7 +359,9 @@ def _step_alone(work: Any, variant: int, lane: int, k: int, sampled: bool, here:
         room.one[0, i] = here[i, lane]
     for d in range(n):
         room.state[d, 0] = run.x[0, d]
-    _look(work, run, lane, work.addresses.look if sampled else work.addresses.glance, course.level, k)
+    _look(
+        work, run, lane, work.addresses.look if sampled else work.addresses.glance, course.level, k
+    )
     for i in range(last):
         there[i, lane] = room.one[1, i]
 

@@ -40,19 +40,28 @@ def make(name: str, platforms: list[str]) -> float:
 
 def _write(file: Path, key: str, content: bytes) -> None:
     if not write_sealed(file, key, content):
-        raise SystemExit(f"{file} cannot be written, or the kernel was edited meanwhile: run it again")
+        raise SystemExit(
+            f"{file} cannot be written, or the kernel was edited meanwhile: run it again"
+        )
 
 
 def main(arguments: list[str] | None = None) -> None:
     """Make what is missing or stale."""
     parser = argparse.ArgumentParser(prog="python -m jounce.kernel.loops.make", description=__doc__)
-    parser.add_argument("--all-platforms", action="store_true", help="objects for every platform, as in a wheel")
+    parser.add_argument(
+        "--all-platforms", action="store_true", help="objects for every platform, as in a wheel"
+    )
     everywhere = parser.parse_args(arguments).all_platforms
     platforms = [name for name in PLATFORMS if everywhere or name == this_platform()]
-    print(f"making the loops of jounce for {', '.join(platforms) or 'any machine'}: up to a minute", flush=True)
+    print(
+        f"making the loops of jounce for {', '.join(platforms) or 'any machine'}: up to a minute",
+        flush=True,
+    )
     if BUILT.exists():  # loops that are no more
         for file in [*BUILT.glob("*.bc"), *BUILT.glob("*/*.o")]:
-            if file.stem not in LOOPS and not file.name.startswith("."):  # another process may be writing one
+            if file.stem not in LOOPS and not file.name.startswith(
+                "."
+            ):  # another process may be writing one
                 file.unlink()
     with ProcessPoolExecutor(os.cpu_count(), mp_context=get_context("spawn")) as pool:
         for name, spent in zip(LOOPS, pool.map(make, LOOPS, [platforms] * len(LOOPS)), strict=True):

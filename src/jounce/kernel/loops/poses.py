@@ -61,13 +61,18 @@ def _belongs(walk: Any, work: Any, i: int, step: float, length: float) -> bool:
             origin = walk.targets[j, t] if j >= 0 else walk.origin[t]
             ahead += (walk.targets[i, t] - origin) * work.out[0, size + 1 + t * size + d]
         gone, mean = work.rows[0, d] - work.rows[1, d], 0.5 * step * (ahead + work.rows[3, d])
-        if abs(gone - mean) > _BENT * step * max(abs(ahead), abs(work.rows[3, d])) + _SMALL * way + slack:
+        if (
+            abs(gone - mean)
+            > _BENT * step * max(abs(ahead), abs(work.rows[3, d])) + _SMALL * way + slack
+        ):
             return False
     return True
 
 
 @part()
-def _curved(walk: Any, found: Any, i: int, j: int, d: int, slope: float, size: int) -> tuple[float, float]:
+def _curved(
+    walk: Any, found: Any, i: int, j: int, d: int, slope: float, size: int
+) -> tuple[float, float]:
     """Second and third coefficient of the cubic through the poses j and before it, along the way from j to i."""
     g = walk.before[j]
     ahead, back, across = 0.0, 0.0, 0.0
@@ -112,7 +117,11 @@ def _go(walk: Any, found: Any, work: Any, i: int) -> float:
             slope, second, third = 0.0, 0.0, 0.0
             for t in range(tracks):
                 origin = walk.targets[j, t] if j >= 0 else walk.origin[t]
-                along = found.slopes[t * size + d, j] if j >= 0 and first else work.out[0, size + 1 + t * size + d]
+                along = (
+                    found.slopes[t * size + d, j]
+                    if j >= 0 and first
+                    else work.out[0, size + 1 + t * size + d]
+                )
                 slope += (walk.targets[i, t] - origin) * along
             if first and j >= 0:
                 second, third = _curved(walk, found, i, j, d, slope, size)
@@ -141,7 +150,9 @@ def _drive(walk: Any, work: Any, i: int, share: float) -> None:
     j = walk.before[i]
     for t in range(walk.targets.shape[1]):
         origin = walk.targets[j, t] if j >= 0 else walk.origin[t]
-        work.u[t] = walk.targets[i, t] if share >= 1.0 else origin + share * (walk.targets[i, t] - origin)
+        work.u[t] = (
+            walk.targets[i, t] if share >= 1.0 else origin + share * (walk.targets[i, t] - origin)
+        )
 
 
 @part()
@@ -182,7 +193,13 @@ def _find(walk: Any, found: Any, work: Any) -> None:
 
 @part()
 def walk_variants(
-    walk: Walk, variants: Matrix, found: Found, work: Work, place: Integers, chosen: Integers, out: Block
+    walk: Walk,
+    variants: Matrix,
+    found: Found,
+    work: Work,
+    place: Integers,
+    chosen: Integers,
+    out: Block,
 ) -> None:
     """Find all targets and the chosen outputs for each row of parameter values."""
     for k in range(variants.shape[0]):
@@ -191,4 +208,6 @@ def walk_variants(
         _find(walk, found, work)
         for o in range(len(chosen)):
             for i in range(len(place)):
-                out[o, k, place[i]] = found.outputs[chosen[o], i] if found.outcome[i] == REACHED else np.nan
+                out[o, k, place[i]] = (
+                    found.outputs[chosen[o], i] if found.outcome[i] == REACHED else np.nan
+                )

@@ -11,7 +11,10 @@ from jounce.kernel.loops.compiling import call_native, part
 from jounce.kernel.loops.rows import add_rows
 from jounce.kernel.methods.propagators import TERMS
 
-_CLOSE, _CLOSE_JUMP = 1e-19, 1e-16  # of a series' first terms, below which the rest counts for nothing
+_CLOSE, _CLOSE_JUMP = (
+    1e-19,
+    1e-16,
+)  # of a series' first terms, below which the rest counts for nothing
 _FAR = 1e6  # how far inputs are moved to see what they make of switching functions: m, m/s, N, ...
 
 
@@ -133,7 +136,9 @@ def spread_derivatives(room: Any, track: int, order: int, terms: int) -> None:
 
 
 @part()
-def expand(props: Any, matrix: Any, constant: float, driven: int, terms: int, to: Any, row: int) -> None:
+def expand(
+    props: Any, matrix: Any, constant: float, driven: int, terms: int, to: Any, row: int
+) -> None:
     """Series of the state up to the order ``terms``, from its order 0 in ``to[row]`` on.
 
     ``constant`` says how often ``r`` acts, and ``driven`` is how many orders the series of the inputs has.
@@ -284,7 +289,9 @@ def _kicks(problem: Any, props: Any, matrix: Any, c: int) -> None:
             q, row = track * lay.order + j, track * lay.signals + j
             for i in range(len(problem.m)):
                 kick[row, i] = (
-                    2.0 * (found[q, i] + 0.25 * props.step * found[lay.inputs + q, i]) if j < lay.order else 0.0
+                    2.0 * (found[q, i] + 0.25 * props.step * found[lay.inputs + q, i])
+                    if j < lay.order
+                    else 0.0
                 )
                 throw[row, i] = found[q, i] if j < lay.order else 0.0
                 if 0 < j <= lay.order:
@@ -316,4 +323,6 @@ def _throws(problem: Any, props: Any, matrix: Any) -> None:
                 x[0, d] = problem.x0[d]
             for i in range(len(problem.m)):
                 found[q, i] = max(found[q, i], abs(here[1, i] - here[0, i]) / _FAR)
-                found[lay.inputs + q, i] = max(found[lay.inputs + q, i], abs(here[2, i] - here[0, i]) / _FAR)
+                found[lay.inputs + q, i] = max(
+                    found[lay.inputs + q, i], abs(here[2, i] - here[0, i]) / _FAR
+                )

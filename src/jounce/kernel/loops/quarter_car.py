@@ -44,7 +44,14 @@ def _bins(parameters, speed, height, force, basis, gap, slopes, falls):  # type:
         for k in range(basis.shape[0]):
             basis[k, i], basis[k, n + i] = column.real, column.imag
             column *= relative
-        of_bin = (through * square, by_strut, by_strut * s, by_tyre, by_tyre * s, through * square * body * body)
+        of_bin = (
+            through * square,
+            by_strut,
+            by_strut * s,
+            by_tyre,
+            by_tyre * s,
+            through * square * body * body,
+        )
         of_poles = (square * hung, both, both * s, hung, hung * s, square * wheel)
         for k in range(_FREE):
             slope, fall = of_bin[k] * height[i], of_poles[k] * over

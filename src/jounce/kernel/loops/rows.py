@@ -25,18 +25,26 @@ def add_rows(
 ) -> Any:
     """``to[row] += sum_j weight_j matrix[first + j]``, ``j < count``; weights lie ``stride`` apart, from ``at`` on."""
     integer = types.int64
-    signature = types.void(integer, to, integer, matrix, integer, weights, integer, integer, integer)
+    signature = types.void(
+        integer, to, integer, matrix, integer, weights, integer, integer, integer
+    )
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         weights = array_of(context, builder, signature, arguments, 5)
         rows = [row_of(context, builder, signature, arguments, i, i + 1) for i in (1, 3)]
-        return call_address(builder, arguments[0], [*rows, builder.gep(weights.data, [arguments[6]]), *arguments[7:]])
+        return call_address(
+            builder,
+            arguments[0],
+            [*rows, builder.gep(weights.data, [arguments[6]]), *arguments[7:]],
+        )
 
     return signature, generate
 
 
 @intrinsic  # type: ignore[untyped-decorator]
-def set_rows(typing_context: Any, address: Any, to: Any, first: Any, matrix: Any, row: Any, count: Any) -> Any:
+def set_rows(
+    typing_context: Any, address: Any, to: Any, first: Any, matrix: Any, row: Any, count: Any
+) -> Any:
     """Make ``count`` rows equal to one of a matrix."""
     integer = types.int64
     signature = types.void(integer, to, integer, matrix, integer, integer)

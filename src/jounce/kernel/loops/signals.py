@@ -14,7 +14,9 @@ import numpy as np
 from jounce.kernel.engine import COMPLETED, DIVERGED, NO_COMMAND, STATE, TRIAL
 from jounce.kernel.loops.compiling import call_many, call_native, call_step, part, sine_and_cosine
 
-CLOSED = 1e-7  # residual of the constraints that one projection brings down to rounding: it is squared
+CLOSED = (
+    1e-7  # residual of the constraints that one projection brings down to rounding: it is squared
+)
 PROJECTIONS = 4  # most of them in a row
 _BLOCK = 256
 """Samples whose outputs are computed at once: enough for vectors of them, few enough to stay in the cache."""
@@ -50,7 +52,12 @@ def fill(tracks: Any, piece: Any, times: Any, u: Any) -> None:
     order = u.shape[0] // max(len(piece), 1)
     for k in range(len(piece)):
         i, rate, value, slope = piece[k], rates[k], order * k, order * k + 1
-        c0, c1, c2, c3 = coefficients[i, 0], coefficients[i, 1], coefficients[i, 2], coefficients[i, 3]
+        c0, c1, c2, c3 = (
+            coefficients[i, 0],
+            coefficients[i, 1],
+            coefficients[i, 2],
+            coefficients[i, 3],
+        )
         # The cases stand outside the loops over times, which LLVM can then vectorise; most roads are lines, most loads
         # level.
         if kind[i] == 0 and c2 == 0.0 and c3 == 0.0:
@@ -90,7 +97,11 @@ def fill_rates(tracks: Any, piece: Any, t: float, u: Any) -> None:
         s = rate * (t - tracks.start[i])
         first, second, third = 0.0, 0.0, 0.0
         if tracks.kind[i] == 0:
-            first, second, third = c1 + s * (2.0 * c2 + 3.0 * s * c3), 2.0 * c2 + 6.0 * s * c3, 6.0 * c3
+            first, second, third = (
+                c1 + s * (2.0 * c2 + 3.0 * s * c3),
+                2.0 * c2 + 6.0 * s * c3,
+                6.0 * c3,
+            )
         elif tracks.kind[i] == 1:
             sine, cosine = sine_and_cosine(c2 * s + c3)
             first, second, third = c1 * c2 * cosine, -c1 * c2 * c2 * sine, -c1 * c2**3 * cosine
@@ -98,17 +109,31 @@ def fill_rates(tracks: Any, piece: Any, t: float, u: Any) -> None:
             s -= c2
             root = math.sqrt(max(c1 * c1 - s * s, 0.0))
             if root > 0.0:
-                first, second, third = -c3 * s / root, -c3 * (c1 / root) ** 2 / root, -3.0 * c3 * s * c1 * c1 / root**5
+                first, second, third = (
+                    -c3 * s / root,
+                    -c3 * (c1 / root) ** 2 / root,
+                    -3.0 * c3 * s * c1 * c1 / root**5,
+                )
         u[order * k], u[order * k + 1] = rate * first, rate * rate * second
         if order > 2:
             u[order * k + 2] = rate**3 * third
 
 
 @part(forceinline=True)
-def _interpolate(problem: Any, work: Any, t: float, h: float, first: int, last: int, out: Any) -> None:
+def _interpolate(
+    problem: Any, work: Any, t: float, h: float, first: int, last: int, out: Any
+) -> None:
     """States at the samples ``first`` to ``last``, on the step from ``t``."""
     for i in range(first, last):
-        call_step(problem.engine.point_at, work.rows, work.u, problem.p, problem.m, work.g, (out.times[i] - t) / h)
+        call_step(
+            problem.engine.point_at,
+            work.rows,
+            work.u,
+            problem.p,
+            problem.m,
+            work.g,
+            (out.times[i] - t) / h,
+        )
         for d in range(out.states.shape[0]):
             out.states[d, i] = work.rows[TRIAL, d]
 
@@ -123,7 +148,9 @@ def _project_samples(problem: Any, out: Any, first: int, last: int) -> None:
     address, count = problem.engine.project_many, last - first
     told = out.projected.shape[0] - out.states.shape[0]  # rows above those of the states
     for _ in range(PROJECTIONS):
-        call_many(address, out.states, out.inputs, problem.p, problem.m, out.projected, first, count)
+        call_many(
+            address, out.states, out.inputs, problem.p, problem.m, out.projected, first, count
+        )
         widest = 0.0
         for i in range(first, last):
             for k in range(told // 2):
@@ -135,18 +162,30 @@ def _project_samples(problem: Any, out: Any, first: int, last: int) -> None:
 
 
 @part()
-def _carry_samples(problem: Any, work: Any, t: float, h: float, first: int, last: int, out: Any) -> None:
+def _carry_samples(
+    problem: Any, work: Any, t: float, h: float, first: int, last: int, out: Any
+) -> None:
     """Outputs at the samples ``first`` to ``last`` with the sensitivities of states and outputs."""
     n, rows = out.states.shape[0], work.rows
     for i in range(first, last):
-        call_step(problem.engine.point_at, rows, work.u, problem.p, problem.m, work.g, (out.times[i] - t) / h)
+        call_step(
+            problem.engine.point_at,
+            rows,
+            work.u,
+            problem.p,
+            problem.m,
+            work.g,
+            (out.times[i] - t) / h,
+        )
         for d in range(n):
             rows[TRIAL, d] = out.states[d, i]
         for d in range(n, rows.shape[1]):
             out.tangents[i, d - n] = rows[TRIAL, d]
         for k in range(out.inputs.shape[0]):
             work.sampled[k, 0] = out.inputs[k, i]
-        call_native(problem.engine.output, rows, TRIAL, work.sampled, problem.p, problem.m, out.carried, i)
+        call_native(
+            problem.engine.output, rows, TRIAL, work.sampled, problem.p, problem.m, out.carried, i
+        )
         for k in range(out.outputs.shape[0]):
             out.outputs[k, i] = out.carried[i, k]
 
@@ -164,7 +203,16 @@ def finish_samples(problem: Any, work: Any, out: Any) -> None:
     if problem.engine.project_many != 0:
         _project_samples(problem, out, first, first + count)
     if out.tangents.shape[1] == 0:
-        call_many(problem.engine.output, out.states, out.inputs, problem.p, problem.m, out.outputs, first, count)
+        call_many(
+            problem.engine.output,
+            out.states,
+            out.inputs,
+            problem.p,
+            problem.m,
+            out.outputs,
+            first,
+            count,
+        )
 
 
 @part(forceinline=True)
@@ -196,7 +244,16 @@ def regulate(problem: Any, control: Any, rows: Any, t: float) -> int:
             return DIVERGED
     control.time[0] = t
     fill(problem.tracks, problem.piece, control.time, control.inputs)
-    call_many(problem.engine.output, control.states, control.inputs, problem.p, problem.m, control.outputs, 0, 1)
+    call_many(
+        problem.engine.output,
+        control.states,
+        control.inputs,
+        problem.p,
+        problem.m,
+        control.outputs,
+        0,
+        1,
+    )
     instant, count = control.instants[0], len(control.select)
     for j in range(count):
         control.measured[j] = control.outputs[control.select[j], 0] - control.offset[j]
@@ -204,7 +261,9 @@ def regulate(problem: Any, control: Any, rows: Any, t: float) -> int:
         for j in range(count):
             control.measured[j] += control.noise[instant, j]
     control.measured[count] = t
-    call_native(control.law, control.memory, 0, control.measured, control.p, problem.m, control.result, 0)
+    call_native(
+        control.law, control.memory, 0, control.measured, control.p, problem.m, control.result, 0
+    )
     commands = len(control.pieces)
     for k in range(commands):
         if not math.isfinite(control.result[0, k]):

@@ -17,7 +17,10 @@ def _weigh(weight, wave, bell, reach, period, taps, half):  # type: ignore[no-un
         place = j / period / half * (taps.size - 1)
         k = min(int(place), taps.size - 2)
         weight[reach + j] = taps[k] + (place - k) * (taps[k + 1] - taps[k])
-        wave[j], bell[j] = math.cos(2.0 * math.pi * j / period), 1.0 + math.cos(math.pi * j / (reach + 1.0))
+        wave[j], bell[j] = (
+            math.cos(2.0 * math.pi * j / period),
+            1.0 + math.cos(math.pi * j / (reach + 1.0)),
+        )
     total = first = 0.5 * weight[reach]
     bells = waved = squared = 1.0  # of one half, as are all sums here
     for j in range(1, reach + 1):

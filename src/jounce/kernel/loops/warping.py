@@ -22,7 +22,9 @@ def _span(s: int, n: int, radius: int) -> tuple[int, int]:
 
 
 @part()
-def _advance(costs: Array, x: Array, backwards: Array, s: int, first: int, last: int, centre: int) -> None:
+def _advance(
+    costs: Array, x: Array, backwards: Array, s: int, first: int, last: int, centre: int
+) -> None:
     """Compute anti-diagonal ``s`` for m from ``first`` to ``last`` in place; ``costs[s % 2, m + centre]``."""
     if last < first:
         return
@@ -62,7 +64,14 @@ def _begin(x: Array, backwards: Array, costs: Array) -> None:
 
 @part()
 def _advance_block(
-    costs: Array, x: Array, backwards: Array, start: int, block: int, radius: int, low: int, high: int
+    costs: Array,
+    x: Array,
+    backwards: Array,
+    start: int,
+    block: int,
+    radius: int,
+    low: int,
+    high: int,
 ) -> None:
     """Compute ``block`` anti-diagonals for k from ``low`` to ``high``, in strips that stay in the processor's cache.
 
@@ -92,7 +101,9 @@ def _cost_of(x: Array, backwards: Array, radius: int, costs: Array, block: int) 
 
 
 @part()
-def _store(x: Array, backwards: Array, radius: int, most: float, costs: Array, stores: Array, block: int) -> None:
+def _store(
+    x: Array, backwards: Array, radius: int, most: float, costs: Array, stores: Array, block: int
+) -> None:
     """Costs just before anti-diagonals 1, 1 + block, 1 + 2 block, ..., near the cells in use.
 
     A cell that costs more than ``most``, the cost of some path, is on no cheapest path: the ends of the band where all
@@ -109,7 +120,10 @@ def _store(x: Array, backwards: Array, radius: int, most: float, costs: Array, s
             costs[high % 2, (high - high % 2) // 2 + centre] = np.inf
             high -= 1
         store = stores[stored]
-        first, last = max(low // 2 + centre - block, 0), min(high // 2 + centre + block, costs.shape[1])
+        first, last = (
+            max(low // 2 + centre - block, 0),
+            min(high // 2 + centre + block, costs.shape[1]),
+        )
         for odd in range(2):
             for m in range(first, last):
                 store[odd, m] = costs[odd, m]
@@ -133,7 +147,12 @@ def path_back(
     A band of radius ``narrow`` gives some path first, where that is not negative; what costs more is left out.
     ``directions`` has a row for each anti-diagonal between two of ``stores``, with the cells near the path.
     """
-    n, centre, block, half = x.size, costs.shape[1] // 2, directions.shape[0], directions.shape[1] // 2
+    n, centre, block, half = (
+        x.size,
+        costs.shape[1] // 2,
+        directions.shape[0],
+        directions.shape[1] // 2,
+    )
     at = 2 * n - 2
     path[0, at] = path[1, at] = n - 1
     if n > 1:

@@ -28,7 +28,11 @@ _propagate, _bound_rates = Loop("exact"), Loop("rate_bound")
 
 BLOCK = 192
 """Most steps in a block, whose scratch arrays should stay in the cache."""
-MOST_WAVES, _MAX_PARTS, _MAX_STEPS = 8, 64, 20_000_000  # beyond, steps with error control are the faster way
+MOST_WAVES, _MAX_PARTS, _MAX_STEPS = (
+    8,
+    64,
+    20_000_000,
+)  # beyond, steps with error control are the faster way
 _BAND = 1e-2  # share of the dead band of adaptive steps, whose errors are larger
 WATCHED = 0.5  # radians of the fastest motion between looks at the switches; the series converge well beyond
 
@@ -68,7 +72,9 @@ class Plan(NamedTuple):
     blocks: Blocks
 
 
-def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: Array) -> Plan | None:
+def plan(
+    problem: Problem, control: Control, calls: Calls, slopes: int, times: Array
+) -> Plan | None:
     """Plan an exact run with samples at ``times``; None where a piece is circular, or where it takes too many steps.
 
     The problem's modes are those at the start; ``slopes`` is how many quantities the native function of slopes
@@ -83,7 +89,12 @@ def plan(problem: Problem, control: Control, calls: Calls, slopes: int, times: A
     if np.any(tracks.kind == 2) or len(frequency) > MOST_WAVES or len(times) < 2:
         return None
     count = len(tracks.rate)
-    sizes = (len(control.scale), count, problem.inputs // max(count, 1), signals_of(tracks, problem.inputs))
+    sizes = (
+        len(control.scale),
+        count,
+        problem.inputs // max(count, 1),
+        signals_of(tracks, problem.inputs),
+    )
     props = propagators(calls, sizes, slopes, switches, frequency, control.scale)
     typical, odd = spacing(times)
     z = max(rate_bound_of(problem, props), float(frequency[-1])) * typical
@@ -132,7 +143,9 @@ def spacing(times: Array) -> tuple[float, Integers]:
 def _looked_at(times: Array) -> tuple[float, Integers]:
     distances = np.diff(times)
     typical = typical_step(times, distances)
-    return typical, np.append(np.flatnonzero(np.abs(distances - typical) > _slack(times)), len(times) - 1)
+    return typical, np.append(
+        np.flatnonzero(np.abs(distances - typical) > _slack(times)), len(times) - 1
+    )
 
 
 _spacing = once_per_object(_looked_at)
@@ -203,7 +216,9 @@ class Work(NamedTuple):
     blocks: Blocks
 
 
-def propagate(problem: Problem, control: Control, plan: Plan, out: Samples, counts: Integers) -> int:
+def propagate(
+    problem: Problem, control: Control, plan: Plan, out: Samples, counts: Integers
+) -> int:
     """Fill the arrays at every sample; give a status code.
 
     At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps (none) and events.
@@ -211,7 +226,9 @@ def propagate(problem: Problem, control: Control, plan: Plan, out: Samples, coun
     return _propagate(Work(run_of(problem, control, plan.props, out, counts), plan.blocks))
 
 
-def run_of(problem: Problem, control: Control, props: Propagators, out: Samples, counts: Integers) -> Run:
+def run_of(
+    problem: Problem, control: Control, props: Propagators, out: Samples, counts: Integers
+) -> Run:
     """Prepare a run at its start."""
     width = props.matrix.shape[2]
     run = Run(

@@ -12,7 +12,16 @@ import numpy as np
 
 from jounce.kernel.arrays import Integers
 from jounce.kernel.call import Loop
-from jounce.kernel.engine import FIRST_PROBE, NO_FEEDBACK, Control, Engine, Feedback, Problem, Samples, scratch
+from jounce.kernel.engine import (
+    FIRST_PROBE,
+    NO_FEEDBACK,
+    Control,
+    Engine,
+    Feedback,
+    Problem,
+    Samples,
+    scratch,
+)
 from jounce.kernel.methods.runge_kutta import NODES, SHORT_FIRST, SHORT_NODES
 
 _integrate = Loop("explicit")
@@ -20,7 +29,9 @@ _integrate = Loop("explicit")
 
 def shorten(engine: Engine, step: int, dense: int, error: int) -> Engine:
     """The same with the pair of lower order: 6 stages in place of 15, for steps that edges keep short."""
-    return engine._replace(step=step, dense=dense, error=error, first=SHORT_FIRST, after=FIRST_PROBE, shrink=-0.2)
+    return engine._replace(
+        step=step, dense=dense, error=error, first=SHORT_FIRST, after=FIRST_PROBE, shrink=-0.2
+    )
 
 
 class Pair(NamedTuple):
@@ -43,6 +54,8 @@ def integrate(
     At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps and events. ``feedback``
     is a controller around the model; of several ``systems`` side by side each is held on its own constraints.
     """
-    problem = problem._replace(x0=np.ascontiguousarray(problem.x0))  # of one type, whatever it is a part of
+    problem = problem._replace(
+        x0=np.ascontiguousarray(problem.x0)
+    )  # of one type, whatever it is a part of
     work = scratch(problem, control, NODES if problem.engine.first == 1 else SHORT_NODES, systems)
     return _integrate(problem, feedback, Pair(), control, work, out, counts)

@@ -53,7 +53,9 @@ class Rosenbrock(NamedTuple):
     waits: bool = True
 
 
-def integrate(problem: Problem, slopes: Slopes, control: Control, out: Samples, counts: Integers) -> int:
+def integrate(
+    problem: Problem, slopes: Slopes, control: Control, out: Samples, counts: Integers
+) -> int:
     """Integrate from the first to the last sample; fill the arrays at every sample; give a status code.
 
     At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps and events. The state
@@ -69,7 +71,9 @@ def integrate(problem: Problem, slopes: Slopes, control: Control, out: Samples, 
         np.zeros((1, n * max(problem.inputs, 1))),
         np.zeros(problem.inputs),
     )
-    problem = problem._replace(x0=np.ascontiguousarray(problem.x0))  # of one type, whatever it is a part of
+    problem = problem._replace(
+        x0=np.ascontiguousarray(problem.x0)
+    )  # of one type, whatever it is a part of
     work = scratch(problem, control, NODES)
     work.rows[DENSE:ROWS] = 0.0
     return _integrate(problem, NO_FEEDBACK, method, control, work, out, counts)

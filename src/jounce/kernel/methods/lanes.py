@@ -34,7 +34,9 @@ if TYPE_CHECKING:
 _follow = Loop("lanes")
 SUMS, NEARS = 4, 2
 """Numbers kept of an output (sum, sum of squares, least, greatest) and of a switching function (it and its rate)."""
-_TOGETHER = 3  # combinations of signals that jump in one step, for each of which there is code of its own
+_TOGETHER = (
+    3  # combinations of signals that jump in one step, for each of which there is code of its own
+)
 ALONE = -2
 """Number of a step that all variants take by themselves."""
 _CACHE = 24_000  # bytes that the arrays of a block should not exceed
@@ -93,7 +95,9 @@ class Sizes:
     def lanes(self) -> int:
         """Variants side by side."""
         fit = _CACHE // (8 * (2 * self.memory + self.places[-1]))
-        return int(np.clip(fit // 8 * 8, 8, 32)) if fit >= 8 else vector_width()  # one vector at least
+        return (
+            int(np.clip(fit // 8 * 8, 8, 32)) if fit >= 8 else vector_width()
+        )  # one vector at least
 
     @property
     def modes(self) -> int:
@@ -104,7 +108,9 @@ class Sizes:
     def steps(self) -> tuple[tuple[bool, tuple[int, ...] | None], ...]:
         """Each kind of step: whether there is a sample at its end, and which signals jump inside (None: no edge)."""
         kinds = (None, *self.together)
-        return tuple((sampled, jumping) for sampled in (True, False)[: 1 + self.parted] for jumping in kinds)
+        return tuple(
+            (sampled, jumping) for sampled in (True, False)[: 1 + self.parted] for jumping in kinds
+        )
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -146,20 +152,34 @@ class Steps:
 
         sizes, n, inputs, terms = self.sizes, self.sizes.states, self.sizes.inputs, self.sizes.terms
         drift, forcing, series, outputs, numbers, modes, end = sizes.places
-        memory, variant, length = ca.SX.sym("kept", sizes.memory), ca.SX.sym("variant", end), ca.SX.sym("length")
+        memory, variant, length = (
+            ca.SX.sym("kept", sizes.memory),
+            ca.SX.sym("variant", end),
+            ca.SX.sym("length"),
+        )
         side, over_edge = inputs + sizes.tracks, jumping is not None
-        course = ca.SX.sym("course", sizes.signals + 2 * side + (inputs + sizes.jumping * terms if over_edge else 0))
+        course = ca.SX.sym(
+            "course",
+            sizes.signals + 2 * side + (inputs + sizes.jumping * terms if over_edge else 0),
+        )
         after = course[sizes.signals : sizes.signals + side]
         before = course[sizes.signals + side : sizes.signals + 2 * side]
         at_edges = course[sizes.signals + 2 * side :]
-        x, sums, near = memory[:n], memory[n : n + SUMS * sizes.outputs], memory[n + SUMS * sizes.outputs : -1]
+        x, sums, near = (
+            memory[:n],
+            memory[n : n + SUMS * sizes.outputs],
+            memory[n + SUMS * sizes.outputs : -1],
+        )
         moved, nearest = x, ca.SX(1.0)
         if steps:
             moved = x + ca.reshape(variant[: n * n], n, n) @ x + variant[drift:forcing]
             moved += ca.reshape(variant[forcing:series], n, sizes.signals) @ course[: sizes.signals]
         for jump in jumping or ():
             own, place = series + jump * terms * n, inputs + jump * terms
-            moved += ca.reshape(variant[own : own + terms * n], n, terms) @ at_edges[place : place + terms]
+            moved += (
+                ca.reshape(variant[own : own + terms * n], n, terms)
+                @ at_edges[place : place + terms]
+            )
         if sampled and sizes.outputs:
             signals, y, place = ca.vertcat(moved, after[:inputs]), ca.SX(sizes.outputs, 1), outputs
             for k, row in enumerate(sizes.rows):
@@ -170,7 +190,11 @@ class Steps:
             updated = ca.horzcat(total + y, squares + y * y, ca.fmin(least, y), ca.fmax(most, y))
             sums = ca.reshape(updated.T, SUMS * sizes.outputs, 1)
         if sizes.switches:
-            p, m, sign = ca.SX(self.watch.size1_in(3), 1), variant[modes:], 2.0 * variant[modes:] - 1.0
+            p, m, sign = (
+                ca.SX(self.watch.size1_in(3), 1),
+                variant[modes:],
+                2.0 * variant[modes:] - 1.0,
+            )
             for i, number in enumerate(self.numbers):
                 p[number] = variant[numbers + i]
 
@@ -187,14 +211,18 @@ class Steps:
                 dip = 0.25 * length * ca.fabs(arriving - left)
                 if over_edge:
                     throw = ca.vertcat(at_edges[:inputs], ca.SX(sizes.tracks, 1))
-                    ways = [ca.fabs(watch(before + way * throw)[0] - end_of_step) for way in (-1.0, 1.0)]
+                    ways = [
+                        ca.fabs(watch(before + way * throw)[0] - end_of_step) for way in (-1.0, 1.0)
+                    ]
                     dip += ca.fmax(*ways)
                 lowest = ca.fmin(ca.fmin(end_of_step, here) - dip, there)
                 nearest = lowest[0]
                 for i in range(1, sizes.switches):
                     nearest = ca.fmin(nearest, lowest[i])
             near = ca.reshape(ca.horzcat(there, leaving).T, NEARS * sizes.switches, 1)
-        return [memory, variant, course, length], [ca.densify(ca.vertcat(moved, sums, near, nearest))]
+        return [memory, variant, course, length], [
+            ca.densify(ca.vertcat(moved, sums, near, nearest))
+        ]
 
 
 class Course(NamedTuple):
@@ -312,7 +340,9 @@ def dependence(identity: str, output: Callable[[], ca.Function]) -> tuple[tuple[
         return Source({}, notes=json.dumps(of))
 
     def make() -> tuple[tuple[int, ...], ...]:
-        return tuple(map(tuple, json.loads(code_from_cache(f"outputs depend on {identity}", source)[1])))
+        return tuple(
+            map(tuple, json.loads(code_from_cache(f"outputs depend on {identity}", source)[1]))
+        )
 
     return _dependences.of(identity, make)
 
@@ -321,7 +351,13 @@ _dependences: Recent[tuple[tuple[int, ...], ...]] = Recent()
 
 
 def course(
-    tracks: Tracks, signals: int, inputs: int, times: Array, jumping: Sequence[int], terms: int, frequency: Array
+    tracks: Tracks,
+    signals: int,
+    inputs: int,
+    times: Array,
+    jumping: Sequence[int],
+    terms: int,
+    frequency: Array,
 ) -> tuple[Course, tuple[tuple[int, ...], ...]]:
     """Tabulate tracks of polynomials and sines over steps between ``times`` (s), all of one length.
 
@@ -349,10 +385,14 @@ def course(
                 here = nodes[:-1, own][:, :signals].copy()
                 here[wave > 0, 3:] = 0.0  # which follows from the others on a sine
                 level[np.arange(len(times) - 1), wave, track] = here
-        step = np.searchsorted(times, stops - slack, side="left") - 1  # the step in which each edge lies
+        step = (
+            np.searchsorted(times, stops - slack, side="left") - 1
+        )  # the step in which each edge lies
         inside = (step >= 0) & (step < len(times) - 1)
         left = np.where(inside, times[np.minimum(step + 1, len(times) - 1)] - stops, 0.0)
-        edge = np.flatnonzero(left > slack)  # on a node it needs nothing: the step behind it begins with the new piece
+        edge = np.flatnonzero(
+            left > slack
+        )  # on a node it needs nothing: the step behind it begins with the new piece
         left, node = left[edge], step[edge] + 1
         bent = (tracks.kind[first + edge] == 1) | (tracks.kind[first + edge + 1] == 1)
         edges[node] = np.maximum(edges[node], 0)
@@ -362,14 +402,19 @@ def course(
             if j < order:
                 np.add.at(thrown[:, track * order + j], node, np.abs(jump))
             if 0 < j <= order:
-                np.add.at(thrown[:, track * order + j - 1], node, np.abs(jump) * (times[1] - times[0]))
+                np.add.at(
+                    thrown[:, track * order + j - 1], node, np.abs(jump) * (times[1] - times[0])
+                )
             if track * signals + j in jumping:
                 which = list(jumping).index(track * signals + j)
                 jumped[node[jump != 0.0], which] = True
                 place = inputs + which * terms
                 for term in range(terms):
                     np.add.at(thrown[:, place + term], node, jump * left ** (term + 1))
-    held, rates = ([track * each + i for track in range(count) for i in places] for places in (range(order), (order,)))
+    held, rates = (
+        [track * each + i for track in range(count) for i in places]
+        for places in (range(order), (order,))
+    )
     ends = [*held, *rates]
     felt = np.flatnonzero(np.any(level, axis=0).ravel())
     rows = np.hstack([level.reshape(len(level), -1)[:, felt], nodes[1:, ends], before[1:, ends]])
@@ -378,7 +423,10 @@ def course(
     edges[over] = np.arange(len(over))
     together, kinds = np.unique(jumped[1:][over], axis=0, return_inverse=True)
     if len(together) > _TOGETHER:
-        together, kinds = np.ones((1, len(jumping)), dtype=bool), np.zeros(len(over), dtype=np.int64)
+        together, kinds = (
+            np.ones((1, len(jumping)), dtype=bool),
+            np.zeros(len(over), dtype=np.int64),
+        )
     still = np.where(np.arange(inputs) % max(order, 1) == 0, nodes[0, held], 0.0)
     alike = np.zeros((2, rows.shape[1]))
     for row, at in enumerate((np.append(still, np.zeros(count)), nodes[0, ends])):
@@ -398,12 +446,16 @@ def course(
 
 def frequencies(tracks: Tracks) -> Array:
     """Angular frequencies of all sines (rad/s), ascending, after a zero."""
-    of_tracks = [_frequency(tracks, k, np.arange(*tracks.first[k : k + 2])) for k in range(len(tracks.rate))]
+    of_tracks = [
+        _frequency(tracks, k, np.arange(*tracks.first[k : k + 2])) for k in range(len(tracks.rate))
+    ]
     return np.unique(np.concatenate([np.zeros(1), *of_tracks]))
 
 
 def _frequency(tracks: Tracks, track: int, piece: Integers) -> Array:
-    return np.where(tracks.kind[piece] == 1, np.abs(tracks.coefficients[piece, 2] * tracks.rate[track]), 0.0)
+    return np.where(
+        tracks.kind[piece] == 1, np.abs(tracks.coefficients[piece, 2] * tracks.rate[track]), 0.0
+    )
 
 
 def jumps(tracks: Tracks, signals: int) -> tuple[int, ...]:
@@ -416,7 +468,10 @@ def jumps(tracks: Tracks, signals: int) -> tuple[int, ...]:
         at = tracks.stop[inner]
         old, new = (_signals(tracks, track, inner + j, at, signals) for j in (0, 1))
         size = 1e-12 * np.max(np.abs(np.vstack([old, new, np.zeros((1, signals))])), axis=0)
-        jumping |= {track * signals + int(j) for j in np.flatnonzero(np.any(np.abs(new - old) > size, axis=0))}
+        jumping |= {
+            track * signals + int(j)
+            for j in np.flatnonzero(np.any(np.abs(new - old) > size, axis=0))
+        }
     return tuple(sorted(jumping))
 
 
@@ -436,7 +491,12 @@ def _signals(tracks: Tracks, track: int, piece: Integers, times: Array, signals:
     if bent.any():
         c, s, w = c[:, bent], s[bent], rate * c[2, bent]
         sine, cosine = np.sin(c[2] * s + c[3]), np.cos(c[2] * s + c[3])
-        values[:, bent] = c[0] + c[1] * sine, c[1] * w * cosine, -c[1] * w**2 * sine, -c[1] * w**3 * cosine
+        values[:, bent] = (
+            c[0] + c[1] * sine,
+            c[1] * w * cosine,
+            -c[1] * w**2 * sine,
+            -c[1] * w**3 * cosine,
+        )
     return values[:signals].T
 
 
@@ -448,16 +508,24 @@ class Code(NamedTuple):
     numbers: tuple[int, ...]
 
 
-def code(identity: str, sizes: Sizes, functions: Callable[[], tuple[ca.Function, ca.Function]]) -> Code:
+def code(
+    identity: str, sizes: Sizes, functions: Callable[[], tuple[ca.Function, ca.Function]]
+) -> Code:
     """Native code of steps for a model; ``identity`` says everything that its ``functions`` depend on.
 
     These are the switching functions and the rates, of (states, inputs, extended parameters, modes).
     """
 
     def make() -> Code:
-        native, notes = code_from_cache(f"lanes {sizes} {identity}", lambda: _source(sizes, *functions()))
+        native, notes = code_from_cache(
+            f"lanes {sizes} {identity}", lambda: _source(sizes, *functions())
+        )
         numbers = tuple(json.loads(notes))
-        return Code(tuple(native.address[name] for name in sizes.names), replace(sizes, numbers=len(numbers)), numbers)
+        return Code(
+            tuple(native.address[name] for name in sizes.names),
+            replace(sizes, numbers=len(numbers)),
+            numbers,
+        )
 
     return _codes.of((identity, sizes), make)
 
@@ -476,7 +544,9 @@ def _source(sizes: Sizes, switch: ca.Function, rate: ca.Function) -> Source:
     watch = ca.Function("watch", [x, u, last, p, m], [ca.densify(ca.vertcat(at, along))])
     expression = ca.vertcat(at, along)
     numbers = tuple(i for i in range(p.shape[0]) if ca.depends_on(expression, p[i]))
-    return Source({}, Steps(replace(sizes, numbers=len(numbers)), watch, numbers), json.dumps(numbers))
+    return Source(
+        {}, Steps(replace(sizes, numbers=len(numbers)), watch, numbers), json.dumps(numbers)
+    )
 
 
 def room(sizes: Sizes, run: Run, values: int, outputs: int) -> Room:

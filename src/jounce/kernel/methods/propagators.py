@@ -147,7 +147,9 @@ def terms_of(z: float) -> int:
     return count
 
 
-def _layout(states: int, tracks: int, order: int, signals: int, *, waves: int, width: int) -> Layout:
+def _layout(
+    states: int, tracks: int, order: int, signals: int, *, waves: int, width: int
+) -> Layout:
     forcing = width + 1
     slope = forcing + waves * tracks * signals
     constant = slope + states

@@ -101,7 +101,9 @@ class RosenbrockStep:
         native, builder, h = self._start(lowering, "interpolant")
         rows, k = native.args[:2]
         out = self._row(builder, rows, DENSE)
-        self._over_states(lowering, builder, "interpolant of one", [self._row(builder, rows, STATE), k, h, h, out])
+        self._over_states(
+            lowering, builder, "interpolant of one", [self._row(builder, rows, STATE), k, h, h, out]
+        )
         builder.ret_void()
 
     def _stage(self, lowering: Lowering, i: int) -> None:
@@ -113,7 +115,9 @@ class RosenbrockStep:
         solved = self._row(builder, k, i)
         builder.call(lowering.module.globals["solve"], [side, right, factors, slopes, solved])
         to = self._row(builder, rows, TRIAL if i + 1 < STAGES else END)
-        self._over_states(lowering, builder, f"place {i + 1}", [self._row(builder, rows, STATE), k, h, h, to])
+        self._over_states(
+            lowering, builder, f"place {i + 1}", [self._row(builder, rows, STATE), k, h, h, to]
+        )
         builder.ret_void()
 
     @staticmethod
@@ -127,7 +131,9 @@ class RosenbrockStep:
     def _row(self, builder: ir.IRBuilder, matrix: ir.Value, row: int) -> ir.Value:
         return builder.gep(matrix, [_INDEX(row * self.size)])
 
-    def _over_states(self, lowering: Lowering, builder: ir.IRBuilder, name: str, pointers: list[ir.Value]) -> None:
+    def _over_states(
+        self, lowering: Lowering, builder: ir.IRBuilder, name: str, pointers: list[ir.Value]
+    ) -> None:
         builder.call(lowering.module.globals[name], pointers)
 
 
@@ -139,11 +145,17 @@ def _element_functions() -> dict[str, ca.Function]:
     k = ca.SX.sym("k", STAGES + 1)
 
     def weighted_sum(weights: Iterable[float]) -> ca.SX:
-        return sum((float(weight) * k[j] for j, weight in enumerate(weights) if weight != 0.0), ca.SX(0.0))
+        return sum(
+            (float(weight) * k[j] for j, weight in enumerate(weights) if weight != 0.0), ca.SX(0.0)
+        )
 
-    expressions = {f"right {i}": [x + D[i] * h * k[STAGES] + weighted_sum(B[i]) / h] for i in range(STAGES)}
+    expressions = {
+        f"right {i}": [x + D[i] * h * k[STAGES] + weighted_sum(B[i]) / h] for i in range(STAGES)
+    }
     expressions |= {f"place {i}": [x + weighted_sum(A[i])] for i in range(1, STAGES + 1)}
-    functions = {name: ca.Function("f", [x, k, h, none], value) for name, value in expressions.items()}
+    functions = {
+        name: ca.Function("f", [x, k, h, none], value) for name, value in expressions.items()
+    }
     first, second, third = (weighted_sum(H[i]) for i in range(3))
     rows = ca.vertcat(end - x, first, second + third, -third)
     functions["interpolant of one"] = ca.Function("f", [ca.vertcat(x, end), k, h, none], [rows])

@@ -125,20 +125,26 @@ def _lane(builder: Any, value: Any, lane: int) -> Any:
 
 def _spread(builder: Any, value: Any, vector: ir.VectorType) -> Any:
     """Make a vector of equal numbers."""
-    return _lane(builder, builder.insert_element(ir.Constant(vector, ir.Undefined), value, _LANE(0)), 0)
+    return _lane(
+        builder, builder.insert_element(ir.Constant(vector, ir.Undefined), value, _LANE(0)), 0
+    )
 
 
 def _add_product(builder: Any, x: Any, y: Any, total: Any) -> Any:
     return builder.fadd(builder.fmul(x, y, flags=("contract",)), total, flags=("contract",))
 
 
-def _function(module: ir.Module, name: str, pointers: int, integers: int) -> tuple[ir.Function, ir.IRBuilder]:
+def _function(
+    module: ir.Module, name: str, pointers: int, integers: int
+) -> tuple[ir.Function, ir.IRBuilder]:
     kinds = [_POINTER] * pointers + [_INDEX] * integers
     function = ir.Function(module, ir.FunctionType(ir.VoidType(), kinds), name)
     return function, ir.IRBuilder(function.append_basic_block())
 
 
-def _sum_of_rows(builder: Any, start: list[Any], matrix: _Rows, count: Any, weights: Any, stride: Any) -> list[Any]:
+def _sum_of_rows(
+    builder: Any, start: list[Any], matrix: _Rows, count: Any, weights: Any, stride: Any
+) -> list[Any]:
     """Add to a row the weighted ``count`` first rows; in two sums, so that none waits long for the term before."""
     zero = ir.Constant(matrix.vector, [0.0] * matrix.vector.count)
     totals = [_variable(builder, value) for value in start]
@@ -156,7 +162,10 @@ def _sum_of_rows(builder: Any, start: list[Any], matrix: _Rows, count: Any, weig
         add(builder.add(row, _INDEX(1)), others)
     with builder.if_then(builder.icmp_signed("<", whole, count)):
         add(whole, others)
-    return [builder.fadd(*(builder.load(part) for part in pair)) for pair in zip(totals, others, strict=True)]
+    return [
+        builder.fadd(*(builder.load(part) for part in pair))
+        for pair in zip(totals, others, strict=True)
+    ]
 
 
 def _add_rows(module: ir.Module, width: int) -> None:
@@ -164,7 +173,9 @@ def _add_rows(module: ir.Module, width: int) -> None:
     function, builder = _function(module, "add_rows", 3, 2)
     to, matrix, weights, count, stride = function.args
     target = _Rows(builder, to, width)
-    value = _sum_of_rows(builder, target.load(_INDEX(0)), _Rows(builder, matrix, width), count, weights, stride)
+    value = _sum_of_rows(
+        builder, target.load(_INDEX(0)), _Rows(builder, matrix, width), count, weights, stride
+    )
     target.store(value, _INDEX(0))
     builder.ret_void()
 
@@ -199,8 +210,13 @@ def _march(module: ir.Module, width: int, states: int) -> None:
 
     def write(x: list[Any], k: Any) -> None:
         for j in range(states):
-            place = builder.gep(to, [builder.add(builder.mul(_INDEX(j), stride), builder.add(k, _INDEX(1)))])
-            builder.store(builder.extract_element(x[j // given.vector.count], _LANE(j % given.vector.count)), place)
+            place = builder.gep(
+                to, [builder.add(builder.mul(_INDEX(j), stride), builder.add(k, _INDEX(1)))]
+            )
+            builder.store(
+                builder.extract_element(x[j // given.vector.count], _LANE(j % given.vector.count)),
+                place,
+            )
 
     def advance(x: list[Any], k: Any) -> None:
         write(x, k)
@@ -217,7 +233,9 @@ def _march(module: ir.Module, width: int, states: int) -> None:
             following = builder.add(k, _INDEX(1))
             first, second = act(k), act(following)
             write(move(images, first), k)
-            advance(move(twice, _apply(builder, first, images, _sum(builder, first, second))), following)
+            advance(
+                move(twice, _apply(builder, first, images, _sum(builder, first, second))), following
+            )
     with _counting(builder, paired, count, _INDEX(1)) as k:
         advance(move(images, act(k)), k)
     builder.ret_void()
@@ -232,7 +250,9 @@ def _apply(builder: Any, x: list[Any], images: list[list[Any]], start: list[Any]
         parts = [first, *[ir.Constant(vector, [0.0] * vector.count)] * 3]
         for j, weight in enumerate(spread):
             parts[j % 4] = _add_product(builder, weight, images[j][b], parts[j % 4])
-        sums.append(builder.fadd(builder.fadd(parts[0], parts[1]), builder.fadd(parts[2], parts[3])))
+        sums.append(
+            builder.fadd(builder.fadd(parts[0], parts[1]), builder.fadd(parts[2], parts[3]))
+        )
     return sums
 
 

@@ -21,7 +21,18 @@ import numpy as np
 from llvmlite import ir
 
 from jounce.core.types import Array
-from jounce.kernel.engine import DENSE, END, FIRST_PROBE, LAST_STAGE, PROBES, RATES, ROWS, STAGES, STATE, TRIAL
+from jounce.kernel.engine import (
+    DENSE,
+    END,
+    FIRST_PROBE,
+    LAST_STAGE,
+    PROBES,
+    RATES,
+    ROWS,
+    STAGES,
+    STATE,
+    TRIAL,
+)
 
 if TYPE_CHECKING:
     import casadi as ca
@@ -85,7 +96,12 @@ _D = [  # the last four coefficients of the interpolant
         13: 96.32455395918828, 14: -39.17726167561544, 15: -149.72683625798564},
 ]
 # fmt: on
-A, E3, E5, D = {i: _spread(row) for i, row in _A.items()}, _spread(_E3), _spread(_E5), [_spread(row) for row in _D]
+A, E3, E5, D = (
+    {i: _spread(row) for i, row in _A.items()},
+    _spread(_E3),
+    _spread(_E5),
+    [_spread(row) for row in _D],
+)
 
 SHORT_FIRST = LAST_STAGE - 5
 """Row of the second stage of the pair of lower order: its seven stand in the rows of the first stage and of the last
@@ -155,7 +171,9 @@ def _element_functions() -> dict[str, ca.Function]:
     for name, weights in (("interpolant", D), ("short_interpolant", [SHORT_D])):
         rows = [*first, *(h * _sum(part, k) for part in weights)]
         rows += [ca.SX.zeros(1)] * (7 - len(rows))
-        functions[name] = ca.Function(name, [ca.vertcat(x, end), k, h, none], [ca.densify(ca.vertcat(*rows))])
+        functions[name] = ca.Function(
+            name, [ca.vertcat(x, end), k, h, none], [ca.densify(ca.vertcat(*rows))]
+        )
     y = c[6] * theta
     for j in range(5, 0, -1):
         y = (y + c[j]) * (theta if j % 2 == 0 else 1.0 - theta)
@@ -175,7 +193,9 @@ def _error_function(*, short: bool = False) -> ca.Function:
     column, none, steering = ca.SX.sym("column", ROWS), ca.SX.sym("none"), ca.SX.sym("steering", 2)
     widest, rates = ca.SX.sym("widest"), column[RATES : RATES + STAGES]
     bound = steering[1] * widest + 1e-15 * ca.fabs(column[STATE])
-    errors = [ca.sumsqr(_sum(weights, rates) / bound) for weights in ((SHORT_E,) if short else (E5, E3))]
+    errors = [
+        ca.sumsqr(_sum(weights, rates) / bound) for weights in ((SHORT_E,) if short else (E5, E3))
+    ]
     errors += [ca.SX.zeros(1)] * short
     return ca.Function("error", [column, none, steering, widest], [ca.densify(ca.vertcat(*errors))])
 
@@ -184,7 +204,9 @@ def _sum(weights: Iterable[float], k: Any) -> ca.SX:
     """Weighted sum of the stages' rates; zero weights cost nothing."""
     import casadi as ca
 
-    return sum((float(weight) * k[j] for j, weight in enumerate(weights) if weight != 0.0), ca.SX(0.0))
+    return sum(
+        (float(weight) * k[j] for j, weight in enumerate(weights) if weight != 0.0), ca.SX(0.0)
+    )
 
 
 _DOUBLE, _INDEX = ir.DoubleType(), ir.IntType(64)
@@ -222,7 +244,9 @@ class Step:
         """
         for name, function in _element_functions().items():
             lowering.add_wide(name, function, self.size, inlined=True)
-        lowering.add_wide("probed", _element_functions()["point"], self.controlled, self.size, inlined=True)
+        lowering.add_wide(
+            "probed", _element_functions()["point"], self.controlled, self.size, inlined=True
+        )
         lowering.add_sum("error", _error_function(), self.size, self.controlled)
         driver = _Driver(lowering, self, "step")
         for i in range(1, LAST_STAGE + 1):
@@ -272,7 +296,10 @@ class _Driver:
         """Place stage ``i`` in row ``at`` and evaluate the rates there."""
         self.over_states(f"{method}{i}", RATES, self.scalar, at)
         _, u, p, m, *_ = self.native.args
-        self._call(self._step.rate, [self._row(at), self._offset(u, i * self._step.inputs), p, m, self._row(RATES + i)])
+        self._call(
+            self._step.rate,
+            [self._row(at), self._offset(u, i * self._step.inputs), p, m, self._row(RATES + i)],
+        )
 
     def switch(self, fraction: ir.Value, node: int, place: int) -> None:
         """Evaluate the switching functions at a fraction of the step, with the input of a node."""
@@ -281,7 +308,10 @@ class _Driver:
         _, u, p, m, g, _ = self.native.args
         self._builder.store(fraction, self.scalar)
         self.over_states("probed", DENSE, self.scalar, TRIAL)
-        inputs, to = self._offset(u, node * self._step.inputs), self._offset(g, place * self._step.switches)
+        inputs, to = (
+            self._offset(u, node * self._step.inputs),
+            self._offset(g, place * self._step.switches),
+        )
         self._call("switch", [self._row(TRIAL), inputs, p, m, to])
 
     def finish(self) -> None:

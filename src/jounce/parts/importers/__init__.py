@@ -2,7 +2,13 @@
 
 from jounce.parts.importers.adams import import_adams
 from jounce.parts.importers.chrono import import_chrono
-from jounce.parts.importers.chrono_file import ChronoCorner, DamperMap, RigidPart, read_chrono_corner, shipped_corner
+from jounce.parts.importers.chrono_file import (
+    ChronoCorner,
+    DamperMap,
+    RigidPart,
+    read_chrono_corner,
+    shipped_corner,
+)
 from jounce.parts.importers.hardpoints import import_hardpoints
 from jounce.parts.importers.mjcf import import_mjcf
 from jounce.parts.importers.tir import TyreProperties, read_tir, tyre_from_tir

@@ -59,7 +59,13 @@ _BODIES = {
 _CORNERS = {
     "lower_arm": ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
     "upper_arm": ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
-    "upright": ("lower_ball_joint", "upper_ball_joint", "tie_rod_outer", "wheel_centre", "strut_bottom"),
+    "upright": (
+        "lower_ball_joint",
+        "upper_ball_joint",
+        "tie_rod_outer",
+        "wheel_centre",
+        "strut_bottom",
+    ),
     "arm": ("arm_inner", "arm_outer", "wheel_centre"),
     "rocker": ("rocker_pivot", "pushrod_inner", "strut_bottom"),
 }
@@ -149,7 +155,9 @@ def import_adams(
     header = file.first("SUBSYSTEM_HEADER")
     role = header.values.get("MAJOR_ROLE", "")
     if role.lower() != "suspension":
-        raise DescriptionError("the subsystem is no suspension", where=header.where, found=role, allowed="suspension")
+        raise DescriptionError(
+            "the subsystem is no suspension", where=header.where, found=role, allowed="suspension"
+        )
     reading = _Subsystem(file, {**(names or {})})
     table = reading.table(wheel_radius, wheel_mass, tyre_stiffness, sprung_mass, rigid=rigid)
     draft = reading.draft
@@ -157,7 +165,10 @@ def import_adams(
     table |= {"estimated": sorted(draft.estimated), "source": default if source is None else source}
     comments = [
         f"Left corner imported from {file.path.name} of Adams Car. z = 0 is the road.",
-        *(f"{item.place.removeprefix(str(file.path))}: {item.message}".removeprefix(": ") for item in draft.findings),
+        *(
+            f"{item.place.removeprefix(str(file.path))}: {item.message}".removeprefix(": ")
+            for item in draft.findings
+        ),
     ]
     text = rig_text(rig_of(draft, table), comments)
     rig = cast(Corner, rig_from_table(tomllib.loads(text), where=str(path)))
@@ -175,7 +186,9 @@ class _Subsystem:
 
     def __post_init__(self) -> None:
         self.draft = Draft(self.file.path)
-        self.length, self.force, self.mass = (self.file.unit(name) for name in ("LENGTH", "FORCE", "MASS"))
+        self.length, self.force, self.mass = (
+            self.file.unit(name) for name in ("LENGTH", "FORCE", "MASS")
+        )
         self._used: set[str] = set()
 
     def table(
@@ -205,13 +218,19 @@ class _Subsystem:
         names = [*kind.needed_bodies, *(("rocker",) if "rocker_pivot" in self.points else ())]
         in_file = self._bodies((*kind.needed_bodies, *kind.further_bodies), model)
         spindle = in_file.pop("wheel", None)
-        bodies = {**{name: self._estimate_body(name) for name in names if name not in in_file}, **in_file}
+        bodies = {
+            **{name: self._estimate_body(name) for name in names if name not in in_file},
+            **in_file,
+        }
         table: dict[str, Any] = {
             "schema": "jounce.rig/1", "model": model, "source": "", "estimated": [], "side": "left",
             "guide": "vertical", "hardpoints": dict(self.points), "bodies": bodies,
             "strut": {**strut, "spring": self._spring(), "damper": self._damper(), **self._stops()},
         }  # fmt: skip
-        if "tie_rod_inner" in self.points and self.file.first("SUBSYSTEM_HEADER").values.get("MINOR_ROLE") != "rear":
+        if (
+            "tie_rod_inner" in self.points
+            and self.file.first("SUBSYSTEM_HEADER").values.get("MINOR_ROLE") != "rear"
+        ):
             table["steering"] = {"rack_travel": 0.0}
         bushings = {} if rigid else self._bushings(kind.bushed)
         if bushings:
@@ -247,7 +266,10 @@ class _Subsystem:
                 symmetry = cells[1].lower()
                 place = self.length * np.array([number(cell, where) for cell in cells[2:]])
                 side = {"left/right": "left"}.get(symmetry, symmetry)
-                if side in ("left", "right") and place[1] * {"left": 1.0, "right": -1.0}[side] > 0.0:
+                if (
+                    side in ("left", "right")
+                    and place[1] * {"left": 1.0, "right": -1.0}[side] > 0.0
+                ):
                     raise DescriptionError(
                         "left and right are swapped: y points to the right",
                         where=where,
@@ -257,7 +279,9 @@ class _Subsystem:
                 if side != "right":
                     table.rows.append(PointRow(cells[0], place, where))
         if not table.rows:
-            raise DescriptionError("no hardpoints are in it", where=str(self.file.path), allowed="a block [HARDPOINT]")
+            raise DescriptionError(
+                "no hardpoints are in it", where=str(self.file.path), allowed="a block [HARDPOINT]"
+            )
         return table
 
     def _angles(self) -> dict[str, float]:
@@ -293,10 +317,14 @@ class _Subsystem:
             body = self._body(name, part)
             before = bodies.get(name)
             bodies[name] = (
-                body if before is None else join_bodies(before, body["mass"], body["centre_of_mass"], tensor_of(body))
+                body
+                if before is None
+                else join_bodies(before, body["mass"], body["centre_of_mass"], tensor_of(body))
             )
         if left:
-            self.draft.note("parts.import_parts_left_out", self.draft.at("PART_ASSEMBLY"), names=", ".join(left))
+            self.draft.note(
+                "parts.import_parts_left_out", self.draft.at("PART_ASSEMBLY"), names=", ".join(left)
+            )
         return bodies
 
     def _body(self, name: str, part: Block) -> dict[str, Any]:
@@ -312,22 +340,34 @@ class _Subsystem:
             if all(entry in part.values for entry in names):
                 return np.array([part.number(entry) for entry in names])
             words = texts.get(key, "").split(",")
-            return np.array([number(word.strip(), part.where) for word in words]) if len(words) == 3 else None
+            return (
+                np.array([number(word.strip(), part.where) for word in words])
+                if len(words) == 3
+                else None
+            )
 
         place = triple("place", "PART_LOC_X", "PART_LOC_Y", "PART_LOC_Z")
         z, x = (triple(end, *(f"PART_ORI_{end.upper()}P{i}" for i in (1, 2, 3))) for end in "zx")
         mass = self.mass * part.number("MASS")
         if not mass > 0.0:
-            raise DescriptionError("no mass", where=f"{part.where}: MASS", found=mass, allowed="above 0")
+            raise DescriptionError(
+                "no mass", where=f"{part.where}: MASS", found=mass, allowed="above 0"
+            )
         has_inertia = any(key in part.values for key in ("IXX", "IYY", "IZZ"))
         if place is None or z is None or x is None or not has_inertia:
             code = "parts.import_frame_unknown" if has_inertia else "parts.import_inertia_unknown"
             self.draft.note(code, self.draft.at(f"PART_ASSEMBLY {part.usage}"))
             return self._estimate_body(name, mass)
         frame = _frame(x, z, part.where)
-        centre = self.length * (place + frame @ [part.number(f"CM_LOCATION_FROM_PART_{i}", 0.0) for i in "XYZ"])
-        xx, yy, zz, xy, zx, yz = (part.number(key, 0.0) for key in ("IXX", "IYY", "IZZ", "IXY", "IZX", "IYZ"))
-        tensor = self.mass * self.length**2 * np.array([[xx, -xy, -zx], [-xy, yy, -yz], [-zx, -yz, zz]])
+        centre = self.length * (
+            place + frame @ [part.number(f"CM_LOCATION_FROM_PART_{i}", 0.0) for i in "XYZ"]
+        )
+        xx, yy, zz, xy, zx, yz = (
+            part.number(key, 0.0) for key in ("IXX", "IYY", "IZZ", "IXY", "IZX", "IYZ")
+        )
+        tensor = (
+            self.mass * self.length**2 * np.array([[xx, -xy, -zx], [-xy, yy, -yz], [-zx, -yz, zz]])
+        )
         turned = _OURS @ frame
         tensor = turned @ tensor @ turned.T
         moments, axes = np.linalg.eigh(tensor)
@@ -342,24 +382,40 @@ class _Subsystem:
 
     def _estimate_body(self, name: str, mass: float | None = None) -> dict[str, Any]:
         """Table of a body with estimated inertia (and mass): a ball around the middle of its points."""
-        places = np.array([self.points[point] for point in _CORNERS.get(name, ()) if point in self.points])
+        places = np.array(
+            [self.points[point] for point in _CORNERS.get(name, ()) if point in self.points]
+        )
         if not len(places):
-            places = np.array([self.points[end] for end in ("tie_rod_inner", "tie_rod_outer") if end in self.points])
+            places = np.array(
+                [
+                    self.points[end]
+                    for end in ("tie_rod_inner", "tie_rod_outer")
+                    if end in self.points
+                ]
+            )
         centre = places.mean(axis=0)
         size = max(float(np.linalg.norm(places - centre, axis=1).max()), 0.02)
         self.draft.estimated += [f"bodies.{name}.{key}" for key in ("centre_of_mass", "inertia")]
         if mass is None:
             mass = _MASSES.get(name, 1.0)
             self.draft.estimated.append(f"bodies.{name}.mass")
-            self.draft.note("parts.import_mass_assumed", self.draft.at(f"bodies.{name}"), mass, mass=mass)
+            self.draft.note(
+                "parts.import_mass_assumed", self.draft.at(f"bodies.{name}"), mass, mass=mass
+            )
         return as_table(mass, centre, 0.4 * mass * size**2 * np.eye(3))
 
     # --- springs, dampers and stops
 
     def _element(self, name: str, *words: str) -> Block | None:
         """The first force element whose usage has one of some words, or the first of all."""
-        blocks = [block for block in self.file.blocks_of(name) if block.values.get("SYMMETRY", "").lower() != "right"]
-        chosen = next((block for block in blocks if any(word in block.usage for word in words)), None)
+        blocks = [
+            block
+            for block in self.file.blocks_of(name)
+            if block.values.get("SYMMETRY", "").lower() != "right"
+        ]
+        chosen = next(
+            (block for block in blocks if any(word in block.usage for word in words)), None
+        )
         if chosen is not None:
             self._used.add(chosen.where)
         return chosen
@@ -367,7 +423,11 @@ class _Subsystem:
     def _property(self, block: Block | None) -> Path | None:
         """Property file of an element, next to the subsystem or in the tables of its database; None if missing."""
         text = "" if block is None else block.values.get("PROPERTY_FILE", "")
-        parts = [part for part in PureWindowsPath(text).parts if not re.fullmatch(r"<.*>|\W*|\w+://.*", part)]
+        parts = [
+            part
+            for part in PureWindowsPath(text).parts
+            if not re.fullmatch(r"<.*>|\W*|\w+://.*", part)
+        ]
         if not parts or ".." in parts:
             return None
         folder = self.file.path.parent
@@ -378,19 +438,30 @@ class _Subsystem:
 
     def _missing(self, what: str, block: Block | None, assumed: str, **numbers: float) -> None:
         named = "" if block is None else block.values.get("PROPERTY_FILE", "")
-        code = "parts.import_no_property_file" if not named else "parts.import_property_file_missing"
+        code = (
+            "parts.import_no_property_file" if not named else "parts.import_property_file_missing"
+        )
         instead = finding(assumed, self.draft.at(what), **numbers)
         self.draft.note(code, self.draft.at(what), name=named, assumed=instead)
 
     def _design_length(self, element: str) -> float:
-        ends = [self.points.get(f"{element}_{end}", self.points[f"strut_{end}"]) for end in ("bottom", "top")]
+        ends = [
+            self.points.get(f"{element}_{end}", self.points[f"strut_{end}"])
+            for end in ("bottom", "top")
+        ]
         return float(np.linalg.norm(ends[1] - ends[0]))
 
     def _spring(self) -> dict[str, Any]:
         block = self._element("NSPRING_ASSEMBLY", "ride", "spring", "")
         file = self._property(block)
         if block is None or file is None:
-            self._missing("strut.spring", block, "parts.import_spring_assumed", rate=_SPRING_RATE, mass=SPRUNG_MASS)
+            self._missing(
+                "strut.spring",
+                block,
+                "parts.import_spring_assumed",
+                rate=_SPRING_RATE,
+                mass=SPRUNG_MASS,
+            )
             self.draft.estimated += ["strut.spring.rate", "strut.spring.preload"]
             return {"rate": _SPRING_RATE, "preload": SPRUNG_MASS * 9.81}
         free, deflection, force = _spring_file(file)
@@ -399,7 +470,9 @@ class _Subsystem:
         if kind == "installed_length" and value is not None:
             compressed = free - self.length * number(value, block.where)
         elif kind == "preload" and value is not None:
-            compressed = float(np.interp(self.force * number(value, block.where), force, deflection))
+            compressed = float(
+                np.interp(self.force * number(value, block.where), force, deflection)
+            )
         else:
             self.draft.note("parts.import_spring_free", self.draft.at("strut.spring"))
         table: dict[str, Any] = {"free_length": self._design_length("spring") + compressed}
@@ -412,18 +485,28 @@ class _Subsystem:
         block = self._element("DAMPER_ASSEMBLY", "ride", "damper", "")
         file = self._property(block)
         if file is None:
-            self._missing("strut.damper", block, "parts.import_damper_assumed", coefficient=_DAMPING)
+            self._missing(
+                "strut.damper", block, "parts.import_damper_assumed", coefficient=_DAMPING
+            )
             self.draft.estimated.append("strut.damper.coefficient")
             return {"coefficient": _DAMPING}
         properties = read_teim_orbit(file)
         length = properties.unit("LENGTH")
-        velocity, force = properties.first("CURVE").curve(length / properties.unit("TIME"), properties.unit("FORCE"))
-        return {"kind": "table", "velocity": -velocity[::-1], "force": -force[::-1]}  # rebound is positive there
+        velocity, force = properties.first("CURVE").curve(
+            length / properties.unit("TIME"), properties.unit("FORCE")
+        )
+        return {
+            "kind": "table",
+            "velocity": -velocity[::-1],
+            "force": -force[::-1],
+        }  # rebound is positive there
 
     def _stops(self) -> dict[str, Any]:
         stops = {}
         for stop, words in _STOPS.items():
-            block = self._element("BUMPSTOP_ASSEMBLY", *words) or self._element("REBOUNDSTOP_ASSEMBLY", *words)
+            block = self._element("BUMPSTOP_ASSEMBLY", *words) or self._element(
+                "REBOUNDSTOP_ASSEMBLY", *words
+            )
             if block is None:
                 continue
             file = self._property(block)
@@ -431,14 +514,18 @@ class _Subsystem:
                 self._missing(f"strut.{stop}", block, "parts.import_no_stop")
                 continue
             properties = read_teim_orbit(file)
-            depth, force = properties.first("CURVE").curve(properties.unit("LENGTH"), properties.unit("FORCE"))
+            depth, force = properties.first("CURVE").curve(
+                properties.unit("LENGTH"), properties.unit("FORCE")
+            )
             law, worst = _stop_law(depth, force, file)
             gap = self.length * block.number("USER_DISTANCE")
             if block.values.get("DISTANCE_TYPE", "clearance").lower() != "clearance":
                 sign = 1.0 if stop == "bump_stop" else -1.0
                 gap = sign * (self._design_length("damper") - gap)
             stops[stop] = {"gap": gap, **law}
-            self.draft.note("parts.import_stop_fitted", self.draft.at(f"strut.{stop}"), worst, worst=worst)
+            self.draft.note(
+                "parts.import_stop_fitted", self.draft.at(f"strut.{stop}"), worst, worst=worst
+            )
         return stops
 
     def _bushings(self, allowed: tuple[str, ...]) -> dict[str, dict[str, Any]]:
@@ -448,26 +535,40 @@ class _Subsystem:
         for block in self.file.blocks_of("BUSHING_ASSEMBLY"):
             point = self.names.get(block.usage, known.get(block.usage.replace("_", " "), ""))
             file = self._property(block)
-            if block.values.get("SYMMETRY", "").lower() == "right" or point not in allowed or file is None:
+            if (
+                block.values.get("SYMMETRY", "").lower() == "right"
+                or point not in allowed
+                or file is None
+            ):
                 continue
             self._used.add(block.where)
             scales = [block.number(f"{axis}_SCALING_FACTOR", 1.0) for axis in _SIX]
             bushings[point], worst = _bushing_file(file, scales)
-            self.draft.note("parts.import_bushing", self.draft.at(f"bushings.{point}"), worst, worst=worst)
+            self.draft.note(
+                "parts.import_bushing", self.draft.at(f"bushings.{point}"), worst, worst=worst
+            )
             loads = [key for key in block.values if "PRELOAD" in key and block.number(key) != 0.0]
             if loads:
                 self.draft.note(
-                    "parts.import_loads_left_out", self.draft.at(f"bushings.{point}"), names=", ".join(loads)
+                    "parts.import_loads_left_out",
+                    self.draft.at(f"bushings.{point}"),
+                    names=", ".join(loads),
                 )
         return bushings
 
     def _note_rest(self) -> None:
         """Note what the file contains and the rig does not use."""
-        bushings = {block.usage for block in self.file.blocks_of("BUSHING_ASSEMBLY") if block.where not in self._used}
+        bushings = {
+            block.usage
+            for block in self.file.blocks_of("BUSHING_ASSEMBLY")
+            if block.where not in self._used
+        }
         if bushings:
             names = ", ".join(sorted(bushings))
             self.draft.findings.append(
-                finding("parts.import_bushings_rigid", self.draft.at("BUSHING_ASSEMBLY"), names=names)
+                finding(
+                    "parts.import_bushings_rigid", self.draft.at("BUSHING_ASSEMBLY"), names=names
+                )
             )
         rest = [
             f"{block.name.lower()} {block.usage}"
@@ -476,7 +577,9 @@ class _Subsystem:
             and block.where not in self._used
         ]
         if rest:
-            self.draft.note("parts.import_forces_left_out", self.draft.at("forces"), names=", ".join(rest))
+            self.draft.note(
+                "parts.import_forces_left_out", self.draft.at("forces"), names=", ".join(rest)
+            )
 
 
 def _frame(x: Array, z: Array, where: str) -> Array:
@@ -502,19 +605,25 @@ def _spring_file(file: Path) -> tuple[float, Array, Array]:
 def _bushing_file(file: Path, scales: list[float]) -> tuple[dict[str, Any], float]:
     """Table of a bushing from a ``.bus``, and how far its curves are from straight lines (share of their largest)."""
     properties = read_teim_orbit(file)
-    length, force, angle, time = (properties.unit(name) for name in ("LENGTH", "FORCE", "ANGLE", "TIME"))
+    length, force, angle, time = (
+        properties.unit(name) for name in ("LENGTH", "FORCE", "ANGLE", "TIME")
+    )
     units = [(length, force)] * 3 + [(angle, force * length)] * 3
     slopes, worst = [], 0.0
     for axis, scale, (along, across) in zip(_SIX, scales, units, strict=True):
         x, y = properties.first(f"{axis}_CURVE").curve(along, across)
         if not x[0] <= 0.0 <= x[-1]:
-            raise DescriptionError("the curve does not reach zero", where=properties.first(f"{axis}_CURVE").where)
+            raise DescriptionError(
+                "the curve does not reach zero", where=properties.first(f"{axis}_CURVE").where
+            )
         step = 1e-3 * (x[-1] - x[0])
         ends = np.clip([-step, step], x[0], x[-1])
         low, high = np.interp(ends, x, y)
         slope = (high - low) / (ends[1] - ends[0])
         if slope < 0.0:
-            raise DescriptionError("a bushing that pushes away", where=properties.first(f"{axis}_CURVE").where)
+            raise DescriptionError(
+                "a bushing that pushes away", where=properties.first(f"{axis}_CURVE").where
+            )
         slopes.append(scale * float(slope))
         largest = float(np.abs(y).max())
         worst = max(worst, float(np.abs(y - slope * x).max()) / largest if largest else 0.0)
@@ -528,13 +637,17 @@ def _xml_spring(file: Path) -> tuple[float, Array, Array]:
     try:
         root = parse_xml(content_of(file))
     except (ET.ParseError, ValueError, LookupError) as error:
-        raise DescriptionError(Phrase("not XML of a spring: {error}", error=str(error)), where=str(file)) from None
+        raise DescriptionError(
+            Phrase("not XML of a spring: {error}", error=str(error)), where=str(file)
+        ) from None
     units = {
         element.get("name", "").upper(): element.get("current", "")
         for element in root.iter()
         if element.tag.endswith("UnitSetting")
     }
-    spring = next((element for element in root.iter() if element.tag.endswith("SpringProperties")), None)
+    spring = next(
+        (element for element in root.iter() if element.tag.endswith("SpringProperties")), None
+    )
     if spring is None:
         raise DescriptionError("no spring is in it", where=str(file), allowed="SpringProperties")
     properties = TeimOrbit(file, [Block("UNITS", str(file), units)])
@@ -552,7 +665,9 @@ def _stop_law(depth: Array, force: Array, file: Path) -> tuple[dict[str, float],
     here = depth > 0.0
     depth, force = depth[here], force[here]
     if not len(depth) or force.max() <= 0.0:
-        raise DescriptionError("a stop without force", where=str(file), allowed="forces above 0 at depths above 0")
+        raise DescriptionError(
+            "a stop without force", where=str(file), allowed="forces above 0 at depths above 0"
+        )
     parts = np.column_stack([depth, depth**3])
     rate, progression = nnls(parts, force)[0]
     rate = max(float(rate), float(np.min(force[force > 0.0] / depth[force > 0.0])) * 1e-3)

@@ -59,7 +59,9 @@ def about_axis(table: dict[str, Any], start: Array, end: Array) -> float:
 def _unit(vector: Array, where: str) -> Array:
     length = float(np.linalg.norm(vector))
     if length < 1e-9:
-        raise DescriptionError("two points are the same, or three lie on one line", where=where, allowed="a triangle")
+        raise DescriptionError(
+            "two points are the same, or three lie on one line", where=where, allowed="a triangle"
+        )
     return vector / length
 
 
@@ -96,10 +98,16 @@ def damper_table(file: ChronoFile) -> dict[str, Any]:
     coefficient = file.positive("Shock", "Damping Coefficient")
     if not file.has("Shock", "Degressivity Compression", "Degressivity Expansion"):
         return {"coefficient": coefficient}
-    expansion, compression = (file.number("Shock", f"Degressivity {way}", 0.0) for way in ("Expansion", "Compression"))
+    expansion, compression = (
+        file.number("Shock", f"Degressivity {way}", 0.0) for way in ("Expansion", "Compression")
+    )
     if min(expansion, compression) < 0.0:
-        raise DescriptionError("a degressivity below 0", found=[expansion, compression], allowed="at least 0")
-    speeds = np.array([0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0])  # of c v / (1 + share |v|), bump positive
+        raise DescriptionError(
+            "a degressivity below 0", found=[expansion, compression], allowed="at least 0"
+        )
+    speeds = np.array(
+        [0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0]
+    )  # of c v / (1 + share |v|), bump positive
     bump = coefficient * speeds / (1.0 + compression * speeds)
     rebound = coefficient * speeds / (1.0 + expansion * speeds)
     return {
@@ -147,7 +155,9 @@ class ChronoReading(Draft):
         super().__init__(file.path)
         self.file, self.points = file, points
 
-    def body(self, name: str, section: str, frame: Array, centre: Array | None = None) -> dict[str, Any]:
+    def body(
+        self, name: str, section: str, frame: Array, centre: Array | None = None
+    ) -> dict[str, Any]:
         """Table of a body; ``frame`` holds the axes of the file's inertia as columns.
 
         No body has a principal moment above the sum of the others: such a moment is cut to that sum, and the inertia
@@ -191,14 +201,21 @@ class ChronoReading(Draft):
         """Add the tie rod to the bodies, where it has a mass."""
         if self.file.has("Tierod", "Mass"):
             inner, outer = self.points[f"{name}_inner"], self.points[f"{name}_outer"]
-            frame = rod_frame(inner, outer, np.cross(outer - inner, [1.0, 0.0, 0.0]), self.file.at("Tierod"))
+            frame = rod_frame(
+                inner, outer, np.cross(outer - inner, [1.0, 0.0, 0.0]), self.file.at("Tierod")
+            )
             bodies[name] = self.body(name, "Tierod", frame, (inner + outer) / 2.0)
 
 
-def _head(reading: ChronoReading, model: str, bodies: dict[str, Any], on: str, **more: Any) -> dict[str, Any]:
+def _head(
+    reading: ChronoReading, model: str, bodies: dict[str, Any], on: str, **more: Any
+) -> dict[str, Any]:
     """Table of a rig without its wheel; the strut's points are the spring's, and a damper may have others."""
     points = dict(reading.points)
-    points["strut_bottom"], points["strut_top"] = points.pop("spring_bottom"), points.pop("spring_top")
+    points["strut_bottom"], points["strut_top"] = (
+        points.pop("spring_bottom"),
+        points.pop("spring_top"),
+    )
     for end in ("bottom", "top"):
         if np.array_equal(points[f"damper_{end}"], points[f"strut_{end}"]):
             del points[f"damper_{end}"]
@@ -219,7 +236,11 @@ def _head(reading: ChronoReading, model: str, bodies: dict[str, Any], on: str, *
 def _double_wishbone(reading: ChronoReading) -> dict[str, Any]:
     arms = {
         f"{side}_arm": reading.arm(
-            f"{side}_arm", f"{side.title()} Control Arm", f"{side}_arm_front", f"{side}_arm_rear", f"{side}_ball_joint"
+            f"{side}_arm",
+            f"{side.title()} Control Arm",
+            f"{side}_arm_front",
+            f"{side}_arm_rear",
+            f"{side}_ball_joint",
         )
         for side in ("lower", "upper")
     }
@@ -230,7 +251,9 @@ def _double_wishbone(reading: ChronoReading) -> dict[str, Any]:
 
 def _mcpherson(reading: ChronoReading) -> dict[str, Any]:
     bodies = {
-        "lower_arm": reading.arm("lower_arm", "Control Arm", "lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
+        "lower_arm": reading.arm(
+            "lower_arm", "Control Arm", "lower_arm_front", "lower_arm_rear", "lower_ball_joint"
+        ),
         "upright": reading.body("upright", "Upright", DESIGN),
     }
     if reading.file.has("Strut", "Mass"):
@@ -242,7 +265,10 @@ def _mcpherson(reading: ChronoReading) -> dict[str, Any]:
 
 def _five_link(reading: ChronoReading) -> dict[str, Any]:
     points, file = reading.points, reading.file
-    rods = {"link_3": ("Lateral", points["link_4_outer"]), "link_4": ("Trailing Link", points["spring_bottom"])}
+    rods = {
+        "link_3": ("Lateral", points["link_4_outer"]),
+        "link_4": ("Trailing Link", points["spring_bottom"]),
+    }
     links = {}
     for name, (section, beside) in rods.items():
         inner, outer = points[f"{name}_inner"], points[f"{name}_outer"]
@@ -253,13 +279,20 @@ def _five_link(reading: ChronoReading) -> dict[str, Any]:
     ends = points["link_1_inner"], points["link_2_inner"]
     lever = distance_to_line(points["link_1_outer"], *ends)
     share = about_axis(arm, *ends) / lever**2
-    reading.note("parts.import_arm_as_links", file.at("Upper Arm"), share, share=share, mass=arm["mass"])
-    bodies = {"upright": join_bodies(upright, share, points["link_1_outer"], np.zeros((3, 3))), **links}
+    reading.note(
+        "parts.import_arm_as_links", file.at("Upper Arm"), share, share=share, mass=arm["mass"]
+    )
+    bodies = {
+        "upright": join_bodies(upright, share, points["link_1_outer"], np.zeros((3, 3))),
+        **links,
+    }
     reading.add_tie_rod(bodies, "link_5")
     return _head(reading, "five-link", bodies, "link_4")
 
 
-TEMPLATES: dict[str, tuple[dict[str, tuple[str, str]], Callable[[ChronoReading], dict[str, Any]]]] = {
+TEMPLATES: dict[
+    str, tuple[dict[str, tuple[str, str]], Callable[[ChronoReading], dict[str, Any]]]
+] = {
     "DoubleWishbone": (HARDPOINTS, _double_wishbone),
     "MacPhersonStrut": (_MACPHERSON, _mcpherson),
     "MultiLink": (_MULTI_LINK, _five_link),
@@ -267,7 +300,15 @@ TEMPLATES: dict[str, tuple[dict[str, tuple[str, str]], Callable[[ChronoReading],
 
 
 _ADVICE = "Other suspensions can be written as rig files by hand; see the documentation of rigs."
-_READ = {"Name", "Type", "Template", "Vehicle-Frame Inertia", "Camber Angle (deg)", "Toe Angle (deg)", "Axle"}
+_READ = {
+    "Name",
+    "Type",
+    "Template",
+    "Vehicle-Frame Inertia",
+    "Camber Angle (deg)",
+    "Toe Angle (deg)",
+    "Axle",
+}
 
 
 @operation(
@@ -336,7 +377,9 @@ def import_chrono(
     """
     file = ChronoFile(Path(path), list(TEMPLATES), _ADVICE)
     names, build = TEMPLATES[file.template]
-    reading = ChronoReading(file, {name: file.numbers(section, key, (3,)) for name, (section, key) in names.items()})
+    reading = ChronoReading(
+        file, {name: file.numbers(section, key, (3,)) for name, (section, key) in names.items()}
+    )
     table = build(reading)
     _add_elements(reading, table)
     angles = {"camber": file.angle("Camber Angle (deg)"), "toe": file.angle("Toe Angle (deg)")}
@@ -344,7 +387,10 @@ def import_chrono(
     add_wheel(reading, table, spindle, angles, (wheel_radius, wheel_mass, tyre_stiffness))
     set_on_the_road(reading, table, sprung_mass)
     _note_what_differs(reading, names)
-    table |= {"estimated": sorted(reading.estimated), "source": table["source"] if source is None else source}
+    table |= {
+        "estimated": sorted(reading.estimated),
+        "source": table["source"] if source is None else source,
+    }
     place = f"{reading.file.path}: "
     comments = [
         f"Left corner imported from {reading.file.path.name} of Project Chrono (BSD-3-Clause). z = 0 is the road.",
@@ -361,7 +407,10 @@ def _add_elements(reading: ChronoReading, table: dict[str, Any]) -> None:
     table["strut"] |= {"spring": spring_table(file), "damper": damper_table(file)}
     if file.has("Spring", "Minimum Length", "Maximum Length"):
         design = float(np.linalg.norm(points["strut_top"] - points["strut_bottom"]))
-        shortest, longest = file.positive("Spring", "Minimum Length"), file.positive("Spring", "Maximum Length")
+        shortest, longest = (
+            file.positive("Spring", "Minimum Length"),
+            file.positive("Spring", "Maximum Length"),
+        )
         place = file.at("Spring", "Minimum Length")
         ascending(np.array([shortest, longest]), place)
         law = {"rate": STOP_RATE, "progression": STOP_PROGRESSION}
@@ -379,8 +428,12 @@ def _note_what_differs(reading: ChronoReading, names: dict[str, tuple[str, str]]
     read = {*_READ, *(section for section, _ in names.values()), "Upright", "Strut", "Spindle"}
     unread = [section for section in file.table if section not in read]
     bushed = [section for section in file.table if file.has(section, "Bushing Data")]
-    reading.findings += [finding("parts.import_section_unread", file.at(section)) for section in unread]
-    reading.findings += [finding("parts.import_no_bushings", file.at(section, "Bushing Data")) for section in bushed]
+    reading.findings += [
+        finding("parts.import_section_unread", file.at(section)) for section in unread
+    ]
+    reading.findings += [
+        finding("parts.import_no_bushings", file.at(section, "Bushing Data")) for section in bushed
+    ]
     links = [section for section in file.table if file.has(section, "Universal Joint Axis Link")]
     if links:
         reading.note("parts.import_joint_axes", file.at(links[0]))

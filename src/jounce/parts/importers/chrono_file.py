@@ -118,7 +118,9 @@ class ChronoFile:
         """One number above zero."""
         value = float(self.numbers(section, key, ()))
         if not value > 0.0:
-            raise DescriptionError("out of range", where=self.at(section, key), found=value, allowed="above 0")
+            raise DescriptionError(
+                "out of range", where=self.at(section, key), found=value, allowed="above 0"
+            )
         return value
 
     def number(self, section: str, key: str, default: float) -> float:
@@ -151,7 +153,9 @@ class ChronoFile:
             numbers = np.asarray(value, dtype=float)
         except (TypeError, ValueError, OverflowError):
             raise DescriptionError("not a regular list of numbers", where=where) from None
-        fits = numbers.ndim == len(shape) and all(n in (-1, m) for n, m in zip(shape, numbers.shape, strict=True))
+        fits = numbers.ndim == len(shape) and all(
+            n in (-1, m) for n, m in zip(shape, numbers.shape, strict=True)
+        )
         if not fits or not np.isfinite(numbers).all() or _has_truth(value):
             wanted = " x ".join("n" if n < 0 else str(n) for n in shape) or "one"
             raise DescriptionError(
@@ -177,7 +181,9 @@ def ascending(values: Array, where: str) -> None:
 
 
 def _has_truth(value: object) -> bool:
-    return isinstance(value, bool) or (isinstance(value, list) and any(_has_truth(item) for item in value))
+    return isinstance(value, bool) or (
+        isinstance(value, list) and any(_has_truth(item) for item in value)
+    )
 
 
 def read_json(path: Path) -> dict[str, Any]:
@@ -185,7 +191,9 @@ def read_json(path: Path) -> dict[str, Any]:
     try:
         text = description_text(path)
     except UnicodeDecodeError:
-        raise DescriptionError("not a text file", where=str(path), allowed="JSON text in UTF-8") from None
+        raise DescriptionError(
+            "not a text file", where=str(path), allowed="JSON text in UTF-8"
+        ) from None
     blank = _COMMENT.sub(lambda match: match[1] or re.sub(r"[^\n]", " ", match[0]), text)
     try:
         table = json.loads(blank)
@@ -332,10 +340,14 @@ def read_chrono_corner(path: Path | str) -> ChronoCorner:
     file = ChronoFile(Path(path), ["DoubleWishbone"], _CORNER_ADVICE)
     parts = {name: file.part(section) for name, section in _BODIES.items()}
     points = {name: file.numbers(section, key, (3,)) for name, (section, key) in HARDPOINTS.items()}
-    lengths = [file.positive("Spring", key) for key in ("Free Length", "Minimum Length", "Maximum Length")]
+    lengths = [
+        file.positive("Spring", key) for key in ("Free Length", "Minimum Length", "Maximum Length")
+    ]
     free, shortest, longest = lengths
     if not shortest < longest:
-        raise DescriptionError("the spring's lengths contradict each other", where=file.at("Spring"), found=lengths)
+        raise DescriptionError(
+            "the spring's lengths contradict each other", where=file.at("Spring"), found=lengths
+        )
     return ChronoCorner(
         name=file.name,
         points=points,
@@ -356,7 +368,10 @@ def damper_map(file: ChronoFile) -> DamperMap:
     velocity = rows[:, 0]
     for name, values in (("Deformation", length), ("Map Data", velocity)):
         ascending(values, file.at("Shock", name))
-    if not (velocity[0] < 0.0 < velocity[-1] and math.isclose(float(np.abs(velocity).min()), 0.0, abs_tol=1e-9)):
+    if not (
+        velocity[0] < 0.0 < velocity[-1]
+        and math.isclose(float(np.abs(velocity).min()), 0.0, abs_tol=1e-9)
+    ):
         raise DescriptionError(
             "the velocities do not lie about zero",
             where=file.at("Shock", "Map Data"),

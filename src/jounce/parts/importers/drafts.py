@@ -17,7 +17,12 @@ from jounce.parts.advice import rig_findings
 from jounce.parts.bodies import INERTIA_ELEMENTS
 from jounce.parts.corners import Corner
 from jounce.parts.files import rig_from_table
-from jounce.parts.leverage import motion_ratio, spring_force, static_spring_force, static_tyre_deflection
+from jounce.parts.leverage import (
+    motion_ratio,
+    spring_force,
+    static_spring_force,
+    static_tyre_deflection,
+)
 
 WHEEL_RADIUS, WHEEL_MASS, TYRE_STIFFNESS, SPRUNG_MASS = 0.33, 20.0, 250e3, 350.0
 """Estimates for what suspension files do not hold: m, kg (rim and tyre), N/m, kg; those of a passenger car."""
@@ -25,7 +30,9 @@ WHEEL_RADIUS, WHEEL_MASS, TYRE_STIFFNESS, SPRUNG_MASS = 0.33, 20.0, 250e3, 350.0
 
 def length_of_tyre(default: str) -> Number:
     """Ask for the radius of the tyre, and say what it is otherwise."""
-    return Number(f"Undeformed tyre radius. Default: {default}.", unit="m", is_positive=True, most=LONGEST)
+    return Number(
+        f"Undeformed tyre radius. Default: {default}.", unit="m", is_positive=True, most=LONGEST
+    )
 
 
 def sprung_mass_of(default: str) -> Number:
@@ -34,10 +41,12 @@ def sprung_mass_of(default: str) -> Number:
 
 
 WheelMass: TypeAlias = Annotated[
-    float | None, Number("Mass of rim and tyre. Default: 20 kg (estimated).", unit="kg", is_positive=True)
+    float | None,
+    Number("Mass of rim and tyre. Default: 20 kg (estimated).", unit="kg", is_positive=True),
 ]
 TyreStiffness: TypeAlias = Annotated[
-    float | None, Number("Tyre stiffness. Default: 250 N/mm (estimated).", unit="N/m", is_positive=True)
+    float | None,
+    Number("Tyre stiffness. Default: 250 N/mm (estimated).", unit="N/m", is_positive=True),
 ]
 TYRE_RADIUS = length_of_tyre("330 mm (estimated)")
 CARRIED_MASS = sprung_mass_of("what the spring carries at design (estimated)")
@@ -66,7 +75,11 @@ class ImportedRig(NamedTuple):
     def to_dict(self, where: str = "") -> dict[str, Any]:
         """Give what was imported as plain data, with the text of the rig file."""
         rig = self.rig
-        about = {"model": getattr(rig, "model", ""), "source": rig.source, "estimated": list(rig.estimated)}
+        about = {
+            "model": getattr(rig, "model", ""),
+            "source": rig.source,
+            "estimated": list(rig.estimated),
+        }
         return {**about, "findings": self.advice(where), "text": self.text}
 
 
@@ -90,7 +103,11 @@ class Draft:
 def as_table(mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
     """Table of a body in the names of rig files."""
     size = float(np.abs(tensor).max())
-    inertia = {name: float(tensor[at]) for name, at in INERTIA_ELEMENTS.items() if abs(tensor[at]) > 1e-9 * size}
+    inertia = {
+        name: float(tensor[at])
+        for name, at in INERTIA_ELEMENTS.items()
+        if abs(tensor[at]) > 1e-9 * size
+    }
     return {"mass": mass, "centre_of_mass": centre, "inertia": inertia}
 
 
@@ -137,7 +154,11 @@ def add_wheel(
     centre = table["hardpoints"]["wheel_centre"]
     # the inertia of rim and tyre is estimated: 0.6 m r^2 about the axle, 0.35 m r^2 across it
     inertia = rolling * radius**2 * np.diag([0.35, 0.6, 0.35])
-    whole = as_table(rolling, centre, inertia) if spindle is None else join_bodies(spindle, rolling, centre, inertia)
+    whole = (
+        as_table(rolling, centre, inertia)
+        if spindle is None
+        else join_bodies(spindle, rolling, centre, inertia)
+    )
     table["bodies"]["wheel"] = whole
     table["tyre"] = {"stiffness": TYRE_STIFFNESS if stiffness is None else stiffness}
 

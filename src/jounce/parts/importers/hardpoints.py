@@ -24,7 +24,14 @@ from jounce.parts.bodies import distance_to_line
 from jounce.parts.corners import Corner
 from jounce.parts.files import RIGS, rig_from_table, rig_text
 from jounce.parts.importers.drafts import ImportedRig, length_of_tyre
-from jounce.parts.importers.points import AXLE_END, LONGEST_LINE, PointRow, PointTable, from_nested, from_vsusp
+from jounce.parts.importers.points import (
+    AXLE_END,
+    LONGEST_LINE,
+    PointRow,
+    PointTable,
+    from_nested,
+    from_vsusp,
+)
 
 Side = Literal["left", "right"]
 Axle = Literal["front", "rear"]
@@ -76,9 +83,21 @@ _EXPLORER = {
     "arm_outer": "trailing arm pivot b",
 }
 """Names of suspension-explorer."""
-_CONTACT = ("contact point", "contact patch", "tyre contact patch", "tyre contact", "tire contact patch", "cp")
+_CONTACT = (
+    "contact point",
+    "contact patch",
+    "tyre contact patch",
+    "tyre contact",
+    "tire contact patch",
+    "cp",
+)
 _SIDES = {"l": "left", "lh": "left", "left": "left", "r": "right", "rh": "right", "right": "right"}
-_CORNERS = {"fl": ("front", "left"), "fr": ("front", "right"), "rl": ("rear", "left"), "rr": ("rear", "right")}
+_CORNERS = {
+    "fl": ("front", "left"),
+    "fr": ("front", "right"),
+    "rl": ("rear", "left"),
+    "rr": ("rear", "right"),
+}
 _UNITS = {"mm": "mm", "millimeter": "mm", "millimetre": "mm", "cm": "cm", "m": "m", "meter": "m", "metre": "m",
           "in": "inch", "inch": "inch", "inches": "inch", "ft": "foot", "millimeters": "mm", "meters": "m"}  # fmt: skip
 _UNIT_LINE = re.compile(r"(?i)\W*(?:length\s+)?units?\b[\s:=,;]*\W?([a-z]+)\W*")
@@ -86,9 +105,16 @@ _UNIT_IN = re.compile(r"[\[(]\s*([A-Za-z]+)\s*[\])]")
 _LABEL = re.compile(r"(?i)^\W*(?:point\b)?\W*\d*\W*(?:point\s+\d+\s*:)?\s*")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?")
 _HALF_TRACK = (0.15, 1.6)  # m: of anything from a kart to a lorry
-_RADIUS = (0.08, 0.8)  # m: from the small wheel of a kart (0.13) to that of a lorry (0.55), and half as much again
+_RADIUS = (
+    0.08,
+    0.8,
+)  # m: from the small wheel of a kart (0.13) to that of a lorry (0.55), and half as much again
 _NESTED = (".yaml", ".yml", ".json")
-_LARGEST, _ROWS, _COLUMNS = 20_000_000, 20_000, 200  # bytes, ...: a car has 100 points; more is no table of points
+_LARGEST, _ROWS, _COLUMNS = (
+    20_000_000,
+    20_000,
+    200,
+)  # bytes, ...: a car has 100 points; more is no table of points
 _STRUT = ("strut_bottom", "strut_top")
 _ADVICE = "Give names with --name THEIRS=OURS."
 
@@ -106,20 +132,33 @@ _ADVICE = "Give names with --name THEIRS=OURS."
 )
 def import_hardpoints(
     path: Annotated[
-        Path | str, File("Text (name, x, y, z; Lotus; OptimumKinematics; VSUSP), YAML, JSON, .xlsx.", "TABLE")
+        Path | str,
+        File("Text (name, x, y, z; Lotus; OptimumKinematics; VSUSP), YAML, JSON, .xlsx.", "TABLE"),
     ],
     *,
-    unit: Annotated[str | None, Mark("Of the coordinates: mm, m, inch, cm. Default: what the file says.")] = None,
+    unit: Annotated[
+        str | None, Mark("Of the coordinates: mm, m, inch, cm. Default: what the file says.")
+    ] = None,
     axes: Annotated[
-        str | None, Mark('What in the table is forward, left and up, e.g. "-x,-y,z". Default: x,y,z.')
+        str | None,
+        Mark('What in the table is forward, left and up, e.g. "-x,-y,z". Default: x,y,z.'),
     ] = None,
-    side: Annotated[Side, Mark("Corner that is read where there are both: left or right.")] = "left",
-    axle: Annotated[Axle | None, Mark("Axle that is read where there are both: front or rear.")] = None,
-    model: Annotated[str | None, Mark("Suspension. Default: the one that has these points.")] = None,
+    side: Annotated[
+        Side, Mark("Corner that is read where there are both: left or right.")
+    ] = "left",
+    axle: Annotated[
+        Axle | None, Mark("Axle that is read where there are both: front or rear.")
+    ] = None,
+    model: Annotated[
+        str | None, Mark("Suspension. Default: the one that has these points.")
+    ] = None,
     names: Annotated[
-        Mapping[str, str] | None, Names("A name in the table and the hardpoint it is.", "THEIRS=OURS")
+        Mapping[str, str] | None,
+        Names("A name in the table and the hardpoint it is.", "THEIRS=OURS"),
     ] = None,
-    wheel_radius: Annotated[float | None, length_of_tyre("height of the wheel centre (estimated)")] = None,
+    wheel_radius: Annotated[
+        float | None, length_of_tyre("height of the wheel centre (estimated)")
+    ] = None,
     source: str | None = None,
 ) -> ImportedRig:
     """Convert a table of hardpoints to the left corner of a 3-D rig, for its kinematics.
@@ -191,25 +230,35 @@ def import_hardpoints(
 
 def _read(file: Path) -> PointTable:
     if file.stat().st_size > _LARGEST:
-        raise DescriptionError("too large for a table of hardpoints", where=str(file), allowed="up to 20 MB")
+        raise DescriptionError(
+            "too large for a table of hardpoints", where=str(file), allowed="up to 20 MB"
+        )
     table = PointTable(file)
     if file.suffix.lower() != ".xlsx":
         text = _text(file)
-        whole = from_vsusp(file, text) or (from_nested(file, text) if file.suffix.lower() in _NESTED else None)
+        whole = from_vsusp(file, text) or (
+            from_nested(file, text) if file.suffix.lower() in _NESTED else None
+        )
         if whole is not None:
             whole.unit = _resolve_unit(whole.unit, str(file)) if whole.unit else ""
             return whole
     columns: list[int] = []
     width = 0
-    for count, (where, cells) in enumerate(_sheet(file) if file.suffix.lower() == ".xlsx" else _lines(file)):
+    for count, (where, cells) in enumerate(
+        _sheet(file) if file.suffix.lower() == ".xlsx" else _lines(file)
+    ):
         if count > _ROWS:
-            raise DescriptionError("too many rows", where=str(file), allowed=Phrase("up to {rows}", rows=_ROWS))
+            raise DescriptionError(
+                "too many rows", where=str(file), allowed=Phrase("up to {rows}", rows=_ROWS)
+            )
         header = _header(cells)
         if header is not None:
             (columns, unit), width = header, len(cells)
             _keep_unit(table, unit, where)
             continue
-        is_laid = max(columns, default=len(cells)) < len(cells) and all(_is_number(cells[i]) for i in columns)
+        is_laid = max(columns, default=len(cells)) < len(cells) and all(
+            _is_number(cells[i]) for i in columns
+        )
         if is_laid and any(map(_is_number, cells[width:])):
             raise DescriptionError(
                 "more numbers than columns",
@@ -225,14 +274,20 @@ def _read(file: Path) -> PointTable:
             _keep_unit(table, _resolve_unit(unit_line[1], where), where)
         elif (
             columns
-            and len(row_units := {unit for cell in cells if (unit := cell.strip("[]() ").lower())} & {*_UNITS}) == 1
+            and len(
+                row_units := {unit for cell in cells if (unit := cell.strip("[]() ").lower())}
+                & {*_UNITS}
+            )
+            == 1
         ):
             _keep_unit(table, _UNITS[row_units.pop()], where)  # a row of units under that of names
         elif any(map(_is_number, cells)):
             table.unread.append((where, cells))
     if not table.rows:
         raise DescriptionError(
-            "no points are in it", where=str(file), allowed="rows of a name and three coordinates: name, x, y, z"
+            "no points are in it",
+            where=str(file),
+            allowed="rows of a name and three coordinates: name, x, y, z",
         )
     return table
 
@@ -240,7 +295,9 @@ def _read(file: Path) -> PointTable:
 def _keep_unit(table: PointTable, unit: str, where: str) -> None:
     """Keep the unit that a line names; a second one that differs is refused."""
     if unit and table.unit not in ("", unit):
-        raise DescriptionError("two units", where=where, found=f"{unit} after {table.unit}", allowed="one")
+        raise DescriptionError(
+            "two units", where=where, found=f"{unit} after {table.unit}", allowed="one"
+        )
     table.unit = unit or table.unit
 
 
@@ -257,12 +314,19 @@ def _text(file: Path) -> str:
 def _lines(file: Path) -> Iterator[tuple[str, list[str]]]:
     for number, line in enumerate(_text(file).splitlines(), 1):
         if len(line) > LONGEST_LINE:
-            where, allowed = at_line(file, number), Phrase("up to {longest_line} characters", longest_line=LONGEST_LINE)
-            raise DescriptionError("a line is too long for a point", where=where, found=f"{len(line)}", allowed=allowed)
+            where, allowed = (
+                at_line(file, number),
+                Phrase("up to {longest_line} characters", longest_line=LONGEST_LINE),
+            )
+            raise DescriptionError(
+                "a line is too long for a point", where=where, found=f"{len(line)}", allowed=allowed
+            )
         bare = line.strip()
         if bare.startswith("#"):  # a comment, unless it names columns or the unit
             bare = bare.lstrip("# \t")
-            if _header(_cells(bare)) is None and not _UNIT_LINE.fullmatch(" ".join(_cells(bare)).strip()):
+            if _header(_cells(bare)) is None and not _UNIT_LINE.fullmatch(
+                " ".join(_cells(bare)).strip()
+            ):
                 continue
         if bare and not bare.startswith(("//", "%", "!", "$")):
             yield at_line(file, number), _cells(bare)
@@ -277,14 +341,20 @@ def _cells(line: str) -> list[str]:
     (['top_mount', '1', '-2.5', '3'], ['top', '1', '2', '3'])
     """
     if entry := _entry(line):
-        return [entry[0], *(re.sub(r"^\W*[xyz]\W*:", "", cell).strip() for cell in entry[1].split(","))]
+        return [
+            entry[0],
+            *(re.sub(r"^\W*[xyz]\W*:", "", cell).strip() for cell in entry[1].split(",")),
+        ]
     if ";" in line or "\t" in line:
         cells = line.split(";" if ";" in line else "\t")
         return [re.sub(r"^([+-]?\d+),(\d+)$", r"\1.\2", cell.strip(" \"'")) for cell in cells]
     if "," in line:
         quote = "'" if line.count("'") > line.count('"') else '"'
         try:
-            return [cell.strip(" \"'") for cell in next(csv.reader([line], quotechar=quote, skipinitialspace=True))]
+            return [
+                cell.strip(" \"'")
+                for cell in next(csv.reader([line], quotechar=quote, skipinitialspace=True))
+            ]
         except csv.Error:
             return [cell.strip() for cell in line.split(",")]
     return [word.strip("\"'") for word in re.findall(r"'[^']*'|\"[^\"]*\"|\S+", line)]
@@ -295,7 +365,12 @@ def _entry(line: str) -> tuple[str, str] | None:
     name, _, rest = line.partition(":")
     name, rest = re.sub(r"^\W+", "", name).rstrip(" \t\"'"), rest.strip()
     end = max(rest.rfind("]"), rest.rfind("}"))
-    if rest[:1] not in ("[", "{") or end < 1 or re.search(r"\w", rest[end:]) or not re.search("[A-Za-z]", name):
+    if (
+        rest[:1] not in ("[", "{")
+        or end < 1
+        or re.search(r"\w", rest[end:])
+        or not re.search("[A-Za-z]", name)
+    ):
         return None
     return name, rest[1:end]
 
@@ -327,7 +402,9 @@ def _header(cells: list[str]) -> tuple[list[int], str] | None:
     units = set()
     for index, cell in enumerate(cells):
         word = re.sub(r"[\[(].*", "", cell).strip(" {}").lower().replace("_", " ")
-        axis = re.fullmatch(r"([xyz])(?: value| coord| coordinate| position| location)?(?: ([a-z]+))?", word)
+        axis = re.fullmatch(
+            r"([xyz])(?: value| coord| coordinate| position| location)?(?: ([a-z]+))?", word
+        )
         if axis and axis[1] not in columns and (not axis[2] or axis[2] in _UNITS):
             columns[axis[1]] = index
             inside = _UNIT_IN.search(cell)
@@ -335,7 +412,9 @@ def _header(cells: list[str]) -> tuple[list[int], str] | None:
     if set(columns) != {"x", "y", "z"}:
         return None
     if len(units) > 1:
-        raise DescriptionError("columns in different units", where="header", found=", ".join(sorted(units)))
+        raise DescriptionError(
+            "columns in different units", where="header", found=", ".join(sorted(units))
+        )
     return [columns[axis] for axis in "xyz"], _resolve_unit(units.pop(), "header") if units else ""
 
 
@@ -348,16 +427,26 @@ def _resolve_unit(text: str, where: str) -> str:
 def _row(cells: list[str], columns: list[int], where: str) -> PointRow | None:
     """A name and three numbers; None where these cells are something else."""
     if columns and max(columns) < len(cells) and all(_is_number(cells[i]) for i in columns):
-        words = [cell for i, cell in enumerate(cells[: min(columns)]) if cell and not _is_number(cell)]
-        words = words or [cell for i, cell in enumerate(cells) if i not in columns and cell and not _is_number(cell)]
-        places = [word for word in words if _plain(word) in (*_SIDES, *_CORNERS)]  # a column beside that of names
+        words = [
+            cell for i, cell in enumerate(cells[: min(columns)]) if cell and not _is_number(cell)
+        ]
+        words = words or [
+            cell
+            for i, cell in enumerate(cells)
+            if i not in columns and cell and not _is_number(cell)
+        ]
+        places = [
+            word for word in words if _plain(word) in (*_SIDES, *_CORNERS)
+        ]  # a column beside that of names
         names = [word for word in words if word not in places]
         if not names:
             return None
         name = f"{names[0]} {places[0]}" if places and not _sort_out(names[0])[2] else names[0]
         return PointRow(name, _numbers([cells[i] for i in columns]), where)
     numeric = [_is_number(cell) for cell in cells]
-    runs = [i for i in range(len(cells) - 2) if all(numeric[i : i + 3]) and not (i and numeric[i - 1])]
+    runs = [
+        i for i in range(len(cells) - 2) if all(numeric[i : i + 3]) and not (i and numeric[i - 1])
+    ]
     if not runs:
         return None
     first = runs[0]
@@ -437,7 +526,9 @@ def _missing(model: str, points: Mapping[str, Array]) -> list[str]:
 class PointReading:
     """A table while it becomes a rig."""
 
-    def __init__(self, table: PointTable, side: str, axle: str | None, names: dict[str, str]) -> None:
+    def __init__(
+        self, table: PointTable, side: str, axle: str | None, names: dict[str, str]
+    ) -> None:
         self.table, self.file = table, table.file
         self.findings: list[Finding] = []
         self.estimated: list[str] = []
@@ -458,8 +549,13 @@ class PointReading:
         for theirs, ours in names.items():
             if ours not in known.values():
                 raise unknown(ours, set(known.values()), what="hardpoint", where=f"name {theirs}")
-            if not any(_plain(theirs) in (_plain(row.name), _sort_out(row.name)[0]) for row in self.table.rows):
-                raise unknown(theirs, [row.name for row in self.table.rows], what="name", where=str(self.file))
+            if not any(
+                _plain(theirs) in (_plain(row.name), _sort_out(row.name)[0])
+                for row in self.table.rows
+            ):
+                raise unknown(
+                    theirs, [row.name for row in self.table.rows], what="name", where=str(self.file)
+                )
         sorted_out = [(row, *_sort_out(row.name)) for row in self.table.rows]
         axles = {of_axle for _, _, of_axle, _ in sorted_out if of_axle}
         if axle is None and len(axles) > 1:
@@ -486,11 +582,21 @@ class PointReading:
         self.findings += [at_place(str(self.file), item) for item in self.table.notes]
         self.estimated += self.table.estimated
         for where, cells in self.table.unread:
-            meant = next((cell for cell in cells if _plain(cell) in own or _sort_out(cell)[0] in (*own, *known)), None)
+            meant = next(
+                (
+                    cell
+                    for cell in cells
+                    if _plain(cell) in own or _sort_out(cell)[0] in (*own, *known)
+                ),
+                None,
+            )
             if meant is not None:
                 text, three = "a hardpoint without three coordinates", "a name and three numbers"
                 raise DescriptionError(
-                    f"{meant}: {text}", where=where, found=", ".join(filter(None, cells)), allowed=three
+                    f"{meant}: {text}",
+                    where=where,
+                    found=", ".join(filter(None, cells)),
+                    allowed=three,
                 )
         if self.table.unread:
             first = self.table.unread[0][0]
@@ -528,11 +634,18 @@ class PointReading:
                 )
 
     def rig(
-        self, unit: str | None, axes: str | None, model: str | None, wheel_radius: float | None, source: str | None
+        self,
+        unit: str | None,
+        axes: str | None,
+        model: str | None,
+        wheel_radius: float | None,
+        source: str | None,
     ) -> ImportedRig:
         """The rig, its findings, and its file."""
         if wheel_radius is not None and not wheel_radius > 0.0:
-            raise DescriptionError("out of range", where="wheel_radius", found=wheel_radius, allowed="above 0")
+            raise DescriptionError(
+                "out of range", where="wheel_radius", found=wheel_radius, allowed="above 0"
+            )
         name = self.model_of(model)
         self.complete(name)
         self.turn(axes)
@@ -571,14 +684,20 @@ class PointReading:
             return model
         has = self.points
         signs = {"link_1_inner": "five-link", "arm_inner": "trailing-arm"}
-        signs |= dict.fromkeys(("upper_arm_front", "upper_arm_rear", "upper_ball_joint"), "double-wishbone")
+        signs |= dict.fromkeys(
+            ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"), "double-wishbone"
+        )
         signs["lower_arm_front"] = "mcpherson"
         for sign, name in signs.items():
             if sign in has:
                 return name
         lacks = {name: _missing(name, has) for name in (*dict.fromkeys(signs.values()),)}
         near = min(lacks, key=lambda name: len(lacks[name]) / len(_required_points(name)))
-        known = f"The nearest is a {near}, of which {', '.join(lacks[near])} are missing. " if has else ""
+        known = (
+            f"The nearest is a {near}, of which {', '.join(lacks[near])} are missing. "
+            if has
+            else ""
+        )
         raise DescriptionError(
             "no suspension has these points",
             where=str(self.file),
@@ -612,7 +731,9 @@ class PointReading:
         further = [name for name in self.points if name not in points.model_fields]
         if further:
             self.note("parts.import_points_left_out", model=model, names=", ".join(further))
-            self.points = {name: point for name, point in self.points.items() if name not in further}
+            self.points = {
+                name: point for name, point in self.points.items() if name not in further
+            }
         if "strut_bottom" not in self.points:
             self.note("parts.import_no_strut")
 
@@ -659,7 +780,11 @@ class PointReading:
     def _wheel_angles(self) -> dict[str, float]:
         """Camber and toe (rad), where the table has the wheel's axis."""
         x, y, z = self._outboard()
-        return {} if self.axle_end is None else {"camber": float(-np.arcsin(z)), "toe": float(np.arctan2(x, y))}
+        return (
+            {}
+            if self.axle_end is None
+            else {"camber": float(-np.arcsin(z)), "toe": float(np.arctan2(x, y))}
+        )
 
     def scale(self, unit: str | None) -> None:
         """Metres from the table's unit."""
@@ -671,7 +796,11 @@ class PointReading:
         half = abs(float(self.points["wheel_centre"][1]))
         low, high = _HALF_TRACK
         chosen = unit or said
-        meant = [name for name in ("m", "mm", "inch", "cm") if low <= half * conversion_factor(name, "m") <= high]
+        meant = [
+            name
+            for name in ("m", "mm", "inch", "cm")
+            if low <= half * conversion_factor(name, "m") <= high
+        ]
         if not chosen:
             if meant[:1] not in (["m"], ["mm"]) or len(meant) > 1:
                 raise DescriptionError(
@@ -690,7 +819,11 @@ class PointReading:
                 where=str(self.file),
                 found=f"a wheel centre {half:g} {chosen} = {half * factor:.4g} m from the middle of the car",
                 allowed=Phrase("{low:g} m to {high:g} m", low=low, high=high),
-                hint=Phrase("Is the table in {meant}? Say so with --unit.", meant=" or ".join(meant)) if meant else "",
+                hint=Phrase(
+                    "Is the table in {meant}? Say so with --unit.", meant=" or ".join(meant)
+                )
+                if meant
+                else "",
             )
         self._map(factor * np.eye(3))
 
@@ -735,7 +868,9 @@ class PointReading:
         return round(radius, 9)
 
     def _raise(self, height: float) -> None:
-        self.points = {name: point + np.array([0.0, 0.0, height]) for name, point in self.points.items()}
+        self.points = {
+            name: point + np.array([0.0, 0.0, height]) for name, point in self.points.items()
+        }
 
     def strut(self, model: str) -> dict[str, str]:
         """Body that carries the strut or push rod: the arm nearest to its end."""
@@ -750,7 +885,11 @@ class PointReading:
             return {}
         reach = {arm: self._reach(arm, end) for arm in ("lower", "upper")}
         arm = min(reach, key=lambda name: reach[name])
-        self.note("parts.import_on_lower_arm" if arm == "lower" else "parts.import_on_upper_arm", end=end, key=key)
+        self.note(
+            "parts.import_on_lower_arm" if arm == "lower" else "parts.import_on_upper_arm",
+            end=end,
+            key=key,
+        )
         self.estimated.append(f"strut.{key}")
         return {key: f"{arm}_arm"} | rocker
 
@@ -758,16 +897,25 @@ class PointReading:
         """Distance of a point from an arm: from the line of its middle to the ball joint."""
         middle = 0.5 * (self.points[f"{arm}_arm_front"] + self.points[f"{arm}_arm_rear"])
         joint = self.points[f"{arm}_ball_joint"]
-        return distance_to_line(self.points[end], middle, joint) if np.any(middle != joint) else np.inf
+        return (
+            distance_to_line(self.points[end], middle, joint) if np.any(middle != joint) else np.inf
+        )
 
 
 def _rotation(axes: str) -> Array:
     """Matrix of ``"-x,-y,z"``: what in the table is our x, y and z."""
     words = [word.strip().lower() for word in axes.split(",")]
     matches = [re.fullmatch(r"([+-]?)([xyz])", word) for word in words]
-    if len(words) != 3 or not all(matches) or {match[2] for match in matches if match} != {"x", "y", "z"}:
+    if (
+        len(words) != 3
+        or not all(matches)
+        or {match[2] for match in matches if match} != {"x", "y", "z"}
+    ):
         raise DescriptionError(
-            "not three axes", where="axes", found=axes, allowed='our x, y and z in those of the table: "-x,-y,z"'
+            "not three axes",
+            where="axes",
+            found=axes,
+            allowed='our x, y and z in those of the table: "-x,-y,z"',
         )
     turn = np.zeros((3, 3))
     for row, match in enumerate(matches):

@@ -41,7 +41,9 @@ _DEEPEST = 200  # bodies
 _ARM = 0.1  # m: from a hinge to the points of its axis, where the file names none
 _FAR = 100.0  # m: a tendon's length that means none
 _LENGTHS = 2  # a pair: two ends of a tendon, two lengths of its dead band
-_CARRIERS = {body for kind in Corner.__subclasses__() for body in (*kind.strut_on, *kind.pushrod_on)} - {"rocker"}
+_CARRIERS = {
+    body for kind in Corner.__subclasses__() for body in (*kind.strut_on, *kind.pushrod_on)
+} - {"rocker"}
 _UNREAD = ("frame", "replicate", "attach", "composite")
 """Elements that hold bodies and sites at places of their own; MuJoCo writes them as bodies when it saves a model."""
 _CHANGING = {"inertiafromgeom": "auto", "settotalmass": "-1", "boundmass": "0", "boundinertia": "0"}
@@ -60,7 +62,9 @@ class _Body:
     place: Array
     axes: Array
     mass: dict[str, Any] | None = None
-    joints: list[tuple[str, str, Array, Array]] = field(default_factory=list)  # name, type, place, axis
+    joints: list[tuple[str, str, Array, Array]] = field(
+        default_factory=list
+    )  # name, type, place, axis
 
 
 @operation(
@@ -78,7 +82,9 @@ def import_mjcf(
     path: Annotated[Path | str, File("Model of MuJoCo with one corner of a car.", "FILE.xml")],
     *,
     names: Annotated[Mapping[str, str] | None, NAMES_IN_FILE] = None,
-    model: Annotated[str | None, Mark("Suspension. Default: the one that has these points.")] = None,
+    model: Annotated[
+        str | None, Mark("Suspension. Default: the one that has these points.")
+    ] = None,
     wheel_radius: Annotated[float | None, length_of_tyre("that of the tyre")] = None,
     sprung_mass: Annotated[float | None, sprung_mass_of("that of the body in the file")] = None,
     source: str | None = None,
@@ -138,7 +144,9 @@ class _Tree:
 
     def __init__(self, file: Path, names: dict[str, str]) -> None:
         if file.stat().st_size > _LARGEST:
-            raise DescriptionError("too large for a suspension", where=str(file), allowed="up to 20 MB")
+            raise DescriptionError(
+                "too large for a suspension", where=str(file), allowed="up to 20 MB"
+            )
         self.file, self.names, self.draft = file, names, Draft(file)
         self.root = _parse(file)
         given: dict[str, str] = {}
@@ -147,20 +155,32 @@ class _Tree:
         self._turn = 1.0 if given.get("angle", "degree") == "radian" else np.pi / 180.0
         self._order = given.get("eulerseq", "xyz")
         if not re.fullmatch(r"[xyz]{3}|[XYZ]{3}", self._order):
-            raise self._refusal("an order of angles that is not read", self._order, "xyz, XYZ and the like", "eulerseq")
+            raise self._refusal(
+                "an order of angles that is not read",
+                self._order,
+                "xyz, XYZ and the like",
+                "eulerseq",
+            )
         if given.get("coordinate", "local") != "local":
             raise self._refusal(
-                "places in global coordinates", given["coordinate"], "local ones, as MuJoCo has since 2.3"
+                "places in global coordinates",
+                given["coordinate"],
+                "local ones, as MuJoCo has since 2.3",
             )
         for word, without in _CHANGING.items():
             if given.get(word, without) != without and not _is_zero(given[word]):
                 raise self._refusal(
-                    "masses that are not those of the bodies", f"{word} = {given[word]}", without, "compiler"
+                    "masses that are not those of the bodies",
+                    f"{word} = {given[word]}",
+                    without,
+                    "compiler",
                 )
         self._defaults: dict[str, dict[str, dict[str, str]]] = {"": {}}
         for element in self.root.findall("default"):
             self._keep_defaults(element, "", 0)
-            self._defaults[""] = self._defaults[element.get("class", "main")]  # the outermost class is everybody's
+            self._defaults[""] = self._defaults[
+                element.get("class", "main")
+            ]  # the outermost class is everybody's
         self.sites: dict[str, tuple[Array, str]] = {}
         self.axle_end: Array | None = None
         self._known = names_of_points()
@@ -173,7 +193,10 @@ class _Tree:
 
     def _refusal(self, what: str, found: object, allowed: str, where: str = "") -> DescriptionError:
         return DescriptionError(
-            what, where=f"{self.file}: {where}" if where else str(self.file), found=found, allowed=allowed
+            what,
+            where=f"{self.file}: {where}" if where else str(self.file),
+            found=found,
+            allowed=allowed,
         )
 
     # --- the tree
@@ -195,7 +218,12 @@ class _Tree:
         """Attributes of an element with those of its class."""
         name = element.get("class", inherited)
         if name not in self._defaults:
-            raise self._refusal("an unknown class", name, ", ".join(sorted(self._defaults)[1:]) or "none", element.tag)
+            raise self._refusal(
+                "an unknown class",
+                name,
+                ", ".join(sorted(self._defaults)[1:]) or "none",
+                element.tag,
+            )
         return self._defaults[name].get(tag, {}) | element.attrib
 
     def _walk(self, element: ET.Element, name: str, inherited: str, depth: int) -> None:
@@ -214,16 +242,23 @@ class _Tree:
                 if own in self.bodies:
                     raise self._refusal("two bodies have the same name", own, "every name once")
                 axes = here.axes @ self._axes(child)
-                self.bodies[own] = _Body(own, name, here.place + here.axes @ self._three(child, "pos"), axes)
+                self.bodies[own] = _Body(
+                    own, name, here.place + here.axes @ self._three(child, "pos"), axes
+                )
                 self._walk(child, own, child.get("childclass", inherited), depth + 1)
             elif child.tag in _UNREAD:
                 raise self._refusal(
-                    f"{child.tag} is not read", child.get("name"), "bodies, joints and sites", f"body {name}"
+                    f"{child.tag} is not read",
+                    child.get("name"),
+                    "bodies, joints and sites",
+                    f"body {name}",
                 )
 
     def _ours(self, name: str) -> str:
         """Our name of a point; empty if unknown."""
-        return self.names.get(name, self._known.get(" ".join(name.lower().replace("_", " ").split()), ""))
+        return self.names.get(
+            name, self._known.get(" ".join(name.lower().replace("_", " ").split()), "")
+        )
 
     def _add_site(self, child: ET.Element, here: _Body, inherited: str) -> None:
         """Keep a site; that of the wheel centre, where it is turned, has the wheel's axis along its own z."""
@@ -232,8 +267,12 @@ class _Tree:
         if name in self.sites:
             raise self._refusal("two sites have the same name", name, "every name once")
         if "fromto" in given:
-            raise self._refusal("a site between two places", given["fromto"], "pos", f"site {name}: fromto")
-        place = here.place + here.axes @ self._numbers(given.get("pos", "0 0 0"), 3, f"site {name}: pos")
+            raise self._refusal(
+                "a site between two places", given["fromto"], "pos", f"site {name}: fromto"
+            )
+        place = here.place + here.axes @ self._numbers(
+            given.get("pos", "0 0 0"), 3, f"site {name}: pos"
+        )
         self.sites[name] = place, here.name
         if any(word in given for word in _TURNS) and self._ours(name) == "wheel_centre":
             self.axle_end = place + here.axes @ self._axes(ET.Element("site", given))[:, 2]
@@ -243,11 +282,19 @@ class _Tree:
         kind = "free" if child.tag == "freejoint" else given.get("type", "hinge")
         place = here.place + here.axes @ self._numbers(given.get("pos", "0 0 0"), 3, "joint: pos")
         where = f"joint {child.get('name', '')}"
-        axis = self._direction(here.axes @ self._numbers(given.get("axis", "0 0 1"), 3, f"{where}: axis"), where)
+        axis = self._direction(
+            here.axes @ self._numbers(given.get("axis", "0 0 1"), 3, f"{where}: axis"), where
+        )
         here.joints.append((child.get("name", ""), kind, place, axis))
-        left = [key for key in ("stiffness", "damping", "frictionloss") if given.get(key, "0").strip("0. ")]
+        left = [
+            key
+            for key in ("stiffness", "damping", "frictionloss")
+            if given.get(key, "0").strip("0. ")
+        ]
         if left:
-            self.draft.findings.append(finding("parts.import_left_out", self.draft.at(where), names=", ".join(left)))
+            self.draft.findings.append(
+                finding("parts.import_left_out", self.draft.at(where), names=", ".join(left))
+            )
 
     def _direction(self, vector: Array, where: str) -> Array:
         size = float(np.linalg.norm(vector))
@@ -261,7 +308,9 @@ class _Tree:
         except ValueError:
             numbers = np.full(0, np.nan)
         if len(numbers) != count or not np.all(np.isfinite(numbers)):
-            raise self._refusal("not the numbers that belong here", text[:80], f"{count} numbers", where)
+            raise self._refusal(
+                "not the numbers that belong here", text[:80], f"{count} numbers", where
+            )
         return numbers
 
     def _several(self, given: Mapping[str, str], key: str, where: str) -> list[float]:
@@ -270,7 +319,9 @@ class _Tree:
         return [float(x) for x in self._numbers(text, max(len(text.split()), 1), f"{where}: {key}")]
 
     def _three(self, element: ET.Element, key: str) -> Array:
-        return self._numbers(element.get(key, "0 0 0"), 3, f"{element.tag} {element.get('name', '')}: {key}")
+        return self._numbers(
+            element.get(key, "0 0 0"), 3, f"{element.tag} {element.get('name', '')}: {key}"
+        )
 
     def _axes(self, element: ET.Element) -> Array:
         """Axes of a frame as columns, from a quaternion, angles, an axis and an angle, or two axes."""
@@ -280,7 +331,9 @@ class _Tree:
         if "quat" in element.attrib:
             w, x, y, z = self._numbers(element.attrib["quat"], 4, f"{where}: quat")
             if not np.any([w, x, y, z]):
-                raise self._refusal("a quaternion of zeros", element.attrib["quat"], "not all zero", where)
+                raise self._refusal(
+                    "a quaternion of zeros", element.attrib["quat"], "not all zero", where
+                )
             return np.asarray(Rotation.from_quat([x, y, z, w]).as_matrix())
         if "euler" in element.attrib:
             angles = self._turn * self._numbers(element.attrib["euler"], 3, f"{where}: euler")
@@ -289,7 +342,9 @@ class _Tree:
         if "axisangle" in element.attrib:
             *turned, angle = self._numbers(element.attrib["axisangle"], 4, f"{where}: axisangle")
             return np.asarray(
-                Rotation.from_rotvec(self._direction(np.array(turned), where) * angle * self._turn).as_matrix()
+                Rotation.from_rotvec(
+                    self._direction(np.array(turned), where) * angle * self._turn
+                ).as_matrix()
             )
         if "xyaxes" in element.attrib:
             six = self._numbers(element.attrib["xyaxes"], 6, f"{where}: xyaxes")
@@ -298,7 +353,9 @@ class _Tree:
             return np.column_stack([x, y, np.cross(x, y)])
         if "zaxis" in element.attrib:
             z = self._direction(self._numbers(element.attrib["zaxis"], 3, f"{where}: zaxis"), where)
-            across = np.array([-z[1], z[0], 0.0])  # turned the short way from z; about x where that is turned round
+            across = np.array(
+                [-z[1], z[0], 0.0]
+            )  # turned the short way from z; about x where that is turned round
             size = float(np.linalg.norm(across))
             axis = across / size if size > 1e-10 else np.array([1.0, 0.0, 0.0])
             return np.asarray(Rotation.from_rotvec(axis * np.arctan2(size, z[2])).as_matrix())
@@ -308,10 +365,14 @@ class _Tree:
         mass = self._numbers(element.get("mass", ""), 1, "inertial: mass")[0]
         centre = here.place + here.axes @ self._three(element, "pos")
         if "fullinertia" in element.attrib:
-            xx, yy, zz, xy, xz, yz = self._numbers(element.attrib["fullinertia"], 6, "inertial: fullinertia")
+            xx, yy, zz, xy, xz, yz = self._numbers(
+                element.attrib["fullinertia"], 6, "inertial: fullinertia"
+            )
             tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
         else:
-            tensor = np.diag(self._numbers(element.get("diaginertia", "0 0 0"), 3, "inertial: diaginertia"))
+            tensor = np.diag(
+                self._numbers(element.get("diaginertia", "0 0 0"), 3, "inertial: diaginertia")
+            )
         axes = here.axes @ self._axes(element)
         return as_table(float(mass), centre, axes @ tensor @ axes.T) if mass > 0.0 else None
 
@@ -338,7 +399,10 @@ class _Tree:
         for tendon in self.root.iter("spatial"):
             sites = [site.get("site", "") for site in tendon if site.tag == "site"]
             if len(sites) == _LENGTHS and all(site in self.sites for site in sites):
-                tendons[tendon.get("name", f"tendon {len(tendons)}")] = self._attributes_of(tendon, "tendon"), sites
+                tendons[tendon.get("name", f"tendon {len(tendons)}")] = (
+                    self._attributes_of(tendon, "tendon"),
+                    sites,
+                )
         return tendons
 
     def table(self) -> PointTable:
@@ -351,23 +415,35 @@ class _Tree:
             for name, kind, place, _ in body.joints:
                 if name and kind == "ball":
                     named.setdefault(name, place)
-        table.rows = [PointRow(name, place, f"{self.file}: {name}") for name, place in named.items()]
-        carriers = [self.sites[name][1] for name in ("pushrod_outer", "strut_bottom") if name in self.sites]
+        table.rows = [
+            PointRow(name, place, f"{self.file}: {name}") for name, place in named.items()
+        ]
+        carriers = [
+            self.sites[name][1] for name in ("pushrod_outer", "strut_bottom") if name in self.sites
+        ]
         table.carrier = carriers[0] if carriers and carriers[0] in _CARRIERS else ""
         if self.axle_end is not None:
-            table.rows.append(PointRow(AXLE_END, self.axle_end, f"{self.file}: zaxis of the wheel centre"))
+            table.rows.append(
+                PointRow(AXLE_END, self.axle_end, f"{self.file}: zaxis of the wheel centre")
+            )
         own = {self._ours(name) for name in named}
         for name, place in self._by_structure():
             if name not in own:
                 table.rows.append(PointRow(name, place, f"{self.file}: structure"))
-                note = finding("parts.import_from_structure", str(self.file), name=name, place=place.tolist())
+                note = finding(
+                    "parts.import_from_structure", str(self.file), name=name, place=place.tolist()
+                )
                 table.notes.append(note)
         return table
 
     def _by_structure(self) -> Iterator[tuple[str, Array]]:
         """Two arms on hinges that share an upright, its tie rod, its wheel; a spring between them and the body."""
         balls = list(self._balls())
-        hinges = {b.name: b.joints[0] for b in self.bodies.values() if len(b.joints) == 1 and b.joints[0][1] == "hinge"}
+        hinges = {
+            b.name: b.joints[0]
+            for b in self.bodies.values()
+            if len(b.joints) == 1 and b.joints[0][1] == "hinge"
+        }
 
         def neighbours(name: str) -> Iterator[tuple[str, Array]]:
             for first, second, place in balls:
@@ -399,7 +475,9 @@ class _Tree:
                 yield "tie_rod_inner", inner[0]
         for given, sites in self._tendons().values():
             if self._several(given, "stiffness", "tendon")[0] > 0.0:
-                low, high = sorted((self.sites[site] for site in sites), key=lambda site: float(site[0][2]))
+                low, high = sorted(
+                    (self.sites[site] for site in sites), key=lambda site: float(site[0][2])
+                )
                 yield "strut_bottom", low[0]
                 yield "strut_top", high[0]
                 return
@@ -414,7 +492,9 @@ class _Tree:
                     yield self.sites[first], self.sites[second]
 
     @staticmethod
-    def _links(balls: list[_Ball], upright: str) -> Iterator[tuple[tuple[Array, str], tuple[Array, str]]]:
+    def _links(
+        balls: list[_Ball], upright: str
+    ) -> Iterator[tuple[tuple[Array, str], tuple[Array, str]]]:
         """Bodies between two ball joints, one of them on the upright."""
         for first, second, outer in balls:
             if upright not in (first, second):
@@ -428,12 +508,20 @@ class _Tree:
     # --- the rig
 
     def rig(
-        self, model: str | None, wheel_radius: float | None, sprung_mass: float | None, source: str | None
+        self,
+        model: str | None,
+        wheel_radius: float | None,
+        sprung_mass: float | None,
+        source: str | None,
     ) -> ImportedRig:
         """The rig, its findings, and its file."""
         table = self.table()
         if not table.rows:
-            raise self._refusal("no points are in it", None, "sites named like hardpoints, or two arms with an upright")
+            raise self._refusal(
+                "no points are in it",
+                None,
+                "sites named like hardpoints, or two arms with an upright",
+            )
         tyre = self._tyre()
         if tyre is not None:
             radius = tyre.pop("radius")
@@ -446,7 +534,9 @@ class _Tree:
         if whole is None:
             return ImportedRig(rig, self.draft.findings, text)
         made = rig.model_dump(
-            by_alias=True, exclude_none=True, include={"schema_", "model", "source", "side", "hardpoints", "wheel"}
+            by_alias=True,
+            exclude_none=True,
+            include={"schema_", "model", "source", "side", "hardpoints", "wheel"},
         )
         strut = rig.strut.model_dump(exclude_none=True, include={"on", "pushrod_on"})
         if table.carrier and rig.strut.on != "rocker":
@@ -488,23 +578,36 @@ class _Tree:
             if name in masses
         }
         left = [
-            name for name in masses if name not in bodies and name != "sprung" and self.bodies[name].parent != "world"
+            name
+            for name in masses
+            if name not in bodies and name != "sprung" and self.bodies[name].parent != "world"
         ]
         if left:
-            self.draft.note("parts.import_bodies_left_out", self.draft.at("bodies"), names=", ".join(left))
+            self.draft.note(
+                "parts.import_bodies_left_out", self.draft.at("bodies"), names=", ".join(left)
+            )
         chassis = masses.get("sprung") or next(
-            (m for n, m in masses.items() if self.bodies[n].parent == "world" and n not in bodies), None
+            (m for n, m in masses.items() if self.bodies[n].parent == "world" and n not in bodies),
+            None,
         )
         if sprung_mass is None:
             sprung_mass = SPRUNG_MASS if chassis is None else float(chassis["mass"])
             if chassis is None:
                 self.draft.estimated.append("sprung.mass")
-                self.draft.note("parts.import_mass_assumed", self.draft.at("sprung.mass"), mass=SPRUNG_MASS)
+                self.draft.note(
+                    "parts.import_mass_assumed", self.draft.at("sprung.mass"), mass=SPRUNG_MASS
+                )
         if tyre is None:
             tyre = {"stiffness": TYRE_STIFFNESS}
             self.draft.estimated.append("tyre.stiffness")
             self.draft.note("parts.import_tyre_assumed", self.draft.at("tyre"), rate=TYRE_STIFFNESS)
-        return {"guide": "vertical", "bodies": bodies, "strut": spring, "tyre": tyre, "sprung": {"mass": sprung_mass}}
+        return {
+            "guide": "vertical",
+            "bodies": bodies,
+            "strut": spring,
+            "tyre": tyre,
+            "sprung": {"mass": sprung_mass},
+        }
 
     def _spring(self) -> dict[str, Any] | None:
         """Spring, damper, friction and stops of the tendons with a stiffness or a damping; None without a spring."""
@@ -512,13 +615,18 @@ class _Tree:
         stops: dict[str, Any] = {}
         damping = friction = 0.0
         for name, (given, sites) in self._tendons().items():
-            rates, dampings, losses, lengths = (self._several(given, key, f"tendon {name}") for key in _LAWS)
+            rates, dampings, losses, lengths = (
+                self._several(given, key, f"tendon {name}") for key in _LAWS
+            )
             rate = rates[0]
             if any(rates[1:]) or any(dampings[1:]):
                 self.draft.findings.append(finding("parts.import_polynomial", self.draft.at(name)))
             length = float(np.linalg.norm(self.sites[sites[0]][0] - self.sites[sites[1]][0]))
             if rate > 0.0 and len(lengths) == _LENGTHS:  # a dead band: it works beyond either end
-                for stop, gap in (("bump_stop", length - lengths[0]), ("rebound_stop", lengths[1] - length)):
+                for stop, gap in (
+                    ("bump_stop", length - lengths[0]),
+                    ("rebound_stop", lengths[1] - length),
+                ):
                     if lengths[0] > 0.0 if stop == "bump_stop" else lengths[1] < _FAR:
                         stops[stop] = {"gap": gap, "rate": rate}
             elif rate > 0.0 and spring is None:
@@ -544,7 +652,11 @@ class _Tree:
                 # MuJoCo leaves zeros at the end out when it saves a model.
                 force, rate, damping = [*self._several(given, "biasprm", "actuator"), 0.0, 0.0][:3]
                 if force > 0.0 > rate:
-                    return {"stiffness": -rate, "damping_coefficient": -damping, "radius": -force / rate}
+                    return {
+                        "stiffness": -rate,
+                        "damping_coefficient": -damping,
+                        "radius": -force / rate,
+                    }
         return None
 
 
@@ -572,9 +684,13 @@ def _parse(file: Path) -> ET.Element:
     try:
         root = parse_xml(content_of(file))
     except (ET.ParseError, ValueError, LookupError, RecursionError) as error:
-        raise DescriptionError(Phrase("not XML: {error}", error=str(error)), where=str(file), allowed="MJCF") from None
+        raise DescriptionError(
+            Phrase("not XML: {error}", error=str(error)), where=str(file), allowed="MJCF"
+        ) from None
     if root.tag != "mujoco":
-        raise DescriptionError("no MJCF", where=str(file), found=f"<{root.tag}>", allowed="<mujoco>")
+        raise DescriptionError(
+            "no MJCF", where=str(file), found=f"<{root.tag}>", allowed="<mujoco>"
+        )
     if next(root.iter("include"), None) is not None:
         raise DescriptionError(
             "it includes other files",

@@ -54,7 +54,9 @@ class PointTable:
     file: Path
     rows: list[PointRow] = field(default_factory=list)
     unit: str = ""
-    unread: list[tuple[str, list[str]]] = field(default_factory=list)  # where, and the cells of the line
+    unread: list[tuple[str, list[str]]] = field(
+        default_factory=list
+    )  # where, and the cells of the line
     radius: dict[str, float] = field(default_factory=dict)
     carrier: str = ""
     notes: list[Finding] = field(default_factory=list)
@@ -91,7 +93,9 @@ def parse_nested(text: str) -> dict[str, Any] | None:
             return None
         return keys if isinstance(keys, dict) else None
     root: dict[str, Any] = {}
-    open_: list[tuple[int, Any, str]] = [(-1, root, "")]  # indent, what is filled, key in the one above
+    open_: list[tuple[int, Any, str]] = [
+        (-1, root, "")
+    ]  # indent, what is filled, key in the one above
     for line in text.splitlines():
         if len(line) > LONGEST_LINE:
             return None
@@ -126,7 +130,11 @@ def parse_nested(text: str) -> dict[str, Any] | None:
 def _value(text: str) -> Any:
     """A flow of numbers or keys, or text without its quotes."""
     if flow := _FLOW.fullmatch(text):
-        parts = [part.strip() for part in (flow[1] if flow[1] is not None else flow[2]).split(",") if part.strip()]
+        parts = [
+            part.strip()
+            for part in (flow[1] if flow[1] is not None else flow[2]).split(",")
+            if part.strip()
+        ]
         if flow[1] is None:
             return [part.strip("\"'") for part in parts]
         pairs = [part.partition(":") for part in parts]
@@ -143,7 +151,9 @@ def from_nested(file: Path, text: str) -> PointTable | None:
         keys = parse_nested(text)
     except _TwiceError as error:
         raise DescriptionError(
-            Phrase("{error} is given twice", error=str(error)), where=str(file), allowed="every point once"
+            Phrase("{error} is given twice", error=str(error)),
+            where=str(file),
+            allowed="every point once",
         ) from None
     if keys is None or is_nested_deeply(keys):
         return None
@@ -151,7 +161,9 @@ def from_nested(file: Path, text: str) -> PointTable | None:
     side = _text(keys.get("side"))
     table.rows = [
         PointRow(
-            f"{side} {name}" if side and not name.startswith(("left ", "right ")) else name, place, f"{file}: {name}"
+            f"{side} {name}" if side and not name.startswith(("left ", "right ")) else name,
+            place,
+            f"{file}: {name}",
         )
         for name, place in _places(file, keys, "")
     ]
@@ -170,7 +182,10 @@ def _places(file: Path, keys: dict[str, Any], above: str) -> Iterator[tuple[str,
         if isinstance(value, dict) and None not in parts and not all(map(_is_number, parts)):
             cells = ", ".join(map(str, parts))
             raise DescriptionError(
-                "a point without three coordinates", where=f"{file}: {name}", found=cells, allowed="numbers, 12.5"
+                "a point without three coordinates",
+                where=f"{file}: {name}",
+                found=cells,
+                allowed="numbers, 12.5",
             )
         if isinstance(parts, list) and len(parts) == 3 and all(_is_number(part) for part in parts):
             if "cg" not in name.lower().split("_"):
@@ -195,7 +210,11 @@ def _deep(keys: dict[str, Any], name: str) -> Any:
     if name in keys:
         return keys[name]
     return next(
-        (inner for value in keys.values() if isinstance(value, dict) and (inner := _deep(value, name)) is not None),
+        (
+            inner
+            for value in keys.values()
+            if isinstance(value, dict) and (inner := _deep(value, name)) is not None
+        ),
         None,
     )
 
@@ -209,7 +228,9 @@ def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None
     table.rows = [row for row in table.rows if row not in (inner, outer)]
     along = outer.place - inner.place
     if not np.any(along):
-        raise DescriptionError("the axle's two points are the same", where=outer.where, found=outer.place.tolist())
+        raise DescriptionError(
+            "the axle's two points are the same", where=outer.where, found=outer.place.tolist()
+        )
     along = along / np.linalg.norm(along)
     offset, *sizes = (_read_size(table.file, keys, word) for word in ("offset", *_SIZES))
     centre = outer.place - (offset or 0.0) * along
@@ -217,14 +238,18 @@ def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None
     table.rows.append(PointRow(f"{begin}{AXLE_END}", centre + along, outer.where))
     rim, aspect, width = sizes
     if rim is not None and aspect is not None and width is not None:
-        table.radius[""] = 0.5 * rim * 0.0254 + aspect * width * 1e-3  # inches and millimetres, as on the tyre
+        table.radius[""] = (
+            0.5 * rim * 0.0254 + aspect * width * 1e-3
+        )  # inches and millimetres, as on the tyre
 
 
 def _read_size(file: Path, keys: dict[str, Any], word: str) -> float | None:
     """A number of the wheel; None where it is not in the file."""
     value = _deep(keys, word)
     if value is not None and not _is_number(value):
-        raise DescriptionError("not a number", where=f"{file}: {word}", found=value, allowed="a number, 12.5")
+        raise DescriptionError(
+            "not a number", where=f"{file}: {word}", found=value, allowed="a number, 12.5"
+        )
     return None if value is None else float(value)
 
 
@@ -238,7 +263,8 @@ def from_vsusp(file: Path, text: str) -> PointTable | None:
     before and behind their places, and a tie rod that steers nowhere is made up.
     """
     blocks = {
-        name: dict(pair.partition(":")[::2] for pair in body.split("|")) for name, body in _VSUSP.findall(unquote(text))
+        name: dict(pair.partition(":")[::2] for pair in body.split("|"))
+        for name, body in _VSUSP.findall(unquote(text))
     }
     if not any("frame.center_to_upper_mount_x" in block for block in blocks.values()):
         return None
@@ -256,14 +282,18 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
         text = block.get(key)
         where = f"{table.file}: {axle}: {key}"
         if text is None and default is None:
-            raise DescriptionError("the number is missing", where=where, allowed="a double wishbone of VSUSP")
+            raise DescriptionError(
+                "the number is missing", where=where, allowed="a double wishbone of VSUSP"
+            )
         if text is not None and not _is_number(text):
             raise DescriptionError("not a number", where=where, found=text)
         return _MICRONS * float(text) if text is not None else float(default or 0.0)
 
     bottom = of("frame.bottom_y")
     inner = {
-        arm: np.array([of(f"frame.center_to_{arm}_mount_x"), bottom + of(f"frame.bottom_to_{arm}_mount_y")])
+        arm: np.array(
+            [of(f"frame.center_to_{arm}_mount_x"), bottom + of(f"frame.bottom_to_{arm}_mount_y")]
+        )
         for arm in ("lower", "upper")
     }
     length = {arm: of(f"control_arms.{arm}_length") for arm in inner}
@@ -285,14 +315,18 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
         if reach**2 < along**2:
             return None
         unit = apart / distance
-        outward = np.array([unit[1], -unit[0]])  # the upper ball joint lies outside of the line to its pivot
+        outward = np.array(
+            [unit[1], -unit[0]]
+        )  # the upper ball joint lies outside of the line to its pivot
         high = low + along * unit + np.sqrt(reach**2 - along**2) * outward
         turn = np.arctan2(*(high - low)[::-1]) - np.arctan2(*between[::-1])
         turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
         return (
             low,
             high,
-            np.column_stack([low - turned @ ball["lower"], turned @ wheel, turned @ np.array([0.0, -radius])]),
+            np.column_stack(
+                [low - turned @ ball["lower"], turned @ wheel, turned @ np.array([0.0, -radius])]
+            ),
         )
 
     def height(angle: float) -> float:
@@ -301,7 +335,9 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
 
     angles = np.linspace(-1.0, 1.0, 401)
     heights = np.array([height(angle) for angle in angles])
-    crossing = np.flatnonzero(np.isfinite(heights[:-1] * heights[1:]) & (heights[:-1] <= 0.0) & (heights[1:] > 0.0))
+    crossing = np.flatnonzero(
+        np.isfinite(heights[:-1] * heights[1:]) & (heights[:-1] <= 0.0) & (heights[1:] > 0.0)
+    )
     if not len(crossing):
         raise DescriptionError(
             "the arms and the knuckle do not meet with the tyre on the road", where=f"{table.file}: {axle}",
@@ -312,10 +348,17 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
     low, high, hub = solution
     centre = hub[:, 0] + hub[:, 1]
     span = _ARM_SPAN * length["lower"]
-    places = {"lower_ball_joint": (0.0, low), "upper_ball_joint": (0.0, high), "wheel_centre": (0.0, centre)}
+    places = {
+        "lower_ball_joint": (0.0, low),
+        "upper_ball_joint": (0.0, high),
+        "wheel_centre": (0.0, centre),
+    }
     places[AXLE_END] = (0.0, centre + np.array([-hub[1, 2], hub[0, 2]]))
     for arm in ("lower", "upper"):
-        places |= {f"{arm}_arm_{end}": (s * span, inner[arm]) for end, s in (("front", 1.0), ("rear", -1.0))}
+        places |= {
+            f"{arm}_arm_{end}": (s * span, inner[arm])
+            for end, s in (("front", 1.0), ("rear", -1.0))
+        }
     places |= {"tie_rod_inner": (-0.5 * span, inner["lower"]), "tie_rod_outer": (-0.5 * span, low)}
     # The tie rod is the lower arm once more, behind it, so that it steers nowhere.
     table.rows += [

@@ -55,13 +55,19 @@ class Block:
         text = self.values.get(key)
         if text is None:
             if default is None:
-                raise DescriptionError(Phrase("{key} is missing", key=key), where=self.where, allowed="a number")
+                raise DescriptionError(
+                    Phrase("{key} is missing", key=key), where=self.where, allowed="a number"
+                )
             return default
         return number(text, f"{self.where}: {key}")
 
     def curve(self, length: float, force: float) -> tuple[Array, Array]:
         """Two columns of a table in SI, ascending in the first."""
-        rows = [[number(cell, where) for cell in cells[:2]] for cells, where in self.rows if len(cells) >= 2]
+        rows = [
+            [number(cell, where) for cell in cells[:2]]
+            for cells, where in self.rows
+            if len(cells) >= 2
+        ]
         if len(rows) < 2:
             raise DescriptionError("no curve", where=self.where, allowed="rows of two numbers")
         columns = np.array(rows) * [length, force]
@@ -104,7 +110,9 @@ class TeimOrbit:
         """The first block of a name; refused where there is none."""
         blocks = self.blocks_of(name)
         if not blocks:
-            raise DescriptionError(Phrase("the block [{name}] is missing", name=name), where=str(self.path))
+            raise DescriptionError(
+                Phrase("the block [{name}] is missing", name=name), where=str(self.path)
+            )
         return blocks[0]
 
     def unit(self, quantity: str) -> float:
@@ -116,7 +124,10 @@ class TeimOrbit:
                 return conversion_factor(unit, SI[quantity])
         allowed = ", ".join(word for words in UNITS[quantity] for word in words.split())
         raise DescriptionError(
-            Phrase("no unit of {quantity}", quantity=quantity), where=block.where, found=text or None, allowed=allowed
+            Phrase("no unit of {quantity}", quantity=quantity),
+            where=block.where,
+            found=text or None,
+            allowed=allowed,
         )
 
 
@@ -124,10 +135,14 @@ def read_teim_orbit(path: Path | str) -> TeimOrbit:
     """Read the blocks of a text file of Adams; a missing, large or binary one is refused, and one without blocks."""
     file = existing_file(path)
     if file.stat().st_size > _LARGEST:
-        raise DescriptionError("too large for a text file of Adams", where=str(file), allowed="up to 20 MB")
+        raise DescriptionError(
+            "too large for a text file of Adams", where=str(file), allowed="up to 20 MB"
+        )
     content = content_of(file)
     if b"\0" in content:
-        raise DescriptionError("not a text file", where=str(file), allowed="a file of Adams, as text")
+        raise DescriptionError(
+            "not a text file", where=str(file), allowed="a file of Adams, as text"
+        )
     blocks: list[Block] = []
     for count, line in enumerate(content.decode("cp1252", errors="replace").splitlines(), 1):
         bare, where = line.strip(), at_line(file, count)
@@ -140,7 +155,9 @@ def read_teim_orbit(path: Path | str) -> TeimOrbit:
         if match := _BLOCK.fullmatch(bare):
             blocks.append(Block(match[1].strip().upper(), where))
         elif bare.startswith("(") and blocks:  # a part of the block with a table of its own
-            blocks.append(Block(f"{blocks[-1].name.partition('/')[0]}/{bare.strip('()').upper()}", where))
+            blocks.append(
+                Block(f"{blocks[-1].name.partition('/')[0]}/{bare.strip('()').upper()}", where)
+            )
         elif not blocks or not bare or bare.startswith("{"):
             continue
         elif match := _VALUE.fullmatch(bare):
@@ -148,5 +165,7 @@ def read_teim_orbit(path: Path | str) -> TeimOrbit:
         else:
             blocks[-1].rows.append(([(a or b).strip() for a, b in _CELL.findall(bare)], where))
     if not blocks:
-        raise DescriptionError("no [BLOCKS] are in it", where=str(file), allowed="a file of Adams, as text")
+        raise DescriptionError(
+            "no [BLOCKS] are in it", where=str(file), allowed="a file of Adams, as text"
+        )
     return TeimOrbit(file, blocks)

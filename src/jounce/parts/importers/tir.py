@@ -23,7 +23,11 @@ _VALUE = re.compile(r"([A-Za-z_]\w*)\s*=\s*(.*)")
 _BEFORE_COMMENT = re.compile(r"(?:[^'$!]|'[^']*')*")  # $ and ! begin one, but not within quotes
 _LARGEST = 20_000_000  # bytes: far more than such files have; a larger one is refused before it fills the memory
 _POINTS = 9  # of a curve that is no table
-_USUAL = {"stiffness": (5e3, 5e6, "N/m"), "radius": (0.05, 2.0, "m"), "damping_coefficient": (0.0, 5e4, "N*s/m")}
+_USUAL = {
+    "stiffness": (5e3, 5e6, "N/m"),
+    "radius": (0.05, 2.0, "m"),
+    "damping_coefficient": (0.0, 5e4, "N*s/m"),
+}
 
 
 @dataclass(frozen=True)
@@ -102,16 +106,22 @@ class TyreProperties(Shown):
         if wanted is None:
             return 1.0
         if not (math.isfinite(wanted) and wanted > 0.0):
-            raise DescriptionError("not an inflation pressure", found=f"{wanted} Pa", allowed="above 0 Pa")
+            raise DescriptionError(
+                "not an inflation pressure", found=f"{wanted} Pa", allowed="above 0 Pa"
+            )
         nominal = self.nominal_pressure
         if nominal is None or self.pressure_slope == 0.0:
-            if pressure is None or (nominal is not None and math.isclose(pressure, nominal, rel_tol=1e-9)):
+            if pressure is None or (
+                nominal is not None and math.isclose(pressure, nominal, rel_tol=1e-9)
+            ):
                 return 1.0
             raise DescriptionError(
                 "the file does not say how the stiffness depends on the pressure",
                 where=self.name,
                 found=f"{pressure:g} Pa",
-                allowed="files with PFZ1 and a nominal pressure" if nominal is None else f"{nominal:g} Pa",
+                allowed="files with PFZ1 and a nominal pressure"
+                if nominal is None
+                else f"{nominal:g} Pa",
                 hint="Leave out the pressure.",
             )
         factor = 1.0 + self.pressure_slope * (wanted - nominal) / nominal
@@ -120,7 +130,9 @@ class TyreProperties(Shown):
                 "the stiffness is not positive at this pressure",
                 where=self.name,
                 found=f"{wanted:g} Pa",
-                allowed=Phrase("above {nominal:g} Pa", nominal=nominal * (1.0 - 1.0 / self.pressure_slope)),
+                allowed=Phrase(
+                    "above {nominal:g} Pa", nominal=nominal * (1.0 - 1.0 / self.pressure_slope)
+                ),
             )
         return factor
 
@@ -149,9 +161,17 @@ class TyreProperties(Shown):
             scale = factor * self.nominal_load / self.radius
             terms = [scale * first, scale * self.load_curvature / self.radius]
             tyre = {"curve": {"kind": "polynomial", "coefficients": terms}}
-        if rim and self.bottoming_radius is not None and (self.bottoming_penetration or self.bottoming_stiffness):
+        if (
+            rim
+            and self.bottoming_radius is not None
+            and (self.bottoming_penetration or self.bottoming_stiffness)
+        ):
             tyre = {"curve": self._with_rim(tyre, self.radius - self.bottoming_radius)}
-        return {**tyre, "damping_coefficient": self.damping_coefficient, "undeformed_radius": self.radius}
+        return {
+            **tyre,
+            "damping_coefficient": self.damping_coefficient,
+            "undeformed_radius": self.radius,
+        }
 
     def _with_rim(self, tyre: dict[str, Any], free: float) -> dict[str, Any]:
         """Table of a tyre whose rim hits the road at a deflection (m)."""
@@ -159,14 +179,18 @@ class TyreProperties(Shown):
         if not depth:
             depth, load = (0.0, 0.1 * free), (0.0, 0.1 * free * (self.bottoming_stiffness or 0.0))
         own = tyre.get("curve", {})
-        deflections = np.array(own.get("deflection", np.linspace(0.0, free, _POINTS) if own else [0.0]))
+        deflections = np.array(
+            own.get("deflection", np.linspace(0.0, free, _POINTS) if own else [0.0])
+        )
         at = np.unique([*deflections, free, *(free + extra for extra in depth)])
         if own.get("kind") == "polynomial":
             first, second = own["coefficients"]
             force = first * at + second * at**2
         elif own:
             rise = (own["force"][-1] - own["force"][-2]) / (deflections[-1] - deflections[-2])
-            force = np.interp(at, deflections, own["force"]) + rise * np.maximum(at - deflections[-1], 0.0)
+            force = np.interp(at, deflections, own["force"]) + rise * np.maximum(
+                at - deflections[-1], 0.0
+            )
         else:
             force = tyre["stiffness"] * at
         force = force + np.interp(at - free, depth, load, left=0.0)
@@ -208,12 +232,24 @@ def read_tir(path: Path | str) -> TyreProperties:
     entries = _Entries(Path(path))
     length, force = entries.unit("LENGTH"), entries.unit("FORCE")
     rate = force / length
-    stiffness = entries.number(("VERTICAL", "PARAMETER"), "VERTICAL_STIFFNESS", rate, needed=True, above=0.0)
+    stiffness = entries.number(
+        ("VERTICAL", "PARAMETER"), "VERTICAL_STIFFNESS", rate, needed=True, above=0.0
+    )
     scale = entries.number(("SCALING_COEFFICIENTS", "SCALING"), "LCZ", 1.0, above=0.0)
-    damping = entries.number(("VERTICAL", "PARAMETER"), "VERTICAL_DAMPING", rate * entries.unit("TIME"), at_least=0.0)
+    damping = entries.number(
+        ("VERTICAL", "PARAMETER"), "VERTICAL_DAMPING", rate * entries.unit("TIME"), at_least=0.0
+    )
     radius = entries.number(("DIMENSION",), "UNLOADED_RADIUS", length, needed=True, above=0.0)
-    conditions = ("TIRE_CONDITIONS", "OPERATING_CONDITIONS", "INFLATION_PRESSURE", "VERTICAL", "MODEL")
-    pressures = [entries.pressure(conditions, names) for names in (("IP", "INFLPRES"), ("IP_NOM", "NOMPRES"))]
+    conditions = (
+        "TIRE_CONDITIONS",
+        "OPERATING_CONDITIONS",
+        "INFLATION_PRESSURE",
+        "VERTICAL",
+        "MODEL",
+    )
+    pressures = [
+        entries.pressure(conditions, names) for names in (("IP", "INFLPRES"), ("IP_NOM", "NOMPRES"))
+    ]
     deflection, load = entries.curve("DEFLECTION_LOAD_CURVE", length, force)
     penetration, rim_load = entries.curve("BOTTOMING_CURVE", length, force)
     rim_radius = entries.number(("DIMENSION", "VERTICAL"), "BOTTOMING_RADIUS", length) or None
@@ -225,10 +261,13 @@ def read_tir(path: Path | str) -> TyreProperties:
     }
     return TyreProperties(
         name=entries.file.stem,
-        file_format=entries.text("MODEL", "PROPERTY_FILE_FORMAT") or entries.text("MODEL", "FITTYP") or "",
+        file_format=entries.text("MODEL", "PROPERTY_FILE_FORMAT")
+        or entries.text("MODEL", "FITTYP")
+        or "",
         **tyre,
         nominal_load=entries.number(("VERTICAL",), "FNOMIN", force, above=0.0),
-        load_scale=entries.number(("SCALING_COEFFICIENTS", "SCALING"), "LFZO", 1.0, above=0.0) or 1.0,
+        load_scale=entries.number(("SCALING_COEFFICIENTS", "SCALING"), "LFZO", 1.0, above=0.0)
+        or 1.0,
         pressure=pressures[0],
         nominal_pressure=pressures[1],
         pressure_slope=entries.number(("VERTICAL",), "PFZ1", 1.0) or 0.0,
@@ -241,12 +280,19 @@ def read_tir(path: Path | str) -> TyreProperties:
         bottoming_load=rim_load,
         findings=(
             *_note_unusual(entries.file.stem, tyre),
-            *_note_rim(entries.file.stem, tyre["radius"], rim_radius, has_rim=bool(penetration or rim_stiffness)),
+            *_note_rim(
+                entries.file.stem,
+                tyre["radius"],
+                rim_radius,
+                has_rim=bool(penetration or rim_stiffness),
+            ),
         ),
     )
 
 
-def _note_rim(name: str, radius: float, rim_radius: float | None, *, has_rim: bool) -> tuple[Finding, ...]:
+def _note_rim(
+    name: str, radius: float, rim_radius: float | None, *, has_rim: bool
+) -> tuple[Finding, ...]:
     """A note where the file knows when the rim hits the road, which a rig's tyre does not."""
     if not has_rim:
         return ()
@@ -264,7 +310,9 @@ def _note_unusual(name: str, tyre: dict[str, float]) -> tuple[Finding, ...]:
     )
 
 
-def tyre_from_tir(path: Path | str, *, pressure: float | None = None, rim: bool = False) -> dict[str, Any]:
+def tyre_from_tir(
+    path: Path | str, *, pressure: float | None = None, rim: bool = False
+) -> dict[str, Any]:
     r"""Read a tyre property file as a table for rigs.
 
     Parameters
@@ -310,21 +358,29 @@ class _Entries:
         section = ""
         if existing_file(file).stat().st_size > _LARGEST:
             allowed = Phrase("at most {largest} MB", largest=_LARGEST // 1_000_000)
-            raise DescriptionError("the file is too large for a tyre property file", where=str(file), allowed=allowed)
+            raise DescriptionError(
+                "the file is too large for a tyre property file", where=str(file), allowed=allowed
+            )
         content = content_of(file)
         if b"\0" in content:
-            raise DescriptionError("not a text file", where=str(file), allowed="a tyre property file")
+            raise DescriptionError(
+                "not a text file", where=str(file), allowed="a tyre property file"
+            )
         for number, line in enumerate(content.decode("cp1252", errors="replace").splitlines(), 1):
             text = _BEFORE_COMMENT.match(line)
             bare = text[0].strip() if text else ""
             if match := _SECTION.fullmatch(bare):
                 section = match[1].strip().upper()
             elif match := _VALUE.fullmatch(bare):
-                self._keep((section, match[1].upper()), match[2].strip().strip("'\"").strip(), number)
+                self._keep(
+                    (section, match[1].upper()), match[2].strip().strip("'\"").strip(), number
+                )
             elif bare and not bare.startswith(("{", "(")):
                 self.rows.setdefault(section, []).append((bare.split(), number))
         if not self.values:
-            raise DescriptionError("not a tyre property file", where=str(file), allowed="[SECTIONS] with KEY = value")
+            raise DescriptionError(
+                "not a tyre property file", where=str(file), allowed="[SECTIONS] with KEY = value"
+            )
         if not any(section == "UNITS" for section, _ in self.values):
             raise DescriptionError(
                 "the section [UNITS] is missing",
@@ -351,7 +407,8 @@ class _Entries:
         entry = self.values.get(("UNITS", quantity))
         if entry is None:
             raise DescriptionError(
-                Phrase("the unit of {quantity} is missing", quantity=quantity), where=f"{self.file}: [UNITS]"
+                Phrase("the unit of {quantity} is missing", quantity=quantity),
+                where=f"{self.file}: [UNITS]",
             )
         known = {word: unit for words, unit in UNITS[quantity].items() for word in words.split()}
         unit = known.get(entry[0].lower())
@@ -383,7 +440,9 @@ class _Entries:
                 word, bound = ("above", above) if above is not None else ("at least", at_least)
                 if bound is not None and (value < bound or (value == bound and above is not None)):
                     where = below(at_line(self.file, line), key)
-                    raise DescriptionError("out of range", where=where, found=text, allowed=f"{word} {bound:g}")
+                    raise DescriptionError(
+                        "out of range", where=where, found=text, allowed=f"{word} {bound:g}"
+                    )
                 return value * unit
         if needed:
             keys = [name for section, name in self.values if section in sections]
@@ -391,7 +450,9 @@ class _Entries:
                 Phrase("{key} is missing", key=key),
                 where=str(self.file),
                 allowed=Phrase(
-                    "{key} in {sections}", key=key, sections=" or ".join(f"[{section}]" for section in sections)
+                    "{key} in {sections}",
+                    key=key,
+                    sections=" or ".join(f"[{section}]" for section in sections),
                 ),
                 hint=nearest(key, keys),
             )
@@ -404,11 +465,20 @@ class _Entries:
                 declared = ("UNITS", "PRESSURE") in self.values
                 is_si = self.unit("LENGTH") == 1.0 and self.unit("FORCE") == 1.0
                 if not declared and not is_si:
-                    raise DescriptionError("the unit of PRESSURE is missing", where=f"{self.file}: [UNITS]")
-                return self.number(sections, key, self.unit("PRESSURE") if declared else 1.0, at_least=0.0) or None
+                    raise DescriptionError(
+                        "the unit of PRESSURE is missing", where=f"{self.file}: [UNITS]"
+                    )
+                return (
+                    self.number(
+                        sections, key, self.unit("PRESSURE") if declared else 1.0, at_least=0.0
+                    )
+                    or None
+                )
         return None
 
-    def curve(self, section: str, length: float, force: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    def curve(
+        self, section: str, length: float, force: float
+    ) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Deflections (m) and loads (N) of a table, which must ascend."""
         pairs = []
         for cells, line in self.rows.get(section, []):
@@ -416,10 +486,16 @@ class _Entries:
             if len(cells) != 2:
                 raise DescriptionError("not a pair of numbers", where=where, found=" ".join(cells))
             pairs.append((_number(cells[0], where) * length, _number(cells[1], where) * force))
-            if len(pairs) > 1 and not (pairs[-1][0] > pairs[-2][0] and pairs[-1][1] >= pairs[-2][1]):
-                raise DescriptionError("the curve does not ascend", where=where, found=" ".join(cells))
+            if len(pairs) > 1 and not (
+                pairs[-1][0] > pairs[-2][0] and pairs[-1][1] >= pairs[-2][1]
+            ):
+                raise DescriptionError(
+                    "the curve does not ascend", where=where, found=" ".join(cells)
+                )
         if len(pairs) == 1:
-            raise DescriptionError("the curve has one point", where=f"{self.file}: [{section}]", allowed="2 or more")
+            raise DescriptionError(
+                "the curve has one point", where=f"{self.file}: [{section}]", allowed="2 or more"
+            )
         return tuple(x for x, _ in pairs), tuple(y for _, y in pairs)
 
 

@@ -29,7 +29,15 @@ from jounce.plots.mechanisms.drawing import (
     everything,
     views_of,
 )
-from jounce.plots.mechanisms.scene import REACH, Poses, Roadway, Scene, poses_of, roadway_of, scene_of
+from jounce.plots.mechanisms.scene import (
+    REACH,
+    Poses,
+    Roadway,
+    Scene,
+    poses_of,
+    roadway_of,
+    scene_of,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -67,13 +75,20 @@ def motion_of(
     scene = scene_of(rig)
     tracks = poses_of(rig, scene, poses)
     if between is not None:
-        ends = (tracks.nearest(to_si(value, tracks.unit, where="between"), "between") for value in between)
+        ends = (
+            tracks.nearest(to_si(value, tracks.unit, where="between"), "between")
+            for value in between
+        )
         first, last = sorted(ends)
         tracks = tracks.subset(slice(first, last + 1))
-    motion = Animation(scene, tracks, None, title or scene.title[0].upper() + scene.title[1:], slow, say)
+    motion = Animation(
+        scene, tracks, None, title or scene.title[0].upper() + scene.title[1:], slow, say
+    )
     shown, count = tracks, most(motion.seconds if tracks.in_time else np.inf)
     if len(tracks) > count:  # evenly chosen
-        shown = tracks.subset(np.unique(np.round(np.linspace(0, len(tracks) - 1, count)).astype(int)))
+        shown = tracks.subset(
+            np.unique(np.round(np.linspace(0, len(tracks) - 1, count)).astype(int))
+        )
     return replace(motion, poses=shown, road=_roadway(trial, tracks, shown, scene))
 
 
@@ -136,17 +151,56 @@ def _write_gif(motion: Animation, file: Path) -> None:
     """Write all poses; the film begins again, a sweep goes back the way it came."""
     from PIL import Image
 
-    frames = [frame.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE) for frame in _frames(motion)]
-    length = max(20, 10 * round(100.0 * motion.seconds / len(frames)))  # browsers slow down what is shorter
-    frames[0].save(file, "GIF", save_all=True, append_images=frames[1:], duration=length, loop=0, optimize=True)
+    frames = [
+        frame.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE)
+        for frame in _frames(motion)
+    ]
+    length = max(
+        20, 10 * round(100.0 * motion.seconds / len(frames))
+    )  # browsers slow down what is shorter
+    frames[0].save(
+        file, "GIF", save_all=True, append_images=frames[1:], duration=length, loop=0, optimize=True
+    )
 
 
 def _write_mp4(motion: Animation, file: Path) -> None:
     rate = f"{len(motion.order) / motion.seconds:.4f}"
     width, height = (round(_DOTS * inches) for inches in _SIZE)
-    picture = ["-f", "rawvideo", "-pix_fmt", "rgba", "-s", f"{width}x{height}", "-r", rate, "-i", "-"]
-    film = ["-an", "-c:v", "libx264", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-fflags", "+bitexact"]
-    words = [ffmpeg(), "-hide_banner", "-loglevel", "error", "-y", *picture, *film, "-f", "mp4", str(file)]
+    picture = [
+        "-f",
+        "rawvideo",
+        "-pix_fmt",
+        "rgba",
+        "-s",
+        f"{width}x{height}",
+        "-r",
+        rate,
+        "-i",
+        "-",
+    ]
+    film = [
+        "-an",
+        "-c:v",
+        "libx264",
+        "-pix_fmt",
+        "yuv420p",
+        "-movflags",
+        "+faststart",
+        "-fflags",
+        "+bitexact",
+    ]
+    words = [
+        ffmpeg(),
+        "-hide_banner",
+        "-loglevel",
+        "error",
+        "-y",
+        *picture,
+        *film,
+        "-f",
+        "mp4",
+        str(file),
+    ]
     with subprocess.Popen(words, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdin is not None
         assert process.stderr is not None
@@ -158,7 +212,11 @@ def _write_mp4(motion: Animation, file: Path) -> None:
             pass  # it says why below
         message = process.stderr.read().decode(errors="replace").strip()
     if process.returncode:
-        raise OutputError("ffmpeg could not write the film", found=message[-300:], hint="Write .gif or .html instead.")
+        raise OutputError(
+            "ffmpeg could not write the film",
+            found=message[-300:],
+            hint="Write .gif or .html instead.",
+        )
 
 
 def ffmpeg() -> str:
@@ -187,7 +245,9 @@ def _frames(motion: Animation) -> Iterator[Pictures.Image]:
         canvas = FigureCanvasAgg(film.figure)
         for k in motion.order:
             if k not in drawn:
-                motion.say(progress_through("drawing picture {which} of {count}", k + 1, len(motion.poses)))
+                motion.say(
+                    progress_through("drawing picture {which} of {count}", k + 1, len(motion.poses))
+                )
                 film.show(k)
                 canvas.draw()  # type: ignore[no-untyped-call]
                 picture = Image.fromarray(np.asarray(canvas.buffer_rgba()).copy())  # type: ignore[no-untyped-call]
@@ -209,9 +269,21 @@ class _Film:
         front, side, _, space = views_of(scene)
         self.views = (space, side if poses.in_time else front)
         self.figure = Figure(figsize=_SIZE, dpi=_DOTS)
-        self.figure.text(0.02, 1.0 - 0.12 / _SIZE[1], motion.title, ha="left", va="top", fontsize=11, fontweight="bold")
-        self.state = self.figure.text(0.98, 1.0 - 0.12 / _SIZE[1], "", ha="right", va="top", fontsize=11, color=INK)
-        sample = [poses.pose(int(k)) for k in np.unique(np.linspace(0, len(poses) - 1, 9).astype(int))]
+        self.figure.text(
+            0.02,
+            1.0 - 0.12 / _SIZE[1],
+            motion.title,
+            ha="left",
+            va="top",
+            fontsize=11,
+            fontweight="bold",
+        )
+        self.state = self.figure.text(
+            0.98, 1.0 - 0.12 / _SIZE[1], "", ha="right", va="top", fontsize=11, color=INK
+        )
+        sample = [
+            poses.pose(int(k)) for k in np.unique(np.linspace(0, len(poses) - 1, 9).astype(int))
+        ]
         cloud = np.vstack([everything(scene, pose) for pose in sample])
         self.axes = [_film_panel(self.figure, view, cloud, k) for k, view in enumerate(self.views)]
 
@@ -228,7 +300,13 @@ class _Film:
                 artist.remove()
             draw_ground(axes, view, self.scene, pose, line)
             for track, dash in tracks:
-                axes.plot(*(MM * view.flat(track)).T, color=MUTED, linewidth=0.7, linestyle=dash, zorder=0.9)
+                axes.plot(
+                    *(MM * view.flat(track)).T,
+                    color=MUTED,
+                    linewidth=0.7,
+                    linestyle=dash,
+                    zorder=0.9,
+                )
             draw_pose(axes, view, self.scene, pose, pressed=self.poses.in_time)
             draw_steering_axis(axes, view, self.scene, pose)
         draw_directions(self.axes[0], self.views[0])
@@ -239,13 +317,18 @@ class _Film:
 def _film_panel(figure: Figure, view: View, cloud: Array, k: int) -> Axes:
     """Axes with one scale in both directions into which all points fit."""
     width, height = 0.5 * _SIZE[0] - 0.1, _SIZE[1] - _HEAD - 0.3
-    axes = figure.add_axes((0.05 / _SIZE[0] + 0.5 * k, 0.06 / _SIZE[1], width / _SIZE[0], height / _SIZE[1]))
+    axes = figure.add_axes(
+        (0.05 / _SIZE[0] + 0.5 * k, 0.06 / _SIZE[1], width / _SIZE[0], height / _SIZE[1])
+    )
     flat = MM * view.flat(cloud)
     low, high = flat.min(axis=0), flat.max(axis=0)
     scale = float(np.max((high - low) / [width - 0.3, height - 0.3]))
     half = 0.5 * scale * np.array([width, height])
     middle = 0.5 * (low + high)
-    axes.set(xlim=(middle[0] - half[0], middle[0] + half[0]), ylim=(middle[1] - half[1], middle[1] + half[1]))
+    axes.set(
+        xlim=(middle[0] - half[0], middle[0] + half[0]),
+        ylim=(middle[1] - half[1], middle[1] + half[1]),
+    )
     axes.set(xticks=[], yticks=[])
     axes.spines[:].set_visible(False)
     axes.grid(visible=False)

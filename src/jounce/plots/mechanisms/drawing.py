@@ -55,7 +55,13 @@ def axis_view(name: str, right: tuple[float, float, float], up: tuple[float, flo
 def oblique_view(name: str, azimuth: float, elevation: float) -> View:
     """Look from a place ``azimuth`` (rad, from straight ahead of the car towards its left) and ``elevation`` (rad)."""
     right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
-    back = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
+    back = np.array(
+        [
+            np.cos(elevation) * np.cos(azimuth),
+            np.cos(elevation) * np.sin(azimuth),
+            np.sin(elevation),
+        ]
+    )
     return View(name, right, np.cross(back, right))
 
 
@@ -74,9 +80,13 @@ def circle(centre: Array, axis: Array, radius: float) -> Array:
     return np.asarray(centre + radius * (np.cos(angle) * first + np.sin(angle) * second))
 
 
-def tyre(centre: Array, axis: Array, radius: float, width: float, ground: float | None = None) -> Array:
+def tyre(
+    centre: Array, axis: Array, radius: float, width: float, ground: float | None = None
+) -> Array:
     """Rings of a tyre's surface, shape (rings, n, 3); what would stand below ``ground`` (m) is pressed flat."""
-    rings = np.stack([circle(centre + share * width * axis, axis, size * radius) for share, size in _TYRE])
+    rings = np.stack(
+        [circle(centre + share * width * axis, axis, size * radius) for share, size in _TYRE]
+    )
     if ground is not None:
         rings[..., 2] = np.maximum(rings[..., 2], ground)
     return rings
@@ -131,7 +141,9 @@ class Look:
     """How a pose is drawn."""
 
     colour: str | None = None  # one for everything instead of each part's own
-    ghost: bool = False  # thinly behind another pose, without surfaces and points, the strut as a line
+    ghost: bool = (
+        False  # thinly behind another pose, without surfaces and points, the strut as a line
+    )
 
     @property
     def strength(self) -> float:
@@ -140,7 +152,13 @@ class Look:
 
 
 def draw_pose(
-    axes: Axes, view: View, scene: Scene, pose: Pose, look: Look | None = None, *, pressed: bool = False
+    axes: Axes,
+    view: View,
+    scene: Scene,
+    pose: Pose,
+    look: Look | None = None,
+    *,
+    pressed: bool = False,
 ) -> None:
     """Draw everything that moves, in mm; ``pressed`` draws the unloaded tyre, flattened by the road."""
     look = look or Look()
@@ -151,25 +169,43 @@ def draw_pose(
         colour = look.colour or part.colour
         flat = MM * view.flat(np.array([pose.points[name] for name in part.points]))
         if part.coil and not look.ghost:
-            turns = coil(pose.points[part.points[0]], pose.points[part.points[1]], scene.coil_radius)
+            turns = coil(
+                pose.points[part.points[0]], pose.points[part.points[1]], scene.coil_radius
+            )
             _line(axes, MM * view.flat(turns), colour, 1.2, 3.4, look)
             continue
         if part.plate:
             corners = outline(flat) if part.name == "upright" else flat
             if not look.ghost:
-                axes.fill(corners[:, 0], corners[:, 1], color=colour, alpha=0.13, linewidth=0.0, zorder=2.0)
+                axes.fill(
+                    corners[:, 0],
+                    corners[:, 1],
+                    color=colour,
+                    alpha=0.13,
+                    linewidth=0.0,
+                    zorder=2.0,
+                )
             flat = np.vstack([corners, corners[:1]])
         _line(axes, flat, colour, 2.2 * look.strength, 3.0 + 0.01 * order, look)
     for bracket in scene.brackets:
         first, second = pose.points[bracket.first], pose.points[bracket.second]
         ends = np.array([pose.points[bracket.point], first + bracket.share * (second - first)])
-        _line(axes, MM * view.flat(ends), look.colour or bracket.colour, 1.0 * look.strength, 2.9, look)
+        _line(
+            axes,
+            MM * view.flat(ends),
+            look.colour or bracket.colour,
+            1.0 * look.strength,
+            2.9,
+            look,
+        )
     _draw_strut(axes, view, scene, pose, look)
     if not look.ghost:
         _draw_points(axes, view, scene, pose)
 
 
-def _line(axes: Axes, flat: Array, colour: str, width: float, zorder: float, look: Look, **options: Any) -> None:
+def _line(
+    axes: Axes, flat: Array, colour: str, width: float, zorder: float, look: Look, **options: Any
+) -> None:
     axes.plot(
         flat[:, 0],
         flat[:, 1],
@@ -182,7 +218,9 @@ def _line(axes: Axes, flat: Array, colour: str, width: float, zorder: float, loo
     )
 
 
-def _draw_wheel(axes: Axes, view: View, scene: Scene, pose: Pose, look: Look, *, pressed: bool) -> None:
+def _draw_wheel(
+    axes: Axes, view: View, scene: Scene, pose: Pose, look: Look, *, pressed: bool
+) -> None:
     centre = pose.points["wheel_centre"]
     radius = scene.undeformed_radius if pressed else scene.radius
     ground = pose.ground if pressed and pose.touches else None
@@ -217,10 +255,24 @@ def _draw_strut(axes: Axes, view: View, scene: Scene, pose: Pose, look: Look) ->
 
 def _draw_points(axes: Axes, view: View, scene: Scene, pose: Pose) -> None:
     for on_body, marker in ((True, "s"), (False, "o")):
-        names = [name for name in pose.points if (name in scene.on_body) is on_body and name != "wheel_centre"]
+        names = [
+            name
+            for name in pose.points
+            if (name in scene.on_body) is on_body and name != "wheel_centre"
+        ]
         flat = MM * view.flat(np.array([pose.points[name] for name in names]))
-        axes.plot(*flat.T, marker, color="white", markeredgecolor=INK, markeredgewidth=0.9, markersize=4.2, zorder=5.0)
-    centre, contact = (MM * view.flat(place) for place in (pose.points["wheel_centre"], pose.contact))
+        axes.plot(
+            *flat.T,
+            marker,
+            color="white",
+            markeredgecolor=INK,
+            markeredgewidth=0.9,
+            markersize=4.2,
+            zorder=5.0,
+        )
+    centre, contact = (
+        MM * view.flat(place) for place in (pose.points["wheel_centre"], pose.contact)
+    )
     axes.plot(*centre, "+", color=INK, markersize=8.0, markeredgewidth=1.2, zorder=5.0)
     axes.plot(
         *contact,
@@ -245,16 +297,26 @@ def draw_steering_axis(axes: Axes, view: View, scene: Scene, pose: Pose) -> None
     axes.plot(*ends.T, color=MUTED, linewidth=1.0, linestyle=(0, (5, 2, 1, 2)), zorder=4.0)
 
 
-def draw_ground(axes: Axes, view: View, scene: Scene, pose: Pose, line: Array | None = None) -> None:
+def draw_ground(
+    axes: Axes, view: View, scene: Scene, pose: Pose, line: Array | None = None
+) -> None:
     """Draw the road below the wheel, in mm, as a strip with some depth; ``line`` is its x and z, shape (n, 2), m."""
     corners = ground_corners(scene, pose)
     if line is None:
         line = corners[:2, [0, 2]]
-    sides = [np.column_stack([line[:, 0], np.full(len(line), y), line[:, 1]]) for y in corners[[0, 2], 1]]
+    sides = [
+        np.column_stack([line[:, 0], np.full(len(line), y), line[:, 1]]) for y in corners[[0, 2], 1]
+    ]
     base = float(line[:, 1].min()) - 0.06 * scene.radius
     for side in sides:
         below = np.column_stack([side[::-1, :2], np.full(len(line), base)])
-        axes.fill(*(MM * view.flat(np.vstack([side, below]))).T, facecolor=ROAD, alpha=0.14, linewidth=0.0, zorder=0.4)
+        axes.fill(
+            *(MM * view.flat(np.vstack([side, below]))).T,
+            facecolor=ROAD,
+            alpha=0.14,
+            linewidth=0.0,
+            zorder=0.4,
+        )
         axes.plot(*(MM * view.flat(side)).T, color=ROAD, linewidth=0.9, zorder=0.6)
     top = np.vstack([sides[0], sides[1][::-1]])
     axes.fill(*(MM * view.flat(top)).T, facecolor=ROAD, alpha=0.14, linewidth=0.0, zorder=0.5)
@@ -269,7 +331,12 @@ def ground_corners(scene: Scene, pose: Pose) -> Array:
     """Corners of the piece of level ground that is drawn under a wheel, shape (4, 3), m."""
     x, y = pose.points["wheel_centre"][:2]
     reach, across = 1.1 * scene.undeformed_radius, 0.95 * scene.width
-    return np.array([(x + i * reach, y + j * across, pose.ground) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+    return np.array(
+        [
+            (x + i * reach, y + j * across, pose.ground)
+            for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+        ]
+    )
 
 
 _WIDTH, _TALLEST = 11.0, 8.8  # inches of paper; all below too
@@ -323,7 +390,9 @@ class Sheet:
         upper = max(spans[0][1] / scale, spans[1][1] / scale, column)
         lower = max(spans[2][1] / scale, column + ARROWS)
         oblique = float(np.max(spans[3] / (across, lower)))
-        return cls(views, tuple(middles), scale, oblique, (float(upper) + _INSIDE, float(lower) + _INSIDE))
+        return cls(
+            views, tuple(middles), scale, oblique, (float(upper) + _INSIDE, float(lower) + _INSIDE)
+        )
 
     @property
     def paper(self) -> tuple[float, float]:
@@ -337,17 +406,27 @@ class Sheet:
     def panels(self, figure: Figure) -> list[Axes]:
         """Add the axes, two by two."""
         width, size = _panel_width(), np.array(self.paper)
-        labels = [tuple(display_unit("m").label(word) for word in pair) for pair in ("yz", "xz", "yx")]
+        labels = [
+            tuple(display_unit("m").label(word) for word in pair) for pair in ("yz", "xz", "yx")
+        ]
         labels.append(("", ""))
         panels = []
         for k, view in enumerate(self.views):
             height = self.heights[k // 2]
-            corner = (_LEFT + (k % 2) * (width + _BETWEEN), _BOTTOM + (1 - k // 2) * (self.heights[1] + _ABOVE))
+            corner = (
+                _LEFT + (k % 2) * (width + _BETWEEN),
+                _BOTTOM + (1 - k // 2) * (self.heights[1] + _ABOVE),
+            )
             box = (*(np.array(corner) / size), *(np.array([width, height]) / size))
             axes = figure.add_axes(box, label=("front", "side", "top", "space")[k])
             half = 0.5 * np.array([width, height]) * self.scale_of(view)
             low, high = self.middles[k] - half, self.middles[k] + half
-            axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel=labels[k][0], ylabel=labels[k][1])
+            axes.set(
+                xlim=(low[0], high[0]),
+                ylim=(low[1], high[1]),
+                xlabel=labels[k][0],
+                ylabel=labels[k][1],
+            )
             axes.set_title(view.name)
             show_ticks(axes, view)
             panels.append(axes)
@@ -372,7 +451,11 @@ def show_ticks(axes: Axes, view: View) -> None:
         sign = -1.0 if direction.sum() < 0.0 else 1.0
         if shown != 1.0:
             low, high = axis.get_view_interval()
-            steps = [step for step in (0.5, 1.0, 2.0, 5.0, 10.0, 20.0) if step > (high - low) * shown / _MOST_TICKS]
+            steps = [
+                step
+                for step in (0.5, 1.0, 2.0, 5.0, 10.0, 20.0)
+                if step > (high - low) * shown / _MOST_TICKS
+            ]
             axis.set_major_locator(MultipleLocator((steps or [50.0])[0] / shown))
         if shown != 1.0 or sign < 0.0:
             text = partial(_place, factor=sign * shown)
@@ -405,7 +488,9 @@ def new_sheet(title: str, scene: Scene, paper: tuple[float, float]) -> Figure:
 
 def everything(scene: Scene, pose: Pose) -> Array:
     """All points that must be on the paper, shape (n, 3), m."""
-    surface = tyre(pose.points["wheel_centre"], pose.spin_axis, scene.radius, scene.width).reshape(-1, 3)
+    surface = tyre(pose.points["wheel_centre"], pose.spin_axis, scene.radius, scene.width).reshape(
+        -1, 3
+    )
     return np.vstack([*pose.points.values(), surface, ground_corners(scene, pose)])
 
 
@@ -418,7 +503,9 @@ def draw_directions(axes: Axes, view: View) -> None:
     for name, axis in zip("xyz", np.eye(3), strict=True):
         dx, dy = (float(part) for part in length * view.flat(axis))
         axes.annotate("", (x + dx, y + dy), (x, y), arrowprops=style)
-        axes.text(x + 1.25 * dx, y + 1.25 * dy, name, fontsize=8, color=MUTED, ha="center", va="center")
+        axes.text(
+            x + 1.25 * dx, y + 1.25 * dy, name, fontsize=8, color=MUTED, ha="center", va="center"
+        )
 
 
 def handles_of(scene: Scene) -> list[Line2D]:
@@ -434,15 +521,27 @@ def handles_of(scene: Scene) -> list[Line2D]:
 def pose_handles(scene: Scene, shown: Sequence[Pose], looks: Sequence[Look]) -> list[Line2D]:
     """Legend of several poses."""
     handles = [_handle(scene.design.label, INK, linewidth=2.2)]
-    handles += [_handle(pose.label, str(look.colour), linewidth=1.8) for pose, look in zip(shown, looks, strict=True)]
+    handles += [
+        _handle(pose.label, str(look.colour), linewidth=1.8)
+        for pose, look in zip(shown, looks, strict=True)
+    ]
     handles.append(_handle("path of the wheel centre", INK, linewidth=0.9))
     handles.append(_handle("path of the contact point", INK, linewidth=0.9, linestyle=DASHED))
     return handles + _marks(scene)
 
 
 def _marks(scene: Scene) -> list[Line2D]:
-    plain = {"linestyle": "none", "markerfacecolor": "white", "markeredgecolor": INK, "markersize": 4.5}
-    axis = [_handle("steering axis", MUTED, linewidth=1.0, linestyle=(0, (5, 2, 1, 2)))] if scene.steering_axis else []
+    plain = {
+        "linestyle": "none",
+        "markerfacecolor": "white",
+        "markeredgecolor": INK,
+        "markersize": 4.5,
+    }
+    axis = (
+        [_handle("steering axis", MUTED, linewidth=1.0, linestyle=(0, (5, 2, 1, 2)))]
+        if scene.steering_axis
+        else []
+    )
     return [
         *axis,
         _handle("on the body", INK, marker="s", **plain),
@@ -519,7 +618,13 @@ def mechanism(
             draw_pose(axes, view, scene, pose, look)
         if tracks is not None:
             for track, style in ((tracks.points["wheel_centre"], "-"), (tracks.contact, DASHED)):
-                axes.plot(*(MM * view.flat(track)).T, color=INK, linewidth=0.9, linestyle=style, zorder=4.2)
+                axes.plot(
+                    *(MM * view.flat(track)).T,
+                    color=INK,
+                    linewidth=0.9,
+                    linestyle=style,
+                    zorder=4.2,
+                )
         draw_pose(axes, view, scene, scene.design, Look() if tracks is None else Look(INK))
         draw_steering_axis(axes, view, scene, scene.design)
         if names:
@@ -529,7 +634,13 @@ def mechanism(
             write_names(axes, flat, sheet.scale_of(view), floor)
     draw_directions(figure.axes[3], sheet.views[3])
     columns = -(-len(handles) // 2)
-    figure.legend(handles=handles, loc="lower center", ncols=columns, columnspacing=1.6, bbox_to_anchor=(0.5, 0.01))
+    figure.legend(
+        handles=handles,
+        loc="lower center",
+        ncols=columns,
+        columnspacing=1.6,
+        bbox_to_anchor=(0.5, 0.01),
+    )
     return figure
 
 
@@ -543,7 +654,9 @@ def _choose_poses(poses: Poses, at: Sequence[float | str] | None) -> list[int]:
 
     if at is None:
         height = poses.points["wheel_centre"][:, 2]
-        ends = [int(height.argmin()), int(height.argmax())] if poses.in_time else [0, len(poses) - 1]
+        ends = (
+            [int(height.argmin()), int(height.argmax())] if poses.in_time else [0, len(poses) - 1]
+        )
         return sorted(set(ends))
     values = [to_si(value, poses.unit, where="at") for value in at]
     return list(dict.fromkeys(poses.nearest(value, "at") for value in values))
@@ -556,7 +669,11 @@ def _colours(poses: Poses | None, chosen: Sequence[int]) -> list[str]:
     from matplotlib.colors import LinearSegmentedColormap, to_hex
 
     values = poses.over[list(chosen)]
-    span = max(abs(values.min()), abs(values.max())) if not poses.in_time and values.min() < 0.0 else np.ptp(values)
+    span = (
+        max(abs(values.min()), abs(values.max()))
+        if not poses.in_time and values.min() < 0.0
+        else np.ptp(values)
+    )
     first = -span if not poses.in_time and values.min() < 0.0 else values.min()
     length = (values.max() - first if values.min() >= 0.0 else 2.0 * span) or 1.0
     colours = LinearSegmentedColormap.from_list("travel", [_LOW, _MIDDLE, _HIGH])

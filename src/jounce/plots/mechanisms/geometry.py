@@ -14,7 +14,15 @@ from jounce.core.types import Array
 from jounce.kinematics import sweep_travel
 from jounce.plots.display import PARALLEL, kinematic_value, number
 from jounce.plots.figures import INK, MUTED, PALETTE, figure_type, in_style
-from jounce.plots.mechanisms.drawing import MM, Look, View, draw_pose, everything, show_ticks, views_of
+from jounce.plots.mechanisms.drawing import (
+    MM,
+    Look,
+    View,
+    draw_pose,
+    everything,
+    show_ticks,
+    views_of,
+)
 from jounce.plots.mechanisms.scene import Pose, Scene, scene_of
 
 if TYPE_CHECKING:
@@ -72,7 +80,9 @@ class _Centres:
 
     def value_to_show(self, name: str) -> float:
         """Value of a row to write; infinite for the height of a centre that lies infinitely far away."""
-        away = self.rows.get({"instant_centre_z": "instant_centre_y"}.get(name, name.replace("centre_z", "centre_x")))
+        away = self.rows.get(
+            {"instant_centre_z": "instant_centre_y"}.get(name, name.replace("centre_z", "centre_x"))
+        )
         return self.rows[name] if away is None or abs(away) < PARALLEL else math.inf
 
     @property
@@ -124,14 +134,18 @@ def suspension_geometry(rigs: Corner | Mapping[str, Corner], *, title: str = "")
     centres = {name: _centres(rig) for name, rig in named.items()}
     scene = list(centres.values())[-1].scene
     front, side, top, _ = views_of(scene)
-    clouds = [np.vstack([everything(geometry.scene, geometry.pose) for geometry in centres.values()])]
+    clouds = [
+        np.vstack([everything(geometry.scene, geometry.pose) for geometry in centres.values()])
+    ]
     clouds += [np.array([[0.0, 0.0, geometry.pose.ground] for geometry in centres.values()])]
     clouds += [np.array([[0.0, *geometry.roll] for geometry in centres.values()])]
     drawn = np.vstack([cloud[np.isfinite(cloud).all(axis=1)] for cloud in clouds])
     wheel = scene.design.points["wheel_centre"]
     ahead = drawn[drawn[:, 1] * scene.side > 0.0] if scene.side else drawn
     boxes = {
-        "front": _box(front, drawn, [_in_front(geometry.front) for geometry in centres.values()], wheel),
+        "front": _box(
+            front, drawn, [_in_front(geometry.front) for geometry in centres.values()], wheel
+        ),
         "side": _box(side, ahead, [_beside(geometry.side) for geometry in centres.values()], wheel),
         "top": _box(top, drawn, [], wheel),
     }
@@ -144,25 +158,43 @@ def suspension_geometry(rigs: Corner | Mapping[str, Corner], *, title: str = "")
     figure, axes = _paper(boxes)
     words = scene.title[0].upper() + scene.title[1:]
     figure.suptitle(
-        f"{title}: {scene.title}" if title else words, x=_LEFT / _WIDTH, ha="left", fontsize=11.5, fontweight="bold"
+        f"{title}: {scene.title}" if title else words,
+        x=_LEFT / _WIDTH,
+        ha="left",
+        fontsize=11.5,
+        fontweight="bold",
     )
     for name, view in (("front", front), ("side", side), ("top", top)):
         axes[name].set_title(view.name)
         show_ticks(axes[name], view)
         for k, geometry in enumerate(centres.values()):
             last = k == len(centres) - 1
-            draw_pose(axes[name], view, geometry.scene, geometry.pose, None if last else Look(_OTHER, ghost=True))
+            draw_pose(
+                axes[name],
+                view,
+                geometry.scene,
+                geometry.pose,
+                None if last else Look(_OTHER, ghost=True),
+            )
             _construction(axes[name], name, view, geometry, strong=last)
     _labels(axes)
     _numbers(axes["numbers"], centres)
-    _legend(figure, list(centres), steers=any(geometry.axis is not None for geometry in centres.values()))
+    _legend(
+        figure,
+        list(centres),
+        steers=any(geometry.axis is not None for geometry in centres.values()),
+    )
     return figure
 
 
 def _centres(rig: Corner) -> _Centres:
     swept = sweep_travel(rig, [0.0]).isel(wheel_travel=0)
     rows = {str(name): float(swept[name]) for name in swept.data_vars}
-    return _Centres(scene_of(rig), rows, {str(name): str(swept[name].attrs["units"]) for name in swept.data_vars})
+    return _Centres(
+        scene_of(rig),
+        rows,
+        {str(name): str(swept[name].attrs["units"]) for name in swept.data_vars},
+    )
 
 
 def _in_front(centre: Array) -> Array:
@@ -177,7 +209,11 @@ def _box(view: View, cloud: Array, centres: list[Array], wheel: Array) -> Array:
     """Lower and upper corner on paper, shape (2, 2), m, of the drawing and of the centres nearby."""
     flat = view.flat(cloud)
     origin = view.flat(wheel)
-    near = [view.flat(centre) for centre in centres if np.max(np.abs(view.flat(centre) - origin)) < _NEAR]
+    near = [
+        view.flat(centre)
+        for centre in centres
+        if np.max(np.abs(view.flat(centre) - origin)) < _NEAR
+    ]
     points = np.vstack([flat, *(point[None, :] for point in near)])
     return np.array([points.min(axis=0) - _ROOM, points.max(axis=0) + _ROOM])
 
@@ -187,7 +223,10 @@ def _paper(boxes: Mapping[str, Array]) -> tuple[Figure, dict[str, Axes]]:
     spans = {name: box[1] - box[0] for name, box in boxes.items()}
     room = _WIDTH - _LEFT - _RIGHT - _BETWEEN
     scale = room / (spans["front"][0] + spans["side"][0])  # inches of paper for one metre
-    upper, lower = scale * spans["front"][1], max(scale * spans["top"][1], 0.21 * (len(_NUMBERS) + 2))
+    upper, lower = (
+        scale * spans["front"][1],
+        max(scale * spans["top"][1], 0.21 * (len(_NUMBERS) + 2)),
+    )
     size = np.array([_WIDTH, _BOTTOM + lower + _ABOVE + upper + _TOP])
     figure = figure_type()(figsize=(_WIDTH, float(size[1])))
     wide = scale * spans["front"][0]
@@ -199,7 +238,9 @@ def _paper(boxes: Mapping[str, Array]) -> tuple[Figure, dict[str, Axes]]:
     }
     axes = {}
     for name, (left, bottom, width, height) in places.items():
-        axes[name] = figure.add_axes((left / size[0], bottom / size[1], width / size[0], height / size[1]), label=name)
+        axes[name] = figure.add_axes(
+            (left / size[0], bottom / size[1], width / size[0], height / size[1]), label=name
+        )
         if name in boxes:
             middle, half = boxes[name].mean(axis=0), 0.5 * np.array([width, height]) / scale
             low, high = MM * (middle - half), MM * (middle + half)
@@ -221,15 +262,27 @@ def _construction(axes: Axes, name: str, view: View, geometry: _Centres, *, stro
         place = _in_front(centre) if name == "front" else _beside(centre)
         if np.all(np.isfinite(place)):
             target = MM * view.flat(place)
-            for start, dash in ((pose.contact, "-"), *((pose.points[end], (0, (1, 2))) for end in ends)):
-                _segment(axes, MM * view.flat(start), target, color=colours[0], linestyle=dash, **style)
+            for start, dash in (
+                (pose.contact, "-"),
+                *((pose.points[end], (0, (1, 2))) for end in ends),
+            ):
+                _segment(
+                    axes, MM * view.flat(start), target, color=colours[0], linestyle=dash, **style
+                )
             _mark(axes, target, colours[0], "o", strong=strong)
             if strong:
                 _outside(axes, target, "y" if name == "front" else "x", float(centre[0]))
     if name == "front":
         axes.axvline(0.0, color=MUTED, linewidth=0.7, linestyle=(0, (8, 3, 2, 3)), zorder=0.5)
         roll = MM * view.flat(np.array([0.0, *geometry.roll]))
-        _segment(axes, MM * view.flat(pose.contact), roll, color=colours[1], linestyle=(0, (4, 2)), **style)
+        _segment(
+            axes,
+            MM * view.flat(pose.contact),
+            roll,
+            color=colours[1],
+            linestyle=(0, (4, 2)),
+            **style,
+        )
         _mark(axes, roll, colours[1], "D", strong=strong)
     if geometry.axis is not None:
         ground, upper = geometry.axis
@@ -239,12 +292,18 @@ def _construction(axes: Axes, name: str, view: View, geometry: _Centres, *, stro
 
 
 def _segment(axes: Axes, start: Array, end: Array, **style: Any) -> None:
-    axes.plot([start[0], end[0]], [start[1], end[1]], scalex=False, scaley=False, clip_on=True, **style)
+    axes.plot(
+        [start[0], end[0]], [start[1], end[1]], scalex=False, scaley=False, clip_on=True, **style
+    )
 
 
 def _mark(axes: Axes, place: Array, colour: str, marker: str, *, strong: bool) -> None:
-    face: dict[str, Any] = {} if marker == "x" else {"markerfacecolor": colour if strong else "white"}
-    axes.plot(*place, marker, color=colour, markersize=6.0, zorder=6.0, scalex=False, scaley=False, **face)
+    face: dict[str, Any] = (
+        {} if marker == "x" else {"markerfacecolor": colour if strong else "white"}
+    )
+    axes.plot(
+        *place, marker, color=colour, markersize=6.0, zorder=6.0, scalex=False, scaley=False, **face
+    )
 
 
 def _outside(axes: Axes, target: Array, axis: str, place: float) -> None:
@@ -260,7 +319,9 @@ def _outside(axes: Axes, target: Array, axis: str, place: float) -> None:
     on_left = target[0] < 0.5 * (left + right)
     x, side = (0.01, "left") if on_left else (0.99, "right")
     text = f"{arrow} instant centre at {axis} = {number(place * unit.factor, 4)} {unit.name}"
-    axes.text(x, 0.97, text, transform=axes.transAxes, ha=side, va="top", fontsize=7.5, color=_CENTRE)
+    axes.text(
+        x, 0.97, text, transform=axes.transAxes, ha=side, va="top", fontsize=7.5, color=_CENTRE
+    )
 
 
 def _labels(axes: Mapping[str, Axes]) -> None:
@@ -277,7 +338,16 @@ def _numbers(axes: Axes, centres: Mapping[str, _Centres]) -> None:
     columns = 1.0 - 0.17 * np.arange(len(centres))[::-1]
     step = 1.0 / (len(_NUMBERS) + 2)
     for x, label in zip(columns, centres, strict=True):
-        axes.text(x, 1.0 - 0.5 * step, label, ha="right", va="center", fontsize=8.5, fontweight="bold", color=INK)
+        axes.text(
+            x,
+            1.0 - 0.5 * step,
+            label,
+            ha="right",
+            va="center",
+            fontsize=8.5,
+            fontweight="bold",
+            color=INK,
+        )
     for k, name in enumerate(names):
         y = 1.0 - (k + 1.5) * step
         si = last.units[name]
@@ -296,14 +366,37 @@ def _legend(figure: Figure, names: list[str], *, steers: bool) -> None:
 
     marks = [
         Line2D([], [], color=_CENTRE, marker="o", linewidth=1.1, label="instant centre"),
-        Line2D([], [], color=_ROLL, marker="D", linewidth=1.1, linestyle=(0, (4, 2)), label="roll centre"),
+        Line2D(
+            [],
+            [],
+            color=_ROLL,
+            marker="D",
+            linewidth=1.1,
+            linestyle=(0, (4, 2)),
+            label="roll centre",
+        ),
     ]
     if steers:
         dashes = (0, (5, 2, 1, 2))
-        marks.append(Line2D([], [], color=_AXIS, marker="x", linewidth=1.1, linestyle=dashes, label="steering axis"))
+        marks.append(
+            Line2D(
+                [],
+                [],
+                color=_AXIS,
+                marker="x",
+                linewidth=1.1,
+                linestyle=dashes,
+                label="steering axis",
+            )
+        )
     if len(names) > 1:
         marks += [
             Line2D([], [], color=_OTHER, linewidth=1.6, label=" and ".join(names[:-1])),
             Line2D([], [], color=INK, linewidth=2.2, label=names[-1]),
         ]
-    figure.legend(handles=marks, loc="upper right", ncols=len(marks), bbox_to_anchor=(1.0 - _RIGHT / _WIDTH, 1.0))
+    figure.legend(
+        handles=marks,
+        loc="upper right",
+        ncols=len(marks),
+        bbox_to_anchor=(1.0 - _RIGHT / _WIDTH, 1.0),
+    )

@@ -17,7 +17,15 @@ from jounce.core.writing import write_files
 from jounce.kinematics import sweep_travel
 from jounce.kinematics.load_cases import from_across
 from jounce.plots.figures import MUTED, in_style, render_figure
-from jounce.plots.mechanisms.drawing import MM, ROAD, View, axis_view, draw_pose, everything, show_ticks
+from jounce.plots.mechanisms.drawing import (
+    MM,
+    ROAD,
+    View,
+    axis_view,
+    draw_pose,
+    everything,
+    show_ticks,
+)
 from jounce.plots.mechanisms.scene import MIDDLE, Pose, Scene, poses_of, scene_of
 
 if TYPE_CHECKING:
@@ -80,20 +88,34 @@ def load_case(rig: Corner, data: xr.Dataset, case: str) -> Figure:
     for wheel, side in (("left", left), ("right", left.mirrored())):
         loads = data.sel(case=case, wheel=wheel)
         scene = scene_of(side)
-        pose = poses_of(side, scene, sweep_travel(side, [float(loads["wheel_travel"])], points=True)).pose(0)
+        pose = poses_of(
+            side, scene, sweep_travel(side, [float(loads["wheel_travel"])], points=True)
+        ).pose(0)
         wheels.append((scene, pose, loads))
     wheels = _with_third_spring(_with_bar(left, wheels))
     figure = Figure(figsize=_PAPER)
-    figure.suptitle(f"{case}: {wheels[0][0].title.partition(',')[0]}", x=0.06, ha="left", fontweight="bold")
+    figure.suptitle(
+        f"{case}: {wheels[0][0].title.partition(',')[0]}", x=0.06, ha="left", fontweight="bold"
+    )
     across = (0.0, 1.0, 0.0)
-    views = axis_view("front view", across, (0.0, 0.0, 1.0)), axis_view("top view", across, (-1.0, 0.0, 0.0))
-    largest = max(float(np.linalg.norm(force)) for _, pose, loads in wheels for _, _, force in _forces(pose, loads))
+    views = (
+        axis_view("front view", across, (0.0, 0.0, 1.0)),
+        axis_view("top view", across, (-1.0, 0.0, 0.0)),
+    )
+    largest = max(
+        float(np.linalg.norm(force))
+        for _, pose, loads in wheels
+        for _, _, force in _forces(pose, loads)
+    )
     length, force_unit = display_unit("m"), display_unit_for("kN")
     labels = ("front", length.label("z")), ("top", length.label("x"))
     for k, (view, (label, up)) in enumerate(zip(views, labels, strict=True)):
         axes = figure.add_axes((0.07, 0.55 - 0.46 * k, 0.90, 0.38), label=label)
         axes.set(xlabel=length.label("y"), ylabel=up)
-        axes.set_title(view.name + (", forward down" if k else ", seen from ahead: the left wheel on the right"))
+        axes.set_title(
+            view.name
+            + (", forward down" if k else ", seen from ahead: the left wheel on the right")
+        )
         axes.set_aspect("equal", adjustable="box")
         for scene, pose, loads in wheels:
             draw_pose(axes, view, scene, pose)
@@ -102,17 +124,34 @@ def load_case(rig: Corner, data: xr.Dataset, case: str) -> Figure:
             ends = np.array([pose.contact for _, pose, _ in wheels])
             axes.axline(*(MM * view.flat(ends)), color=ROAD, linewidth=0.9, zorder=0.6)
         cloud = [everything(scene, pose) for scene, pose, _ in wheels]
-        cloud += [_ends(*force, largest) for _, pose, loads in wheels for force in _forces(pose, loads)]
+        cloud += [
+            _ends(*force, largest) for _, pose, loads in wheels for force in _forces(pose, loads)
+        ]
         flat, room = MM * view.flat(np.vstack(cloud)), MM * np.array([0.12, 0.05])
         low, high = flat.min(axis=0) - room, flat.max(axis=0) + room
         axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         show_ticks(axes, view)
-        _label_forces(axes, view, [f for _, pose, loads in wheels for f in _forces(pose, loads)], max(largest, _LEAST))
+        _label_forces(
+            axes,
+            view,
+            [f for _, pose, loads in wheels for f in _forces(pose, loads)],
+            max(largest, _LEAST),
+        )
     digits = 1 if length.factor >= MM else 2
-    travels = [f"{length.factor * float(loads['wheel_travel']):+.{digits}f} {length.name}" for _, _, loads in wheels]
-    text = f"numbers: {force_unit.name}; wheel travel: left {travels[0]}, right {travels[1]}".replace("-", "−")
+    travels = [
+        f"{length.factor * float(loads['wheel_travel']):+.{digits}f} {length.name}"
+        for _, _, loads in wheels
+    ]
+    text = (
+        f"numbers: {force_unit.name}; wheel travel: left {travels[0]}, right {travels[1]}".replace(
+            "-", "−"
+        )
+    )
     figure.text(0.97, 0.012, text, ha="right", color=MUTED, fontsize=8.5)
-    legend = (_ON_ROAD, "force of the road on the wheel"), (_ON_BODY, "force of the suspension on the body")
+    legend = (
+        (_ON_ROAD, "force of the road on the wheel"),
+        (_ON_BODY, "force of the suspension on the body"),
+    )
     for i, (colour, words) in enumerate(legend):
         figure.text(0.07 + 0.24 * i, 0.012, f"→ {words}", color=colour, fontsize=8.5)
     return figure
@@ -125,7 +164,13 @@ def _with_bar(left: Corner, wheels: list[_Drawn]) -> list[_Drawn]:
     travels = [float(loads["wheel_travel"]) for _, _, loads in wheels]
     ends = from_across(left, (travels[0], travels[1]))
     return [
-        (scene, replace(pose, points={**pose.points, "arb_arm_end": end.arm_end, "arb_axis": end.stem_end}), loads)
+        (
+            scene,
+            replace(
+                pose, points={**pose.points, "arb_arm_end": end.arm_end, "arb_axis": end.stem_end}
+            ),
+            loads,
+        )
         for (scene, pose, loads), end in zip(wheels, ends, strict=True)
         if end.arm_end is not None and end.stem_end is not None
     ]
@@ -137,12 +182,17 @@ def _with_third_spring(wheels: list[_Drawn]) -> list[_Drawn]:
     if not all(name in pose.points for _, pose, _ in wheels):
         return wheels
     half = 0.5 * (wheels[0][1].points[name] + wheels[1][1].points[name])
-    return [(scene, replace(pose, points={**pose.points, MIDDLE[name]: half}), loads) for scene, pose, loads in wheels]
+    return [
+        (scene, replace(pose, points={**pose.points, MIDDLE[name]: half}), loads)
+        for scene, pose, loads in wheels
+    ]
 
 
 def _forces(pose: Pose, loads: xr.Dataset) -> list[tuple[str, Array, Array]]:
     """Colour, place (m) and vector (N) of all forces of a wheel."""
-    road = np.array([float(loads[f"{name}_force"]) for name in ("longitudinal", "lateral", "vertical")])
+    road = np.array(
+        [float(loads[f"{name}_force"]) for name in ("longitudinal", "lateral", "vertical")]
+    )
     forces = [(_ON_ROAD, pose.contact, road)]
     for name in _BODY:
         if f"{name}.fx" in loads and name in pose.points:
@@ -154,7 +204,15 @@ def _forces(pose: Pose, loads: xr.Dataset) -> list[tuple[str, Array, Array]]:
 _BODY = (
     *(f"{arm}_arm_{end}" for arm in ("lower", "upper") for end in ("front", "rear")),
     *(f"link_{i}_inner" for i in range(1, 6)),
-    *("tie_rod_inner", "arm_inner", "arm_outer", "rocker_pivot", "strut_top", "spring_top", "arb_pivot"),
+    *(
+        "tie_rod_inner",
+        "arm_inner",
+        "arm_outer",
+        "rocker_pivot",
+        "strut_top",
+        "spring_top",
+        "arb_pivot",
+    ),
 )
 """Hardpoints at which the suspension pushes the body, or the rack on it."""
 
@@ -165,7 +223,9 @@ def _ends(colour: str, place: Array, force: Array, largest: float) -> Array:
     return np.array([place - reach, place] if colour == _ON_ROAD else [place, place + reach])
 
 
-def _draw_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]], largest: float) -> None:
+def _draw_forces(
+    axes: Axes, view: View, forces: list[tuple[str, Array, Array]], largest: float
+) -> None:
     for colour, place, force in forces:
         size = float(np.linalg.norm(force))
         if size < _SEEN * largest:
@@ -175,15 +235,23 @@ def _draw_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]],
         axes.annotate("", tuple(end), tuple(start), arrowprops=arrow, zorder=6.0)
 
 
-def _label_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]], largest: float) -> None:
+def _label_forces(
+    axes: Axes, view: View, forces: list[tuple[str, Array, Array]], largest: float
+) -> None:
     """Write the sizes of forces beside the free ends of their arrows, the largest first, without overlaps."""
     from matplotlib.patheffects import withStroke
 
     unit = display_unit_for("kN")
-    sizes = [(float(np.linalg.norm(force)), colour, place, force) for colour, place, force in forces]
-    large = sorted((arrow for arrow in sizes if arrow[0] >= _LABELLED * largest), key=lambda arrow: -arrow[0])
+    sizes = [
+        (float(np.linalg.norm(force)), colour, place, force) for colour, place, force in forces
+    ]
+    large = sorted(
+        (arrow for arrow in sizes if arrow[0] >= _LABELLED * largest), key=lambda arrow: -arrow[0]
+    )
     to_points = axes.transData + axes.figure.dpi_scale_trans.inverted()
-    arrows = [MM * view.flat(_ends(colour, place, force, largest)) for _, colour, place, force in large]
+    arrows = [
+        MM * view.flat(_ends(colour, place, force, largest)) for _, colour, place, force in large
+    ]
     along = np.linspace(0.0, 1.0, _SAMPLES)[:, None]
     lines = [72.0 * to_points.transform(start + along * (end - start)) for start, end in arrows]
     low, high = 72.0 * to_points.transform(np.transpose([axes.get_xlim(), axes.get_ylim()]))
@@ -201,7 +269,9 @@ def _label_forces(axes: Axes, view: View, forces: list[tuple[str, Array, Array]]
             corner = at + offset
             met = sum(bool((abs(corner - other) < room).all()) for other in occupied)
             met += bool((corner < low).any() or (corner + room > high).any())
-            under = sum(int(((line > corner) & (line < corner + room)).all(axis=1).sum()) for line in lines)
+            under = sum(
+                int(((line > corner) & (line < corner + room)).all(axis=1).sum()) for line in lines
+            )
             return met, under
 
         offsets = map(np.array, _beside(room, free - fast))
@@ -233,7 +303,9 @@ def write_loaded(axle_loads: AxleLoads, folder: Path | str, *, force: bool = Fal
     return write_load_cases(axle_loads.rig, axle_loads.data, folder, force=force)
 
 
-def write_load_cases(rig: Corner, loads: xr.Dataset, folder: Path | str, *, force: bool = False) -> list[Path]:
+def write_load_cases(
+    rig: Corner, loads: xr.Dataset, folder: Path | str, *, force: bool = False
+) -> list[Path]:
     """Draw every case into a folder, one PNG each.
 
     Parameters
@@ -274,8 +346,11 @@ def write_load_cases(rig: Corner, loads: xr.Dataset, folder: Path | str, *, forc
     names = [str(name) for name in loads["case"].to_numpy()]
     files = {name: re.sub(r"[^\w.]+", "-", name).strip("-.") + ".png" for name in names}
     if len(set(files.values())) < len(names):
-        raise DescriptionError("two cases would have one file", where="cases", found=", ".join(names))
+        raise DescriptionError(
+            "two cases would have one file", where="cases", found=", ".join(names)
+        )
     contents: dict[str, bytes | str] = {
-        file: render_figure(load_case(rig, loads, name), [".png"])[".png"] for name, file in files.items()
+        file: render_figure(load_case(rig, loads, name), [".png"])[".png"]
+        for name, file in files.items()
     }
     return write_files(folder, contents, force=force)

@@ -108,9 +108,13 @@ class Scene:
     parts: tuple[Part, ...]  # links, arms, upright in the order of drawing; not the strut
     brackets: tuple[Bracket, ...]
     on_body: frozenset[str]  # hardpoints that stand on the car's body
-    spring: tuple[str, str] | None  # hardpoints at its bottom and its top; None where the points hold no strut
+    spring: (
+        tuple[str, str] | None
+    )  # hardpoints at its bottom and its top; None where the points hold no strut
     damper: tuple[str, str] | None
-    steering_axis: tuple[str, str] | None  # lower and upper hardpoint; None where no two points mark the axis
+    steering_axis: (
+        tuple[str, str] | None
+    )  # lower and upper hardpoint; None where no two points mark the axis
     radius: float  # of the wheel at design
     undeformed_radius: float
     width: float
@@ -128,7 +132,11 @@ class Scene:
         return widest if self.spring is None else min(0.1 * self._length(self.spring), widest)
 
     def _length(self, ends: tuple[str, str] | None) -> float:
-        return 0.0 if ends is None else float(np.linalg.norm(np.subtract(*(self.design.points[name] for name in ends))))
+        return (
+            0.0
+            if ends is None
+            else float(np.linalg.norm(np.subtract(*(self.design.points[name] for name in ends))))
+        )
 
     @property
     def strut_colour(self) -> str:
@@ -176,7 +184,9 @@ def scene_of(rig: Corner) -> Scene:
         lines["torsion_bar"] = AXES[rig.torsion_bar.on][:2]
     if rig.third_spring is not None:
         lines["third_spring"] = ("third_spring_end", MIDDLE["third_spring_end"])
-    parts = tuple(Part(name, points, COLOURS.get(name, PALETTE[4])) for name, points in lines.items())
+    parts = tuple(
+        Part(name, points, COLOURS.get(name, PALETTE[4])) for name, points in lines.items()
+    )
     on_body = {name for name, owner in owners.items() if owner in holders} | (
         {"arb_pivot", "" if stem else "arb_axis"} & set(names)
     )
@@ -219,7 +229,9 @@ def _trace_linkage(rig: Corner) -> _Carried:
 
 
 def _brackets(
-    parts: tuple[Part, ...], owners: Mapping[str, str], names: Mapping[str, tuple[float, float, float]]
+    parts: tuple[Part, ...],
+    owners: Mapping[str, str],
+    names: Mapping[str, tuple[float, float, float]],
 ) -> tuple[Bracket, ...]:
     """Connect every point that its part's line does not reach; the rocker's axis is shown in the same way."""
     by_name = {part.name: part for part in parts}
@@ -228,12 +240,19 @@ def _brackets(
         part = by_name.get(owner)
         if part is None or name in part.points:
             continue
-        edges = list(pairwise(part.points)) + ([(part.points[-1], part.points[0])] if part.plate else [])
+        edges = list(pairwise(part.points)) + (
+            [(part.points[-1], part.points[0])] if part.plate else []
+        )
         brackets.append(
-            min((_bracket_to(names, name, *edge, part.colour) for edge in edges), key=lambda choice: choice[0])[1]
+            min(
+                (_bracket_to(names, name, *edge, part.colour) for edge in edges),
+                key=lambda choice: choice[0],
+            )[1]
         )
     if "rocker_axis" in names:
-        brackets.append(Bracket("rocker_axis", "rocker_pivot", "rocker_pivot", 0.0, COLOURS["rocker"]))
+        brackets.append(
+            Bracket("rocker_axis", "rocker_pivot", "rocker_pivot", 0.0, COLOURS["rocker"])
+        )
     return tuple(brackets)
 
 
@@ -245,11 +264,15 @@ def _bracket_to(
     along = end - start
     square = float(along @ along)
     share = float(np.clip((point - start) @ along / square, 0.0, 1.0)) if square > 0.0 else 0.0
-    return float(np.linalg.norm(start + share * along - point)), Bracket(name, first, second, share, colour)
+    return float(np.linalg.norm(start + share * along - point)), Bracket(
+        name, first, second, share, colour
+    )
 
 
 def _ends(names: Mapping[str, Any], element: str) -> tuple[str, str]:
-    bottom, top = (own if (own := f"{element}_{end}") in names else f"strut_{end}" for end in ("bottom", "top"))
+    bottom, top = (
+        own if (own := f"{element}_{end}") in names else f"strut_{end}" for end in ("bottom", "top")
+    )
     return bottom, top
 
 
@@ -263,14 +286,18 @@ def _design(rig: Corner) -> Pose:
 def with_middle(points: dict[str, Array]) -> dict[str, Array]:
     """Add the points on the middle of the car of parts that reach over to the other wheel."""
     flat = np.array([1.0, 0.0, 1.0])
-    known = points.keys() - ({"arb_pivot"} if "arb_axis" in points else set())  # whose axis is drawn to that point
+    known = points.keys() - (
+        {"arb_pivot"} if "arb_axis" in points else set()
+    )  # whose axis is drawn to that point
     return points | {foot: points[name] * flat for name, foot in MIDDLE.items() if name in known}
 
 
 def spin_axes(camber: Array, steer: Array, side: float) -> Array:
     """Unit vectors along the wheel's axis, outboard, shape (..., 3), of camber and steer (rad) on a side (1 left)."""
     level = np.cos(camber)
-    return np.stack([-side * np.sin(steer) * level, side * np.cos(steer) * level, -np.sin(camber)], axis=-1)
+    return np.stack(
+        [-side * np.sin(steer) * level, side * np.cos(steer) * level, -np.sin(camber)], axis=-1
+    )
 
 
 def contact_points(centre: Array, axis: Array, radius: float) -> Array:
@@ -314,7 +341,12 @@ class Poses:
         """Give pose ``k``."""
         points = {name: place[k] for name, place in self.points.items()}
         return Pose(
-            points, self.spin_axis[k], self.contact[k], float(self.ground[k]), bool(self.touches[k]), self.label(k)
+            points,
+            self.spin_axis[k],
+            self.contact[k],
+            float(self.ground[k]),
+            bool(self.touches[k]),
+            self.label(k),
         )
 
     def subset(self, index: Any) -> Poses:
@@ -354,9 +386,15 @@ def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
     dimension = _dimension(data)
     in_time = dimension == "time"
     points = _tracks(rig, scene, data, dimension, in_time=in_time)
-    series = {str(name): v.to_numpy().astype(float) for name, v in data.variables.items() if v.dims == (dimension,)}
+    series = {
+        str(name): v.to_numpy().astype(float)
+        for name, v in data.variables.items()
+        if v.dims == (dimension,)
+    }
     wheel = "right" if scene.side < 0 else "left"  # of a rolling axle
-    camber, steer = (_first(series, (name, f"wheel.{name}", f"{wheel}.{name}")) for name in ("camber", "steer"))
+    camber, steer = (
+        _first(series, (name, f"wheel.{name}", f"{wheel}.{name}")) for name in ("camber", "steer")
+    )
     axis = spin_axes(camber, steer, scene.side)
     radius = scene.undeformed_radius if in_time else scene.radius
     contact = contact_points(points["wheel_centre"], axis, radius)
@@ -373,7 +411,9 @@ def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
     touches = np.ones(len(ground), dtype=bool) if force is None else force > 0.0
     over = dimension if dimension in series else _counted_by(series, dimension)
     places = {f"{name}.{letter}" for name in points for letter in "xyz"}
-    signals = {name: v for name, v in series.items() if name not in places and name not in (over, "pose")}
+    signals = {
+        name: v for name, v in series.items() if name not in places and name not in (over, "pose")
+    }
     poses = Poses(
         points,
         axis,
@@ -397,7 +437,8 @@ def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
 def _dimension(data: xr.Dataset) -> str:
     if "wheel_centre.z" not in data:
         raise RecordingError(
-            "these poses hold no hardpoints, only " + (", ".join(map(str, list(data.data_vars)[:6])) or "nothing"),
+            "these poses hold no hardpoints, only "
+            + (", ".join(map(str, list(data.data_vars)[:6])) or "nothing"),
             where="poses",
             hint="Ask for them: jn.sweep_travel(..., points=True), jn.simulate(..., detail=True).",
         )
@@ -412,7 +453,9 @@ def _dimension(data: xr.Dataset) -> str:
     return str(dimensions[0])
 
 
-def _tracks(rig: Corner, scene: Scene, data: xr.Dataset, dimension: str, *, in_time: bool) -> dict[str, Array]:
+def _tracks(
+    rig: Corner, scene: Scene, data: xr.Dataset, dimension: str, *, in_time: bool
+) -> dict[str, Array]:
     """Places of every hardpoint, shape (n, 3); on a body that stands still, those not in the data are at design."""
     count = data.sizes[dimension]
     places, missing = {}, []
@@ -420,7 +463,8 @@ def _tracks(rig: Corner, scene: Scene, data: xr.Dataset, dimension: str, *, in_t
         names = [f"{name}.{letter}" for letter in "xyz"]
         if all(column in data for column in names):
             places[name] = np.stack(
-                [np.broadcast_to(data.variables[column].to_numpy(), count) for column in names], axis=1
+                [np.broadcast_to(data.variables[column].to_numpy(), count) for column in names],
+                axis=1,
             )
         elif name in scene.on_body and (not in_time or rig.guide == "fixed"):
             places[name] = np.broadcast_to(np.array(design), (count, 3))
@@ -451,7 +495,9 @@ def _counted_by(series: Mapping[str, Array], dimension: str) -> str:
     for name in ("wheel_travel", "rack_travel", "roll_angle"):
         if name in series:
             return name
-    raise RecordingError("the poses are not counted by anything", where="poses", found=f"dimension {dimension}")
+    raise RecordingError(
+        "the poses are not counted by anything", where="poses", found=f"dimension {dimension}"
+    )
 
 
 REACH = 3.2
@@ -507,7 +553,9 @@ def _bends(distance: Array, height: Array) -> NDArray[np.bool_]:
         before, here, after = at[:-2:2], at[1:-1:2], at[2::2]
         count = min(len(before), len(here), len(after))
         before, here, after = before[:count], here[:count], after[:count]
-        share = (distance[here] - distance[before]) / np.maximum(distance[after] - distance[before], 1e-12)
+        share = (distance[here] - distance[before]) / np.maximum(
+            distance[after] - distance[before], 1e-12
+        )
         off = np.abs(height[before] + share * (height[after] - height[before]) - height[here])
         straight = here[off < 0.1 * _VISIBLE]
         if not len(straight):
