@@ -1,4 +1,4 @@
-"""From what an acquisition card recorded to physical signals: sensitivity, zero and calibration of a channel."""
+"""Conversion of the signals of an acquisition card to physical quantities: sensitivity, zero and range of a channel."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     from jounce.recordings.sensors import Sensor
 
 ELECTRICAL = {"V": "voltage", "A": "current", "1": "counts"}
-"""What cards record, by SI unit: the last word of the channel that holds it."""
+"""Quantities that cards record, by SI unit: the last word of the raw channel's name."""
 _BETWEEN = ("C", "V", "A", "1", "ohm")
-"""SI units of what sensors and conditioners hand on."""
+"""SI units of the outputs of sensors and conditioners."""
 _COUNTS = frozenset(
     {"count", "counts", "lsb", "digit", "digits", "bit", "bits", "inc", "increments"}
 )
@@ -41,7 +41,7 @@ _EXAMPLES = '"100 mV/g", "5 V / 50 mm", ["10 pC/(m/s^2)", "1 mV/pC"]'
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """What is recorded for one SI unit of the quantity: ``factor`` in the SI unit ``recorded`` (V, A or 1: counts)."""
+    """Sensitivity of a measuring chain: ``factor`` in ``recorded`` (V, A, or 1: counts) per SI unit."""
 
     factor: float
     recorded: str
@@ -50,26 +50,26 @@ class Sensitivity:
 def sensitivity_of(
     given: str | Sequence[str], unit: str, *, where: str = "sensitivity"
 ) -> Sensitivity:
-    """Read a sensitivity, or a chain of them from the sensor to the card.
+    """Parse a sensitivity, or a chain of sensitivities from the sensor to the card.
 
     Parameters
     ----------
     given : str or sequence of str
         ``"100 mV/g"``, ``"5 V / 50 mm"``, or links in order: ``["10 pC/(m/s^2)", "1 mV/pC"]``.
     unit : str
-        SI unit of the quantity that is measured.
+        SI unit of the measured quantity.
     where : str
-        Place that errors name.
+        Location named in errors.
 
     Returns
     -------
     Sensitivity
-        Recorded size for one SI unit.
+        Recorded value per SI unit of the quantity.
 
     Raises
     ------
     DescriptionError
-        Without a unit, with a unit that does not follow from the link before, or with a size of 0.
+        If a unit is missing or does not match the output of the previous link, or if a value is 0.
 
     Examples
     --------
@@ -96,7 +96,7 @@ def sensitivity_of(
 
 
 def _link(text: str, unit: str, where: str) -> tuple[float, str]:
-    """Size of one link for one SI ``unit``, and the SI unit of what it gives."""
+    """Return the output of one link per SI ``unit`` of its input, and the SI unit of the output."""
     match = _RATIO.fullmatch(text)
     if match is None:
         raise DescriptionError(
@@ -144,9 +144,10 @@ def _factor(unit: str, si: str) -> float:
 def electrical_columns(
     sensors: Mapping[str, Sensor], tables: Iterable[ColumnTable]
 ) -> dict[str, str]:
-    """Map the channels that sensors record to their columns in a file, as ``columns`` of `read_recording`.
+    """Map the raw channels of sensors to columns of a file, in the form of ``columns`` of `read_recording`.
 
-    A column without a unit is in V, A or counts, as the sensitivity ends; columns that the file lacks are left out.
+    A column without a unit is assumed to be in the final unit of the sensitivity (V, A or counts); columns that the
+    file lacks are omitted.
     """
     columns, known = {}, [column for table in tables for column in table]
     for name, sensor in sensors.items():
@@ -172,7 +173,7 @@ def electrical_columns(
 def condition(
     data: xr.Dataset, sensors: Mapping[str, Sensor], *, where: str
 ) -> tuple[xr.Dataset, list[Finding]]:
-    """Turn voltages, currents and counts into the quantities that their sensors measure.
+    """Convert voltages, currents and counts to the quantities that their sensors measure.
 
     Parameters
     ----------
@@ -180,23 +181,22 @@ def condition(
         Recording with a channel ``<name>.voltage`` (V), ``.current`` (A) or ``.counts`` (1) for each sensor with a
         sensitivity.
     sensors : mapping of str to Sensor
-        By the channel that each measures.
+        Sensors by the channel that they measure.
     where : str
         File named in findings.
 
     Returns
     -------
     dataset : xarray.Dataset
-        The same recording with those channels in SI in place of what the card recorded. Orientation and gain of a
-        sensor stay: the model's signals go through them.
+        The recording with those channels in SI instead of the raw channels. Orientation and gain of a sensor are not
+        undone here: they are applied to the model's signals.
     findings : list of Finding
-        What reached the end of a sensor's range, an offset that was taken off behind AC coupling, and numbers that no
-        suspension reaches.
+        Samples at the end of a sensor's range, offsets removed after AC coupling, and implausible magnitudes.
 
     Raises
     ------
     RecordingError
-        For time with steps that differ: the chain of a sensor is defined for a constant rate.
+        If the time steps differ: a sensor's chain is defined for a constant rate.
     """
     time = check_even(data["time"].to_numpy(), where=where)
     channels, findings = {}, list[Finding]()
@@ -215,7 +215,7 @@ def condition(
         )
         if (
             sensor.high_pass is not None and not sensor.zero
-        ):  # behind AC coupling a mean is the conditioner's offset
+        ):  # after AC coupling the mean is the conditioner's offset
             zero = float(recorded.mean())
             findings += _offset_removed(name, recorded, zero, chain, where)
         values = (recorded - zero) / chain.factor
@@ -237,17 +237,17 @@ def condition(
 def _offset_removed(
     name: str, recorded: Array, zero: float, chain: Sensitivity, where: str
 ) -> list[Finding]:
-    """Say which mean was taken off behind AC coupling, where it can be seen beside the signal."""
+    """Report the mean removed after AC coupling if it is visible compared with the signal."""
     if abs(zero) <= _SEEN * float(np.ptp(recorded)):
         return []
     return [finding("recordings.offset_removed", f"{where}: {name}", zero / chain.factor)]
 
 
-_SEEN = 0.01  # of the range of a signal, from which on an offset is said
+_SEEN = 0.01  # fraction of a signal's range above which an offset is reported
 
 
 def _beyond(name: str, values: np.ndarray, sensor: Sensor, where: str) -> Iterator[Finding]:
-    """Say how much of a record lies at the end of its range: what is beyond was not recorded."""
+    """Report the fraction of samples at the end of the sensor's range, beyond which nothing was recorded."""
     ends = range_of(name, sensor)
     if ends is None:
         return
@@ -265,13 +265,13 @@ def _beyond(name: str, values: np.ndarray, sensor: Sensor, where: str) -> Iterat
 
 
 _AT_END = 1.0 - 1e-3
-"""Share of a range from which on a sample counts as cut: converters end one step below it."""
+"""Fraction of a range above which a sample counts as clipped: converters saturate one step below the range."""
 
 
 def range_of(name: str, sensor: Sensor, *, where: str = "sensors") -> tuple[float, float] | None:
-    """Least and greatest size (SI) that a channel can record; None where that is not stated.
+    """Return the minimum and maximum (SI) that a channel can record; None if the range is not stated.
 
-    A range is given for the quantity (``"50 g"``) or for what is recorded (``"10 V"``).
+    A range is given in the unit of the quantity (``"50 g"``) or of the recorded signal (``"10 V"``).
 
     >>> from jounce.recordings import Sensor
     >>> range_of("sprung.az", Sensor(sensitivity="1 V/(m/s^2)", range="10 V"))
@@ -284,7 +284,7 @@ def range_of(name: str, sensor: Sensor, *, where: str = "sensors") -> tuple[floa
     )
 
 
-@lru_cache(maxsize=256)  # a fit asks at every evaluation
+@lru_cache(maxsize=256)  # a fit calls this at every evaluation
 def _range(
     name: str, given: str, sensitivity: str | tuple[str, ...], zero: str, where: str
 ) -> tuple[float, float]:
@@ -300,21 +300,21 @@ def _range(
 
 
 def cut_to_range(name: str, sensor: Sensor, table: Array) -> Array:
-    """Cut a reading at the end of its sensor's range; what stands beside it (derivatives of it) is 0 there.
+    """Clip readings to their sensor's range; their derivatives are set to 0 outside it.
 
     Parameters
     ----------
     name : str
-        Channel, which says the SI unit of the reading.
+        Channel, which determines the SI unit of the readings.
     sensor : Sensor
-        Its chain; without a range nothing is cut.
+        Sensor of the channel; without a range nothing is clipped.
     table : ndarray, shape (n,) or (n, k)
-        Readings, or a column of readings and columns of derivatives.
+        Readings, or a column of readings followed by columns of their derivatives.
 
     Returns
     -------
     ndarray, shape of ``table``
-        The same, cut.
+        The clipped readings, and their derivatives.
 
     Examples
     --------
@@ -340,5 +340,5 @@ def _has_unit(text: str, si: str) -> bool:
 
 
 def raw_names(names: Iterable[str]) -> list[str]:
-    """Channels that hold what a card recorded, not yet a quantity."""
+    """Return the channels with raw signals of a card (voltage, current or counts)."""
     return [name for name in names if name.rpartition(".")[2] in ELECTRICAL.values()]

@@ -1,4 +1,4 @@
-"""Files into recordings in SI, and recordings into files."""
+"""Read files as recordings in SI, and write recordings to files."""
 
 from __future__ import annotations
 
@@ -62,39 +62,40 @@ def read_recording(
         File of a format in ``READERS``, chosen by its suffix.
     columns : mapping of str to str, or str, optional
         Columns of channels in the file: jounce's name to the column's name, with a unit if the file gives none, e.g.
-        ``{"time": "t_ms [ms]", "sprung.az": "AccBody [g]"}``. Other columns are recognised by their own names. As one
-        text: names and units of the file's columns (or of a matrix) in their order.
+        ``{"time": "t_ms [ms]", "sprung.az": "AccBody [g]"}``. Other columns are recognised by their own names. A single
+        string lists names and units of the file's columns (or of a matrix) in order.
     sample_time : float or str, optional
         Constant step in s (or text with unit) of a file without time; overrides the file's time.
     variable : str
         Matrix variable or struct (``.mat``) or group (``.tdms``, ``.nc``) to read.
     resample : float or str, optional
-        Constant step in s (or text with unit) of the recording: time may be irregular then, also that of signals at
-        other instants (slow channels, bus messages), and samples may be missing. If the step is larger than that of the
-        file, the signals are band-limited first, without phase, at 0.4 of the new rate.
+        Constant step in s (or text with unit) of the recording. Time may then be irregular, signals may have their own
+        clocks (slow channels, bus messages), and samples may be missing. If the step is larger than that of the
+        file, the signals are first low-pass filtered with zero phase at 0.4 of the new rate.
     database : Path or str, optional
         Database of bus messages (``.dbc``) used to decode the bus frames of an MDF file.
     sensors : mapping of str to Sensor, Path or str, optional
-        Sensors by channel, or a file with them: columns in volts or counts are converted to the quantities of their
-        channels. The file has tables ``[sensors."sprung.az"]`` (schema ``jounce.sensors/1``); a campaign, or the
-        settings of a laboratory, will do.
+        Sensors by channel, or a file that describes them: columns in volts or counts are converted to the quantities of
+        their channels. The file has tables ``[sensors."sprung.az"]`` (schema ``jounce.sensors/1``); a campaign or the
+        settings of a laboratory are also accepted.
 
     Returns
     -------
     dataset : xarray.Dataset
-        Channels in SI on uniform ``time`` (s), that of the fastest channel over the time common to all. A channel of
-        a lower rate is a cubic spline through its samples; its attribute ``recorded_rate`` is its rate in Hz.
+        Channels in SI on the uniform ``time`` (s) of the fastest channel, limited to the interval that all channels
+        cover. A channel of a lower rate is interpolated by a cubic spline; its attribute ``recorded_rate`` is its rate
+        in Hz.
     findings : list of Finding
-        Columns that are no channel, interpretations (decimal commas), lower rates and the frequencies up to which
+        Columns that are not channels, interpretations (decimal commas), lower rates and the frequencies up to which
         they are valid, time that only some channels cover, resampling with the largest gap, a sample time that
-        contradicts the recorded time, constant and clipped channels, and as a problem magnitudes that no suspension
-        reaches, with the unit that was likely meant.
+        contradicts the recorded time, and constant and clipped channels. Implausible magnitudes are reported as
+        problems, with the likely unit.
 
     Raises
     ------
     RecordingError
-        If the file is missing, unreadable or empty, a column or unit is missing, time does not ascend or (without
-        ``resample``) jitters, values are not finite, or there is no channel at all.
+        If the file is missing, unreadable or empty, a column or unit is missing, time does not increase or (without
+        ``resample``) jitters, values are not finite, or no channel is found.
     DescriptionError
         If a unit does not fit the channel.
 
@@ -216,7 +217,7 @@ def read_recording(
 
 
 def _own_time(signals: SignalTable, mapping: Mapping[str, str]) -> Column | None:
-    """The file's own time, which a given step replaces; None if there is none or it cannot be read."""
+    """Return the file's own time, which a given step replaces; None if it is missing or unreadable."""
     try:
         return locate(_main_table(signals, mapping), mapping.get("time", "time"))
     except JounceError:
@@ -226,7 +227,7 @@ def _own_time(signals: SignalTable, mapping: Mapping[str, str]) -> Column | None
 def _usable(
     signals: SignalTable, main: ColumnTable, mapping: Mapping[str, str], *, is_resampled: bool
 ) -> tuple[ColumnTable, ...]:
-    """Tables whose channels can share one time; unnamed tables only if they shorten it little."""
+    """Select the tables whose channels can share one time; tables that are not mapped may shorten it only a little."""
     if is_resampled:
         return signals.tables
     usable = []
@@ -255,7 +256,8 @@ def _usable(
     return tuple(table for table in usable if table is main or table in named or is_harmless(table))
 
 
-_MOST_CUT = 0.1  # share of the main clock's time that unnamed channels may cost: a late start, not half the record
+_MOST_CUT = 0.1
+"""Fraction of the main clock's time that unmapped channels may cut off, e.g. by a late start."""
 
 
 def _together(
@@ -264,7 +266,7 @@ def _together(
     homes: Mapping[str, ColumnTable],
     file: str,
 ) -> tuple[Array, dict[str, Array], list[Finding]]:
-    """All signals on the fastest clock, over the time common to all of them."""
+    """Interpolate all signals on the fastest clock, over the interval that all of them cover."""
     used = list(dict.fromkeys(homes.values()))
     fastest = min(
         used,
@@ -300,7 +302,7 @@ def _together(
     if cut > slack:
         findings = [
             *findings,
-            # Signals end within a sample of each other; a cut of more loses samples.
+            # Signals usually end within one sample of each other; a larger cut loses samples.
             finding(
                 "recordings.all_recorded",
                 f"{file}: time",
@@ -322,7 +324,7 @@ def _slower(
     step: float,
     file: str,
 ) -> list[tuple[Finding, list[str], float]]:
-    """Channels recorded at a lower rate than the recording's: their finding, names and rate."""
+    """Find channels recorded at a lower rate than the recording's: return their finding, names and rate."""
     slower = []
     for table in dict.fromkeys(homes.values()):
         names = [name for name in values if homes[name] is table]
@@ -334,7 +336,7 @@ def _slower(
 
 
 def _positive(given: float | str | None, where: str, what: str) -> float | None:
-    """A step in s; None where none is given."""
+    """Convert a step to s and check that it is positive; None if not given."""
     if given is None:
         return None
     step = to_si(given, "s", where=where)
@@ -362,7 +364,7 @@ _SHORTEST_STEP = 1e-12  # s: shorter than the step of any logger
 
 
 def _contradiction(recorded: Column | None, step: float, rows: int, file: str) -> list[Finding]:
-    """Warn if a given sample time puts a sample half a step or more from its recorded time."""
+    """Warn if a given sample time moves a sample by half a step or more from its recorded time."""
     try:
         time = in_si(recorded, "s") if recorded is not None else np.empty(0)
     except JounceError:  # unreadable time is the usual reason for a given step
@@ -393,7 +395,7 @@ def _resample(
     step: float,
     file: str,
 ) -> tuple[Array, dict[str, Array], list[Finding]]:
-    """All signals at uniform instants of their common time, with a finding on the largest gap."""
+    """Interpolate all signals at uniform instants of their common interval, with a finding on the largest gap."""
     used = {table: time for table, time in instants.items() if table in homes.values()}
     for table, time in used.items():
         check_instants(time, where=file, name_row=table.name_row)
@@ -461,8 +463,8 @@ def read_columns(
     path : Path or str
         File of a format in ``READERS``, chosen by its suffix.
     wanted : mapping of str to str, or sequence of such mappings
-        Name and SI unit of each required column, e.g. ``{"displacement": "m", "force": "N"}``; or several such sets:
-        the first set whose names are all in the file, or in ``columns``, is read, or else the first.
+        Name and SI unit of each required column, e.g. ``{"displacement": "m", "force": "N"}``, or several alternative
+        sets: the first set whose names are all in the file or in ``columns`` is read, otherwise the first.
     columns : mapping of str to str, or str, optional
         As in ``read_recording``.
     variable : str
@@ -473,7 +475,7 @@ def read_columns(
     values : dict of str to ndarray of shape (n,)
         Columns in SI, in the order of ``wanted``.
     findings : list of Finding
-        Interpretations (decimal commas), constant columns, and as a problem magnitudes that no suspension reaches.
+        Interpretations (decimal commas) and constant columns; implausible magnitudes are reported as problems.
 
     Raises
     ------
@@ -547,7 +549,7 @@ def locate(table: ColumnTable, spec: str) -> Column:
     column = table[name]
     own = (
         "" if name in (column.written, column.label) else column.unit
-    )  # 'Force [N]' with another unit behind it
+    )  # the full header 'Force [N]', followed by a different unit
     if unit and own and unit != own:
         hint = Phrase(
             "Where the header is wrong, name it in full and the right unit behind it: '{label} [{unit}]'.",
@@ -570,7 +572,7 @@ def has_column(table: ColumnTable, spec: str) -> bool:
 
 
 def in_si(column: Column, si: str) -> Array:
-    """Return a column in SI; plain numbers may have no unit, or text such as ``-``."""
+    """Return a column in SI; a dimensionless column may have no unit, or text such as ``-``."""
     if not column.unit and si != "1":
         raise RecordingError(
             "the column has no unit",
@@ -594,7 +596,7 @@ def in_si(column: Column, si: str) -> Array:
 
 
 def _main_table(signals: SignalTable, mapping: Mapping[str, str]) -> ColumnTable:
-    """The table with most of the requested columns, then with most channels."""
+    """Return the table with most of the requested columns, then with most channels."""
 
     def score(table: ColumnTable) -> tuple[int, int]:
         mapped = sum(_is_home(table, spec) for name, spec in mapping.items() if name != "time")
@@ -617,7 +619,7 @@ def _locate_channels(
     *,
     has_step: bool,
 ) -> tuple[dict[str, tuple[Column, ColumnTable]], list[Finding]]:
-    """Columns by channel with their tables: the mapped ones, then those named as channels."""
+    """Find the column and table of each channel: mapped columns first, then columns with the names of channels."""
     located: dict[str, tuple[Column, ColumnTable]] = {}
     without = " and without a sample time" if has_step else ""
     for name, spec in mapping.items():
@@ -736,9 +738,9 @@ def write_recording(
     dataset : xarray.Dataset or pandas.DataFrame
         A recording, or a table with columns ``name [unit]``.
     path : Path or str
-        ``.nc`` for netCDF-4, ``.mat`` for MATLAB, ``.mf4`` for MDF 4.10, ``.parquet`` and ``.xlsx`` for Excel (the last
-        three need the extra ``io``) keep names, units, long names and attributes; ``.csv`` is text with
-        ``name [unit]`` headers (numbers in full).
+        ``.nc`` (netCDF-4), ``.mat`` (MATLAB), ``.mf4`` (MDF 4.10), ``.parquet`` and ``.xlsx`` (Excel) keep names,
+        units, long names and attributes; the last three need the extra ``io``. ``.csv`` is text with ``name [unit]``
+        headers and numbers in full precision.
     force : bool
         Overwrite an existing file.
 
@@ -750,8 +752,8 @@ def write_recording(
     Raises
     ------
     OutputError
-        If the file exists and ``force`` is not set, the folder is missing, the suffix unknown, names collide
-        (``.mat``) or do not fit the format, data are not numbers over time (all but ``.nc``), or rows exceed a sheet.
+        If the file exists and ``force`` is not set, the folder is missing, the suffix is unknown, names collide
+        (``.mat``) or do not fit the format, data are not numbers over time (except ``.nc``), or a sheet is too small.
 
     Examples
     --------
@@ -766,7 +768,7 @@ def write_recording(
 
 
 def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:
-    """Convert a recording to a table of pandas.
+    """Convert a recording to a pandas data frame.
 
     Parameters
     ----------
@@ -776,8 +778,8 @@ def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        Indexed by that dimension (``time [s]``), one column for each channel, named with its SI unit as in CSV
-        files. For many variants the parameters that vary come first.
+        Indexed by that dimension (``time [s]``), with one column for each channel, named with its SI unit as in CSV
+        files. For a dataset of variants, the varied parameters come first.
 
     Raises
     ------

@@ -1,8 +1,8 @@
-"""Readers of binary formats work in a child process: a damaged file can end it, or keep it busy, and only it.
+"""Run the readers of binary formats in a child process, which a damaged file may crash or block without other harm.
 
-One child serves many files, so that starting it is paid once. What it is asked and answers is JSON, and the plain bytes
-of arrays behind it: nothing from a file is executed or unpickled. Its memory and its time are limited by the size of
-the file.
+One child serves many files to save its start-up time. Requests and replies are JSON, followed by the raw bytes of
+arrays: nothing from a file is executed or unpickled. Memory and time limits of the child depend on the size of the
+file.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ from jounce.core.serialise import to_plain
 from jounce.recordings.reader import Reader, ReaderOptions, SignalTable
 
 MEMORY, MEMORY_A_BYTE = 1.5e9, 32.0
-"""Bytes that reading a file may take, and those for each byte of the file (in memory it is not compressed)."""
+"""Memory limit for reading a file: bytes, plus bytes for each byte of the file."""
 TIME, TIME_A_BYTE = 10.0, 1e-6
-"""Seconds of computing that reading a file may take, and those for each byte; by the clock it is three times that."""
+"""CPU time limit for reading a file: seconds, plus seconds for each byte; elapsed time may be three times that."""
 
 _PATH = "import json, sys; sys.path[:] = json.loads(sys.argv[1])\n"
 _CHILD = f"""{_PATH}from jounce.recordings.isolated import serve
@@ -52,18 +52,18 @@ from jounce.recordings.readers import READERS
 serve(READERS)"""
 _NUMBERS = "fiub"
 _READY = b"+"
-"""What a child says once it has loaded what it needs."""
+"""Byte that a child sends once it has loaded its modules."""
 _LARGEST_WORKER = 1e9  # bytes that a child may keep between two files
 
 
 def is_possible() -> bool:
-    """Whether this process can start another Python: not where it is part of another program, or in a browser."""
+    """Whether this process can start another Python interpreter: not if embedded, frozen or in a browser."""
     name = Path(sys.executable or "").name.lower()
     return name.startswith(("python", "pypy")) and not getattr(sys, "frozen", False)
 
 
 def read_isolated(reader: Reader, path: Path, options: ReaderOptions) -> SignalTable:
-    """Read a file with one of jounce's own readers in a child; crash, endless work and memory are a RecordingError."""
+    """Read a file with a built-in reader in a child process; its crash or time-out raises RecordingError."""
     child = _take_child()
     try:
         answer, arrays = child.ask(reader.name, path, options)
@@ -80,7 +80,7 @@ def read_isolated(reader: Reader, path: Path, options: ReaderOptions) -> SignalT
 
 
 def prepare() -> None:
-    """Start a child, if there is none that waits, without waiting for it."""
+    """Start a child process unless one is idle; do not wait until it is ready."""
     if not _IDLE:
         _IDLE.append(_Child())
 
@@ -97,7 +97,7 @@ class _Child(ChildProcess):
     def ask(
         self, reader: str, path: Path, options: ReaderOptions
     ) -> tuple[dict[str, Any], list[Any]]:
-        """Return what the child answers about a file."""
+        """Request a file and return the child's reply with its arrays."""
         size = path.stat().st_size
         seconds, memory = TIME + size * TIME_A_BYTE, MEMORY + size * MEMORY_A_BYTE
         request = {
@@ -124,7 +124,7 @@ class _Child(ChildProcess):
             watch.over.set()
 
     def _fate(self, path: Path, seconds: float, *, late: bool) -> RecordingError | ResourceError:
-        """Why the child has ended, as the error about the file, or about what the system lacks."""
+        """Return the error that explains why the child ended: a damaged file or a lack of system resources."""
         code = self.process.wait()
         if not late and (-code in _FROM_OUTSIDE or not self.is_ready):
             how = f"{signal.Signals(-code).name}" if code < 0 else f"exit code {code}"
@@ -165,11 +165,11 @@ class _Child(ChildProcess):
 
 
 _FROM_OUTSIDE = {getattr(signal, name, None) for name in ("SIGKILL", "SIGTERM", "SIGHUP")}
-"""Signals that no library sends, but a user, or a system without memory."""
+"""Signals sent by a user, or by a system short of memory, but not by libraries."""
 
 
 def _folder() -> str:
-    """The folder that this process stands in; any other where it is gone: then no name is relative to it."""
+    """Return the current working directory, or the root directory if it no longer exists."""
     with contextlib.suppress(OSError):
         return str(Path.cwd())
     return os.sep
@@ -179,7 +179,7 @@ _IDLE: list[_Child] = []
 
 
 def _take_child() -> _Child:
-    """A child that waits, or a new one."""
+    """Return an idle child, or start a new one."""
     with contextlib.suppress(IndexError):
         while True:
             child = _IDLE.pop()
@@ -196,7 +196,7 @@ def _end_all() -> None:
 
 
 def _forget() -> None:
-    """Leave the children to the process that started them."""
+    """Forget inherited children after a fork: they belong to the parent process."""
     for child in _IDLE:
         child.process.returncode = 0
     _IDLE.clear()
@@ -206,14 +206,14 @@ if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_forget)
 
 
-# --- what the child does
+# --- child process
 
 
 def serve(readers: Sequence[Reader]) -> None:
     """Answer requests for these readers from standard input until it ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent decides
     answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what libraries print is no answer
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # keep output of libraries out of the replies
     answers.write(_READY)
     answers.flush()
     for line in sys.stdin.buffer:
@@ -234,20 +234,20 @@ def serve(readers: Sequence[Reader]) -> None:
                 else too_much_memory(error, path, memory)
             )
             answer, arrays = {"error": _plain_error(known)}, []
-        except Exception as error:  # noqa: BLE001 - whatever it is, the parent shall hear of it
+        except Exception as error:  # noqa: BLE001 - the parent must receive any error
             answer, arrays = (
                 {"error": _plain_error(unforeseen(error, request["path"], RecordingError))},
                 [],
             )
         os.chdir(
             Path(sys.executable).anchor or os.sep
-        )  # a folder where a process stands cannot be removed everywhere
+        )  # some systems cannot remove the working directory of a process
         answer["is_last"] = resident_memory() > _LARGEST_WORKER
         _send(answers, answer, arrays)
 
 
 def too_much_memory(error: MemoryError, path: str, allowed: float = 0.0) -> RecordingError:
-    """The error about a file that takes more memory than one of its size may, or than there is."""
+    """Return the error about a file that needs more memory than its limit, or than is available."""
     return RecordingError(
         f"the file takes more memory than {'a file of its size may' if allowed else 'there is'}",
         where=path,
@@ -265,7 +265,7 @@ def _read(readers: Sequence[Reader], request: Mapping[str, Any]) -> SignalTable:
     )
 
 
-# --- what goes through the pipe
+# --- messages on the pipe
 
 
 def _send(stream: IO[bytes], answer: Mapping[str, Any], arrays: list[Any]) -> None:
@@ -364,7 +364,7 @@ def _signals(plain: Mapping[str, Any], arrays: list[Any]) -> SignalTable:
 
 
 def _plain(value: Any, arrays: list[Any]) -> Any:
-    """A value as JSON; arrays stand beside it. What is neither text nor number becomes the text of it."""
+    """Convert a value to JSON; arrays are appended to ``arrays``. Other objects are converted to text."""
     if value is None or isinstance(value, (bool, int, str)) or type(value) is float:
         return value
     if isinstance(value, np.generic) and value.dtype.kind in "U":

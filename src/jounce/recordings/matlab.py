@@ -1,4 +1,4 @@
-"""Numeric data of MATLAB files: vectors and matrices, also in the structs and cells that testers and Simulink write."""
+"""Numeric data of MATLAB files: vectors and matrices, also inside structs and cells as test rigs and Simulink write."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ _LISTS = (
     "columns",
     "signals",
 )
-_DEEPEST = 20  # structs and cells within each other; only damage nests deeper
+_DEEPEST = 20  # levels of nested structs and cells; only damaged files nest deeper
 
 
 @dataclass(frozen=True)
 class Matrix:
-    """A numeric variable, or one within structs and cells: rows are samples.
+    """A numeric variable, or a numeric field of structs and cells; rows are samples.
 
-    ``path`` is its MATLAB expression, ``heads`` names and units of its columns (empty if the file has none).
+    ``path`` is its MATLAB expression; ``heads`` are the names and units of its columns (empty if the file has none).
     """
 
     path: str
@@ -63,7 +63,7 @@ class Matrix:
 
 
 def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Finding], dict[str, Any]]:
-    """Numeric matrices of a file by MATLAB expression; names of unreadable data; findings; texts by variable."""
+    """Read numeric matrices by MATLAB expression, names of unreadable data, findings, and texts by variable."""
     from scipy.io import loadmat
 
     findings: list[Finding] = []
@@ -97,16 +97,16 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
     return matrices, left_out, findings, texts
 
 
-_HEAD, _COMPRESSED = 128, 15  # bytes before the first variable, and the type of a compressed one
+_HEAD, _COMPRESSED = 128, 15  # bytes before the first variable, and type of compressed ones
 _MOST_INFLATED = (
     4_000_000_000  # bytes: the numbers that a recording may have (hdf5._MOST), as doubles
 )
 
 
 def _inflate(path: Path) -> io.BytesIO:
-    """A file of version 5 with its variables inflated and their announced sizes checked; others unchanged.
+    """Decompress the variables of a version 5 file and check their announced sizes; return other versions unchanged.
 
-    scipy accepts a variable before its checksum is read, and reads variables before the end of a file that was cut off.
+    scipy accepts a variable before reading its checksum, and reads the first variables of a truncated file.
     """
     content = path.read_bytes()
     order = {b"IM": "<", b"MI": ">"}.get(content[126:_HEAD])
@@ -147,11 +147,11 @@ _MATRIX, _CELL, _STRUCT, _OBJECT, _DOUBLE, _LAST = (
     15,
 )  # types and classes of MAT-files of level 5
 _SIZES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 4, 9: 8, 12: 8, 13: 8}
-"""Bytes of each stored kind of number."""
+"""Bytes per number, by stored type."""
 
 
 def _elements(content: bytes | memoryview, order: str) -> Iterator[tuple[int, memoryview]]:
-    """Kind and content of consecutive data elements; ValueError if one is cut off."""
+    """Yield type and content of consecutive data elements; raise ValueError if one is cut off."""
     view, at = memoryview(content), 0
     while at + 8 <= len(view):
         (kind,) = struct.unpack_from(f"{order}I", view, at)
@@ -167,7 +167,7 @@ def _elements(content: bytes | memoryview, order: str) -> Iterator[tuple[int, me
 
 
 def _check_matrix(matrix: memoryview, order: str, depth: int) -> None:
-    """Refuse a numeric matrix, also within structs and cells, whose count of numbers differs from the announced one."""
+    """Refuse a numeric matrix, also inside structs and cells, whose size differs from its announced dimensions."""
     parts = list(_elements(matrix, order))
     if len(parts) < 4 or depth > _DEEPEST or len(parts[0][1]) < 4:
         return
@@ -213,7 +213,7 @@ def _walk(
 def _walk_struct(
     path: str, struct: dict[str, Any], matrices: dict[str, Matrix], left_out: list[str], depth: int
 ) -> None:
-    """Fields of a struct (or the variables of the file): one signal with name and unit, or many."""
+    """Collect the fields of a struct (or the variables of the file): one signal with name and unit, or many."""
     before = f"{path}." if path else ""
     keys = {str(key).lower(): str(key) for key in struct}
     data = [keys[key] for key in _VALUES if key in keys and _numbers(struct[keys[key]]) is not None]
@@ -244,7 +244,7 @@ def _heads(
     keys: Mapping[str, str],
     units: Any,
 ) -> tuple[tuple[str, str], ...]:
-    """Names and units stored beside a matrix: a list with a name for each column, units by name or by column."""
+    """Return names and units stored next to a matrix: a name for each column, and units by name or by column."""
     width = values.shape[1]
     lists = [list(map(str, np.ravel(np.array(struct[keys[name]])))) for name in _LISTS if name in keys
              and _is_texts(struct[keys[name]])]  # fmt: skip
@@ -290,7 +290,7 @@ def _is_texts(value: Any) -> bool:
 
 
 def _numbers(value: Any) -> Array | None:
-    """Real numbers as (rows, columns), row vectors transposed; None for anything else."""
+    """Return real numbers with shape (rows, columns), row vectors transposed; None for anything else."""
     if not isinstance(value, (np.ndarray, np.generic, int, float)) or isinstance(value, bool):
         return None
     array = np.asarray(value)
@@ -314,7 +314,7 @@ def _content_of_hdf5(path: Path, findings: list[Finding]) -> dict[str, Any]:
 
 
 def _plain(item: Any, file: Any, findings: list[Finding], where: str, depth: int) -> Any:
-    """Struct, cell, text or numbers of a version 7.3 file, in the form of older versions."""
+    """Convert a struct, cell, text or array of a version 7.3 file to the form of older versions."""
     import h5py
 
     if depth > _DEEPEST or "MATLAB_object_decode" in item.attrs:

@@ -1,4 +1,4 @@
-"""Whether a measured record can be trusted: its time and each of its channels."""
+"""Quality checks of a measured record: its time and each of its channels."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ from jounce.recordings.schema import quantity_of
 LARGEST_JITTER = 0.01  # of the step: a phase error of 2 degrees at half the rate
 OVER_RANGE = 1e20  # SI; loggers write 9.9e37 or 1e30 for missing values
 ROUNDING = 1e-6  # of the step: time written with six digits
-FEWEST_SAMPLES = 8  # with fewer there is nothing to estimate a rate, noise or a trend from
+FEWEST_SAMPLES = 8  # fewer samples do not allow rate, noise or a trend to be estimated
 CLIPPED_RUN = 3  # equal samples at a limit: two also occur at a turning point
-FEWEST_CLIPPED = 6  # samples at a limit, two such runs: one may be chance
+FEWEST_CLIPPED = 6  # samples at a limit, i.e. two such runs: one may occur by chance
 _NEVER_CLIPPED = {"slope", "command", "adhesion"}
 _DRIVEN_PLACES = ("road", "platform")
 _MAY_REST = (".road.z", "pitch_moment", "deceleration", "lateral_acceleration")
-"""Suffixes of channels that stay 0 on a level road, and without braking or cornering."""
+"""Suffixes of channels that remain 0 on a level road, or without braking or cornering."""
 
 
 def row_number(row: int) -> str:
-    """Name a row of numbers (from 0) if the lines of the file are not known."""
+    """Name a row of numbers (counted from 0) when line numbers of the file are unknown."""
     return f"row {row + 1}"
 
 
 def check_time(
     time: Array, *, where: str, name_row: Callable[[int], str] = row_number
 ) -> tuple[Array, list[Finding]]:
-    """Check the time of a record and return the uniform time for it.
+    """Check the time of a record and return uniform instants for it.
 
     Parameters
     ----------
@@ -47,16 +47,16 @@ def check_time(
     Returns
     -------
     time : ndarray, shape (n,)
-        Uniform instants in s, from the first to the last recorded one. Without findings ``time`` itself is uniform,
-        apart from rounding.
+        Uniform instants in s, from the first to the last recorded instant. If there are no findings, the recorded time
+        is already uniform, apart from rounding.
     findings : list of Finding
-        One warning if the steps differ by more than rounding: the channels must be resampled then.
+        One warning if the steps differ by more than rounding; the channels must then be resampled.
 
     Raises
     ------
     RecordingError
-        If there are too few samples, values that are not finite, time that is all zero or does not ascend strictly,
-        or steps that differ from the median step by more than 1 %; with the row.
+        If there are too few samples, values are not finite, time is all zero or not strictly increasing, or steps
+        differ from the median step by more than 1 %. The message names the row.
 
     Examples
     --------
@@ -102,9 +102,9 @@ def check_time(
 
 
 def check_even(time: Array, *, where: str) -> Array:
-    """Refuse instants (s), shape (n,), whose steps differ by more than 1 %, as a filter would take them for even.
+    """Refuse instants (s), shape (n,), whose steps differ by more than 1 %: filters assume a constant rate.
 
-    Fewer instants than a record has are not checked.
+    Arrays with fewer instants than the minimum of a record are not checked.
     """
     if time.size >= FEWEST_SAMPLES:
         check_time(time, where=where)
@@ -114,7 +114,7 @@ def check_even(time: Array, *, where: str) -> Array:
 def check_instants(
     time: Array, *, where: str, name_row: Callable[[int], str] = row_number
 ) -> Array:
-    """Refuse a time (s) that is no clock: too few instants, not finite, all zero, not ascending; return its steps."""
+    """Refuse a time (s) with too few instants, or that is not finite, all zero or not increasing; return its steps."""
     at = f"{where}: time"
     _check_finite(time, at, name_row)
     if time.size > 1 and not np.any(time):
@@ -147,7 +147,7 @@ def check_ascending(
     name_row: Callable[[int], str] = row_number,
     hint: str = "",
 ) -> Array:
-    """Refuse values that do not ascend strictly, naming the first row; return their steps."""
+    """Refuse values that are not strictly increasing, naming the first such row; return their steps."""
     steps = np.diff(values)
     if np.any(steps <= 0.0):
         row = int(np.argmax(steps <= 0.0)) + 1
@@ -188,7 +188,7 @@ def check_channels(
     name_row: Callable[[int], str] = row_number,
     clipping: bool = True,
 ) -> list[Finding]:
-    """Report channels without a signal, or with a part of it missing.
+    """Report channels whose signal is missing or incomplete.
 
     Parameters
     ----------
@@ -199,20 +199,20 @@ def check_channels(
     name_row : callable
         Names a row (from 0) in errors, e.g. by its line in the file.
     clipping : bool
-        Look for clipped channels too; only sensible for signals over time.
+        Also look for held, frozen and clipped values; only sensible for signals over time.
 
     Returns
     -------
     list of Finding
-        A warning for each channel that is constant, holds each of its values for the same number of samples, has
-        frozen stretches (see `frozen_samples`), or is clipped: several flat pieces of at least 3 equal samples at its
-        largest or smallest value, entered by a jump. Flat pieces at 0 or at an end of the record, and inputs (``road``,
-        ``platform``, braking and cornering), do not count.
+        A warning for each channel that is constant, holds each value for the same number of samples, has frozen
+        stretches (see `frozen_samples`), or is clipped. A clipped channel has several runs of at least 3 equal samples
+        at its maximum or minimum, entered by a jump. Runs at 0 or at the ends of the record are ignored, and so are
+        inputs (``road``, ``platform``, braking and cornering).
 
     Raises
     ------
     RecordingError
-        If a value is not finite; with row and channel.
+        If a value is not finite. The message names row and channel.
 
     Examples
     --------
@@ -237,7 +237,7 @@ def check_channels(
 
 
 def _is_driven(name: str) -> bool:
-    """Whether a channel is an input to the rig: the road under any wheel, a shaker, manoeuvre loads."""
+    """Whether a channel is an input of the rig: the road under any wheel, a shaker or manoeuvre loads."""
     return name.endswith(_MAY_REST) or any(
         part.startswith(_DRIVEN_PLACES) for part in name.split(".")
     )
@@ -250,7 +250,7 @@ def _holding(values: Array, at: str) -> list[Finding]:
     if len(runs) < _FEWEST_HELD:
         return []
     length = int(np.median(runs))
-    # A signal that just rounds to its resolution moves by one step of it.
+    # A slow signal that is merely quantised moves by single steps of its resolution.
     if (
         length < 2
         or np.mean(runs == length) < _HELD
@@ -263,7 +263,7 @@ def _holding(values: Array, at: str) -> list[Finding]:
 _FEWEST_HELD, _HELD = (
     10,
     0.8,
-)  # runs, and share of them with equal length: a signal of chance has few equal runs
+)  # minimum number of runs, and fraction of equal length: random signals have only a few equal runs
 
 
 def _freezing(values: Array, at: str) -> list[Finding]:
@@ -278,11 +278,11 @@ def _freezing(values: Array, at: str) -> list[Finding]:
 
 
 def frozen_stretches(values: Array) -> list[tuple[int, int]]:
-    """First sample, and the one after the last, of each stretch in which a moving signal repeats one number.
+    """Find stretches in which a moving signal repeats one number; return the first sample and the one after the last.
 
-    A stretch counts if the signal moves up to both of its ends, so that chance does not explain it. A sensor at rest
-    with noise below its resolution is no case: it enters and leaves rest by single steps. Neither are a tyre off the
-    ground and a clipped sensor: they reach the end of their range without a jump.
+    A stretch counts only if the signal moves right up to both ends, which makes chance an unlikely cause. A sensor at
+    rest with noise below its resolution does not count: it enters and leaves rest by single steps. A tyre off the
+    ground and a clipped sensor do not count either: they reach the end of their range without a jump.
 
     >>> noise = np.random.default_rng(0).normal(size=100).round(2)
     >>> noise[40:60] = 0.0
@@ -316,16 +316,16 @@ def frozen_stretches(values: Array) -> list[tuple[int, int]]:
     return stretches
 
 
-_FEWEST_FROZEN, _BESIDE = 8, 12  # samples of a stretch, and samples examined on each side of it
-_CHANCE = 1e-6  # probability of the stretch by chance, anywhere in the record
-_ROUNDED = 1e-9  # of the range: smaller motion is rounding, as in simulations at rest
-_JUMP = 3.0  # largest steps nearby, by which a stretch at an end of the range must be entered
+_FEWEST_FROZEN, _BESIDE = 8, 12  # minimum samples of a stretch, and those examined on each side
+_CHANCE = 1e-6  # maximum probability that such a stretch occurs by chance anywhere in the record
+_ROUNDED = 1e-9  # fraction of the range below which motion is rounding error
+_JUMP = 3.0  # minimum jump into a stretch at an end of the range, in largest steps nearby
 
 
 def _is_moving(beside: Array, resolution: float) -> bool:
-    """Whether a signal moves next to a stretch (nearest sample first): by several steps of resolution, or both ways.
+    """Whether a signal moves next to a stretch (nearest sample first): by several resolution steps, or up and down.
 
-    Alternation between two or three neighbouring numbers may be a constant value between them.
+    Alternation between two or three neighbouring numbers does not count: a constant value between them looks the same.
     """
     steps = np.diff(beside[:_BESIDE])
     turns = np.sign(steps[steps != 0.0])
@@ -335,11 +335,11 @@ def _is_moving(beside: Array, resolution: float) -> bool:
     )
     return (
         is_restless or float(np.median(np.abs(steps[:5]))) > 1.5 * resolution
-    )  # two steps and more
+    )  # two steps or more
 
 
 def frozen_samples(values: Array) -> NDArray[np.bool_]:
-    """Whether each sample lies in one of the `frozen_stretches` of a signal."""
+    """Return a mask of the samples within `frozen_stretches` of a signal."""
     is_frozen = np.zeros(values.size, dtype=bool)
     for start, end in frozen_stretches(values):
         is_frozen[start:end] = True
@@ -347,7 +347,7 @@ def frozen_samples(values: Array) -> NDArray[np.bool_]:
 
 
 def clipped_share(values: Array) -> float:
-    """Share of the samples (1) that lie flat at the limits of a record, entered by a jump; 0 for only a few.
+    """Return the fraction (1) of samples in flat runs at the limits of a record, entered by a jump; 0 for only a few.
 
     >>> round(clipped_share(np.clip(np.sin(np.arange(200) * 0.1), -0.9, 0.9)), 3)
     0.225
@@ -356,7 +356,7 @@ def clipped_share(values: Array) -> float:
 
 
 def _clipping_limits(values: Array) -> dict[float, int]:
-    """Limits at which a record is clipped, with the number of samples there."""
+    """Return the limits at which a record is clipped, with the number of samples at each."""
     reached = [
         float(end)
         for end in (values.min(), values.max())
@@ -389,7 +389,7 @@ def _clipping(values: Array, at: str) -> list[Finding]:
 
 
 def _flat_samples(values: Array, limit: float, jump: float) -> int:
-    """Number of samples in inner runs at ``limit`` that are entered and left by more than ``jump``."""
+    """Count samples in inner runs at ``limit`` that are entered and left by a jump larger than ``jump``."""
     starts, ends = _runs(values, CLIPPED_RUN)
     at_limit = values[starts] == limit
     starts, ends = starts[at_limit], ends[at_limit]
@@ -398,7 +398,7 @@ def _flat_samples(values: Array, limit: float, jump: float) -> int:
 
 
 def _runs(values: Array, fewest: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """First sample, and the one after the last, of each run of equal samples within the record (not at its ends)."""
+    """Return start and end (exclusive) of each run of equal samples within the record, except at its ends."""
     edges = np.flatnonzero(np.diff(values)) + 1
     starts, ends = edges[:-1], edges[1:]
     long = ends - starts >= fewest

@@ -1,4 +1,4 @@
-"""Readable file formats: each is one function with its row in ``READERS``, added by a decorator."""
+"""Readable file formats: one function each, registered in ``READERS`` by a decorator."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ from jounce.recordings.schema import channel_unit, quantity_of
 from jounce.recordings.writers import ABOUT, EXCEL, attributes_in
 
 READERS: list[Reader] = []
-"""Every readable format, in the order of lists."""
+"""Every readable format, in the order in which lists show them."""
 
 
 def reader(
@@ -104,7 +104,7 @@ def is_read_in_child(path: Path) -> bool:
 
 
 def read_signals(path: Path, options: ReaderOptions) -> SignalTable:
-    """Columns of a file of any known format."""
+    """Read the columns of a file in any known format."""
     chosen = reader_of(path)
     if options.variable and not chosen.has_variables:
         raise RecordingError(
@@ -141,7 +141,7 @@ def _read_here(chosen: Reader, path: Path, options: ReaderOptions) -> SignalTabl
 
 
 def _check_shape(table: ColumnTable, reader: Reader, path: Path) -> None:
-    """Refuse a reader's result that is no table: every column needs the same number of plain numbers."""
+    """Refuse a reader's result unless all columns are real-valued arrays of the same length."""
     sound = [column for column in table if column.fault is None]
     for column in sound:
         if not _is_signal(column.values):
@@ -187,7 +187,7 @@ def _quiet() -> Iterator[None]:
 
 @contextmanager
 def _refuse_if_damaged(path: Path, what: str) -> Iterator[None]:
-    """Turn any error of a library into one refusal: damaged files raise errors of any kind."""
+    """Convert any error of a library to a RecordingError: damaged files raise errors of any kind."""
     try:
         with collect_warnings():
             yield
@@ -213,7 +213,7 @@ def _refuse_if_damaged(path: Path, what: str) -> Iterator[None]:
 
 
 def _table_of(columns: Iterable[Column], path: Path, options: ReaderOptions) -> ColumnTable:
-    """The columns as a table, with names and units of the header option if given."""
+    """Return the columns as a table; the header option, if given, overrides names and units."""
     return _rename(ColumnTable(tuple(columns), (), str(path)), options.header)
 
 
@@ -246,7 +246,7 @@ def _rename(table: ColumnTable, header: str) -> ColumnTable:
     example="time [s], sprung.az [m/s^2]",
 )
 def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
-    """Comma, semicolon or tab separated columns; also the text of LabVIEW, whatever its suffix."""
+    """Read columns separated by commas, semicolons or tabs; also LabVIEW text files, whatever their suffix."""
     text = text_of(path)
     if text.startswith(FIRST):
         return _labview(text, path, options)
@@ -266,7 +266,7 @@ def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
     example="columns={'sprung.az': 'Acceleration'}, with the units of its header",
 )
 def _read_lvm(path: Path, options: ReaderOptions) -> SignalTable:
-    """Channels of the segment with their ``Y_Unit_Label``; time as written, or from ``X0`` and ``Delta_X``."""
+    """Read the segment's channels with their ``Y_Unit_Label``; time as written, or from ``X0`` and ``Delta_X``."""
     text = text_of(path)
     if not text.startswith(FIRST):
         raise RecordingError(
@@ -301,9 +301,9 @@ def _labview(text: str, path: Path, options: ReaderOptions) -> SignalTable:
     is_isolated=True,
 )
 def _read_netcdf(path: Path, options: ReaderOptions) -> SignalTable:
-    """Every variable over the dimension of ``time`` (or of most variables) with its ``units`` and ``long_name``.
+    """Read every variable over the dimension of ``time`` (or of most variables) with ``units`` and ``long_name``.
 
-    Of a file with several groups, ``options.variable`` selects one; otherwise its only group with signals is read.
+    ``options.variable`` selects a group of a file with several groups; by default the only group with signals is read.
     """
     columns, long_names, remarks = [], dict[str, str](), []
     with _refuse_if_damaged(path, "a netCDF file"), open_netcdf(path) as root:
@@ -358,7 +358,7 @@ def _select_group(
 
 
 _WIDEST = 64
-"""Most columns of a matrix whose columns are read as signals without being named; wider ones are images or maps."""
+"""Maximum width of a matrix whose columns are read as signals by default; wider matrices are images or maps."""
 
 
 @reader(
@@ -371,14 +371,14 @@ _WIDEST = 64
     is_isolated=True,
 )
 def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
-    """Every numeric vector as a column, and the columns of every matrix, wherever they lie in structs and cells.
+    """Read every numeric vector, and the columns of every matrix, at any depth of structs and cells.
 
     Columns are named as in MATLAB: ``x_F(:,1)``, ``run.acc``, ``Y(2).Data``, ``c{3}``; within the struct
-    ``options.variable``, or the only variable of the file, without its name in front. A struct with its values, a name
-    and a unit is one signal of that name; a list of names (and units) beside a matrix of that width names its columns.
-    With ``options.header`` the columns of one matrix (``options.variable``, or the only one as wide as the header) get
-    names and units. Variables of one length become columns: that of the matrix with a header, otherwise the most
-    frequent one.
+    ``options.variable``, or the only variable of the file, the name of the struct is omitted. A struct with values, a
+    name and a unit is one signal of that name; a list of names (and units) next to a matrix of that width names its
+    columns. With ``options.header`` the columns of one matrix (``options.variable``, or the only one as wide as the
+    header) get names and units. Only variables of one length become columns: the length of the matrix with a header,
+    otherwise the most frequent length.
     """
     with _refuse_if_damaged(path, "a MATLAB file"):
         matrices, unread, findings, texts = read_matrices(path)
@@ -442,7 +442,7 @@ def _read_mat(path: Path, options: ReaderOptions) -> SignalTable:
 
 
 def _select_matrix(arrays: dict[str, Array], variable: str, width: int, path: Path) -> str:
-    """Variable that the header (``width`` names) belongs to; empty without header and variable."""
+    """Return the variable that the header (``width`` names) belongs to; empty without header and variable."""
     sizes = ", ".join(
         f"{name} ({a.shape[0]} x {a.shape[1]})" for name, a in arrays.items() if a.shape[0] > 1
     )
@@ -494,12 +494,12 @@ def _select_matrix(arrays: dict[str, Array], variable: str, width: int, path: Pa
     is_isolated=True,
 )
 def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
-    """Channels of one group (``options.variable``; by default the only one) with their ``unit_string``.
+    """Read the channels of one group (``options.variable``; by default the only one) with their ``unit_string``.
 
     Time is a channel, or follows from the waveform properties ``wf_start_offset`` and ``wf_increment``.
     """
     nptdms = require("nptdms", "io")
-    # a stream: with a path the library would also read an index file beside it
+    # a stream: with a path the library would also read an index file next to it
     with _refuse_if_damaged(path, "a TDMS file"), _quiet(), path.open("rb") as stream:
         at, lost = _bytes_without_segment(stream)
         file = nptdms.TdmsFile.read(stream)
@@ -544,7 +544,7 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     for clock, columns in clocks.items():
         held = min(
             len(column.values) for column in columns
-        )  # of a truncated file, the rows that all channels have
+        )  # in a truncated file, the rows that all channels have
         table = [replace(column, values=column.values[:held]) for column in columns]
         if len(clock) > 1 and not any(column.name == "time" for column in table):
             instants = np.asarray(clock[1] + np.arange(held) * clock[0], dtype=np.float64)
@@ -554,7 +554,7 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
 
 
 def _bytes_without_segment(stream: BinaryIO) -> tuple[int, int]:
-    """End of the last TDMS segment, and the number of bytes after it, which the library skips silently."""
+    """Return the end of the last TDMS segment and the number of bytes after it, which the library skips silently."""
     size, at = stream.seek(0, os.SEEK_END), 0
     while at + 28 <= size:
         stream.seek(at)
@@ -580,12 +580,12 @@ def _bytes_without_segment(stream: BinaryIO) -> tuple[int, int]:
     is_isolated=True,
 )
 def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
-    """Numeric channels by time axis; bus frames (CAN, LIN) are decoded with ``options.database``.
+    """Read numeric channels by time axis; bus frames (CAN, LIN) are decoded with ``options.database``.
 
-    Signals of bus messages have the names of the database.
+    Signals of bus messages are named as in the database.
     """
     asammdf = require("asammdf", "io")
-    # asammdf 8.1 and later look up lists of columns (MDF 4.2) as `self.self`, and then read none of them
+    # asammdf 8.1 and later look up column lists (MDF 4.2) as `self.self`, and fail to read them
     require("asammdf.blocks.v4_blocks", "io").ListData.self = property(lambda data: data)
     findings: list[Finding] = []
     long_names = dict[str, str]()
@@ -640,7 +640,7 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
 
 
 _FRAMES = ("CAN_", "LIN_", "ETH_", "FLX_")
-_TIME_RESPONSE, _FUNCTIONS = 1, 58  # kind of function and data set of the universal file format
+_TIME_RESPONSE, _FUNCTIONS = 1, 58  # function type and data set of the universal file format
 
 
 @reader(
@@ -653,7 +653,7 @@ _TIME_RESPONSE, _FUNCTIONS = 1, 58  # kind of function and data set of the unive
     is_isolated=True,
 )
 def _read_uff(path: Path, options: ReaderOptions) -> SignalTable:
-    """Time responses with real values, over the instants of most of them.
+    """Read time responses with real values, on the time axis that most of them share.
 
     A channel is named after its response entity (or ``point_<node>``), followed by ``:<node><direction>`` if the name
     is not unique. Time has the unit of the data set, s by default.
@@ -735,10 +735,10 @@ def _label(text: object) -> str:
     is_isolated=True,
 )
 def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
-    """Every numeric column; its unit from the name (``force [N]``) or the field's metadata (``unit``, ``units``).
+    """Read every numeric column; units come from the name (``force [N]``) or the field's metadata.
 
-    Instants, durations and times of day (not days) become seconds since the first; the index that pandas writes
-    counts as a column.
+    Timestamps, durations and times of day (but not dates) become seconds since the first; an index written by pandas
+    is read as a column.
     """
     arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
     columns, long_names = [], dict[str, str]()
@@ -798,9 +798,8 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
     )
 
 
-_LARGEST_WORKBOOK = (
-    1_000_000_000  # bytes, unpacked: a full sheet (a million rows) of ten columns has about half
-)
+_LARGEST_WORKBOOK = 1_000_000_000
+"""Bytes, unpacked: a full sheet (a million rows) of ten columns takes about half of it."""
 
 
 @reader(
@@ -814,10 +813,10 @@ _LARGEST_WORKBOOK = (
     is_isolated=True,
 )
 def _read_excel(path: Path, options: ReaderOptions) -> SignalTable:
-    """The only sheet with numbers, or that of ``options.variable``; cells are read as those of a text file.
+    """Read the only sheet with numbers, or the sheet ``options.variable``; cells are read like those of a text file.
 
-    A range of rows or cells may follow the sheet's name: ``Run 1!A5:D300``, ``!5:300``. Formulas count with the values
-    that Excel stored. A workbook of ``write_recording`` has names, units, long names and attributes in extra sheets.
+    A range of rows or cells may follow the sheet's name: ``Run 1!A5:D300``, ``!5:300``. Formulas are read as the values
+    that Excel stored. ``write_recording`` stores names, units, long names and attributes in extra sheets.
     """
     require("openpyxl", "io")
     sheet_rows: dict[str, list[list[Any]]] = {}
@@ -864,7 +863,7 @@ _AREA = re.compile(r"\$?([A-Z]*)\$?([1-9]\d*):\$?([A-Z]*)\$?([1-9]\d*)")
 
 
 def _within(rows: list[list[Any]], area: str, path: Path) -> list[list[Any]]:
-    """Rows of a sheet, emptied outside a range of rows (``5:300``) or cells (``A5:D300``)."""
+    """Clear all cells of a sheet outside a range of rows (``5:300``) or cells (``A5:D300``)."""
     match = _AREA.fullmatch(area.upper())
     if match is None or (match[1] == "") != (match[3] == ""):
         allowed = "rows or cells of a sheet, e.g. 'Run 1!5:300' or 'Run 1!A5:D300'"
@@ -878,7 +877,7 @@ def _within(rows: list[list[Any]], area: str, path: Path) -> list[list[Any]]:
 
 
 def _place(letters: str) -> int:
-    """Index of a sheet's column from 0, by its letters.
+    """Convert the letters of a sheet's column to its index, counted from 0.
 
     >>> [_place(name) for name in ("A", "Z", "AA", "ZZ", "AAA")]
     [0, 25, 26, 701, 702]
@@ -890,7 +889,7 @@ def _place(letters: str) -> int:
 
 
 def _of_sheet(rows: list[list[Any]], header: str, path: Path, sheet: str) -> ColumnTable:
-    """Columns of a sheet; their errors name rows of the sheet."""
+    """Parse the columns of a sheet; errors name rows of the sheet."""
     try:
         table = columns_in(_as_text(rows), path, len(parse_header(header)) if header else 0)
     except RecordingError as error:
@@ -942,7 +941,7 @@ def _has_number(row: list[Any]) -> bool:
 
 
 def _as_text(rows: list[list[Any]]) -> str:
-    """Cells separated by tabs, a line for each row, limited to columns used by rows with several cells."""
+    """Join cells by tabs, one line per row, limited to columns used by rows with several cells."""
     filled = [[i for i, cell in enumerate(row) if cell not in (None, "")] for row in rows]
     used = [i for places in filled if len(places) > 1 for i in places]
     first, end = min(used, default=0), max(used, default=-1) + 1
@@ -956,9 +955,9 @@ def _as_text(rows: list[list[Any]]) -> str:
 
 
 def _with_seconds(rows: list[list[Any]]) -> list[list[Any]]:
-    """Rows with durations in s, with or without another unit of time above them.
+    """Convert durations of time columns to s, whether or not their header names a unit of time.
 
-    Other durations stay: openpyxl also returns a number that is shown in hours as a duration.
+    Other durations are unchanged: openpyxl also returns a number formatted in hours as a duration.
     """
     converted = [list(row) for row in rows]
     below = {
@@ -986,15 +985,15 @@ def _with_seconds(rows: list[list[Any]]) -> list[list[Any]]:
 
 
 def _may_be_clock(name: str, unit: str) -> bool:
-    """Whether durations and instants under a name and a unit are a clock; under a channel's name they are a mistake."""
+    """Whether a column of durations or dates can be a clock, judged by name and unit; a known channel cannot."""
     is_channel = quantity_of(name) and channel_unit(name) != "s"
     return names_time(name) or (not is_channel and (not unit or is_unit_of(unit, "s")))
 
 
 def _by_cell(table: ColumnTable, rows: list[list[Any]], path: Path, sheet: str) -> ColumnTable:
-    """The table; a column's fault names the sheet's cell and the kind of its content.
+    """Make the faults of columns name the sheet's cell and the kind of its content.
 
-    A known channel is no clock: instants and durations in it are such a fault.
+    A known channel is not a clock: dates and durations in it are faults.
     """
     columns = list(table.columns)
     for place, column in enumerate(columns):
@@ -1068,7 +1067,7 @@ _ERRORS_OF_EXCEL = (
 
 
 def _letters(column: int) -> str:
-    """Letters of a sheet's column, from index 0.
+    """Convert the index of a sheet's column, counted from 0, to its letters.
 
     >>> [_letters(column) for column in (0, 25, 26, 701, 702)]
     ['A', 'Z', 'AA', 'ZZ', 'AAA']
@@ -1077,7 +1076,7 @@ def _letters(column: int) -> str:
 
 
 def _without_days(table: ColumnTable, path: Path, sheet: str) -> ColumnTable:
-    """The table with durations that pandas wrote converted to s: days, shown as if they were whole numbers."""
+    """Convert durations written by pandas to s: they are stored in days, with the number format of integers."""
     columns, remarks = list(table.columns), list(table.remarks)
     for place, column in enumerate(columns):
         seconds = (column.values * 86400.0).round(9)
@@ -1097,7 +1096,7 @@ def _without_days(table: ColumnTable, path: Path, sheet: str) -> ColumnTable:
 
 
 def _format_below(path: Path, sheet: str, header: str) -> str:
-    """Number format of the first number below a header in a workbook."""
+    """Return the number format of the first number below a header in a workbook."""
     book = require("openpyxl", "io").load_workbook(path, read_only=True, data_only=True)
     try:
         place = None
@@ -1111,7 +1110,7 @@ def _format_below(path: Path, sheet: str, header: str) -> str:
 
 
 def _cell_text(cell: Any) -> str:
-    """A cell as in a text file; dates and times as ISO 8601."""
+    """Format a cell as in a text file; dates and times as ISO 8601."""
     if cell is None:
         return ""
     if isinstance(cell, datetime | time):
@@ -1127,7 +1126,7 @@ def _by_clock(
     left_out: tuple[str, ...] = (),
     findings: tuple[Finding, ...] = (),
 ) -> SignalTable:
-    """Columns on the clock that most of them share, and those on other clocks; columns without a clock are dropped."""
+    """Separate columns on the most common clock from those on other clocks; columns without a clock are dropped."""
     usual = max(clocks, key=len)
     others = [columns for columns in clocks if columns is not usual]
     timed = [columns for columns in others if columns[0].name == "time"]

@@ -20,10 +20,10 @@ _TWO_PASSES = (
     math.sqrt(2.0) - 1.0
 )  # (w/w_d)^(2 n) at which the squared gain of two passes is 1/sqrt(2)
 _ANTI_ALIAS_ORDER = 8  # two passes: -3 dB at the corner, -24 dB at half the new rate
-_ANTI_ALIAS_SHARE = 0.4  # of the new rate: the corner; four fifths of the new band remain
-_UNEVEN = 1e-3  # share of the step by which steps may differ for a filter
-_JITTER = 0.01  # share by which the usual step of an uneven time may miss the requested step
-_GAP = 10.0  # usual steps: a spline across a wider gap overshoots, so a line replaces it
+_ANTI_ALIAS_SHARE = 0.4  # corner as a fraction of the new rate; four fifths of the band remain
+_UNEVEN = 1e-3  # fraction of the mean step by which steps may differ for a filter
+_JITTER = 0.01  # fraction by which the median step may exceed the requested step
+_GAP = 10.0  # median steps: a spline overshoots across a wider gap, so a line replaces it
 _MOST_INSTANTS = 1e8  # 0.8 GB for each channel
 
 
@@ -42,7 +42,7 @@ def check_frequency(frequency: float, sample_rate: float, *, where: str) -> None
 
 
 def _signals(values: ArrayLike, what: str, fewest: int) -> Array:
-    """Signals with samples along the first axis; refused if there are too few for the purpose ``what``."""
+    """Return signals with samples along the first axis; refuse too few samples for the purpose ``what``."""
     signals = as_samples(values, where="signal")
     count = len(signals) if signals.ndim else 0
     if count < fewest:
@@ -72,7 +72,7 @@ def band_limit(
     below: float | None = None,
     order: int = 2,
 ) -> Array:
-    """Filter by Butterworth forwards and backwards: no phase, -3 dB exactly at the given frequencies.
+    """Apply Butterworth filters forwards and backwards: zero phase, exactly -3 dB at the given frequencies.
 
     Parameters
     ----------
@@ -81,16 +81,16 @@ def band_limit(
     sample_rate : float
         Samples per second in Hz.
     above : float, optional
-        Corner of the high pass in Hz: faster motion passes.
+        Corner frequency of the high pass in Hz.
     below : float, optional
-        Corner of the low pass in Hz: slower motion passes.
+        Corner frequency of the low pass in Hz.
     order : int
         Order of one pass; two passes double the steepness.
 
     Returns
     -------
     ndarray, shape of ``values``
-        Filtered signals in the same unit. Compare filtered with equally filtered signals only.
+        Filtered signals in the same unit. Compare them only with signals filtered in the same way.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def band_limit(
     Notes
     -----
     Two passes move the -3 dB point of a low pass to ``(sqrt(2) - 1)^(1 / (2 order))`` of the design frequency (0.8022
-    for order 2); the design frequency is moved the other way first, in the warped frequency of the bilinear transform.
+    for order 2). The design frequency is shifted to compensate, in the warped frequency of the bilinear transform.
 
     Examples
     --------
@@ -167,7 +167,7 @@ def cfc_coefficients(
 
 
 def cfc_filter(values: ArrayLike, sample_rate: float, channel_class: float) -> Array:
-    """Filter to an SAE J211 channel frequency class (four poles, no phase).
+    """Filter to an SAE J211 channel frequency class (four poles, zero phase).
 
     Parameters
     ----------
@@ -202,7 +202,7 @@ def cfc_filter(values: ArrayLike, sample_rate: float, channel_class: float) -> A
 
 
 def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Array, Array]:
-    """Resample signals to another constant rate.
+    """Resample signals at a new constant rate.
 
     Parameters
     ----------
@@ -216,17 +216,16 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
     Returns
     -------
     time : ndarray, shape (m,)
-        From the first instant in steps of ``1 / sample_rate`` s up to the last instant.
+        Instants in s, from the first in steps of ``1 / sample_rate`` up to the last.
     values : ndarray, shape (m,) or (m, k)
-        Cubic spline through the samples; a line across gaps of more than 10 usual steps, where a spline overshoots.
-        If the rate is reduced, the signals are band-limited first (zero phase, at 0.4 of the new rate) against
-        aliasing.
+        Cubic spline through the samples; a straight line across gaps of more than 10 median steps, where a spline
+        would overshoot. If the rate is reduced, the signals are low-pass filtered first (zero phase, at 0.4 of the new
+        rate) to prevent aliasing.
 
     Raises
     ------
     RecordingError
-        If the rate is not positive, there are fewer than two samples, lengths differ, or the instants do not fit
-        into memory.
+        If the rate is not positive, there are fewer than two samples, lengths differ, or the result would be too large.
 
     Examples
     --------
@@ -255,7 +254,7 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
 
 
 def uniform_instants(first: float, last: float, sample_rate: float) -> Array:
-    """Instants from the first in steps of ``1 / sample_rate`` up to the last (s); refused if they are too many."""
+    """Return instants in s from the first in steps of ``1 / sample_rate`` up to the last; refuse too many."""
     duration = last - first
     count = duration * sample_rate * (1.0 + 1e-12) + 1e-9  # rounding must not drop the last instant
     if not count < _MOST_INSTANTS:
@@ -272,7 +271,7 @@ def uniform_instants(first: float, last: float, sample_rate: float) -> Array:
 
 
 def read_at(instants: Array, signals: Array, wanted: Array, sample_rate: float) -> Array:
-    """Signals at uniform instants within the record, band-limited if ``sample_rate`` is below that of the record."""
+    """Interpolate signals at uniform instants; low-pass filter them first if ``sample_rate`` is the lower rate."""
     steps = np.diff(instants)
     mean = float(instants[-1] - instants[0]) / (instants.size - 1)
     is_even = float(np.abs(steps - mean).max()) <= _UNEVEN * mean
@@ -290,7 +289,7 @@ def read_at(instants: Array, signals: Array, wanted: Array, sample_rate: float) 
 
 
 def _between(instants: Array, signals: Array, wanted: Array, usual: float) -> Array:
-    """Cubic spline through the samples, and a line across gaps."""
+    """Interpolate by a cubic spline, and linearly across gaps."""
     from scipy.interpolate import CubicSpline
 
     values = np.asarray(
@@ -310,7 +309,7 @@ def _between(instants: Array, signals: Array, wanted: Array, usual: float) -> Ar
 
 
 def derivative(values: ArrayLike, sample_rate: float) -> Array:
-    """Differentiate signals in time by central differences (second order, also at both ends).
+    """Differentiate signals with respect to time by central differences (second order, one-sided at the ends).
 
     Parameters
     ----------
@@ -342,11 +341,11 @@ def derivative(values: ArrayLike, sample_rate: float) -> Array:
     return np.asarray(np.gradient(signals, 1.0 / sample_rate, axis=0, edge_order=2), dtype=float)
 
 
-_CONSTANT = 1e-9  # share of a signal's variance below which a part of it counts as constant
+_CONSTANT = 1e-9  # fraction of the variance below which a part is treated as constant
 
 
 def shift_signals(values: ArrayLike, sample_rate: float, lag: float) -> Array:
-    """Delay signals by any time, also by a fraction of a sample.
+    """Delay signals by any time, including fractions of a sample.
 
     Parameters
     ----------
@@ -355,13 +354,13 @@ def shift_signals(values: ArrayLike, sample_rate: float, lag: float) -> Array:
     sample_rate : float
         Samples per second in Hz.
     lag : float
-        Delay in s; positive delays the signals: the result at t is the signal at ``t - lag``.
+        Delay in s: the result at t is the signal at ``t - lag``.
 
     Returns
     -------
     ndarray, shape of ``values``
-        Cubic spline through the samples in the same unit, evaluated at the shifted instants; the first and the last
-        value continue beyond the ends.
+        Cubic spline through the samples, evaluated at the shifted instants, in the same unit; beyond the ends the
+        first and last values are repeated.
 
     Examples
     --------
@@ -372,7 +371,7 @@ def shift_signals(values: ArrayLike, sample_rate: float, lag: float) -> Array:
 
 
 def shift_with_derivative(values: ArrayLike, sample_rate: float, lag: float) -> tuple[Array, Array]:
-    """Delay signals, and differentiate the result by the delay (to estimate the delay in a fit).
+    """Delay signals, and differentiate the result with respect to the delay (for fits that estimate the delay).
 
     Parameters
     ----------
@@ -381,14 +380,14 @@ def shift_with_derivative(values: ArrayLike, sample_rate: float, lag: float) -> 
     sample_rate : float
         Samples per second in Hz.
     lag : float
-        Delay in s, positive later.
+        Delay in s; positive values shift the signals to later times.
 
     Returns
     -------
     shifted : ndarray, shape of ``values``
         As returned by ``shift_signals``.
     derivative : ndarray, shape of ``values``
-        Derivative of ``shifted`` with respect to ``lag``, in the unit of ``values`` per s; 0 beyond its ends.
+        Derivative of ``shifted`` with respect to ``lag``, in the unit of ``values`` per s; 0 beyond the ends.
 
     Raises
     ------
@@ -424,23 +423,23 @@ def estimate_lag(
     *,
     maximum_lag: float | None = None,
 ) -> float:
-    """Estimate the delay of one signal after another.
+    """Estimate the delay of one signal relative to another.
 
     Parameters
     ----------
     reference, compared : array_like, shape (n,)
-        Two records of the same motion, same unit, same constant rate.
+        Two records of the same motion, in the same unit and at the same constant rate.
     sample_rate : float
         Samples per second in Hz.
     maximum_lag : float, optional
-        Largest delay considered in s, either way, at most half the record; by default a fifth of the record.
+        Maximum absolute delay considered in s, at most half the record; by default a fifth of the record.
 
     Returns
     -------
     float
-        Delay of ``compared`` in s, positive if it is later: ``compared(t)`` is about ``reference(t - lag)``. Maximum
-        of the correlation coefficient of the overlapping parts, refined below a sample by a parabola. 0 if one of the
-        signals is constant.
+        Delay of ``compared`` in s, positive if it is later: ``compared(t)`` is about ``reference(t - lag)``. The delay
+        maximises the correlation coefficient of the overlapping parts, refined to a fraction of a sample by a parabola.
+        0 if either signal is constant.
 
     Raises
     ------
@@ -479,7 +478,7 @@ def estimate_lag(
 
 
 def correlation_coefficients(reference: Array, compared: Array, most: int) -> Array:
-    """Correlate the overlapping parts of two signals for every shift, by one Fourier transform.
+    """Correlate the overlapping parts of two signals for every shift, by fast Fourier transform.
 
     Returns the coefficient (-1 to 1) of ``reference[t]`` with ``compared[t + shift]`` about the means of the
     overlapping parts, for shifts from ``-most`` to ``most`` samples; -1 if one part is constant.
@@ -500,7 +499,7 @@ def correlation_coefficients(reference: Array, compared: Array, most: int) -> Ar
 
 
 def _cross_correlation(reference: Array, compared: Array, most: int) -> Array:
-    """Sums ``reference[t] compared[t + shift]`` over the overlap, for shifts from -most to most."""
+    """Sum ``reference[t] compared[t + shift]`` over the overlap, for shifts from ``-most`` to ``most``."""
     from scipy import fft
 
     size = fft.next_fast_len(reference.size + most, real=True)
