@@ -1,1 +1,1 @@
-"""What a laboratory looks at first: statistics, spectra, transfer functions, modes and motion of measured records."""
+"""Analyse measured records: statistics, spectra, transfer functions, modes, and motion from accelerations."""

@@ -1,4 +1,4 @@
-"""Integrate accelerations to velocity and displacement without drift; state the valid band and the error in it."""
+"""Integrate accelerations to velocity and displacement without drift; report the valid band and the error in it."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Motion: TypeAlias = Literal["random", "transient", "periodic"]
-_ORDER = 6  # of the high pass: its gain is x^6 / (1 + x^6) at x corners
+_ORDER = 6  # order of the high pass: its gain is x^6 / (1 + x^6) at x times the corner
 VALID = 19.0 ** (1.0 / _ORDER)
-"""Corners (1) above which the high pass takes less than 5 %: 1.63."""
+"""Multiple of the corner frequency (1.63) above which the high pass removes less than 5 %."""
 _INTEGRALS = {
     "ax": ("vx", "x"),
     "ay": ("vy", "y"),
@@ -48,8 +48,8 @@ _INTEGRALS = {
     "roll_acceleration": ("roll_rate", "roll"),
 }
 _UNITS = {"m/s^2": ("m/s", "m"), "rad/s^2": ("rad/s", "rad")}
-_FEWEST_CYCLES = 4.0  # of the lowest corner within a record, whose ends take two
-_ABOVE_NOISE = 4.0  # density over the floor from which on motion counts: 3 of 4 parts are motion
+_FEWEST_CYCLES = 4.0  # cycles of the lowest corner in a record; two are lost at its ends
+_ABOVE_NOISE = 4.0  # density over the floor above which it is motion: then 3/4 of it is
 
 
 @dataclass(frozen=True)
@@ -61,21 +61,21 @@ class IntegratedChannel(Plain):
     channel : str
         The acceleration.
     velocity_channel, displacement_channel : str
-        Names of the results.
+        Names of the resulting channels.
     unit : str
-        Of the acceleration: ``m/s^2`` or ``rad/s^2``.
+        Unit of the acceleration: ``m/s^2`` or ``rad/s^2``.
     corner : float
-        Frequency (Hz) at which the high pass halves the amplitude; 0 without one.
+        Frequency (Hz) at which the high pass halves the amplitude; 0 without a high pass.
     band : (float, float)
-        Frequencies (Hz) in which the amplitude is right within 5 %.
+        Frequency range (Hz) in which the amplitude is accurate to 5 %.
     noise : float
-        Density of the acceleration's noise, in its unit per root of Hz: as given, or the least of the record.
+        Noise density of the acceleration, in its unit per root of Hz: as given, or the minimum in the record.
     velocity_error, displacement_error : float
-        Standard deviation that this noise gives velocity and displacement within the band, m/s and m.
+        Standard deviation of velocity and displacement within the band due to this noise, m/s and m.
     removed : float
-        Root mean square displacement (m) that the record holds below the corner: drift, and motion that is lost.
+        Root mean square displacement (m) of the record below the corner, which is lost: drift and slow motion.
     velocity, displacement : ndarray, shape (n,)
-        m/s and m, or rad/s and rad, with a mean of zero but for transients, which begin at zero.
+        m/s and m, or rad/s and rad, with zero mean; those of transients start at zero instead.
     """
 
     left_out = ("velocity", "displacement")
@@ -87,10 +87,10 @@ class IntegratedChannel(Plain):
     band: Annotated[tuple[float, float], Shows("amplitudes within 5 %", "Hz")]
     noise: float
     velocity_error: Annotated[
-        float, Shows("noise adds to velocity", lambda channel: channel.velocity_unit)
+        float, Shows("velocity error from noise", lambda channel: channel.velocity_unit)
     ]
     displacement_error: Annotated[
-        float, Shows("noise adds to displacement", lambda channel: channel.displacement_unit)
+        float, Shows("displacement error from noise", lambda channel: channel.displacement_unit)
     ]
     removed: Annotated[float, Shows("removed", lambda channel: channel.displacement_unit)]
     velocity: Array
@@ -116,15 +116,15 @@ class Integration(Plain):
     record : str
         File, or ``recording``.
     motion : {"random", "transient", "periodic"}
-        What the motion was taken for.
+        Assumed kind of motion.
     time : ndarray, shape (n,)
         Instants, s.
     valid : (float, float)
-        First and last instant (s) that the ends of the record do not reach.
+        First and last instant (s) not affected by the ends of the record.
     channels : tuple of IntegratedChannel
         In the order of the record.
     findings : tuple of Finding
-        How the corner was chosen, and what weakens the result.
+        How the corner was chosen, and limits of the result.
     source : Measured
         The record that was integrated.
     """
@@ -138,13 +138,13 @@ class Integration(Plain):
     source: Measured
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI, without the signals."""
+        """Return plain values, SI, without the signals."""
         return plain_table(
             {name: value for name, value in vars(self).items() if name not in ("time", "source")}
         )
 
     def recording(self) -> xr.Dataset:
-        """Give accelerations, velocities and displacements as a recording."""
+        """Return accelerations, velocities and displacements as a recording."""
         signals = {}
         for channel in self.channels:
             signals[channel.channel] = (
@@ -182,7 +182,7 @@ def integrate_acceleration(
     above: Annotated[
         float | str | None,
         Number(
-            "Corner of random motion; by default where the density leaves its floor.",
+            "Corner frequency for random motion; by default where the density rises above its floor.",
             "FREQUENCY",
             "Hz",
             is_positive=True,
@@ -197,7 +197,7 @@ def integrate_acceleration(
     noise: Annotated[
         float | None,
         Number(
-            "Density of the sensor's noise, in SI per root of Hz; by default the least of the record.",
+            "Noise density of the sensor, in SI per root of Hz; by default the minimum in the record.",
             "DENSITY",
             "1",
             is_positive=True,
@@ -206,48 +206,48 @@ def integrate_acceleration(
     begin: Annotated[float | str | None, BEGIN] = None,
     end: Annotated[float | str | None, END] = None,
 ) -> Integration:
-    """Integrate accelerations to velocity and displacement without drift, and state the valid band.
+    """Integrate accelerations to velocity and displacement without drift, and report the valid band.
 
     Parameters
     ----------
     record : Dataset, DataFrame, (Dataset, list of Finding), Path or str
-        A recording, a table with columns ``name [unit]``, what `read_recording` gives, or a file.
+        A recording, a table with columns ``name [unit]``, the result of `read_recording`, or a file.
     channels : sequence of str, optional
         Accelerations; by default every channel in m/s^2 or rad/s^2.
     motion : {"random", "transient", "periodic"}
-        ``random``: goes on at both ends; what is slower than a corner is taken off, without phase. ``transient``:
-        begins and ends at rest in the same place; offset and drift of the sensor follow from that, and all
-        frequencies hold. ``periodic``: repeats itself; only multiples of its frequency count.
+        ``random``: continues beyond both ends; frequencies below a corner are removed, without phase shift.
+        ``transient``: begins and ends at rest at the same position, which determines the sensor's offset and drift;
+        all frequencies are valid. ``periodic``: repeats; only multiples of its frequency are used.
     above : float or str, optional
-        Corner of random motion, Hz or text with a unit: there the amplitude is halved. By default where the density
-        leaves its floor.
+        Corner frequency for random motion, Hz or text with a unit, at which the amplitude is halved; by default where
+        the density rises above its floor.
     period : float or str, optional
-        Period of periodic motion, s or text with a unit; that of the whole record by default.
+        Period of periodic motion, s or text with a unit; by default the length of the record.
     noise : float, optional
-        Density of the sensor's noise, in m/s^2 (or rad/s^2) per root of Hz; by default the least density of the record,
-        which some motion may be in.
+        Noise density of the sensor, in m/s^2 (or rad/s^2) per root of Hz; by default the minimum density of the
+        record, which may include some motion.
     begin, end : float or str, optional
-        Stretch of time that counts, s or text with a unit.
+        Section of the record to use, s or text with a unit.
 
     Returns
     -------
     Integration
-        In SI. Position and level are lost in what an accelerometer records: displacements have no mean, those of
-        transients begin at 0.
+        In SI. An accelerometer does not record the absolute position: displacements have zero mean; those of
+        transients start at 0.
 
     Raises
     ------
     RecordingError
-        For an unreadable or too short record, missing samples, no acceleration, a corner outside of the record, and a
-        record whose drift hides its motion.
+        For an unreadable or too short record, missing samples, no acceleration, a corner outside the range of the
+        record, and a record whose drift hides the motion.
     DescriptionError
-        For an unknown motion, and options of another motion.
+        For an unknown motion, and options of a different motion.
 
     Notes
     -----
-    White noise of density ``s`` adds ``s / (2 pi f)^2`` to the displacement at the frequency f. Of a transient over T,
-    the line that brings velocity and displacement back to zero is also the best estimate of offset and drift; what the
-    noise leaves has the variance ``s^2 t^3 (T - t)^3 / (6 T^3)``.
+    White noise of density ``s`` adds ``s / (2 pi f)^2`` to the displacement at the frequency f. For a transient of
+    duration T, the straight line that brings velocity and displacement back to zero is also the best estimate of
+    offset and drift; the remaining error due to noise has the variance ``s^2 t^3 (T - t)^3 / (6 T^3)``.
 
     Examples
     --------
@@ -265,7 +265,9 @@ def integrate_acceleration(
     for name, given, of in (("above", above, "random"), ("period", period, "periodic")):
         if given is not None and motion != of:
             raise DescriptionError(
-                Phrase("it belongs to {of} motion", of=of), where=name, found=f"motion {motion}"
+                Phrase("this option is for {of} motion", of=of),
+                where=name,
+                found=f"motion {motion}",
             )
     used = read_measured(record, begin, end)
     names = _accelerations(used, channels)
@@ -297,7 +299,7 @@ def integrate_acceleration(
 
     with ThreadPoolExecutor(
         min(len(moving), processors())
-    ) as threads:  # nearly all of it is Fourier transforms
+    ) as threads:  # nearly all time is spent in Fourier transforms
         done = list(threads.map(integrate_channel, moving))
     results = [result for result, _ in done]
     findings = [*used.findings, *still, *(word for _, words in done for word in words)]
@@ -322,13 +324,13 @@ def _accelerations(used: Measured, channels: Sequence[str] | str | None) -> list
 
 
 def _density(used: Measured, level: Array) -> Spectrum:
-    """Density of an acceleration without its straight line, with pieces of a quarter of the record or 30 s."""
+    """Spectral density of a detrended acceleration, from segments of a quarter of the record or 30 s."""
     count = min(max(len(level) // 4, 32), int(30.0 * used.rate))
     return power_spectrum(level, used.rate, segment=count / used.rate)
 
 
 def _level(values: Array) -> Array:
-    """Values less their straight line."""
+    """Values minus their fitted straight line."""
     away: Array = values - values.mean()
     steps = np.arange(values.size, dtype=float)
     steps -= 0.5 * (values.size - 1)
@@ -338,7 +340,7 @@ def _level(values: Array) -> Array:
 
 
 def _third_octaves(spectrum: Spectrum) -> tuple[Array, Array]:
-    """Frequencies (Hz) from the second line on, and the mean density over a third of an octave around each."""
+    """Frequencies (Hz) from the second line on, and the mean density of the third octave around each."""
     f, total = spectrum.frequency, np.concatenate([[0.0], np.cumsum(spectrum.density)])
     inner = np.arange(2, len(f))
     low = np.minimum(np.searchsorted(f, f[inner] * 2.0 ** (-1.0 / 6.0)), inner)
@@ -347,26 +349,24 @@ def _third_octaves(spectrum: Spectrum) -> tuple[Array, Array]:
 
 
 def _floor(spectrum: Spectrum, highest: float) -> float:
-    """The least density of a third of an octave."""
+    """Minimum of the third-octave densities."""
     f, density = _third_octaves(spectrum)
     # Anti-alias filters begin to act at four fifths of the highest frequency.
     inside = (f <= 0.8 * highest) & (f > _FEWEST_LINES * spectrum.step)
     return float(density[inside].min()) if inside.any() else float(density.min())
 
 
-_FEWEST_LINES = 45.0  # ten within a third of an octave: the least of fewer is less than the floor
+_FEWEST_LINES = 45.0  # ten in a third octave: the minimum of fewer is below the floor
 
 
 def _corner(
     used: Measured, name: str, spectrum: Spectrum, given: float | None
 ) -> tuple[float, list[Finding]]:
-    """Corner (Hz) of the high pass: as given, or where motion leaves the floor of the density."""
+    """Corner (Hz) of the high pass: as given, or where the density rises above its floor."""
     lowest = _FEWEST_CYCLES / used.duration
     at = f"{used.name}: {name}"
     if given is not None:
-        if (
-            not lowest <= given < 0.25 * used.rate
-        ):  # above, half of what can be integrated is taken away
+        if not lowest <= given < 0.25 * used.rate:  # above, half of the usable band is removed
             raise RecordingError(
                 "the corner frequency does not suit the record",
                 where=f"{at}: above",
@@ -386,7 +386,7 @@ def _corner(
             "drift hides the motion: the density falls from the lowest frequency",
             where=at,
             allowed="your own corner frequency, above",
-            hint="Look at the spectrum, and choose the corner where it departs from the drift.",
+            hint="Look at the spectrum, and choose a corner at which it rises above the drift.",
         )
     valley = int(np.argmin(density[:top]))
     above = np.flatnonzero(density[valley : top + 1] > _ABOVE_NOISE * density[valley])
@@ -411,7 +411,7 @@ def _gain(frequency: Array, corner: float) -> Array:
 def _random(
     used: Measured, name: str, level: Array, spectrum: Spectrum, density: float, corner: float
 ) -> IntegratedChannel:
-    """Integrate over frequency, the record being continued by its mirror images."""
+    """Integrate in the frequency domain, after extending the record by its mirror images."""
     from scipy import fft
 
     pad = min(len(level) - 1, int(3.0 / corner * used.rate))
@@ -446,7 +446,7 @@ def _random(
 
 
 def _errors_above(density: float, corner: float, highest: float) -> tuple[float, float]:
-    """Standard deviations of velocity and displacement that white noise gives through the high pass."""
+    """Standard deviations of velocity and displacement due to white noise through the high pass."""
     f = np.geomspace(0.02 * corner, highest, 2000)
     squared = density * _gain(f, corner) ** 2
     return tuple(
@@ -455,7 +455,7 @@ def _errors_above(density: float, corner: float, highest: float) -> tuple[float,
 
 
 def _transient(used: Measured, name: str, values: Array, density: float) -> IntegratedChannel:
-    """Integrate from rest to rest: a straight line under the acceleration brings both integrals back to zero."""
+    """Integrate from rest to rest: subtract the straight line that makes both integrals end at zero."""
     from scipy.interpolate import CubicSpline
 
     time = np.arange(len(values)) / used.rate
@@ -467,7 +467,7 @@ def _transient(used: Measured, name: str, values: Array, density: float) -> Inte
     velocity = velocity - offset * time - drift * time**2 / 2.0
     displacement = displacement - offset * time**2 / 2.0 - drift * time**3 / 6.0
     line = offset * time**2 / 2.0 + drift * time**3 / 6.0
-    # Mean over the record of the variances of motion that noise of this density leaves between both ends at rest.
+    # Variance of the motion due to noise of this density, with both ends at rest, averaged over the record.
     errors = (0.5 * density * whole / 15.0) ** 0.5, (0.5 * density * whole**3 / 420.0) ** 0.5
     return _channel(
         used,
@@ -485,7 +485,7 @@ def _transient(used: Measured, name: str, values: Array, density: float) -> Inte
 def _not_at_rest(used: Measured, name: str, values: Array, density: float) -> list[Finding]:
     """Warn of a record that does not begin and end at rest."""
     few = max(8, len(values) // 50)
-    # A tenth of the range moves at the ends; less than eight standard deviations may be noise alone.
+    # Motion at the ends exceeds a tenth of the range; below eight standard deviations it may be noise alone.
     ends = float(max(np.ptp(values[:few]), np.ptp(values[-few:])))
     if ends <= max(0.1 * float(np.ptp(values)), 8.0 * (density * used.rate / 2.0) ** 0.5):
         return []
@@ -497,7 +497,7 @@ def _not_at_rest(used: Measured, name: str, values: Array, density: float) -> li
 
 
 def _whole_periods(used: Measured, period: float | None) -> int:
-    """Samples in as many whole periods as the record holds."""
+    """Number of samples in the largest number of whole periods that fit in the record."""
     samples = int(used.run.sizes["time"])
     if period is None:
         return samples
@@ -517,7 +517,7 @@ def _whole_periods(used: Measured, period: float | None) -> int:
 def _periodic(
     used: Measured, name: str, values: Array, density: float, period: float
 ) -> IntegratedChannel:
-    """Integrate the multiples of the frequency of a motion that repeats itself."""
+    """Integrate a periodic motion at the multiples of its frequency."""
     size = len(values)
     count = max(round(size / used.rate / period), 1)
     frequency = np.fft.rfftfreq(size, 1.0 / used.rate)

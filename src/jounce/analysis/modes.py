@@ -1,4 +1,4 @@
-"""Modal frequencies and damping ratios from measured channels, with intervals, beside those of a model."""
+"""Modal frequencies and damping ratios from measured channels, with intervals, compared with those of a model."""
 
 from __future__ import annotations
 
@@ -51,32 +51,32 @@ from jounce.parts import Rig, as_rig
 from jounce.simulation.linear_model import LinearModel
 
 FEWEST_PARTS = 24
-"""Segments of a short record, before they overlap: their scatter makes the intervals."""
+"""Number of segments of a short record, without overlap: the intervals follow from their scatter."""
 GROUPS = 20
-"""Groups of neighbouring segments that are left out in turn: 19 degrees of freedom."""
-_FEWEST_GROUPS = 6  # 5 degrees of freedom, Student's factor 2.6; of 4 groups it would be 3.2
-_FEWEST_LINES = 24  # as many as the highest order has poles
-_LARGEST_ERROR = 0.1  # of a frequency, above which a pole tells nothing
-_NEAR = 1.5  # factor of frequency between a measured mode and that of a model
+"""Number of groups of neighbouring segments left out in turn (jackknife): 19 degrees of freedom."""
+_FEWEST_GROUPS = 6  # 5 degrees of freedom, Student's factor 2.6; for 4 groups it is 3.2
+_FEWEST_LINES = 24  # the number of poles of the highest order
+_LARGEST_ERROR = 0.1  # relative error of a frequency above which a pole is useless
+_NEAR = 1.5  # largest frequency ratio of a measured mode and the model's
 _CYCLES = (
-    2.0  # of the lowest frequency within a segment: below, the window and the mean leave nothing
+    2.0  # of the lowest frequency in a segment: below, window and detrending remove everything
 )
 
 
 @dataclass(frozen=True)
 class MeasuredMode(Plain):
-    """A mode of what was measured.
+    """A measured mode.
 
     Attributes
     ----------
     frequency : Estimate
         Undamped natural frequency, Hz, with its 95 % interval.
     damping_ratio : Estimate
-        Of critical (1), with its 95 % interval.
+        Fraction of critical damping (1), with its 95 % interval.
     orders : int
-        Orders of the denominator (1) that agree on it.
+        Number of denominator orders (1) that agree on this mode.
     model_frequency, model_damping_ratio : float or None
-        The nearest mode of the model, Hz and 1.
+        Values of the nearest mode of the model, Hz and 1.
     """
 
     frequency: Annotated[Estimate, Shows("frequency", "Hz")]
@@ -87,7 +87,7 @@ class MeasuredMode(Plain):
 
     @property
     def damped_frequency(self) -> float:
-        """Frequency with which it rings, Hz."""
+        """Frequency of the free decay, Hz."""
         return self.frequency.value * float(np.sqrt(max(1.0 - self.damping_ratio.value**2, 0.0)))
 
 
@@ -100,7 +100,7 @@ class FittedModes(Plain):
     record : str
         File, or ``recording``.
     kind : {"transfer", "spectrum", "decay"}
-        What was fitted: transfer functions, densities of the outputs, or a free decay.
+        Fitted quantity: transfer functions, densities of the outputs, or a free decay.
     outputs : tuple of str
         Channels of the outputs.
     given : str
@@ -110,9 +110,9 @@ class FittedModes(Plain):
     sample_rate : float
         Samples per second, Hz.
     band : (float, float)
-        Frequencies that were fitted, Hz.
+        Fitted frequency range, Hz.
     segment : float
-        Length of the segments, s; that of the whole decay.
+        Length of the segments, or of the whole decay, s.
     modes : tuple of MeasuredMode
         By rising frequency.
     stabilisation : Stabilisation
@@ -122,7 +122,7 @@ class FittedModes(Plain):
     measured, fitted : ndarray of complex, shape (n, k)
         Lines of each output, in SI: output over input, density, or Fourier transform.
     findings : tuple of Finding
-        What was not found, and what the estimate takes for granted.
+        Missing modes, and assumptions of the estimate.
     """
 
     record: str
@@ -142,14 +142,14 @@ class FittedModes(Plain):
     findings: tuple[Finding, ...]
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI, without the lines."""
+        """Return plain values, SI, without the lines."""
         left_out = ("frequency", "measured", "fitted")
         return plain_table(
             {name: value for name, value in vars(self).items() if name not in left_out}
         )
 
     def rows(self) -> list[dict[str, Any]]:
-        """Give one row for each mode, SI."""
+        """Return one row for each mode, SI."""
         return [_row(mode) for mode in self.modes]
 
 
@@ -169,7 +169,7 @@ def fit_modes(
     record: AnyRecord,
     outputs: Annotated[
         Sequence[str] | str | None,
-        Texts("Channel of an output; all but the input by default. Repeat it.", "CHANNEL"),
+        Texts("Output channel; by default all except the input. May be repeated.", "CHANNEL"),
     ] = None,
     given: Annotated[
         str | None,
@@ -181,7 +181,7 @@ def fit_modes(
     count: Annotated[
         int | None,
         Count(
-            "Number of modes; by default as many as the data ask for.",
+            "Number of modes; by default chosen by an information criterion.",
             "COUNT",
             least=1,
             most=MOST_MODES,
@@ -194,9 +194,9 @@ def fit_modes(
 ) -> FittedModes:
     """Find modal frequencies and damping ratios in a record, with 95 % intervals.
 
-    With an input (``given``) it fits the transfer functions to all outputs, without one their spectra, and with
-    ``decay`` their free motion after a release. Starts are poles on which denominators of rising order agree
-    (least-squares complex frequency); the result fits the measured lines, seen through the window that was used.
+    With an input (``given``) the transfer functions to all outputs are fitted, without an input the spectra of the
+    outputs, and with ``decay`` their free motion after a release. The fit starts from poles on which denominators of
+    rising order agree (least-squares complex frequency) and includes the effect of the window on the measured lines.
 
     Parameters
     ----------
@@ -205,40 +205,40 @@ def fit_modes(
     outputs : sequence of str, optional
         Channels of the outputs; all but the input by default.
     given : str, optional
-        Channel of the input. An output in its place, such as the wheel's acceleration, makes the modes those of the
-        rig whose given motion is held.
+        Channel of the input. If an output of the rig is used as the input, such as the wheel's acceleration, the modes
+        are those of the rig with this motion held fixed.
     decay : bool
         The record is a free decay from ``begin`` on.
     rig : Rig, Path or str, optional
         A rig whose modes are compared, without dry friction.
     count : int, optional
-        Number of modes (1); by default as many as the data ask for.
+        Number of modes (1); by default chosen by an information criterion.
     band : (float, float), optional
-        Lowest and highest frequency, Hz or text with a unit: as wide as a mode on both of its sides, at least. By
-        default from two cycles in a segment to 40 Hz.
+        Lowest and highest frequency, Hz or text with a unit; it should extend beyond each mode by at least the width
+        of its peak. By default from two cycles in a segment to 40 Hz.
     segment : float or str, optional
-        Length of the segments that are averaged, s or text with a unit; by default a twenty-fourth of the record, from
-        4 to 8 s.
+        Length of the averaged segments, s or text with a unit; by default 1/24 of the record, but 4 to 8 s.
     begin, end : float or str, optional
         Stretch of time that counts, s or text with a unit.
 
     Returns
     -------
     FittedModes
-        Without modes where no orders agree on one; a finding says so. Intervals come from leaving out segments in turn,
-        those of a decay from what the fit leaves. Without an input, what excites must be smooth over the band.
+        Contains no modes if no orders agree on one; a finding reports this. Intervals are computed by leaving out
+        groups of segments in turn, those of a decay from the residual of the fit. Without an input, the spectrum of the
+        excitation is assumed to be smooth over the band.
 
     Raises
     ------
     RecordingError
-        For an unreadable or too short record, missing samples, constant or unknown channels, and a band outside of the
-        record or narrower than 24 lines.
+        For an unreadable or too short record, missing samples, constant or unknown channels, and a band outside the
+        range of the record or narrower than 24 lines.
     DescriptionError
         For a decay with an input, and a count below 1 or above 6.
 
     References
     ----------
-    peeters2004 (starts), golub1973 (variable projection), bendat2010.
+    peeters2004 (initial poles), golub1973 (variable projection), bendat2010.
 
     Examples
     --------
@@ -256,7 +256,7 @@ def fit_modes(
         )
     if count is not None and not 1 <= count <= MOST_MODES:
         raise DescriptionError(
-            "no number of modes",
+            "not a number of modes",
             where="count",
             found=count,
             allowed=Phrase("1 to {most_modes}", most_modes=MOST_MODES),
@@ -312,8 +312,8 @@ def fit_modes(
     )
 
 
-_HIGHEST = 40.0  # Hz: wheels hop below 20, those of karts on stiff tyres below 30
-_SHORTEST = 4.0  # s: two cycles of 0.5 Hz, half the frequency of the softest body
+_HIGHEST = 40.0  # Hz: wheel hop is below 20, on karts with stiff tyres below 30
+_SHORTEST = 4.0  # s: two cycles of 0.5 Hz, half the lowest body frequency
 
 
 def _top(used: Measured, names: Sequence[str]) -> float:
@@ -336,7 +336,7 @@ def _decay_samples(used: Measured) -> int:
 def _inside(
     samples: int, rate: float, band: tuple[float, float]
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Frequencies (Hz) of the lines within the band, and which of all lines they are."""
+    """Frequencies (Hz) of the lines within the band, and their mask among all lines."""
     frequency = np.asarray(np.fft.rfftfreq(samples, 1.0 / rate), dtype=np.float64)
     inside = (
         (frequency >= band[0] * (1.0 - 1e-9))
@@ -354,7 +354,7 @@ def _lines(
     samples: int,
     band: tuple[float, float],
 ) -> tuple[Lines, Complex, _Leaving, int, list[Finding]]:
-    """Lines to fit, responses for the starts, lines without each group of segments, and their number."""
+    """Lines to fit, responses for the initial poles, lines without each group of segments, and number of groups."""
     f, inside = _inside(samples, used.rate, band)
     if len(f) < _FEWEST_LINES:
         raise RecordingError(
@@ -405,7 +405,7 @@ def _lines(
 def _decimate(
     used: Measured, names: Sequence[str], highest: float
 ) -> tuple[dict[str, Array], float]:
-    """Channels at a rate that suffices for the band, without phase, and that rate (Hz)."""
+    """Channels decimated to a rate sufficient for the band, without phase shift, and that rate (Hz)."""
     from scipy import signal
 
     factor = max(1, int(used.rate / (_OVERSAMPLED * highest)))
@@ -418,7 +418,7 @@ def _decimate(
     }, used.rate / factor
 
 
-_OVERSAMPLED = 6.0  # samples in the shortest period: filters against aliasing begin at 2.5
+_OVERSAMPLED = 6.0  # samples in the shortest period: anti-alias filters act from 2.5 on
 
 
 def _segments(values: Array, rate: float, samples: int) -> Complex:
@@ -483,7 +483,7 @@ def _spectrum_lines(
 
 
 def _causal(density: Array) -> Complex:
-    """Transform of the correlation at positive lags, up to 0.4 of a segment, freed of the window."""
+    """Fourier transform of the correlation at positive lags up to 0.4 of a segment, with the window divided out."""
     correlation = np.fft.irfft(density)
     size = len(correlation)
     u = np.arange(2 * size // 5) / size
@@ -511,7 +511,7 @@ def _smooth(values: Array) -> Array:
 def _fit(
     lines: Lines, starts: list[tuple[float, float, int]], count: int | None
 ) -> tuple[PoleFit | None, Lines]:
-    """Fit the poles that the data ask for, or as many as are asked for; give them with the weights that were used."""
+    """Fit ``count`` modes, or the number that minimises the criterion; return the fit with the weighted lines."""
     if not starts:
         return None, lines
     lines, fit = _refine(lines, parameters_of([start[:2] for start in starts]))
@@ -530,7 +530,7 @@ def _fit(
 
 
 def _refine(lines: Lines, start: Array) -> tuple[Lines, PoleFit]:
-    """Fit, with weights that follow from the fit where lines scatter with their own level, or all alike."""
+    """Fit lines; refit spectra with weights from the fitted levels, decays with weights from the residuals."""
     fit = fit_poles(lines, start)
     if lines.kind == "transfer":
         return lines, fit
@@ -557,7 +557,7 @@ def _refine(lines: Lines, start: Array) -> tuple[Lines, PoleFit]:
 
 
 def _criterion(fit: PoleFit, lines: Lines) -> float:
-    """Bayesian information criterion (Schwarz), with two numbers for each pole and two for each of its outputs."""
+    """Bayesian information criterion (Schwarz): two parameters for each pole and two for each of its outputs."""
     size = len(fit.residual) / (
         1.5 if lines.is_hann else 1.0
     )  # neighbouring lines of Hann segments share noise
@@ -636,7 +636,7 @@ def _doubts(
 def _beside_model(
     modes: list[MeasuredMode], rig: Rig, given: str | None, band: tuple[float, float], where: str
 ) -> tuple[list[MeasuredMode], list[Finding]]:
-    """Lay the nearest mode of the model beside each; say which of the model's are not in the record."""
+    """Add the nearest mode of the model to each measured mode; report model modes that are not in the record."""
     model = sliding_model(rig)
     tracks = [name for name in model.inputs if f"{name} rate" in model.inputs]
     findings = []
@@ -693,7 +693,7 @@ def oscillating(poles: NDArray[Any]) -> list[tuple[float, float]]:
 
 
 def poles_with_held_output(model: LinearModel, output: str, track: str) -> Complex:
-    """Poles (rad/s) of what remains of a linear model whose output is held: the zeros from a track to that output."""
+    """Poles (rad/s) of a linear model with an output held fixed: the transmission zeros from a track to that output."""
     from scipy.linalg import eigvals
 
     row, first = model.outputs.index(output), model.inputs.index(track)
@@ -703,7 +703,7 @@ def poles_with_held_output(model: LinearModel, output: str, track: str) -> Compl
     left = np.block([[model.A, b0], [model.C[[row]], np.array([[d0]])]])
     right = np.block([[np.eye(size), -b1], [np.zeros((1, size)), np.array([[-d1]])]])
     poles = eigvals(left, right)
-    # Zeros at infinity come out of the pencil as large numbers; no rig moves at 1e8 rad/s.
+    # The pencil returns zeros at infinity as large numbers; no rig has poles at 1e8 rad/s.
     return np.asarray(poles[np.isfinite(poles) & (np.abs(poles) < 1e8)])
 
 

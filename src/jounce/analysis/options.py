@@ -17,7 +17,7 @@ ComparedRig: TypeAlias = Annotated[
         "jounce.analysis.options:compared_rig", "jounce.analysis.options:compared_rig_in_python"
     ),
 ]
-"""A rig whose linear model stands beside what was measured, if one is named."""
+"""A rig whose linear model is compared with the measurement, if one is named."""
 
 
 def compared_rig(
@@ -41,5 +41,5 @@ def compared_rig(
 
 
 def compared_rig_in_python(rig: str | None = None, changes: Mapping[str, Any] | None = None) -> str:
-    """Write it as Python."""
+    """Write the compared rig as Python code."""
     return "None" if rig is None else rig_in_python(rig, changes)

@@ -1,8 +1,8 @@
-"""Poles behind measured frequency responses, spectra or free decays: starts by least squares, refined to the data.
+"""Poles of measured frequency responses, spectra or free decays: initial values by least squares, then refined.
 
-What is fitted has passed a window. A Welch estimate multiplies each impulse response or correlation by the window's
-own autocorrelation; the model does the same in closed form, so that short segments neither widen a peak nor add
-damping.
+The fitted lines include the effect of a window. A Welch estimate multiplies each impulse response or correlation by
+the autocorrelation of the window; the model does the same in closed form. Short segments therefore neither widen a
+peak nor add damping.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from jounce.core.types import Array
 Complex: TypeAlias = "NDArray[Any]"
 Kind: TypeAlias = Literal["transfer", "spectrum", "decay"]
 HIGHEST_ORDER = 24
-"""Highest order of the denominators whose poles are compared: 12 pairs, three times those of a full car in bounce."""
+"""Highest order of the compared denominators: 12 pole pairs, three times those of a full car in bounce."""
 SAME = {"transfer": (0.02, 0.10), "decay": (0.02, 0.10), "spectrum": (0.05, 0.25)}
-"""Relative changes of frequency and damping from one order to the next of a stable pole: the field's usual 1 to 2 and
-5 to 10 %, more for spectra, which scatter with their own level."""
-_FEWEST_ORDERS = 4  # that must agree on a mode
-_MOST_DAMPING = 0.9  # ratio: beyond, a pole has no resonance by which a frequency could be told
+"""Largest relative changes of frequency and damping of a stable pole from one order to the next: the usual 1 to 2 %
+and 5 to 10 %, more for spectra, whose scatter is proportional to their level."""
+_FEWEST_ORDERS = 4  # orders that must agree on a mode
+_MOST_DAMPING = 0.9  # ratio: above, a pole has no resonance that would define a frequency
 MOST_MODES = (
-    6  # bounce, pitch and roll of a body, three of wheels: more than a band of records tells apart
+    6  # bounce, pitch and roll of the body, three of the wheels: measured bands resolve fewer
 )
 
 
@@ -43,7 +43,7 @@ class Lines:
     values : ndarray of complex, shape (n, k)
         One column for each output.
     weight : ndarray, shape (n, k)
-        One over the standard error of each line, in any scale.
+        Reciprocal of the standard error of each line, in any scale.
     length : float
         Length of the window, s.
     step : float
@@ -61,7 +61,7 @@ class Lines:
     is_hann: bool = True
 
     def columns(self, poles: Complex) -> Array:
-        """Contributions to the lines of two real numbers per pole and of smooth remainders; shape (n or 2 n, m)."""
+        """Basis of the linear part of the model: two columns per pole, and smooth remainders; shape (n or 2 n, m)."""
         omega = 2.0 * np.pi * self.frequency
         parts: list[Complex] = []
         for pole in poles:
@@ -77,25 +77,25 @@ class Lines:
         below = self.frequency[0] / self.frequency
         last = (
             [scaled**2, below**2] if self.kind == "transfer" else [1j * below]
-        )  # a decay's drift, which leaks
+        )  # drift of a decay, which leaks
         ends = [np.ones_like(scaled), 1j * scaled, *last]
         table = np.stack([*parts, *ends], axis=1)
         return np.concatenate([table.real, table.imag])
 
     def data(self, values: Complex) -> Array:
-        """Lines as real numbers, as `columns` has them."""
+        """Lines as real numbers, in the layout of `columns`."""
         return (
             values.real if self.kind == "spectrum" else np.concatenate([values.real, values.imag])
         )
 
     def weights(self) -> Array:
-        """Weights as real numbers, as `columns` has them."""
+        """Weights as real numbers, in the layout of `columns`."""
         return (
             self.weight if self.kind == "spectrum" else np.concatenate([self.weight, self.weight])
         )
 
     def _kernel(self, pole: complex, omega: Array) -> Complex:
-        """Transform of exp(pole t) from 0 on, times the autocorrelation of the window, or the window of a decay."""
+        """Transform of exp(pole t), t > 0, times the autocorrelation of the window (for a decay: the window itself)."""
         if self.kind == "decay":
             ratio = np.exp((pole - 1j * omega) * self.step)
             return np.asarray(
@@ -133,9 +133,10 @@ class Stabilisation:
     frequency : ndarray, shape (n,)
         Undamped natural frequency, Hz.
     damping_ratio : ndarray, shape (n,)
-        Of critical (1).
+        Fraction of critical damping (1).
     is_stable : ndarray of bool, shape (n,)
-        Whether the order before has the same pole: within 2 % of frequency and 10 % of damping, 5 and 25 % of spectra.
+        Whether the previous order has the same pole: frequency within 2 % and damping within 10 % (spectra: 5 and
+        25 %).
     """
 
     order: NDArray[np.int_]
@@ -147,13 +148,13 @@ class Stabilisation:
 def stabilisation(lines: Lines, response: Complex, highest: int = HIGHEST_ORDER) -> Stabilisation:
     """Find the poles of common denominators of rising order (least-squares complex frequency).
 
-    ``response`` (n, k) has the poles of positive time only: it is the lines themselves, but for spectra.
+    ``response`` (n, k) must have the poles of positive time only: the lines themselves, except for spectra.
     """
     low, high = lines.frequency[0], lines.frequency[-1]
     turned = 1.0 / (2.0 * np.pi * np.sqrt(low * high))
     highest = min(highest, len(lines.frequency) // 3)
     s = 2j * np.pi * lines.frequency * turned
-    # The bilinear map spreads the octaves of the band over the unit circle, and keeps poles and orders as they are.
+    # The bilinear map spreads the octaves of the band over the unit circle, and preserves poles and orders.
     powers = ((1.0 - s) / (1.0 + s))[:, None] ** np.arange(highest + 1)
     rows: list[tuple[int, float, float, bool]] = []
     before: list[tuple[float, float]] = []
@@ -178,10 +179,11 @@ def stabilisation(lines: Lines, response: Complex, highest: int = HIGHEST_ORDER)
 
 
 def _denominator(powers: Complex, response: Complex, weight: Array) -> Array:
-    """Coefficients of the common denominator of all outputs, the last of them 1.
+    """Coefficients of the common denominator of all outputs; the last one is 1.
 
-    Then poles that only fit noise are unstable, and are left out. The error of the equation, not of the response, is
-    least at first; dividing by the previous denominator makes both the same (Sanathanan and Koerner).
+    With this normalisation poles that only fit noise are unstable, and are dropped. The first step minimises the
+    equation error instead of the response error; dividing by the previous denominator makes both equal (Sanathanan
+    and Koerner).
     """
     divisor: Array = np.ones(len(powers))
     free: NDArray[Any] = np.zeros(0)
@@ -197,8 +199,8 @@ def _denominator(powers: Complex, response: Complex, weight: Array) -> Array:
     return free
 
 
-_ITERATIONS = 3  # only starts are needed: fits to the response follow
-_AT_INFINITY = 1e-9  # a root of -1 but for rounding
+_ITERATIONS = 3  # only initial values are needed: fits to the response follow
+_AT_INFINITY = 1e-9  # a root of -1, up to rounding
 
 
 def _is_same(
@@ -208,7 +210,7 @@ def _is_same(
 
 
 def stable_modes(diagram: Stabilisation, kind: Kind) -> list[tuple[float, float, int]]:
-    """Frequency (Hz), damping ratio (1) and number of agreeing orders of each mode, the largest number first."""
+    """Frequency (Hz), damping ratio (1) and number of agreeing orders of each mode, sorted by falling number."""
     stable = np.flatnonzero(diagram.is_stable)
     remaining = set(stable.tolist())
     poles = list(zip(diagram.frequency.tolist(), diagram.damping_ratio.tolist(), strict=True))
@@ -237,13 +239,13 @@ def stable_modes(diagram: Stabilisation, kind: Kind) -> list[tuple[float, float,
 
 
 def poles_of(parameters: Array) -> Complex:
-    """Poles (rad/s) of logarithms of frequency (Hz) and of damping over its complement, one pair after the other."""
+    """Poles (rad/s) from pairs ``log f``, ``log(z / (1 - z))`` of frequency f (Hz) and damping ratio z (1)."""
     frequency, ratio = np.exp(parameters[0::2]), 1.0 / (1.0 + np.exp(-parameters[1::2]))
     return np.asarray(2.0 * np.pi * frequency * (-ratio + 1j * np.sqrt(1.0 - ratio**2)))
 
 
 def parameters_of(modes: Sequence[tuple[float, float]]) -> Array:
-    """Logarithms of frequencies (Hz) and of damping ratios over their complement."""
+    """Parameters as `poles_of` takes them, from frequencies (Hz) and damping ratios (1)."""
     return np.array([value for f, z in modes for value in (np.log(f), np.log(z / (1.0 - z)))])
 
 
@@ -251,8 +253,8 @@ def parameters_of(modes: Sequence[tuple[float, float]]) -> Array:
 class PoleFit:
     """Poles fitted to lines.
 
-    ``parameters`` as `poles_of` takes them, ``residual`` (m,) weighted, ``slopes`` (m, p) its derivatives by the
-    parameters, ``model`` (n, k) the fitted lines, ``cost`` the sum of squares.
+    ``parameters`` as `poles_of` takes them, ``residual`` (m,) weighted, ``slopes`` (m, p) its derivatives with respect
+    to the parameters, ``model`` (n, k) the fitted lines, ``cost`` the sum of squares.
     """
 
     parameters: Array
@@ -263,7 +265,7 @@ class PoleFit:
 
 
 def fit_poles(lines: Lines, start: Array) -> PoleFit:
-    """Fit poles to lines; the linear part of the model follows from each guess (variable projection)."""
+    """Fit poles to lines; the linear part of the model is solved for at each iterate (variable projection)."""
     from scipy.optimize import least_squares
 
     data, weights = lines.data(lines.values), lines.weights()
@@ -290,7 +292,7 @@ def fit_poles(lines: Lines, start: Array) -> PoleFit:
 
 
 def residual_at(lines: Lines, parameters: Array, values: Complex) -> Array:
-    """Weighted residual (m,) of other lines at the same poles."""
+    """Weighted residual (m,) of other values of the lines for given poles."""
     return _project(lines.columns(poles_of(parameters)), lines.data(values), lines.weights())[0]
 
 
@@ -310,7 +312,7 @@ def _project(columns: Array, data: Array, weights: Array) -> tuple[Array, Array]
 def covariance_by_groups(
     fit: PoleFit, lines: Lines, leave_out: Callable[[int], Complex], groups: int
 ) -> Array:
-    """Covariance (p, p) of the parameters by leaving out each group of segments, with one step of Gauss and Newton."""
+    """Covariance (p, p) of the parameters by leaving out each group of segments, with one Gauss-Newton step."""
     inverse = np.linalg.pinv(fit.slopes)
     base = residual_at(lines, fit.parameters, lines.values)
     steps = np.stack(

@@ -32,20 +32,20 @@ AnyRecord: TypeAlias = Annotated[
         "jounce.recordings.options:recording_in_python",
     ),
 ]
-"""A recording, with or without its findings, a table, or a file; faces ask for a file and its columns."""
-CHANNELS = Texts("A channel; all by default. Repeat it.", "CHANNEL")
-BEGIN = Number('Leave out what is before, e.g. "1.2 s".', "TIME", "s")
-END = Number("Leave out what is after.", "TIME", "s")
+"""A recording, with or without its findings, a table, or a file; commands and forms take a file and its columns."""
+CHANNELS = Texts("Channel; all by default. May be repeated.", "CHANNEL")
+BEGIN = Number('Ignore samples before this time, e.g. "1.2 s".', "TIME", "s")
+END = Number("Ignore samples after this time.", "TIME", "s")
 BAND = Band(
-    'Frequencies to look at, e.g. "0.5..30 Hz"; by default all that were recorded.',
+    'Frequency range to analyse, e.g. "0.5..30 Hz"; by default the whole recorded range.',
     "LOW..HIGH",
     "Hz",
 )
-SEGMENT = Number("Length of the segments that are averaged.", "TIME", "s", is_positive=True)
+SEGMENT = Number("Length of the averaged segments.", "TIME", "s", is_positive=True)
 WINDOW = Mark("hann or boxcar.", "WINDOW")
 CONFIDENCE = Number("Level of the intervals, between 0 and 1.", "LEVEL", "1")
 ANTI_ALIAS_SHARE = 0.4
-"""Share of its own sample rate up to which a channel is used; filters against aliasing fall above it."""
+"""Fraction of its own sample rate up to which a channel is used; above it, anti-alias filters roll off."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Measured:
     rate : float
         Samples per second, Hz.
     findings : tuple of Finding
-        What was said when the file was read.
+        Findings from reading the file.
     """
 
     run: xr.Dataset
@@ -76,7 +76,7 @@ class Measured:
 
     @property
     def names(self) -> list[str]:
-        """Channels with real numbers over time."""
+        """Names of the real-valued channels over time."""
         return [
             str(name)
             for name, values in self.run.data_vars.items()
@@ -88,11 +88,11 @@ class Measured:
         return str(self.run[name].attrs.get("units", "1"))
 
     def label(self, name: str) -> str:
-        """Name of a channel in words."""
+        """Label of a channel."""
         return str(self.run[name].attrs.get("long_name") or describe(name))
 
     def values(self, name: str) -> Array:
-        """Samples of a channel, shape (n,), in its unit; refused where some are missing."""
+        """Samples of a channel, shape (n,), in its unit; raises an error if some are missing."""
         values = np.asarray(self.run[name].to_numpy(), dtype=float)
         finite = np.isfinite(values)
         if not finite.all():
@@ -105,7 +105,7 @@ class Measured:
                 ),
                 where=f"{self.name}: {name}",
                 found=f"the first at {float(self.run['time'][int(lost[0])]):.6g} s",
-                allowed="numbers throughout",
+                allowed="numbers only",
                 hint="Choose a section without gaps (begin, end), or read the file with resample.",
             )
         return values
@@ -126,7 +126,7 @@ def read_measured(
     Raises
     ------
     RecordingError
-        For a file that cannot be read, time with gaps or without constant steps, and an empty stretch.
+        For a file that cannot be read, time with gaps or without constant steps, and an empty section.
     """
     whole = record if isinstance(record, Measured) else _read(record)
     if begin is None and end is None:
@@ -177,11 +177,11 @@ def from_recording(run: xr.Dataset, name: str, findings: tuple[Finding, ...] = (
     return Measured(run, name, rate, findings)
 
 
-_EVEN = 1e-9  # of a step, by which steps may differ without a closer look
+_EVEN = 1e-9  # of a step: smaller differences of steps need no further check
 
 
 def select_channels(record: Measured, names: Sequence[str] | str | None) -> list[str]:
-    """Channels to analyse: those named, in one text or several; all channels if none is named."""
+    """Names of the channels to analyse: those given, in one text or several; all channels by default."""
     present = record.names
     if names is None or not len(names):
         if not present:
@@ -195,7 +195,7 @@ def select_channels(record: Measured, names: Sequence[str] | str | None) -> list
 
 
 def check_channel(record: Measured, name: str) -> str:
-    """Refuse a channel that the record does not have."""
+    """Return the name of a channel; raise an error if the record does not have it."""
     if name not in record.names:
         names = record.names
         raise RecordingError(
@@ -237,7 +237,7 @@ def band_of(
 
 
 def constant_channels(record: Measured, names: Sequence[str]) -> tuple[list[str], list[Finding]]:
-    """Channels that move, and a warning for each that does not."""
+    """Channels that are not constant, and a warning for each constant one."""
     moving, findings = [], []
     for name in names:
         values = record.values(name)
@@ -252,7 +252,7 @@ def constant_channels(record: Measured, names: Sequence[str]) -> tuple[list[str]
     return moving, findings
 
 
-_STILL = 1e-12  # of a value, rounding
+_STILL = 1e-12  # relative to the values: rounding error
 
 
 def _is_number(variable: Any) -> bool:
@@ -260,7 +260,7 @@ def _is_number(variable: Any) -> bool:
 
 
 def band_text(band: tuple[float, float]) -> str:
-    """Write a band.
+    """Write a frequency band in words.
 
     >>> band_text((0.5, 30.0))
     '0.5 to 30 Hz'

@@ -1,4 +1,4 @@
-"""Power spectral densities of channels by Welch's method, with confidence intervals, and the peaks that stand out."""
+"""Power spectral densities of channels by Welch's method, with confidence intervals and significant peaks."""
 
 from __future__ import annotations
 
@@ -34,32 +34,32 @@ from jounce.core.units import to_si
 from jounce.ride.spectra import WINDOWS, Spectrum, independent_segments, power_spectrum
 
 LONGEST_SEGMENT = 8.0
-"""Length (s) of the segments of a long record: they resolve 0.19 Hz, half the width of a body's resonance at least."""
+"""Length (s) of the segments of a long record: the resolution is 0.19 Hz, at most half a body resonance's width."""
 FEWEST_PARTS = 8
-"""Segments of a short record, before they overlap: 15 with overlap, 28 degrees of freedom."""
-_FEWEST_SAMPLES = 64  # four segments of the shortest length, 16 samples
-_FEW_AVERAGES = 4.0  # below it, an interval of 95 % spans a factor of 8
-_CHANCE = 0.05  # that noise has a peak at all
-_MOST_PEAKS = 6  # the strongest of a channel, that are listed
+"""Number of segments of a short record without overlap; with overlap there are 15, with 28 degrees of freedom."""
+_FEWEST_SAMPLES = 64  # four segments of the minimum length, 16 samples
+_FEW_AVERAGES = 4.0  # below it, a 95 % interval spans a factor of 8
+_CHANCE = 0.05  # probability that pure noise has a peak
+_MOST_PEAKS = 6  # listed for a channel, the strongest ones
 
 
 @dataclass(frozen=True)
 class SpectralPeak(Plain):
-    """A peak of a spectrum that chance does not explain.
+    """A statistically significant peak of a spectrum.
 
     Attributes
     ----------
     frequency : float
-        Centre of what is above half of its height, Hz.
+        Centre of the range above half of its height, Hz.
     rms : float
-        Root mean square there, in the unit of the channel: that of a sine, or of the middle of a resonance.
+        Root mean square of the peak, in the unit of the channel: of a sine, or of the middle of a resonance.
     ratio : float
-        Density over that of the valley beside it (1).
+        Ratio of its density to that of the neighbouring valley (1).
     """
 
     frequency: Annotated[float, Shows("frequency", "Hz")]
     rms: float
-    ratio: Annotated[float, Shows("above the valley beside it", "1")]
+    ratio: Annotated[float, Shows("above the neighbouring valley", "1")]
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class ChannelSpectrum(Plain):
     Attributes
     ----------
     channel, label, unit : str
-        Name, name in words, and SI unit of the channel.
+        Name, label and SI unit of the channel.
     frequency : ndarray, shape (n,)
         Hz, within the band.
     density : ndarray, shape (n,)
@@ -102,7 +102,7 @@ class RecordSpectra(Plain):
     sample_rate : float
         Samples per second, Hz.
     band : (float, float)
-        Frequencies that are shown, Hz.
+        Frequency range of the densities, Hz.
     window : str
         Window of each segment.
     segment : float
@@ -110,15 +110,15 @@ class RecordSpectra(Plain):
     resolution : float
         Noise bandwidth of the window, Hz.
     averages, degrees_of_freedom : float
-        Independent segments behind each density (1), and twice their number: its chi-squared distribution.
+        Number of independent segments averaged (1), and twice that number, for the chi-squared distribution.
     confidence : float
         Level of the intervals (1).
     interval : (float, float)
-        Factors (1) from a density to the ends of its interval.
+        Factors (1) by which a density is multiplied to get the ends of its interval.
     channels : tuple of ChannelSpectrum
         In the order of the record.
     findings : tuple of Finding
-        What was left out, and what weakens the spectra.
+        Omitted channels, and limits of the spectra.
     """
 
     record: str
@@ -132,12 +132,12 @@ class RecordSpectra(Plain):
     averages: Annotated[float, Shows("independent segments", "1")]
     degrees_of_freedom: Annotated[float, Shows("degrees of freedom", "1")]
     confidence: Annotated[float, Shows("confidence", "%")]
-    interval: Annotated[tuple[float, float], Shows("interval, of a density", "1")]
+    interval: Annotated[tuple[float, float], Shows("interval factors of a density", "1")]
     channels: Annotated[tuple[ChannelSpectrum, ...], Shows("Channels")]
     findings: tuple[Finding, ...]
 
     def rows(self) -> list[dict[str, Any]]:
-        """Give one row for each frequency, with the density of each channel, SI."""
+        """Return one row for each frequency, with the density of each channel, SI."""
         if not self.channels:
             return []
         columns = {"frequency": self.channels[0].frequency}
@@ -170,32 +170,31 @@ def estimate_spectra(
     Parameters
     ----------
     record : Dataset, DataFrame, (Dataset, list of Finding), Path or str
-        A recording, a table with columns ``name [unit]``, what `read_recording` gives, or a file.
+        A recording, a table with columns ``name [unit]``, the result of `read_recording`, or a file.
     channels : sequence of str, optional
         Channels; all by default.
     band : (float, float), optional
-        Lowest and highest frequency, Hz or text with a unit; by default all that were recorded.
+        Lowest and highest frequency, Hz or text with a unit; by default the whole recorded range.
     segment : float or str, optional
-        Length of the segments that are averaged, s or text with a unit; by default an eighth of the record, 8 s at
-        most.
+        Length of the averaged segments, s or text with a unit; by default an eighth of the record, but at most 8 s.
     window : {"hann", "boxcar"}
         Hann segments overlap by half; boxcar segments do not.
     confidence : float
         Level of the intervals (1), between 0 and 1.
     begin, end : float or str, optional
-        Stretch of time that counts, s or text with a unit.
+        Section of the record to use, s or text with a unit.
 
     Returns
     -------
     RecordSpectra
-        One-sided densities in SI: their integral over the frequency is the mean square. Intervals are those of
-        stationary Gaussian noise (chi-squared); the power of a sine is better known.
+        One-sided densities in SI: their integral over frequency is the mean square. Intervals hold for stationary
+        Gaussian noise (chi-squared); the power of a sine has a smaller error.
 
     Raises
     ------
     RecordingError
         For an unreadable or too short record, missing samples, time without constant steps, unknown channels, a band
-        outside of the record, and a segment longer than the record.
+        outside the range of the record, and a segment longer than the record.
     DescriptionError
         For an unknown window, and a confidence outside (0, 1).
 
@@ -246,18 +245,18 @@ def estimate_spectra(
 
 
 def check_confidence(confidence: float) -> None:
-    """Refuse a level outside (0, 1)."""
+    """Raise an error for a confidence level outside (0, 1)."""
     if not 0.0 < confidence < 1.0:
         allowed = "between 0 and 1, such as 0.95"
         raise DescriptionError(
-            "no level of confidence", where="confidence", found=confidence, allowed=allowed
+            "not a confidence level", where="confidence", found=confidence, allowed=allowed
         )
 
 
 def segment_samples(
     used: Measured, segment: float | str | None, parts: int, longest: float = LONGEST_SEGMENT
 ) -> int:
-    """Samples in each segment; a ``parts``-th of the record by default, ``longest`` seconds at most."""
+    """Number of samples in a segment; by default 1/``parts`` of the record, but at most ``longest`` seconds."""
     samples = used.run.sizes["time"]
     if samples < _FEWEST_SAMPLES:
         raise RecordingError(
@@ -288,7 +287,7 @@ def segment_samples(
 
 
 def chi_squared_factors(freedom: float, confidence: float) -> tuple[float, float]:
-    """Factors that turn an estimate with some degrees of freedom into the ends of its interval.
+    """Factors from an estimate with ``freedom`` degrees of freedom to the ends of its interval.
 
     >>> [round(factor, 3) for factor in chi_squared_factors(10.0, 0.95)]
     [0.488, 3.08]
@@ -318,12 +317,12 @@ def _channel(
 
 
 def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[SpectralPeak, ...]:
-    """Peaks that exceed the neighbouring valleys by more than two estimates of the same density differ by chance."""
+    """Find peaks above the neighbouring valleys by more than the random difference of two estimates of one density."""
     from scipy.signal import find_peaks
     from scipy.stats import f as f_distribution
 
     freedom = 2.0 * spectrum.averages
-    # A peak and the valley beside it are the extremes of many lines: each pair of lines counts.
+    # A peak and its valley are the extremes of many lines: every pair of lines is a chance to exceed the limit.
     least = float(
         np.log(f_distribution.isf(_CHANCE / len(spectrum.density) ** 2, freedom, freedom))
     )
@@ -332,7 +331,7 @@ def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[Spect
     density[:2], density[-1] = (
         density[2:9].min(),
         density[-2],
-    )  # the mean was taken off; the last line has half the freedom
+    )  # the mean was removed; the last line has half the degrees of freedom
     where, facts = find_peaks(np.log(density), prominence=least, distance=3)
     peaks = [
         _peak(spectrum, density, int(at), float(np.exp(rise)))
@@ -342,7 +341,7 @@ def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[Spect
     apart: list[SpectralPeak] = []
     for peak in sorted(
         peaks, key=lambda peak: -peak.ratio
-    ):  # the wider of two peaks holds the smaller one beside it
+    ):  # the wider of two peaks contains the smaller one next to it
         # The main lobe of a Hann window is four lines wide, its resolution 1.5 lines.
         if all(
             abs(peak.frequency - other.frequency) > 2.0 * spectrum.resolution for other in apart
@@ -353,7 +352,7 @@ def spectral_peaks(spectrum: Spectrum, band: tuple[float, float]) -> tuple[Spect
 
 
 def _peak(spectrum: Spectrum, density: Array, at: int, ratio: float) -> SpectralPeak:
-    """Centre and level of a peak: where the density, smoothed over five lines, is above half of the highest."""
+    """Centre and level of a peak: the range where the density, smoothed over five lines, exceeds half its maximum."""
     smooth = np.convolve(density[max(at - _REACH, 0) : at + _REACH + 1], np.full(5, 0.2), "same")
     inner = min(at, _REACH)
     outside = np.flatnonzero(
@@ -371,5 +370,5 @@ def _peak(spectrum: Spectrum, density: Array, at: int, ratio: float) -> Spectral
     )
 
 
-_NARROW = 7  # lines that a sine covers, smoothed
+_NARROW = 7  # width of a smoothed sine, in lines
 _REACH = 400  # lines on each side of a peak, 50 Hz in segments of 8 s

@@ -1,4 +1,4 @@
-"""Statistics of each channel: level, range, distribution and drift, and how well level and r.m.s. are known."""
+"""Statistics of each channel: level, range, distribution and drift, with the uncertainty of mean and r.m.s."""
 
 from __future__ import annotations
 
@@ -26,9 +26,11 @@ from jounce.identify.estimate import Estimate, estimate
 from jounce.recordings.quality import check_channels
 
 PIECES = 20
-"""Pieces of a record whose scatter tells how well its mean and r.m.s. are known; 20 give 19 degrees of freedom."""
-_UNEVEN = 3.0  # r.m.s. of the loudest piece over that of the usual one; Gaussian noise of 50 periods reaches 1.5
-_DRIFT = 1.0  # of a standard deviation, that the trend covers from end to end; 3.5 is a straight line alone
+"""Number of pieces of a record whose scatter gives the uncertainty of mean and r.m.s.: 19 degrees of freedom."""
+_UNEVEN = 3.0  # ratio of the highest r.m.s. of a piece to the median; Gaussian noise of 50 periods reaches 1.5
+_DRIFT = (
+    1.0  # change of the trend from end to end, in standard deviations; a pure straight line has 3.5
+)
 
 
 @dataclass(frozen=True)
@@ -38,21 +40,21 @@ class ChannelStatistics(Plain):
     Attributes
     ----------
     channel, label, unit : str
-        Name, name in words, and SI unit of the channel.
+        Name, label and SI unit of the channel.
     samples : int
         Number of samples (1).
     mean, rms : Estimate
         Mean and root mean square, with 95 % intervals from the scatter of 20 pieces; no interval for shorter records.
     standard_deviation : float
-        About the mean.
+        Standard deviation about the mean.
     minimum, maximum : float
         Extremes.
     time_of_minimum, time_of_maximum : float
-        Where they are, s.
+        Times of the extremes, s.
     crest_factor : float
-        Largest distance from the mean over the standard deviation (1); 1.41 of a sine.
+        Largest deviation from the mean over the standard deviation (1); 1.41 for a sine.
     skewness, kurtosis : float
-        Third and fourth standardised moment (1); 0 and 3 of Gaussian noise, 0 and 1.5 of a sine.
+        Third and fourth standardised moment (1); 0 and 3 for Gaussian noise, 0 and 1.5 for a sine.
     crossings : float
         Upward crossings of the mean per second, Hz: the frequency of a sine.
     drift : float
@@ -78,13 +80,13 @@ class ChannelStatistics(Plain):
 
     @property
     def peak_to_peak(self) -> float:
-        """Distance of the extremes, in the unit of the channel."""
+        """Maximum minus minimum, in the unit of the channel."""
         return self.maximum - self.minimum
 
 
 @dataclass(frozen=True)
 class RecordStatistics(Plain):
-    """Statistics of every chosen channel, with what they reveal about the sensors.
+    """Statistics of the selected channels, with findings about the sensors.
 
     Attributes
     ----------
@@ -97,9 +99,9 @@ class RecordStatistics(Plain):
     channels : tuple of ChannelStatistics
         In the order of the record.
     findings : tuple of Finding
-        Constant, clipped, frozen and drifting channels, and those whose level changes.
+        Constant, clipped, frozen and drifting channels, and channels whose level changes.
     source : Measured
-        The record behind them.
+        The record they were computed from.
     """
 
     left_out = ("source",)
@@ -112,7 +114,7 @@ class RecordStatistics(Plain):
     source: Measured
 
     def rows(self) -> list[dict[str, Any]]:
-        """Give one row for each channel, SI."""
+        """Return one row for each channel, SI."""
         return [_row(channel) for channel in self.channels]
 
 
@@ -131,22 +133,22 @@ def describe_channels(
     begin: Annotated[float | str | None, BEGIN] = None,
     end: Annotated[float | str | None, END] = None,
 ) -> RecordStatistics:
-    """Give the statistics of each channel of a record.
+    """Compute the statistics of each channel of a record.
 
     Parameters
     ----------
     record : Dataset, DataFrame, (Dataset, list of Finding), Path or str
-        A recording, a table with columns ``name [unit]``, what `read_recording` gives, or a file.
+        A recording, a table with columns ``name [unit]``, the result of `read_recording`, or a file.
     channels : sequence of str, optional
         Channels; all by default.
     begin, end : float or str, optional
-        Stretch of time that counts, s or text with a unit.
+        Section of the record to use, s or text with a unit.
 
     Returns
     -------
     RecordStatistics
-        Each channel in its SI unit. Intervals take the pieces of the record for independent: the level must not
-        change, and each piece must hold several periods.
+        Each channel in its SI unit. Intervals assume that the pieces of the record are independent: the level must
+        not change, and each piece must contain several periods.
 
     Raises
     ------
@@ -209,7 +211,7 @@ def _statistics(used: Measured, name: str, signal: Array, time: Array) -> Channe
 
 
 def _by_pieces(values: Array, mean: float) -> Estimate:
-    """Estimate a mean by the scatter of the means of pieces."""
+    """Estimate a mean, with its error from the scatter of the means of pieces."""
     count = values.size // PIECES
     if count < 2:
         return Estimate(mean)
@@ -226,7 +228,7 @@ def _root(square: Estimate) -> Estimate:
 
 
 def _doubts(used: Measured, row: ChannelStatistics, signal: Array) -> list[Finding]:
-    """Say where the level changes or drifts."""
+    """Report changes of the level and drift."""
     at, doubts = f"{used.name}: {row.channel}", []
     if abs(row.drift) > _DRIFT * row.standard_deviation > 0.0:
         doubts.append(finding("analysis.drift", at, row.drift, drift=row.drift, unit=row.unit))

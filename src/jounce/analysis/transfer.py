@@ -1,4 +1,4 @@
-"""Transfer function and coherence between two measured channels, with random errors, beside that of a linear model."""
+"""Transfer function and coherence between two measured channels, with random errors, compared with a linear model."""
 
 from __future__ import annotations
 
@@ -45,14 +45,14 @@ from jounce.simulation.linear_model import LinearModel, linearise
 
 Estimator: TypeAlias = Literal["H1", "H2", "Hv"]
 FEWEST_PARTS = 8
-"""Segments of a short record, before they overlap: gains are known to 19 % where the coherence is a half."""
+"""Number of segments of a short record, without overlap: the error of gains is 19 % where the coherence is 1/2."""
 LOW_COHERENCE = 0.5
-"""Below it less than half of the output follows the input: errors of the gain reach 13 % even with 30 segments."""
+"""Below it, less than half of the output follows the input: errors of the gain reach 13 % even with 30 segments."""
 _FEWEST_AVERAGES = 2.0  # a single segment has coherence 1, whatever it contains
-_SELDOM = 0.02  # share of the band that may lack coherence without a word: the lines at its ends
-_KNOWN = 0.1  # relative error of a gain, up to which its peaks are looked at
-_BIAS = 0.05  # of a peak's height, from which on what the segments take off is named
-_EXCITED = 1e-3  # of the largest power of the input between its neighbours; what lies below is noise of 10 bits
+_SELDOM = 0.02  # fraction of the band that may lack coherence without a finding: lines at its ends
+_KNOWN = 0.1  # largest relative error of a gain whose peaks are examined
+_BIAS = 0.05  # of a peak's height: a larger loss due to the segments is reported
+_EXCITED = 1e-3  # of the largest neighbouring power of the input; below is noise of 10 bits
 
 
 @dataclass(frozen=True)
@@ -68,7 +68,7 @@ class TransferEstimate(Plain):
     output_unit, given_unit : str
         Their SI units.
     estimator : {"H1", "H2", "Hv"}
-        H1 is right with noise in the output only, H2 with noise in the input only, Hv with noise in both.
+        H1 is unbiased with noise in the output only, H2 with noise in the input only, Hv with noise in both.
     begin, end : float
         First and last instant, s.
     sample_rate : float
@@ -78,25 +78,25 @@ class TransferEstimate(Plain):
     segment, resolution : float
         Length of the segments, s, and noise bandwidth of the window, Hz.
     averages : float
-        Independent segments (1).
+        Number of independent segments (1).
     confidence : float
         Level of the intervals (1).
     significant : float
-        Coherence (1) that two unrelated channels stay below with this confidence.
+        Coherence (1) below which two unrelated channels remain with this confidence.
     frequency : ndarray, shape (n,)
         Hz, within the band.
     response : ndarray of complex, shape (n,)
-        Unit of the output over that of the input; a positive angle leads.
+        Unit of the output over that of the input; the angle is positive where the output leads.
     coherence : ndarray, shape (n,)
-        Share (1) of the output that follows the input linearly.
+        Fraction (1) of the output power that is linearly related to the input.
     gain_error : ndarray, shape (n,)
         Relative standard error of the gain (1); infinite without coherence.
     phase_error : ndarray, shape (n,)
         Standard error of the phase, rad; infinite without coherence.
     model : ndarray of complex, shape (n,), or None
-        The same of a linear model.
+        Response of the linear model.
     findings : tuple of Finding
-        Frequencies without coherence or excitation, and what the estimate takes for granted.
+        Frequencies without coherence or excitation, and assumptions of the estimate.
     """
 
     record: str
@@ -113,7 +113,7 @@ class TransferEstimate(Plain):
     resolution: Annotated[float, Shows("resolution", "Hz")]
     averages: Annotated[float, Shows("independent segments", "1")]
     confidence: Annotated[float, Shows("confidence", "%")]
-    significant: Annotated[float, Shows("coherence by chance, below", "1")]
+    significant: Annotated[float, Shows("coherence by chance, up to", "1")]
     frequency: Array
     response: NDArray[np.complex128]
     coherence: Array
@@ -144,7 +144,7 @@ class TransferEstimate(Plain):
         return self.gain * np.clip(1.0 - half, 0.0, None), self.gain * (1.0 + half)
 
     def rows(self) -> list[dict[str, Any]]:
-        """Give one row for each frequency, SI."""
+        """Return one row for each frequency, SI."""
         low, high = self.gain_interval
         columns = {
             "frequency": self.frequency,
@@ -161,7 +161,7 @@ class TransferEstimate(Plain):
         return [dict(zip(columns, row, strict=True)) for row in table]
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI; complex numbers as real and imaginary parts."""
+        """Return plain values, SI; complex numbers as real and imaginary parts."""
         plain = {
             name: value for name, value in vars(self).items() if name not in ("response", "model")
         }
@@ -180,7 +180,7 @@ class TransferEstimate(Plain):
     title="Transfer function of {record}",
     example="jounce analyse transfer lap.csv --input unsprung.az --output sprung.az --figure transfer.png",
 )
-def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
+def estimate_transfer(  # noqa: PLR0913 - independent options
     record: AnyRecord,
     output: Annotated[str, Mark("Channel of the output.", "CHANNEL")],
     given: Annotated[str, Mark("Channel of the input.", "CHANNEL")],
@@ -201,36 +201,36 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
     Parameters
     ----------
     record : Dataset, DataFrame, (Dataset, list of Finding), Path or str
-        A recording, a table with columns ``name [unit]``, what `read_recording` gives, or a file.
+        A recording, a table with columns ``name [unit]``, the result of `read_recording`, or a file.
     output, given : str
         Channels of output and input.
     estimator : {"H1", "H2", "Hv"}
-        H1 is right with noise in the output only, H2 with noise in the input only, Hv with noise in both.
+        H1 is unbiased with noise in the output only, H2 with noise in the input only, Hv with noise in both.
     rig : Rig, Path or str, optional
         A rig whose linear model is compared, without dry friction: both channels must be its channels.
     band : (float, float), optional
-        Lowest and highest frequency, Hz or text with a unit; by default all that both channels were recorded with.
+        Lowest and highest frequency, Hz or text with a unit; by default the range in which both channels were recorded.
     segment : float or str, optional
-        Length of the segments that are averaged, s or text with a unit; by default an eighth of the record, 8 s at
-        most. It must be longer than the system rings: otherwise peaks come out too low, and the coherence with them.
+        Length of the averaged segments, s or text with a unit; by default an eighth of the record, but at most 8 s. It
+        must exceed the decay time of the system: otherwise peaks and their coherence are too low.
     window : {"hann", "boxcar"}
         Hann segments overlap by half; boxcar segments do not.
     confidence : float
         Level of the intervals (1), between 0 and 1.
     begin, end : float or str, optional
-        Stretch of time that counts, s or text with a unit.
+        Section of the record to use, s or text with a unit.
 
     Returns
     -------
     TransferEstimate
-        In SI. The relative standard error of the gain is ``sqrt((1 - c) / (2 n c))`` with the coherence c and n
-        independent segments, and so is that of the phase in rad; Hv's gain has ``sqrt((1 - c) / (2 n))``.
+        In SI. With the coherence c and n independent segments, the relative standard error of the gain and the standard
+        error of the phase (rad) are ``sqrt((1 - c) / (2 n c))``; for the gain of Hv it is ``sqrt((1 - c) / (2 n))``.
 
     Raises
     ------
     RecordingError
-        For an unreadable or too short record, missing samples, a channel that is constant or unknown, a band outside of
-        the record, and fewer than two independent segments, whose coherence is 1 whatever they hold.
+        For an unreadable or too short record, missing samples, a channel that is constant or unknown, a band outside
+        the range of the record, and fewer than two independent segments, whose coherence would always be 1.
     DescriptionError
         For an unknown estimator or window, and a confidence outside (0, 1).
 
@@ -314,7 +314,7 @@ def estimate_transfer(  # noqa: PLR0913 - each is a choice of its own
 
 
 def check_moving(used: Measured, names: list[str]) -> None:
-    """Refuse channels that are constant."""
+    """Raise an error for constant channels."""
     still = constant_channels(used, names)[1]
     if still:
         raise RecordingError(
@@ -329,7 +329,7 @@ def check_moving(used: Measured, names: list[str]) -> None:
 def _spectra(
     used: Measured, given: str, output: str, count: int, window: str
 ) -> tuple[Array, Array, Array, NDArray[np.complex128]]:
-    """Frequencies (Hz), and densities of input, output, and both together, all with the input made white."""
+    """Frequencies (Hz), and auto- and cross-spectral densities of input and output, after whitening by the input."""
     white = whiten({name: used.values(name) for name in (given, output)}, given, count)
     x, y = white[given], white[output]
     frequency, own = cross_spectrum(x, x, used.rate, count, window)
@@ -341,16 +341,16 @@ def _spectra(
 def whiten(signals: dict[str, Array], given: str, count: int) -> dict[str, Array]:
     """Filter all channels so that the input has equal power at all frequencies, which prevents blurring by the window.
 
-    Input and outputs pass the same filter, without phase, so that what is between them stays. Without it a road, whose
-    power falls with the square of the frequency, or a wheel's acceleration, which rises with it, would leak from line
-    to line and shift the lowest mode. ``count`` are the samples of the segments that follow.
+    Input and outputs pass the same filter, without phase shift, which preserves the transfer functions. Without it, a
+    road, whose power falls with the square of the frequency, or a wheel's acceleration, whose power rises, would leak
+    from line to line and shift the lowest mode. ``count`` is the number of samples in the later segments.
     """
     from scipy import fft, signal
     from scipy.ndimage import uniform_filter1d
 
     size = len(signals[given])
     frequency, density = signal.welch(signals[given], 1.0, nperseg=count)
-    density[:2] = density[min(2, count // 2)]  # the mean was taken off
+    density[:2] = density[min(2, count // 2)]  # the mean was removed
     level = uniform_filter1d(
         np.log(np.maximum(density, _LEAST_POWER * density.max())), 3, mode="nearest"
     )
@@ -362,13 +362,13 @@ def whiten(signals: dict[str, Array], given: str, count: int) -> dict[str, Array
     }
 
 
-_LEAST_POWER = 1e-6  # of the strongest line: what is quieter is not made louder
+_LEAST_POWER = 1e-6  # of the strongest line: weaker ones are not amplified further
 
 
 def _response(
     estimator: Estimator, own: Array, other: Array, cross: NDArray[np.complex128]
 ) -> NDArray[np.complex128]:
-    """Transfer function of an estimator; 0 where nothing excites."""
+    """Transfer function of an estimator; 0 where there is no excitation."""
     zero = np.zeros_like(cross)
     if estimator == "H1":
         return np.divide(cross, own, out=zero, where=own > 0.0)
@@ -382,7 +382,7 @@ def _response(
 def _incoherent(
     name: str, frequency: Array, coherence: Array, own: Array, significant: float
 ) -> list[Finding]:
-    """Say where the output does not follow the input, and why it may not."""
+    """Report frequencies at which the output does not follow the input, with the likely cause."""
     from scipy.ndimage import uniform_filter1d
 
     low = uniform_filter1d(coherence, min(5, len(coherence))) < max(LOW_COHERENCE, significant)
@@ -405,20 +405,20 @@ def _incoherent(
     ]
 
 
-_NEARLY_ALL = 0.95  # of the band without coherence: what is left may have it by chance
+_NEARLY_ALL = 0.95  # of the band without coherence: the remainder may be chance
 
 
 def _flattened_peaks(
     name: str, frequency: Array, gain: Array, error: Array, resolution: float
 ) -> list[Finding]:
-    """Name peaks that are so narrow that the segments take off their height (Bendat and Piersol, section 8.5)."""
+    """Report peaks too narrow for the segments, which reduce their height (Bendat and Piersol, section 8.5)."""
     from scipy.signal import find_peaks
 
     known = np.where(error < _KNOWN, gain, 0.0)
     places, facts = find_peaks(known, prominence=0.3 * float(known.max()))
     findings = []
     for at, rise in zip(places.tolist(), facts["prominences"].tolist(), strict=True):
-        if rise < 4.0 * error[at] * gain[at]:  # it may be by chance
+        if rise < 4.0 * error[at] * gain[at]:  # it may be chance
             continue
         below = np.flatnonzero(gain[:at] < gain[at] * 0.5**0.5)
         above = np.flatnonzero(gain[at:] < gain[at] * 0.5**0.5)
@@ -437,7 +437,7 @@ def _flattened_peaks(
 
 
 def sliding_model(rig: Rig) -> LinearModel:
-    """Linear model of a rig without dry friction, as in large motions."""
+    """Linear model of a rig without dry friction, as it behaves in large motions."""
     frictions = {
         path: 0.0
         for path, value in rig.parameters().items()
@@ -449,7 +449,7 @@ def sliding_model(rig: Rig) -> LinearModel:
 def _of_model(
     rig: Rig, frequency: Array, output: str, given: str, where: str
 ) -> tuple[NDArray[np.complex128] | None, list[Finding]]:
-    """The transfer function of a rig's linear model, or why there is none."""
+    """Transfer function of a rig's linear model, or None with the reason as a finding."""
     model = sliding_model(rig)
     tracks = [name for name in model.inputs if f"{name} rate" in model.inputs]
     missing = [name for name in (output, given) if name not in model.outputs and name not in tracks]

@@ -285,9 +285,9 @@ def fit_measured_decays(
         Mark("Known stiffness, compared with that from mass and frequency.", "STIFFNESS"),
     ] = None,
     begin: Annotated[
-        float | str | None, Number('Leave out what is before, e.g. "1.2 s".', "TIME", "s")
+        float | str | None, Number('Ignore samples before this time, e.g. "1.2 s".', "TIME", "s")
     ] = None,
-    end: Annotated[float | str | None, Number("Leave out what is after.", "TIME", "s")] = None,
+    end: Annotated[float | str | None, Number("Ignore samples after this time.", "TIME", "s")] = None,
     quadratic_drag: Annotated[
         Drag, Mark("Fit it, too; auto: where the record shows it.", "auto|yes|no")
     ] = "auto",
