@@ -1,1 +1,1 @@
-"""Numbers from measurements: stiffness, damping and damper laws with their uncertainty, and models updated."""
+"""Identify stiffness, damping and damper laws with their uncertainty, and update models, from measurements."""

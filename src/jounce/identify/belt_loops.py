@@ -1,4 +1,4 @@
-"""Loops of a belt: how a trial begins on one that has been running, and how its loops are cut and averaged."""
+"""Loops of a belt: simulate trials on a belt that is already running, and cut and average recorded loops."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from jounce.roads import Road, Trial
 from jounce.simulation.running import loops_before
 
 LEAD = 0.05
-"""Share of the distance between two passages by which an averaged loop begins before the obstacle."""
+"""Lead of an averaged loop before the obstacle, as a share of the distance between two passages."""
 _ALIKE = 0.1
-"""Scatter of the differences to the average that loops have at least, as a share of their usual one."""
+"""Minimum assumed scatter of the differences from the average, as a share of the median difference."""
 _ODD = 4.0
-"""Robust standard deviations of the difference to the average, beyond which a loop counts as odd."""
+"""Difference from the average, in robust standard deviations, above which a loop counts as an outlier."""
 
 
 def running_trial(rig: Rig, road: Road, speed: float) -> tuple[Trial, float]:
-    """A trial on a belt that has been running, and the time (s) at which its last loop begins.
+    """Return a trial on a belt that is already running, and the start time (s) of its last loop.
 
-    The obstacle of ``road`` begins :data:`LEAD` of its recurrence after each loop does.
+    In each loop the obstacle of ``road`` begins after a share :data:`LEAD` of the recurrence distance.
     """
     assert road.recurrence is not None
     period = road.recurrence / speed
@@ -37,9 +37,9 @@ def running_trial(rig: Rig, road: Road, speed: float) -> tuple[Trial, float]:
 def cut_loops(
     data: xr.Dataset, names: Sequence[str], time: Array, times: Array, period: float, count: int
 ) -> tuple[Array, np.ndarray]:
-    """Whole loops of a record, each at ``count`` even phases; shape (loops, channels, count), and where they begin.
+    """Return the complete loops of a record at ``count`` even phases, shape (loops, channels, count), and their starts.
 
-    A loop is whole where the record holds all of it and no passage was missed in it.
+    A loop is complete if the record contains all of it and no passage in it was missed.
     """
     from scipy.interpolate import CubicSpline
 
@@ -55,10 +55,11 @@ def cut_loops(
 
 
 def noise_of_average(loops: Array) -> list[float]:
-    """Standard deviation of the noise of the average of loops, a value a channel; loops are (loops, channels, samples).
+    """Return the noise standard deviation of averaged loops, one value per channel.
 
-    A fit counts its samples as independent. What differs from loop to loop is hardly white (speed, pressure, what is
-    left of earlier loops), so its density counts where the signal has its power.
+    ``loops`` has shape (loops, channels, samples). A fit treats samples as independent, but the differences between
+    loops are not white (speed, pressure, remaining vibration of earlier loops). The noise is therefore taken from their
+    spectral density at the frequencies where the signal has its power.
     """
     count, _, samples = loops.shape
     mean = loops.mean(axis=0)
@@ -71,7 +72,7 @@ def noise_of_average(loops: Array) -> list[float]:
 def loop_recording(
     data: xr.Dataset, names: Sequence[str], values: Array, period: float, **attributes: Any
 ) -> xr.Dataset:
-    """A loop as a recording: one row for each channel."""
+    """Return a loop as a recording, with one row per channel."""
     channels = {
         name: (row, str(data[name].attrs["units"]), str(data[name].attrs.get("long_name", "")))
         for name, row in zip(names, values, strict=True)
@@ -81,7 +82,7 @@ def loop_recording(
 
 
 def alike_loops(loops: Array) -> np.ndarray:
-    """Which loops are like the median of all."""
+    """Mark the loops that are similar to the median of all loops."""
     middle = np.median(loops, axis=0)
     size = np.std(middle, axis=1)[:, None]
     away = np.sqrt(np.mean(((loops - middle) / np.where(size > 0.0, size, 1.0)) ** 2, axis=(1, 2)))

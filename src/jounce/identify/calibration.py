@@ -1,4 +1,4 @@
-"""Calibration of a sensor from points: sensitivity and zero with intervals, and the linearity."""
+"""Sensor calibration from points: sensitivity and zero with intervals, and linearity."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ from jounce.identify.estimate import Estimate, estimate
 from jounce.recordings.options import VARIABLE
 
 STANDARD_GRAVITY = 9.80665
-"""m/s^2; what an accelerometer reads when it is turned over: local gravity differs by less than 0.3 %."""
+"""Standard gravity in m/s^2, for tilt tests of accelerometers; local gravity differs by less than 0.3 %."""
 _NOT_STRAIGHT = 0.01
-"""Largest residual over the range from which on a sensor is called not straight: a class of accelerometers is 1 %."""
+"""Largest residual, as a share of the range, above which a sensor is reported as nonlinear."""
 
 
 def _unit_of_sensitivity(result: Calibration) -> str:
@@ -39,22 +39,22 @@ def _unit_of_record(result: Calibration) -> str:
 
 @dataclass(frozen=True)
 class Calibration(Plain):
-    """A straight calibration: recorded = zero + sensitivity x reference.
+    """A linear calibration: recorded = zero + sensitivity x reference.
 
     Attributes
     ----------
     sensitivity : Estimate
-        What is recorded for one SI unit of the quantity, in the recorded unit a unit.
+        Recorded change per SI unit of the quantity, in the recorded unit per SI unit.
     zero : Estimate
-        What is recorded where the quantity is 0, in the recorded unit.
+        Reading at a quantity of 0, in the recorded unit.
     quantity_unit, recorded_unit : str
-        SI units of the quantity and of what is recorded (V, A or 1 for counts).
+        SI units of the quantity and of the reading (V, A or 1 for counts).
     residual : float
         Largest difference between a point and the line, as a share of the range of the points (1).
     reference, recorded : tuple of float
-        The points: sizes of the quantity (SI), and what was recorded of them (V, A or counts).
+        The points: reference values (SI) and readings (V, A or counts).
     findings : tuple of Finding
-        What weakens it.
+        Limitations of the calibration.
     """
 
     sensitivity: Annotated[Estimate, Shows("sensitivity", _unit_of_sensitivity)]
@@ -70,19 +70,19 @@ class Calibration(Plain):
 
     @property
     def gain_doubt(self) -> Annotated[float | None, Shows("standard error of the gain", "%", 3)]:
-        """Standard error of the sensitivity as a share of it (1); None with two points, which leave no residual."""
+        """Relative standard error of the sensitivity (1); None with two points, which leave no residual."""
         error = self.sensitivity.standard_error
         return None if error is None else abs(error / self.sensitivity.value)
 
     def off_the_line(self) -> tuple[float, ...]:
-        """Return what was recorded minus the line, point by point, in the recorded unit."""
+        """Return the residuals, reading minus line, in the recorded unit."""
         zero, slope = self.zero.value, self.sensitivity.value
         return tuple(
             y - zero - slope * x for x, y in zip(self.reference, self.recorded, strict=True)
         )
 
     def sensor(self) -> dict[str, Any]:
-        """Return the keys of a sensor in a campaign, or of a channel in the settings of a laboratory."""
+        """Return the sensor keys for a campaign file or for a channel in the laboratory settings."""
         unit, recorded, doubt = self.quantity_unit, _unit_of_record(self), self.gain_doubt
         keys: dict[str, Any] = {
             "sensitivity": f"{abs(self.sensitivity.value):.6g} {recorded}/({unit})"
@@ -107,23 +107,23 @@ def fit_calibration(
     Parameters
     ----------
     reference : array_like, shape (n,)
-        Known sizes of the quantity, SI; for a tilt test, gravity times the cosine of the angle.
+        Known values of the quantity, SI; for a tilt test, gravity times the cosine of the angle.
     recorded : array_like, shape (n,)
-        What was recorded at each of them, in V, A or counts (1), as ``recorded_unit`` says.
+        Reading at each reference value, in ``recorded_unit``: V, A or counts (1).
     unit, recorded_unit : str
-        SI units of both.
+        SI units of ``reference`` and ``recorded``.
     name : str
-        Names the calibration in errors and findings.
+        Name of the calibration in errors and findings.
 
     Returns
     -------
     Calibration
-        With 95 % intervals from three points on.
+        The fitted line, with 95 % intervals if there are at least three points.
 
     Raises
     ------
     FitError
-        For fewer than two points, points of one size only, or a recorded value that does not change.
+        For fewer than two points, equal reference values, or a constant reading.
 
     Examples
     --------
@@ -196,7 +196,7 @@ POINTS = Columns(
     'reference="F [kN]"',
 )
 QUANTITIES = ("rad", "m/s^2", "m", "N", "Pa", "m/s", "rad/s", "N*m")
-"""SI units of the sizes at which sensors are calibrated; an angle is a tilt test."""
+"""SI units of the quantities that sensors are calibrated against; an angle means a tilt test."""
 _COUNTS = ("count", "counts", "lsb", "digits", "bits")
 
 
@@ -229,11 +229,11 @@ def read_calibration(
     Parameters
     ----------
     path : Path or str
-        Any file of columns: text, workbook, or a format of the extra ``io``. One column has known sizes, one what was
-        recorded at each, in V, A or counts.
+        Any file of columns: text, workbook, or a format of the extra ``io``. One column contains the known values, one
+        the readings, in V, A or counts.
     columns : mapping of str to str, or str, optional
-        Columns ``reference`` and ``recorded`` of the file, with a unit where the file gives none; by default the first
-        that have such units. As one text: names and units of all columns in their order.
+        Columns ``reference`` and ``recorded`` of the file, with a unit if the file gives none; by default the first
+        columns with matching units. A string lists the names and units of all columns in order.
     variable : str
         Sheet of a workbook, matrix (``.mat``) or group (``.tdms``, ``.nc``) to read.
 
@@ -247,7 +247,7 @@ def read_calibration(
     RecordingError
         For a file that cannot be read.
     FitError
-        For columns without a unit or with another one, or points that tell nothing.
+        For columns without a unit or with an unsuitable unit, or points that do not determine the line.
 
     Examples
     --------
@@ -278,7 +278,7 @@ def read_calibration(
 
 
 def _points_in(table: ColumnTable, given: Mapping[str, str], file: str) -> tuple[Column, Column]:
-    """Return the columns of known sizes and of what was recorded: those that are named, or the first of such units."""
+    """Return the reference and reading columns: the named ones, or the first with matching units."""
     from jounce.recordings.files import locate
 
     words = ("reference", "recorded")
@@ -315,7 +315,7 @@ def _points_in(table: ColumnTable, given: Mapping[str, str], file: str) -> tuple
 def _unusable(
     what: str, column: Column | None, table: ColumnTable, file: str, allowed: str
 ) -> FitError:
-    """Build the error for a column that is missing or has no unit that fits."""
+    """Build the error for a column that is missing or has no suitable unit."""
     bare = next((item.name for item in ([column] if column else table) if not item.unit), "")
     name, unit = ("reference", "N") if what == "known sizes" else ("recorded", "V")
     return FitError(
@@ -332,12 +332,12 @@ def _unusable(
 
 
 def _quantity_of(column: Column) -> str:
-    """Return the SI unit of a column of known sizes; empty for another column."""
+    """Return the SI unit of a reference column; empty for any other column."""
     return next((si for si in QUANTITIES if column.unit and is_unit_of(column.unit, si)), "")
 
 
 def _recorded_unit(column: Column) -> str:
-    """Return what a column was recorded in: V, A or 1 for counts; empty for another column."""
+    """Return the unit of a column of readings: V, A or 1 for counts; empty for any other column."""
     if column.unit.casefold() in _COUNTS or (not column.unit and column.name.casefold() in _COUNTS):
         return "1"
     return next((si for si in ("V", "A") if column.unit and is_unit_of(column.unit, si)), "")

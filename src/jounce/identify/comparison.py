@@ -1,4 +1,4 @@
-"""Two signals on the same instants compared: in a handful of numbers, and rated by ISO/TS 18571."""
+"""Compare two signals sampled at the same instants: error measures, and the rating of ISO/TS 18571."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from jounce.recordings.signals import correlation_coefficients, estimate_lag, re
 class Comparison:
     """Differences between a compared (simulated) signal and a reference (measured) one.
 
-    Ratios to something that is zero (a constant or vanishing reference) are NaN, written as null.
+    Ratios with a zero denominator (a constant or vanishing reference) are NaN, written as null.
 
     Attributes
     ----------
@@ -66,9 +66,9 @@ class Comparison:
 def compare(
     reference: ArrayLike, compared: ArrayLike, time: ArrayLike, *, place: str = "comparison"
 ) -> Comparison:
-    """Compare a signal with a measured reference of the same unit on the same instants.
+    """Compare a signal with a measured reference of the same unit, sampled at the same instants.
 
-    The time (s) ascends in constant steps and has at least three samples; errors name the ``place``.
+    ``time`` (s) must increase in constant steps and have at least three samples. Errors mention ``place``.
 
     Source of M, P, C: M. A. Sprague, T. L. Geers, "A spectral-element method for modelling cavitation in transient
     fluid-structure interaction", Int. J. Numer. Meth. Engng 60 (2004) 2467-2499.
@@ -128,7 +128,7 @@ def _check(reference: Array, compared: Array, time: Array, place: str) -> None:
 
 
 def _sprague_geers(reference: Array, compared: Array) -> tuple[float, float]:
-    """M and P; NaN where a signal vanishes."""
+    """Return M and P; NaN if a signal vanishes."""
     mm, cc = float(reference @ reference), float(compared @ compared)
     if mm == 0.0:
         return float("nan"), float("nan")
@@ -142,7 +142,7 @@ def _sprague_geers(reference: Array, compared: Array) -> tuple[float, float]:
 
 
 Grade = Literal["excellent", "good", "fair", "poor"]
-# Default parameters of ISO/TS 18571:2014, but for the shortest signal:
+# Default parameters of ISO/TS 18571:2014, except for the shortest signal:
 SAMPLE_RATE = 10_000.0  # Hz
 INNER_CORRIDOR, OUTER_CORRIDOR, CORRIDOR_EXPONENT = 0.05, 0.5, 2  # of the largest absolute value; 1
 LARGEST_SHIFT = 0.2  # of the length
@@ -172,9 +172,9 @@ class Rating:
     phase : float
         1 without a shift, 0 when the best shift reaches 20 % of the record.
     magnitude : float
-        From the difference that is left after shift and time warping; 0 from an error of 50 %.
+        From the difference that remains after shift and time warping; 0 for errors of 50 % or more.
     slope : float
-        From the difference of the smoothed slopes after the shift; 0 from an error of 200 %.
+        From the difference of the smoothed slopes after the shift; 0 for errors of 200 % or more.
     rating : float
         0.4 corridor + 0.2 phase + 0.2 magnitude + 0.2 slope.
     grade : {"excellent", "good", "fair", "poor"}
@@ -200,10 +200,11 @@ def iso18571(
 ) -> Rating:
     """Rate a signal against a measured reference by ISO/TS 18571:2014 with its default parameters.
 
-    Both are on the same instants and in one unit, of at least 12 samples, the reference not constant: for a constant
-    one the standard defines no rating. The standard works at 10 kHz: other rates (Hz) are resampled (cubic spline,
-    band-limited before a reduction), with a finding when they are lower. The rating is not symmetric: it is relative to
-    the size of ``reference``. A constant compared signal gets phase score 1, as no shift correlates better than none.
+    Both signals share their instants and unit and have at least 12 samples. The reference must not be constant, as the
+    standard defines no rating for it. The standard works at 10 kHz: signals at other rates (Hz) are resampled (cubic
+    spline, band-limited before downsampling), with a finding if the rate is lower. The rating is not symmetric: it is
+    relative to the size of ``reference``. A constant compared signal gets phase score 1, because no shift improves its
+    correlation.
 
     Examples
     --------
@@ -268,12 +269,12 @@ def _check_rated(reference: Array, compared: Array, sample_rate: float, place: s
 
 
 def grade_of(rating: float) -> Grade:
-    """Give the grade of an overall rating (0 to 1) by the sliding scale of ISO/TS 18571."""
+    """Return the grade of an overall rating (0 to 1) on the sliding scale of ISO/TS 18571."""
     return next((grade for limit, grade in GRADES if rating > limit), "poor")
 
 
 def corridor_score(reference: Array, compared: Array) -> float:
-    """Give the corridor score: the mean over the samples of 1 inside, 0 outside, quadratic in between."""
+    """Return the corridor score: the mean over the samples of 1 inside, 0 outside and a quadratic in between."""
     size = float(np.abs(reference).max())
     inner, outer = INNER_CORRIDOR * size, OUTER_CORRIDOR * size
     share = np.clip((outer - np.abs(reference - compared)) / (outer - inner), 0.0, 1.0)
@@ -283,9 +284,9 @@ def corridor_score(reference: Array, compared: Array) -> float:
 def best_shift(reference: Array, compared: Array) -> tuple[int, int | None]:
     """Find the shift in samples, at most 20 % either way, with the largest correlation coefficient.
 
-    Positive when ``compared`` comes later. Among equal correlations the smallest shift counts, then the positive one.
-    The coefficients of all shifts come from one Fourier transform; those near the largest are computed again directly.
-    The second number is a smaller shift that correlates almost as well, as in periodic signals, where there is one.
+    The shift is positive when ``compared`` comes later. Among equal correlations the smallest shift is chosen, then the
+    positive one. One Fourier transform gives the coefficients of all shifts; those near the maximum are recomputed
+    directly. The second value is a smaller shift that correlates almost as well, as in periodic signals, or None.
     """
     most = floor(reference.size * LARGEST_SHIFT)
     roughly = correlation_coefficients(reference, compared, most)
@@ -300,7 +301,7 @@ def best_shift(reference: Array, compared: Array) -> tuple[int, int | None]:
 
 
 def _rival(correlations: Array, best: int, middle: int) -> int | None:
-    """Smallest shift at a separate maximum that is nearly as high as the one at index ``best``."""
+    """Find the smallest shift at a separate maximum that is nearly as high as the one at index ``best``."""
     reach = abs(best - middle)
     inner = correlations[middle - reach : middle + reach + 1]
     if reach < 2:
@@ -321,7 +322,7 @@ def _rival(correlations: Array, best: int, middle: int) -> int | None:
 
 
 def _overlap(reference: Array, compared: Array, shift: int) -> tuple[Array, Array]:
-    """What overlaps when the compared signal comes ``shift`` samples later."""
+    """Return the overlapping parts of both signals when the compared one comes ``shift`` samples later."""
     if shift >= 0:
         return reference[: reference.size - shift], compared[shift:]
     return reference[-shift:], compared[:shift]
@@ -335,13 +336,13 @@ def _correlation(reference: Array, compared: Array, shift: int) -> float:
 
 
 def magnitude_score(reference: Array, compared: Array) -> float:
-    """Return the magnitude score of shifted signals: their difference after warping them onto each other in time."""
+    """Return the magnitude score of shifted signals, from their difference after dynamic time warping."""
     i, j = warping_path(compared, reference, ceil(WARPING_WINDOW * reference.size) - 1)
     return _linear_score(compared[i] - reference[j], reference[j], LARGEST_MAGNITUDE_ERROR)
 
 
 def slope_score(reference: Array, compared: Array) -> float:
-    """Return the slope score of shifted signals: the difference of their derivatives, smoothed over 9 samples."""
+    """Return the slope score of shifted signals, from the difference of their derivatives, smoothed over 9 samples."""
     slope_t, slope_c = _smooth_slope(reference), _smooth_slope(compared)
     return _linear_score(slope_c - slope_t, slope_t, LARGEST_SLOPE_ERROR)
 
@@ -354,7 +355,7 @@ def _linear_score(difference: Array, reference: Array, largest: float) -> float:
 
 
 def _smooth_slope(values: Array) -> Array:
-    """Difference per sample, averaged over 9 neighbours; 7, 5, 3 and 1 towards both ends."""
+    """Return the difference per sample, averaged over 9 neighbours; over 7, 5, 3 and 1 towards both ends."""
     slope = np.gradient(values)
     smooth = np.empty_like(slope)
     smooth[4:-4] = np.convolve(slope, np.full(9, 1.0 / 9.0), mode="valid")

@@ -50,45 +50,45 @@ def fit_damper(  # noqa: PLR0913 - each is a choice of its own
 ) -> DamperResult:
     """Fit a damper law to a record of imposed motion and force.
 
-    ``linear``: F = c v + F0. ``bilinear``: c_bump for v > 0, c_rebound for v < 0. ``blow-off``: in either direction
-    steep up to a blow-off force and velocity, flatter beyond. ``polynomial``: F = F0 + sum a_i v^i.
+    ``linear``: F = c v + F0. ``bilinear``: c_bump for v > 0, c_rebound for v < 0. ``blow-off``: steep up to a
+    blow-off force and velocity in each direction, flatter beyond. ``polynomial``: F = F0 + sum a_i v^i.
     ``tanh-hysteretic``: F = c v + k x + f tanh(slope (v + coupling x)) + F0. ``bouc-wen``: F = c v + k x + f z + F0,
     ``z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n)``, the normalised form, whose parameters are unique.
-    Shape parameters are searched from many starts; the factors are solved for exactly at each step.
+    The search for the shape parameters has many starts; the linear factors are solved for exactly at each step.
 
     Parameters
     ----------
     displacement : array (n,), Dataset or DataFrame
-        [m], compression positive unless stated otherwise, any zero; or alone, a recording or a table (``name [unit]``)
-        in which one place has a displacement, a force and, where it was recorded, a velocity.
+        [m], compression positive unless stated otherwise, any zero. Given alone: a recording or a table
+        (``name [unit]``) with a displacement, a force and optionally a velocity at one location.
     velocity : array (n,) or None
-        [m/s], of the same sign as the displacement; None: the derivative of the displacement.
+        [m/s], with the sign of the displacement; None: the derivative of the displacement.
     force : array (n,)
         [N], positive where it resists compression unless stated otherwise.
     time : array (n,)
-        [s], increasing; not needed beside channels of a recording, which carry it.
+        [s], increasing; not needed with channels of a recording, which contain it.
     law : {"linear", "bilinear", "blow-off", "polynomial", "tanh-hysteretic", "bouc-wen"}
-        See above.
+        Force law, as described above.
     degree : int
-        Of the polynomial [1].
+        Degree of the polynomial [1].
     odd : bool
-        Polynomial with odd powers only.
+        Whether the polynomial has odd powers only.
     friction : bool
-        Add dry friction to an F(v) law.
+        Whether to add dry friction to an F(v) law.
     velocity_from : {"recorded", "displacement"}
         Which velocity the law sees.
     stroke_positive : {"compression", "extension"} or None
-        Which way the displacement counts. None: compression, unless the record contradicts it; a finding says what was
-        turned, or what nothing in the record could confirm.
+        Positive direction of the displacement. None: compression, unless the record contradicts it; a finding reports
+        a reversed sign, or a sign that the record cannot confirm.
     force_positive : {"compression", "tension"} or None
-        Which way the force counts, likewise.
+        Positive direction of the force, likewise.
     name : str
-        File or channel, used in messages.
+        File or channel named in messages.
 
     Returns
     -------
     DamperResult
-        Parameters in SI with standard errors.
+        The fitted law with its parameters in SI and their standard errors.
 
     Raises
     ------
@@ -170,22 +170,22 @@ def damper_curve(
     *,
     velocity_from: VelocityFrom = "recorded",
 ) -> DamperCurve:
-    """Evaluate a fitted law on a record, the one it was fitted to or another one (a hold-out).
+    """Evaluate a fitted law on the record it was fitted to or on a different one (a hold-out).
 
     Parameters
     ----------
     result : DamperResult
         The fitted law.
     displacement, velocity, force, time : array (n,), Dataset or DataFrame
-        A record as for :func:`fit_damper` [m, m/s, N, s], which counts stroke and force as the fitted one did;
-        displacement is counted from the middle of its own stroke.
+        A record as for :func:`fit_damper` [m, m/s, N, s], with the signs of the fitted record; displacement is counted
+        from the middle of its own stroke.
     velocity_from : {"recorded", "displacement"}
         Which velocity the law sees.
 
     Returns
     -------
     DamperCurve
-        The moving part of the record with the law's force.
+        The moving part of the record and the force of the law.
 
     Examples
     --------
@@ -217,6 +217,6 @@ def damper_curve(
 
 
 def _fitted_part(motion: DamperMotion) -> slice:
-    """Leave out the first swing, which only brings a law with a memory into its state."""
+    """Return the part after the first swing, which only initialises the state of a law with memory."""
     turns = zigzag(motion.displacement, 0.1 * motion.stroke)
     return slice(turns[1] if len(turns) > 2 else 0, None)

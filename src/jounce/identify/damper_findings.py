@@ -1,4 +1,4 @@
-"""Findings of a damper fit about its record and its law."""
+"""Findings about the record and the law of a damper fit."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from jounce.identify.signals import quantum_of
 
 
 def hysteresis_share(motion: DamperMotion) -> float:
-    """Difference of the force at one velocity between rising and falling velocity.
+    """Compute the force difference between rising and falling velocity at equal velocities.
 
-    R.m.s. difference between both over velocity bins, relative to the range of the force [1]; 0 for any F(v).
+    It is the r.m.s. difference over velocity bins, relative to the range of the force [1]; 0 for any F(v) law.
     """
     rising = np.gradient(motion.velocity, motion.time) > 0.0
     edges = np.linspace(-0.9, 0.9, 22) * motion.peak_velocity
@@ -36,7 +36,7 @@ def hysteresis_share(motion: DamperMotion) -> float:
 def damper_advice(
     result: DamperResult, motion: DamperMotion, at_bound: tuple[str, ...], name: str
 ) -> list[Finding]:
-    """Findings about a fitted law; ``at_bound`` names the parameters that ended at a limit of their range."""
+    """Return findings about a fitted law; ``at_bound`` lists the parameters that ended at a bound."""
     findings: list[Finding] = []
 
     def add(code: str, value: float | None = None, /, **numbers: Any) -> None:
@@ -104,9 +104,9 @@ _FAR, _FEW = (
 def changes(
     speed: Array, fitted: Array, residual: Array, result: DamperResult, name: str
 ) -> list[Finding]:
-    """Changes during the record: a damper that warms up, a drifting zero, spikes.
+    """Report changes during the record: a damper that warms up, a drifting zero, spikes.
 
-    ``speed`` is the velocity over its peak; the force of the law may err as it grows, which is no change in time.
+    ``speed`` is the velocity relative to its peak. A force error that grows with speed is not a change in time.
     """
     findings: list[Finding] = []
     usual = float(np.median(np.abs(residual))) / 0.6745
@@ -149,7 +149,7 @@ _NEAR = (
 
 
 def logger_effects(motion: DamperMotion, fitted: Array, offset: float, name: str) -> list[Finding]:
-    """Effects of the logger on the force: steps as large as the force itself, a low-pass filter near the motion."""
+    """Report effects of the logger on the force: coarse quantisation, or a low-pass filter near the motion."""
     findings: list[Finding] = []
     step, force = quantum_of(motion.force), fitted - offset
     side = min(float(force.max()), -float(force.min()))
@@ -169,9 +169,9 @@ def logger_effects(motion: DamperMotion, fitted: Array, offset: float, name: str
 
 
 def _force_step(motion: DamperMotion) -> tuple[float, float] | None:
-    """Step of the force at zero velocity [N] that a velocity curve needs to fit well, and how fast it is taken [m/s].
+    """Return the force step at zero velocity [N] that an F(v) curve needs, and the velocity over which it occurs [m/s].
 
-    Dry friction changes sides within the regularisation; a degressive valve takes its time to open.
+    Dry friction changes sign within the regularisation velocity; a degressive valve opens over a wider range.
     """
     v = motion.velocity / motion.peak_velocity
     smooth = np.column_stack([np.ones_like(v), np.maximum(v, 0.0), np.minimum(v, 0.0)])

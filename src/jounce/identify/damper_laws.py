@@ -1,4 +1,4 @@
-"""Damper laws for fitting: weights of columns, and the shapes that the columns depend on."""
+"""Damper laws for fitting: linear weights of columns, and the shape parameters of the columns."""
 
 from __future__ import annotations
 
@@ -45,7 +45,8 @@ _DESCRIBED: dict[str, type[DamperLaw]] = {
 class AlongPath(SampledPoint):
     """Operating points in the order in which a damper passes through them.
 
-    ``start`` is its state at the first; without one the state that the stroke before a first turn leaves.
+    ``start`` is the state at the first point. By default it is the state that the stroke before the first reversal
+    leaves.
     """
 
     start: float | None = None
@@ -63,26 +64,26 @@ class AlongPath(SampledPoint):
 def harmonic_energy(
     damper: DamperLaw | Mapping[str, Any], amplitude: float, frequency: float
 ) -> float:
-    """Work that a damper dissipates per cycle of harmonic motion, once a law with memory has settled.
+    """Compute the work that a damper dissipates per cycle of steady-state harmonic motion.
 
     Parameters
     ----------
     damper : DamperLaw or mapping
-        A law (``rig.strut.damper``) or its table, as ``strut.damper`` of a rig file or ``DamperResult.damper``.
+        A law (``rig.strut.damper``) or its table, such as ``strut.damper`` of a rig file or ``DamperResult.damper``.
     amplitude : float
-        Of the damper's stroke about its design length [m].
+        Amplitude of the stroke about the design length [m].
     frequency : float
-        [Hz].
+        Frequency of the motion [Hz].
 
     Returns
     -------
     float
-        Energy [J], never negative for a law that damps.
+        Energy [J], not negative for a dissipative law.
 
     Raises
     ------
     DescriptionError
-        A table that is no damper law.
+        A table that is not a damper law.
 
     Examples
     --------
@@ -105,11 +106,11 @@ _CYCLE = 2000  # samples of a cycle
 class FittedLaw:
     """A force law F = sum of weights * columns(displacement, velocity, shapes).
 
-    ``weights`` and ``shapes`` hold names and units of the factors of the columns and of the parameters that change the
-    columns; shapes that have no sign are searched logarithmically, from ``starts`` (one row each) and within
-    ``bounds``. Weights in ``not_negative`` cannot be negative. The force of a ``hysteretic`` law depends on more than
-    the velocity; that of a law that ``remembers`` on the path so far, so the first swing only sets its state.
-    ``table`` makes the damper table of a rig file from the parameters by name.
+    ``weights`` and ``shapes`` map names to units: of the factors of the columns, and of the parameters that the columns
+    depend on. The search for the shapes has the ``starts`` (one row each) and ``bounds``; positive shapes are searched
+    on a logarithmic scale. Weights in ``not_negative`` cannot be negative. The force of a ``hysteretic`` law depends on
+    more than the velocity. That of a law that ``remembers`` depends on the path, so the first swing only initialises
+    its state. ``table`` converts parameters by name to the damper table of a rig file.
     """
 
     name: str
@@ -125,14 +126,14 @@ class FittedLaw:
 
     @property
     def may_be_negative(self) -> NDArray[np.bool_]:
-        """Which shapes may be negative: they are searched on a linear scale."""
+        """Mark the shapes that may be negative; they are searched on a linear scale."""
         return self.bounds[0] < 0.0
 
 
 def damper_law(
     name: str, motion: DamperMotion, *, degree: int = 3, odd: bool = False, friction: bool = False
 ) -> FittedLaw:
-    """Make a law for a motion, which sets its scales: start values, range of the table, friction regularisation.
+    """Make a law scaled to a motion, which sets start values, table range and friction regularisation.
 
     ``friction`` adds dry friction F_c tanh(v / v_r) to laws without hysteresis.
 
@@ -141,7 +142,7 @@ def damper_law(
     DescriptionError
         An unknown law.
     FitError
-        A degree out of range, or friction for a law that has it already.
+        A degree out of range, or friction for a law that already contains it.
     """
     if name not in LAWS:
         raise unknown(str(name), LAWS, what="damper law")
@@ -161,12 +162,12 @@ def damper_law(
 
 
 def regularisation_velocity(motion: DamperMotion) -> float:
-    """Speed below which dry friction is smoothed [m/s]: 1 % of the peak, or two steps of the record if larger."""
+    """Return the regularisation velocity of friction [m/s]: 1 % of the peak, or two steps of the record if larger."""
     return max(0.01 * motion.peak_velocity, 2.0 * motion.velocity_resolution)
 
 
 def _law_of_rig_files(name: str, motion: DamperMotion) -> FittedLaw:
-    """A law of rig files."""
+    """Make one of the laws that rig files support."""
     kind = _DESCRIBED[name]
 
     def columns(x: Array, v: Array, shapes: Array) -> Array:
@@ -200,7 +201,7 @@ def _law_of_rig_files(name: str, motion: DamperMotion) -> FittedLaw:
 
 
 def _polynomial(motion: DamperMotion, degree: int, odd: bool) -> FittedLaw:
-    """A polynomial of the velocity, which a rig file holds as a table over the velocities of the record."""
+    """Make a polynomial in the velocity, which a rig file stores as a table over the recorded velocity range."""
     if not 1 <= degree <= 9:
         raise FitError("unusable degree of the polynomial", found=degree, allowed="1 to 9")
     powers = [p for p in range(1, degree + 1) if p % 2 or not odd]
@@ -220,7 +221,7 @@ def _polynomial(motion: DamperMotion, degree: int, odd: bool) -> FittedLaw:
 
 
 def _with_offset(law: FittedLaw, motion: DamperMotion, friction: bool) -> FittedLaw:
-    """A law with what its record may have besides: dry friction, and a static force."""
+    """Extend a law by a static force and, optionally, dry friction."""
     slow = regularisation_velocity(motion)
 
     def columns(x: Array, v: Array, shapes: Array) -> Array:
@@ -234,7 +235,7 @@ def _with_offset(law: FittedLaw, motion: DamperMotion, friction: bool) -> Fitted
 
 
 def _weights(law: FittedLaw, columns: Array, force: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """Best factors of the columns, those that cannot be negative cut at zero; and which of them are free."""
+    """Return the best factors of the columns, with non-negative ones cut at zero, and the mask of the free ones."""
     free = np.ones(columns.shape[1], bool)
     scale = np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
     factors = np.zeros(columns.shape[1])
@@ -256,7 +257,7 @@ def _weights(law: FittedLaw, columns: Array, force: Array) -> tuple[Array, NDArr
 
 
 def _encode(law: FittedLaw, shapes: Array) -> Array:
-    """Shape parameters as the search sees them: logarithms, but for those that have a sign."""
+    """Encode shape parameters for the search: logarithms, except for signed parameters."""
     return np.array(
         [
             value / bound if is_signed else math.log(value)
@@ -281,7 +282,7 @@ def _decode(law: FittedLaw, coded: Array) -> Array:
 def search(
     law: FittedLaw, motion: DamperMotion, used: slice
 ) -> tuple[Array, Array, NDArray[np.bool_], tuple[str, ...]]:
-    """Weights, shapes, which parameters are free, and the names of those at a bound."""
+    """Return weights, shapes, the mask of free parameters, and the names of parameters at a bound."""
     from scipy.optimize import least_squares
 
     size = float(motion.force.std())
@@ -326,7 +327,7 @@ def estimates(
     residual: Array,
     free: NDArray[np.bool_],
 ) -> list[Estimate]:
-    """Return weights and shapes with their uncertainty; those at a bound have none."""
+    """Return weights and shapes with their uncertainty, which parameters at a bound do not have."""
     weights, shapes = values[: len(law.weights)], values[len(law.weights) :]
 
     def force(point: Array) -> Array:

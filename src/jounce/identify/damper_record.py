@@ -26,9 +26,9 @@ VelocityFrom = Literal["recorded", "displacement"]
 class DamperMotion:
     """Displacement, velocity and force of a damper while it moves, compression positive.
 
-    ``displacement`` (m) counts from ``centre`` (m), the middle of the stroke in the record; ``force`` (N) is positive
-    where it resists compression. ``velocity_resolution`` is the smallest difference between two recorded velocities
-    (m/s), 0 where they are not quantised. ``signs`` are those of the record it was read from.
+    ``displacement`` (m) is measured from ``centre`` (m), the middle of the recorded stroke; ``force`` (N) is positive
+    when it resists compression. ``velocity_resolution`` is the smallest difference between two recorded velocities
+    (m/s), 0 if they are not quantised. ``signs`` are the sign conventions of the source record.
     """
 
     time: Array
@@ -62,12 +62,12 @@ def read_motion(
     force_positive: ForcePositive | None = None,
     name: str = "damper",
 ) -> tuple[DamperMotion, list[Finding]]:
-    """Check a damper record (m, m/s, N, s), make compression positive and cut off the rest at both ends.
+    """Check a damper record (m, m/s, N, s), make compression positive and trim standstill at both ends.
 
     Without a velocity, or with ``velocity_from="displacement"``, the derivative of the displacement is used: central
-    differences, or slopes of cubics through as many samples as its noise asks for, since noise in a velocity makes
-    coefficients too small. A recorded velocity counts as the displacement does. How the record counts is stated or
-    found, with findings: :mod:`jounce.identify.signs`.
+    differences, or slopes of cubics over as many samples as its noise requires, since noise in the velocity biases
+    coefficients towards zero. A recorded velocity has the sign of the displacement. Sign conventions are stated or
+    detected, with findings: :mod:`jounce.identify.signs`.
 
     Raises
     ------
@@ -161,7 +161,7 @@ def _check(arrays: dict[str, Array], name: str) -> None:
 def _without_dropouts(
     arrays: dict[str, Array], name: str, findings: list[Finding]
 ) -> NDArray[np.bool_]:
-    """Mark what the logger lost while the machine moved, and bridge the displacement there for its derivative."""
+    """Mark logger dropouts during motion, and interpolate the displacement across them for its derivative."""
     lost = np.zeros(len(arrays["time"]), bool)
     for column in ("displacement", "velocity", "force"):
         if column in arrays and (marks := frozen_samples(arrays[column])).any():
@@ -187,7 +187,7 @@ _BESIDE = 8  # samples beside a bridge whose derivative it spoils
 
 
 def _out_of_range(columns: Mapping[str, Array], name: str) -> list[Finding]:
-    """Columns that lie flat at their limits, entered by a jump: no law can tell what was there."""
+    """Report columns that are clipped: flat at their limits, entered by a jump."""
     findings = []
     for column, values in columns.items():
         share = clipped_share(values)
@@ -207,7 +207,7 @@ _CLIPPED = 2e-3  # of the samples: limits that a steady sine touches for so long
 
 
 def _as_the_stroke(velocity: Array, derivative: Array, name: str, findings: list[Finding]) -> Array:
-    """Give the velocity with the sign of the displacement's derivative."""
+    """Return the velocity with the sign of the displacement's derivative."""
     gain = float(velocity @ derivative) / float(derivative @ derivative)
     if (
         gain > -0.5
@@ -220,7 +220,7 @@ def _as_the_stroke(velocity: Array, derivative: Array, name: str, findings: list
 def _check_velocity(
     velocity: Array, derivative: Array, time: Array, source: str, name: str, findings: list[Finding]
 ) -> float:
-    """Compare the recorded velocity with the derivative of the displacement; give its resolution [m/s]."""
+    """Compare the recorded velocity with the derivative of the displacement; return its resolution [m/s]."""
     power = float(derivative @ derivative)
     gain = float(velocity @ derivative) / power
     slope = np.gradient(derivative, time)
@@ -243,7 +243,7 @@ def _check_velocity(
 
 
 def _rate(x: Array, t: Array, plain: Array, name: str, findings: list[Finding]) -> Array:
-    """Derivative of a displacement (m/s), over as many samples as its noise asks for; ``plain`` is over three."""
+    """Differentiate a displacement (m/s) over as many samples as its noise requires; ``plain`` uses three."""
     steps = np.diff(t)
     step = float(np.median(steps))
     turns = np.diff(zigzag(_smooth(x), 0.05 * float(np.ptp(x))))[1:]
@@ -279,20 +279,20 @@ _WIDEST = 0.05  # of half a cycle: samples on either side over which a cubic fol
 
 
 def _smooth(x: Array) -> Array:
-    """Average over a hundredth of a cycle or so, in which turning points are looked for."""
+    """Average over about a hundredth of a cycle, before the search for turning points."""
     width = max(1, len(x) // 2000) | 1
     return np.convolve(np.pad(x, width // 2, mode="edge"), np.ones(width) / width, mode="valid")
 
 
 def _weights_of_slope(half: int) -> Array:
-    """What the slope (a sample) of the cubic through ``2 half + 1`` samples in its middle takes of each of them."""
+    """Return the filter weights of the centre slope (per sample) of a cubic fitted to ``2 half + 1`` samples."""
     place = np.arange(-half, half + 1) / half
     weights: Array = np.linalg.pinv(place[:, None] ** np.arange(4.0))[1] / half
     return weights
 
 
 def _slope(x: Array, half: int) -> Array:
-    """Slope (a sample) of cubics through ``2 half + 1`` samples, at the ends of the first and the last of them."""
+    """Return slopes (per sample) of cubics over ``2 half + 1`` samples; the ends use the first and the last cubic."""
     place = np.arange(-half, half + 1) / half
     inside = np.convolve(x, _weights_of_slope(half)[::-1], mode="valid")
     ends = [
@@ -303,7 +303,7 @@ def _slope(x: Array, half: int) -> Array:
 
 
 def _moving_part(displacement: Array, name: str, findings: list[Finding]) -> tuple[int, int]:
-    """First and last sample of the motion; short rests at the ends are kept."""
+    """Return the first and last sample of the motion; short standstills at the ends are kept."""
     still = 2e-3 * float(np.ptp(displacement))
     away = np.flatnonzero(np.abs(displacement - displacement[0]) > still)
     back = np.flatnonzero(np.abs(displacement - displacement[-1]) > still)
@@ -317,7 +317,7 @@ def _moving_part(displacement: Array, name: str, findings: list[Finding]) -> tup
 
 
 def cycles_of(displacement: Array, *, is_closed: bool = False) -> float:
-    """Number of cycles: half the crossings of the middle, or the path over twice the stroke where that is more.
+    """Return the number of cycles: half the crossings of the middle, or the path over twice the stroke if that is more.
 
     With ``is_closed`` the record begins and ends at a crossing, which adds one.
     """
@@ -334,7 +334,7 @@ def cycles_of(displacement: Array, *, is_closed: bool = False) -> float:
 def columns_of(
     displacement: Any, velocity: Any, force: Any, time: Any, name: str
 ) -> tuple[ArrayLike, ArrayLike | None, ArrayLike, ArrayLike]:
-    """A record completed from its data: a channel brings its time, a recording or a table everything."""
+    """Complete the columns of a record: a channel provides its time, a recording or a table all columns."""
     if force is None and velocity is None and not hasattr(displacement, "dtype"):
         displacement, velocity, force = damper_channels(
             as_recording(displacement, where=name), where=name

@@ -1,4 +1,4 @@
-"""A fitted damper law, and its force beside the measured one."""
+"""A fitted damper law, and its force next to the measured force."""
 
 from __future__ import annotations
 
@@ -15,14 +15,15 @@ from jounce.identify.signs import ForcePositive, StrokePositive
 
 @dataclass(frozen=True)
 class DamperResult(Shown):
-    """A damper law found from a record.
+    """A damper law identified from a record.
 
     Attributes
     ----------
     law : str
         Name of the law.
     parameters : dict of str to Estimate
-        By name, SI; the standard errors allow for autocorrelated residuals. Without interval: at a bound.
+        Parameters by name, SI. The standard errors allow for autocorrelated residuals. A parameter at a bound has no
+        interval.
     units : dict of str to str
         Unit of each parameter.
     nrmse : float
@@ -30,26 +31,26 @@ class DamperResult(Shown):
     r2 : float
         Share of the variance of the force explained [1].
     rms_residual : float
-        [N].
+        R.m.s. residual [N].
     energy_per_cycle, fitted_energy_per_cycle : float
         Work done on the damper per cycle, measured and by the law [J].
     cycles : float
         Cycles fitted [1].
     samples : int
-        SampledPoint fitted [1].
+        Number of samples fitted [1].
     displacement_centre : float
         Middle of the stroke in the record, compression positive [m]: displacement in the law is counted from there.
     stroke_positive : {"compression", "extension"}
-        How the record counts the stroke, as stated or found. The law itself counts compression positive.
+        Positive direction of the stroke in the record, as stated or detected. In the law compression is positive.
     force_positive : {"compression", "tension"}
-        How the record counts the force.
+        Positive direction of the force in the record.
     damper : dict
         Table to write under ``strut.damper`` in a rig, SI, bump positive. F(v) laws leave the offset out: it is a
         static force and belongs to the preload.
     friction : dict or None
         Table to write under ``strut.friction`` (N, m/s); None when the law has none.
     findings : tuple of Finding
-        Doubts about record and law.
+        Findings about record and law.
     """
 
     law: Annotated[str, Shows("law")]

@@ -1,8 +1,8 @@
 """Position of a recorded channel's zero: at rest, at the model's zero, or anywhere.
 
-Displacement sensors and load cells are zeroed at rest as a rule, models count from undeformed springs: compared as
-they stand, the difference is taken for a softer spring or a greater mass. What the record shows before anything moves
-decides.
+Displacement sensors and load cells are usually zeroed at rest, whereas models measure from undeformed springs. Without
+a correction, a fit attributes the difference to a softer spring or a larger mass. The quiet start of a record shows
+which zero applies.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ _AT_REST, _ABSOLUTE = (
 
 @dataclass(frozen=True)
 class QuietStart:
-    """Reading of a channel before anything moves, in its SI unit.
+    """Reading of a channel before the motion starts, in its SI unit.
 
-    ``recorded`` is the mean of the record there and ``doubt`` its standard error, ``static`` what the model says for a
-    record that counts as it does, ``zero`` for one that was zeroed at rest (the sensor's bias), and ``reach`` the range
-    of the record. ``recorded`` is None where the record begins in motion. ``likeness`` is the correlation of record and
-    model over the whole record (1), and ``is_stated`` tells that the datum was given.
+    ``recorded`` is the mean of the record there and ``doubt`` its standard error. ``static`` is the expected reading
+    with the model's zero, ``zero`` that of a channel zeroed at rest (the sensor's bias). ``reach`` is the range of the
+    record. ``recorded`` is None if the record begins in motion. ``likeness`` is the correlation of record and model
+    over the whole record (1), and ``is_stated`` is true if the datum was given.
     """
 
     recorded: float | None
@@ -50,7 +50,7 @@ class QuietStart:
     is_stated: bool = False
 
     def datum(self) -> Datum:
-        """Decide which datum the record has."""
+        """Determine the datum of the record."""
         small = _SMALL * self.reach + 4.0 * self.doubt
         load = abs(self.static - self.zero)
         if self.recorded is None:
@@ -77,7 +77,7 @@ class QuietStart:
 
 
 Starts = Mapping[str, Mapping[str, QuietStart]]
-"""Trial to channel to its start."""
+"""Mapping from trial to channel to its start."""
 
 
 def with_datums(
@@ -85,10 +85,10 @@ def with_datums(
 ) -> tuple[list[FitTrial], list[Finding]]:
     """Return the trials with the datum of every compared channel decided, and findings that state the choice.
 
-    A datum that a sensor states is kept. Otherwise quiet starts are held against the model's static values, which may
-    be off by 35 % (the start values are those before an update) and decide between "rest" and "undeformed"; a record
-    that is neither, or a loaded channel that nowhere begins at rest, gets a "free offset". A channel has one datum in
-    all trials: where their starts say different things its offset is free in each.
+    A datum stated by a sensor is kept. Otherwise the quiet starts are compared with the model's static values, which
+    may be off by 35 % before an update, to choose "rest" or "undeformed". If neither fits, or if a loaded channel never
+    begins at rest, the channel gets a "free offset". A channel has the same datum in all trials: if their starts
+    contradict each other, its offset is free in each trial.
     """
     starts = {trial.name: quiet_starts(trial, channels) for trial in trials}
     datums = datums_of(starts)
@@ -98,7 +98,7 @@ def with_datums(
 
 
 def datums_of(starts: Starts) -> dict[str, Datum]:
-    """Decide the datum of each channel from its starts in all trials."""
+    """Determine the datum of each channel from its starts in all trials."""
     said = dict[str, dict[bool, set[Datum]]]()
     for channels in starts.values():
         for name, start in channels.items():
@@ -117,7 +117,7 @@ def datums_of(starts: Starts) -> dict[str, Datum]:
 def with_datum(
     trial: FitTrial, starts: Mapping[str, QuietStart], datums: Mapping[str, Datum]
 ) -> FitTrial:
-    """Return a trial with the datums of its channels, except those that its sensors state."""
+    """Return a trial with the given datums for all channels whose sensors do not state one."""
     sensors = dict(trial.sensors)
     for name, start in starts.items():
         if not start.is_stated:
@@ -165,7 +165,7 @@ def _join_trials(trials: Sequence[str]) -> str:
 
 
 def quiet_starts(trial: FitTrial, channels: Sequence[str] | None = None) -> dict[str, QuietStart]:
-    """Starts of all compared channels, with the model's own values."""
+    """Return the starts of all compared channels, with the model's static values."""
     problem = UpdateProblem([trial], (), UpdateSettings(channels=channels, tolerance=1e-5))
     prepared = problem.trials[0]
     solution = prepared.solve(np.zeros(0), problem.tolerance)

@@ -65,9 +65,9 @@ DRAG_CHOICES: tuple[Drag, ...] = ("auto", "yes", "no")
 
 @dataclass(frozen=True)
 class Peaks:
-    """Successive turning points: when (s) and the signal there, maxima and minima alternating.
+    """Successive turning points: times (s) and signal values, alternating between maxima and minima.
 
-    The first one is the largest excursion, the release.
+    The first one is the release, which has the largest excursion.
     """
 
     time: Array
@@ -85,7 +85,7 @@ _FEWEST = 20  # samples: nearly three for each of the seven parameters of a resp
 
 
 def find_release(signal: Array, noise: float) -> int:
-    """Index at which the largest excursion is left: the end of a hold, or just past the first peak.
+    """Find the sample at which the decay starts: the end of a hold, or just past the first peak.
 
     It is the last sample within 2 % of the largest excursion from the final value (more where the noise is larger)
     before the signal falls below 70 % of it.
@@ -100,7 +100,7 @@ def find_release(signal: Array, noise: float) -> int:
 
 
 def _smooth(signal: Array, noise: float) -> Array:
-    """Average over a few samples when the noise exceeds 1 % of the range."""
+    """Smooth over a few samples if the noise exceeds 1 % of the range."""
     share = noise / max(float(np.ptp(signal)), 1e-300)
     width = int(np.clip(1 + 2 * round(100.0 * share), 1, max(1, len(signal) // 50)))
     return _moving_average(signal, width)
@@ -117,9 +117,9 @@ def _moving_average(signal: Array, width: int) -> Array:
 
 
 def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
-    """Find the turning points of a decay from its release on, both polarities, refined between samples by a parabola.
+    """Find the maxima and minima of a decay from its release on, refined between samples by a parabola.
 
-    Reversals within the noise do not count. A signal that does not turn after the release is refused.
+    Reversals within the noise are ignored. A signal without a turning point after the release raises an error.
     """
     reach = float(np.ptp(signal))
     coarse = zigzag(_smooth(signal, noise), max(12.0 * noise, 0.03 * reach))
@@ -139,9 +139,9 @@ def find_peaks(time: Array, signal: Array, noise: float) -> Peaks:
 
 
 def until_it_grows(peaks: Peaks, noise: float) -> Peaks:
-    """Leave out the part after a second hit: swings that are suddenly much larger than the two before.
+    """Cut off the part after a second hit, where swings are suddenly much larger than the two before.
 
-    The swings of a beat do so too at a node of its envelope, but go on growing.
+    The swings of a beat also grow at a node of its envelope, but they continue to grow and are kept.
 
     >>> until_it_grows(Peaks(np.arange(8.0), np.array([9.0, -8, 7, -6, 5, -4, 20, -18.0])), 0.0).value.tolist()
     [9.0, -8.0, 7.0, -6.0, 5.0, -4.0]
@@ -160,7 +160,7 @@ def until_it_grows(peaks: Peaks, noise: float) -> Peaks:
 
 
 def _half_period(time: Array, turns: list[int]) -> float:
-    """Half period [s] from coarse turning points; a refusal when there is no swing."""
+    """Compute the half period [s] from coarse turning points; raise an error if there is no swing."""
     if len(turns) < 2:
         raise FitError(
             "no oscillation to work on",
@@ -191,9 +191,9 @@ def _parabola(
 
 @dataclass(frozen=True)
 class PeakRegression:
-    """Damping ratio [1], friction deflection F_c / k and equilibrium (unit of the signal) from turning points.
+    """Damping ratio [1], and friction deflection F_c / k and equilibrium (unit of the signal), from turning points.
 
-    The friction is negative when the peaks fall more slowly than any friction would allow.
+    The friction is negative if the peaks decrease more slowly than they would with any friction.
     """
 
     damping_ratio: float
@@ -202,7 +202,7 @@ class PeakRegression:
 
 
 def ratio_from_decrement(decrement: float) -> float:
-    """Damping ratio [1] that belongs to a logarithmic decrement per full cycle [1].
+    """Compute the damping ratio [1] from the logarithmic decrement per full cycle [1].
 
     >>> round(ratio_from_decrement(0.631484), 6)
     0.1
@@ -225,10 +225,10 @@ def _equivalent(decrement: Estimate) -> Estimate:
 def regress_peaks(peaks: Peaks) -> PeakRegression:
     """Separate viscous from dry damping by the recursion of turning points.
 
-    The swings D_i between neighbouring turning points obey |D_(i+1)| = q |D_i| - 2 x_k (1 + q) whatever the equilibrium
-    is; this gives q and the equilibrium. The amplitudes X_i about it then obey X_(i+1) = q X_i - x_k (1 + q), which is
-    fitted using only turning points on alternating sides (a mass about to stick turns twice on the same side). Three
-    turning points, the least there are, leave no room for friction.
+    The swings D_i between neighbouring turning points obey |D_(i+1)| = q |D_i| - 2 x_k (1 + q) for any equilibrium.
+    This gives q and the equilibrium. The amplitudes X_i about it then obey X_(i+1) = q X_i - x_k (1 + q), which is
+    fitted using only turning points on alternating sides (a mass about to stick turns twice on the same side). With
+    the minimum of three turning points, friction is assumed to be zero.
 
     >>> x = np.array([20.0, -12.702389, 7.559395, -3.934868, 1.380481, 0.419723])
     >>> found = regress_peaks(Peaks(np.arange(6.0), x + 5.0))
@@ -252,7 +252,7 @@ def regress_peaks(peaks: Peaks) -> PeakRegression:
 
 
 def _ratio_of(q: float) -> float:
-    """Damping ratio from the ratio of neighbouring amplitudes."""
+    """Compute the damping ratio from the ratio of neighbouring amplitudes."""
     return ratio_from_decrement(-2.0 * math.log(q))
 
 
@@ -268,7 +268,7 @@ _ZEROED = 0.2  # of the first swing: velocities and accelerations with a centre 
 
 
 def _start(peaks: Peaks, quantity: Quantity, ratio: float, friction: float, centre: float) -> Array:
-    """Parameters as a vector, from damping ratio and friction (unit of the record) of the turning points."""
+    """Return a start vector from the damping ratio and friction (unit of the record) of the turning points."""
     ratio = float(np.clip(ratio, 0.002, 0.9))
     damped = math.pi / peaks.half_period()
     omega = damped / math.sqrt(1.0 - ratio**2)
@@ -296,7 +296,7 @@ def _start(peaks: Peaks, quantity: Quantity, ratio: float, friction: float, cent
 
 
 def _starts(peaks: Peaks, quantity: Quantity) -> list[Array]:
-    """Start vectors: the regression of the turning points, then all mixtures of viscous damping and dry friction."""
+    """Return start vectors: the regression of the turning points, then mixtures of viscous damping and dry friction."""
     guess = regress_peaks(peaks)
     swing = np.abs(np.diff(peaks.value))
     naive = ratio_from_decrement(max(1e-3, 2.0 * math.log(swing[0] / swing[1])))
@@ -314,7 +314,7 @@ def _starts(peaks: Peaks, quantity: Quantity) -> list[Array]:
 
 
 def _early(t: Array, peaks: Peaks) -> NDArray[np.bool_]:
-    """Mark the samples until the swings are below a fifth of the first, at least three half cycles."""
+    """Mark the early samples, until the swings fall below a fifth of the first; at least three half cycles."""
     swing = np.abs(np.diff(peaks.value))
     small = np.flatnonzero(
         swing < 0.2 * swing[0]
@@ -325,7 +325,7 @@ def _early(t: Array, peaks: Peaks) -> NDArray[np.bool_]:
 
 
 def _along_the_valley(start: Array, share: float) -> Array:
-    """Exchange dry friction for viscous damping so that the mean loss of amplitude stays."""
+    """Exchange dry friction for viscous damping, keeping the mean loss of amplitude."""
     change = share * max(abs(start[2]), 0.01 * abs(start[5]))
     moved = start.copy()
     moved[2] += change
@@ -359,9 +359,9 @@ def _fit(
     quantity: Quantity,
     free: Sequence[bool] = _WITHOUT_DRAG,
 ) -> tuple[Array, Uncertainty, Array]:
-    """Nonlinear least squares from several starts; the best one's parameters, uncertainty and residual.
+    """Fit by nonlinear least squares from several starts; return the best parameters, their uncertainty and residual.
 
-    Parameters that are not ``free`` stay as the start has them, and are known without doubt.
+    Parameters that are not ``free`` keep their start values and count as exactly known.
     """
     if len(t) < _FEWEST or np.ptp(signal) == 0.0 or not np.all(np.isfinite(np.concatenate(starts))):
         raise FitError(
@@ -396,13 +396,13 @@ def _fit(
 
 
 def _sample_step(t: Array, start: Array) -> int:
-    """How many samples a step of a search may take: at least 40 a cycle stay, and some thousands in all."""
+    """Return the sample stride of a coarse search: it keeps at least 40 samples per cycle and some thousands in all."""
     cycle = 2.0 * math.pi / float(start[0]) / float(np.median(np.diff(t)))
     return max(1, min(int(cycle / 40.0), len(t) // 2000))
 
 
 def _off_jumps(t: Array, parameters: DecayParameters) -> Array:
-    """0 at samples next to a turning point, where friction makes the acceleration jump, 1 elsewhere."""
+    """Return 0 at samples next to a turning point, where friction makes the acceleration jump, and 1 elsewhere."""
     damped = parameters.angular_frequency * math.sqrt(1.0 - parameters.damping_ratio**2)
     phase = (t - parameters.release_time) * damped / math.pi
     # Acceleration changes within a step there: two samples at most are less than 0.6 steps away.
@@ -412,7 +412,7 @@ def _off_jumps(t: Array, parameters: DecayParameters) -> Array:
 def _descend(
     t: Array, target: Array, start: Array, quantity: Quantity, reach: float, free: NDArray[np.bool_]
 ) -> tuple[Any, Array, Array]:
-    """One descent in scaled free parameters; SciPy's solution, the scales and the start within its bounds."""
+    """Run one descent in scaled free parameters; return SciPy's solution, the scales and the start within bounds."""
     from scipy.optimize import least_squares
 
     size = abs(start[5])
@@ -467,7 +467,7 @@ def _descend(
 
 
 def _slopes_with_drag(t: Array, values: Array, quantity: Quantity, steps: Array) -> Array:
-    """Slopes of the response by all parameters, shape (n, 7): by differences where they are not known."""
+    """Return derivatives of the response by all parameters, shape (n, 7); by differences without a closed form."""
     slopes = np.ones((len(t), 7))
     known = [_OFFSET] if order_of(quantity) == 2 else [_OFFSET, _RELEASE_TIME]
     others = np.delete(np.arange(7), known)
@@ -492,9 +492,10 @@ def _not_negative(
     quantity: Quantity,
     free: Sequence[bool],
 ) -> tuple[Array, Uncertainty, Array]:
-    """Set negative parameters (damping, friction, drag) to zero, the clearest first, and fit the others again.
+    """Set negative parameters (damping, friction, drag) to zero, the most significant first, and refit the others.
 
-    A parameter at zero keeps the uncertainty of the fit in which it was free; those of the others do not fall below it.
+    A parameter at zero keeps its uncertainty from the fit in which it was free. The uncertainties of the others are not
+    reduced below those of that fit.
     """
     left = list(free)
     doubt: Array = np.diag(spread.covariance).copy()
@@ -521,8 +522,8 @@ def _not_negative(
 class DecayPart:
     """A free decay in a record: samples, turning points, and the fit of its large swings.
 
-    ``values`` are the parameters of that fit as a vector, ``r2`` what it explains (1), and ``early_misfit`` the r.m.s.
-    residual of the first half cycle over that of the others: large where the hit is still in it (1).
+    ``values`` is the parameter vector of that fit and ``r2`` its coefficient of determination (1). ``early_misfit`` is
+    the r.m.s. residual of the first half cycle over that of the others (1); it is large if the part contains the hit.
     """
 
     time: Array
@@ -542,11 +543,11 @@ def search_decay(
     findings: list[Finding],
     known: float | None = None,
 ) -> tuple[DecayParameters, Uncertainty, Array, bool]:
-    """Fit the response; leave out the time at rest if sliding friction would have stopped the mass elsewhere.
+    """Fit the response, without the time at rest if sliding friction would have stopped the mass elsewhere.
 
-    ``known`` is the natural angular frequency (rad/s) that mass and stiffness give. Gives the best parameters, their
-    uncertainty, measured minus fitted (NaN where the record was left out), and whether quadratic drag is part of the
-    response.
+    ``known`` is the natural angular frequency (rad/s) from mass and stiffness. Returns the best parameters, their
+    uncertainty, the residual (measured minus fitted, NaN where the record was left out), and whether the response
+    includes quadratic drag.
     """
     t, signal, peaks = part.time, part.signal, part.peaks
     starts = [part.values]
@@ -588,7 +589,7 @@ def _with_drag(
     quantity: Quantity,
     drag: Drag,
 ) -> tuple[Array, Uncertainty, Array] | None:
-    """Fit quadratic drag as well; None where it is not wanted, or where the data are to decide and do not show it."""
+    """Fit quadratic drag as well; None if it is not requested, or if it is optional and the data do not show it."""
     values, _, residual = without
     before = float(np.sqrt(np.mean(residual**2)))
     if drag == "no" or (drag == "auto" and before <= EXACT * float(np.ptp(signal))):
@@ -615,9 +616,9 @@ def _with_drag(
 
 
 def _leads_away(dragged: Array, without: Array, known: float) -> bool:
-    """Whether quadratic drag moves the frequency away from a known one: it stands for something else than drag.
+    """Whether quadratic drag moves the frequency away from a known one, so that it represents a different effect.
 
-    So do a second mass and the friction of a strut on a tyre, which one mass with viscous damping does not have.
+    Such effects are a second mass, or the friction of a strut on a tyre, which the single-mass model does not include.
     """
     with_drag, without_drag = (
         abs(_unpack(values).angular_frequency / known - 1.0) for values in (dragged, without)
@@ -626,7 +627,7 @@ def _leads_away(dragged: Array, without: Array, known: float) -> bool:
 
 
 def _at_rest(t: Array, signal: Array, peaks: Peaks) -> NDArray[np.bool_]:
-    """Mark the samples at the end during which nothing moves."""
+    """Mark the samples at rest at the end of the record."""
     tail = signal[-max(5, len(signal) // 20) :]
     # Records of the tests that end at rest reach half of it, those that end in motion four times it and more.
     if float(tail.std()) > 3.0 * noise_of(signal) + 1e-3 * float(np.ptp(signal)):
@@ -640,7 +641,7 @@ def _at_rest(t: Array, signal: Array, peaks: Peaks) -> NDArray[np.bool_]:
 
 
 def _rest_gap(t: Array, signal: Array, values: Array, spread: Uncertainty) -> tuple[float, float]:
-    """Mean distance of the rest from where the response ends, and the standard error of that end."""
+    """Return the mean distance of the rest position from the end of the response, and the standard error of the end."""
 
     def end(point: Array) -> Array:
         return np.asarray(decay_response(t, _unpack(point), "displacement").mean())
@@ -656,7 +657,7 @@ def _rest_gap(t: Array, signal: Array, values: Array, spread: Uncertainty) -> tu
 
 
 def _label_in_motion(before: str, word: str, behind: str = "") -> Callable[[Any], str]:
-    """Label with a word of the motion, such as mass or inertia."""
+    """Make a label that contains a word of the motion, such as mass or inertia."""
     return lambda decay: f"{before} {in_motion(word)(decay)}{behind}"
 
 
@@ -689,13 +690,13 @@ class DecayEstimates(Shown):
     def equivalent_damping_ratio(
         self,
     ) -> Annotated[Estimate, Shows("damping ratio (friction neglected)", "1")]:
-        """Damping ratio of a viscous damper alone from the naive decrement [1], which includes friction."""
+        """Equivalent viscous damping ratio from the naive decrement [1], which includes friction."""
         return _equivalent(self.logarithmic_decrement)
 
 
 @dataclass(frozen=True)
 class DecayResult(DecayEstimates):
-    """Damping found from one free decay.
+    """Damping identified from one free decay.
 
     Attributes
     ----------
@@ -706,29 +707,28 @@ class DecayResult(DecayEstimates):
     coulomb_force : Estimate
         Dry friction F_c [N]; of a rotation its torque [N m]; not negative.
     quadratic_drag : Estimate or None
-        d [N s^2/m^2] of a force ``d x' |x'|``, of a rotation [N m s^2/rad^2], not negative; None where the record shows
-        none.
+        d [N s^2/m^2] of a force ``d x' |x'|``, of a rotation [N m s^2/rad^2], not negative; None if the record shows no
+        drag.
     natural_frequency_hz : Estimate
         Undamped natural frequency [Hz].
     equilibrium : Estimate or None
-        Displacement [m] or angle [rad] at which the spring carries the mass; not where it came to rest, which friction
-        decides.
-        None for velocity and acceleration records.
+        Displacement [m] or angle [rad] of static equilibrium without friction; not the final rest position, which
+        depends on friction. None for velocity and acceleration records.
     stiffness : Estimate
         Mass or inertia times squared natural angular frequency [N/m or N m/rad].
     logarithmic_decrement : Estimate
-        The naive one: slope of ln(amplitude) per full cycle about the equilibrium, all turning points [1]. Friction
-        makes it larger than the viscous damping alone would.
+        Naive decrement: slope of ln(amplitude) per full cycle about the equilibrium, all turning points [1]. Friction
+        makes it larger than viscous damping alone.
     amplitudes : tuple of float
-        Of the successive turning points about the equilibrium, unit of the record.
+        Amplitudes of the successive turning points about the equilibrium, unit of the record.
     decrements : tuple of float
         ln(X_i / X_(i+2)) of successive turning points [1].
     naive_damping_ratios : tuple of float
-        Damping ratios that these decrements would mean if there were no friction [1].
+        Damping ratios that correspond to these decrements without friction [1].
     cycles : float
         Full cycles between first and last turning point [1].
     r2 : float
-        Share of the variance of the decay that the response explains [1].
+        Share of the variance of the decay explained by the response [1].
     rms_residual : float
         Root mean square of measured minus fitted, unit of the record.
     window : (float, float)
@@ -736,9 +736,9 @@ class DecayResult(DecayEstimates):
     parameters : DecayParameters
         The fitted response; ``decay_response(time, parameters, quantity)`` draws it.
     quantity : {"displacement", "velocity", "acceleration", "angle", "angular_velocity", "angular_acceleration"}
-        What was fitted.
+        Quantity that was fitted.
     findings : tuple of Finding
-        What weakens the result.
+        Limitations of the result.
     """
 
     amplitudes: tuple[float, ...]
@@ -774,15 +774,15 @@ def fit_decay(
     """Find viscous damping, dry friction and quadratic drag from a free decay.
 
     The response of ``m x'' + c x' + F_c sign(x') + d x' |x'| + k (x - x_eq) = 0`` is fitted to the record from the
-    moment the largest excursion is left, final sticking included; without drag it is known in closed form from turning
-    point to turning point. Start values come from the recursion of the turning points. None of c, F_c, d can be
-    negative: what would be is fitted again at zero. Holding before the release, an initial velocity and a release in
-    the middle of the record are all allowed; the hit of an impact test is left out where it is the largest excursion,
-    and so is what follows a second one, with findings. Displacement is best; an acceleration jumps at every turning
-    point where there is friction, and its intervals for the friction come out some 10 % too narrow.
+    release on, final sticking included. Without drag it has a closed form from turning point to turning point. Start
+    values come from the recursion of the turning points. c, F_c and d cannot be negative: a parameter that would be
+    negative is set to zero and the others are refitted. The record may contain a hold before the release, an initial
+    velocity, or a release in the middle. The hit of an impact test is left out if it is the largest excursion, and so
+    is everything after a second hit, with findings. Displacement is the best quantity. With friction, an acceleration
+    jumps at every turning point, and its intervals for the friction are some 10 % too narrow.
 
-    A pendulum or another part that turns is the same with its inertia and torques: state ``inertia`` in place of
-    ``mass``, and the angle, or what a rate gyro records, as ``quantity``.
+    A pendulum or another rotating part obeys the same equation with inertia and torques: state ``inertia`` instead of
+    ``mass``, and an angular ``quantity``, such as the angular velocity of a rate gyro.
 
     Parameters
     ----------
@@ -790,34 +790,34 @@ def fit_decay(
         Increasing times [s]; or, without ``displacement``, a channel with its own time, a recording or a table
         (``name [unit]``) with one channel of the ``quantity``.
     displacement : array (n,), optional
-        The record: displacement [m], or velocity [m/s] or acceleration [m/s^2], angle [rad], angular velocity [rad/s]
-        or acceleration [rad/s^2] as ``quantity`` says; any zero, any sign.
+        The record of the ``quantity``: displacement [m], velocity [m/s], acceleration [m/s^2], angle [rad], angular
+        velocity [rad/s] or angular acceleration [rad/s^2]; any zero, any sign.
     mass : float
-        Oscillating mass [kg], of a displacement, velocity or acceleration.
+        Oscillating mass [kg], for a displacement, velocity or acceleration.
     inertia : float
-        Moment of inertia about the axis [kg m^2], of an angle or its derivatives.
+        Moment of inertia about the axis [kg m^2], for an angle or its derivatives.
     stiffness : float or None
-        Known stiffness [N/m or N m/rad]: compared with the one that mass and frequency give, and "auto" finds no drag
-        that leads away from it.
+        Known stiffness [N/m or N m/rad]: compared with the one from mass and frequency; "auto" accepts no drag that
+        moves the result away from it.
     quantity : {"displacement", "velocity", "acceleration", "angle", "angular_velocity", "angular_acceleration"}
-        What the record holds.
+        Quantity of the record.
     begin, end : float or str or None
-        First and last time to look at, s; None: the whole record.
+        First and last time to use, s; None: the whole record.
     quadratic_drag : {"auto", "yes", "no"}
-        Whether d is fitted, too; "auto": where it explains what viscous damping and friction leave.
+        Whether d is fitted as well; "auto": if it explains the residual of viscous damping and friction.
     name : str
-        File or channel, used in messages.
+        File or channel named in messages.
 
     Returns
     -------
     DecayResult
-        Every estimate with standard error and 95 % interval.
+        Estimates with standard errors and 95 % intervals.
 
     Raises
     ------
     FitError
-        Unequal lengths, NaN, time that does not increase, no mass (or inertia, where the record is one of a rotation),
-        one that is not positive, no oscillation.
+        Unequal lengths, NaN, time that does not increase, a mass (or inertia, for a rotation) that is missing or not
+        positive, no oscillation.
 
     References
     ----------
@@ -911,7 +911,7 @@ def fit_decay(
 def _doubts(
     result: DecayResult, part: DecayPart, residual: Array, name: str, *, is_alike: bool
 ) -> list[Finding]:
-    """Report defects of a record that its fit does not show; ``is_alike`` tells whether residuals are correlated."""
+    """Report defects of a record that its fit does not show; ``is_alike`` is true if residuals are correlated."""
     t, signal, peaks, p, order = (
         part.time,
         part.signal,
@@ -939,7 +939,7 @@ def _doubts(
 
 
 def _is_clear(friction: Estimate) -> bool:
-    """Whether a friction is surely there."""
+    """Whether a friction is significant."""
     return (
         friction.standard_error is not None and friction.value > _CLEARLY * friction.standard_error
     )
@@ -948,9 +948,9 @@ def _is_clear(friction: Estimate) -> bool:
 def _read_otherwise(
     part: DecayPart, residual: Array, result: DecayResult, name: str, *, is_smooth: bool
 ) -> list[Finding]:
-    """Name what a record rather is, where that leaves much less: another quantity, or one behind a high pass.
+    """Report a different reading of the record if it fits much better: a different quantity, or high-pass filtered.
 
-    A record that ``is_smooth`` by a low pass looks like one that was integrated, but less so.
+    A record that ``is_smooth`` after a low-pass filter resembles an integrated one to some degree.
     """
     t, signal, left = part.time, part.signal, float(residual @ residual)
     parameters, quantity = result.parameters, result.quantity
@@ -994,7 +994,7 @@ def _read_otherwise(
 
 
 def _in_words(quantity: Quantity) -> str:
-    """A quantity as people write it."""
+    """Return the quantity in words."""
     return quantity.replace("_", " ")
 
 
@@ -1053,7 +1053,7 @@ def _in_window(
 def _best_part(
     t: Array, signal: Array, quantity: Quantity, name: str, *, look_on: bool
 ) -> DecayPart:
-    """Look from the largest excursion on; where that is the hit itself, from later turning points on until it fits."""
+    """Fit from the largest excursion on; if that is the hit itself, from later turning points until the fit is good."""
     noise = noise_of(signal)
     first, best, refusal = find_release(signal, noise), None, None
     for attempt in range(_TRIES if look_on else 1):
@@ -1109,9 +1109,9 @@ def _next_start(signal: Array, first: int, noise: float) -> int | None:
 def _part(
     t: Array, signal: Array, first: int, noise: float, quantity: Quantity, name: str
 ) -> DecayPart:
-    """Find the decay that begins at an index, and fit its large swings.
+    """Cut out the decay that begins at an index, and fit its large swings.
 
-    Far from sticking the misfit has one minimum; each place of sticking has its own.
+    Far from sticking the misfit has a single minimum; each sticking position adds its own.
     """
     findings: list[Finding] = []
     every = find_peaks(t[first:], signal[first:], noise)
@@ -1145,7 +1145,7 @@ def _part(
 def _inertia(
     mass: float | None, inertia: float | None, motion: MeasuredMotion, quantity: Quantity, name: str
 ) -> float:
-    """The mass of a translation or the inertia of a rotation; the other one, and none, are refused."""
+    """Return the mass of a translation or the inertia of a rotation; raise an error if it is missing or wrong."""
     given = {"mass": mass, "inertia": inertia}
     stated = given.pop(motion.inertia_word)
     (other,) = given
@@ -1251,7 +1251,7 @@ def _estimates(p: DecayParameters, spread: Uncertainty, mass: float) -> dict[str
 
 
 def _amplitudes(peaks: Peaks, parameters: DecayParameters, quantity: Quantity) -> Array:
-    """Turning points as positive amplitudes, up to the first that is not on its own side."""
+    """Return the turning points as positive amplitudes, up to the first on the wrong side of the equilibrium."""
     away = peaks.value - parameters.offset
     if order_of(quantity) == 0:
         away[0] = parameters.release_deflection  # the fitted release is better than one sample
@@ -1350,11 +1350,11 @@ class CombinedDecay(DecayEstimates):
     Attributes
     ----------
     quadratic_drag : Estimate or None
-        As in :class:`DecayResult`; None where not every run shows it.
+        As in :class:`DecayResult`; None unless every run shows it.
     damping_ratio, damping_coefficient, coulomb_force, natural_frequency_hz, stiffness, logarithmic_decrement : Estimate
-        As in :class:`DecayResult`, over all runs; the intervals honour the scatter between runs.
+        As in :class:`DecayResult`, over all runs; the intervals include the scatter between runs.
     equilibrium : Estimate or None
-        [m or rad]; None when a run has none.
+        [m or rad]; None if a run has no equilibrium.
     cycles : float
         Sum over the runs [1].
     runs : int
@@ -1362,7 +1362,7 @@ class CombinedDecay(DecayEstimates):
     motion : {"translation", "rotation"}
         As in :class:`DecayResult`, of all runs.
     findings : tuple of Finding
-        Those of the runs, and runs that contradict or copy each other.
+        Findings of the runs, and about runs that contradict or copy each other.
     """
 
     cycles: Annotated[float, Shows("cycles", "1")]
@@ -1372,10 +1372,10 @@ class CombinedDecay(DecayEstimates):
 
 
 def combine_decays(results: Sequence[DecayResult]) -> CombinedDecay:
-    """Combine several decays of the same system into one estimate per quantity; one run is passed on unchanged.
+    """Combine several decays of the same system into one estimate per quantity; a single run is returned unchanged.
 
-    Runs are weighted by their own variance plus the variance between runs (DerSimonian and Laird); the interval is that
-    of Hartung and Knapp with (runs - 1) degrees of freedom, never narrower than the runs' own errors allow.
+    Runs are weighted by their own variance plus the variance between runs (DerSimonian and Laird). The interval is that
+    of Hartung and Knapp with (runs - 1) degrees of freedom, and never narrower than the runs' own errors imply.
     """
     if not results:
         raise FitError("no decays to combine", allowed="at least one")

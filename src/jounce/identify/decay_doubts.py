@@ -1,4 +1,4 @@
-"""Defects that the record of a free decay reveals: those of its logger, and those of the model."""
+"""Detect defects in the record of a free decay: faults of the logger, and effects that the model lacks."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _NEAR = 8.0  # times the natural frequency, below which a low pass changes what 
 
 
 def without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, list[Finding]]:
-    """Leave out dropouts of the logger, and report steps that are too coarse and clipped peaks."""
+    """Remove logger dropouts, and report coarse quantisation and clipped peaks."""
     lost, findings = frozen_samples(signal), []
     if lost.any():
         findings.append(
@@ -66,7 +66,7 @@ def without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, 
 def nonlinear_spring(
     times: Array, turns: Array, parameters: DecayParameters, noise: float, name: str
 ) -> list[Finding]:
-    """Report a frequency that changes with the amplitude, which neither damping nor dry friction causes.
+    """Report a frequency that depends on the amplitude, which neither damping nor dry friction causes.
 
     ``turns`` are the displacements at successive turning points, at ``times`` (s).
     """
@@ -97,7 +97,7 @@ def nonlinear_spring(
 def drift_of(
     t: Array, residual: Array, parameters: DecayParameters, reach: float
 ) -> np.polynomial.Polynomial | None:
-    """A cubic in time that explains most of the residual, and more than a damper firmer in one direction can."""
+    """Return a cubic in time if it explains most of the residual, and more than an asymmetric damper can."""
     used = np.isfinite(residual)
     left = float(residual[used] @ residual[used])
     if left == 0.0 or t[-1] - t[0] < _SLOW * 2.0 * math.pi / parameters.angular_frequency:
@@ -116,7 +116,7 @@ def residual_causes(
     quantity: Quantity,
     name: str,
 ) -> list[Finding]:
-    """Name the likely cause of residuals: a jump, two decays, a drift, a damper that is firmer in one direction."""
+    """Report the likely cause of residuals: a jump, two decays, a drift, or a damper firmer in one direction."""
     left = float(residual @ residual)
     begin = 0
     if (
@@ -168,7 +168,7 @@ def low_pass_of(
     *,
     is_alike: bool,
 ) -> list[Finding]:
-    """Detect a low-pass filter near the decay, in its noise if residuals are correlated, or in its missing corners."""
+    """Detect a low-pass filter near the decay's frequency, from correlated noise or missing corners of the signal."""
     rate, frequency = (
         1.0 / float(np.median(np.diff(t))),
         parameters.angular_frequency / (2.0 * math.pi),
@@ -183,7 +183,7 @@ def low_pass_of(
 
 
 def _jump(residual: Array, reach: float) -> int | None:
-    """Index of the sample before which a record jumps, once or a few times; friction makes accelerations jump often."""
+    """Find the sample before which a record jumps, once or a few times; friction makes accelerations jump often."""
     steps = np.abs(np.diff(residual))
     usual = float(np.median(steps)) / 0.6745
     large = np.flatnonzero(steps > max(_ODD_STEP * usual, _JUMP * reach))
@@ -191,7 +191,7 @@ def _jump(residual: Array, reach: float) -> int | None:
 
 
 def _swing(t: Array, parameters: DecayParameters) -> tuple[Array, Array]:
-    """Envelope (1) and phase (rad) of the decay without friction."""
+    """Compute envelope (1) and phase (rad) of the decay without friction."""
     since = t - parameters.release_time
     fall = np.exp(-parameters.damping_ratio * parameters.angular_frequency * np.maximum(since, 0.0))
     return fall, parameters.angular_frequency * math.sqrt(1.0 - parameters.damping_ratio**2) * since
@@ -200,7 +200,7 @@ def _swing(t: Array, parameters: DecayParameters) -> tuple[Array, Array]:
 def _seam(
     t: Array, residual: Array, parameters: DecayParameters, quantity: Quantity
 ) -> tuple[float, float]:
-    """What share of a residual it explains that another decay begins at an instant (s), and the best one."""
+    """Find the instant (s) of a possible second decay, and the share of the residual that it explains."""
     thin = max(1, len(t) // _FEW)
     t, residual = t[::thin], residual[::thin]
     fall, turn = _swing(t, parameters)

@@ -1,4 +1,4 @@
-"""The free decay with quadratic drag, which has no closed form: from turning point to turning point by small steps."""
+"""The free decay with quadratic drag, integrated in small steps because it has no closed form."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ def drag_path(
     drag: float,
     release: float,
 ) -> Array:
-    """Displacement (m), velocity (m/s) and acceleration (m/s^2) of a decay; shape (3, n).
+    """Compute displacement (m), velocity (m/s) and acceleration (m/s^2) of a decay; shape (3, n).
 
     ``since`` are ascending times from the release (s). The mass obeys x'' + 2 damping_ratio angular_frequency x' +
     drag x' |x'| + angular_frequency^2 (x + friction sign(x')) = 0 from x = ``release`` (m) at rest; ``drag`` is in 1/m,
-    ``friction`` the deflection F_c / k in m. Before the release it is held, at a turning point within ``friction`` of
-    the equilibrium it stays.
+    ``friction`` the deflection F_c / k in m. The mass is held before the release, and sticks at a turning point
+    within ``friction`` of the equilibrium.
     """
     times = np.ascontiguousarray(since, dtype=np.float64)
     path = np.zeros((3, len(times)))

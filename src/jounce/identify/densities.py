@@ -1,4 +1,4 @@
-"""Log densities of updated parameters: least squares with noise only, and with all uncertain inputs integrated out."""
+"""Log densities of updated parameters: noise only, and with all uncertain inputs integrated out."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ class _Residual(Protocol):
 
 @dataclass(frozen=True)
 class Basis:
-    """Basis of a posterior: trials, free parameters, and the extended model if model error is included.
+    """Inputs of a posterior: trials, free parameters, and the extended model if model error is included.
 
-    ``covariance`` is that of the scaled parameters, ``values`` are the estimates (SI), ``noise`` and ``residual`` the
-    standard deviations (SI) of noise and residuals of each channel.
+    ``covariance`` is that of the scaled parameters, ``values`` are the estimates (SI). ``noise`` and ``residual`` are
+    the standard deviations (SI) of noise and residuals of each channel.
     """
 
     trials: tuple[FitTrial, ...]
@@ -49,7 +49,7 @@ class Basis:
 
 
 class NoiseDensity:
-    """Log density of scaled parameters when residuals are noise, with the covariance that an update reports."""
+    """Log density of scaled parameters with residuals treated as noise, with the covariance that an update reports."""
 
     def __init__(
         self, problem: _Residual, best: Array, lower: Array, upper: Array, lowest: Array
@@ -79,7 +79,7 @@ class NoiseDensity:
         self.region = Region(best, np.linalg.cholesky(spread), lower, upper)
 
     def __call__(self, x: Array) -> tuple[float, Array, float] | None:
-        """Log density and slopes; None where the model cannot be."""
+        """Return log density and slopes; None where the model cannot be simulated."""
         at = self.best + self.turn @ (x - self.best)
         if np.any(at < self.lowest):
             return None
@@ -100,7 +100,7 @@ class NoiseDensity:
 
 @dataclass(frozen=True)
 class _Climbed:
-    """Where doubts have climbed to: their ``step``, what there is still to go, information, score, sum of squares."""
+    """State of the climbing doubts: their ``step``, the remaining step, information, score and sum of squares."""
 
     step: Array
     more: Array
@@ -144,7 +144,7 @@ class DoubtDensity:
             pass
 
     def _linear(self, blocks: Any, state: Any) -> tuple[Array, Array, float]:
-        """Information and score of all unknowns, and the sum of squares, with the fit's variances kept."""
+        """Return information and score of all unknowns and the sum of squares, at the fit's variances."""
         fit = self.fit
         system = fit.problem.system(blocks, state)
         information, score, square = system.beforehand()
@@ -156,7 +156,7 @@ class DoubtDensity:
         return information, score, square
 
     def __call__(self, x: Array) -> tuple[float, Array, float] | None:
-        """Log density and slopes; None where the richer model does not run."""
+        """Return log density and slopes; None where the extended model cannot be simulated."""
         fit, p = self.fit, self.size
         moved = x - fit.state.theta
         step = np.concatenate([moved, self.settled + self.follow @ moved])
@@ -179,11 +179,11 @@ class DoubtDensity:
         )
 
     def _climb(self, state: Any, blocks: Any, climbs: int) -> _Climbed:
-        """Let the doubts climb to where they are best, by the slopes of the blocks, which are those at the state.
+        """Move the doubts to their maximum by the slopes of the blocks, which are those at the state.
 
-        Forces beside the strut follow from the motion that they cause: from one climb to the next they are those of
-        the run before, and come to rest with the doubts. Where wheels lift off, or doubts that act alike trade places,
-        the sum of squares may rise on the way: the best of all climbs counts.
+        Forces parallel to the strut depend on the motion that they cause. Each climb uses the forces of the
+        previous run, and they converge with the doubts. If wheels lift off, or if doubts with similar effects
+        exchange values, the sum of squares may rise on the way: the best climb is returned.
         """
         problem, p = self.fit.problem, self.size
         information, score, square = self._linear(blocks, state)
@@ -202,7 +202,7 @@ class DoubtDensity:
         return best
 
     def doubts(self, x: Array, seed: int) -> Array:
-        """Steps of all doubts (n, unknowns less parameters) that go with scaled parameters (n, parameters), drawn."""
+        """Draw steps of all doubts (n, unknowns less parameters) conditional on scaled parameters (n, parameters)."""
         rng = np.random.default_rng([seed, 7])
         mean = self.settled + (x - self.fit.state.theta) @ self.follow.T
         if (

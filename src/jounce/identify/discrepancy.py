@@ -1,10 +1,10 @@
 """Intervals that include model error.
 
-What may be wrong is written as further unknowns inside the model, with priors
-(:mod:`jounce.identify.extended_rig`), and found together with the parameters. What even this leaves unexplained is no
-noise: it repeats in every sample, so it counts as three observations for each channel of each trial, however many
-samples these have. Scatter of the residuals, between trials or inside them, cannot tell how wrong a model is: least
-squares has taken that part of its error into the parameters already.
+Possible model errors are further unknowns of the model, with priors (:mod:`jounce.identify.extended_rig`), estimated
+together with the parameters. The residual that remains is not noise, because it repeats in every sample. It counts as
+three observations for each channel of each trial, regardless of the number of samples. The scatter of the residuals,
+between trials or within them, cannot measure model error: least squares has already absorbed part of that error into
+the parameters.
 """
 
 from __future__ import annotations
@@ -53,21 +53,22 @@ from jounce.simulation.solve import start_offset
 
 Mask = NDArray[np.bool_]
 FEWEST_TRIALS = 3
-"""Fewer do not tell what repeats from what the parameters do."""
+"""Minimum number of trials: fewer cannot separate repeated errors from the effect of the parameters."""
 USEFUL = 0.5
-"""Half-width over value above which a parameter is not identified."""
+"""Ratio of half-width to value above which a parameter is not identified."""
 MOST_LEFT = 0.5
-"""Share of the plain model's sum of squares that nothing explains above which no parameter is identified.
+"""Unexplained share of the plain model's sum of squares above which no parameter is identified.
 
-What was doubted was the wrong thing then. On virtual benches where intervals held it was 0.01 to 0.2.
+A larger share means that the doubts do not include the actual error. On virtual benches with valid intervals it was
+0.01 to 0.2.
 """
 FAR = 3.0
-"""Prior standard deviations beyond which a nuisance has left its prior."""
+"""Distance from the mean, in prior standard deviations, beyond which a nuisance has left its prior."""
 OBSERVATIONS = 3.0
-"""Observations of the unexplained rest that each channel of each trial counts as.
+"""Number of observations that the unexplained residual of a channel in a trial counts as.
 
-Found on benches 0 to 11 and 300 to 329 of the study: with one, 99 % of the 95 % intervals held both values of the
-truth; with four, those of guide friction only 90 %.
+Determined on benches 0 to 11 and 300 to 329 of the study: with one, 99 % of the 95 % intervals contained both true
+values; with four, only 90 % of those of guide friction did.
 """
 _ROUNDS, _PASSES = (
     8,
@@ -81,25 +82,26 @@ _LAG_UNSURE = 0.5  # samples, where lags are not fitted
 
 @dataclass(frozen=True)
 class LawEstimate:
-    """Knowledge of a parameter including model error, SI.
+    """Estimate of a parameter with model error included, SI.
 
     Attributes
     ----------
     value : float
         Middle of the interval.
     interval : tuple of float
-        95 % interval of the value of the law over the states ridden: the hull of those of ``component`` and
+        95 % interval of the law's value over the states of the ride: the hull of the intervals of ``component`` and
         ``effective``.
     component : Estimate
-        What a test machine gives of the part.
+        Value that a test machine would measure on the part.
     effective : Estimate
-        What the model's law gives that is nearest to the force of the part over the ride.
+        Value for which the model's law is nearest to the force of the part over the ride.
     identified : bool
         Whether the interval may be used.
     why : str
-        Why not; empty where it is.
+        Reason if it is not identified, otherwise empty.
     shares : dict
-        Group of doubts to the share (1) of the variance of ``component`` that would be gone if it were known exactly.
+        Mapping from group of doubts to the share (1) of the variance of ``component`` that would vanish if the group
+        were known exactly.
     """
 
     value: float
@@ -142,30 +144,30 @@ class Discrepancy(Shown):
     Attributes
     ----------
     parameters : dict
-        Path to ``LawEstimate``.
+        Mapping from path to ``LawEstimate``.
     nuisances : dict
-        Name to ``NuisanceEstimate``: what was doubted and common to all trials.
+        Mapping from name to ``NuisanceEstimate``, for the uncertain inputs that all trials share.
     correlation : tuple
-        Correlation matrix (1) of the parameters, in their order, with all doubts counted.
+        Correlation matrix (1) of the parameters, in their order, with all doubts included.
     unexplained : dict
-        Channel to the share (1) of what the richer model leaves of the residual's energy that is no noise: nothing that
-        was doubted explains it.
+        Mapping from channel to the share (1) of the residual's energy that is neither noise nor explained by the
+        extended model.
     would_reduce : str
-        The group of doubts that would explain most of it if its prior were wider; empty where none would.
+        Group of doubts that would explain most of the unexplained residual if its prior were wider, otherwise empty.
     reduced_to : float
-        Unexplained share (1) over all channels that it would leave.
+        Unexplained share (1) over all channels with that wider prior.
     noise : dict
-        Channel to the standard deviation of its noise, SI.
+        Mapping from channel to the standard deviation of its noise, SI.
     counted : dict
-        Group of doubts to how many unknowns stand for it.
+        Mapping from group of doubts to its number of unknowns.
     trials : int
         Number of trials.
     objective : float
-        Weighted sum of squares that the richer model leaves, over that of the plain one (1).
+        Weighted sum of squares of the extended model, relative to that of the plain model (1).
     rest : float
-        The same without noise: the share of the plain model's sum of squares that nothing explains (1).
+        The same without noise: the unexplained share of the plain model's sum of squares (1).
     findings : tuple of Finding
-        What weakens the result.
+        Limitations of the result.
     """
 
     parameters: dict[str, LawEstimate]
@@ -184,7 +186,7 @@ class Discrepancy(Shown):
 
 @dataclass(frozen=True)
 class _ChannelResiduals:
-    """One channel of one trial: residual and what each unknown would change of it, all SI; ``lag`` is one more."""
+    """One channel of one trial: residual and its derivatives by the unknowns and the ``lag``, all SI."""
 
     channel: str
     trial: int
@@ -196,7 +198,7 @@ class _ChannelResiduals:
 
 @dataclass
 class _State:
-    """Unknowns: scaled parameters, whitened nuisances, and those of each trial (own, lag in s)."""
+    """Unknowns: scaled parameters, whitened nuisances, and own unknowns and lag (s) of each trial."""
 
     theta: Array
     xi: Array
@@ -205,7 +207,7 @@ class _State:
 
 
 class _OwnDoubt(NamedTuple):
-    """What is in doubt of each trial by itself: its name, the group it counts in, and one standard deviation (SI)."""
+    """An uncertain input of a single trial: its name, its group, and one standard deviation (SI)."""
 
     name: str
     group: str
@@ -213,7 +215,7 @@ class _OwnDoubt(NamedTuple):
 
 
 def _starts(trial: FitTrial) -> dict[str, Mapping[str, float]]:
-    """Natural vibrations at the start of a trial by name: states (SI) for 1 m, when displaced and when moving."""
+    """Return the natural vibrations at a trial's start by name: states (SI) for 1 m, displaced and moving."""
     return {
         f"{START} {i} {way}": shape
         for i, motion in enumerate(start_motions(trial), 1)
@@ -222,7 +224,7 @@ def _starts(trial: FitTrial) -> dict[str, Mapping[str, float]]:
 
 
 class _Run:
-    """One trial with its richer model, ready to be simulated for any state."""
+    """One trial with its extended model, ready for simulation at any state."""
 
     def __init__(self, prepared: Prepared, problem: ModelErrorProblem) -> None:
         self.prepared, self.all = prepared, problem
@@ -236,7 +238,7 @@ class _Run:
         ]
         self.beside: dict[
             str, Array
-        ] = {}  # what a unit of each force beside the strut does over time
+        ] = {}  # effect over time of a unit of each force parallel to the strut
         trial = prepared.source.trial
         self.road = trial.road is not None
         self.speed = trial.speed or 0.0
@@ -261,7 +263,7 @@ class _Run:
         return {free.path: float(value) for free, value in zip(self.all.free, own, strict=True)}
 
     def signals(self, inputs: Mapping[str, float]) -> list[Segments]:
-        """Tracks with their uncertain inputs, by name: m^2 (patch), 1, N (presliding), kg (arms), m/s (speed)."""
+        """Return tracks with uncertain inputs, by name: m^2 (patch), 1, N (presliding), kg (arms), m/s (speed)."""
         patch = (
             max(np.sqrt(max(inputs.get("contact_patch", 0.0), 0.0)), _SHORTEST_PATCH)
             if self.patched
@@ -304,7 +306,7 @@ class _Run:
         return track.stretch_to(time)
 
     def _command(self, given: Segments, inputs: Mapping[str, float]) -> Segments:
-        """Force beside the strut: one that was measured, and what the last simulation says of those in doubt."""
+        """Return the force parallel to the strut: the measured one, and the uncertain ones from the last simulation."""
         if not self.beside:
             return given
         times = self.prepared.times
@@ -316,10 +318,10 @@ class _Run:
         return Segments(times, np.zeros(len(rise), dtype=np.int64), table)
 
     def forces(self, states: States) -> dict[str, Array]:
-        """Component along the strut, N, of a unit of each parallel force in a run.
+        """Return the component along the strut, N, of a unit of each parallel force in a run.
 
-        Arms of a unit of shared inertia push the body by the wheel's acceleration and the wheel by the body's: with as
-        much added to either mass, which :meth:`simulate` does, a force between them that follows their relative one.
+        A unit of arm inertia shared by body and wheel couples each to the acceleration of the other. :meth:`simulate`
+        adds the same amount to both masses, which leaves a force proportional to their relative acceleration.
         """
         ratio = float(np.cos(self.values.get("strut.angle", 0.0)))
         return {
@@ -328,7 +330,7 @@ class _Run:
         }
 
     def _begun(self, inputs: Mapping[str, float]) -> dict[str, float]:
-        """State to how far from equilibrium the run begins, SI: as stated, and what is in doubt of it."""
+        """Return the initial offset of each state from equilibrium, SI: the stated one plus the uncertain one."""
         offset = dict(self.prepared.source.offset)
         if self.begins_unknown:
             for name, shape in self.starts.items():
@@ -358,10 +360,11 @@ class _Run:
 
 
 def low_passed_by(table: Array, rate: float, constant: float, typical: float) -> Array:
-    """Signals after a second-order low-pass filter with time constant ``constant`` (s), one over its angular corner.
+    """Apply a second-order low-pass filter with time constant ``constant`` (s), the inverse of its angular corner.
 
-    What it does is taken as proportional to the constant, as it is of one of a ``typical`` constant (s), or of the
-    quickest that the sample rate (Hz) shows. Below zero it is undone: another channel that is slower looks so.
+    The effect is approximated as proportional to the constant, scaled from a filter with a ``typical`` constant (s), or
+    with the shortest constant that the sample rate (Hz) resolves. A negative constant inverts the effect, as seen when
+    a different channel is slower.
     """
     typical = max(typical, 1.0 / (2.0 * np.pi * FASTEST * rate))
     behind = filter_signals(table, rate, Sensor(low_pass=1.0 / (2.0 * np.pi * typical)))
@@ -376,7 +379,7 @@ _FINEST, _COARSEST = (
 
 
 class ModelErrorProblem:
-    """The search: linearise, weigh, step."""
+    """Search problem of a fit with model error: linearise, weight, step."""
 
     def __init__(
         self, trials: Sequence[FitTrial], free: Sequence[FreeParameter], settings: UpdateSettings, *,
@@ -423,13 +426,13 @@ class ModelErrorProblem:
                 self.priors[i] = item.scale(mean), item.half_range / deviation
 
     def with_trial(self, trial: FitTrial, settings: UpdateSettings) -> ModelErrorProblem:
-        """The same uncertain inputs over one trial."""
+        """Return a problem with the same uncertain inputs for a single trial."""
         return ModelErrorProblem(
             [trial], self.free, settings, found_beside=self.beside, richer=self.richer
         )
 
     def compile(self, rig: Rig, trial: Trial) -> Compiled:
-        """Compile a rig with the slopes by all uncertain inputs, and with an actuator for forces outside its laws."""
+        """Compile a rig with sensitivities to all uncertain inputs and an actuator for forces outside its laws."""
         actuator = force_actuator(trial)
         if (
             actuator is None
@@ -463,7 +466,7 @@ class ModelErrorProblem:
         return nuisances
 
     def gain_doubt(self, channel: Channel) -> float:
-        """Relative uncertainty of a channel's gain (1): from its calibration, or the common one."""
+        """Return the relative uncertainty of a channel's gain (1): from its calibration, or the common default."""
         own = None if channel.sensor is None else channel.sensor.gain_doubt
         return self.doubt.gain if own is None else own
 
@@ -496,14 +499,14 @@ class ModelErrorProblem:
         return nuisances
 
     def value(self, name: str, xi: Array) -> float:
-        """Value of a nuisance by its name, 0 if it is certain."""
+        """Return the value of a nuisance by name; 0 if it is not uncertain."""
         if name not in self.place:
             return 0.0
         i = self.place[name]
         return self.nuisances[i].mean + self.nuisances[i].deviation * float(xi[i])
 
     def inputs(self, state: _State, trial: int) -> dict[str, float]:
-        """Uncertain inputs of a trial by name, SI."""
+        """Return the uncertain inputs of a trial by name, SI."""
         values = {name: self.value(name, state.xi) for name in _INPUTS}
         return values | {
             own.name: own.deviation * float(state.own[trial, j]) for j, own in enumerate(self.own)
@@ -514,7 +517,7 @@ class ModelErrorProblem:
     def residuals(
         self, state: _State, blocks: Sequence[_ChannelResiduals]
     ) -> list[_ChannelResiduals]:
-        """The same blocks with the residuals of another state: one run per trial, a fifth of the cost of slopes."""
+        """Return the blocks with residuals of a different state: one run per trial, a fifth of the cost of slopes."""
         recomputed, at = [], iter(blocks)
         for i, run in enumerate(self.runs):
             plain = run.compiled.plain
@@ -530,7 +533,7 @@ class ModelErrorProblem:
         return recomputed
 
     def blocks(self, state: _State) -> tuple[list[_ChannelResiduals], list[States]]:
-        """Simulate all trials; give residuals with their slopes, and the states of each run."""
+        """Simulate all trials; return residuals with their slopes, and the states of each run."""
         blocks, states = [], []
         for i, run in enumerate(self.runs):
             numbers, inputs = run.numbers(state), self.inputs(state, i)
@@ -543,7 +546,7 @@ class ModelErrorProblem:
         return blocks, states
 
     def _slopes(self, run: _Run, state: _State) -> Array:
-        """Derivatives of the richer rig's numbers by scaled parameters and whitened nuisances: algebra only."""
+        """Return derivatives of the extended rig's numbers by scaled parameters and whitened nuisances (algebra only)."""
         unknowns = np.concatenate([state.theta, state.xi[: self.lanes]])
         p = len(self.free)
 
@@ -565,7 +568,7 @@ class ModelErrorProblem:
     def _vary_inputs(
         self, run: _Run, numbers: Mapping[str, float], inputs: Mapping[str, float], states: States
     ) -> dict[str, tuple[Solution, float]]:
-        """Simulations with one input changed by a tenth of its doubt, and one over that in prior units."""
+        """Simulate with one input changed by a tenth of its doubt; also return the inverse step in prior units."""
         plain, simulations = run.compiled.plain, {}
         run.beside = run.forces(
             states
@@ -639,7 +642,7 @@ class ModelErrorProblem:
         )
 
     def read(self, prepared: Prepared, channel: Channel, solution: Solution, xi: Array) -> Array:
-        """Reading of a channel, and its derivatives, through its uncertain sensor."""
+        """Return the reading of a channel and its derivatives, through its uncertain sensor."""
         table = prepared.table(self._doubtful_channel(channel, xi), solution)
         name = f"{channel.name} bandwidth"
         return (
@@ -649,7 +652,7 @@ class ModelErrorProblem:
         )
 
     def _doubtful_channel(self, channel: Channel, xi: Array) -> Channel:
-        """The channel with its sensor as it may be."""
+        """Return the channel with the uncertain values of its sensor."""
         sensor = channel.sensor or Sensor()
         change: dict[str, float] = {
             "gain": sensor.gain * (1.0 + self.value(f"{channel.name} gain", xi))
@@ -663,7 +666,7 @@ class ModelErrorProblem:
     # from blocks to a step ------------------------------------------------------------------------------------------
 
     def system(self, blocks: Sequence[_ChannelResiduals], state: _State) -> _System:
-        """Arrange the blocks for steps: lags eliminated, or held if they are not fitted."""
+        """Assemble the linear equations of a step: lags eliminated, or held if they are not fitted."""
         p, q, trials = len(self.free), len(self.nuisances), len(self.runs)
         own = len(self.own) + (0 if self.align else 1)
         rows: list[tuple[str, Array, Array, NDArray[np.int64]]] = []
@@ -698,9 +701,10 @@ class ModelErrorProblem:
         return _System(self.names, rows, prior, away, self._wheel_load_rows(state, dim), stated)
 
     def _wheel_load_rows(self, state: _State, dim: int) -> Array:
-        """Wheel loads at rest that were measured: how far each is from the model's, and its slopes, over its doubt.
+        """Return the normalised residuals of measured static wheel loads, and their slopes, in units of their doubt.
 
-        A row a load, the slopes by all unknowns first. The contact force at rest carries all masses of a wheel.
+        Each load is a row, with the slopes by all unknowns first. The static contact force carries all masses of a
+        wheel.
         """
         here, rows = np.concatenate([state.theta, state.xi]), []
         for run in self.runs:
@@ -729,7 +733,7 @@ class ModelErrorProblem:
     def step_state(
         self, state: _State, step: Array, blocks: Sequence[_ChannelResiduals], share: float
     ) -> _State:
-        """The state after a share of a step; lags follow."""
+        """Return the state after a fraction of a step, with the lags that belong to it."""
         p, q = len(self.free), len(self.nuisances)
         theta, xi = state.theta + share * step[:p], state.xi + share * step[p : p + q]
         own = share * step[p + q :].reshape(len(self.runs), -1)
@@ -754,11 +758,11 @@ class ModelErrorProblem:
 
 @dataclass
 class _System:
-    """Linear equations of one step: rows by channel, prior precision of the unknowns and how far they are from it.
+    """Linear equations of one step: rows by channel, prior precision of the unknowns and their distance from the prior.
 
-    ``stated`` is the standard deviation of the noise of each row (SI) where repeated passages tell it, and
-    ``weighed`` has a row for each combination of unknowns that was measured by itself, in its standard deviations:
-    slopes by the unknowns, then what is left of it.
+    ``stated`` is the standard deviation of the noise of each row (SI) if it is known from repeated passages.
+    ``weighed`` has a row for each combination of unknowns that was measured directly, in standard deviations: slopes by
+    the unknowns, then the residual.
     """
 
     names: list[str]
@@ -777,7 +781,7 @@ class _System:
             self.normal[name][1][index] += columns.T @ residual
 
     def beforehand(self, prior: Array | None = None) -> tuple[Array, Array, float]:
-        """Information, score and sum of squares of the prior knowledge."""
+        """Return information, score and sum of squares of the prior knowledge."""
         prior = self.prior if prior is None else prior
         slopes, left = self.weighed[:, :-1], self.weighed[:, -1]
         information, score = (
@@ -787,7 +791,7 @@ class _System:
         return information, score, float(prior @ self.away**2 + left @ left)
 
     def solve(self, prior: Array | None = None) -> _Step:
-        """Step and covariance; weights and residuals depend on each other."""
+        """Return step and covariance, iterating because weights and residuals depend on each other."""
         prior = self.prior if prior is None else prior
         step = np.zeros(len(prior))
         for _ in range(_PASSES):
@@ -806,7 +810,7 @@ class _System:
         return covariance @ score, covariance
 
     def covariance_given(self, which: Mask, step: _Step, *, rest: bool = True) -> Array:
-        """Covariance with some unknowns known exactly (a mask), or without the unexplained residual."""
+        """Return the covariance with some unknowns (a mask) known exactly, or without the unexplained residual."""
         of_rest = 1.0 / OBSERVATIONS if rest else 0.0
         variance = {name: step.noise[name] + of_rest * step.energy[name] for name in self.names}
         information, _, _ = self.beforehand()
@@ -820,7 +824,7 @@ class _System:
     def split_residual(
         self, step: Array
     ) -> tuple[dict[str, float], dict[str, float], dict[str, float]]:
-        """Noise variance, energy of the unexplained part of one block, and mean square of the residual, by channel."""
+        """Return noise variance, energy of the unexplained part of one block, and mean square residual, by channel."""
         noise: dict[str, list[float]] = {name: [] for name in self.names}
         energy: dict[str, list[float]] = {name: [] for name in self.names}
         square: dict[str, list[float]] = {name: [] for name in self.names}
@@ -839,7 +843,7 @@ class _System:
 
 @dataclass(frozen=True)
 class _Step:
-    """A step with its covariance; by channel the noise's variance, the rest's energy in a block, the mean square."""
+    """A step with its covariance and, by channel, noise variance, unexplained energy in a block, and mean square."""
 
     step: Array
     covariance: Array
@@ -849,9 +853,9 @@ class _Step:
 
 
 def noise_variance(residual: Array) -> float:
-    """Variance of white noise in a residual: its mean power above 0.55 of the Nyquist frequency.
+    """Estimate the variance of white noise in a residual: its mean power above 0.55 of the Nyquist frequency.
 
-    What is coloured lies below and counts as something that the model lacks.
+    Coloured residuals have lower frequencies and count as model error.
     """
     power = np.abs(np.fft.rfft(residual)) ** 2 / len(residual)
     return float(np.mean(power[int(_NOISE_FROM * len(power)) : -1]))
@@ -861,7 +865,7 @@ def noise_variance(residual: Array) -> float:
 class ModelErrorFit:
     """Final state of the extended model: its unknowns, all blocks, and the linear equations with their solution.
 
-    ``first`` are the mean squares of the residuals of each channel at the start, SI.
+    ``first`` contains the mean square residual of each channel at the start, SI.
     """
 
     problem: ModelErrorProblem
@@ -874,7 +878,7 @@ class ModelErrorFit:
 
     @property
     def variance(self) -> dict[str, float]:
-        """Variance that weights each channel's residuals: noise, and the unexplained part as few observations (SI)."""
+        """Variance (SI) that weights each channel's residuals: noise, and the unexplained part as 3 observations."""
         return {
             name: self.step.noise[name] + self.step.energy[name] / OBSERVATIONS
             for name in self.problem.names
@@ -882,7 +886,7 @@ class ModelErrorFit:
 
     @property
     def rest(self) -> dict[str, float]:
-        """Unexplained part of each channel, as a share (1) of the energy of the simulated signal."""
+        """Unexplained part of each channel, relative to the energy of the simulated signal (1)."""
         power: dict[str, list[float]] = {name: [] for name in self.problem.names}
         for block in self.blocks:
             channel = next(
@@ -910,10 +914,10 @@ def fit_model_error(
 ) -> ModelErrorFit:
     """Refit the parameters with all uncertain inputs as further unknowns, starting from the end of an update.
 
-    ``start`` are fitted values by path, ``lags`` (s) those of the trials; ``priors`` are mean and standard deviation of
-    parameters that are known beforehand (both SI, of the first trial's set-up). ``found_beside`` names what the update
-    found beside the rig's values and the trials have: ``speed``, ``<channel>.low_pass``, each with how far it may still
-    be off (1, of the speed or the logarithm of the corner): it is found again with all else.
+    ``start`` contains fitted values by path and ``lags`` (s) those of the trials. ``priors`` are mean and standard
+    deviation of parameters known beforehand (both SI, for the first trial's set-up). ``found_beside`` lists nuisances
+    that the update estimated and applied to the trials: ``speed``, ``<channel>.low_pass``, each with its remaining
+    uncertainty (1, of the speed or the logarithm of the corner). They are estimated again with all other unknowns.
     """
     problem = ModelErrorProblem(
         trials, free, settings, priors=priors, start=start, found_beside=found_beside
@@ -941,14 +945,14 @@ def fit_model_error(
 
 
 _POOR = 0.2
-"""Share (1) of the plain model's sum of squares that nothing explains: the search begins elsewhere, too, above it.
+"""Unexplained share (1) of the plain model's sum of squares above which the search also starts from other points.
 
-On 80 virtual benches where intervals held it was 0.01 to 0.2.
+On 80 virtual benches with valid intervals it was 0.01 to 0.2.
 """
 
 
 def _share_left(step: _Step, first: Mapping[str, float], without: float = 0.0) -> float:
-    """Share (1) of the mean squares ``first`` that is left, each channel over its noise, ``without`` so much of it."""
+    """Return the remaining share (1) of the mean squares ``first``, each over its noise, less ``without`` noise."""
     before = sum(first[name] / step.noise[name] for name in first)
     left = sum(max(step.square[name] / step.noise[name] - without, 0.0) for name in first)
     return left / before if before > 0.0 else 1.0
@@ -956,7 +960,7 @@ def _share_left(step: _Step, first: Mapping[str, float], without: float = 0.0) -
 
 @dataclass(frozen=True)
 class _SearchPoint:
-    """A state of the search with what is left there."""
+    """A state of the search with its residuals."""
 
     problem: ModelErrorProblem
     state: _State
@@ -965,7 +969,7 @@ class _SearchPoint:
 
     @classmethod
     def of(cls, problem: ModelErrorProblem, state: _State) -> _SearchPoint:
-        """Simulate all trials."""
+        """Simulate all trials at a state."""
         return cls(problem, state, *problem.blocks(state))
 
     @cached_property
@@ -975,23 +979,23 @@ class _SearchPoint:
 
     @cached_property
     def step(self) -> _Step:
-        """Their solution."""
+        """Solution of the linear equations."""
         return self.system.solve()
 
     @cached_property
     def cost(self) -> float:
-        """Objective of the search; its weights (noise, and the unexplained part as few observations) are its slope."""
+        """Objective of the search, whose derivatives are the weights of noise and unexplained part."""
         noise, energy, _ = self.system.split_residual(np.zeros(len(self.system.prior)))
         trials = len(self.problem.runs)
         rest = sum(np.log(noise[name] + energy[name] / OBSERVATIONS) for name in self.problem.names)
         return float(trials * OBSERVATIONS * rest + self.system.beforehand()[2])
 
     def rest_of(self, first: Mapping[str, float]) -> float:
-        """Share (1) of the mean squares ``first`` that remains and is not noise, each channel over its noise."""
+        """Return the remaining share (1) of the mean squares ``first`` that is not noise, each over its noise."""
         return _share_left(self.step, first, 1.0)
 
     def after(self, step: Array) -> _SearchPoint:
-        """The point after a step, shortened so that uncertain inputs move little at once and can be simulated."""
+        """Return the point after a step, shortened if uncertain inputs change too much or the run fails."""
         p = len(self.problem.free)
         share = min(1.0, _LONGEST / max(float(np.max(np.abs(step[p:]), initial=0.0)), 1e-12))
         for _ in range(_SHORTER):
@@ -1009,7 +1013,7 @@ _SHORTER = 5  # times that a step is halved where it cannot be simulated
 
 
 def _step_to_rest(problem: ModelErrorProblem, place: _SearchPoint) -> _SearchPoint:
-    """Step until the parameters stay where they are; the best place on the way where the search ran away from it."""
+    """Step until the parameters converge; if the search diverges, return the best point on the way."""
     p, best = len(problem.free), place
     for _ in range(_ROUNDS):
         step = place.step
@@ -1019,17 +1023,17 @@ def _step_to_rest(problem: ModelErrorProblem, place: _SearchPoint) -> _SearchPoi
         is_whole = np.max(np.abs(step.step[p:]), initial=0.0) <= _LONGEST
         if is_whole and np.all(np.abs(step.step[:p]) < _SETTLED * errors):
             break
-    # Forces beside the strut are those of the run before: only where a search comes to rest do they belong to it.
+    # Forces parallel to the strut are those of the previous run: they are consistent only at convergence.
     return place if place.cost < best.cost + _RAN_AWAY else best
 
 
-_RAN_AWAY = 1.0  # twice the logarithm of a probability: by less, costs differ where nothing does
+_RAN_AWAY = 1.0  # twice the logarithm of a probability: smaller cost differences are insignificant
 
 
 def _other_steps(problem: ModelErrorProblem, place: _SearchPoint) -> list[Array]:
-    """Steps to where a search may end better: all doubts set free, and the group that would explain most if it were.
+    """Return steps towards other optima: with all doubts free, and with the group free that would explain most.
 
-    What nothing explains weakens the data, so that doubts stay with their priors and go on explaining nothing.
+    A large unexplained residual weakens the data: doubts then stay close to their priors and explain nothing.
     """
     prior = place.system.prior
     doubts = np.arange(len(prior)) >= len(problem.free)
@@ -1047,7 +1051,7 @@ def _other_steps(problem: ModelErrorProblem, place: _SearchPoint) -> list[Array]
 
 
 def _mean_squares(blocks: Sequence[_ChannelResiduals]) -> dict[str, float]:
-    """Mean square of the residuals of each channel."""
+    """Return the mean square residual of each channel."""
     squares: dict[str, list[float]] = {}
     for block in blocks:
         squares.setdefault(block.channel, []).append(float(np.mean(block.residual**2)))
@@ -1059,10 +1063,10 @@ def _mean_squares(blocks: Sequence[_ChannelResiduals]) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class Readings:
-    """Each parameter as a test machine gives it, and as the law over the ride: rows of (2, parameters), SI.
+    """Component and effective value of each parameter: rows of (2, parameters), SI.
 
-    ``slopes`` (2, parameters, unknowns) are those by scaled parameters and whitened nuisances; ``freedom`` are the
-    degrees of freedom (1) of the standard ``errors``.
+    ``slopes`` (2, parameters, unknowns) are derivatives by scaled parameters and whitened nuisances; ``freedom`` are
+    the degrees of freedom (1) of the standard ``errors``.
     """
 
     values: Array
@@ -1072,7 +1076,7 @@ class Readings:
 
 
 def readings_of(fit: ModelErrorFit) -> Readings:
-    """Read the component values from the final state of an extended model."""
+    """Compute component and effective values from the final state of an extended model."""
     problem, state, system, step = fit.problem, fit.state, fit.system, fit.step
     p, q, count = len(problem.free), len(problem.nuisances), len(problem.runs)
     laws = Laws(problem.richer, fit.states)
@@ -1185,7 +1189,7 @@ def discrepancy_of(fit: ModelErrorFit, bench: Mapping[str, Estimate]) -> Discrep
 
 
 def _length(system: _System, name: str) -> float:
-    """Mean number of samples of a channel's blocks."""
+    """Return the mean number of samples of a channel's blocks."""
     return float(
         np.mean([len(residual) for channel, _, residual, _ in system.rows if channel == name])
     )
@@ -1205,7 +1209,7 @@ def _nuisances(
 
 
 def _in_prior_deviations(problem: ModelErrorProblem, xi: Array) -> Array:
-    """Doubts in their own prior standard deviations: the damper's forces are correlated."""
+    """Return doubts in their own prior standard deviations, as the damper's forces are correlated."""
     knotted, deviations = problem.richer.damper_covariance_root(), xi.copy()
     if knotted is not None:
         places, root = list(knotted[0]), knotted[1]
@@ -1216,7 +1220,7 @@ def _in_prior_deviations(problem: ModelErrorProblem, xi: Array) -> Array:
 
 
 def _groups(problem: ModelErrorProblem, size: int) -> dict[str, Mask]:
-    """Mask of the unknowns of each group of doubts."""
+    """Return the mask of the unknowns of each group of doubts."""
     p, q = len(problem.free), len(problem.nuisances)
     own = (size - p - q) // max(len(problem.runs), 1)
     names = [doubt.group for doubt in problem.own] + ([] if problem.align else ["lag"])
@@ -1231,7 +1235,7 @@ def _groups(problem: ModelErrorProblem, size: int) -> dict[str, Mask]:
 def _shares(
     problem: ModelErrorProblem, system: _System, step: _Step, slopes: Array, errors: Array
 ) -> dict[str, dict[str, float]]:
-    """Share of each value's variance that would be gone if a group were known, or the model explained the rest."""
+    """Return the share of each value's variance that would vanish if a group were known or all residuals explained."""
     p, q = len(problem.free), len(problem.nuisances)
     covariances = {
         g: system.covariance_given(mask, step)
@@ -1249,14 +1253,14 @@ def _shares(
 
 
 def _without_rest(system: _System, step: _Step) -> Array:
-    """Covariance of all unknowns if nothing were left unexplained."""
+    """Return the covariance of all unknowns without an unexplained residual."""
     return system.covariance_given(np.zeros(len(system.prior), dtype=bool), step, rest=False)
 
 
 def _share_of_rest(system: _System, step: _Step, slopes: Array, errors: Array) -> Array:
-    """Share (1) of the variance of each reading that the unexplained rest brings in.
+    """Return the share (1) of each reading's variance that comes from the unexplained residual.
 
-    Only this share is estimated from the trials, with as many degrees of freedom; priors are stated (Welch and
+    Only this share is estimated from the trials and has their degrees of freedom; priors are stated (Welch and
     Satterthwaite: JCGM 100, G.4).
     """
     size = slopes.shape[-1]
@@ -1268,7 +1272,7 @@ def _share_of_rest(system: _System, step: _Step, slopes: Array, errors: Array) -
 
 @dataclass(frozen=True)
 class _Stray:
-    """A doubt that leaves its prior when it is set free: where to, and how far each parameter goes with it."""
+    """A doubt that leaves its prior when it is set free, with its new value and the shift of each parameter."""
 
     to: float  # prior standard deviations
     draws: Array  # (p,): standard errors of the parameter, the reading that is drawn more
@@ -1282,15 +1286,15 @@ def _free_group_by_group(
     slopes: Array,
     errors: Array,
 ) -> tuple[str, float, dict[str, _Stray]]:
-    """Set each group of doubts free in turn: which would explain most of the rest, and which doubts leave their priors.
+    """Free each group of doubts in turn, to find the one that explains most and the doubts that leave their priors.
 
-    Gives the group with what would then be left unexplained (1), and the doubts by name. Held by its prior a doubt
-    never goes far: the rest that it leaves weakens the data until it need not.
+    Returns the group with its remaining unexplained share (1), and the doubts by name. A doubt held by its prior never
+    moves far, because the residual that it leaves reduces the weight of the data.
     """
     p, q = len(problem.free), len(problem.nuisances)
 
     def rest(step: _Step) -> float:
-        """Energy of the unexplained part over that of the noise, mean of the channels."""
+        """Return the energy of the unexplained part relative to the noise, averaged over the channels."""
         return float(
             np.mean(
                 [step.energy[n] / (_length(system, n) * fit_step.noise[n]) for n in problem.names]
@@ -1321,26 +1325,26 @@ def _free_group_by_group(
 _FREER = 1e-4  # of a prior's precision: a hundred times its standard deviation
 _SIGNIFICANT = 2.0  # standard errors: 95 %
 _STATED = frozenset({"height", "stated", "lumped", "estimated", "angle"})
-"""Groups of what was measured once and written down: it can be measured again."""
+"""Groups of values that were measured once and recorded, and can be measured again."""
 _WHOLE_RANGE = frozenset({"guide_presliding"})
-"""Groups whose priors reach as far as there is anything: a share is 0 to 1, beyond it is no value to leave to."""
+"""Groups whose priors cover the whole possible range (a share of 0 to 1), so that no doubt can leave them."""
 _PULLED = 2.0
-"""Prior standard deviations at which something stated lies with its prior, above which it is tried without.
+"""Distance of a stated value, in prior standard deviations, above which a fit without its prior is tried.
 
-Of 68 virtual benches none had a height or mass beyond 1.9 that was as stated; of ten with a height told 10 % wrong all
-had it beyond 2.1.
+None of 68 virtual benches had a correctly stated height or mass beyond 1.9; all ten benches with a height stated 10 %
+wrong had it beyond 2.1.
 """
 _WORTH = 0.8  # of the rest's energy: a smaller reduction is not worth naming
 _DRAWN = 1.0
-"""Standard errors by which a parameter goes along with a stray that it is withheld for.
+"""Shift, in standard errors, above which a parameter affected by a stray doubt is withheld.
 
-On benches 600 to 604, told wrong masses, heights, angles and gains as if these were known well, 38 of 39 intervals of
-parameters that go less far held both values of the truth, and 5 of 21 of those that go further.
+On benches 600 to 604, with wrong masses, heights, angles and gains stated as well known, 38 of 39 intervals of
+parameters with a smaller shift contained both true values, and 5 of 21 with a larger one.
 """
 
 
 def _doubt_behind(strays: Mapping[str, _Stray], i: int) -> str:
-    """Name of a doubt that leaves its prior and draws parameter ``i`` with it; empty where none does."""
+    """Return the name of a doubt that leaves its prior and shifts parameter ``i``, otherwise an empty string."""
     return next((name for name, stray in strays.items() if stray.draws[i] > _DRAWN), "")
 
 
@@ -1388,11 +1392,11 @@ def _law_estimate(
 
 
 def _one_sided(fit: ModelErrorFit) -> list[Finding]:
-    """Say where a line cannot be the damper's law: the forces found beside it have one sign in bump and rebound.
+    """Report if a line cannot be the damper's law: the forces found beside it have one sign in bump and rebound.
 
-    Half the sum of the forces at both signs of a velocity is zero for every law that is the same on both sides,
-    however it bends. The line through these, weighed by their covariance, is by how much (N s/m) bump is firmer than
-    the fitted coefficient, and rebound softer; the finding's value is the difference of both.
+    Half the sum of the forces at positive and negative velocity is zero for every symmetric law. A line through these
+    half sums, weighted by their covariance, gives the amount (N s/m) by which bump is firmer and rebound softer than
+    the fitted coefficient. The finding's value is the difference between bump and rebound.
     """
     problem = fit.problem
     knotted, coefficient = (
@@ -1432,7 +1436,7 @@ _UNLIKE = 0.1  # of the coefficient: sides that differ from it by less are as al
 
 
 def _undoubted_laws_finding(richer: ExtendedRig) -> list[Finding]:
-    """Say which laws the interval takes for right."""
+    """Report the laws that the interval assumes to be correct."""
     laws = richer.laws_as_described()
     if not laws:
         return []
@@ -1486,7 +1490,7 @@ _INPUTS = ("speeds", "height", "contact_patch", "presliding", "arms")
 
 
 def _ride_extent(prepared: Prepared, fitted: Mapping[str, float]) -> RideExtent:
-    """Static deflections and the largest strut velocity of a trial, by the rig with its fitted values."""
+    """Return static deflections and the largest strut velocity of a trial, simulated with the fitted values."""
     plain = prepared.compiled.plain
     start = plain.parameter_values({**prepared.source.rig.parameters(), **fitted})
     solution = replace(prepared, compiled=plain, start=start).solve(np.zeros(0), 1e-5)
@@ -1507,7 +1511,7 @@ def _ride_extent(prepared: Prepared, fitted: Mapping[str, float]) -> RideExtent:
 
 
 class DrawnRun:
-    """A trial, fitted or not, simulated with the extended model for draws of its unknowns."""
+    """A trial, fitted or not, that the extended model simulates for draws of its unknowns."""
 
     def __init__(
         self, fit: ModelErrorFit, problem: ModelErrorProblem, place: int, fitted: int | None
@@ -1524,7 +1528,7 @@ class DrawnRun:
         self.run.beside = self.run.forces(States.of(self.run.compiled, solution))
 
     def _state(self, theta: Array, step: Array, rng: np.random.Generator | None) -> _State:
-        """Unknowns of this trial; those that no fitted trial knows are drawn from their priors, or are as meant."""
+        """Return the unknowns of this trial; those not fitted are drawn from their priors or set to their means."""
         fit, problem = self.fit, self.problem
         q, names = len(fit.problem.nuisances), fit.problem.place
         known = fit.state.xi + step[:q]
@@ -1542,7 +1546,7 @@ class DrawnRun:
         return _State(theta, xi, own[None, :], np.array([self._lag(step, rng)]))
 
     def _lag(self, step: Array, rng: np.random.Generator | None) -> float:
-        """Lag (s) of the recording where lags are not fitted; where they are, that which fits best is looked for."""
+        """Return the lag (s) of the recording if lags are not fitted; fitted lags are determined later."""
         fit, unsure = self.fit, _LAG_UNSURE / self.rate
         if self.problem.align:
             return 0.0
@@ -1552,7 +1556,7 @@ class DrawnRun:
         return float(fit.state.lags[self.fitted] + unsure * mine[-1])
 
     def draw(self, theta: Array, step: Array, rng: np.random.Generator) -> dict[str, Array]:
-        """Reading of each channel for scaled parameters and a step of the uncertain inputs, without fitted lags."""
+        """Return the reading of each channel for scaled parameters and a step of the uncertain inputs, without lags."""
         state = self._state(theta, step, rng)
         plain = self.run.compiled.plain
         solution = self.run.simulate(plain, self.run.numbers(state), self.problem.inputs(state, 0))
@@ -1565,7 +1569,7 @@ class DrawnRun:
 
 
 def extended_runs(fit: ModelErrorFit, trials: Sequence[FitTrial]) -> Iterator[DrawnRun]:
-    """Trials ready to be simulated with the extended model, fitted ones with the knowledge of each."""
+    """Prepare trials for simulation with the extended model; fitted trials include their own unknowns."""
     places = {run.prepared.source.name: i for i, run in enumerate(fit.problem.runs)}
     for trial in trials:
         problem = fit.problem.with_trial(trial, replace(fit.problem.settings, tolerance=1e-6))
@@ -1578,10 +1582,10 @@ def candidate_information(
     noise: Mapping[str, float],
     rest: Mapping[str, float],
 ) -> Array:
-    """Information that one more trial adds about scaled parameters and common doubts.
+    """Compute the information that a further trial adds about scaled parameters and common doubts.
 
-    ``noise`` is the variance of each channel's noise (SI), ``rest`` what nothing explains, over the energy of the
-    signal (1). What is in doubt of this trial alone is integrated out.
+    ``noise`` is the noise variance of each channel (SI), ``rest`` the unexplained part relative to the energy of the
+    signal (1). Doubts of this trial alone are integrated out.
     """
     settings = replace(fit.problem.settings, weights="printed", tolerance=fit.problem.tolerance)
     problem = fit.problem.with_trial(trial, settings)
