@@ -1,4 +1,4 @@
-"""Frozen, validated descriptions of what a suspension is made of, and the files they come from."""
+"""Immutable, validated descriptions of suspension components, and their files."""
 
 from jounce.parts.advice import rig_findings
 from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson, TrailingArm

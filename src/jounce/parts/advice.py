@@ -1,4 +1,4 @@
-"""Plausibility checks of rigs and vehicles: findings on legal but unlikely values, each with its number."""
+"""Plausibility checks of rigs and vehicles: findings on valid but unlikely values, each with its value."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from jounce.parts.vehicles import (
 AnyVehicle = HalfCar | HalfCar4DOF | FullCar | FullCar3D
 
 STEEP_STRUT = np.radians(30.0)
-"""Strut angle to the vertical in front view above which the literature rejects a strut."""
+"""Angle of the strut to the vertical in front view, rad, above which the literature rejects a strut."""
 BODY_POINTS = {
     "lower_arm": ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
     "upper_arm": ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
@@ -47,34 +47,34 @@ BODY_POINTS = {
     "wheel": ("wheel_centre",),
     **{f"link_{i}": (f"link_{i}_inner", f"link_{i}_outer") for i in range(1, 6)},
 }
-"""Hardpoints of each body; those of an upright are the outer ones."""
+"""Hardpoints of each body; an upright has the outer points of the suspension."""
 LONGEST = 6.0
-"""m; no axle is that far from the centre of gravity, nothing of a car is that wide or high."""
+"""m; upper bound of a car's axle distances from the centre of gravity, its width and its height."""
 INDICES = (0.4, 2.0)
-"""Dynamic indices (pitch inertia over mass and both distances, 1) that road vehicles have."""
+"""Range of the dynamic index of road vehicles: pitch inertia / (mass * front distance * rear distance), 1."""
 FREQUENCIES = (0.6, 6.0)
-"""Hz, of the body on one axle: from the softest coach to a race car."""
+"""Range of the body's natural frequency on one axle, Hz: from the softest coach to a race car."""
 _SMALL = 5e-3
-"""m; the points of a car in metres, read as millimetres, lie within 6 mm; a model car of 5 mm does not exist."""
+"""m; a car's coordinates in metres, read as millimetres, are below 6 mm; no model car is as small as 5 mm."""
 MOST_PRESSED = 0.15
-"""m; no tyre of a lumped model, whose radius is not known, gives way by more at rest."""
+"""m; maximum static deflection of a tyre in a lumped model, where its radius is unknown."""
 _PRESSED = 0.3
-"""Static tyre deflection over the radius: walls of car tyres are 0.25 to 0.4 of it high, so the rim nears the road."""
+"""Maximum static tyre deflection over radius: sidewalls of car tyres are 0.25 to 0.4 of the radius high."""
 _LEVER = 0.02
-"""Lever of a T-bar's link over the length of the arm, below which it holds nothing."""
+"""Minimum lever of a T-bar's link over the length of the arm; below it, the link does not hold the bar."""
 RATIOS = (0.05, 1.5)
-"""Damping ratios (1) of the body on one axle."""
+"""Plausible damping ratios (1) of the body on one axle."""
 
 
 def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
-    """List what a careful colleague would ask about a rig.
+    """List implausible values of a rig.
 
     Parameters
     ----------
     rig : Rig
-        Any rig or vehicle; of a quarter car only the names of estimated values are examined.
+        Any rig or vehicle. Quarter cars get only a few checks.
     where : str
-        File the rig comes from; named before the path of every finding.
+        Source file of the rig, prefixed to the path of each finding.
 
     Returns
     -------
@@ -96,10 +96,8 @@ def rig_findings(rig: Rig, where: str = "") -> list[Finding]:
 
 @once_per_object
 def _check_all(rig: Rig) -> tuple[Finding, ...]:
-    """Collect all findings; cached, since every run asks for them."""
-    if isinstance(
-        rig, Corner
-    ):  # where a size is wrong, everything else would be found wrong as well
+    """Collect all findings; cached because every run needs them."""
+    if isinstance(rig, Corner):  # if a size is wrong, all other checks would fail too
         checks: tuple[Callable[[Corner], Iterator[Finding]], ...]
         checks = (
             _check_estimated,
@@ -111,7 +109,7 @@ def _check_all(rig: Rig) -> tuple[Finding, ...]:
             _check_sprung_mass,
             _check_statics,
         )
-        checks = checks[:4] if rig.lacks else checks  # what it does not say cannot be wrong
+        checks = checks[:4] if rig.lacks else checks  # the others need the omitted parts
         findings = list(_check_size(rig)) or [finding for check in checks for finding in check(rig)]
     else:
         lumped = (
@@ -124,13 +122,13 @@ def _check_all(rig: Rig) -> tuple[Finding, ...]:
         findings = [*_check_estimated(rig), *lumped]
     asked_of = rig.parameters().keys() - {
         item.place for item in findings
-    }  # not of placeholders for parts left out
+    }  # without placeholders of omitted parts
     findings += [item for item in questions(rig) if item.place in asked_of]
     return tuple(findings)
 
 
 def _is_choice(rig: Rig, path: str) -> bool:
-    """Whether a path names a text of the description, such as ``strut.on``."""
+    """Whether a path points to a string of the description, such as ``strut.on``."""
     here: object = rig
     for part in path.split("."):
         here = (
@@ -168,7 +166,7 @@ def _check_size(rig: Corner) -> Iterator[Finding]:
 
 
 def _check_order(rig: Corner) -> Iterator[Finding]:
-    """Names that seem to be swapped."""
+    """Report points whose names appear to be swapped."""
     points = rig.hardpoints.given()
     for arm in ("lower_arm", "upper_arm"):
         if f"{arm}_front" in points and points[f"{arm}_front"][0] < points[f"{arm}_rear"][0]:
@@ -206,7 +204,7 @@ def _check_wheel(rig: Corner) -> Iterator[Finding]:
         angle = getattr(rig.wheel, name)
         if (
             abs(angle) > 0.2
-        ):  # rad: the kart prototype reaches 10.5 deg (0.18 rad) of toe, no wheel more
+        ):  # rad: the kart prototype has the largest known angle, 10.5 deg (0.18 rad) of toe
             yield finding("parts.steep_angle", f"wheel.{name}", angle, angle=angle)
 
 
@@ -257,7 +255,7 @@ def _check_bodies(rig: Corner) -> Iterator[Finding]:
         extent = float(np.linalg.norm(own[:, np.newaxis] - own, axis=2).max())
         reach = max(extent, rig.wheel.radius if name in ("upright", "wheel", "arm") else 0.0)
         away = float(np.linalg.norm(np.array(body.centre_of_mass) - own, axis=1).min())
-        # Twice what the bodies of the library reach: 0.54 of their extent, and radii of gyration of 0.77 of it.
+        # Twice the maxima of the library: 0.54 of the extent, and radii of gyration of 0.77 of it.
         if away > 1.5 * reach:
             yield finding(
                 "parts.centre_of_mass_away",
@@ -312,7 +310,7 @@ def _check_sprung_mass(rig: Corner) -> Iterator[Finding]:
 
 
 def _check_statics(rig: Corner) -> Iterator[Finding]:
-    """Whether the spring can carry the car, and how far from design it does."""
+    """Report a spring that cannot carry the car, or carries it far from the design position."""
     try:
         ratio = motion_ratio(rig)
         needed = 0.0 if rig.guide == "fixed" else static_spring_force(rig)
@@ -330,7 +328,7 @@ def _check_statics(rig: Corner) -> Iterator[Finding]:
     length, beside = rig.hardpoints.length("spring"), carried_beside_spring(rig)
 
     def lacking(deflection: float) -> float:
-        """Force (N) missing at the spring to carry the car, with the levers of the design pose."""
+        """Return the force (N) that the spring lacks to carry the car, with the levers of the design pose."""
         more = (carried_beside_spring(rig, deflection / ratio) - beside) / ratio
         return needed - spring_force(rig, deflection) - more
 
@@ -361,14 +359,14 @@ def _check_statics(rig: Corner) -> Iterator[Finding]:
     travel = deflection / ratio
     if (
         abs(travel) > 0.25 * rig.wheel.radius
-    ):  # about the whole travel; corners of the library: up to 18 %
+    ):  # about the full travel; corners of the library: up to 18 %
         direction = "bump" if travel > 0.0 else "rebound"
         yield finding(away, place, travel, travel=abs(travel), direction=direction, **numbers)
     yield from _check_deflection("tyre", static_tyre_deflection(rig), _PRESSED * rig.wheel.radius)
 
 
 def _check_deflection(place: str, deflection: float, most: float) -> Iterator[Finding]:
-    """Report a tyre that its load would press flat (m)."""
+    """Report a tyre whose static deflection exceeds ``most`` (m)."""
     if deflection > most:
         yield finding("parts.tyre_pressed_in", place, deflection, deflection=deflection)
 
@@ -390,7 +388,7 @@ def _check_vehicle(car: AnyVehicle) -> Iterator[Finding]:
         yield finding("parts.dynamic_index", "body.pitch_inertia", index, index=index)
     for name, other in (("front", car.rear), ("rear", car.front)):
         axle = getattr(car, name)
-        mass = 0.5 * body.mass * other.distance / car.wheelbase  # of the body on one wheel, kg
+        mass = 0.5 * body.mass * other.distance / car.wheelbase  # sprung mass per wheel, kg
         if not isinstance(
             axle, Axle | WheeledAxle
         ):  # axles of 3-D corners have no springs of their own
@@ -441,7 +439,7 @@ def _check_frequency(
 
 
 def _check_at_rest(rig: QuarterCar) -> Iterator[Finding]:
-    """A tyre too soft; a gap that was measured from the standing car: here it counts from the undeformed spring."""
+    """Report a tyre that is too soft, and a stop gap that counts from static ride height, not the undeformed spring."""
     weight = rig.gravity * (rig.sprung.mass + rig.unsprung.mass)
     yield from _check_deflection("tyre", static_deflection(rig.tyre, weight), MOST_PRESSED)
     spring, stop = rig.strut.spring, rig.strut.bump_stop

@@ -1,4 +1,4 @@
-"""Points and rigid bodies: positions, mass, centre of mass and an inertia that a body can have."""
+"""Points and rigid bodies: position, mass, centre of mass and physically valid inertia."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def distance(first: Triple | Array, second: Triple | Array) -> float:
 
 
 def distance_to_line(point: Triple | Array, first: Triple | Array, second: Triple | Array) -> float:
-    """Distance in m of a point from the line through two others that differ."""
+    """Distance in m of a point from the line through two distinct points."""
     (ax, ay, az), (bx, by, bz) = (
         [b - a for a, b in zip(first, end, strict=True)] for end in (second, point)
     )
@@ -76,7 +76,7 @@ def distance_to_line(point: Triple | Array, first: Triple | Array, second: Tripl
 
 
 TRIANGLE_TOLERANCE = 1e-3
-"""Share of the largest principal moment by which it may exceed the sum of the others: rounding in a data sheet."""
+"""Relative excess of the largest principal moment over the sum of the others that is accepted as rounding."""
 
 INERTIA_ELEMENTS = {
     "xx": (0, 0),
@@ -86,7 +86,7 @@ INERTIA_ELEMENTS = {
     "xz": (0, 2),
     "yz": (1, 2),
 }
-"""Names of the elements of a tensor in descriptions: row and column."""
+"""Tensor elements in descriptions: name to row and column."""
 
 
 class Inertia(Description):
@@ -130,7 +130,7 @@ class Inertia(Description):
 
     @property
     def tensor(self) -> Array:
-        """The tensor, shape (3, 3), kg m^2."""
+        """Inertia tensor, shape (3, 3), kg m^2."""
         return np.array(
             [[self.xx, self.xy, self.xz], [self.xy, self.yy, self.yz], [self.xz, self.yz, self.zz]],
             dtype=float,
@@ -142,9 +142,7 @@ class Inertia(Description):
         return np.array(_principal_moments(self.xx, self.yy, self.zz, self.xy, self.xz, self.yz))
 
 
-@lru_cache(
-    256
-)  # variants of a rig differ in few numbers, and hardly one of them in those of its bodies
+@lru_cache(256)  # variants of a rig rarely differ in the inertia of bodies
 def _principal_moments(
     xx: float, yy: float, zz: float, xy: float, xz: float, yz: float
 ) -> tuple[float, ...]:

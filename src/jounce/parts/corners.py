@@ -1,4 +1,4 @@
-"""3-D rigs: one corner of a car as rigid bodies between named hardpoints, one class for each suspension."""
+"""3-D rigs: one corner of a car as rigid bodies between named hardpoints, one class per suspension type."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ from jounce.parts.elements import (
 from jounce.parts.rig import Rig
 
 LARGE = 10.0
-"""Coordinate in m that no point of a corner has."""
+"""Upper bound in m of the coordinates of a corner's points."""
 SAME_POINT = 1e-6
-"""Distance in m below which two points are one."""
+"""Distance in m below which two points coincide."""
 ON_ONE_LINE = 1e-3
-"""Share of its triangle's size by which a point must clear the axis that it rotates about."""
+"""Minimum distance of a point from its axis of rotation, as a fraction of the size of their triangle."""
 _NO_BODY = {
     "mass": 1.0,
     "centre_of_mass": (0.0, 0.0, 0.0),
@@ -66,9 +66,9 @@ Rods = tuple[tuple[str, str], ...]
 
 
 class Hardpoints(Description):
-    """What all suspensions have: positions at design in m, x forward, y left, z up; the road is z = 0.
+    """Hardpoints common to all suspensions: design positions in m, x forward, y left, z up; the road is z = 0.
 
-    Spring and damper lie on the strut's line unless their own ends are given; kinematics needs none of these ends.
+    Spring and damper act along the strut unless they have end points of their own. Kinematics needs none of these ends.
     """
 
     wheel_centre: Point
@@ -96,20 +96,20 @@ class Hardpoints(Description):
     )
     """Groups in which no two points may be the same."""
     turning: ClassVar[Axes] = (("arb_pivot", "arb_axis", "arb_arm_end"),)
-    """Two points of an axis, and a point that rotates about it."""
+    """Triples: two points on an axis, and a point that rotates about it."""
     together: ClassVar[Groups] = (
         ("strut_bottom", "strut_top"),
         ("arb_pivot", "arb_arm_end", "arb_link_end"),
     )
-    """Groups of which all points are given or none."""
+    """Groups whose points must be given all together or not at all."""
     rods: ClassVar[Rods] = ()
-    """Links of constant length between wheel carrier and car body: outer and inner point."""
+    """Links of constant length between wheel carrier and car body: (outer point, inner point)."""
 
     @model_validator(mode="after")
     def _can_move(self) -> Self:
         self._refuse_lost_points()
         kinds = [kind for kind in reversed(type(self).__mro__) if issubclass(kind, Hardpoints)]
-        for kind in kinds:  # each with its own rules on top of those of its bases
+        for kind in kinds:  # each class adds rules to those of its bases
             for group in vars(kind).get("together", ()):
                 self._refuse_half(group)
         for kind in kinds:
@@ -122,7 +122,7 @@ class Hardpoints(Description):
         return self
 
     def at(self, name: str) -> Triple | None:
-        """Position of a point in m, shape (3,); ends of spring and damper that are not given are the strut's."""
+        """Position of a point in m, shape (3,); spring and damper ends default to those of the strut."""
         value: Triple | None = getattr(self, name)
         element, _, end = name.partition("_")
         return (
@@ -130,7 +130,7 @@ class Hardpoints(Description):
         )
 
     def given(self) -> dict[str, Triple]:
-        """Points that the description holds: name to position in m, shape (3,)."""
+        """Points that the description contains: name to position in m, shape (3,)."""
         points = {name: getattr(self, name) for name in type(self).model_fields}
         return {name: point for name, point in points.items() if point is not None}
 
@@ -142,7 +142,7 @@ class Hardpoints(Description):
         return distance(bottom, top)
 
     def _refuse_lost_points(self) -> None:
-        """Refuse single points in a unit other than the rest; if all are large, a finding reports it."""
+        """Refuse points that seem to be in a different unit from the others; if all are large, a finding reports it."""
         sizes = {name: max(abs(value) for value in point) for name, point in self.given().items()}
         for name, size in sizes.items():
             if size > LARGE and min(sizes.values()) < LARGE:
@@ -196,9 +196,9 @@ def write_point(point: Triple) -> str:
 
 
 _APART = 5e-3
-"""Distance in m of a third spring's end from the middle of the car."""
+"""Minimum distance in m of a third spring's end from the centre plane of the car."""
 ACROSS = 0.05
-"""Share of the wheel centre's distance from the middle of the car by which a point may lie on the other side."""
+"""Maximum distance of a point beyond the centre plane of the car, as a fraction of the wheel centre's distance."""
 
 
 class Wheel(Description):
@@ -211,7 +211,7 @@ class Wheel(Description):
 
 
 class SprungBody(Description):
-    """What the guide carries: its mass (kg); on a spherical joint also where its mass is, its inertia and the joint."""
+    """Sprung body on the guide: its mass (kg); with a spherical joint also centre of mass, inertia and joint."""
 
     mass: Mass
     centre_of_mass: Point | None = None
@@ -220,9 +220,9 @@ class SprungBody(Description):
 
 
 class Corner(Rig):
-    """What all 3-D rigs share. x forward, y left, z up; the hardpoints are the design position, z = 0 is the road.
+    """Base of all 3-D rigs. x forward, y left, z up; hardpoints are given in the design position, z = 0 is the road.
 
-    ``guide`` says how the body is guided: fixed, free along z, or free along z and to rotate about ``sprung.joint``.
+    ``guide`` sets the motion of the body: fixed, free along z, or free along z and in rotation about ``sprung.joint``.
     """
 
     schema_: Literal["jounce.rig/1"] = Field(default="jounce.rig/1", alias="schema")
@@ -241,24 +241,24 @@ class Corner(Rig):
     third_spring: ThirdSpring | None = None
     bushings: Description = Description()
     without: tuple[Literal["bodies", "spring", "damper", "tyre"], ...] = ()
-    """What the file leaves out: hardpoints and wheel are enough for kinematics. Numbers stand in its place, unread."""
+    """Parts omitted from the file. Kinematics needs only hardpoints and wheel; unused placeholders replace the rest."""
 
     needed_bodies: ClassVar[tuple[str, ...]] = ()
     further_bodies: ClassVar[tuple[str, ...]] = ()
-    """Bodies that the suspension may have; without ``wheel`` the wheel belongs to the body that carries it."""
+    """Optional bodies; without ``wheel`` the wheel is part of the body that carries it."""
     strut_on: ClassVar[tuple[str, ...]] = ()
-    """Bodies that may carry the lower end of the strut, the default first; likewise for push rod and anti-roll bar."""
+    """Bodies that may carry the lower end of the strut, default first; likewise for push rod and anti-roll bar."""
     pushrod_on: ClassVar[tuple[str, ...]] = ()
     bar_on: ClassVar[tuple[str, ...]] = ()
     wound_on: ClassVar[tuple[str, ...]] = ()
-    """Bodies on an axis that a torsion bar may lie in; the third spring may be where an anti-roll bar may."""
+    """Bodies whose axis may hold a torsion bar. A third spring is allowed on the same bodies as an anti-roll bar."""
     bushed: ClassVar[tuple[str, ...]] = ()
-    """Hardpoints at which a bushing may take the place of an ideal joint."""
+    """Hardpoints at which a bushing may replace an ideal joint."""
 
     def __init_subclass__(cls, **options: Any) -> None:
-        """Types of bodies, strut, anti-roll bar and bushings from the names above.
+        """Create the types of bodies, strut, anti-roll bar and bushings from the names above.
 
-        They are annotated here, where the class exists and pydantic has not yet read its fields.
+        They are annotated here because the class exists and pydantic has not read its fields yet.
         """
         super().__init_subclass__(**options)
 
@@ -271,7 +271,7 @@ class Corner(Rig):
             )
             setattr(
                 sys.modules[cls.__module__], name, made
-            )  # where copies sent to other processes look for it
+            )  # so that other processes can unpickle it
             return made
 
         def on(key: str, bodies: tuple[str, ...]) -> dict[str, Any]:
@@ -279,9 +279,9 @@ class Corner(Rig):
 
         needed = dict.fromkeys(cls.needed_bodies, (RigidBody, ...))
         further = dict.fromkeys(cls.further_bodies, (RigidBody | None, None))
-        text = "Bodies of the suspension; without ``wheel`` the wheel belongs to the body that carries it."
+        text = "Bodies of the suspension; without ``wheel`` the wheel is part of the body that carries it."
         bodies = part("Bodies", Description, text, {**needed, **further})
-        text = "Strut from the body ``on``, or the rocker of a push rod on ``pushrod_on``, to the car's body."
+        text = "Strut between the car's body and the body ``on``, or the rocker of a push rod on ``pushrod_on``."
         strut = part(
             "Strut",
             SpatialStrut,
@@ -289,11 +289,11 @@ class Corner(Rig):
             {**on("on", cls.strut_on), **on("pushrod_on", cls.pushrod_on)},
         )
         bar = part(
-            "Bar", AntiRollBar, "Anti-roll bar, linked to the body ``on``.", on("on", cls.bar_on)
+            "Bar", AntiRollBar, "Anti-roll bar linked to the body ``on``.", on("on", cls.bar_on)
         )
         text = "Torsion bar on the axis of the body ``on``."
         wound = part("TorsionBar", TorsionBar, text, on("on", cls.wound_on))
-        text = "Third spring, from the body ``on`` to its mirror image."
+        text = "Third spring between the body ``on`` and its mirror image."
         third = part("ThirdSpring", ThirdSpring, text, on("on", tuple(reversed(cls.bar_on))))
         text = "Bushings in place of ideal joints on the car's body."
         bushings = part(
@@ -318,7 +318,7 @@ class Corner(Rig):
     def _hardpoints_are_enough(cls, table: Any) -> Any:
         """Allow files without masses, springs, dampers and tyres: hardpoints and wheel are enough for a sweep.
 
-        Only what is left out whole is: a rig with some of its bodies has forgotten the others.
+        A table may only be omitted as a whole: a rig with some of its bodies is incomplete.
         """
         if not isinstance(table, dict):
             return table
@@ -329,7 +329,9 @@ class Corner(Rig):
             and table.get("torsion_bar")
             and isinstance(table.get("strut"), dict)
         ):
-            coil = "spring" in table["strut"]  # without it the torsion bar carries the car alone
+            coil = (
+                "spring" in table["strut"]
+            )  # without a coil spring the torsion bar alone carries the car
             strut = {"spring": _NO_SPRING, **table["strut"]}
             return table if coil else {**table, "strut": strut, "without": ["spring"]}
         if table.get("bodies") or not isinstance(table.get("hardpoints"), dict):
@@ -362,7 +364,7 @@ class Corner(Rig):
 
     @model_serializer(mode="wrap")
     def _as_given(self, dump: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        """Omit placeholders of parts that the file leaves out, so that it is read and changed as written."""
+        """Omit placeholders of parts that the file leaves out: they must not appear in a written file."""
         table: dict[str, Any] = dump(self)
         entries = {
             key: value for key, value in table.items() if key not in ("without", *self.without)
@@ -376,7 +378,7 @@ class Corner(Rig):
         return entries
 
     def parameters(self) -> dict[str, float]:
-        """Give every number of the rig by its path, SI; without placeholders of parts that the file leaves out."""
+        """Return all numbers of the rig by path, SI, without placeholders of omitted parts."""
         numbers = super().parameters()
         unread = tuple(_STANDING_IN[name] for name in self.without)
         return (
@@ -387,7 +389,7 @@ class Corner(Rig):
 
     @property
     def lacks(self) -> tuple[str, ...]:
-        """Parts left out that nothing replaces; a torsion bar, for example, replaces the strut's spring."""
+        """Omitted parts that nothing replaces; a torsion bar, for example, replaces the strut's spring."""
         if not self.has_strut:
             return ("strut", *self.without)
         return tuple(name for name in self.without if name != "spring" or self.torsion_bar is None)
@@ -399,13 +401,13 @@ class Corner(Rig):
 
     @property
     def only_travels(self) -> bool:
-        """Whether one coordinate describes its pose: ideal joints, a body that does not turn, nothing left out."""
+        """Whether one coordinate describes the pose: ideal joints, a body that does not rotate, no omitted parts."""
         soft = self.bushings.model_dump(exclude_none=True)
         return self.guide != "vertical+spherical" and not soft and not self.lacks
 
     @property
     def besides_strut(self) -> tuple[str, ...]:
-        """Tables of the springs that help the strut's spring to carry the car when both wheels move alike."""
+        """Tables of the springs in parallel with the strut's spring when both wheels move together."""
         has = {
             "torsion_bar": self.torsion_bar is not None,
             "third_spring": self.third_spring is not None,
@@ -414,9 +416,9 @@ class Corner(Rig):
         return tuple(name for name, there in has.items() if there)
 
     def require(self, *parts: str, what: str) -> None:
-        """Refuse what cannot be known of a rig that leaves out one of these parts (bodies, spring, damper, tyre).
+        """Raise an error if the rig omits one of the parts (bodies, spring, damper, tyre) that ``what`` needs.
 
-        The ends of the strut are those of spring and damper.
+        Spring and damper also need the ends of the strut.
         """
         asked = {*parts, *(("strut",) if {"spring", "damper"} & {*parts} else ())}
         missing = [name for name in self.lacks if name in asked]
@@ -435,7 +437,7 @@ class Corner(Rig):
 
     @property
     def sign(self) -> float:
-        """1 on the left side of the car (y > 0), -1 on the right."""
+        """Sign of y at the wheel: 1 on the left side of the car, -1 on the right."""
         return 1.0 if self.side == "left" else -1.0
 
     @property
@@ -448,17 +450,17 @@ class Corner(Rig):
         )
 
     def body_masses(self) -> dict[str, RigidBody]:
-        """Bodies of the suspension that the description holds, by name; the sprung body is not among them."""
+        """Bodies of the suspension in the description, by name, without the sprung body."""
         bodies = {name: getattr(self.bodies, name) for name in type(self.bodies).model_fields}
         return {name: body for name, body in bodies.items() if body is not None}
 
     def mirrored(self) -> Self:
-        """Give the same corner of the car's other side: mirrored at y = 0, the rack's travel too.
+        """Return the corner of the car's other side: mirrored at y = 0, including the rack's travel.
 
         Returns
         -------
         Corner
-            Left of a right corner and the other way round.
+            The left corner for a right one, and vice versa.
 
         Examples
         --------
@@ -522,7 +524,7 @@ class Corner(Rig):
                 )
 
     def _check_sprung(self) -> None:
-        """Refuse a body on a guide without what the guide needs to move it."""
+        """Refuse a guided body without the properties that its guide requires."""
         if self.guide == "fixed":
             return
         needed = (
@@ -545,7 +547,7 @@ class Corner(Rig):
             )
 
     def _check_attachments(self) -> None:
-        """Refuse elements on bodies that the rig does not have."""
+        """Refuse elements attached to bodies that the rig does not have."""
         self._check_strut()
         self._require_body("strut", self.strut.on)
         rocker = getattr(self.hardpoints, "rocker_pivot", None)
@@ -601,7 +603,7 @@ class Corner(Rig):
             )
 
     def _check_stem(self) -> None:
-        """Refuse T-bars whose stem is not in the middle of the car."""
+        """Refuse T-bars whose stem is not in the centre plane of the car."""
         points = self.hardpoints
         if points.arb_axis is None:
             raise error_at(
@@ -617,7 +619,7 @@ class Corner(Rig):
                 )
 
     def _check_third_spring(self) -> None:
-        """Refuse half of a third spring, and ends that have no place for it between them."""
+        """Refuse a third spring without its table or its point, and ends that leave no room for it."""
         end = self.hardpoints.third_spring_end
         if (end is None) != (self.third_spring is None):
             raise error_at(
@@ -668,7 +670,7 @@ def _mirror(table: dict[str, Any]) -> dict[str, Any]:
 
 
 def _mirror_points(table: dict[str, Any]) -> dict[str, Any]:
-    """Points with the sign of y changed, and angles with theirs."""
+    """Return points with the sign of y changed, and angles with their sign changed."""
     return {
         name: -value if isinstance(value, float) else (value[0], -value[1], value[2])
         for name, value in table.items()
@@ -676,7 +678,7 @@ def _mirror_points(table: dict[str, Any]) -> dict[str, Any]:
 
 
 class ArmHardpoints(Hardpoints):
-    """A lower arm on an axis through two points of the body."""
+    """Hardpoints of a lower arm that rotates about an axis through two points of the body."""
 
     lower_arm_front: Point
     lower_arm_rear: Point
@@ -690,7 +692,7 @@ class ArmHardpoints(Hardpoints):
 
 
 class RockerHardpoints(Hardpoints):
-    """A rocker on an axis through two points of the body, moved by a push rod; the strut's lower end is on it."""
+    """Hardpoints of a rocker on an axis fixed to the body, moved by a push rod; it carries the strut's lower end."""
 
     pushrod_outer: Point | None = None
     pushrod_inner: Point | None = None
@@ -708,7 +710,7 @@ class RockerHardpoints(Hardpoints):
 
 
 class DoubleWishboneHardpoints(RockerHardpoints, ArmHardpoints):
-    """Two arms, each on an axis through two points of the body, an upright between their ball joints, a tie rod."""
+    """Hardpoints of two arms, each on an axis through two points of the body, of the upright and of a tie rod."""
 
     upper_arm_front: Point
     upper_arm_rear: Point
@@ -764,7 +766,7 @@ class DoubleWishbone(Corner):
 
 
 class McPhersonHardpoints(ArmHardpoints):
-    """One arm, a strut that guides the upright along the line from ``strut_bottom`` to ``strut_top``, a tie rod."""
+    """Hardpoints of one arm, a tie rod, and a strut that guides the upright from ``strut_bottom`` to ``strut_top``."""
 
     strut_bottom: Point
     strut_top: Point
@@ -789,7 +791,7 @@ class McPhersonHardpoints(ArmHardpoints):
 class McPherson(Corner):
     """McPherson strut: one arm, a tie rod, and a strut that guides the upright.
 
-    The body ``strut`` is the part that slides in the upright and is held at the car's body.
+    The body ``strut`` is the part that slides in the upright and is attached to the car's body.
     """
 
     model: Literal["mcpherson"] = "mcpherson"
@@ -805,7 +807,7 @@ class McPherson(Corner):
 
 
 class FiveLinkHardpoints(RockerHardpoints):
-    """Five links with a joint at either end between body (inner) and upright (outer); link 5 is the toe link."""
+    """Hardpoints of five links, jointed to the body (inner) and the upright (outer); link 5 is the toe link."""
 
     link_1_inner: Point
     link_1_outer: Point
@@ -841,9 +843,9 @@ class FiveLinkHardpoints(RockerHardpoints):
 
 
 class FiveLink(Corner):
-    """Five links between body and upright; links that share a point are an arm. Link 5 is the toe link or tie rod.
+    """Five links between body and upright; links that share a point form an arm. Link 5 is the toe link or tie rod.
 
-    A link that is no body is a rod of fixed length without mass.
+    A link that is not a body is a massless rod of fixed length.
     """
 
     model: Literal["five-link"] = "five-link"
@@ -860,7 +862,7 @@ class FiveLink(Corner):
 
 
 class TrailingArmHardpoints(Hardpoints):
-    """One arm with the wheel, on an axis through ``arm_inner`` and ``arm_outer`` of the body."""
+    """Hardpoints of one arm that carries the wheel, on the axis through ``arm_inner`` and ``arm_outer``."""
 
     arm_inner: Point
     arm_outer: Point
@@ -870,7 +872,7 @@ class TrailingArmHardpoints(Hardpoints):
 
 
 class TrailingArm(Corner):
-    """Trailing or semi-trailing arm: one body that carries the wheel, on an axis through two points of the body."""
+    """Trailing or semi-trailing arm: one body that carries the wheel and rotates about an axis fixed to the car."""
 
     model: Literal["trailing-arm"] = "trailing-arm"
     hardpoints: TrailingArmHardpoints
@@ -887,4 +889,4 @@ if TYPE_CHECKING:
     AnyCorner = Corner
 else:
     AnyCorner = Annotated[Union[tuple(Corner.__subclasses__())], Field(discriminator="model")]  # noqa: UP007
-"""Any of the suspensions above, by its ``model``."""
+"""Any of the suspensions above, selected by ``model``."""

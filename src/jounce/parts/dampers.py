@@ -1,7 +1,7 @@
-"""Damper laws, one class each: the description in a rig file, and the force that follows from it.
+"""Damper laws, one class each: the parameters in a rig file and the resulting force.
 
-A law is written once, with NumPy's functions, which work on numbers and on symbols alike: models evaluate it at symbols
-of their state, fits and closed forms at samples. Slope, stiffness at rest and equivalent coefficients follow from it.
+Each law is written once, with NumPy functions that accept numbers and symbols. Models evaluate it at symbols of their
+state, fits and closed forms at samples. Slope, stiffness at rest and equivalent coefficients are derived from it.
 """
 
 from __future__ import annotations
@@ -31,47 +31,47 @@ from jounce.core.units import (
 )
 from jounce.parts.tables import check_ascending, check_table, on_lines
 
-_STEP = 2.0**-100  # imaginary part of a derivative by complex step: it adds no rounding
-_NEARBY = 1e-9  # m/s on either side of rest, where the two sides may have slopes of their own
+_STEP = 2.0**-100  # imaginary part of the complex-step derivative: no rounding error
+_NEARBY = 1e-9  # m/s on either side of rest, where the slope may change
 _FARTHEST, _PLACES = (
     6.0,
     4001,
-)  # standard deviations, beyond which the Gaussian weight is 2e-9; points of the mean
+)  # integration limit in standard deviations, where the Gaussian weight is 2e-9; number of points
 
 
 class OperatingPoint(Protocol):
-    """Where a law is evaluated: its deflection (m), velocity (m/s) and length (m), and what its numbers are there.
+    """Operating point of a law: deflection (m), velocity (m/s) and length (m), with access to the law's parameters.
 
-    Compression and bump are positive. Each of these is a symbol of a model, a number or an array.
+    Compression and bump are positive. Each quantity is a symbol of a model, a number or an array.
     """
 
     @property
     def deflection(self) -> Any:
-        """How far the damper is pushed in, m."""
+        """Compression of the damper, m."""
 
     @property
     def velocity(self) -> Any:
-        """How fast it shortens, m/s."""
+        """Speed of shortening, m/s."""
 
     def number(self, name: str) -> Any:
-        """Give a number of the law."""
+        """Return a parameter of the law by name."""
 
     def switch(self, name: str, x: Any) -> Any:
-        """Give 1 where ``x`` is above zero, 0 below, and their mean at zero."""
+        """Return 1 for ``x`` above zero, 0 below, and 0.5 at zero."""
 
     def table(self, variable: str, x: Any, points: int) -> Any:
-        """Give the force at ``x`` on straight lines through the law's points and beyond them."""
+        """Return the force at ``x``, interpolated and extrapolated linearly through the law's points."""
 
     def grid(self, damper: MapDamper) -> Any:
-        """Give the force at length and velocity on a map."""
+        """Return the force of a map at the current length and velocity."""
 
     def state(self, name: str, rate: Callable[[Any], Any]) -> Any:
-        """Give a first-order state of the law, whose rate follows from it."""
+        """Return a first-order state of the law; ``rate`` computes its time derivative from it."""
 
 
 @dataclass(frozen=True)
 class SampledPoint:
-    """Operating points as numbers or arrays; a state rests at zero, as a damper does that has not moved yet."""
+    """Operating points as numbers or arrays; internal states are zero, as before the first movement."""
 
     number: Callable[[str], Any]
     velocity: Any
@@ -79,27 +79,27 @@ class SampledPoint:
     length: Any = None
 
     def switch(self, name: str, x: Any) -> Any:  # noqa: ARG002 - models name their switches
-        """Give 1 where ``x`` is above zero, 0 below, and their mean at zero."""
+        """Return 1 for ``x`` above zero, 0 below, and 0.5 at zero."""
         return np.heaviside(np.real(x), 0.5)
 
     def table(self, variable: str, x: Any, points: int) -> Array:  # noqa: ARG002 - models count the symbols
-        """Give the force at ``x`` on straight lines through the law's points and beyond them."""
+        """Return the force at ``x``, interpolated and extrapolated linearly through the law's points."""
         return on_lines(self.number(variable), self.number("force"), x)
 
     def grid(self, damper: MapDamper) -> Array:
-        """Give the force of one length on a map."""
+        """Return the force of a map at one length."""
         return damper.at_length(self.length).forces(self.velocity)
 
     def state(self, name: str, rate: Callable[[Any], Any]) -> Any:  # noqa: ARG002
-        """Give zero."""
+        """Return zero: states are not integrated."""
         return 0.0 * np.real(self.velocity)
 
 
 class DamperLaw(Description):
     """Base of damper laws. Velocity is positive in bump (shortening), force in compression.
 
-    A law whose numbers are factors of its force names them in ``weights`` and gives what they multiply in ``basis``;
-    ``shapes`` are the numbers that its basis depends on. Any other law overrides ``evaluate``.
+    A law that is linear in some parameters names them in ``weights``; ``basis`` returns the functions they multiply,
+    ``shapes`` names the parameters of the basis. Any other law overrides ``evaluate``.
     """
 
     kind: str
@@ -110,24 +110,24 @@ class DamperLaw(Description):
     hysteretic: ClassVar[bool] = False
     """Whether the force depends on more than the velocity."""
     remembers: ClassVar[bool] = False
-    """Whether the force depends on the path so far, by a state of its own."""
+    """Whether the force depends on the history of the motion, through an internal state."""
     pushes_at_rest: ClassVar[bool] = False
-    """Whether there may be a force without a velocity, as of gas."""
+    """Whether the force at zero velocity may differ from zero, e.g. due to gas pressure."""
 
     @classmethod
     def basis(cls, at: OperatingPoint) -> tuple[Any, ...]:
-        """Give what the weights multiply, in their order."""
+        """Return the basis functions in the order of ``weights``."""
         raise NotImplementedError(cls.__name__)
 
     def evaluate(self, at: OperatingPoint) -> Any:
-        """Give the force at an operating point, N."""
+        """Return the force at an operating point, N."""
         columns = self.basis(at)
         return sum(
             at.number(name) * column for name, column in zip(self.weights, columns, strict=True)
         )
 
     def forces(self, velocity: Any, deflection: Any = 0.0) -> Array:
-        """Give the force at velocities (m/s) and deflections (m) of these numbers, N; a state of the law is at zero.
+        """Return the force at velocities (m/s) and deflections (m), N, with internal states at zero.
 
         >>> BilinearDamper(bump_coefficient=300.0, rebound_coefficient=900.0).forces(np.array([-1.0, 1.0])).tolist()
         [-900.0, 300.0]
@@ -137,11 +137,11 @@ class DamperLaw(Description):
         )
 
     def slopes(self, velocity: Any, deflection: Any = 0.0) -> Array:
-        """Give the slope of the force over velocity there, N s/m."""
+        """Return the derivative of the force with respect to velocity, N s/m."""
         return np.imag(self.forces(np.asarray(velocity) + 1j * _STEP, deflection)) / _STEP
 
     def slope_at_rest(self) -> float:
-        """Give the slope of the force over velocity at rest, N s/m; the mean where both directions differ.
+        """Return the derivative of the force with respect to velocity at rest, N s/m; the mean of bump and rebound.
 
         >>> BilinearDamper(bump_coefficient=300.0, rebound_coefficient=900.0).slope_at_rest()
         600.0
@@ -149,7 +149,7 @@ class DamperLaw(Description):
         return float(self.slopes(np.array([-_NEARBY, _NEARBY])).mean())
 
     def at_rest(self, deflection: float = 0.0) -> tuple[float, float]:
-        """Give force (N) and stiffness (N/m) at rest at a deflection (m): of the gas.
+        """Return force (N) and stiffness (N/m) at zero velocity and a deflection (m), e.g. of the gas.
 
         >>> TanhDamper(coefficient=900.0, force=0.0, slope=1.0, stiffness=2000.0, offset=150.0).at_rest(0.01)
         (170.0, 2000.0)
@@ -158,15 +158,15 @@ class DamperLaw(Description):
         return float(force.real), float(force.imag) / _STEP
 
     def mean_coefficient(self, speed: float) -> float:
-        """Give the coefficient (N s/m) that has the same difference of forces between bump and rebound at a speed."""
+        """Return the linear coefficient (N s/m) with the same force difference between bump and rebound at a speed."""
         rebound, bump = self.forces(np.array([-speed, speed]))
         return float(bump - rebound) / (2.0 * speed)
 
     def statistical_coefficient(self, deviation: float) -> float:
-        """Give the coefficient (N s/m) that a Gaussian velocity of that standard deviation (m/s) meets.
+        """Return the equivalent coefficient (N s/m) for a Gaussian velocity of a standard deviation (m/s).
 
-        It is the mean of force times velocity over that of the velocity squared, so that it takes up as much power
-        (statistical linearisation). A state of the law is at zero.
+        It is the mean of force times velocity divided by the mean square velocity: the linear damper dissipates the
+        same power (statistical linearisation). Internal states are zero.
 
         >>> LinearDamper(coefficient=1500.0).statistical_coefficient(0.3).__round__(6)
         1500.0
@@ -175,16 +175,16 @@ class DamperLaw(Description):
         weight = np.exp(-0.5 * z**2)
         return float(weight @ (self.forces(deviation * z) * z) / (weight @ z**2) / deviation)
 
-    def at_length(self, length: float) -> DamperLaw:  # noqa: ARG002 - of a map
-        """Give the law at a length (m) of the damper."""
+    def at_length(self, length: float) -> DamperLaw:  # noqa: ARG002 - used by maps
+        """Return the law at a damper length (m); only maps depend on it."""
         return self
 
     def bends(self) -> tuple[float, ...] | None:
-        """Give the velocities (m/s) at which straight lines of force meet; None of a law that is no straight lines."""
+        """Return the velocities (m/s) at which a piecewise linear force bends, or None for any other law."""
         return None
 
     def points(self, beyond: float = 1.0) -> tuple[Array, Array] | None:
-        """Give velocities (m/s) and forces (N) of a law of straight lines, the last ones ``beyond`` its bends (m/s)."""
+        """Return velocities (m/s) and forces (N) of a piecewise linear law, to ``beyond`` (m/s) outside its bends."""
         bends = self.bends()
         if bends is None:
             return None
@@ -193,16 +193,15 @@ class DamperLaw(Description):
 
     @classmethod
     def search(cls, stroke: float, speed: float, resolution: float) -> tuple[Array, Array, Array]:  # noqa: ARG003
-        """Give rows of shapes that a fit starts from, and their least and greatest values.
+        """Return starting points of the shapes for a fit (one per row), and their lower and upper bounds.
 
-        ``stroke`` (m) is that of the record, ``speed`` (m/s) its largest, ``resolution`` (m/s) the step of its
-        velocity.
+        ``stroke`` (m) and ``speed`` (m/s) are maxima of the record, ``resolution`` (m/s) is the step of its velocity.
         """
         return np.zeros((1, 0)), np.zeros(0), np.zeros(0)
 
 
 class VelocityTable(DamperLaw):
-    """Damper force through points of velocity (m/s, bump positive), straight lines between them and beyond."""
+    """Damper force as a table over velocity (m/s, bump positive), interpolated and extrapolated linearly."""
 
     kind: Literal["table"] = "table"
     velocity: Annotated[tuple[Speed, ...], Listed] = Field(min_length=2)
@@ -215,16 +214,16 @@ class VelocityTable(DamperLaw):
         return self
 
     def evaluate(self, at: OperatingPoint) -> Any:
-        """Give the force at an operating point, N."""
+        """Return the force at an operating point, N."""
         return at.table("velocity", at.velocity, len(self.velocity))
 
-    def points(self, beyond: float = 1.0) -> tuple[Array, Array]:  # noqa: ARG002 - the last lines go on
-        """Give the velocities (m/s) and forces (N) of the table."""
+    def points(self, beyond: float = 1.0) -> tuple[Array, Array]:  # noqa: ARG002 - the last segments are extrapolated
+        """Return the velocities (m/s) and forces (N) of the table."""
         return np.array(self.velocity), np.array(self.force)
 
 
 class LinearDamper(DamperLaw):
-    """Damper force ``coefficient * velocity``, N s/m."""
+    """Damper force ``coefficient * velocity``; the coefficient is in N s/m."""
 
     kind: Literal["linear"] = "linear"
     coefficient: NonNegativeDampingCoefficient
@@ -232,16 +231,16 @@ class LinearDamper(DamperLaw):
 
     @classmethod
     def basis(cls, at: OperatingPoint) -> tuple[Any, ...]:
-        """Give what the weights multiply, in their order."""
+        """Return the basis functions in the order of ``weights``."""
         return (at.velocity,)
 
     def bends(self) -> tuple[float, ...]:
-        """Give rest: any velocity is as good."""
+        """Return zero velocity: a straight line bends nowhere, any velocity would do."""
         return (0.0,)
 
 
 class BilinearDamper(DamperLaw):
-    """Damper with one coefficient in bump and another in rebound, N s/m."""
+    """Damper with separate coefficients for bump and rebound, N s/m."""
 
     kind: Literal["bilinear"] = "bilinear"
     bump_coefficient: NonNegativeDampingCoefficient
@@ -250,27 +249,27 @@ class BilinearDamper(DamperLaw):
 
     @classmethod
     def basis(cls, at: OperatingPoint) -> tuple[Any, ...]:
-        """Give what the weights multiply, in their order."""
+        """Return the basis functions in the order of ``weights``."""
         bump = at.switch("bump", at.velocity)
         return bump * at.velocity, (1.0 - bump) * at.velocity
 
     def evaluate(self, at: OperatingPoint) -> Any:
-        """Give the force at an operating point, N: the sum over the basis with one product less for runs."""
+        """Return the force at an operating point, N. Equal to the sum over the basis, with one multiplication less."""
         bump = at.switch("bump", at.velocity)
         rebound = at.number("rebound_coefficient")
         return (rebound + bump * (at.number("bump_coefficient") - rebound)) * at.velocity
 
     def bends(self) -> tuple[float, ...]:
-        """Give rest."""
+        """Return zero velocity, between rebound and bump."""
         return (0.0,)
 
 
 class BlowOffDamper(DamperLaw):
-    """Digressive damper: steep up to the blow-off force of a direction, at which its valve opens, flatter beyond.
+    """Digressive damper: steep up to the blow-off force of each direction, where its valve opens, flatter beyond.
 
-    Bump: ``force / velocity * v`` up to ``bump_blow_off_velocity``, where the force is ``bump_blow_off_force``; from
-    there on the slope is ``bump_high_speed_coefficient``. Rebound likewise, with its own positive numbers.
-    Straight lines with a knee stand for the valve's relief [dixon-2007]; the knee of a real valve is round.
+    In bump the force rises linearly to ``bump_blow_off_force`` at ``bump_blow_off_velocity``; beyond it the slope is
+    ``bump_high_speed_coefficient``. Rebound likewise, with positive parameters of its own.
+    Two straight lines approximate the relief valve [dixon-2007]; the knee of a real valve is round.
     """
 
     kind: Literal["blow-off"] = "blow-off"
@@ -291,7 +290,7 @@ class BlowOffDamper(DamperLaw):
 
     @classmethod
     def basis(cls, at: OperatingPoint) -> tuple[Any, ...]:
-        """Give what the weights multiply, in their order."""
+        """Return the basis functions in the order of ``weights``."""
         bump = at.switch("bump", at.velocity)
         columns = []
         for side, share, speed in (
@@ -306,12 +305,12 @@ class BlowOffDamper(DamperLaw):
         return tuple(columns)
 
     def bends(self) -> tuple[float, ...]:
-        """Give both blow-off velocities and rest."""
+        """Return the rebound blow-off velocity (negative), zero and the bump blow-off velocity."""
         return -self.rebound_blow_off_velocity, 0.0, self.bump_blow_off_velocity
 
     @classmethod
     def search(cls, stroke: float, speed: float, resolution: float) -> tuple[Array, Array, Array]:  # noqa: ARG003
-        """Give knees from a fiftieth of the largest speed up to it."""
+        """Return starting points and bounds of the knees: 2 to 100 % of the largest speed."""
         shares = (0.08, 0.2, 0.4, 0.7)
         starts = np.array([[bump, rebound] for bump in shares for rebound in shares]) * speed
         return starts, np.full(2, max(0.02 * speed, 2.0 * resolution)), np.full(2, speed)
@@ -335,13 +334,13 @@ class TanhDamper(DamperLaw):
 
     @classmethod
     def basis(cls, at: OperatingPoint) -> tuple[Any, ...]:
-        """Give what the weights multiply, in their order."""
+        """Return the basis functions in the order of ``weights``."""
         lagged = at.velocity + at.number("displacement_coupling") * at.deflection
         return at.velocity, at.deflection, np.tanh(at.number("slope") * lagged), 1.0
 
     @classmethod
     def search(cls, stroke: float, speed: float, resolution: float) -> tuple[Array, Array, Array]:
-        """Give rows of shapes that a fit starts from, and their least and greatest values."""
+        """Return starting points of the shapes for a fit (one per row), and their lower and upper bounds."""
         reach = 0.5 * stroke
         couplings = np.array([-0.3, -0.1, 0.0, 0.1, 0.3]) * speed / reach
         starts = np.array(
@@ -383,14 +382,14 @@ class BoucWenDamper(DamperLaw):
 
     @classmethod
     def basis(cls, at: OperatingPoint) -> tuple[Any, ...]:
-        """Give what the weights multiply, in their order."""
+        """Return the basis functions in the order of ``weights``."""
         return at.velocity, at.deflection, at.state("z", lambda z: cls._rate_of(at, z)), 1.0
 
     @staticmethod
     def _rate_of(at: OperatingPoint, z: Any) -> Any:
-        """Rate of the state z; ``|z|^n`` by logarithm so that n may be fitted.
+        """Return the rate of the state z; ``|z|^n`` is computed by logarithm, as n may be fractional.
 
-        The absolute values are switches, so that steps land where the motion or the hysteresis turns over.
+        Absolute values are switches: the solver places steps where the motion or the hysteresis changes sign.
         """
         rate, sigma, exponent = (at.number(name) for name in ("rate", "sigma", "exponent"))
         forward = 2.0 * at.switch("forward", at.velocity) - 1.0
@@ -401,7 +400,7 @@ class BoucWenDamper(DamperLaw):
 
     @classmethod
     def search(cls, stroke: float, speed: float, resolution: float) -> tuple[Array, Array, Array]:  # noqa: ARG003
-        """Give rows of shapes that a fit starts from, and their least and greatest values."""
+        """Return starting points of the shapes for a fit (one per row), and their lower and upper bounds."""
         rates = np.array([4.0, 20.0, 100.0, 500.0]) / stroke
         starts = np.array(
             [[r, sigma, n] for r in rates for sigma in (0.6, 2.0, 20.0) for n in (1.1, 2.0)]
@@ -410,10 +409,10 @@ class BoucWenDamper(DamperLaw):
 
 
 class MapDamper(DamperLaw):
-    """Damper force over its length and velocity: ``force[i][j]`` (N) at ``length[i]`` (m) and ``velocity[j]`` (m/s).
+    """Damper force over length and velocity: ``force[i][j]`` (N) at ``length[i]`` (m) and ``velocity[j]`` (m/s).
 
-    Velocity is positive in bump (shortening), force in compression. Straight lines between the points; extrapolated
-    beyond the velocities, constant beyond the lengths.
+    Velocity is positive in bump (shortening), force in compression. Interpolation is linear; beyond the table the
+    force is extrapolated over velocity and constant over length.
     """
 
     kind: Literal["map"] = "map"
@@ -447,11 +446,11 @@ class MapDamper(DamperLaw):
         return self
 
     def evaluate(self, at: OperatingPoint) -> Any:
-        """Give the force at an operating point, N."""
+        """Return the force at an operating point, N."""
         return at.grid(self)
 
     def at_length(self, length: float) -> VelocityTable:
-        """Give the row at a length (m) of the damper."""
+        """Return the table over velocity at a damper length (m)."""
         forces = tuple(
             float(np.interp(length, self.length, column))
             for column in zip(*self.force, strict=True)
@@ -460,7 +459,7 @@ class MapDamper(DamperLaw):
 
 
 def damper_kind(value: Any) -> str:
-    """Name the law of a damper table: by ``kind``, else by its keys."""
+    """Return the kind of a damper table: its ``kind``, or inferred from its keys."""
     if not isinstance(value, dict):
         return str(getattr(value, "kind", "linear"))
     if "kind" in value:
@@ -482,7 +481,7 @@ Damper = Annotated[_LumpedDamper, Discriminator(damper_kind)]
 
 
 def _strut_damper_kind(value: Any) -> str:
-    """Name the law of a damper table: a map has lengths, the rest as in lumped rigs."""
+    """Return the kind of a damper table: a map has lengths, other kinds are as in lumped rigs."""
     if isinstance(value, dict) and "kind" not in value and "length" in value:
         return "map"
     return damper_kind(value)
@@ -494,8 +493,8 @@ StrutDamper = Annotated[
 
 
 def damper_laws(part: BaseModel, prefix: str = "") -> Iterator[tuple[str, DamperLaw]]:
-    """Give the damper laws of a description with their paths, e.g. ``("strut.damper", LinearDamper(...))``."""
-    for name in getattr(type(part), "model_fields", ()):  # what only has parameters has no laws
+    """Yield the damper laws of a description with their paths, e.g. ``("strut.damper", LinearDamper(...))``."""
+    for name in getattr(type(part), "model_fields", ()):  # objects without fields have no laws
         value = getattr(part, name)
         if isinstance(value, DamperLaw):
             yield f"{prefix}{name}", value
@@ -504,7 +503,7 @@ def damper_laws(part: BaseModel, prefix: str = "") -> Iterator[tuple[str, Damper
 
 
 def as_damper(damper: DamperLaw | Mapping[str, Any], where: str = "damper") -> DamperLaw:
-    """Give a law as it is, or read its table; ``where`` places errors."""
+    """Return a law unchanged, or read it from its table; ``where`` is the location reported in errors."""
     if isinstance(damper, DamperLaw):
         return damper
     laws: dict[str, type[DamperLaw]] = {

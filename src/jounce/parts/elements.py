@@ -1,6 +1,7 @@
-"""Force elements as frozen descriptions.
+"""Force elements as immutable descriptions.
 
-Springs, friction, stops, tyres, steering, anti-roll, torsion and third springs, bushings; dampers have a module.
+Springs, friction, stops, tyres, steering, anti-roll bars, torsion bars, third springs and bushings. Dampers are in a
+separate module.
 """
 
 from __future__ import annotations
@@ -59,7 +60,7 @@ class PowerCurve(Description):
 
 
 class TableCurve(Description):
-    """Force through points of deflection (m, compression positive), straight lines between them and beyond."""
+    """Force as a table over deflection (m, compression positive), interpolated and extrapolated linearly."""
 
     kind: Literal["table"] = "table"
     deflection: Annotated[tuple[Length, ...], Listed] = Field(min_length=2)
@@ -90,8 +91,8 @@ class Spring(Description):
 class Friction(Description):
     """Coulomb friction, regularised as ``force * tanh(velocity / regularisation_velocity)``.
 
-    With ``presliding``, that share (1) of it follows the travel instead (Dahl): after a reversal it builds up over
-    ``presliding_distance`` (m), at any velocity.
+    ``presliding`` is the fraction (1) of the force that depends on travel instead of velocity (Dahl model): after a
+    reversal it builds up over ``presliding_distance`` (m).
     """
 
     force: NonNegativeForce
@@ -143,8 +144,8 @@ def require_one(part: Description, *names: str) -> None:
 class CoilSpring(Description):
     """Spring between two points: ``rate`` (N/m) or a ``curve`` of its deflection, and its load at design length.
 
-    With ``free_length`` (m) the deflection of rate and curve is free length minus length. Otherwise it is design length
-    minus length, and ``preload`` (N, default 0) is the force at design length that comes on top.
+    With ``free_length`` (m), rate and curve apply to free length minus length. Otherwise they apply to design length
+    minus length, and ``preload`` (N, default 0) is added as the force at design length.
     """
 
     rate: PositiveStiffness | None = None
@@ -171,8 +172,8 @@ class CoilSpring(Description):
 class SpatialStrut(Description):
     """Spring and damper between hardpoints. Deflections are design length minus length, forces compression positive.
 
-    The stops work along the spring (gaps count from design length), the friction along the damper. ``on`` names the
-    body that the lower end is on.
+    Stops act along the spring (gaps are measured from design length), friction acts along the damper. ``on`` is the
+    body that carries the lower end.
     """
 
     spring: CoilSpring
@@ -196,17 +197,17 @@ class SpatialStrut(Description):
 
 
 TyreLaw = Literal["vertical", "radial"]
-"""How a wheel that leans is pressed onto the road."""
+"""How the load of an inclined wheel is computed; see `CornerTyre`."""
 
 
 class CornerTyre(Tyre):
-    """Tyre of a 3-D rig: force normal to the road, on the wheel's centre or, radial and in cars, at the contact point.
+    """Tyre of a 3-D rig; its force is normal to the road.
 
-    ``law`` says how a corner on its guide is pressed: ``"vertical"`` by the height of the wheel's centre, at which the
-    force acts, or ``"radial"`` along the wheel's plane, with the force at the contact point, the lowest point of the
-    wheel's disc. In a car, whose wheels lean with the body, every tyre is radial, whatever the ``law``: only then do
-    the moments about the road balance and is no energy made. ``undeformed_radius`` (m) is the wheel's radius where it
-    is not given.
+    For a corner on its guide, ``law`` selects the deflection: ``"vertical"`` uses the height of the wheel centre, where
+    the force also acts; ``"radial"`` measures it in the wheel plane, and the force acts at the contact point, the
+    lowest point of the wheel disc. In a car, where wheels lean with the body, tyres are always radial: otherwise the
+    moments about the road would not balance, and energy would not be conserved. ``undeformed_radius`` (m) defaults to
+    the wheel's radius.
     """
 
     law: TyreLaw = "vertical"
@@ -214,12 +215,13 @@ class CornerTyre(Tyre):
 
 
 class SteeringColumn(Description):
-    """Shafts between handwheel and pinion with one or two universal joints; places in m.
+    """Shafts between handwheel and pinion with one or two universal joints; positions in m.
 
-    The first shaft runs from ``handwheel`` to ``upper_joint``, the last one to ``pinion``; with a ``lower_joint`` there
-    is one between the joints. ``yoke_angle`` (rad) is that of the first shaft's yoke straight ahead, from where its
-    pin stands across the plane of the shafts it joins; ``phase`` (rad) is that between both yokes of the shaft in the
-    middle. Both are right-handed about the direction from the handwheel to the pinion.
+    The first shaft runs from ``handwheel`` to ``upper_joint``, the last one ends at ``pinion``. With a ``lower_joint``,
+    an intermediate shaft connects the joints. ``yoke_angle`` (rad) is the angle of the first shaft's yoke with the
+    wheels straight ahead; at zero its pin is normal to the plane of the two shafts. ``phase`` (rad) is the angle
+    between the yokes of the intermediate shaft. Both angles are right-handed about the direction from handwheel to
+    pinion.
     """
 
     handwheel: Point
@@ -255,14 +257,14 @@ class SteeringColumn(Description):
         return self
 
 
-_SHORTEST_SHAFT = 1e-3  # m: rounding of hardpoints in millimetres would turn it
+_SHORTEST_SHAFT = 1e-3  # m: rounding hardpoints to millimetres would rotate a shorter shaft
 _STEEPEST_JOINT = (
-    60.0  # deg, a choice: the driven shaft then turns at half to twice the speed in each turn
+    60.0  # deg, chosen limit: the driven shaft then turns at 0.5 to 2 times the driving speed
 )
 
 
 def _bend(start: Triple, middle: Triple, end: Triple) -> float:
-    """Angle between the lines into and out of a point, deg."""
+    """Return the angle between the lines into and out of a point, deg."""
     before, after = (
         [b - a for a, b in zip(*pair, strict=True)] for pair in ((start, middle), (middle, end))
     )
@@ -275,8 +277,8 @@ def _bend(start: Triple, middle: Triple, end: Triple) -> float:
 class Steering(Description):
     """Rack that moves the inner end of the tie rod along y by ``rack_travel`` (m, positive to the left).
 
-    ``rack_ratio`` (m/rad) is its travel over the turn of the pinion; positive where a turn of the handwheel to the left
-    moves the rack to the left. Without a ``column`` the handwheel turns the pinion itself.
+    ``rack_ratio`` (m/rad) is rack travel over pinion rotation; positive if turning the handwheel to the left moves the
+    rack to the left. Without a ``column`` the handwheel turns the pinion directly.
     """
 
     rack_travel: Length = 0.0
@@ -308,9 +310,9 @@ class Bushing(Description):
 
 
 class Blade(Description):
-    """Arm of an anti-roll bar that bends: ``width`` and ``thickness`` (m) of its cross section, constant along the arm.
+    """Flexible arm of an anti-roll bar: ``width`` and ``thickness`` (m) of its cross section, constant along the arm.
 
-    ``angle`` (rad) turns it about its length: at 0 it bends about its thin side, at 90 degrees it stands on edge.
+    ``angle`` (rad) is the rotation about its length: at 0 the blade is softest in bending, at 90 degrees stiffest.
     """
 
     width: PositiveLength
@@ -320,11 +322,11 @@ class Blade(Description):
 
 
 class AntiRollBar(Description):
-    """Torsion bar: ``stiffness`` (N m/rad) of twist between its ends, linked to the body that ``on`` names.
+    """Torsion bar: ``stiffness`` (N m/rad) of twist between its ends, linked to the body ``on``.
 
-    ``kind`` says how it turns: ``"u"`` twists by the difference of both ends; ``"z"`` by their sum, so that it works in
-    heave and lets the car roll; ``"t"`` is a stem from ``arb_pivot`` to ``arb_axis``, hinged across at the pivot, that
-    a bar across its other end twists. ``blade`` arms bend in series with it.
+    ``kind`` selects the type: ``"u"`` twists with the difference of its ends; ``"z"`` with their sum, which resists
+    heave but not roll; ``"t"`` is a stem from ``arb_pivot`` to ``arb_axis`` with a transverse hinge at the pivot,
+    twisted by a crossbar at its other end. ``blade`` arms bend in series with the bar.
     """
 
     stiffness: PositiveRotationalStiffness
@@ -336,7 +338,7 @@ class AntiRollBar(Description):
 class TorsionBar(Description):
     """Torsion bar on the axis of an arm or the rocker: ``stiffness`` (N m/rad), ``preload`` (N m) at design.
 
-    Torque and angle are positive as bump winds it up. It takes the place of the strut's spring, or works beside it.
+    Torque and angle are positive in bump. The bar replaces the strut's spring, or acts in parallel with it.
     """
 
     stiffness: PositiveRotationalStiffness
@@ -345,10 +347,10 @@ class TorsionBar(Description):
 
 
 class ThirdSpring(Description):
-    """Spring, and damper, between ``hardpoints.third_spring_end`` and its mirror image on the other side of the car.
+    """Spring and optional damper between ``hardpoints.third_spring_end`` and its mirror image.
 
-    It works in heave and hardly in roll. ``on`` names the body that carries its end. Deflection is design length minus
-    length, compression positive, as of a strut.
+    It resists heave and has almost no effect in roll. ``on`` is the body that carries its end. Deflection is design
+    length minus length, compression positive, as for a strut.
     """
 
     spring: CoilSpring

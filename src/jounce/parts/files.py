@@ -1,4 +1,4 @@
-"""Rig and vehicle files: read, written with the units that people use, and the shipped library."""
+"""Reading and writing of rig and vehicle files, with engineering units, and the shipped library."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from jounce.parts.rig import (
     unknown_path,
 )
 
-_WIDTH = 120  # characters of a line of a rig file
+_WIDTH = 120  # maximum line length of a rig file
 _NUMBER_AND_UNIT = re.compile(r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*([^\d\s].*?)\s*$")
 _ORDER = [
     "schema",
@@ -53,16 +53,15 @@ _SHOWN: dict[str, tuple[str, float]] = {
     "N/m": ("N/mm", 1e3),
     "N/m^3": ("N/mm^3", 1e9),
 }
-"""Units shown instead of SI: name and size."""
+"""Units written instead of SI: name and factor to SI."""
 _DIGITS = {"m": 9, "kg": 9, "kg*m^2": 6}
-"""Significant digits by SI unit; more are never needed and show the rounding of conversions."""
+"""Significant digits by SI unit; more would only show the rounding of conversions."""
 
 
 def rig_text(rig: Rig, comments: Sequence[str] = ()) -> str:
-    """Write a rig as TOML, every value with its unit; ``comments`` are paragraphs above it.
+    """Format a rig as TOML, every value with its unit, below ``comments`` (paragraphs).
 
-    Defaults that nobody gave are not written. The text describes the rig to at least six digits of inertias and nine of
-    lengths.
+    Omits defaults that were not set explicitly. Inertias have at least six significant digits, lengths nine.
 
     >>> from jounce.parts import load
     >>> rig_text(load("kart-quarter-car"), ["A kart."]).splitlines()[:2]
@@ -95,7 +94,7 @@ def rig_text(rig: Rig, comments: Sequence[str] = ()) -> str:
 
 
 def _section(rig: Rig, path: str, table: Mapping[str, Any]) -> list[str]:
-    """Lines of a table: small tables of plain values in one line, others as sections of their own."""
+    """Format a table as lines: small tables of plain values inline, others as separate sections."""
     keys = sorted(table, key=lambda name: path == "hardpoints" and name in Hardpoints.model_fields)
     own, below = [], []
     for key in keys:
@@ -133,7 +132,7 @@ def _value(rig: Rig, path: str, value: Any) -> str:
 
 
 def _list(items: list[str]) -> str:
-    """A list in one line, or in several where it would be too long."""
+    """Format a list on one line, or on several if it would be too long."""
     line = "[" + ", ".join(items) + "]"
     if len(line) < _WIDTH - 20 and "\n" not in line:
         return line
@@ -147,17 +146,17 @@ RIGS, VEHICLES = MODELS["jounce.rig/1"], MODELS["jounce.vehicle/1"]
 
 
 def library() -> dict[str, Path]:
-    """Give the shipped rigs and vehicles: name to file."""
+    """Return the shipped rigs and vehicles: name to path."""
     return shipped_files("jounce.parts", "library")
 
 
 def rig_path(name: str | Path) -> Path:
-    """Find the file of a rig: a path, or the name of a shipped one."""
+    """Find the file of a rig by its path, or by the name of a shipped rig."""
     return find_file(name, library(), "rig")
 
 
 def rig_named_in(name: str, file: Path) -> Path:
-    """Find the rig that a description names: a file beside it, or a shipped one; the error names the description."""
+    """Find the rig that a description refers to: a file next to it, or a shipped rig; errors name the description."""
     beside = file.parent / name
     if beside.suffix == ".toml":
         return beside
@@ -170,7 +169,7 @@ def rig_named_in(name: str, file: Path) -> Path:
         ) from None
 
 
-_LONGEST_NAME = 255  # characters: common file systems have no longer name
+_LONGEST_NAME = 255  # characters: the limit of common file systems
 
 
 def load(name: str | Path) -> Rig:
@@ -184,12 +183,12 @@ def load(name: str | Path) -> Rig:
     Returns
     -------
     Rig
-        The frozen description; a vehicle is one, too.
+        The immutable description; vehicles are rigs, too.
 
     Raises
     ------
     DescriptionError
-        With file, line, path, found value, what is allowed and the nearest match.
+        With file, line, path, value found, allowed values and the nearest match.
 
     Examples
     --------
@@ -202,7 +201,7 @@ def load(name: str | Path) -> Rig:
 
 
 def as_rig(given: Rig | str | Path) -> Rig:
-    """Return a rig as it is, or load it from its file or by its shipped name.
+    """Return a rig unchanged, or load it from a file or by its name in the library.
 
     >>> as_rig("kart-quarter-car") == load("kart-quarter-car")
     True
@@ -230,7 +229,7 @@ def rig_from_table(table: dict[str, Any], *, where: str = "", text: str = "") ->
 
 
 def _with_corners(table: dict[str, Any], where: str, text: str) -> dict[str, Any]:
-    """Give a vehicle's table with the rigs in place of the names that its axles have as ``corner``."""
+    """Return a vehicle's table with each ``corner`` name replaced by the table of its rig."""
     vehicle = dict(table)
     for axle in ("front", "rear"):
         entry = table.get(axle)
@@ -247,7 +246,7 @@ def _with_corners(table: dict[str, Any], where: str, text: str) -> dict[str, Any
 
 
 def _read_corner(name: Any, folder: Path | None, place: str) -> dict[str, Any]:
-    """Table of the corner that a vehicle names: a file in the vehicle's folder, any file, or a shipped rig."""
+    """Read the table of the corner that a vehicle names: a file in the vehicle's folder, any file, or a shipped rig."""
     if not isinstance(name, str):
         raise DescriptionError(
             "not a corner", where=place, found=repr(name), allowed=_shipped_corners()
@@ -272,17 +271,19 @@ def _read_corner(name: Any, folder: Path | None, place: str) -> dict[str, Any]:
         raise DescriptionError(
             "not a 3-D corner", where=place, found=model, allowed=", ".join(corners)
         )
-    rig_from_table(table, where=str(file), text=text)  # its errors are those of its own file
+    rig_from_table(
+        table, where=str(file), text=text
+    )  # validate: errors refer to the corner's own file
     return table
 
 
 def _corner_models() -> list[str]:
-    """Models of rigs that may be the corner of a vehicle."""
+    """Return the models of rigs that can be the corner of a vehicle."""
     return [name for name, rig in RIGS.items() if issubclass(rig, Corner)]
 
 
 def _shipped_corners() -> str:
-    """Corners that a vehicle can name."""
+    """Describe the corners that a vehicle can refer to."""
     models = _corner_models()
     corners = [
         shipped for shipped, file in library().items() if read_toml(file)[0].get("model") in models
@@ -291,7 +292,7 @@ def _shipped_corners() -> str:
 
 
 def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
-    """Write new values (SI, by path) into the text of a rig file; comments and everything else stay as they were."""
+    """Write new values (SI, by path) into the text of a rig file; comments and all other text remain unchanged."""
     document = tomlkit.parse(text)
     known = rig.parameters()
     for path, value in values.items():
@@ -304,7 +305,7 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
         for i, part in enumerate(parents):
             if isinstance(part, str) and part not in here:
                 here[part] = _write_default(rig, parents[: i + 1])
-            elif isinstance(here[part], str):  # a corner by its name: its rig takes its place
+            elif isinstance(here[part], str):  # a corner given by name: replace the name by the rig
                 here[part] = tomlkit.parse(
                     rig_text(reduce(getattr, map(str, parents[: i + 1]), rig))
                 )
@@ -314,10 +315,10 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
 
 
 def updated_text(text: str, rig: Rig, where: str = "") -> str:
-    """Write the values of ``rig`` into the text of the rig file it came from, which lies, or will lie, ``where``.
+    """Write the values of ``rig`` into the text of its original rig file; ``where`` is the path of the file.
 
-    Numbers that changed are replaced in place. Where a law changed its kind (a tyre stiffness became a curve), its
-    table is replaced; everything else stays as it was, comments included.
+    Changed numbers are replaced in place. If a law changed its kind (e.g. a tyre stiffness became a curve), its table
+    is replaced. All other text, including comments, remains unchanged.
     """
     document = tomlkit.parse(text)
     described = rig_from_table(tomllib.loads(text), where=where)
@@ -338,13 +339,13 @@ def _table(rig: Rig) -> dict[str, Any]:
 
 
 def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> None:
-    """Give a table the keys of ``wanted``; numbers that both have are left to be replaced in place."""
+    """Adapt the keys of a table to ``wanted``; numbers present in both are left to be replaced in place."""
     for key in [key for key in here if key not in wanted]:
         del here[key]
     for key, value in wanted.items():
         old = described.get(key)
         if isinstance(value, dict) and isinstance(old, dict):
-            if isinstance(here.get(key), str):  # a corner by its name
+            if isinstance(here.get(key), str):  # a corner given by name
                 if _has_other_parts(value, old):
                     here[key] = _plain(value)
             elif key in here:
@@ -356,7 +357,7 @@ def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> No
 
 
 def _has_other_parts(value: Any, old: Any) -> bool:
-    """Whether more than numbers differs."""
+    """Whether anything other than numbers differs."""
     if isinstance(value, dict) and isinstance(old, dict):
         return value.keys() != old.keys() or any(
             _has_other_parts(value[key], old[key]) for key in value
@@ -385,12 +386,12 @@ def save(
     Parameters
     ----------
     rig : Rig
-        What to write; every number with its unit.
+        The rig to write; every number gets its unit.
     path : Path or str
         The file, ``.toml``.
     like : Path or str, optional
-        A rig file, or the name of a shipped one, whose text is kept: comments, order and units stay as they are, only
-        what differs is written anew. An existing file that is overwritten is its own model.
+        A rig file, or the name of a shipped rig, to use as template: comments, order and units are kept, only
+        differences are written. By default, an existing file that is overwritten is the template.
     force : bool
         Overwrite an existing file.
 
@@ -402,9 +403,9 @@ def save(
     Raises
     ------
     OutputError
-        For an existing file without ``force``, a missing folder, or another suffix.
+        For an existing file without ``force``, a missing folder, or a different suffix.
     DescriptionError
-        Where ``like`` is no rig file.
+        If ``like`` is not a rig file.
 
     Examples
     --------
@@ -422,7 +423,7 @@ def save(
     text = _rebase_corners(read_toml(model)[1], model.parent, file.parent)
     described = rig_from_table(tomllib.loads(text), where=str(file), text=text)
     if type(described) is not type(rig):
-        if like is None:  # a file of another model has nothing worth keeping
+        if like is None:  # a file of a different model has nothing to keep
             return write_atomically(file, rig_text(rig), force=force)
         models = f"a {getattr(described, 'model', '')} for a {getattr(rig, 'model', '')}"
         raise DescriptionError("not a file of the same model", where=str(model), found=models)
@@ -430,7 +431,7 @@ def save(
 
 
 def _rebase_corners(text: str, before: Path, after: Path) -> str:
-    """Rewrite the corner files that a vehicle's text names, so that another folder finds them."""
+    """Make the corner paths in a vehicle's text relative to the folder ``after``."""
     if before.resolve() == after.resolve():
         return text
     document = tomlkit.parse(text)
@@ -445,7 +446,7 @@ def _rebase_corners(text: str, before: Path, after: Path) -> str:
 
 
 def _write_default(rig: Rig, parents: list[str | int]) -> Any:
-    """Write a part that the file leaves to its default: an empty table, or the whole list of numbers."""
+    """Return the TOML item of a part that the file omits: an empty table, or the full list of default numbers."""
     name = join_path(tuple(parents))
     known = rig.parameters()
     values = [path for path in known if re.fullmatch(rf"{re.escape(name)}\[\d+\]", path)]
@@ -453,7 +454,7 @@ def _write_default(rig: Rig, parents: list[str | int]) -> Any:
 
 
 def _as_before(here: Any, key: str | int, value: float, unit: str) -> float | str:
-    """Write a value in the unit that the file has for it."""
+    """Format a value in the unit used in the file."""
     try:
         before = here[key]
     except (KeyError, IndexError, TypeError):

@@ -1,7 +1,7 @@
-"""Levers of a corner at its design position: how spring, damper and bodies move as the wheel rises, and the statics.
+"""Leverage of a corner at design position: motion of spring, damper and bodies as the wheel rises, and statics.
 
-First order only: velocities from the joints' equations at the hardpoints as given. Other positions than design are
-found by the kinematics.
+First order only: velocities follow from the joint equations at the design hardpoints. The kinematics package computes
+other positions.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ AXES = {
     "rocker": ("rocker_pivot", "rocker_axis", "pushrod_inner"),
     "arm": ("arm_inner", "arm_outer", "wheel_centre"),
 }
-"""Two points of the axis of a body that turns on the car's, and one that it moves."""
+"""Triples for bodies that rotate on the car's body: two points on the axis, and a point that moves."""
 _THIRD = "third_spring_end"
 
 Twist = tuple[Array, Array]
-"""Velocity of the body's point at the origin, and angular velocity, each shape (3,)."""
+"""Velocity of the body-fixed point at the origin, and angular velocity, each of shape (3,)."""
 
 
 def motion_ratio(rig: Corner, element: str = "spring") -> float:
-    """Shortening of the ``"spring"`` or ``"damper"`` over the rise of the wheel centre at design [1], positive in bump.
+    """Return shortening of ``"spring"`` or ``"damper"`` per rise of the wheel centre at design, positive in bump.
 
     >>> from jounce.parts import load
     >>> round(motion_ratio(load("reference-double-wishbone")), 4)
@@ -43,9 +43,9 @@ def motion_ratio(rig: Corner, element: str = "spring") -> float:
 
 
 def body_motion(rig: Corner, body: str) -> Twist:
-    """Motion of a suspension's body at design while the wheel centre rises at 1 m/s and the car's body is fixed.
+    """Return the motion of a suspension body at design while the wheel centre rises at 1 m/s; the car's body is fixed.
 
-    Gives the velocity of the body's point at the origin of the axes (m/s), and the body's angular velocity (rad/s).
+    Returns the velocity (m/s) of the body-fixed point at the origin, and the angular velocity (rad/s).
 
     >>> from jounce.parts import load
     >>> rig = load("reference-double-wishbone")
@@ -58,19 +58,19 @@ def body_motion(rig: Corner, body: str) -> Twist:
         return twist
     top = np.array(
         rig.hardpoints.strut_top
-    )  # the sliding part of a McPherson is on the car's body there
+    )  # where the sliding part of a McPherson strut is attached to the car's body
     return -np.cross(twist[1], top), twist[1]
 
 
 def torsion_ratio(rig: Corner) -> float:
-    """Turn of the torsion bar over the rise of the wheel centre at design, rad/m, positive in bump."""
+    """Return the rotation of the torsion bar per rise of the wheel centre at design, rad/m, positive in bump."""
     assert rig.torsion_bar is not None
     axis = np.subtract(*(_at(rig.hardpoints, name) for name in AXES[rig.torsion_bar.on][:2]))
     return float(abs(_twist(rig, rig.torsion_bar.on)[1] @ axis) / np.linalg.norm(axis))
 
 
 def third_ratio(rig: Corner) -> float:
-    """Shortening of the third spring over the rise of both wheel centres at design [1], positive in bump."""
+    """Return the shortening of the third spring per rise of both wheel centres at design, positive in bump."""
     assert rig.third_spring is not None
     return float(
         -2.0
@@ -80,9 +80,9 @@ def third_ratio(rig: Corner) -> float:
 
 
 def carried_beside_spring(rig: Corner, travel: float = 0.0) -> float:
-    """Force (N) at the wheel centre of torsion bar, third spring and dampers at rest; a Z-bar is untwisted at design.
+    """Return the static force (N) of torsion bar, third spring and dampers at the wheel centre.
 
-    At another ``travel`` (m) with the levers of the design.
+    A Z-bar is untwisted at design. At nonzero ``travel`` (m), the levers of the design position are used.
     """
     force, bar, third = 0.0, rig.torsion_bar, rig.third_spring
     if bar is not None:
@@ -99,7 +99,7 @@ def carried_beside_spring(rig: Corner, travel: float = 0.0) -> float:
 
 
 def static_load(rig: Corner) -> float:
-    """Force (N) at the wheel centre that carries the sprung mass and its share of the arms at design."""
+    """Return the force (N) at the wheel centre that carries the sprung mass and part of the arms' mass at design."""
     load = 0.0 if rig.sprung is None else rig.sprung.mass
     for name, body in rig.body_masses().items():
         rise = _velocity(_twist(rig, name), np.array(body.centre_of_mass))[2]
@@ -108,15 +108,15 @@ def static_load(rig: Corner) -> float:
 
 
 def static_spring_force(rig: Corner) -> float:
-    """Spring force (N) that carries the sprung mass and its share of the arms at design, the wheel on the road.
+    """Return the spring force (N) that carries the sprung mass and part of the arms' mass at design, wheel on the road.
 
-    The loads that torsion bar, third spring and gas of dampers carry at design are subtracted.
+    Loads carried by torsion bar, third spring and damper gas are subtracted.
     """
     return float((static_load(rig) - carried_beside_spring(rig)) / motion_ratio(rig))
 
 
 def static_tyre_deflection(rig: Corner) -> float:
-    """Tyre deflection (m) under the whole weight of the corner, with the tyre's slope at no deflection for curves."""
+    """Return the tyre deflection (m) under the weight of the corner; curves use their slope at zero deflection."""
     mass = (0.0 if rig.sprung is None else rig.sprung.mass) + sum(
         body.mass for body in rig.body_masses().values()
     )
@@ -124,13 +124,13 @@ def static_tyre_deflection(rig: Corner) -> float:
 
 
 def static_deflection(tyre: Tyre, weight: float) -> float:
-    """Deflection (m) of a tyre under a weight (N), with its slope at no deflection for curves."""
+    """Return the deflection (m) of a tyre under a weight (N); curves use their slope at zero deflection."""
     stiffness = tyre.stiffness if tyre.curve is None else force_at(tyre.curve, 1e-3) / 1e-3
     return weight / cast(float, stiffness)
 
 
 def spring_force(rig: Corner, deflection: float = 0.0) -> float:
-    """Force of spring and stops in N, compression positive, at a ``deflection`` from design length in m."""
+    """Return the force of spring and stops in N, compression positive, at a ``deflection`` from design length in m."""
     force = 0.0
     if "spring" not in rig.without:
         force = _coil_force(rig.strut.spring, rig.hardpoints.length("spring"), deflection)
@@ -140,7 +140,7 @@ def spring_force(rig: Corner, deflection: float = 0.0) -> float:
 
 
 def _coil_force(spring: CoilSpring, length: float, deflection: float = 0.0) -> float:
-    """Force of a spring (N) at a ``deflection`` from its design ``length`` (m)."""
+    """Return the force of a spring (N) at a ``deflection`` from its design ``length`` (m)."""
     own = deflection if spring.free_length is None else spring.free_length - length + deflection
     elastic = (
         spring.rate * own if spring.rate is not None else force_at(cast(Curve, spring.curve), own)
@@ -149,7 +149,7 @@ def _coil_force(spring: CoilSpring, length: float, deflection: float = 0.0) -> f
 
 
 def force_at(curve: Curve, x: float) -> float:
-    """Force of a curve in N at ``x`` in m; tables are extrapolated."""
+    """Return the force of a curve in N at ``x`` in m; tables are extrapolated."""
     if isinstance(curve, PolynomialCurve):
         return float(sum(c * x ** (i + 1) for i, c in enumerate(curve.coefficients)))
     if isinstance(curve, PowerCurve):
@@ -173,12 +173,12 @@ def _velocity(twist: Twist, point: Array) -> Array:
 
 
 def _turn(axis: Array, through: Array) -> Twist:
-    """Twist of a turn about an axis (angular velocity, rad/s) through a point."""
+    """Return the twist of a rotation about an axis (angular velocity, rad/s) through a point."""
     return -np.cross(axis, through), axis
 
 
 def _twist(rig: Corner, body: str) -> Twist:
-    """Twist of a body while the wheel centre rises at 1 m/s and the car's body is fixed."""
+    """Return the twist of a body while the wheel centre rises at 1 m/s and the car's body is fixed."""
     points = rig.hardpoints
     if body in ("lower_arm", "upper_arm"):
         return _arm(points, body.removesuffix("_arm"), _carrier(points))
@@ -190,7 +190,7 @@ def _twist(rig: Corner, body: str) -> Twist:
 
 
 def _carrier(points: Hardpoints) -> Twist:
-    """Twist of the body that carries the wheel; a McPherson's sliding part turns with it."""
+    """Return the twist of the wheel carrier; the sliding part of a McPherson strut has the same angular velocity."""
     centre = np.array(points.wheel_centre)
     if isinstance(points, TrailingArmHardpoints):
         through = np.array(points.arm_inner)
@@ -206,12 +206,12 @@ def _carrier(points: Hardpoints) -> Twist:
 
 
 def _constraint_directions(points: Hardpoints) -> list[tuple[Array, Array]]:
-    """Five directions in which points of the upright cannot move: direction and point."""
+    """Return the five constraints of the upright: (direction, point), where the point cannot move in the direction."""
     directions = [
         (_at(points, inner) - _at(points, outer), _at(points, outer))
         for outer, inner in points.rods
     ]
-    if isinstance(points, McPhersonHardpoints):  # the strut's line passes a fixed point
+    if isinstance(points, McPhersonHardpoints):  # the strut's line passes through a fixed point
         top = np.array(points.strut_top)
         line = top - np.array(points.strut_bottom)
         across = np.linalg.svd(line[np.newaxis])[2][1:]
@@ -227,7 +227,7 @@ def _arm(points: Hardpoints, which: str, carrier: Twist) -> Twist:
 
 
 def _link(inner: Array, outer: Array, carrier: Twist) -> Twist:
-    """Twist of a link that does not turn about itself."""
+    """Return the twist of a link that does not spin about its own axis."""
     along = outer - inner
     return _turn(np.cross(along, _velocity(carrier, outer)) / (along @ along), inner)
 
@@ -238,5 +238,5 @@ def _rocker(rig: Corner) -> Twist:
         _at(points, name) for name in ("pushrod_outer", "pushrod_inner", "rocker_pivot")
     )
     axis, rod = _at(points, "rocker_axis") - pivot, inner - outer
-    push = rod @ _velocity(_twist(rig, str(getattr(rig.strut, "pushrod_on"))), outer)  # noqa: B009 - of rigs with rockers
+    push = rod @ _velocity(_twist(rig, str(getattr(rig.strut, "pushrod_on"))), outer)  # noqa: B009 - only rigs with rockers
     return _turn(axis * push / (rod @ np.cross(axis, inner - pivot)), pivot)

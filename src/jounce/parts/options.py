@@ -1,4 +1,4 @@
-"""Rigs of options: a file or a shipped name, and changes of its parameters."""
+"""Rigs as command options: a file or the name of a shipped rig, and parameter changes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ AnyRig: TypeAlias = Annotated[
     Rig | str | Path,
     MadeBy("jounce.parts.options:rig_of_options", "jounce.parts.options:rig_in_python"),
 ]
-"""A rig, its file or its name in the library; faces ask for the file or name, and for changes."""
+"""A rig, its file or its name in the library; interfaces offer file or name, and changes."""
 RigAlone: TypeAlias = Annotated[
     Rig | str | Path, MadeBy("jounce.parts.options:rig_alone", "jounce.parts.options:rig_in_python")
 ]
@@ -24,7 +24,7 @@ MaybeRig: TypeAlias = Annotated[
     Rig | str | Path | None,
     MadeBy("jounce.parts.options:vehicle_of_options", "jounce.parts.options:vehicle_in_python"),
 ]
-"""A rig that a command may do without, named by an option."""
+"""An optional rig of a command, given by an option."""
 
 CHANGES = Settings(
     'Change a parameter of the rig: strut.spring.rate="25 N/mm".',
@@ -73,12 +73,12 @@ def vehicle_of_options(
 
 
 def vehicle_in_python(vehicle: str | None = None) -> str:
-    """Write it as Python."""
+    """Format the option as Python code."""
     return "None" if vehicle is None else rig_in_python(vehicle)
 
 
 def rig_in_python(rig: str, changes: Mapping[str, Any] | None = None) -> str:
-    """Write the rig as Python.
+    """Format the rig as Python code.
 
     >>> rig_in_python("kart-quarter-car", {"sprung.mass": "17 kg"})
     "jn.load('kart-quarter-car').with_changes({'sprung.mass': '17 kg'})"

@@ -1,4 +1,4 @@
-"""What all rigs share: where their values come from, their numbers by path, and how to vary them."""
+"""Base class of all rigs: sources of values, parameters by path, and modified copies."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from jounce.core.remembered import once_per_object
 from jounce.core.units import Unit
 
 _FEW = 10
-"""How many paths a message may list."""
+"""Maximum number of paths listed in a message."""
 
 
 def parameters_of(description: BaseModel, prefix: str = "") -> dict[str, float]:
-    """Give every float of a description by its path, e.g. ``{"tyre.curve.coefficients[1]": 3.0e6}``, SI."""
+    """Return all floats of a description by path, e.g. ``{"tyre.curve.coefficients[1]": 3.0e6}``, SI."""
     numbers: dict[str, float] = {}
     for name in type(description).model_fields:
         _collect(getattr(description, name), f"{prefix}{name}", numbers)
@@ -43,7 +43,7 @@ def _collect(value: Any, path: str, numbers: dict[str, float]) -> None:
 
 @once_per_object
 def structure_of(description: BaseModel) -> str:
-    """Text that is equal for descriptions that differ in numbers only, so that one compiled model serves them."""
+    """Return a text that is equal for descriptions that differ only in numbers: they share one compiled model."""
     return re.sub(
         r"-?\d+(\.\d+)?([eE][+-]?\d+)?(?=[,\]}])",
         "#",
@@ -66,13 +66,13 @@ def split_path(path: str) -> list[str | int]:
 
 
 def change_table(description: BaseModel, changes: object) -> dict[str, Any]:
-    """Give the description as a table with the values at some paths replaced."""
+    """Return the description as a table in which the values at some paths are replaced."""
     if not isinstance(changes, Mapping) or not all(isinstance(path, str) for path in changes):
         allowed = 'values by path, e.g. {"strut.spring.rate": "25 N/mm"}'
         raise DescriptionError("no changes", where="changes", found=changes, allowed=allowed)
     table: dict[str, Any] = description.model_dump(by_alias=True, exclude_none=True)
     for path, value in changes.items():
-        parts, own = split_path(path), deepcopy(value)  # a later path may lead into it
+        parts, own = split_path(path), deepcopy(value)  # a later path may change it
         try:
             _set(table, parts, own)
         except (KeyError, IndexError, TypeError):
@@ -81,7 +81,7 @@ def change_table(description: BaseModel, changes: object) -> dict[str, Any]:
 
 
 def _set(table: Any, parts: list[str | int], value: Any) -> None:
-    """Put a value at its place; what has no such place is a KeyError, an IndexError or a TypeError."""
+    """Set a value by its path; raises KeyError, IndexError or TypeError for an invalid path."""
     *parents, last = parts
     here = table
     for i, part in enumerate(parents):
@@ -101,7 +101,7 @@ _numbers = once_per_object(parameters_of)
 
 
 def unknown_path(where: str, known: Iterable[str], *, name: str = "") -> DescriptionError:
-    """Build the error for a path that the description does not have; ``name`` is the path when ``where`` says more."""
+    """Build the error for a path that the description lacks; ``name`` is the path if ``where`` contains more."""
     paths = sorted(known)
     near = nearest_paths(name or where, paths)
     every = f"All {len(paths)}: jounce check FILE --parameters." if len(paths) > _FEW else ""
@@ -119,7 +119,7 @@ def unknown_path(where: str, known: Iterable[str], *, name: str = "") -> Descrip
 
 
 def nearest_paths(name: str, known: Iterable[str]) -> list[str]:
-    """Give the paths that may have been meant, at most three, the likeliest first.
+    """Return up to three similar paths, the most likely first.
 
     Examples
     --------
@@ -136,7 +136,7 @@ def nearest_paths(name: str, known: Iterable[str]) -> list[str]:
 
 
 def quantity_at(kind: BaseModel, path: str) -> Unit:
-    """Unit and range of the number at ``path``; those of a plain number where it has none or they follow an order."""
+    """Unit and range of the number at ``path``; dimensionless if it has none, as coefficients of curves."""
     here: Any = kind
     quantity = Unit("1")
     for part in split_path(path):
@@ -149,7 +149,7 @@ def quantity_at(kind: BaseModel, path: str) -> Unit:
 
 
 def unit_of_field(field: FieldInfo) -> Unit:
-    """Unit and range of a field of a description; those of a plain number where it has none."""
+    """Unit and range of a field of a description; dimensionless if it has none."""
     units = [item for item in field.metadata if isinstance(item, Unit)] or _units_in(
         field.annotation
     )
@@ -157,14 +157,14 @@ def unit_of_field(field: FieldInfo) -> Unit:
 
 
 def unit_of(kind: BaseModel, path: str) -> str:
-    """SI unit of the number at ``path``, e.g. ``N/m``; ``1`` where it has none or it depends on the order."""
+    """SI unit of the number at ``path``, e.g. ``N/m``; ``1`` if it has none, as coefficients of curves."""
     return quantity_at(kind, path).si
 
 
 def result_unit_of(kind: BaseModel, path: str) -> str:
-    """SI unit of the number at ``path`` as results show it: a file takes coefficients of curves without one.
+    """SI unit of the number at ``path`` in results; unlike files, they show units of curve coefficients.
 
-    The i-th coefficient of a curve belongs to the power i + 1 of the deflection, so its unit depends on its place.
+    The i-th coefficient multiplies the power i + 1 of the deflection, so its unit depends on its index.
 
     Examples
     --------
@@ -181,7 +181,7 @@ def result_unit_of(kind: BaseModel, path: str) -> str:
 
 
 def unit_question(place: str, unit: Unit, value: float) -> list[Finding]:
-    """Ask whether a size (SI) was meant in another unit; no question if it is plausible."""
+    """Return a finding if a value (SI) was probably meant in a different unit, else an empty list."""
     meant = unit.mistaken_for(value)
     return (
         [finding("parts.unit_meant", place, value, value=value, unit=unit.si, meant=meant)]
@@ -215,11 +215,11 @@ def check_rig(given: object) -> Rig:
 
 
 MODELS: dict[str, dict[str, type[Rig]]] = {"jounce.rig/1": {}, "jounce.vehicle/1": {}}
-"""Models by their name in a file, for each kind of file."""
+"""Models by schema and by their name in a file."""
 
 
 class Rig(Description):
-    """Description of what is tested, a rig or a whole vehicle; its subclasses are the models.
+    """Description of a rig or a whole vehicle; its subclasses are the models.
 
     A subclass with fields ``schema_`` and ``model`` can be read from files as soon as it is defined.
     """
@@ -228,7 +228,7 @@ class Rig(Description):
     estimated: tuple[str, ...] = ()
 
     has_file: ClassVar[bool] = True
-    """Whether files describe it."""
+    """Whether it can be read from a file."""
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -239,7 +239,7 @@ class Rig(Description):
     @model_validator(mode="before")
     @classmethod
     def _stop_belongs_to_the_strut(cls, table: Any) -> Any:
-        """A ``bump_stop`` at the top level of a file is the strut's."""
+        """Move a ``bump_stop`` from the top level of a file to the strut."""
         if (
             isinstance(table, dict)
             and "bump_stop" in table
@@ -250,20 +250,20 @@ class Rig(Description):
         return table
 
     def parameters(self) -> dict[str, float]:
-        """Give every number of the rig by its path, SI: ``{"strut.spring.rate": 22730.0, ...}``."""
+        """Return all numbers of the rig by path, SI: ``{"strut.spring.rate": 22730.0, ...}``."""
         return _numbers(self).copy()
 
     def is_estimated(self, path: str) -> bool:
-        """Whether the rig's ``estimated`` list names a number, or a part that it belongs to."""
+        """Whether the rig's ``estimated`` list contains the path or a part that includes it."""
         return any(path == name or path.startswith(f"{name}.") for name in self.estimated)
 
     def with_changes(self, changes: dict[str, Any]) -> Self:
-        """Give a copy with other values; nothing is ever mutated.
+        """Return a copy with changed values; the original is never modified.
 
         Parameters
         ----------
         changes : dict
-            Path to value, text with unit or SI number: ``{"strut.spring.rate": "25 N/mm"}``.
+            Values by path, text with unit or SI number: ``{"strut.spring.rate": "25 N/mm"}``.
 
         Raises
         ------

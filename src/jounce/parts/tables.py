@@ -1,4 +1,4 @@
-"""Tables of force over travel or velocity: their checks, and the straight lines through their points."""
+"""Tables of force over travel or velocity: validation and linear interpolation."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from jounce.core.types import Array
 
 
 def check_table(name: str, x: tuple[float, ...], force: tuple[float, ...]) -> None:
-    """Refuse tables of unequal length or with points that do not ascend."""
+    """Refuse tables of unequal lengths, or whose points are not ascending."""
     if len(x) != len(force):
         raise ValueError(
             Phrase(
@@ -27,7 +27,7 @@ def check_table(name: str, x: tuple[float, ...], force: tuple[float, ...]) -> No
 
 
 def check_ascending(name: str, values: tuple[float, ...]) -> None:
-    """Refuse points that do not ascend."""
+    """Refuse points that are not strictly ascending."""
     for i, (a, b) in enumerate(pairwise(values)):
         if b <= a:
             raise ValueError(
@@ -43,7 +43,7 @@ def check_ascending(name: str, values: tuple[float, ...]) -> None:
 
 
 def on_lines(points: Sequence[float] | Array, forces: Sequence[float] | Array, x: Any) -> Array:
-    """Value at ``x`` of straight lines through points and beyond them; a complex ``x`` lies where its real part does.
+    """Interpolate and extrapolate linearly at ``x``; the real part of a complex ``x`` selects the segment.
 
     >>> on_lines((0.0, 1.0), (0.0, 10.0), np.array([0.5, 2.0])).tolist()
     [5.0, 20.0]

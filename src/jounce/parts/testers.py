@@ -1,7 +1,7 @@
-"""Testers of shock absorbers: what moves the plate under the wheel, how fast, and what such a lane accepts.
+"""Shock absorber testers: the exciter under the wheel, its frequency programme, and the limits of a valid test.
 
-A tester file serves both sides: the simulation reads the stroke, the plate and the programme, the evaluation of a
-record the limits and the names of the record's columns.
+Simulation and evaluation share a tester file: the simulation reads stroke, plate and programme, the evaluation of a
+record reads limits and column names.
 """
 
 from __future__ import annotations
@@ -47,17 +47,17 @@ class Programme(Description):
     Attributes
     ----------
     start_frequency, end_frequency : float
-        Hz; between them the frequency changes linearly in time, either way.
+        Hz; the frequency changes linearly in time between them, up or down.
     hold_time, hold_time_per_load : float
-        s and s/N: how long the start frequency is held, and how much longer for each newton of static load.
+        Duration of the start frequency, s, and the additional duration per newton of static load, s/N.
     sweep_rate : float
-        Hz/s, the size only.
+        Hz/s, absolute value.
     run_down : {"controlled", "free"}
         Whether the drive follows the programme (sweep-down), or is switched off after the hold (coast-down).
     duration : float
-        s; length of a coast-down, which ends earlier only if the exciter stops.
+        Maximum duration of a coast-down, s; it ends earlier if the exciter stops.
     pause : float
-        s between the wheels of an axle.
+        Pause between the two wheels of an axle, s.
     """
 
     start_frequency: Frequency
@@ -70,24 +70,24 @@ class Programme(Description):
     pause: _Seconds = 1.0
 
     def hold(self, static_load: float) -> float:
-        """Time (s) for which the start frequency is held under a static wheel load (N)."""
+        """Return the duration (s) of the start frequency for a static wheel load (N)."""
         return self.hold_time + self.hold_time_per_load * static_load
 
     def length(self, static_load: float) -> float:
-        """Length (s) of the test of one wheel with a static load (N)."""
+        """Return the duration (s) of the test of one wheel with a static load (N)."""
         sweep = abs(self.start_frequency - self.end_frequency) / self.sweep_rate
         return self.hold(static_load) + (self.duration if self.run_down == "free" else sweep)
 
 
 class Motor(Description):
-    """Motor with a straight torque-speed line: ``stall_torque`` (N m) at rest, none at ``no_load_frequency`` (Hz)."""
+    """Motor with a linear torque-speed curve: ``stall_torque`` (N m) at rest, zero at ``no_load_frequency`` (Hz)."""
 
     stall_torque: _Torque
     no_load_frequency: Frequency
 
 
 class Drive(Description):
-    """What turns the exciter: ``inertia`` (kg m^2), ``friction_torque`` (N m), ``viscous_friction`` (N m s/rad)."""
+    """Drive of the exciter: ``inertia`` (kg m^2), ``friction_torque`` (N m), ``viscous_friction`` (N m s/rad)."""
 
     inertia: _Inertia
     friction_torque: _Friction = 0.0
@@ -96,26 +96,26 @@ class Drive(Description):
 
 
 class TesterLimits(Description):
-    """What a test must keep to.
+    """Limits of a valid test.
 
     Attributes
     ----------
     wheel_load_min, wheel_load_max : float
-        N, of the static load of one wheel.
+        Static load of one wheel, N.
     tyre_rigidity_min, tyre_rigidity_max : float
-        N/m; below: tyre under-inflated, above: over-inflated.
+        N/m; a tyre below the range is under-inflated, above it over-inflated.
     frequency_min, frequency_max : float
-        Hz; where the minimum phase angle is searched for, ends included.
+        Hz; range searched for the minimum phase angle, ends included.
     sweep_rate_max : float
-        Hz/s; a faster sweep weakens the result.
+        Hz/s; a faster sweep makes the result less reliable.
     sweep_time_min : float
-        s.
+        Minimum duration of the sweep, s.
     sampling_frequency_min : float
-        Hz.
+        Minimum sampling frequency, Hz.
     calibration_force_per_frequency : float
-        N/Hz; what the unloaded plate may leave after its inertia is taken off.
+        Maximum residual force of the unloaded plate after inertia compensation, N/Hz.
     stroke_tolerance : float
-        m, of the stroke.
+        Tolerance of the stroke, m.
     """
 
     wheel_load_min: NonNegativeForce = 1000.0
@@ -129,7 +129,7 @@ class TesterLimits(Description):
     sampling_frequency_min: Frequency = 1000.0
     calibration_force_per_frequency: Annotated[float, Unit("N/Hz", above=0.0)] = 4.0
     stroke_tolerance: PositiveLength = 0.6e-3
-    __test__: ClassVar[bool] = False  # not a test of pytest's
+    __test__: ClassVar[bool] = False  # not a pytest class
 
     @model_validator(mode="after")
     def _in_order(self) -> Self:
@@ -144,39 +144,39 @@ class TesterLimits(Description):
 
 
 class Tester(Description):
-    """Tester of shock absorbers with one plate for each side of the car.
+    """Shock absorber tester with one plate per side of the car.
 
     Attributes
     ----------
     kind : {"rigid-plate", "sprung-plate"}
         Whether the exciter moves the plate itself, or the foot of a spring under it.
     method : {"eusama", "egea", "theta", "boge"}
-        How its records are commonly evaluated.
+        The usual evaluation method of its records.
     stroke : float
-        Of the exciter, peak to peak, m: twice its eccentricity.
+        Stroke of the exciter, peak to peak, m: twice its eccentricity.
     plate_mass : float
-        kg, of one plate.
+        Mass of one plate, kg.
     plate_spring_rate, plate_damping_coefficient : float or None
-        N/m and N s/m, between exciter and plate; for sprung plates only.
+        Spring and damper between exciter and plate, N/m and N s/m; for sprung plates only.
     force_cell : {"under-plate", "contact"}
-        Whether the measured force has the plate's inertia in it.
+        Position of the force sensor: a force measured under the plate includes the plate's inertia.
     sampling_frequency : float
-        Of its records, Hz.
+        Sampling frequency of its records, Hz.
     programme : Programme
-        Speed of the exciter.
+        Frequency programme of the exciter.
     drive : Drive or None
-        Needed for a coast-down.
+        Drive of the exciter; required for a coast-down.
     limits : TesterLimits
-        What a test must keep to.
+        Limits of a valid test.
     columns : dict
-        Channel of a record (``left.plate.z``) to the name of its column in this tester's files.
+        Column name in this tester's files for each channel of a record (``left.plate.z``).
     variable, sample_time, resample
-        Of this tester's files, as in `read_recording`: matrix or group, step (s) of files without time, and the
-        constant step (s) that records with irregular time are brought onto.
+        Options to read this tester's files, as in `read_recording`: matrix or group, time step (s) of files without
+        time, and the constant step (s) to which records with irregular time are resampled.
     name, source : str
-        Of the tester, and of its numbers.
+        Name of the tester, and source of its values.
     estimated : tuple of str
-        Which of its numbers are not from the source.
+        Paths of values that are not from the source.
     """
 
     schema_: Literal["jounce.tester/1"] = Field(default="jounce.tester/1", alias="schema")
@@ -199,7 +199,7 @@ class Tester(Description):
     sample_time: PositiveTime | None = None
     resample: PositiveTime | None = None
     sides: ClassVar[tuple[str, ...]] = ("left", "right")
-    __test__: ClassVar[bool] = False  # not a test of pytest's
+    __test__: ClassVar[bool] = False  # not a pytest class
 
     @property
     def amplitude(self) -> float:
@@ -226,7 +226,7 @@ class Tester(Description):
         return self
 
     def with_changes(self, changes: dict[str, Any]) -> Tester:
-        """Give a copy with other values by path, as for rigs: ``{"stroke": "6 mm"}``.
+        """Return a copy with changed values by path, as for rigs: ``{"stroke": "6 mm"}``.
 
         Raises
         ------
@@ -237,12 +237,12 @@ class Tester(Description):
 
 
 def library() -> dict[str, Path]:
-    """Give the shipped testers: name to file."""
+    """Return the shipped testers: name to path."""
     return shipped_files("jounce.parts", "library/testers")
 
 
 def as_tester(given: Tester | str | Path) -> Tester:
-    """Return a tester as it is, or load it from its file or by its shipped name.
+    """Return a tester unchanged, or load it from a file or by its name in the library.
 
     >>> as_tester("eusama") == load_tester("eusama")
     True
@@ -258,7 +258,7 @@ def as_tester(given: Tester | str | Path) -> Tester:
 
 
 def load_tester(name: str | Path) -> Tester:
-    """Load a tester from a TOML file or, by name, from the shipped ones.
+    """Load a tester from a TOML file or, by name, from the shipped library.
 
     Parameters
     ----------
@@ -268,12 +268,12 @@ def load_tester(name: str | Path) -> Tester:
     Returns
     -------
     Tester
-        The frozen description, SI.
+        The immutable description, SI.
 
     Raises
     ------
     DescriptionError
-        With file, line, path, found value, what is allowed and the nearest match.
+        With file, line, path, value found, allowed values and the nearest match.
 
     Examples
     --------
@@ -289,11 +289,11 @@ def load_tester(name: str | Path) -> Tester:
 CHANNELS = tuple(
     f"{side}.plate.{name}" for side in Tester.sides for name in ("z", "force", "frequency")
 )
-"""Channels of a record that a tester's ``columns`` may name, besides ``time``."""
+"""Channels that a tester's ``columns`` may name, in addition to ``time``."""
 
 
 def findings_of_tester(tester: Tester, where: str = "") -> list[Finding]:
-    """List what a careful colleague would ask about a tester; ``where`` is the file it comes from.
+    """List implausible values of a tester; ``where`` is its source file.
 
     >>> tester = load_tester("egea-specsus2018")
     >>> findings_of_tester(tester)

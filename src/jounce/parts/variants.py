@@ -1,4 +1,4 @@
-"""The same rig with its strut at another angle, or with worn dampers."""
+"""Variants of a rig: a different strut angle, or worn dampers."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from jounce.parts.vehicles import QuarterCar
 
 R = TypeVar("R", bound=Rig)
 LARGEST = 1.2
-"""Angle in rad to either side that a strut may take."""
+"""Maximum angle of a strut to either side, rad."""
 _OWN_ENDS = ("spring_bottom", "spring_top", "damper_bottom", "damper_top")
 
 
 def strut_angle(rig: Rig) -> float:
-    """Angle of the strut to the vertical, rad; of a 3-D rig in front view at design, positive where it leans inboard.
+    """Return the angle of the strut to the vertical, rad; for a 3-D rig in front view at design, positive inboard.
 
-    A McPherson strut, a strut on a rocker, and spring and damper that are not on one line have none: they are refused.
+    Raises an error for McPherson struts, struts on a rocker, and separate lines of spring and damper.
 
     >>> from jounce.parts import load
     >>> round(float(np.degrees(strut_angle(load("kart-double-wishbone")))), 2)
@@ -40,29 +40,28 @@ def strut_angle(rig: Rig) -> float:
 
 
 def with_strut_angle(rig: R, angle: float | str) -> R:
-    """Give the rig with its strut at another angle to the vertical.
+    """Return a copy of the rig with its strut at a given angle to the vertical.
 
-    A lumped rig gets another ``strut.angle``. In a 3-D rig the upper end of the strut turns about its lower end in the
-    transverse plane, at constant design length: x of the strut, free length or preload, and everything else are kept,
-    so the equilibrium becomes another one.
+    For a lumped rig this changes ``strut.angle``. In a 3-D rig the upper end of the strut rotates about its lower end
+    in the transverse plane. Design length, x coordinates, free length or preload and all other values are kept, so the
+    equilibrium changes.
 
     Parameters
     ----------
     rig : Rig
-        Lumped or 3-D; it is not changed.
+        A lumped or 3-D rig; it is not modified.
     angle : float or str
-        rad, or text with a unit; seen from the front, positive where the upper end leans inboard, on either side of
-        the car.
+        rad, or text with a unit; in front view, positive if the upper end leans inboard, on both sides of the car.
 
     Returns
     -------
     Rig
-        Of the same kind.
+        A rig of the same model.
 
     Raises
     ------
     DescriptionError
-        For an angle beyond 1.2 rad to either side, or a rig whose strut cannot be turned by itself.
+        For an absolute angle above 1.2 rad, or a rig whose strut cannot be rotated independently.
 
     Examples
     --------
@@ -95,14 +94,14 @@ def with_strut_angle(rig: R, angle: float | str) -> R:
 
 
 def strut_angle_findings(angle: float, place: str) -> list[Finding]:
-    """Warn of a strut angle (rad) that the literature rejects; ``place`` is where it was set."""
+    """Return a warning for a strut angle (rad) that the literature rejects; ``place`` is the path of the setting."""
     if abs(angle) <= STEEP_STRUT + 1e-9:
         return []
     return [finding("parts.strut_leans_estimate", place, angle, angle=angle)]
 
 
 def _ends(rig: Rig) -> tuple[Triple, Triple]:
-    """Lower and upper end of a strut that can be turned; the reason where it cannot."""
+    """Return lower and upper end of a strut, or raise an error if the strut cannot be rotated."""
     if not isinstance(rig, Corner):
         raise DescriptionError("this rig has no strut that could be turned", where="strut angle")
     points, moved, allowed = rig.hardpoints, "strut_top", ""
@@ -129,14 +128,14 @@ def _ends(rig: Rig) -> tuple[Triple, Triple]:
 
 _LAW = re.compile(
     r"(^|\.)damper\.(\w*coefficient|force|hysteretic_force|force(\[\d+\])+)$"  # a damper's own table
-    r"|^(?!.*tyre\.).*(^|\.)damping_coefficient$"  # or one number of an axle
+    r"|^(?!.*tyre\.).*(^|\.)damping_coefficient$"  # or a single number of an axle
 )
 
 
 def wear_dampers(rig: R, wear: float) -> R:
-    """A copy of a rig or vehicle whose dampers have lost a share ``wear`` of their force: 0 new, 1 no damper at all.
+    """Return a copy of a rig whose dampers have lost a fraction ``wear`` of their force: 0 new, 1 no damping.
 
-    Tyres, springs and friction stay as they are.
+    Tyres, springs and friction are unchanged.
 
     >>> from jounce.parts import load
     >>> wear_dampers(load("audi-a6-quarter-car"), 0.25).strut.damper.coefficient   # N s/m, of 2000

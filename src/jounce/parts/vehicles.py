@@ -54,7 +54,7 @@ class Guide(Description):
 
 
 class QuarterCar(Rig):
-    """Quarter car: sprung and unsprung mass on strut and tyre, both vertical (paper 2, eqs 1-4, extended).
+    """Quarter car: sprung and unsprung mass on strut and tyre, moving vertically (paper 2, eqs 1-4, extended).
 
     Signs: z up, deflections and forces positive in compression. ``gravity`` in m/s^2.
     """
@@ -73,7 +73,7 @@ Compat = Literal["physical", "sign-corrected", "simulink"]
 
 
 class Place(NamedTuple):
-    """Position of a wheel: how far behind the front axle (m), and its side (1 left, -1 right, 0 in the middle)."""
+    """Position of a wheel: distance behind the front axle (m), and side (1 left, -1 right, 0 in the middle)."""
 
     behind: float
     side: int
@@ -82,7 +82,7 @@ class Place(NamedTuple):
 class VehicleBody(Description):
     """Body: ``mass`` (kg), ``pitch_inertia`` (kg m^2) about its centre of gravity, ``height`` (m) of that centre.
 
-    Without ``height`` there is no deceleration among the inputs: its pitch moment is unknown.
+    Without ``height`` deceleration is not an input, because its pitch moment is unknown.
     """
 
     mass: Mass
@@ -91,7 +91,7 @@ class VehicleBody(Description):
 
 
 class RollingBody(VehicleBody):
-    """Body that rolls, too: ``roll_inertia`` (kg m^2) about the x axis through its centre of gravity."""
+    """Body that also rolls: ``roll_inertia`` (kg m^2) about the x axis through its centre of gravity."""
 
     roll_inertia: MomentOfInertia
 
@@ -105,24 +105,24 @@ class Axle(Description):
 
 
 class WheeledAxle(Description):
-    """Axle of two equal wheels with masses and tyres; every number is that of one wheel, springs act at the wheel.
+    """Axle of two equal wheels with masses and tyres. All values are per wheel; springs act at the wheel.
 
-    Deflections count from where the springs are undeformed, compression positive; the stops' gaps, too.
+    Deflections and the gaps of stops are measured from the undeformed spring, compression positive.
 
     Attributes
     ----------
     distance : float
-        Of the axle from the body's centre of gravity, m.
+        Distance of the axle from the body's centre of gravity, m.
     unsprung_mass : float
-        kg.
+        Unsprung mass of one wheel, kg.
     tyre : Tyre
         Radial tyre.
     spring_rate, damping_coefficient : float or None
-        N/m and N s/m. In place of them ``spring`` and ``damper`` as in rigs.
+        Linear rates, N/m and N s/m. Alternatively give ``spring`` and ``damper`` as in rigs.
     bump_stop, rebound_stop : BumpStop or None
-        Stops; a rebound stop's gap counts in extension.
+        Stops; the gap of a rebound stop is measured in extension.
     friction : Friction or None
-        Of the strut.
+        Friction of the strut.
     """
 
     distance: PositiveLength
@@ -144,12 +144,12 @@ class WheeledAxle(Description):
 
     @property
     def spring_law(self) -> Spring:
-        """The spring, a constant rate as well."""
+        """Spring law, also for a constant rate."""
         return self.spring if self.spring is not None else Spring(rate=self.spring_rate)
 
     @property
     def damper_law(self) -> Damper:
-        """The damper, a constant coefficient as well."""
+        """Damper law, also for a constant coefficient."""
         return (
             self.damper
             if self.damper is not None
@@ -165,9 +165,9 @@ class FullAxle(WheeledAxle):
     track : float
         Distance between the wheels' contact points, m.
     anti_roll_bar_rate : float
-        Force on a wheel for each metre by which its strut deflects more than the other's, N/m.
+        Force on a wheel per metre of strut deflection relative to the other wheel, N/m.
     roll_centre_height : float
-        Over the road, m; where the axle's share of a lateral force acts on the body.
+        Height above the road at which the axle's share of a lateral force acts on the body, m.
     """
 
     track: PositiveLength
@@ -176,7 +176,7 @@ class FullAxle(WheeledAxle):
 
 
 class Vehicle(Rig):
-    """What all vehicles share: a body that heaves and pitches on a front and a rear axle, driven over a road.
+    """Base of all vehicles: a body that heaves and pitches on a front and a rear axle, driven over a road.
 
     Signs: z up; pitch positive nose down, roll positive right side down (ISO 8855). ``gravity`` in m/s^2.
     """
@@ -198,7 +198,7 @@ class Vehicle(Rig):
 
 
 def track_width(rig: object) -> float:
-    """Distance in m between left and right wheels, the mean of front and rear axle; 0 where there is one side.
+    """Distance in m between left and right wheels, mean of front and rear axle; 0 for models without separate sides.
 
     >>> from jounce.parts import load
     >>> track_width(load("audi-a6-full-car")), track_width(load("audi-a6-half-car-4dof"))
@@ -221,12 +221,12 @@ def _place(corner: str, wheelbase: float) -> Place:
 
 
 class HalfCar(Vehicle):
-    """Half car in the form of paper 2 (eqs 6-11): body that bounces and pitches on massless axles, two wheels each.
+    """Half car as in paper 2 (eqs 6-11): body that bounces and pitches on massless axles, two wheels each.
 
-    ``compat`` says how the road acts: ``"physical"`` (the rear axle follows by wheelbase over speed, dampers feel the
-    road's rate), ``"simulink"`` (the well-known demo literally: a bump counts downwards, both axles at once, dampers
-    feel the body only) or ``"sign-corrected"`` (the demo with a bump upwards). The printed sign of the rear moment in
-    paper 2, eq. (9), makes pitch unstable and is not offered.
+    ``compat`` selects how the road acts: ``"physical"`` (the rear axle is delayed by wheelbase over speed, dampers act
+    on the road's rate as well), ``"simulink"`` (the well-known demo unchanged: bumps point down, both axles are excited
+    at once, dampers act on the body only) or ``"sign-corrected"`` (the demo with bumps up). The sign of the rear moment
+    as printed in paper 2, eq. (9), makes pitch unstable and is not available.
     """
 
     model: Literal["half-car"] = "half-car"
@@ -237,7 +237,7 @@ class HalfCar(Vehicle):
 
     @property
     def wheels(self) -> dict[str, Place]:
-        """Position of each corner's wheel; both axles meet the road at once except in the physical form."""
+        """Position of each corner's wheel; both axles are excited at once except with ``compat="physical"``."""
         wheels = super().wheels
         return wheels if self.compat == "physical" else {corner: Place(0.0, 0) for corner in wheels}
 
@@ -262,10 +262,10 @@ class FullCar(Vehicle):
 
 
 class SpatialBody(RollingBody):
-    """Body of a full car on 3-D corners; ``height`` (m) places its centre of gravity, whose axes are principal.
+    """Body of a full car on 3-D corners; ``height`` (m) is that of its centre of gravity; its axes are principal axes.
 
-    On a bench a vehicle may be held by a spherical joint at the end of a vertical guide: ``joint`` (m) is its place,
-    x ahead of the centre of gravity, y to the left, z above the road. Otherwise the body rotates about that centre.
+    On a test bench, a spherical joint on a vertical guide may hold the vehicle. ``joint`` (m) is its position: x ahead
+    of the centre of gravity, y to the left, z above the road. Otherwise the body rotates about its centre of gravity.
     """
 
     height: PositiveLength
@@ -278,13 +278,13 @@ class SpatialAxle(Description):
     Attributes
     ----------
     distance : float
-        Of the wheel centres from the body's centre of gravity at design, m; hardpoints are shifted along x to it.
+        Distance of the wheel centres from the body's centre of gravity at design, m. Hardpoints are shifted along x.
     corner : Corner
-        The left corner; its own ``sprung`` and ``guide`` do not matter here. In a file also the name of a shipped rig
-        or the path of a rig file, from the vehicle file's folder.
+        The left corner; its ``sprung`` and ``guide`` are ignored. A file may also give the name of a shipped rig or the
+        path of a rig file, relative to the vehicle file.
     anti_roll_bar_rate : float
-        Force on a wheel for each metre by which it travels further than the other one, N/m, where the corner describes
-        no U- or T-bar, which work through their links; a Z-bar, which lets the car roll, may stand beside it.
+        Force on a wheel per metre of travel relative to the other wheel, N/m. Only for corners without a U- or T-bar,
+        which act through their links; a Z-bar, which does not resist roll, may be combined with it.
     """
 
     distance: PositiveLength
@@ -318,7 +318,7 @@ class SpatialAxle(Description):
 
 
 class FullCar3D(Vehicle):
-    """Full car on four 3-D corners: the body heaves, pitches and rolls on its suspensions; it does not yaw or slide."""
+    """Full car on four 3-D corners: the body heaves, pitches and rolls on its suspensions but does not yaw or slide."""
 
     model: Literal["full-car-3d"] = "full-car-3d"
     body: SpatialBody
@@ -328,12 +328,12 @@ class FullCar3D(Vehicle):
 
 
 _DYNAMIC_INDEX = 0.7
-"""Roll inertia over that of masses standing over the wheels, where none is given: cars have 0.6 to 0.8 (estimated)."""
-_TRACK = 1.5  # m, of a passenger car, where none is given
+"""Default roll inertia over that of point masses above the wheels; cars have 0.6 to 0.8 (estimated)."""
+_TRACK = 1.5  # m, default: a passenger car
 
 
 class Side(Description):
-    """One side: the ``wheel``, and its lateral ``distance`` (m) from the body's centre of gravity."""
+    """One side of an axle: the ``wheel``, and its lateral ``distance`` (m) from the body's centre of gravity."""
 
     distance: PositiveLength
     wheel: QuarterCar | FullAxle | WheeledAxle
@@ -345,13 +345,13 @@ class FrontViewAxle(Rig):
     Attributes
     ----------
     gravity : float
-        m/s^2.
+        Gravity, m/s^2.
     mass : float
-        Of the body that this axle carries, kg.
+        Mass of the body on this axle, kg.
     roll_inertia : float
-        Of that body about its centre of gravity, kg m^2.
+        Roll inertia of that body about its centre of gravity, kg m^2.
     anti_roll_bar_rate : float
-        Force on a wheel for each metre by which it travels further than the other one, N/m.
+        Force on a wheel per metre of travel relative to the other wheel, N/m.
     left, right : Side
         The wheels.
     """
@@ -374,28 +374,28 @@ def axle_of(
     track: float | None = None,
     roll_inertia: float | None = None,
 ) -> FrontViewAxle:
-    """Give one axle of a vehicle with the share of the body that it carries.
+    """Return one axle of a vehicle with its share of the body.
 
     Parameters
     ----------
     vehicle : FullCar or HalfCar4DOF
         A vehicle whose wheels have tyres.
     axle : {"front", "rear"}
-        Which one.
+        The axle to extract.
     track : float, optional
-        Distance of the wheels, m; a full car's own, 1.5 m for a half car (estimated).
+        Distance between the wheels, m. By default that of a full car, or 1.5 m for a half car (estimated).
     roll_inertia : float, optional
-        Of the body's share, kg m^2; a full car's share, estimated for a half car.
+        Roll inertia of the body's share, kg m^2. By default the share of a full car's, estimated for a half car.
 
     Returns
     -------
     FrontViewAxle
-        With ``estimated`` naming what was assumed.
+        The axle; ``estimated`` lists the assumed values.
 
     Raises
     ------
     DescriptionError
-        For a vehicle without tyres, a 3-D one, or an unknown axle.
+        For a vehicle without tyres, a 3-D vehicle, or an unknown axle.
 
     Examples
     --------
@@ -439,16 +439,16 @@ def axle_of(
 def axle_from(
     left: QuarterCar, right: QuarterCar, *, track: float = _TRACK, roll_inertia: float | None = None
 ) -> FrontViewAxle:
-    """Give the axle of two quarter cars with a rigid body between them.
+    """Combine two quarter cars into an axle with a rigid body between them.
 
     Parameters
     ----------
     left, right : QuarterCar
-        Their sprung masses become one body, placed so that each wheel still carries its own.
+        The two wheels. Their sprung masses become one body; each wheel still carries its own share.
     track : float
-        Distance of the wheels, m.
+        Distance between the wheels, m.
     roll_inertia : float, optional
-        kg m^2; by default 0.7 of the inertia with which the sides would not feel each other (estimated).
+        Roll inertia, kg m^2. By default 0.7 of the inertia at which the two sides are uncoupled (estimated).
 
     Returns
     -------

@@ -255,7 +255,7 @@ class DamperMap:
     force: Array
 
     def coefficients_at(self, length: float) -> tuple[float, float]:
-        """Give the bump and the rebound coefficient (N s/m) between the velocities next to zero, at a length in m."""
+        """Return the bump and the rebound coefficient (N s/m) between the velocities next to zero, at a length in m."""
         zero = int(np.argmin(np.abs(self.velocity)))
         column = np.array([np.interp(length, self.length, row) for row in self.force])
         slopes = np.diff(column) / np.diff(self.velocity)

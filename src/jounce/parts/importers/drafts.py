@@ -69,11 +69,11 @@ class ImportedRig(NamedTuple):
         return self.text
 
     def advice(self, where: str = "") -> list[Finding]:
-        """Give all findings: of the import, and of the rig in the file ``where``."""
+        """Return all findings: of the import, and of the rig in the file ``where``."""
         return [*self.findings, *rig_findings(self.rig, where)]
 
     def to_dict(self, where: str = "") -> dict[str, Any]:
-        """Give what was imported as plain data, with the text of the rig file."""
+        """Return what was imported as plain data, with the text of the rig file."""
         rig = self.rig
         about = {
             "model": getattr(rig, "model", ""),

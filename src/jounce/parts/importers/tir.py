@@ -137,7 +137,7 @@ class TyreProperties(Shown):
         return factor
 
     def tyre(self, pressure: float | None = None, *, rim: bool = False) -> dict[str, Any]:
-        """Give a tyre table for rigs: ``stiffness`` or ``curve``, ``damping_coefficient`` and ``undeformed_radius``.
+        """Return a tyre table for rigs: ``stiffness`` or ``curve``, ``damping_coefficient`` and ``undeformed_radius``.
 
         A curve is given where the file has a measured one or one with Q_FZ2; ``pressure`` is in Pa, by default that
         of the file. ``undeformed_radius`` (m) is not a field of lumped tyres: take it out for them. With ``rim`` the
