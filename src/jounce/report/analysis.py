@@ -1,4 +1,4 @@
-"""What is analysed of a record as pages: statistics, spectra, transfer functions, modes, integrated accelerations."""
+"""Pages of record analyses: statistics, spectra, transfer functions, modes, integrated accelerations."""
 
 from __future__ import annotations
 
@@ -33,19 +33,19 @@ if TYPE_CHECKING:
 
 
 def statistics_page(statistics: RecordStatistics, *, title: str) -> Page:
-    """Put the statistics of each channel on a page.
+    """Create a page of the statistics of each channel.
 
     Parameters
     ----------
     statistics : RecordStatistics
-        As :func:`jounce.describe_channels` gives it.
+        Result of :func:`jounce.describe_channels`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     rows = [_levels(channel) for channel in statistics.channels]
     header = ("channel", "unit", "mean", "r.m.s.", "standard deviation", "minimum", "maximum")
@@ -63,7 +63,9 @@ def statistics_page(statistics: RecordStatistics, *, title: str) -> Page:
     gauss = (
         "Gaussian noise has skewness 0 and kurtosis 3, a sine crest factor 1.41 and kurtosis 1.5."
     )
-    words = "Each channel over time, and how often each value occurs; dashed: as often in Gaussian noise."
+    words = (
+        "Each channel over time, and the distribution of its values; dashed: Gaussian distribution."
+    )
     picture = Picture(lambda: figure_of(statistics), "channels", words, words)
     blocks: list[Block] = [
         levels,
@@ -89,19 +91,19 @@ def _levels(channel: ChannelStatistics) -> tuple[str, ...]:
 
 
 def spectra_page(spectra: RecordSpectra, *, title: str) -> Page:
-    """Put the spectra of a record on a page, with the peaks that stand out.
+    """Create a page of the spectra of a record, with their significant peaks.
 
     Parameters
     ----------
     spectra : RecordSpectra
-        As :func:`jounce.estimate_spectra` gives it.
+        Result of :func:`jounce.estimate_spectra`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     low, high = spectra.interval
     facts = Facts(
@@ -159,21 +161,21 @@ def _peaks(peaks: Sequence[SpectralPeak]) -> str:
 
 
 def transfer_page(transfer: TransferEstimate, *, title: str) -> Page:
-    """Put a transfer function on a page: what it rests on, gain, phase and coherence.
+    """Create a page of a transfer function: estimation settings, gain, phase and coherence.
 
     Parameters
     ----------
     transfer : TransferEstimate
-        As :func:`jounce.estimate_transfer` gives it.
+        Result of :func:`jounce.estimate_transfer`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
-    good = transfer.coherence >= 0.8  # errors of the gain then reach 6 % with 30 segments
+    good = transfer.coherence >= 0.8  # the gain error is then up to 6 % with 30 segments
     facts = [
         Fact("estimator", transfer.estimator, _ESTIMATORS[transfer.estimator]),
         Fact(
@@ -224,7 +226,7 @@ _ESTIMATORS = {
 
 
 def _octaves(transfer: TransferEstimate) -> PageTable:
-    """Gain, phase and coherence at third octaves."""
+    """Return a table of gain, phase and coherence at third octaves."""
     f = transfer.frequency
     wanted = 10.0 ** (np.arange(-20, 41) / 10.0)
     inside = wanted[(wanted >= f[0]) & (wanted <= f[-1])]
@@ -254,23 +256,23 @@ def _octaves(transfer: TransferEstimate) -> PageTable:
 
 
 def _finite(value: float) -> float | None:
-    return float(value) if value < 10.0 else None  # an error of ten times the value says nothing
+    return float(value) if value < 10.0 else None  # an error of ten times the value is meaningless
 
 
 def measured_modes_page(fitted: FittedModes, *, title: str) -> Page:
-    """Put measured modes on a page, beside those of a model.
+    """Create a page of measured modes, compared with those of a model if given.
 
     Parameters
     ----------
     fitted : FittedModes
-        As :func:`jounce.fit_modes` gives it.
+        Result of :func:`jounce.fit_modes`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     has_model = any(mode.model_frequency is not None for mode in fitted.modes)
     rows = tuple(_mode(mode, has_model=has_model) for mode in fitted.modes)
@@ -278,7 +280,7 @@ def measured_modes_page(fitted: FittedModes, *, title: str) -> Page:
     header = ("frequency [Hz]", *model[:2], "damping ratio", *model[2:], "orders that agree")
     note = "± half of the 95 % interval. Undamped natural frequencies."
     if has_model:
-        note += " A model's value in the interval is not apart from what was measured."
+        note += "  A model's value within the interval is consistent with the measurement."
     what = {
         "transfer": f"transfer functions from {fitted.given} to {', '.join(fitted.outputs)}",
         "spectrum": f"spectra of {', '.join(fitted.outputs)}",
@@ -308,19 +310,19 @@ def _mode(mode: MeasuredMode, *, has_model: bool) -> tuple[str, ...]:
 
 
 def integration_page(integration: Integration, *, title: str) -> Page:
-    """Put integrated accelerations on a page, with the band in which they are valid and their errors.
+    """Create a page of integrated accelerations, with their valid band and errors.
 
     Parameters
     ----------
     integration : Integration
-        As :func:`jounce.integrate_acceleration` gives it.
+        Result of :func:`jounce.integrate_acceleration`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     inside = (integration.time >= integration.valid[0]) & (integration.time <= integration.valid[1])
     rows = tuple(
@@ -336,9 +338,9 @@ def integration_page(integration: Integration, *, title: str) -> Page:
     )
     header = ("channel", "r.m.s.", "peak to peak", "noise adds", "removed", "amplitudes within 5 %")
     note = {
-        "random": "Removed: displacement below the corner, of drift and of motion that is lost.",
-        "transient": "Removed: what offset and drift of the sensor would have added.",
-        "periodic": "Removed: what does not repeat itself.",
+        "random": "Removed: displacement below the corner frequency, both drift and lost motion.",
+        "transient": "Removed: the contribution of the sensor's offset and drift.",
+        "periodic": "Removed: the non-periodic part.",
     }[integration.motion]
     table = PageTable("Displacements", header, rows, "lrrrrr", note)
     speeds = tuple(
@@ -357,7 +359,7 @@ def integration_page(integration: Integration, *, title: str) -> Page:
         speeds,
         "lrrrr",
     )
-    words = "Acceleration, velocity and displacement over time; shaded: what the ends of the record reach."
+    words = "Acceleration, velocity and displacement over time; shaded: end effects of the record."
     picture = Picture(lambda: figure_of(integration), "integrated", words, words)
     blocks: list[Block] = [table, *findings_blocks(integration.findings), picture, velocity]
     subtitle = f"{integration.motion} motion, valid from {integration.valid[0]:.4g} s to {integration.valid[1]:.4g} s"

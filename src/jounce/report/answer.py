@@ -1,4 +1,4 @@
-"""The answer of a campaign: values with their intervals, for which trials they hold, what to be careful about."""
+"""The answer of a campaign: values with intervals, the trials for which they hold, and warnings."""
 
 from __future__ import annotations
 
@@ -25,21 +25,21 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Answer:
-    """One parameter (SI): as in the rig file, as measured on the bench, as the last update left it, and the truth."""
+    """One parameter (SI): value in the rig file, from the bench, after the last update, and true value."""
 
     path: str
-    where: str  # what it is of, e.g. a tyre pressure
+    where: str  # condition to which it refers, e.g. a tyre pressure
     unit: str
     described: float | None
     bench: Estimate | None
     updated: UpdatedParameter | None
-    carried: float | None  # value of the updated rig where it is not the one that was fitted
+    carried: float | None  # value of the updated rig if it differs from the fitted one
     law: LawEstimate | None
     truth: float | None
 
 
 def decisive(result: CampaignResult) -> tuple[StrategyResult, ...]:
-    """Give the updates behind the final model: the last one, and those that it builds on before it."""
+    """Return the updates behind the final model: the last one and those on which it is based."""
     if not result.strategies:
         return ()
     known = {strategy.update.name: strategy for strategy in result.strategies}
@@ -51,7 +51,7 @@ def decisive(result: CampaignResult) -> tuple[StrategyResult, ...]:
 
 
 def answers(result: CampaignResult) -> tuple[Answer, ...]:
-    """Every parameter that was measured on the bench or updated on the way to the final model."""
+    """Return all parameters that were measured on the bench or updated for the final model."""
     chain = decisive(result)
     fitted = {
         path: (strategy, p) for strategy in chain for path, p in strategy.update.parameters.items()
@@ -97,7 +97,7 @@ def _unit(result: CampaignResult, path: str) -> str:
 
 
 def _pressure(source: str) -> float | None:
-    """Pressure (Pa) of a tyre bench by its table's name, ``bench.tyre."0.31 MPa"``."""
+    """Return the pressure (Pa) of a tyre bench from its table name, ``bench.tyre."0.31 MPa"``."""
     if not source.startswith("bench.tyre."):
         return None
     try:
@@ -107,7 +107,7 @@ def _pressure(source: str) -> float | None:
 
 
 def _pressure_of(result: CampaignResult, strategy: StrategyResult) -> float | None:
-    """Tyre pressure (Pa) that an update's tyre values are of: that of its first trial."""
+    """Return the tyre pressure (Pa) of an update's tyre values: that of its first trial."""
     first = next((t.entry for t in result.trials if t.entry.number == strategy.fitted_on[0]), None)
     return None if first is None else first.tyre_pressure
 
@@ -125,7 +125,7 @@ def _law(strategy: StrategyResult | None, path: str) -> LawEstimate | None:
 
 
 def _bench_estimate(result: CampaignResult, measured: float, error: float | None) -> Estimate:
-    """Give the bench's estimate with its interval: the one whose value replaced that of the rig file."""
+    """Return the bench estimate with its interval whose value replaced that of the rig file."""
     for estimate in _estimates(result):
         if math.isclose(estimate.value, measured, rel_tol=1e-12):
             return estimate
@@ -143,7 +143,7 @@ def _estimates(result: CampaignResult) -> Iterator[Estimate]:
 
 
 def answer_table(parameters: tuple[Answer, ...], name: str, trials: int) -> PageTable:
-    """Values in a table: described, bench, updated model, the part, truth."""
+    """Return a table of values: rig file, bench, updated model, physical part, truth."""
     truth = any(row.truth is not None for row in parameters)
     laws = any(row.law is not None for row in parameters)
     rows = []
@@ -169,7 +169,7 @@ def answer_table(parameters: tuple[Answer, ...], name: str, trials: int) -> Page
         cells += [unit.name or "–", _word(row)]
         rows.append(tuple(cells))
     header = ["parameter", "rig file", "bench", "updated model"]
-    header += ["the part, model error counted"] * laws + ["truth"] * truth + ["unit", "of the part"]
+    header += ["the part, with model error"] * laws + ["truth"] * truth + ["unit", "of the part"]
     note = (
         "Below each value: its 95 % interval; of the updated model that of the noise only. "
         * bool(rows)
@@ -177,7 +177,7 @@ def answer_table(parameters: tuple[Answer, ...], name: str, trials: int) -> Page
     if name:
         note += f"Updated: {name}, fitted on {trials} trial{'s' * (trials != 1)}. "
     if laws:
-        note += "The part: value of its law over the states ridden, with an interval that counts what the model lacks. "
+        note += "The part: value of its law over the states ridden, with an interval that includes model error. "
     if truth:
         note += "Truth: the value behind the synthetic recordings."
     return PageTable(
@@ -220,12 +220,12 @@ def _word(row: Answer) -> Cell | str:
 
 
 _LONGEST_TITLE = 27
-"""Bold letters above a panel of 300 pixels."""
+"""Bold characters that fit above a panel of 300 pixels."""
 _LANES = ("rig file", "bench", "updated model", "the part", "truth")
 
 
 def answer_chart(rows: tuple[Answer, ...]) -> Chart | None:
-    """Draw each parameter's values below each other with their 95 % intervals; None without any two to compare."""
+    """Plot each parameter's values one below another with 95 % intervals; ``None`` without two to compare."""
     panels = tuple(panel for row in rows if (panel := _panel(row)) is not None)
     if not panels:
         return None
@@ -233,8 +233,8 @@ def answer_chart(rows: tuple[Answer, ...]) -> Chart | None:
     return Chart(
         panels,
         "answer",
-        "Each value with its 95 % interval: ○ rig file, ◆ bench, ● updated model (noise only), ■ the part (model error "
-        "counted), ✕ truth. Axes need not begin at zero.",
+        "Each value with its 95 % interval: ○ rig file, ◆ bench, ● updated model (noise only), ■ the part (with model "
+        "error), ✕ truth. Axes need not begin at zero.",
         f"Values of the parameters with their intervals; all numbers are in the table above. {words}.",
         columns=3,
     )
@@ -265,7 +265,7 @@ def _panel(row: Answer) -> Panel | None:
     verticals = ((row.truth * unit.factor, "bad", ""),) if row.truth is not None else ()
     title = f"{row.path}, {row.where}" if row.where else row.path
     while len(title) > _LONGEST_TITLE and "." in title.partition(",")[0]:
-        title = title.partition(".")[2]  # the table above has the whole path
+        title = title.partition(".")[2]  # the table above contains the full path
     return Panel(
         tuple(series),
         unit.label(""),

@@ -76,38 +76,38 @@ def write_campaign(
     pdf: bool = False,
     progress: Callable[[str], None] = lambda _text: None,
 ) -> list[Path]:
-    """Write everything a campaign found into a folder.
+    """Write all results of a campaign into a folder.
 
     Parameters
     ----------
     result : CampaignResult
         Outcome of :func:`jounce.campaign.run_campaign`.
     out : Path or str
-        Folder; made where it is missing, refused when it holds something and ``force`` is not given.
+        Output folder; created if it does not exist. A folder that is not empty requires ``force``.
     force : bool
-        Replace files of the same names in an existing folder; others stay.
+        Replace files of the same names in an existing folder; other files are kept.
     figures : sequence of str
         Formats in which every figure is also written as ``figures/<name>.<format>``: ``"svg"``, ``"png"``.
     tables : sequence of str
         Formats in which the tables are also written: ``"csv"`` (folder ``tables``), ``"xlsx"`` (``tables.xlsx``).
     pdf : bool
-        Whether ``report.pdf`` is written, too.
+        Whether to write ``report.pdf`` as well.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with a one-line message at each stage.
 
     Returns
     -------
     list of Path
-        ``report.html`` (one file that needs nothing else), ``results.json``, the rigs of each update, and the figures
-        that were asked for. A rig is ``rig-<update>.toml``; where there are several tyre pressures
-        there is one for each, such as ``rig-<update>-0-31-mpa.toml``.
+        ``report.html`` (self-contained), ``results.json``, the rigs of each update, and the requested figures. A rig
+        is ``rig-<update>.toml``; with several tyre pressures there is one file per pressure, such as
+        ``rig-<update>-0-31-mpa.toml``.
 
     Raises
     ------
     OutputError
-        For a folder that is not empty or cannot be written; nothing is changed then.
+        If the folder is not empty or cannot be written; nothing is changed then.
     DrawingError
-        For figures or sections that cannot be drawn; results, rigs and everything else are written by then.
+        If figures or sections cannot be drawn; results, rigs and all other files have been written by then.
     """
     files = campaign_files(result)
     return write_page(
@@ -123,7 +123,7 @@ def write_campaign(
 
 
 def campaign_files(result: CampaignResult) -> dict[str, str]:
-    """Give what a campaign found as files, name to content: ``results.json`` and the rigs of each update."""
+    """Return the results of a campaign as files, name to content: ``results.json`` and the rigs of each update."""
     names = unique_slugs([strategy.update.name for strategy in result.strategies])
     rigs = {
         f"rig-{name}{label and '-'}{slug(label) if label else ''}.toml": text
@@ -134,7 +134,7 @@ def campaign_files(result: CampaignResult) -> dict[str, str]:
 
 
 def campaign_page(result: CampaignResult) -> Page:
-    """Give the report of a campaign as a page, figures drawn; a section that cannot be drawn says so."""
+    """Return the report of a campaign as a page with figures; a section that cannot be drawn contains a notice."""
     synthetic, compared, reference = (
         result.campaign.synthetic,
         result.lumped,
@@ -170,7 +170,7 @@ def campaign_page(result: CampaignResult) -> Page:
 
 
 def campaign_summary(result: CampaignResult) -> Page:
-    """Give what a campaign found without its figures: measured values, updates, trials, findings."""
+    """Return the results of a campaign without figures: measured values, updates, trials, findings."""
     replaced = (replaced_table(result),) if result.characterisation.replaced else ()
     updated: list[Block] = [_overview(result)] if result.strategies else []
     for strategy in result.strategies:
@@ -209,12 +209,12 @@ _OTHERS = {"holds partly": "partly", "does not hold": "not", "not usable": "not 
 
 
 def verdict(trial: TrialResult) -> str:
-    """Verdict in words, also of a trial that could not be compared."""
+    """Return the verdict in words, including for a trial that could not be compared."""
     return trial.after.verdict if trial.after is not None else "not usable"
 
 
 def answer(result: CampaignResult) -> Section:
-    """Values and their intervals, for which trials they hold, what to be careful about."""
+    """Return the section with values and intervals, the trials for which they hold, and warnings."""
     chain = decisive(result)
     facts = []
     for use, label in (("fit", "Fitted trials"), ("hold-out", "Held-out trials")):
@@ -253,7 +253,7 @@ def answer(result: CampaignResult) -> Section:
 
 
 def _where_it_holds(result: CampaignResult) -> str:
-    """Say of which trials the verdicts are, fitted and held out."""
+    """Return the counts of verdicts, separately for fitted and held-out trials, as sentences."""
     texts = []
     for use, words in (("fit", "Of those fitted"), ("hold-out", "Of those held out")):
         by_verdict: dict[str, list[str]] = {}
@@ -271,7 +271,7 @@ def _where_it_holds(result: CampaignResult) -> str:
 
 
 def _of_the_answer(result: CampaignResult) -> tuple[Finding, ...]:
-    """Findings but those of updates that the final model is not made of: these stand with their updates."""
+    """Return the findings except those of superseded updates, which are listed with their updates."""
     decisive_names = {strategy.update.name for strategy in decisive(result)}
     superseded = [s.update.name for s in result.strategies if s.update.name not in decisive_names]
     return tuple(
@@ -284,7 +284,7 @@ def _of_the_answer(result: CampaignResult) -> tuple[Finding, ...]:
 
 
 def most_important(findings: Sequence[Finding]) -> tuple[Finding, ...]:
-    """Choose the worst findings, each kind once: those of the same code differ in their numbers only."""
+    """Select the most severe findings, one per code: findings of the same code differ only in their numbers."""
     kinds: dict[tuple[str, str], Finding] = {}
     for finding in worst_first(findings):
         error = str(finding.numbers.get("error", ""))
@@ -341,7 +341,7 @@ def _what_was_done(result: CampaignResult) -> str:
 
 
 def _count(number_of: int, word: str) -> str:
-    """One thing or several: ``1 update``, ``2 updates``, ``2 free decays``."""
+    """Return a count with its noun, singular or plural: ``1 update``, ``2 updates``, ``2 free decays``."""
     return f"{number_of} {word}" if number_of == 1 else f"{number_of} {word}s"
 
 
@@ -368,7 +368,7 @@ _REPRODUCED: dict[str, Tone] = {
 
 
 def published_results(result: CampaignResult) -> Section:
-    """Ours beside the published result that the campaign states."""
+    """Return a comparison of the campaign's results with the published result it cites."""
     return Section("Published result", (_reference_table(result),))
 
 
@@ -390,7 +390,7 @@ def _reference_table(result: CampaignResult) -> PageTable:
 
 
 def trials(result: CampaignResult) -> Section:
-    """Every trial with its setting, and the roads."""
+    """Return a table of all trials with their settings, and the road profiles."""
     rows = tuple(_setting(trial) for trial in result.trials)
     header = (
         "trial",
@@ -421,7 +421,7 @@ def trials(result: CampaignResult) -> Section:
 
 
 def _belt_table(result: CampaignResult) -> PageTable:
-    """Speed of the belt as noted, by pulses and by recurrence; passages, and how far their loops are alike."""
+    """Return belt speeds (as noted, from pulses, from recurrence), passages, and the scatter between loops."""
     rows = []
     for trial in result.trials:
         belt = trial.belt
@@ -459,7 +459,7 @@ def _belt_table(result: CampaignResult) -> PageTable:
 
 
 def _road_or_motion(entry: TrialEntry) -> str:
-    """What was driven over, or the file of the base motion; and that of the actuator's force."""
+    """Return the road, or the file of the base motion, and the file of the actuator force if any."""
     words = entry.road or (f"excitation {entry.excitation.file}" if entry.excitation else "")
     return (
         words
@@ -489,7 +489,7 @@ def _setting(trial: TrialResult) -> tuple[Cell | str, ...]:
 
 
 def validation(result: CampaignResult) -> Section:
-    """Rating of every trial and channel, fitted and held out, and how the error depends on speed and pitch."""
+    """Return ratings of all trials and channels, fitted and held out, and the error against speed and pitch."""
     model = "as last updated" if result.strategies else "as characterised"
     blocks: list[Block] = [
         Paragraph(
@@ -508,7 +508,7 @@ def validation(result: CampaignResult) -> Section:
 
 
 def _matrix(result: CampaignResult) -> PageTable:
-    """Rating of every trial and channel before and after updating, at a glance."""
+    """Return an overview of the ratings of all trials and channels before and after updating."""
     channels = channels_of(result.trials)
     drawn = select_trials(result, _verdicts_of(result))
     shown = {trial.entry.number: scene_name(trial.entry.number) for trial in drawn}
@@ -553,7 +553,7 @@ def _matrix(result: CampaignResult) -> PageTable:
 
 
 def _errors(result: CampaignResult) -> Chart:
-    """Normalised error of every trial after updating against speed (single obstacles) and against pitch (trains)."""
+    """Plot each trial's normalised error after updating against speed (single obstacles) or pitch (trains)."""
     usable = [trial for trial in result.trials if trial.after is not None]
     channels = channels_of(usable)
     speed, pitch = display_unit_for("m/s", "speed"), display_unit("m")
@@ -653,7 +653,7 @@ def _validation_rows(trial: TrialResult) -> list[tuple[Cell | str, ...]]:
 
 
 def curves(result: CampaignResult) -> Section:
-    """Measured and simulated signals of every trial: all in one viewer, and as figures."""
+    """Return measured and simulated signals of all trials, in one viewer and as figures."""
     viewer = trials_viewer(result, _verdicts_of(result))
     blocks: list[Block] = [viewer] if viewer is not None else []
     scenes = {scene.name: scene for scene in viewer.scenes} if viewer is not None else {}
@@ -663,7 +663,7 @@ def curves(result: CampaignResult) -> Section:
             "The recording could not be used, so there is nothing to plot (see Findings).", "bad"
         )
         if scene is None and (trial.signals or trial.signals_before):
-            continue  # one of very many: the viewer says which are shown
+            continue  # too many trials: the viewer lists the ones shown
         sought = result.sought.get(trial.entry.number)
         parts: list[Block] = [] if sought is None else [_sought(sought, trial.entry.number)]
         if scene is not None:
@@ -675,7 +675,7 @@ def curves(result: CampaignResult) -> Section:
 
 
 def _sought(sought: Sought, number: int) -> Chart:
-    """The record of a trial, and what was looked for in it where it is most like it."""
+    """Plot a trial's record with the model response aligned where the two correlate best."""
     time = sought.response["time"].to_numpy()
     around = 2.0 * float(time[-1] - time[0])
     record = sought.record.sel(time=slice(float(time[0]) - around, float(time[-1]) + around))
@@ -697,10 +697,10 @@ def _sought(sought: Sought, number: int) -> Chart:
         )
         panels.append(Panel(series, "time [s]", unit.label(""), name))
     caption = (
-        f"Trial {number}: the obstacle was not found. The model's response is drawn where the record is most like it, "
+        f"Trial {number}: the obstacle was not found. The model's response is drawn where it matches the record best, "
         f"with a correlation of {sought.likeness:.2f}."
     )
-    words = "Record, and the response of the model that was looked for in it."
+    words = "Record, and the model response that was searched for in it."
     return Chart(tuple(panels), f"sought-{number}", caption, words, columns=1)
 
 
@@ -718,7 +718,7 @@ def _heading(trial: TrialResult) -> str:
 
 
 def _roads_of(result: CampaignResult) -> dict[str, Road]:
-    """Roads that trials of the campaign use, by name."""
+    """Return the roads used by the campaign's trials, by name."""
     try:
         roads = read_roads(result.campaign.roads, folder=result.folder)
     except JounceError:
@@ -728,7 +728,7 @@ def _roads_of(result: CampaignResult) -> dict[str, Road]:
 
 
 def updates(result: CampaignResult) -> Section:
-    """All updates in order; those that failed are named."""
+    """Return a section on all updates in order, naming those that failed."""
     done = {strategy.update.name for strategy in result.strategies}
     blocks: list[Block] = [
         Paragraph(f"Update {entry.name!r} failed and is omitted (see Findings).", "bad")
@@ -749,7 +749,7 @@ def updates(result: CampaignResult) -> Section:
     decisive_names = {strategy.update.name for strategy in decisive(result)}
     for file, strategy in zip(files, result.strategies, strict=True):
         name, content = strategy.update.name, _strategy(strategy, file)
-        superseded = f"{name}: superseded, the final model is not made of it"
+        superseded = f"{name}: superseded, not part of the final model"
         blocks.append(
             Subsection(name, content) if name in decisive_names else Details(superseded, content)
         )
@@ -808,7 +808,7 @@ def _strategy(strategy: StrategyResult, file: str) -> tuple[Block, ...]:
 
 
 def _within_bounds(strategy: StrategyResult, units: dict[str, str], file: str) -> Chart:
-    """Where each parameter ended between its bounds, with the interval of the noise."""
+    """Plot the fitted value of each parameter within its bounds, with the noise-only interval."""
     update = strategy.update
     series: list[Series] = []
     for row, p in enumerate(update.parameters.values()):
@@ -863,7 +863,7 @@ def _correlation(strategy: StrategyResult) -> PageTable:
 
 _NOISE_ONLY = (
     "Standard errors and intervals are those of the noise only, which may be correlated: how far the values would "
-    "scatter if the trials were run again. They say nothing of what the model lacks. None is given for a parameter "
+    "scatter if the trials were run again. They do not cover model error. None is given for a parameter "
     "at its bound."
 )
 
@@ -893,11 +893,11 @@ def _parameters(strategy: StrategyResult, units: dict[str, str]) -> PageTable:
 
 
 def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple[Block, ...]:
-    """What may be said of the parts themselves, and what the intervals count."""
+    """Return tables of the parameters of the physical parts, with intervals that include model error."""
     discrepancy = strategy.update.discrepancy
     if discrepancy is None:
         text = (
-            "This update says nothing of the parts themselves: an interval that counts what the model lacks takes at "
+            "This update gives no values of the physical parts: an interval that includes model error requires at "
             "least three fitted trials."
         )
         shown = _beside_truth(strategy, units)
@@ -929,14 +929,14 @@ def discrepancy_blocks(strategy: StrategyResult, units: dict[str, str]) -> tuple
     header = (
         "parameter",
         "value",
-        "95 %, model error counted",
+        "95 %, with model error",
         "part / model",
         *(("truth",) if strategy.truth else ()),
     )
     header = (*header, "unit", "mostly from", "verdict")
     return (
         PageTable(
-            "Parameters as the parts have them",
+            "Parameters of the physical parts",
             header,
             tuple(rows),
             "lrrr" + "r" * bool(strategy.truth) + "lll",
@@ -978,7 +978,7 @@ def _beside_truth(strategy: StrategyResult, units: dict[str, str]) -> PageTable 
 
 
 def _mostly(shares: dict[str, float]) -> str:
-    """The group that most of an interval's width comes from."""
+    """Return the group that contributes most to the width of an interval."""
     if not shares:
         return "–"
     group = max(shares, key=lambda name: shares[name])
@@ -1030,15 +1030,15 @@ def _identifiability(strategy: StrategyResult) -> PageTable:
 
 
 _STRONG = 0.9
-"""Correlation from which two estimates are coloured."""
+"""Correlation above which a pair of estimates is coloured."""
 _ROUNDING = 1e-5
-"""Share of a body's mass below which its part is 0: the ends of the differences that found it."""
+"""Share of a body's mass below which a contribution is shown as 0: the error of the finite differences."""
 _NOTICED = 0.05
-"""Share from which a difference of a peak is coloured."""
+"""Relative difference of a peak above which it is coloured."""
 
 
 def lumped_model(comparison: ModelComparison) -> Section:
-    """Quantities about rest, curves over travel, shares of the bodies, peaks of every trial."""
+    """Return quantities about equilibrium, curves over travel, contributions of the bodies, and peaks of all trials."""
     blocks: list[Block] = [
         Paragraph(
             "The rig of this campaign is a spatial linkage. Near equilibrium it can be represented by two masses on "
@@ -1218,7 +1218,7 @@ _SOURCES = (
 
 
 def method(result: CampaignResult) -> Section:
-    """Version, campaign, definitions and sources."""
+    """Return the section with version, campaign, definitions and sources."""
     import jounce
 
     blocks: list[Block] = [

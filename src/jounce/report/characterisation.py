@@ -1,4 +1,4 @@
-"""The report of a campaign, characterisation: what the bench measurements gave, and which rig values they replace."""
+"""Characterisation section of a campaign report: results of bench measurements and replaced rig values."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ _NAMES = {"bench.spring": "spring", "bench.tyre": "tyre", "bench.decay": "free d
 
 
 def characterisation(result: CampaignResult) -> Section:
-    """Values replaced, then spring, tyre and damping with tables and figures; failed tables are named."""
+    """Return replaced values, then spring, tyre and damping with tables and figures; failed tables are listed."""
     bench = result.characterisation
     blocks: list[Block] = [
         Paragraph(
@@ -82,7 +82,7 @@ def characterisation(result: CampaignResult) -> Section:
 
 
 def unit_at(rig: Rig, path: str) -> str:
-    """SI unit of a rig value; ``1`` for a path that this rig does not have."""
+    """Return the SI unit of a rig value; ``1`` for a path that does not exist in this rig."""
     try:
         return result_unit_of(rig, path)
     except (DescriptionError, AttributeError, KeyError, IndexError, TypeError):
@@ -90,7 +90,7 @@ def unit_at(rig: Rig, path: str) -> str:
 
 
 def replaced_table(result: CampaignResult) -> PageTable:
-    """Values of the rig that measured ones take the place of."""
+    """Return a table of the rig values that are replaced by measured ones."""
     rows = []
     for item in result.characterisation.replaced:
         si = unit_at(result.start, item.path)
@@ -125,7 +125,7 @@ def _stiffness(
 def stiffness_blocks(
     fit: StiffnessResult, points: Sequence[ForceDeflectionTrial], title: str, file: str
 ) -> tuple[Block, ...]:
-    """What was found of a stiffness, its figure, and every trial of it."""
+    """Return the result of a stiffness fit, its figure, and a table of its trials."""
     motion = MOTIONS[fit.motion]
     fields = [*fields_of(fit, "stiffness", "intercept", "tangent_stiffness"), *_coefficients(fit)]
     caption = f"Fit for the {title}: {fit.law} law, all trials"
@@ -144,7 +144,7 @@ def stiffness_blocks(
 
 
 def _coefficients(fit: StiffnessResult) -> list[ResultField]:
-    """Coefficients of a law that is more than its stiffness."""
+    """Return the coefficients of a law with more parameters than the stiffness."""
     if fit.law == "linear":
         return []
     pairs = zip(fit.coefficient_units, fit.coefficients, strict=True)
@@ -230,7 +230,7 @@ def _decay(result: CampaignResult) -> tuple[Block, ...]:
 
 
 def decay_chart(decay: DecayResult, time: Array, signal: Array, name: str, file: str) -> Chart:
-    """A free decay as measured and fitted, with its turning points and decrements; time in s, the record in SI."""
+    """Plot a measured and fitted free decay, with turning points and decrements; time in s, the record in SI."""
     motion = MOTIONS[decay.motion]
     alternative = (
         f"Free decay {name} with the fitted response: damping coefficient "
@@ -245,7 +245,7 @@ def decay_chart(decay: DecayResult, time: Array, signal: Array, name: str, file:
 
 
 def decay_table(decay: DecayResult | CombinedDecay, caption: str) -> PageTable:
-    """What one or several free decays say of damping."""
+    """Return a table of the damping from one or several free decays."""
     fields = [field for field in fields_of(decay) if hasattr(field.value, "interval")]
     word = MOTIONS[decay.motion].inertia_word
     note = (
@@ -278,7 +278,7 @@ def _damping_choices(choices: tuple[DampingChoice, ...]) -> PageTable:
         for choice in choices
     )
     return PageTable(
-        "What each way to read the decays means for the damper",
+        "Damper coefficients by method of evaluating the decays",
         (
             "way",
             "damping ratio",
@@ -294,12 +294,12 @@ def _damping_choices(choices: tuple[DampingChoice, ...]) -> PageTable:
 
 
 def _with_interval(value: str, _error: str, interval: str, _unit: str) -> str:
-    """Cells of an estimate as one, its unit in the header."""
+    """Join the cells of an estimate into one, with the unit in the header."""
     return f"{value} ({interval})" if interval != "–" else value
 
 
 def each_decay(decays: Sequence[DecayResult], names: Sequence[str]) -> PageTable:
-    """Every one of several decays, one row each."""
+    """Return a table of individual decays, one row each."""
     motion = MOTIONS[decays[0].motion]
     rows = tuple(
         (
@@ -333,7 +333,7 @@ def each_decay(decays: Sequence[DecayResult], names: Sequence[str]) -> PageTable
 def _decay_records(
     result: CampaignResult, table: DecayBench | None
 ) -> list[tuple[str, Array, Array]]:
-    """File name, time (s) and record (SI) of each decay; none where they cannot be read any more."""
+    """Return file name, time (s) and record (SI) of each decay; empty if the files can no longer be read."""
     if table is None:
         return []
     try:

@@ -1,7 +1,7 @@
-"""Small figures of a page: lines, points and intervals as data, written as SVG in the colours of the page.
+"""Small figures of a page: lines, points and intervals as data, rendered as SVG in the colours of the page.
 
-A report has dozens of them, so they are written at once, without a library for every kind of plot; colours are
-classes, which a page defines for light, dark and paper. Nothing is computed here but what a screen needs.
+A report has dozens of them, so they are rendered directly, without a plotting library. Colours are CSS classes that a
+page defines for light, dark and print. Only screen coordinates are computed here.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ MARKS = ("dots", "squares", "rings", "diamonds", "crosses")
 
 @dataclass(frozen=True)
 class Series:
-    """Points (x, y) in display units; ``role`` names the colour, ``label`` stands in the legend where there is one."""
+    """Points (x, y) in display units; ``role`` sets the colour, ``label`` is the legend entry, if any."""
 
     x: ArrayLike
     y: ArrayLike
@@ -45,19 +45,19 @@ class Panel:
     x_label, y_label, title : str
         With the unit in brackets.
     bands : tuple of (float, float, str)
-        Shaded parts of x and what they are, for the legend.
+        Shaded ranges of x with their legend entries.
     verticals : tuple of (float, str, str)
-        Places on x, their role and words for the legend.
+        Positions on x, their role and legend entry.
     lanes : tuple of str
         Names instead of numbers on y; y is then 0, 1, ... from the top.
     notes : tuple of (float, float, str)
-        Short texts right of places.
+        Positions and the short texts to the right of them.
     x_range, y_range : (float, float), optional
-        Ends of the axes; by default of what is drawn.
+        Limits of the axes; by default those of the data.
     from_zero : bool
         Whether the y axis begins at zero.
     width, height : int
-        Pixels at which its text is as large as that of the page.
+        Size in pixels at which the text has the size of the page's text.
     """
 
     series: tuple[Series, ...]
@@ -77,7 +77,7 @@ class Panel:
 
 @dataclass(frozen=True)
 class Chart:
-    """Panels side by side where there is room, with a file name (without suffix), a caption and the same in words."""
+    """Panels, side by side if they fit, with a file name (without suffix), a caption and alternative text."""
 
     panels: tuple[Panel, ...]
     name: str
@@ -86,12 +86,12 @@ class Chart:
     columns: int = field(default=2)
 
 
-_CHARACTER, _BOLD = 6.6, 7.2  # pixels of a usual letter of 12 pixels, and of one in a title
-_FINE = 4  # steps a pixel
+_CHARACTER, _BOLD = 6.6, 7.2  # average width of a 12-pixel character, regular and in titles
+_FINE = 4  # steps per pixel
 
 
 def ticks(low: float, high: float, count: int = 5) -> list[float]:
-    """Round places between two ends.
+    """Return round tick positions between two limits.
 
     Examples
     --------
@@ -109,7 +109,7 @@ def ticks(low: float, high: float, count: int = 5) -> list[float]:
 
 
 def tick_text(value: float) -> str:
-    """Write a tick: ``−0.5``, ``1200``, ``1e−7``."""
+    """Format a tick label: ``−0.5``, ``1200``, ``1e−7``."""
     text = f"{value:.10g}"
     if "e" in text:
         mantissa, _, power = text.partition("e")
@@ -118,7 +118,7 @@ def tick_text(value: float) -> str:
 
 
 def panel_svg(panel: Panel, identity: str, alternative: str) -> str:
-    """Give one panel as an ``<svg>`` element; ``identity`` is its id on the page."""
+    """Return one panel as an ``<svg>`` element; ``identity`` is its id on the page."""
     inner = _draw_panel(panel, identity)
     width = f"flex-basis: {panel.width}px; max-width: {1.15 * panel.width:.0f}px"
     size = f'viewBox="0 0 {panel.width} {panel.height}" style="{width}"'
@@ -128,7 +128,7 @@ def panel_svg(panel: Panel, identity: str, alternative: str) -> str:
 
 
 def chart_svg(chart: Chart, style: str, note: str = "") -> str:
-    """Give a whole figure as an SVG file with its own style sheet; a ``note`` stands at its foot."""
+    """Return a whole figure as an SVG file with its own style sheet and an optional ``note`` at the bottom."""
     rows = [chart.panels[i : i + chart.columns] for i in range(0, len(chart.panels), chart.columns)]
     width = max(sum(panel.width for panel in row) for row in rows)
     parts, top = [], 0
@@ -217,7 +217,7 @@ def _draw_panel(panel: Panel, identity: str) -> str:
             f'<text class="note" x="{at_x(x) + 7:.1f}" y="{at_y(y) + 4:.1f}">{escape(text)}</text>'
         )
     if panel.title:
-        fits = panel.width - int(_BOLD * len(panel.title))  # a long title begins left of the axis
+        fits = panel.width - int(_BOLD * len(panel.title))  # a long title starts left of the axis
         out.append(
             f'<text class="title" x="{max(2, min(left, fits))}" y="16">{escape(panel.title)}</text>'
         )
@@ -241,7 +241,7 @@ def _draw_panel(panel: Panel, identity: str) -> str:
 
 
 def _overhang(panel: Panel, x0: float, x1: float) -> int:
-    """Pixels that texts right of points need beyond the axes."""
+    """Return the pixels beyond the axes that texts to the right of points require."""
     return max(
         (
             int(_CHARACTER * len(text)) + 8
@@ -284,7 +284,7 @@ def _sample(kind: str, role: str, x: float, y: float) -> str:
 
 
 def _ranges(panel: Panel) -> tuple[float, float, float, float]:
-    """Ends of both axes; something sensible where nothing finite is drawn."""
+    """Return the limits of the x and y axes, with a fallback if no finite values are drawn."""
     xs = np.concatenate(
         [np.asarray(series.x, float).ravel() for series in panel.series] or [np.zeros(0)]
     )
@@ -346,7 +346,7 @@ def _series(
 
 
 def _runs(known: Array) -> list[slice]:
-    """Unbroken parts."""
+    """Return the parts without gaps."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], known, [False]]).astype(int)))
     return [slice(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True)]
 
@@ -373,7 +373,7 @@ SCALED_CSS = (
     f".chart .q.thick{{stroke-width:{3.5 * _FINE}}}.chart .q.dashed{{stroke-dasharray:{5 * _FINE} {3 * _FINE}}}"
     f".chart .q.dotted{{stroke-dasharray:{2 * _FINE} {3 * _FINE}}}"
 )
-"""For what draws SVG without `vector-effect`: widths of lines whose path is scaled."""
+"""Line widths of scaled paths, for SVG renderers without `vector-effect`."""
 CSS = (
     """
 .chart text{font:12px system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",Arial,sans-serif;fill:var(--ink)}

@@ -1,4 +1,4 @@
-"""Designs found by search as pages: the best one, or a front of them, with what it costs and gains."""
+"""Pages of optimised designs: the best design, or a Pareto front, with gains and costs."""
 
 from __future__ import annotations
 
@@ -34,19 +34,19 @@ if TYPE_CHECKING:
 
 
 def optimisation_page(optimum: Optimisation, *, title: str) -> Page:
-    """Put the best design of a search on a page: what it gains, its numbers, and the limits that hold it.
+    """Create a page of the best design of a search: improvement, design variables, and active limits.
 
     Parameters
     ----------
     optimum : Optimisation
-        As :func:`jounce.optimise` gives it.
+        Result of :func:`jounce.optimise`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
 
     Examples
     --------
@@ -84,7 +84,7 @@ def optimisation_page(optimum: Optimisation, *, title: str) -> Page:
             number(value * unit.factor) for value in (optimum.before[name], optimum.after[name])
         )
         rows.append((name, unit.name or "–", *ends, _change(optimum, name)))
-    words = "What is minimised, the limits and the numbers, from the start to the best design."
+    words = "Objective, limits and design variables, from the start to the best design."
     metrics = (
         picture_of(optimum, "optimisation", words),
         PageTable("Metrics", ("metric", "unit", "start", "best", "change"), tuple(rows), "llrrr"),
@@ -97,7 +97,7 @@ def optimisation_page(optimum: Optimisation, *, title: str) -> Page:
 
 
 def best_design_page(best: BestDesign, *, title: str) -> Page:
-    """Put what a search for the best design found on a page: the design, or a front of them."""
+    """Create a page of the result of a design search: a single design, or a front."""
     pages: dict[str, Callable[..., Page]] = {
         "Optimisation": optimisation_page,
         "ParetoFront": front_page,
@@ -107,14 +107,14 @@ def best_design_page(best: BestDesign, *, title: str) -> Page:
 
 
 def _search_outcome(well: str, badly: str, is_well: bool) -> tuple[str, Tone]:
-    """Choose the words for how a search ended, with their tone."""
+    """Return the text for the outcome of a search, with its tone."""
     if is_well:
         return well, "good"
     return badly, "bad"
 
 
 def _ends(optimum: Optimisation, name: str) -> str:
-    """A metric of the start and of the best design."""
+    """Return a metric of the start and of the best design."""
     unit = display_unit(
         optimum.units[name], max(abs(optimum.before[name]), abs(optimum.after[name]))
     )
@@ -126,7 +126,7 @@ def _ends(optimum: Optimisation, name: str) -> str:
 
 
 def _from_to(values: Array, si: str) -> str:
-    """The least and the greatest of values (n,) of an SI unit, which is written once."""
+    """Format minimum and maximum of values (n,) in an SI unit, which is written once."""
     unit = display_unit(si, float(abs(values).max()))
     return unit.behind(
         " to ".join(number(float(end) * unit.factor) for end in (values.min(), values.max()))
@@ -184,19 +184,19 @@ def _limits(limits: Sequence[DesignConstraint]) -> PageTable:
 
 
 def front_page(front: ParetoFront, *, title: str) -> Page:
-    """Put a Pareto front on a page: where the design of today stands, the front, and every design on it.
+    """Create a page of a Pareto front: the present design, the front, and all designs on it.
 
     Parameters
     ----------
     front : ParetoFront
-        As :func:`jounce.pareto` gives it.
+        Result of :func:`jounce.pareto`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     roles = front.roles
     names = {"comfort": "comfort", "holding": "road holding", "travel": "travel"}
@@ -245,7 +245,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
 
 
 def _dampers(mark: ParetoMark, units: Mapping[str, str]) -> str:
-    """Write the dampers of a design beside the front."""
+    """Return the dampers of a design as text."""
     texts = (
         f"{path}: {quantity(value, units.get(path, '1'))}" for path, value in mark.values.items()
     )
@@ -253,19 +253,19 @@ def _dampers(mark: ParetoMark, units: Mapping[str, str]) -> str:
 
 
 def springs_page(design: SpringDesign, *, title: str) -> Page:
-    """Put springs and dampers for a frequency on a page, beside those of the rig.
+    """Create a page of springs and dampers for a target frequency, compared with those of the rig.
 
     Parameters
     ----------
     design : SpringDesign
-        As :func:`jounce.design_springs` gives it.
+        Result of :func:`jounce.design_springs`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     rows = [
         (wheel, name, of)
@@ -289,19 +289,19 @@ def springs_page(design: SpringDesign, *, title: str) -> Page:
 
 
 def design_front_page(front: DesignFront, *, title: str) -> Page:
-    """Put a front of several metrics on a page: how far each goes, the picture, and every design.
+    """Create a page of a front of several metrics: the range of each metric, a figure, and all designs.
 
     Parameters
     ----------
     front : DesignFront
-        As :func:`jounce.design_front` gives it.
+        Result of :func:`jounce.design_front`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     ends = [
         Fact(
@@ -312,7 +312,7 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
         for name, values in front.goals.items()
     ]
     state, tone = _search_outcome(
-        "all searches came to rest", "some searches did not come to rest", front.converged
+        "all searches converged", "some searches did not converge", front.converged
     )
     facts = Facts((*ends, Fact("designs on the front", str(front.count), state, tone)))
     columns = {**front.goals, **front.numbers}
@@ -332,10 +332,7 @@ def design_front_page(front: DesignFront, *, title: str) -> Page:
     header = ("", *(unit.label(name) for name, unit in units.items()))
     first = next(iter(front.goals))
     every = PageTable(f"From the least {first} on", header, tuple(rows), "r" * len(header))
-    words = (
-        "Designs, none of them better in every metric than another: pairs of metrics, and all "
-        "of them with the numbers."
-    )
+    words = "Non-dominated designs: pairs of metrics, and all of them with the numbers."
     answer: list[Block] = [facts, picture_of(front, "front", words)]
     answer += findings_blocks(front.findings)
     sections = (Section("Answer", tuple(answer)), Section("Every design", (every,)))

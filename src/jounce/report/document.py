@@ -33,13 +33,13 @@ from jounce.report.typeset import breakable, missing_letters, typeset
 if TYPE_CHECKING:
     from jounce.report.page import Fact
 
-_BOXES = "letters for which this computer had no font are boxes; a browser shows them"
+_BOXES = "characters without an installed font appear as boxes; a browser shows them"
 TABLES = ("csv", "xlsx")
-"""Formats of a page's tables."""
+"""File formats of a page's tables."""
 
 
 def page_pdf(page: Page, figures: Mapping[str, Mapping[str, bytes]], template: bytes) -> bytes:
-    """Set a page as PDF; ``figures`` has the panels of each figure as SVG by name: file name to content."""
+    """Typeset a page as PDF; ``figures`` contains the panels of each figure as SVG, by name and file name."""
     import jounce
 
     content = {
@@ -64,7 +64,7 @@ def page_pdf(page: Page, figures: Mapping[str, Mapping[str, bytes]], template: b
 
 
 def _restore_file_names(value: Any) -> Any:
-    """Give names of files back the form in which they stand beside the document."""
+    """Restore the file names of figures as written next to the document."""
     if isinstance(value, dict):
         return {
             key: item.replace("\u200b", "")
@@ -82,7 +82,7 @@ def _blocks(
     for block in blocks:
         if (
             isinstance(block, Details) and block.is_still
-        ):  # on paper nothing moves that it would be the same as
+        ):  # paper has no animation whose static copy this would be
             plain_blocks += _blocks(block.blocks, figures)
         elif (plain := _plain(block, figures)) is not None:
             plain_blocks.append(plain)
@@ -122,13 +122,13 @@ def _plain(block: Block, figures: Mapping[str, Mapping[str, bytes]]) -> dict[str
         ]
         return {"kind": kind, "groups": groups}
     if isinstance(block, Viewer):
-        return None  # it moves; its figures stand beside it
+        return None  # an animation; its figures are separate blocks
     title = block.summary if isinstance(block, Details) else block.title
     return {"kind": "Group", "title": title, "blocks": _blocks(block.blocks, figures)}
 
 
 def _arrange_panels(panels: list[dict[str, Any]]) -> list[list[dict[str, Any]]]:
-    """Put panels side by side as long as their text can be read."""
+    """Arrange panels side by side while their text remains legible."""
     rows: list[list[dict[str, Any]]] = []
     for panel in panels:
         if not rows or sum(beside["width"] for beside in rows[-1]) + panel["width"] > _MOST:
@@ -142,9 +142,9 @@ def _fact(fact: Fact) -> dict[str, str]:
 
 
 _FULL, _MOST = 700, 1010
-"""Width of panels side by side, in their pixels, that fills the page, and the most that can be read there."""
+"""Total panel width in pixels that fills the page, and the maximum that remains legible."""
 _WIDE, _WIDE_NAME = 22, 44
-"""Letters from which a column of text, and the first one, shares what room is left."""
+"""Number of characters above which a text column, and the first column, shares the remaining width."""
 
 
 def _table(table: PageTable) -> dict[str, Any]:
@@ -178,7 +178,7 @@ def _cell(cell: Cell | str) -> dict[str, str]:
 
 
 def tables_of(page: Page) -> dict[str, PageTable]:
-    """Every table of a page by a file name, in order: ``01-parameters-of-strategy-1``."""
+    """Return all tables of a page by file name, in order: ``01-parameters-of-strategy-1``."""
     tables = [block for block in page.blocks() if isinstance(block, PageTable)]
     return {
         f"{k:02d}-{slug(table.caption)[:60].rstrip('-')}": table
@@ -190,7 +190,7 @@ _NUMBER = re.compile(r"−?\d+(\.\d+)?(e−?\d+)?")
 
 
 def value_of(cell: Cell | str) -> float | str:
-    """A cell as a number where it is one, else its text with the note behind it.
+    """Return a cell as a number if possible, otherwise as text followed by its note.
 
     Examples
     --------
@@ -204,7 +204,7 @@ def value_of(cell: Cell | str) -> float | str:
 
 
 def table_csv(table: PageTable) -> str:
-    """Write a table as CSV: numbers with a point, texts that a spreadsheet would take for formulas with a ``'``.
+    """Format a table as CSV, with decimal points and a ``'`` before texts that look like formulas.
 
     Examples
     --------
@@ -228,7 +228,7 @@ def _csv_text(cell: Cell | str) -> str:
 
 
 def tables_xlsx(page: Page) -> bytes:
-    """Write all tables of a page into one workbook, a sheet each, the first one a list of them.
+    """Write all tables of a page into one workbook: a sheet with a list of tables, then one sheet per table.
 
     Raises
     ------
@@ -261,7 +261,7 @@ def tables_xlsx(page: Page) -> bytes:
 
 
 def _append(sheet: Any, values: Sequence[float | str]) -> None:
-    """Append a row; texts stay texts, also those that begin with ``=``."""
+    """Append a row; texts that begin with ``=`` are kept as texts."""
     row = sheet.max_row + (sheet.max_row > 1 or sheet.cell(1, 1).value is not None)
     for column, value in enumerate(values, 1):
         cell = sheet.cell(row, column)

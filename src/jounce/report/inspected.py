@@ -1,4 +1,4 @@
-"""Records of a vehicle on a tester: evaluated, graded, written as protocols and put into a store."""
+"""Inspection records of a vehicle: evaluation, grading, protocols, and storage."""
 
 from __future__ import annotations
 
@@ -48,15 +48,15 @@ class EvaluatedVehicle(Shown):
     graded : VehicleGrade
         Values of the wheels (SI), grades, verdicts and reasons.
     records : tuple of InspectedRecord
-        One of each axle, in the order in which they were given.
+        One record per axle, in the order given.
     protocols : tuple of Path
-        Files that were written.
+        Files written.
     store : str
-        Where they were stored; empty if nowhere.
+        Store that holds the records; empty if not stored.
     numbers : tuple of int
-        Of the records in the store.
+        Numbers of the records in the store.
     missing : tuple of Finding
-        What could not be drawn.
+        Figures that could not be drawn.
     """
 
     graded: VehicleGrade
@@ -71,12 +71,12 @@ class EvaluatedVehicle(Shown):
 
     @property
     def title(self) -> str:
-        """Names of the records."""
+        """Return the names of the records."""
         return ", ".join(str(record.path) for record in self.records)
 
     @property
     def refusal(self) -> RecordingError | None:
-        """Give the first reason why a wheel is not graded, as an error; None where all are."""
+        """Return the first reason why a wheel is not graded, as an error; ``None`` if all are graded."""
         for record in self.records:
             for grade in record.graded.grades:
                 if grade.verdict == "not graded":
@@ -91,11 +91,11 @@ class EvaluatedVehicle(Shown):
 
     @property
     def problems(self) -> tuple[str, ...]:
-        """Why a wheel is not graded."""
+        """Return the reason why a wheel is not graded."""
         return (str(self.refusal),) if self.refusal else ()
 
     def to_dict(self) -> dict[str, Any]:
-        """Give one axle as it is; two with all wheels in one list, each with its axle."""
+        """Return a single axle unchanged; merge the wheels of two axles into one list, each with its axle."""
         plain = self._one_axle() if len(self.graded.axles) == 1 else self._both_axles()
         plain["protocol"] = list(dict.fromkeys(map(str, self.protocols)))
         plain["store"] = (
@@ -144,7 +144,7 @@ class EvaluatedVehicle(Shown):
     doing="evaluating",
     example="jounce inspect evaluate front.csv rear.csv --tester egea-specsus2018 --report car.pdf",
     note=(
-        "What --date, --place, --plate and --inspector say takes the place of the header's, in the store as well. A "
+        "--date, --place, --plate and --inspector override the header, in the store as well. A "
         "record that cannot be graded is stored with the reasons, never graded by guess; the exit code is then 2."
     ),
 )
@@ -182,61 +182,62 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
     ] = None,
     language: Annotated[Language, Mark("Language of the protocol: en or de.")] = "en",
     date: Annotated[str | None, Mark("Day of the test, e.g. 2026-11-21.")] = None,
-    place: Annotated[str | None, Mark("Where it was made.")] = None,
+    place: Annotated[str | None, Mark("Location of the test.")] = None,
     plate: Annotated[str | None, Mark("Number plate of the vehicle.")] = None,
-    inspector: Annotated[str | None, Mark("Who made it.")] = None,
+    inspector: Annotated[str | None, Mark("Person who made the test.")] = None,
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
     progress: Callable[[str], None] = lambda _: None,
 ) -> EvaluatedVehicle:
     """Evaluate and grade the records of one or both axles, write the protocol, and store both.
 
-    What is given of date, place, plate and inspector takes the place of the header's, in the store as well. A record
-    that cannot be graded is stored with the reasons, never graded by guess.
+    A given date, place, plate or inspector overrides the header, in the store as well. A record that cannot be graded
+    is stored with the reasons; missing values are never guessed.
 
     Parameters
     ----------
     records : sequence of Path or str
         Record of one axle, or one of each axle.
     tester : Tester, Path or str
-        On which they were made: its description, file or shipped name.
+        Tester used: its description, file or shipped name.
     vehicle : Path or str, optional
         File or name of the vehicle; its weight is compared with the static loads.
     methods : sequence of {"eusama", "egea", "theta", "boge"}
-        What decides; by default the method of the tester.
+        Deciding methods; by default that of the tester.
     limits : Path or str, optional
         Limits file; by default the shipped limits.
     reports : sequence of Path or str
-        Protocols to write, ``.pdf`` or ``.html``; ``car.pdf,html`` are both. The values are in ``.json`` beside each.
+        Protocols to write, ``.pdf`` or ``.html``; ``car.pdf,html`` writes both formats. The values are written to a
+        ``.json`` file of the same name.
     store : Path or str, optional
-        SQLite file, which is created if missing, or a database URL.
+        SQLite file (created if missing), or a database URL.
     language : {"en", "de"}
-        Of the protocols.
+        Language of the protocols.
     date : str, optional
-        Day of the test, such as ``2026-11-21``.
+        Date of the test, such as ``2026-11-21``.
     place : str, optional
-        Where it was made.
+        Location of the test.
     plate : str, optional
         Number plate of the vehicle.
     inspector : str, optional
-        Who made it.
+        Person who made the test.
     force : bool
         Overwrite existing protocols.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with a one-line message at each stage.
 
     Returns
     -------
     EvaluatedVehicle
-        Values, grades and verdicts, and what was written.
+        Values, grades and verdicts, and the files written.
 
     Raises
     ------
     RecordingError
-        For a record that cannot be read; with a store, it is stored with the reason.
+        If a record cannot be read; with a store, it is stored with the reason.
     DescriptionError
-        For what does not fit the records: tester, method, limits, a header's text.
+        If the tester, a method, the limits or a header's text does not match the records.
     OutputError
-        For a protocol that exists, without ``force``; nothing is evaluated then.
+        If a protocol exists and ``force`` is not given; nothing is evaluated then.
 
     Examples
     --------
@@ -287,7 +288,7 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
     written: list[Path] = []
     missing: list[Finding] = []
     for file in protocols:
-        is_allowed = force or file is not protocols[0]  # their values have one file
+        is_allowed = force or file is not protocols[0]  # all protocols share one JSON file
         try:
             written += write_protocol(
                 whole, file, records=signals, language=language, about=about, force=is_allowed
@@ -303,7 +304,7 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
 
 @dataclass(frozen=True)
 class _Asked:
-    """How records are to be evaluated, and what is said of the test."""
+    """Settings for the evaluation of records, and the facts given about the test."""
 
     task: Mapping[str, Any]
     limits: Any
@@ -312,7 +313,7 @@ class _Asked:
 
 
 def _formats_of(file: Path) -> list[Path]:
-    """Files that a name with several suffixes stands for: ``car.pdf,html`` is ``car.pdf`` and ``car.html``."""
+    """Expand a name with several suffixes: ``car.pdf,html`` is ``car.pdf`` and ``car.html``."""
     first, *others = file.name.split(",")
     if not others or any(not suffix.isalnum() for suffix in others):
         return [file]
@@ -325,9 +326,9 @@ def _formats_of(file: Path) -> list[Path]:
 def _inspected(
     file: Path, asked: _Asked, store: Store | None
 ) -> tuple[InspectedRecord, int | None]:
-    """Read, evaluate and grade one record and store it; what cannot be read is stored, too, before it is refused.
+    """Read, evaluate, grade and store one record; an unreadable record is stored before the error is raised.
 
-    The name of the vehicle counts where the header names none.
+    The vehicle's name is used if the header contains none.
     """
     read, task = None, asked.task
     try:
@@ -338,9 +339,9 @@ def _inspected(
             file, task["tester"], task["vehicle"], task["methods"], asked.limits, read=read
         )
     except Exception as error:
-        if is_of_system(error):  # the record was not looked at: this is no verdict
+        if is_of_system(error):  # the record was not examined: this is not a verdict
             raise
-        # a description that does not fit a readable record is a wrong request, no property of the record
+        # a description that does not match a readable record is a wrong request, not a property of the record
         if store is not None and not (read is not None and isinstance(error, DescriptionError)):
             _store(store, entry_of(file, asked.facts, **task), refusal_of(error, asked.limits))
         raise
@@ -351,7 +352,7 @@ def _inspected(
 
 
 def _store(store: Store, entry: RecordEntry, grading: Grading) -> int:
-    """Put a record into the store; one that it holds already gets one more grading."""
+    """Add a record to the store; a record already stored gets an additional grading."""
     number, is_new = store.accept(entry, grading)
     if not is_new:
         store.add_gradings([(number, grading)])
@@ -359,7 +360,7 @@ def _store(store: Store, entry: RecordEntry, grading: Grading) -> int:
 
 
 def evaluated_page(found: EvaluatedVehicle, *, title: str) -> Page:
-    """Put the graded axles of a vehicle on a page, with what was written."""
+    """Create a page of the graded axles of a vehicle and the files written."""
     page = inspection_page(found.graded, title=title)
     lines = [f"written: {file}" for file in dict.fromkeys(map(str, found.protocols))]
     if found.store:

@@ -1,4 +1,4 @@
-"""Hardpoints found from targets as a page: which are met, then curves and the rig that moves, before and after."""
+"""Page of a kinematic design: targets met, then curves and the animated rig before and after."""
 
 from __future__ import annotations
 
@@ -35,29 +35,29 @@ if TYPE_CHECKING:
     from jounce.design.studied import StudiedDesign
 
 _POINTS = 41
-_FINE = 1e-6  # of a tolerance: what rounding leaves of nothing
-_SMALLEST = 0.02  # m of travel that is shown at least
+_FINE = 1e-6  # of a tolerance: below this, a value is rounding error
+_SMALLEST = 0.02  # minimum travel shown, m
 
 
 def kinematic_design_page(
     design: KinematicDesign, *, title: str, pictures: Mapping[str, Figure] | None = None
 ) -> Page:
-    """Put a kinematic design on a page.
+    """Create a page of a kinematic design.
 
     Parameters
     ----------
     design : KinematicDesign
-        What :func:`jounce.design_kinematics` found.
+        Result of :func:`jounce.design_kinematics`.
     title : str
         Name of the study.
 
     pictures : mapping of str to Figure, optional
-        As :func:`jounce.plots.kinematic_design.design_pictures` draws them, where they have been drawn already.
+        Result of :func:`jounce.plots.kinematic_design.design_pictures`, if already drawn.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS` or :func:`jounce.report.write_page`.
+        Page to be written with :data:`jounce.report.REPORTS` or :func:`jounce.report.write_page`.
     """
     met = sum(target.met for target in design.targets)
     good = sum(start.met for start in design.starts)
@@ -87,10 +87,10 @@ def kinematic_design_page(
     answer += findings_blocks(design.findings)
     millimetre = f"1 {display_unit('m').name}"
     words = {
-        "targets": "Wanted curves before and after with their bands; single values in tolerances from what is wanted.",
-        "sensitivity": f"How far {millimetre} of the decisive coordinates shifts each target, in its tolerances.",
-        "tradeoffs": "Which targets answer when one tolerance more of one is asked: 1 is free to have, less is shared.",
-        "spread": "What the spread of the parts does to every target: 95 % of the cars, as built and adjusted.",
+        "targets": "Target curves with their bands before and after; single values as deviations in tolerances.",
+        "sensitivity": f"Shift of each target, in tolerances, for {millimetre} of the most influential coordinates.",
+        "tradeoffs": "Response of all targets to a shift of one by a tolerance: 1 is independent, less is coupled.",
+        "spread": "Effect of part tolerances on every target: range of 95 % of the cars, as built and adjusted.",
         "geometry": "Instant centres, roll centre and steering axis of the rig before and after.",
     }
     drawn = {
@@ -122,13 +122,13 @@ def kinematic_design_page(
 
 
 def studied_design_page(studied: StudiedDesign, *, title: str) -> Page:
-    """Put the design of a study file on a page, as :func:`kinematic_design_page` does."""
+    """Create a page of the design of a study file, as :func:`kinematic_design_page` does."""
     return kinematic_design_page(studied.design, title=title)
 
 
 def _fight(design: KinematicDesign, fight: Any) -> str:
     missed, other = (design.targets[i].label for i in (fight.missed, fight.other))
-    return f"{missed} fights {other}: what brings one nearer takes the other away ({number(fight.cosine, 2)})."
+    return f"{missed} conflicts with {other}: improving one worsens the other ({number(fight.cosine, 2)})."
 
 
 def _targets(design: KinematicDesign) -> PageTable:
@@ -149,12 +149,12 @@ def _targets(design: KinematicDesign) -> PageTable:
             )
         )
     header = ("target", "unit", "before", "after", "wanted", "tolerance", "")
-    note = "Curves are given by their least and greatest value; where each pose wants its own, by the farthest from it."
+    note = "Curves are given by minimum and maximum; with a target for each pose, by the largest deviation."
     return PageTable("Targets", header, tuple(rows), "llrrrrl", note)
 
 
 def _name(target: TargetResult) -> str:
-    """Name of a target, with its pose where it is one away from the design."""
+    """Return the name of a target, with its pose if that is not the design position."""
     if target.has_curve:
         return f"{target.label}, farthest from its curve"
     return (
@@ -165,7 +165,7 @@ def _name(target: TargetResult) -> str:
 
 
 def _target_value(value: float | list[float], target: TargetResult, factor: float) -> str:
-    """Write a value, the ends of a curve, or how far it is from one that is wanted, and where."""
+    """Format a value, the range of a curve, or the largest deviation from a target curve and its pose."""
     if not target.has_curve:
         return _span(value, factor, _FINE * target.tolerance)
     k, off = target.worst(value)
@@ -173,7 +173,7 @@ def _target_value(value: float | list[float], target: TargetResult, factor: floa
 
 
 def _span(value: float | list[float], factor: float, least: float = 0.0) -> str:
-    """Write a value, or the ends of a curve; what is less than ``least`` is nothing."""
+    """Format a value, or the range of a curve; magnitudes below ``least`` count as zero."""
     ends = [value, value] if isinstance(value, float) else [min(value), max(value)]
     return " to ".join(
         dict.fromkeys(number(0.0 if abs(end) < least else end * factor) for end in ends)
@@ -216,11 +216,15 @@ def _directions(design: KinematicDesign) -> PageTable:
         )
         rows.append((direction.number, unit.name or direction.unit, *ends))
     note = (
-        "Standard deviation of each number where the curves are known to their tolerances: all others known, and all "
-        "sought at once. A dash: the curves do not tell it."
+        "Standard deviation of each parameter if the curves are known to their tolerances: alone with all others "
+        "known, and together with all others. A dash: the curves do not determine it."
     )
     return PageTable(
-        "What the curves tell", ("number", "unit", "alone", "together"), tuple(rows), "llrr", note
+        "Parameters determined by the curves",
+        ("number", "unit", "alone", "together"),
+        tuple(rows),
+        "llrr",
+        note,
     )
 
 
@@ -240,14 +244,14 @@ def _spread(name: str, spread: KinematicSpread) -> PageTable:
         ),
     ]
     head = f"{spread.cars} cars of {name}" if name else f"{spread.cars} cars"
-    note = "Shares of the cars as built and adjusted; of an adjustment the range that 95 % of the cars need."
+    note = "Fractions of the cars as built and adjusted; for an adjustment, the range that 95 % of the cars need."
     return PageTable(
         head, ("", "unit", "as built, or from", "adjusted, or to"), tuple(rows), "llrr", note
     )
 
 
 def _curves(design: KinematicDesign, title: str) -> tuple[Block, ...]:
-    """Sweeps of the rigs found and of those begun with, over what the targets are wanted over."""
+    """Return sweeps of the final and initial rigs over the ranges of the targets."""
     blocks: list[Block] = []
     for name, start in design.before().items():
         rig = design.rigs[name]

@@ -1,4 +1,4 @@
-"""Pages of a laboratory: test sheet, folder, calibrations, and which model its data support."""
+"""Pages of a laboratory: test sheet, folder, calibrations, and model selection."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 
 def folder_page(made: FolderCampaign, *, title: str = "") -> Page:
-    """What each file of a folder was taken for, and what is missing."""
+    """Create a page of the detected role of each file in a folder, and of missing files."""
     files = table_of(
         "Files",
         (
@@ -51,7 +51,7 @@ def folder_page(made: FolderCampaign, *, title: str = "") -> Page:
 
 
 def new_campaign_page(start: NewCampaign, *, title: str) -> Page:
-    """Put a new campaign on a page: its files, or what measured files were taken for, and how to go on."""
+    """Create a page of a new campaign: its files or the detected roles of measured files, and next steps."""
     campaign = str(start.campaign)
     run = command_line(["jounce", "campaign", "run", campaign, "--out", "results"])
     if start.made is not None:
@@ -64,7 +64,7 @@ def new_campaign_page(start: NewCampaign, *, title: str) -> Page:
 
 
 def calibration_page(calibration: Calibration, *, title: str = "") -> Page:
-    """Sensitivity and zero with their intervals, the points beside the line, and the keys of a sensor."""
+    """Create a page of sensitivity and zero with intervals, points and fitted line, and keys of a sensor."""
     sensitivity, zero = fields_of(calibration, "sensitivity", "zero")
     known = [
         field
@@ -91,7 +91,9 @@ def calibration_page(calibration: Calibration, *, title: str = "") -> Page:
     in_file = Paragraph(
         "As keys of a sensor in a campaign, or of a channel in the settings of a laboratory:"
     )
-    words = "What was recorded against the known sizes with the fitted line, and the points off that line."
+    words = (
+        "Recorded values against known sizes with the fitted line, and deviations from that line."
+    )
     picture = Picture(lambda: figure_of(calibration), "calibration", words, words)
     blocks = (results, points, in_file, keys, Findings(calibration.findings), picture)
     return Page(
@@ -100,22 +102,22 @@ def calibration_page(calibration: Calibration, *, title: str = "") -> Page:
 
 
 def model_choice_page(choice: ModelChoice, *, title: str = "") -> Page:
-    """Models of an update side by side, the one that the data support best first."""
+    """Create a page that compares the models of an update, best supported by the data first."""
     models = choice.models
     table = table_of(
         f"Models of {choice.update}",
         (
             TableColumn("model", [row.model for row in models]),
             TableColumn("parameters", [str(row.parameters) for row in models]),
-            TableColumn("AIC above least", [f"{row.aic:.1f}" for row in models]),
-            TableColumn("BIC above least", [f"{row.bic:.1f}" for row in models]),
-            TableColumn("least R2, fitted", [_text(row.fitted) for row in models]),
-            TableColumn("least R2, held out", [_text(row.held_out) for row in models]),
+            TableColumn("AIC above minimum", [f"{row.aic:.1f}" for row in models]),
+            TableColumn("BIC above minimum", [f"{row.bic:.1f}" for row in models]),
+            TableColumn("minimum R2, fitted", [_text(row.fitted) for row in models]),
+            TableColumn("minimum R2, held out", [_text(row.held_out) for row in models]),
             TableColumn(
                 "held-out trials that hold", [f"{row.holds} of {row.trials}" for row in models]
             ),
         ),
-        "AIC and BIC count independent residuals; models within 2 of the least AIC are carried alike.",
+        "AIC and BIC count independent residuals; models within 2 of the lowest AIC are equally supported.",
     )
     return Page(
         title or "Models compared", (Section("Models", (table, Findings(choice.findings))),)
@@ -131,11 +133,11 @@ _NOTES = (
     "Mass of the body with everything on it, and of wheel and knuckle, weighed to 1 %",
     "Height and length of the obstacle by caliper, at three places; length of the belt",
 )
-"""What a report asks for and a record does not hold."""
+"""Items that a report requires and a record does not contain."""
 
 
 def sheet_page(sheet: TestSheet, *, title: str = "") -> Page:
-    """A test sheet to print: settings, order, what to expect and to note; with room for an exercise if asked for."""
+    """Create a printable test sheet: settings, order, expected values, fields for notes, and an optional exercise."""
     masses = ", ".join(f"{mass:g} kg" for mass in sheet.masses)
     frequencies = ", ".join(f"{frequency:.3g} Hz" for frequency in sheet.frequencies)
     facts = Facts((Fact("masses", masses), Fact("natural frequencies expected", frequencies)))
@@ -148,7 +150,7 @@ def sheet_page(sheet: TestSheet, *, title: str = "") -> Page:
             TableColumn("checked", ["" for _ in sheet.channels]),
         ),
     )
-    trials = table_of("Trials in the order of the least setting up", _trial_columns(sheet))
+    trials = table_of("Trials in the order of least setup effort", _trial_columns(sheet))
     sections = [
         Section("Settings", (facts, card)),
         Section("Trials", (trials, Paragraph(_PREDICTED, "muted"), _information_table(sheet))),
@@ -161,8 +163,8 @@ def sheet_page(sheet: TestSheet, *, title: str = "") -> Page:
 
 _PREDICTED = "Peaks are those of the model before any measurement."
 _TAUGHT = (
-    "Noise of usual accelerometers alone, one loop, nothing else unknown: real errors are many times larger, and the "
-    "order of the trials is what counts."
+    "Noise of typical accelerometers only, one loop, all else known: real errors are many times larger; only the "
+    "order of the trials is meaningful."
 )
 
 
@@ -185,7 +187,7 @@ def _trial_columns(sheet: TestSheet) -> list[TableColumn]:
 
 
 def _information_table(sheet: TestSheet) -> PageTable:
-    """Standard error of each parameter by each trial alone."""
+    """Return a table of the standard error of each parameter from each trial alone."""
     paths = dict.fromkeys(path for trial in sheet.trials for path in trial.teaches)
     columns = [
         TableColumn(
@@ -199,12 +201,12 @@ def _information_table(sheet: TestSheet) -> PageTable:
     ]
     names = TableColumn("trial", [str(trial.number) for trial in sheet.trials])
     return table_of(
-        "What each trial would teach: standard error of a parameter", (names, *columns), _TAUGHT
+        "Information from each trial: standard error of a parameter", (names, *columns), _TAUGHT
     )
 
 
 def _exercise(sheet: TestSheet) -> list[Section]:
-    """Sections in which students predict, measure and compare."""
+    """Return sections in which students predict, measure and compare."""
     numbers = [str(trial.number) for trial in sheet.trials]
     blank = ["" for _ in numbers]
     quantities = (
@@ -221,7 +223,7 @@ def _exercise(sheet: TestSheet) -> list[Section]:
         )
 
     questions = (
-        "Which parameter decides the first peak of the wheel, and why does the body hardly feel it?",
+        "Which parameter determines the first peak of the wheel, and why does the body hardly respond to it?",
         "At which speed does the obstacle meet a natural frequency, and what do you expect there?",
         "Where does the tyre leave the road, and how would you see it in the record?",
     )
@@ -240,7 +242,7 @@ def _exercise(sheet: TestSheet) -> list[Section]:
             (
                 form("Comparison", "predicted", "measured", "difference", "because"),
                 Paragraph(
-                    "Conclusion: which model do the data carry, for which trials, and how do you know?"
+                    "Conclusion: which model do the data support, for which trials, and how do you know?"
                 ),
             ),
         ),

@@ -1,7 +1,7 @@
-"""What a page's viewers show: curves over time and mechanisms as data, packed into the page in little room.
+"""Data of a page's viewers: curves over time and mechanisms, packed compactly into the page.
 
-A number takes sixteen bits between the least and the greatest of its curve, an error below 1/130 000 of that range,
-which no screen shows, and none at zero; what is written in tables comes from the numbers themselves.
+Numbers are quantised to sixteen bits between the minimum and maximum of their curve. The error is below 1/130 000 of
+that range, which no screen resolves, and zero at zero. Tables use the original numbers.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ Whole: TypeAlias = NDArray[np.int64]
 
 @dataclass(frozen=True)
 class Curve:
-    """One line: what it is, the role whose colour it has, values (n,) in the unit of its pane."""
+    """One curve: label, role (which sets the colour), and values (n,) in the unit of its pane."""
 
     label: str
     role: str
@@ -44,7 +44,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Pane:
-    """One quantity: name of the channel, words, display unit, its curves, and whether it is shown at first."""
+    """One quantity: channel name, description, display unit, curves, and whether it is shown initially."""
 
     name: str
     words: str
@@ -55,22 +55,22 @@ class Pane:
 
 @dataclass(frozen=True)
 class PosedRig:
-    """A 3-D rig with its poses over the travel of its wheel, the body at its design position; or each as it was.
+    """A 3-D rig with poses over wheel travel and its body at the design position, or with recorded poses.
 
-    What ``poses`` are counted by is what the ``travel`` of a motion says.
+    The ``travel`` of a motion refers to the variable by which ``poses`` are ordered.
     """
 
     drawing: Drawing
     poses: Poses
     rolls: bool = True
-    """Whether it is driven over a road, with the radius of its tyre unloaded; on a plate it has that of the design."""
+    """Whether the rig drives over a road, with unloaded tyre radius; on a plate it has the design radius."""
 
 
 @dataclass(frozen=True)
 class Motion:
-    """How a mechanism moved: heights and travel over time, shape (n,), m; ``load`` of the tyre in N.
+    """Motion of a mechanism: heights and travel over time, shape (n,), m; ``load`` of the tyre in N.
 
-    ``travel`` finds the pose of the mechanism, whatever its poses are counted by.
+    ``travel`` selects the pose of the mechanism, in the variable by which the poses are ordered.
     """
 
     mechanism: PosedRig
@@ -84,24 +84,24 @@ class Motion:
 
 @dataclass(frozen=True)
 class ViewerScene:
-    """What one choice shows.
+    """One selectable scene of a viewer.
 
     Attributes
     ----------
     name, label : str
-        For links, and as it is chosen.
+        Identifier for links, and label in the selection.
     x : array (n,)
         Common axis of all curves, ascending.
     panes : tuple of Pane
-        One above the other.
+        Panes, from top to bottom.
     note, tone : str
-        A word beside it, e.g. a verdict, and its tone.
+        Short note, e.g. a verdict, and its tone.
     spans : tuple of (float, float)
         Shaded parts of the axis.
     window : (float, float), optional
-        Part that is shown first.
+        Part of the axis shown initially.
     motion : Motion, optional
-        The mechanism that moves with the curves.
+        Mechanism animated with the curves.
     """
 
     name: str
@@ -117,9 +117,9 @@ class ViewerScene:
 
 @dataclass(frozen=True)
 class Viewer:
-    """Scenes one of which is shown, with the curves that can be switched: (role, label, shown at first).
+    """Selectable scenes, one shown at a time, with toggles for curves: (role, label, shown initially).
 
-    On a ``stage`` the mechanism is the subject, and large. It is played ``slower`` than in reality at first.
+    With ``stage``, the mechanism is the main subject and drawn large. ``slower`` is the initial slow-motion factor.
     """
 
     title: str
@@ -132,18 +132,18 @@ class Viewer:
     slower: float | None = None
 
 
-_LONGEST_TITLE = 62  # letters in bold across a panel
+_LONGEST_TITLE = 62  # bold characters that fit across a panel
 
 
 def _fitting(title: str) -> str:
-    """A title without the last of its words where they have no room."""
+    """Shorten a title by trailing words until it fits."""
     while len(title) > _LONGEST_TITLE and ", " in title:
         title = title.rpartition(", ")[0]
     return title if len(title) <= _LONGEST_TITLE else f"{title[: _LONGEST_TITLE - 1]}…"
 
 
 def named_words(name: str, words: str) -> str:
-    """Channel's name with its quantity, unless they are alike: ``camber angle``, ``sprung.az, vertical acceleration``.
+    """Return a channel's name and quantity, or one of them if alike: ``sprung.az, vertical acceleration``.
 
     >>> named_words("motion_ratio", "motion ratio: spring over wheel"), named_words("sprung.z", "height")
     ('motion ratio: spring over wheel', 'sprung.z, height')
@@ -154,7 +154,7 @@ def named_words(name: str, words: str) -> str:
 def scene_panels(
     scene: ViewerScene, words: str, unit: str, roles: Sequence[str] = ()
 ) -> tuple[Panel, ...]:
-    """Give a scene's curves as panels of a figure that does not move: what is shown first, of some roles (or all)."""
+    """Return the initially shown curves of a scene as panels of a static figure, for some roles or all."""
     panes = [pane for pane in scene.panes if pane.shown] or list(scene.panes[:1])
     is_alone = (
         len(
@@ -195,13 +195,13 @@ def scene_panels(
 
 
 _MOST_SAMPLES = 20_000
-"""Of one curve; more of them are thinned so that peaks stay."""
+"""Maximum samples of one curve; longer curves are thinned without losing peaks."""
 _GAP = 65535
 
 
 @dataclass
 class PageArrays:
-    """Collects the arrays of a page, each of them once."""
+    """Collection of the arrays of a page, without duplicates."""
 
     arrays: list[dict[str, Any]] = field(default_factory=list)
     known: dict[bytes, int] = field(default_factory=dict)
@@ -209,7 +209,7 @@ class PageArrays:
     length: int = 0
 
     def add(self, values: Array) -> int:
-        """Pack an array, shape (n,); give its index."""
+        """Pack an array, shape (n,); return its index."""
         values = np.ascontiguousarray(values, float)
         key = blake2b(values.tobytes(), digest_size=16).digest()
         if key not in self.known:
@@ -229,7 +229,7 @@ class PageArrays:
         )
         step = (high - low) / (_GAP - 2) or 1.0
         if high > low:
-            low = step * float(np.floor(low / step))  # so that 0 is one of the steps
+            low = step * float(np.floor(low / step))  # makes 0 exactly representable
         whole = np.full(n, _GAP, np.int64)
         whole[finite] = np.round((values[finite] - low) / step)
         best = min(range(3), key=lambda order: _size(whole, order))
@@ -243,12 +243,12 @@ class PageArrays:
         return entry
 
     def text(self) -> str:
-        """All arrays deflated, as base64."""
+        """Return all arrays, deflated and base64-encoded."""
         return base64.b64encode(zlib.compress(b"".join(self.planes), 6)).decode()
 
 
 def _fold_differences(whole: Whole, order: int) -> Whole:
-    """Differences of an order, modulo 2^16, with the sign in the lowest bit."""
+    """Return differences of an order, modulo 2^16, with the sign in the lowest bit."""
     if order == 0:
         return whole
     differences = np.diff(whole, n=order, prepend=np.zeros(order, np.int64))
@@ -264,14 +264,14 @@ def _size(whole: Whole, order: int) -> float:
 
 @dataclass
 class Straight:
-    """Collects the arrays of an answer as they are, for a page on the same machine: as many bytes as it takes."""
+    """Collection of the arrays of a response, uncompressed, for a page on the same machine."""
 
     arrays: list[dict[str, Any]] = field(default_factory=list)
     parts: list[bytes] = field(default_factory=list)
     length: int = 0
 
     def add(self, values: Array) -> int:
-        """Take an array, shape (n,) or (n, 3); give its index."""
+        """Add an array, shape (n,) or (n, 3); return its index."""
         content = np.ascontiguousarray(values, "<f8").tobytes()
         self.arrays.append({"n": values.size, "at": self.length})
         self.parts.append(content)
@@ -280,16 +280,16 @@ class Straight:
 
 
 def live_data(viewers: Sequence[Viewer]) -> dict[str, Any]:
-    """Give the content of the viewers of a page as plain data."""
+    """Return the content of a page's viewers as plain data."""
     packed = PageArrays()
     content = _content(viewers, packed)
     return content | {"packed": packed.text()}
 
 
 def live_bytes(viewers: Sequence[Viewer], more: Mapping[str, Any]) -> bytes:
-    """Give the same for a page that asks again and again, with ``more`` beside it: numbers as they are, nothing packed.
+    """Return the content of viewers and ``more`` as uncompressed bytes, for a page that updates often.
 
-    The length of the plain part (four bytes, the least first), that as JSON filled up to whole eights, then all arrays.
+    Layout: length of the JSON part (four bytes, little-endian), JSON padded to a multiple of eight bytes, arrays.
     """
     straight = Straight()
     header = json.dumps(
@@ -379,7 +379,7 @@ def _content(viewers: Sequence[Viewer], packed: PageArrays | Straight) -> dict[s
 
 
 def _samples_for_page(scene: ViewerScene) -> Whole:
-    """Samples that are put into the page: all of them, or of a long record those that show its peaks."""
+    """Return the samples to include in the page: all, or for a long record those that preserve its peaks."""
     n = len(scene.x)
     if n <= _MOST_SAMPLES:
         return np.arange(n)
@@ -393,7 +393,7 @@ def _samples_for_page(scene: ViewerScene) -> Whole:
 
 
 def mechanism_data(posed: PosedRig, add: Callable[[Array], int] | None = None) -> dict[str, Any]:
-    """Give a mechanism and its poses over travel as plain data in mm; places as indices where ``add`` takes them."""
+    """Return a mechanism and its poses over travel as plain data in mm; with ``add``, positions are array indices."""
     placed = (lambda values: add(1e3 * values)) if add else _mm
     drawing, poses = posed.drawing, posed.poses
     order = np.argsort(poses.over)
@@ -452,5 +452,5 @@ def _mm(values: Array) -> Any:
 
 @cache
 def bundle(name: str) -> str:
-    """Give a file of the viewer as built from its sources: ``viewer.js``, ``viewer.css``, ``page.js``."""
+    """Return a built file of the viewer: ``viewer.js``, ``viewer.css`` or ``page.js``."""
     return resources.files("jounce.report").joinpath("viewer", name).read_text(encoding="utf-8")

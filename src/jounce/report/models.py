@@ -1,4 +1,4 @@
-"""What is known of a model without a run as pages: modes, a 3-D rig beside a lumped one, roughness of a profile."""
+"""Pages of results that need no simulation: modes, a 3-D rig compared with a lumped one, road roughness."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ if TYPE_CHECKING:
     from jounce.simulation import Mode
 
 
-_ROUNDING = 1e-9  # of quantities without a smallest value of their own
+_ROUNDING = 1e-9  # for quantities without their own smallest value
 
 
 def curve_blocks(*runs: Any, **options: Any) -> tuple[Block, ...]:
-    """Put curves into a viewer, as :func:`jounce.report.recordings.curve_blocks` does, which loads much."""
+    """Call :func:`jounce.report.recordings.curve_blocks`, importing it lazily because it is slow to load."""
     from jounce.report.recordings import curve_blocks as blocks
 
     return blocks(*runs, **options)
@@ -56,23 +56,23 @@ def modes_page(
     *,
     title: str,
 ) -> Page:
-    """Put the oscillating modes of a rig and its static equilibrium on a page.
+    """Create a page of the oscillating modes of a rig and its static equilibrium.
 
     Parameters
     ----------
     modes : sequence of Mode
-        As :func:`jounce.modes` gives them.
+        Result of :func:`jounce.modes`.
     equilibrium : mapping of str to float
-        Channel to its value at rest, SI, as :func:`jounce.equilibrium` gives it.
+        Static value (SI) by channel, from :func:`jounce.equilibrium`.
     findings : sequence of Finding
-        What the linear model leaves out.
+        Findings on effects the linear model neglects.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
 
     Examples
     --------
@@ -125,12 +125,12 @@ def modes_page(
 
 
 def modal_analysis_page(analysis: ModalAnalysis, *, title: str) -> Page:
-    """Put a modal analysis on a page, as :func:`modes_page` does."""
+    """Create a page of a modal analysis, as :func:`modes_page` does."""
     return modes_page(analysis.modes, analysis.equilibrium, analysis.findings, title=title)
 
 
 def _at_rest(name: str, value: float) -> tuple[str, str]:
-    """Unit and value; what rounding leaves of nothing is nothing."""
+    """Return unit and value, with values at rounding level set to zero."""
     si = state_unit(name)
     if si == "SI":
         return si, number(value)
@@ -147,23 +147,23 @@ def _largest(mode: Mode) -> str:
 def roughness_page(
     roughness: Roughness, distance: Array, height: Array, findings: Sequence[Finding], *, title: str
 ) -> Page:
-    """Put the roughness of a profile on a page: the index first, its segments, then the profile.
+    """Create a page of the roughness of a profile: the index, its segments, and the profile.
 
     Parameters
     ----------
     roughness : Roughness
-        As :func:`jounce.iri` gives it.
+        Result of :func:`jounce.iri`.
     distance, height : ndarray, shape (n,)
         The profile, m.
     findings : sequence of Finding
-        What weakens the numbers.
+        Findings that limit the reliability of the results.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
 
     Examples
     --------
@@ -242,7 +242,7 @@ def roughness_page(
 
 
 def profile_page(profile: ProfileRoughness, *, title: str) -> Page:
-    """Put a profile of a file with its roughness on a page, as :func:`roughness_page` does."""
+    """Create a page of a profile from a file and its roughness, as :func:`roughness_page` does."""
     return roughness_page(
         profile.roughness, profile.distance, profile.height, profile.findings, title=title
     )
@@ -251,21 +251,21 @@ def profile_page(profile: ProfileRoughness, *, title: str) -> Page:
 def model_comparison_page(
     comparison: ModelComparison, *, title: str, rig: Rig | None = None
 ) -> Page:
-    """Put a 3-D rig and its lumped model side by side on a page: what differs and why, in trials, and over travel.
+    """Create a page that compares a 3-D rig with its lumped model: differences, reasons, trials, curves over travel.
 
     Parameters
     ----------
     comparison : ModelComparison
-        As :func:`jounce.design.model_comparison.compare_models` gives it.
+        Result of :func:`jounce.design.model_comparison.compare_models`.
     title : str
-        Head of the page.
+        Heading of the page.
     rig : Rig, optional
-        The 3-D rig, which moves with the curves.
+        3-D rig animated with the curves.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
 
     """
     rows = []
@@ -307,9 +307,9 @@ def model_comparison_page(
     return Page(title, sections, "Where the models differ, and why")
 
 
-_EVERY = 3  # points over travel from one row of the table to the next
+_EVERY = 3  # points over travel between two rows of the table
 
 
 def lumped_comparison_page(lumped: LumpedComparison, *, title: str) -> Page:
-    """Put a 3-D rig and a lumped model of it on a page."""
+    """Create a page that compares a 3-D rig with its lumped model."""
     return model_comparison_page(lumped.comparison, title=title, rig=lumped.rig)

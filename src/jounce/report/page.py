@@ -1,4 +1,4 @@
-"""What a page is made of: sections of text, tables, figures and findings, as frozen data."""
+"""Elements of a page: sections of text, tables, figures and findings, as frozen data classes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Tone = Literal["plain", "good", "fair", "bad", "muted"]
 
 @dataclass(frozen=True)
 class Paragraph:
-    """Text of one paragraph; a ``tone`` colours it."""
+    """Text of one paragraph, coloured by its ``tone``."""
 
     text: str
     tone: Tone = "plain"
@@ -40,7 +40,7 @@ class Bullets:
 
 @dataclass(frozen=True)
 class Cell:
-    """One table cell whose tone says what it means; the text says it too. ``show`` links it to a scene of a viewer."""
+    """A table cell with a tone that reinforces its text; ``show`` links it to a scene of a viewer."""
 
     text: str
     tone: Tone = "plain"
@@ -57,9 +57,9 @@ class PageTable:
     caption : str
         What the table shows, as one sentence.
     header : tuple of str
-        Header of each column, with its unit where there is one.
+        Header of each column, with its unit if any.
     rows : tuple of tuple
-        Cells, or plain texts; the first cell of each row is its header.
+        Cells or plain strings; the first cell of each row is its header.
     align : str
         One letter per column: ``l`` for text, ``r`` for numbers, ``c``; text by default.
     note : str
@@ -75,7 +75,7 @@ class PageTable:
 
 @dataclass(frozen=True)
 class TableColumn:
-    """One column of numbers of an SI unit, or of texts: ``unit`` is empty then."""
+    """One column of numbers in an SI unit, or of texts with an empty ``unit``."""
 
     label: str
     values: Sequence[float | str | Cell | None]
@@ -83,7 +83,7 @@ class TableColumn:
 
 
 def table_of(caption: str, columns: Sequence[TableColumn], note: str = "") -> PageTable:
-    """Make a table of columns of one length, with numbers in the units that are chosen.
+    """Create a table from columns of equal length, with numbers in the selected units.
 
     >>> table_of("Rates", (TableColumn("wheel", ["front"]), TableColumn("rate", [22730.0], "N/m"))).header
     ('wheel', 'rate [N/mm]')
@@ -97,7 +97,7 @@ def table_of(caption: str, columns: Sequence[TableColumn], note: str = "") -> Pa
 
 
 def quantity_table(caption: str, rows: Sequence[tuple[str, float | None, str]]) -> PageTable:
-    """Make a table of labels, values (SI) and their units, each row in the unit that is chosen for it.
+    """Create a table of labels, values (SI) and units, each row in its selected unit.
 
     >>> quantity_table("Rig", [("spring rate", 22730.0, "N/m"), ("damping ratio", 0.3, "1")]).rows
     (('spring rate', '22.73', 'N/mm'), ('damping ratio', '0.3000', '–'))
@@ -112,7 +112,7 @@ def quantity_table(caption: str, rows: Sequence[tuple[str, float | None, str]]) 
 
 
 def as_table(table: TextTable, note: str = "") -> PageTable:
-    """Take a table of a result over into a page."""
+    """Convert a table of a result into a table of a page."""
     sides = "".join("l" if k in table.texts else "r" for k in range(len(table.header)))
     return PageTable(
         table.title, tuple(table.header), tuple(tuple(row) for row in table.rows), sides, note
@@ -120,7 +120,7 @@ def as_table(table: TextTable, note: str = "") -> PageTable:
 
 
 def _write_column(column: TableColumn) -> tuple[str, list[Cell | str]]:
-    """Write the label and the cells of a column."""
+    """Format the label and the cells of a column."""
     if not column.unit:
         return column.label, [
             value if isinstance(value, Cell) else str(value) for value in column.values
@@ -136,10 +136,10 @@ def _write_column(column: TableColumn) -> tuple[str, list[Cell | str]]:
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure, or what draws it, with its file name (without suffix), and what it shows in words.
+    """A figure, or a function that draws it, with its file name (without suffix) and a description.
 
-    ``alternative`` is for readers who cannot see it. A function draws only where a document is written: a terminal
-    shows the rest of the page without it.
+    ``alternative`` is the text for screen readers. A function is called only when a document is written; a terminal
+    shows the page without the figure.
     """
 
     source: Figure | Callable[[], Figure]
@@ -149,12 +149,12 @@ class Picture:
 
     @cached_property
     def figure(self) -> Figure:
-        """The figure; drawn now where a function draws it."""
+        """Return the figure, calling its drawing function if it has one."""
         return self.source() if callable(self.source) else self.source
 
 
 def picture_of(result: object, name: str, words: str) -> Picture:
-    """Show a result by the figure of its type, drawn where a document is written; the words are its caption, too."""
+    """Create a picture of a result with the figure of its type, drawn on writing; ``words`` is also the caption."""
 
     def draw() -> Figure:
         from jounce.plots import figure_of
@@ -166,7 +166,7 @@ def picture_of(result: object, name: str, words: str) -> Picture:
 
 @dataclass(frozen=True)
 class Fact:
-    """One number of the summary with its label, a small note and a tone."""
+    """One number of the summary with a label, a short note and a tone."""
 
     label: str
     value: str
@@ -176,14 +176,14 @@ class Fact:
 
 @dataclass(frozen=True)
 class Facts:
-    """Numbers that stand out, side by side."""
+    """Highlighted numbers, side by side."""
 
     items: tuple[Fact, ...]
 
 
 @dataclass(frozen=True)
 class Findings:
-    """Findings, grouped by severity; ``most`` limits how many are shown, worst first."""
+    """Findings grouped by severity, most severe first; ``most`` limits their number."""
 
     items: tuple[Finding, ...]
     most: int | None = None
@@ -191,7 +191,7 @@ class Findings:
 
 @dataclass(frozen=True)
 class Details:
-    """Blocks that can be folded away; printed unfolded, without a heading where they stand for what moves."""
+    """Collapsible blocks, expanded in print; without a heading if they replace an animation there."""
 
     summary: str
     blocks: tuple[Block, ...]
@@ -207,7 +207,7 @@ Block: TypeAlias = (
 
 @dataclass(frozen=True)
 class Subsection:
-    """Blocks under a heading of their own within a section."""
+    """Blocks with their own heading within a section."""
 
     title: str
     blocks: tuple[Block, ...]
@@ -215,9 +215,9 @@ class Subsection:
 
 @dataclass(frozen=True)
 class Section:
-    """A heading with blocks, or with a function that draws them; listed in the table of contents.
+    """A heading with blocks, or with a function that creates them; listed in the table of contents.
 
-    A function draws only where a document is written: a terminal shows the other sections.
+    A function is called only when a document is written; a terminal shows the other sections.
     """
 
     title: str
@@ -225,12 +225,12 @@ class Section:
 
     @property
     def is_drawn(self) -> bool:
-        """Whether a function draws it."""
+        """Whether a function creates the blocks."""
         return callable(self.source)
 
     @cached_property
     def blocks(self) -> tuple[Block, ...]:
-        """The blocks; drawn now where a function draws them."""
+        """Return the blocks, calling the function that creates them if there is one."""
         return self.source() if callable(self.source) else self.source
 
 
@@ -241,15 +241,15 @@ class Page:
     Attributes
     ----------
     title, subtitle : str
-        Head of the page.
+        Heading of the page.
     sections : tuple of Section
         In order.
     banner : str
-        Said at the top, on every section, in every figure and on every printed page, e.g. that data are synthetic.
+        Text at the top, on every section, figure and printed page, e.g. that data are synthetic.
     figure_note : str
         Short form of the banner for the foot of each figure.
     files : tuple of (str, str or bytes)
-        Further files written beside the page: path and content.
+        Further files written with the page: path and content.
     name : str
         File name of the page.
     missing : tuple of Finding
@@ -266,19 +266,19 @@ class Page:
     missing: tuple[Finding, ...] = ()
 
     def pictures(self) -> tuple[Picture | Chart, ...]:
-        """All figures in order."""
+        """Return all figures in order."""
         from jounce.report.chart import Chart
 
         return tuple(block for block in self.blocks() if isinstance(block, Picture | Chart))
 
     def viewers(self) -> tuple[Viewer, ...]:
-        """All viewers in order."""
+        """Return all viewers in order."""
         from jounce.report.live import Viewer
 
         return tuple(block for block in self.blocks() if isinstance(block, Viewer))
 
     def blocks(self) -> Iterator[Block]:
-        """All blocks in order, folded ones included."""
+        """Return all blocks in order, including collapsed ones."""
         for section in self.sections:
             yield from blocks_in(section.blocks)
 
@@ -286,19 +286,19 @@ class Page:
 def sections_of(
     parts: Mapping[str, Callable[[], Section]],
 ) -> tuple[tuple[Section, ...], tuple[Finding, ...]]:
-    """Draw sections by title, and say which could not be: a page without one of them is better than none."""
+    """Draw sections by title; a section that fails is reported as missing and omitted from the page."""
     sections, missing = [], []
     for title, draw in parts.items():
         try:
             sections.append(draw())
-        except Exception as error:  # noqa: BLE001 - whatever it is, the other sections are drawn
+        except Exception as error:  # noqa: BLE001 - the other sections are still drawn
             missing.append(not_drawn(title, error))
             sections.append(Section(title, (Findings((missing[-1],)),)))
     return tuple(sections), tuple(missing)
 
 
 def blocks_in(blocks: Sequence[Block]) -> Iterator[Block]:
-    """Blocks and those inside them, in order."""
+    """Yield blocks and their nested blocks, in order."""
     for block in blocks:
         yield block
         if isinstance(block, Details | Subsection):
@@ -312,12 +312,12 @@ def worst_first(findings: Sequence[Finding]) -> tuple[Finding, ...]:
 
 
 def findings_blocks(findings: Sequence[Finding]) -> list[Block]:
-    """Findings as blocks of a page, the worst first; none where there are none."""
+    """Return findings as blocks of a page, most severe first; empty without findings."""
     return [Findings(worst_first(findings))] if findings else []
 
 
 def answer_page(title: str, blocks: Sequence[Block], subtitle: str = "") -> Page:
-    """Make a page of one section, the answer."""
+    """Create a page with a single section, the answer."""
     return Page(title, (Section("Answer", tuple(blocks)),), subtitle)
 
 
@@ -325,7 +325,7 @@ _NEGATIVE = re.compile(r"(?<![\w.−-])-(?=\d)")
 
 
 def as_printed(text: str) -> str:
-    """Write the numbers and units of a sentence as the tables do: with minus signs and raised exponents.
+    """Format numbers and units in a sentence as in tables: with minus signs and superscript exponents.
 
     >>> as_printed("moved by -2.4 % (1e-05, ISO 2631-1, 2026-11-22, 3-D), 0.9 m/s^2")
     'moved by −2.4 % (1e-05, ISO 2631-1, 2026-11-22, 3-D), 0.9 m/s²'
@@ -334,7 +334,7 @@ def as_printed(text: str) -> str:
 
 
 def unique_slugs(names: Sequence[str]) -> list[str]:
-    """Slugs of several names, numbered where two names give the same.
+    """Return slugs of several names, with a number appended to duplicates.
 
     Examples
     --------
@@ -356,15 +356,15 @@ _SEVERITIES = {"problem": "Problems", "warning": "Warnings", "note": "Notes"}
 
 
 def alignments(table: PageTable) -> list[str]:
-    """Name the alignment of each column: ``left``, ``right`` or ``centre``."""
+    """Return the alignment of each column: ``left``, ``right`` or ``centre``."""
     letters = table.align.ljust(len(table.header), "l")
     return [{"l": "left", "r": "right", "c": "centre"}[letter] for letter in letters]
 
 
 def group_findings(findings: Findings) -> list[tuple[str, str, list[tuple[str, str]]]]:
-    """Group findings by severity, worst first: (severity, heading, (places, message) of each).
+    """Group findings by severity, most severe first: (severity, heading, (places, message) of each).
 
-    The same sentence about many places becomes one.
+    Identical sentences about different places are merged.
     """
     messages: dict[tuple[str, str], list[str]] = {}
     ordered = worst_first(findings.items)

@@ -57,18 +57,18 @@ _ENVELOPE = (
 
 
 def proving_ground_files(study: ProvingGround) -> dict[str, str | bytes]:
-    """Give what the study computed as files, name to content."""
+    """Return the results of the study as files, name to content."""
     return {"results.json": to_json(study.to_dict())}
 
 
 def proving_ground_summary(study: ProvingGround) -> Page:
-    """Put what the study found on a page, without its curves."""
+    """Return a summary page of the study, without curves."""
     sections = (_ride_summary(study), _damper(study), _quarter_car(study), _ride(study))
     return Page(_PROVING_GROUND, (*sections, Section("Findings", (Findings(study.findings),))))
 
 
 def proving_ground_page(study: ProvingGround) -> Page:
-    """Put the study's page together; nothing is computed here."""
+    """Assemble the study's page; nothing is computed here."""
     return Page(
         _PROVING_GROUND,
         (
@@ -93,7 +93,7 @@ def _ride_summary(study: ProvingGround) -> Section:
 
 
 def _headline(study: ProvingGround, damper: str) -> Fact:
-    """Body acceleration at the highest speed at which the travel suffices: beyond it the model says nothing."""
+    """Return body acceleration at the highest speed within the available travel, beyond which the model is invalid."""
     speeds = [float(speed) for speed in study.figures["speed"].to_numpy()]
     used = {speed: _travel_used(study, damper, speed) for speed in speeds}
     within = [speed for speed in speeds if used[speed] <= 1.0]
@@ -107,7 +107,7 @@ def _headline(study: ProvingGround, damper: str) -> Fact:
 
 
 def _travel_used(study: ProvingGround, damper: str, speed: float) -> float:
-    """Greater share (1) of bump and rebound travel that a run at a speed (m/s) uses."""
+    """Return the larger of the used fractions (1) of bump and rebound travel in a run at a speed (m/s)."""
     run = study.figures.sel(damper=damper).sel(speed=speed, method="nearest")
     return max(float(run[key]) for key in ("bump_travel_utilisation", "rebound_travel_utilisation"))
 
@@ -291,7 +291,7 @@ _SAME = (
 
 
 def audi_case_files(study: AudiCase) -> dict[str, str | bytes]:
-    """Give what a case computed as files, name to content: numbers, and the curves of each run."""
+    """Return the results of a case as files, name to content: numbers, and the curves of each run."""
     named = ((f"{run.variant}-{abs(run.moment):.0f}Nm", run.signals) for run in study.runs)
     return {
         "results.json": to_json(study.to_dict()),
@@ -300,7 +300,7 @@ def audi_case_files(study: AudiCase) -> dict[str, str | bytes]:
 
 
 def audi_case_summary(study: AudiCase) -> Page:
-    """Put what a case found on a page, without its curves."""
+    """Return a summary page of a case, without curves."""
     return Page(
         _title_of(study), (_summary(study), _windows(study), _statics(study), *_ending(study))
     )
@@ -316,7 +316,7 @@ def _ending(study: AudiCase | EccentricExciter) -> tuple[Section, ...]:
 
 
 def audi_case_page(study: AudiCase) -> Page:
-    """Put a case's page together; nothing is computed here."""
+    """Assemble a case's page; nothing is computed here."""
     return Page(
         _title_of(study),
         (
@@ -333,7 +333,7 @@ def audi_case_page(study: AudiCase) -> Page:
 
 
 def errata_table(errata: tuple[Erratum, ...]) -> PageTable:
-    """Table of what the paper prints, what is correct, and how one can tell."""
+    """Return a table of the paper's errors, the corrections, and the evidence for them."""
     rows = tuple(
         (erratum.place, erratum.printed, erratum.correct, erratum.why) for erratum in errata
     )
@@ -403,7 +403,7 @@ def _windows(study: AudiCase) -> Section:
 
 
 def _extremes(window: Window, factor: float) -> tuple[str, str, str, str]:
-    """Least and greatest value, so many times as large, with three decimals (four where they are small), and when."""
+    """Return minimum and maximum of a window times ``factor``, with their times; three decimals, four if small."""
     digits = 3 if factor >= 100.0 else 4
     low, high = (f"{factor * value + 0.0:.{digits}f}" for value in (window.min, window.max))
     zero = f"{0.0:.{digits}f}"
@@ -539,13 +539,13 @@ _RUN = (
 
 
 def exciter_files(study: EccentricExciter) -> dict[str, str | bytes]:
-    """Give what the study computed as files, name to content: numbers, and the curves of each run."""
+    """Return the results of the study as files, name to content: numbers, and the curves of each run."""
     curves = (file for run in study.runs for file in curve_files(run.variant, run.signals))
     return {"results.json": to_json(study.to_dict()), **dict(curves)}
 
 
 def exciter_summary(study: EccentricExciter) -> Page:
-    """Put what the study found on a page, without its curves."""
+    """Return a summary page of the study, without curves."""
     return Page(_EXCITER, _exciter_sections(study, _spring_table(study)))
 
 
@@ -560,7 +560,7 @@ def _exciter_sections(study: EccentricExciter, spring: tuple[Block, ...]) -> tup
 
 
 def exciter_page(study: EccentricExciter) -> Page:
-    """Put the study's page together; nothing is computed here."""
+    """Assemble the study's page; nothing is computed here."""
     return Page(
         _EXCITER,
         _exciter_sections(study, (*_spring_curves(study), *_spring_table(study))),

@@ -1,4 +1,4 @@
-"""A posterior as a page: what is known of each parameter first, then draws, profiles, and bands over every trial."""
+"""Page of a posterior: parameter intervals, then draws, profiles, and bands for every trial."""
 
 from __future__ import annotations
 
@@ -35,38 +35,40 @@ if TYPE_CHECKING:
     from jounce.identify.posterior import Posterior
 
 _DRAWS = {
-    "noise only": "Draws of each parameter with the ends of its 95 % interval, and of each pair.",
-    "model error": "Draws of what a test machine gives of each part (bars) and of the model's law over the ride "
-    "(line), with the ends of the 95 % interval that holds both; below them the parts in pairs.",
+    "noise only": "Draws of each parameter with the limits of its 95 % interval, and of each pair.",
+    "model error": "Draws of the test machine's value for each part (bars) and of the model's law over the ride "
+    "(line), with the limits of the 95 % interval that covers both; below: pairs of parts.",
 }
-_PROFILES = "Log likelihood over each parameter, the others as they fit best, beside a Gaussian of the same curvature."
+_PROFILES = (
+    "Profile log likelihood of each parameter, compared with a Gaussian of the same curvature."
+)
 _MOST_TRIALS = 20
 _INSIDE, _FEW_INSIDE = 0.9, 0.8
-"""Shares of samples in a band of 95 %: a choice, as neighbouring samples are alike and leave it together."""
+"""Thresholds for the fraction of samples in a 95 % band: chosen, because neighbouring samples are correlated."""
 _COUNTED = {
-    "noise only": "Noise only is counted: how far values would scatter if the trials were run again. What the model "
-    "lacks is not in it.",
-    "model error": "All that the campaign doubts is counted: laws that may bend, masses, sensors, obstacles, speeds, "
-    "and what nothing explains. Values are those of the parts.",
+    "noise only": "Noise only: how far values would scatter if the trials were run again. Model error is "
+    "not included.",
+    "model error": "All uncertainties of the campaign are included: law shapes, masses, sensors, obstacles, speeds, "
+    "and the unexplained residual. Values are those of the physical parts.",
 }
 
 
 def posterior_page(posterior: Posterior, *, title: str, synthetic: str = "") -> Page:
-    """Put a posterior on a page.
+    """Create a page of a posterior.
 
     Parameters
     ----------
     posterior : Posterior
-        As :func:`jounce.posterior` gives it.
+        Result of :func:`jounce.posterior`.
     title : str
-        Name of what was fitted.
+        Name of the fit.
     synthetic : str
-        What is to be said of recordings that nobody measured.
+        Note on synthetic recordings, if any.
 
     Returns
     -------
     Page
-        To be written with :func:`jounce.report.write_page`.
+        Page to be written with :func:`jounce.report.write_page`.
     """
     parts: dict[str, Callable[[], Section]] = {
         "Answer": lambda: Section("Answer", _answer(posterior)),
@@ -97,17 +99,17 @@ def posterior_page(posterior: Posterior, *, title: str, synthetic: str = "") -> 
 
 
 def campaign_posterior_page(answer: CampaignPosterior, *, title: str) -> Page:
-    """Put the posterior of a campaign on a page."""
+    """Create a page of the posterior of a campaign."""
     return posterior_page(answer.posterior, title=title, synthetic=answer.campaign.synthetic)
 
 
 def campaign_posterior_summary(answer: CampaignPosterior, *, title: str) -> Page:
-    """Put the posterior of a campaign on a page without its figures."""
+    """Create a page of the posterior of a campaign, without figures."""
     return posterior_summary(answer.posterior, title=title)
 
 
 def posterior_summary(posterior: Posterior, *, title: str) -> Page:
-    """Put a posterior on a page without its figures; ``title`` names what was fitted."""
+    """Create a page of a posterior without figures; ``title`` is the name of the fit."""
     blocks = (*_answer(posterior), *(_bands(posterior) if posterior.predictions else ()))
     return Page(
         title, (Section("Answer", blocks),), f"Posterior of {posterior.name}; {posterior.counted}"
@@ -161,7 +163,7 @@ def _answer(posterior: Posterior) -> tuple[Block, ...]:
     intervals = ("95 % of draws", "Gaussian", "profile likelihood")
     header = ("parameter", "unit", "value", *intervals, "R-hat", "effective draws")
     table = PageTable(
-        "What is known of each parameter", header, tuple(rows), "llrrrrrr", _note(posterior)
+        "Intervals of each parameter", header, tuple(rows), "llrrrrrr", _note(posterior)
     )
     blocks: list[Block] = [Paragraph(_COUNTED[posterior.counted]), Facts(facts), table]
     blocks += findings_blocks(posterior.findings)
@@ -172,8 +174,8 @@ def _note(posterior: Posterior) -> str:
     if posterior.counted == "noise only":
         return "A dash: the profile does not end within the bounds."
     return (
-        "The first two intervals hold what a test machine gives of the part and the model's law over the ride; that of "
-        "the profile is of the parameter of the richer model. A dash: it does not end within the picture."
+        "The first two intervals cover the test machine's value for the part and the model's law over the ride; "
+        "that of the profile refers to the parameter of the extended model. A dash: it extends beyond the figure."
     )
 
 
@@ -192,32 +194,32 @@ def _bands(posterior: Posterior) -> tuple[Block, ...]:
             )
             rows.append((trial, "fitted" if band.is_fitted else "held out", channel, inside))
     header = ("trial", "use", "channel", "samples in the 95 % band")
-    return (PageTable("How much of every recording lies in its band", header, tuple(rows), "lllr"),)
+    return (PageTable("Fraction of every recording within its band", header, tuple(rows), "lllr"),)
 
 
 def _predictions(posterior: Posterior) -> tuple[Block, ...]:
     blocks: list[Block] = [*_bands(posterior)]
     for trial in posterior.predictions:
-        words = f"{trial}: measured, mean of the draws, and 95 % bands of parameters alone and of all that is counted."
+        words = f"{trial}: measured, mean of the draws, 95 % bands of parameters alone and of all uncertainties."
         picture = Picture(posterior_bands(posterior, trial), f"bands-{slug(trial)}", words, words)
         blocks.append(Subsection(trial, (picture,)))
     return tuple(blocks)
 
 
 def next_trials_page(ranking: NextTrials, *, title: str) -> Page:
-    """Put trials that could be run on a page, the one that tells most first.
+    """Create a page of possible next trials, most informative first.
 
     Parameters
     ----------
     ranking : NextTrials
-        As :func:`jounce.next_trials` gives it.
+        Result of :func:`jounce.next_trials`.
     title : str
         Name of the update.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     shown = ranking.candidates[:_MOST_TRIALS]
     errors = [
@@ -231,11 +233,11 @@ def next_trials_page(ranking: NextTrials, *, title: str) -> Page:
     names = TableColumn("trial", ["today", *(candidate.name for candidate in shown)])
     gains = TableColumn("gain [nat]", [None, *(candidate.gain for candidate in shown)], "1")
     left = len(ranking.candidates) - len(shown)
-    more = f"{left} more trials tell less; --json has all. " if left else ""
+    more = f"{left} less informative trials are omitted; --json lists all. " if left else ""
     series = "one after the other: " + ", then ".join(
         candidate.name for candidate in ranking.series
     )
-    caption = f"What the next trial would tell, {ranking.counted}"
+    caption = f"Information gained by the next trial, {ranking.counted}"
     blocks = (
         table_of(caption, [names, gains, *errors], f"{more}{series}"),
         Findings(ranking.findings),
@@ -246,11 +248,11 @@ def next_trials_page(ranking: NextTrials, *, title: str) -> Page:
 def _method(posterior: Posterior) -> Block:
     return Bullets((
         f"The log density is a polynomial through exact values and slopes; all fitted trials were "
-        f"simulated {posterior.evaluations} times for it, 16 of them at draws that nothing had been fitted to.",
+        f"simulated {posterior.evaluations} times for it, 16 of them at draws not used for the fit.",
         f"emcee drew {posterior.draws} points in {posterior.chains} chains ({100.0 * posterior.accepted:.0f} % of "
         "steps accepted); "
         "R-hat is rank-normalised, between four ensembles and their earlier and later halves; effective draws are "
         "those of the bulk; both by ArviZ.",
-        "Bands are those of draws that were each simulated exactly.",
+        "Bands come from draws that were each simulated exactly.",
         f"Seed {posterior.seed}: the same numbers each time.",
     ))  # fmt: skip

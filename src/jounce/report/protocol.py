@@ -1,4 +1,4 @@
-"""Test protocols of shock absorbers: one page as PDF or HTML, and the same as JSON beside it."""
+"""Test protocols of shock absorbers: one page as PDF or HTML, and a JSON file with the same data."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ if TYPE_CHECKING:
 
 SCHEMA = "jounce.protocol/1"
 _MOST = 24  # reasons and remarks
-_COUNTING = 8.0  # dots per inch suffice to count pages
-_HEIGHTS = {1: 3.2, 2: 1.6}  # inches of the curves of one axle
+_COUNTING = 8.0  # dots per inch; sufficient for counting pages
+_HEIGHTS = {1: 3.2, 2: 1.6}  # height of the curves of one axle in inches, by number of axles
 
 
 def write_protocol(
@@ -68,28 +68,28 @@ def write_protocol(
     path : Path or str
         ``.pdf`` or ``.html``.
     records : mapping of str to xarray.Dataset, optional
-        Records by axle (``"front"``, ``"rear"``, or ``""`` where it is not known), for the force over time.
+        Records by axle (``"front"``, ``"rear"``, or ``""`` if unknown), for plots of force against time.
     language : {"en", "de"}
-        Of the page.
+        Language of the page.
     about : mapping of str to str, optional
         ``vehicle``, ``plate_number``, ``date``, ``tester``, ``place``, ``operator``, ``comment``, ``record``; by
-        default what the records say.
+        default taken from the records.
     force : bool
-        Overwrite what exists.
+        Overwrite existing files.
 
     Returns
     -------
     list of Path
-        The page, and the JSON file of the same name beside it with all values.
+        The page, and a JSON file of the same name with all values.
 
     Raises
     ------
     OutputError
-        For another suffix, an existing file without ``force``, or a missing folder; nothing is written then.
+        For an unsupported suffix, an existing file without ``force``, or a missing folder; nothing is written then.
     DescriptionError
         For an unknown language.
     DrawingError
-        Where the page cannot be drawn; the JSON file is written by then.
+        If the page cannot be drawn; the JSON file has been written by then.
 
     Examples
     --------
@@ -114,7 +114,7 @@ def write_protocol(
 
 
 def check_protocol(path: Path | str, *, force: bool = False) -> Path:
-    """Refuse, before the work, a protocol or the JSON file beside it that could not be written; give its path."""
+    """Check in advance that a protocol and its JSON file can be written; return the protocol's path."""
     file = PROTOCOLS.check(path, force=force)
     check_writable(file.with_suffix(".json"), force=force)
     return file
@@ -122,7 +122,7 @@ def check_protocol(path: Path | str, *, force: bool = False) -> Path:
 
 @dataclass(frozen=True)
 class _Page:
-    """What a protocol is made of, as `write_protocol` takes it."""
+    """Inputs of a protocol, as passed to `write_protocol`."""
 
     vehicle: VehicleGrade
     records: Mapping[str, xr.Dataset] | None
@@ -147,7 +147,7 @@ PROTOCOLS = Formats("protocols", {".pdf": _write_pdf, ".html": _write_html}, {".
 
 
 def facts_of(vehicle: VehicleGrade) -> dict[str, str]:
-    """What the records say for the head of the page; texts of two records that differ are both given."""
+    """Return header fields found in the records; if the two records differ, both texts are included."""
     facts: dict[str, str] = {}
     for name in SAID:
         texts = [
@@ -161,7 +161,7 @@ def facts_of(vehicle: VehicleGrade) -> dict[str, str]:
 
 
 def protocol_data(vehicle: VehicleGrade, about: Mapping[str, str]) -> dict[str, Any]:
-    """Everything behind the page as one plain JSON object, SI."""
+    """Return all data of the page as a plain JSON object in SI units."""
     plain: dict[str, Any] = to_plain(
         {"schema": SCHEMA, "software": _software(), "about": dict(about), **vehicle.to_dict()}
     )
@@ -175,7 +175,7 @@ def protocol_html(
     language: Language = "en",
     about: Mapping[str, str] | None = None,
 ) -> str:
-    """Give the protocol as one self-contained HTML text; arguments as in `write_protocol`."""
+    """Return the protocol as self-contained HTML; arguments as in `write_protocol`."""
     content = protocol_content(
         vehicle, _facts(vehicle, about), language=_language(language), software=_software()
     )
@@ -196,7 +196,7 @@ def protocol_html(
 def _viewers(
     vehicle: VehicleGrade, records: Mapping[str, xr.Dataset], words: Mapping[str, str]
 ) -> tuple[Viewer, ...]:
-    """What was recorded of each axle over time, both wheels over each other, to be zoomed."""
+    """Return a zoomable viewer per axle of the recorded channels over time, with the two wheels overlaid."""
     groups: dict[str, dict[str, xr.Dataset]] = {}
     for graded in vehicle.axles:
         record = records.get(graded.axle)
@@ -221,7 +221,7 @@ def _viewers(
 
 
 def _in_words(viewer: Viewer, words: Mapping[str, str]) -> Viewer:
-    """Name channels as the rest of the page does; differences are of the second wheel from the first."""
+    """Rename channels to match the rest of the page; differences are second wheel minus first."""
     between = " − ".join(label for _, label, _ in reversed(viewer.roles))
 
     def pane(pane_of_wheel: Pane) -> Pane:
@@ -235,7 +235,7 @@ def _in_words(viewer: Viewer, words: Mapping[str, str]) -> Viewer:
 
 
 def _of_side(record: xr.Dataset, side: str) -> xr.Dataset:
-    """Channels of one side without its name."""
+    """Return the channels of one side, with the side removed from their names."""
     names = [name for name in record.data_vars if str(name).startswith(f"{side}.plate.")]
     own = record[names].rename({name: str(name).removeprefix(f"{side}.") for name in names})
     for channel in own.data_vars.values():
@@ -250,10 +250,10 @@ def protocol_pdf(
     language: Language = "en",
     about: Mapping[str, str] | None = None,
 ) -> bytes:
-    """Give the protocol as PDF of one page; arguments as in `write_protocol`.
+    """Return the protocol as a one-page PDF; arguments as in `write_protocol`.
 
-    The same content gives the same bytes: the document's date is the day of the test, and where that is known the file
-    is PDF/A-2b. Reasons and remarks that find no room are counted, never cut: the JSON file holds all of them.
+    Identical content gives identical bytes: the document's date is the day of the test, and if that is known the file
+    is PDF/A-2b. Reasons and remarks that do not fit are counted, never truncated: the JSON file contains all of them.
     """
     files, day = _fit_on_page(vehicle, records, _language(language), _facts(vehicle, about))
     pages: bytes = typeset(files, "pdf", **({"pdf_standards": "a-2b"} if day is not None else {}))
@@ -268,7 +268,7 @@ def protocol_png(
     about: Mapping[str, str] | None = None,
     ppi: float = 110.0,
 ) -> list[bytes]:
-    """Give the pages of the PDF as pictures of ``ppi`` dots per inch; other arguments as in `write_protocol`."""
+    """Render the pages of the PDF as images with ``ppi`` pixels per inch; other arguments as in `write_protocol`."""
     files, _ = _fit_on_page(vehicle, records, _language(language), _facts(vehicle, about))
     pages: list[bytes] = typeset(files, "png", ppi=ppi)
     return pages
@@ -280,7 +280,7 @@ def _fit_on_page(
     language: Language,
     said: Mapping[str, str],
 ) -> tuple[dict[str, bytes], tuple[int, int, int] | None]:
-    """Files of the typst document with as many reasons and remarks as one page holds, and the day of the test."""
+    """Return the typst files with as many reasons and remarks as fit on one page, and the day of the test."""
     figures = _figures(vehicle, records, language)
     fits, too_many = 0, _MOST + 1
     while True:
@@ -308,7 +308,7 @@ def _fit_on_page(
 def _figures(
     vehicle: VehicleGrade, records: Mapping[str, xr.Dataset] | None, language: Language
 ) -> dict[str, bytes]:
-    """Curves of each axle as SVG by file name."""
+    """Return the curves of each axle as SVG, by file name."""
     files = {}
     for i, graded in enumerate(vehicle.axles):
         egea = graded.limits.methods.get("egea")
@@ -337,7 +337,7 @@ def _language(language: str) -> Language:
 
 
 def _day(date: str) -> tuple[int, int, int] | None:
-    """Year, month and day of a text that is a date."""
+    """Parse a date into year, month and day; ``None`` if the text is not a date."""
     try:
         parsed = datetime.date.fromisoformat(day_of(date))
     except ValueError:
@@ -352,7 +352,7 @@ def _software() -> str:
 TONES = {"pass": "green", "advise": "yellow", "fail": "red", NOT_GRADED: "grey"}
 HEAD = ("vehicle", "plate_number", "date", "tester", "place", "operator")
 SAID = (*HEAD, "comment")
-"""What the head of the page takes from the header of a record."""
+"""Header fields of a record that appear in the head of the page."""
 _SIDES = ("left", "right")
 _LONGEST_TEXT, _LONGEST_HEAD = 160, 64
 _EXPLAINING = {
@@ -366,7 +366,7 @@ Plain = dict[str, Any]
 
 @cache
 def words_in(language: Language) -> Mapping[str, str]:
-    """Words of the protocol in a language."""
+    """Return the wording of the protocol in a language."""
     words: dict[str, dict[str, str]] = tomllib.loads(
         (TEMPLATES / "protocol.toml").read_text(encoding="utf-8")
     )
@@ -381,14 +381,14 @@ def protocol_content(
     software: str = "",
     most: int = 99,
 ) -> Plain:
-    """Put the texts of a protocol together, with their tones (``green``, ``yellow``, ``orange``, ``red``, ``grey``).
+    """Assemble the texts of a protocol with their colours (``green``, ``yellow``, ``orange``, ``red``, ``grey``).
 
-    At most ``most`` reasons and remarks are shown; the rest is counted.
+    At most ``most`` reasons and remarks are shown; the remaining ones are only counted.
     """
     words = dict(words_in(language))
     if (
         current_units() != "metric"
-    ):  # limits are in the units of the test methods, and so is what is held against them
+    ):  # limits and the values compared with them are in the units of the test methods
         words["differences_note"] += f" {words['units_note']}"
     reasons, remarks = _reasons(vehicle, language), _remarks(vehicle, language)
     shown = reasons[:most]
@@ -429,7 +429,7 @@ def _head_text(name: str, about: Mapping[str, str], language: Language) -> str:
 
 
 def shorten(text: str, longest: int = _LONGEST_TEXT) -> str:
-    r"""One line of text without control characters, not longer than is printed; an en dash for none.
+    r"""Return a text on one line without control characters, truncated to ``longest``; an en dash if empty.
 
     Examples
     --------
@@ -498,7 +498,7 @@ def _value_rows(
             and name == "theta_rig"
             and all(wheel.theta_rig == wheel.theta_road for wheel in wheels.values())
         ):
-            continue  # a rigid plate has no value of its own
+            continue  # a rigid plate has no value
         cells = [_value_cell(graded, wheels.get(side), quantity, language) for side in _SIDES]
         limiting = next(iter(methods.values()), None) or _condition(graded.limits, name)
         difference = next(
@@ -552,14 +552,14 @@ def _value_cell(
 
 
 def _tone(band: VerdictBand, criterion: Criterion | None) -> str:
-    """Colour of a band; grey where its limits decide nothing."""
+    """Return the colour of a band; grey if its limits are not decisive."""
     return band.colour if criterion is None or criterion.verified else TONES[NOT_GRADED]
 
 
 def _band_of(
     limits: Limits, grade: WheelGrade | None, name: str, value: float | None
 ) -> tuple[VerdictBand | None, Criterion | None]:
-    """Band of a value by the method that grades it, or by a condition; none in a record that is not graded."""
+    """Return the band of a value from its grading method or condition; ``None`` for an ungraded record."""
     for method, criterion in limits.methods.items():
         if criterion.quantity == name and grade is not None and method in grade.bands:
             return grade.bands[method], criterion
@@ -600,7 +600,7 @@ def _gap_cell(
 
 
 def _gap_limit(limits: Limits, name: str, language: Language) -> str:
-    """How far apart two wheels may be by the limits that decide, e.g. ``Δ up to 12°``."""
+    """Return the allowed difference between two wheels by the decisive limits, e.g. ``Δ up to 12°``."""
     between = (
         limit
         for limit in limits.differences.values()
@@ -611,7 +611,7 @@ def _gap_limit(limits: Limits, name: str, language: Language) -> str:
 
 
 def _limit_text(criterion: Criterion | None, language: Language) -> str:
-    """Where a value passes, and where it fails if there is something between: ``from 45°, fail below 30°``."""
+    """Return the passing limit, and the failing limit if it differs: ``from 45°, fail below 30°``."""
     text, below = (
         _passing(criterion, language),
         None if criterion is None else criterion.failing_below(),
@@ -628,7 +628,7 @@ def _limit_text(criterion: Criterion | None, language: Language) -> str:
 
 
 def _passing(criterion: Criterion | None, language: Language) -> str:
-    """Where a value passes, e.g. ``from 35°``."""
+    """Return the range in which a value passes, e.g. ``from 35°``."""
     if criterion is None or not criterion.verified:
         return ""
     passing = [i for i, band in enumerate(criterion.bands) if band.verdict == "pass"]
@@ -655,7 +655,7 @@ def _places(graded: GradedInspection, side: str, language: Language) -> str:
 
 
 def _join_places(places: Sequence[str], vehicle: VehicleGrade, language: Language) -> str:
-    """Name places once and shortly: an axle in place of both of its wheels, all wheels in place of both axles."""
+    """Join wheel positions concisely: an axle replaces its two wheels, "all wheels" replaces the two axles."""
     words, remaining = words_in(language), list(dict.fromkeys(places))
     for graded in vehicle.axles:
         wheels = [_places(graded, side, language) for side in _SIDES]
@@ -668,7 +668,7 @@ def _join_places(places: Sequence[str], vehicle: VehicleGrade, language: Languag
 
 
 def _reasons(vehicle: VehicleGrade, language: Language) -> list[Plain]:
-    """What must be read: what does not pass, what is uncertain, why methods disagree; the worst first."""
+    """Return the reasons for the verdict (failures, uncertain values, disagreeing methods), most severe first."""
     reasons: dict[str, tuple[Reason, list[str]]] = {}
     for graded in vehicle.axles:
         for grade in graded.grades:
@@ -712,7 +712,7 @@ def _reason_text(reason: Reason, graded: GradedInspection, language: Language) -
 
 
 def _is_information(reason: Reason, deciding: Sequence[str]) -> bool:
-    """Whether it is the grade of a method that does not decide."""
+    """Whether a reason is the grade of a method that does not decide the verdict."""
     return reason.kind in ("band", "unverified") and reason.values["method"] not in deciding
 
 
@@ -733,7 +733,7 @@ def _must_be_read(reason: Reason, graded: GradedInspection) -> bool:
 
 
 def _remarks(vehicle: VehicleGrade, language: Language) -> list[Plain]:
-    """Findings of the evaluation but those that the reasons hold already."""
+    """Return the findings of the evaluation that the reasons do not already cover."""
     remarks: dict[str, list[str]] = {}
     for graded in vehicle.axles:
         title = words_in(language).get(graded.axle, words_in(language)["axle"])
@@ -757,7 +757,7 @@ def _remarks(vehicle: VehicleGrade, language: Language) -> list[Plain]:
 
 
 def _front_rear(vehicle: VehicleGrade, language: Language) -> list[Plain]:
-    """Differences between front and rear of the values that are graded, one line for each side."""
+    """Return front-to-rear differences of the graded values, one line per side."""
     names = {
         method_limits.quantity: METHODS[method].name
         for method, method_limits in vehicle.axles[0].limits.methods.items()
@@ -779,7 +779,7 @@ def _front_rear(vehicle: VehicleGrade, language: Language) -> list[Plain]:
 
 
 def _sources(vehicle: VehicleGrade, limits: Limits, language: Language) -> list[str]:
-    """Where the limits that were used are from, one line for each method."""
+    """Return the sources of the limits used, one line per method."""
     used = [
         m
         for m in limits.methods

@@ -1,4 +1,4 @@
-"""Recordings, runs and sweeps as a page: extremes first, then all curves in a viewer with the mechanism."""
+"""Pages of recordings, runs and sweeps: extremes, then all curves in a viewer with the mechanism."""
 
 from __future__ import annotations
 
@@ -46,12 +46,12 @@ if TYPE_CHECKING:
 _ROLES = ("after", "other-5", "other-1", "other-2", "other-3", "other-4", "other-6")
 _REACTIONS = tuple(f".{kind}{axis}" for kind in "ft" for axis in "xyz")
 _MOST_CHANNELS = 240
-"""Among which somebody finds one; an axle that rolls has 160."""
+"""Maximum number of channels that remains easy to search; a rolling axle has 160."""
 _POSES = 25
 _MOST_POSES = 2000
-"""Shown one by one; of longer runs the mechanism follows the travel of its wheel."""
+"""Maximum number of poses shown individually; in longer runs the mechanism follows its wheel travel."""
 _LONG = 10.0
-"""m, from which on a distance is one of a road."""
+"""Minimum distance (m) that is taken to be a distance along a road."""
 
 
 def recordings_page(
@@ -64,32 +64,32 @@ def recordings_page(
     trial: Trial | None = None,
     findings: Sequence[Finding] = (),
 ) -> Page:
-    """Put one or several recordings, runs or sweeps on a page.
+    """Create a page of one or several recordings, runs or sweeps.
 
     Parameters
     ----------
     runs : mapping of str to xarray.Dataset, or sequence of xarray.Dataset
-        Over the same axis: ``time`` (s), or what was swept; channels in SI.
+        Data over a common axis: ``time`` (s), or the swept variable; channels in SI units.
     channels : sequence of str, optional
-        What is shown first; all others can be chosen.
+        Channels shown initially; all others can be selected.
     title, subtitle : str
-        Head of the page.
+        Heading of the page.
     rig : Rig, optional
-        The 3-D rig that moves with the first of them.
+        3-D rig animated with the first run.
     trial : Trial, optional
-        What its run was driven over.
+        Trial of that run, which gives its road.
     findings : sequence of Finding
-        What the reader must know.
+        Findings to show on the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
 
     Raises
     ------
     RecordingError
-        For nothing to show, different axes, or a channel that one of them does not hold.
+        If there is nothing to show, the axes differ, or a run lacks a requested channel.
 
     Examples
     --------
@@ -127,27 +127,27 @@ def curve_blocks(
     window: tuple[float, float] | None = None,
     figures: Sequence[Block] = (),
 ) -> tuple[Block, ...]:
-    """Put runs into a viewer, a scene for each group of them that belongs together, and the same as figures.
+    """Show runs in a viewer, with one scene per group, and as figures.
 
     Parameters
     ----------
     groups : mapping of str to mapping of str to xarray.Dataset
-        By what they have in common (nothing where there is only one): runs by name, over the same axis; channels in SI.
+        Runs by name, grouped by a label (empty for a single group), over a common axis; channels in SI units.
     channels : sequence of str, optional
-        What is shown first; all others can be chosen, as many as a page holds.
+        Channels shown initially; all others can be selected, up to the limit of a page.
     title, name : str
-        Of the viewer, and of the figures' files.
+        Title of the viewer, and base name of the figure files.
     rig, trial : Rig and Trial, optional
-        The 3-D rig that moves with the first run of each group, and what it is driven over.
+        3-D rig animated with the first run of each group, and the trial that gives its road.
     window : (float, float), optional
-        Part of the axis that is shown first, SI.
+        Part of the axis shown initially, in SI units.
     figures : sequence of Block
-        What shows the same without a script; by default what the viewer shows first.
+        Static equivalent of the viewer; by default figures of the channels shown initially.
 
     Returns
     -------
     tuple of Block
-        The viewer, and the figures folded away.
+        The viewer, and the figures in a collapsed section.
     """
     viewer = curve_viewer(
         groups, channels, title=title, name=name, rig=rig, trial=trial, window=window
@@ -180,10 +180,10 @@ def curve_viewer(
     window: tuple[float, float] | None = None,
     numbers: Collection[str] | None = None,
 ) -> Viewer:
-    """Put runs into a viewer, as :func:`curve_blocks` does, without the figures.
+    """Show runs in a viewer, as :func:`curve_blocks` does, without the figures.
 
-    With ``numbers``, only these panes and what is shown first hold curves, of all others there are the names: enough
-    to offer them, for a page that can ask again.
+    With ``numbers``, only these panes and those shown initially contain curves. The others have only their names, for
+    a page that can request their data later.
     """
     runs = list(dict.fromkeys(label for named in groups.values() for label in named))
     roles = {label: _ROLES[k % len(_ROLES)] for k, label in enumerate(runs)}
@@ -217,17 +217,17 @@ def _shown_panes(scene: ViewerScene) -> str:
 
 
 _MOST_NUMBERS = 1_200_000
-"""Of all curves of a scene: some 2 MB of a page."""
+"""Maximum number of samples of all curves in a scene: about 2 MB of a page."""
 _LEAST_SAMPLES = 2000
-"""That show the peaks of one curve of a long record, at whose instants all others are shown, too."""
+"""Number of samples per curve that preserve the peaks of a long record; all curves share these instants."""
 
 
 def _most_channels(named: Mapping[str, xr.Dataset], axis: str) -> int:
-    """How many channels of these runs a page holds with ease, differences counted."""
+    """Return the number of channels of these runs that fit on a page, differences included."""
     samples = max(data.sizes[axis] for data in named.values())
     thinned = math.isqrt(
         _MOST_NUMBERS // _LEAST_SAMPLES
-    )  # of long records each curve keeps so many samples for all
+    )  # in long records each curve contributes this many instants to all others
     return max(_MOST_NUMBERS // samples, thinned) // (2 * len(named) - 1)
 
 
@@ -235,13 +235,13 @@ DIFFERENCE = "Δ "
 
 
 def _channels(named: Mapping[str, xr.Dataset], axis: str, first: Sequence[str]) -> list[str]:
-    """Give the channels that any of them holds, those that are shown first in front; forces in joints stay out."""
+    """Return the channels of all runs, initially shown ones first; joint forces are excluded."""
     channels = dict.fromkeys(first)
     for data in named.values():
         for name in data.data_vars:
             values = data.variables[
                 name
-            ]  # what stands on it: a data array of each takes as long as a sweep
+            ]  # by dimensions: creating a data array for each variable takes as long as a sweep
             is_curve = (
                 values.dims == (axis,)
                 and values.dtype.kind in "fiu"
@@ -287,7 +287,7 @@ def _scene(
     roles: Mapping[str, str],
     numbers: Collection[str] | None,
 ) -> ViewerScene:
-    """All curves over the places of all of them: between samples a line is drawn, so it is read there as well."""
+    """Return all curves on the union of their axes, interpolated linearly between samples."""
     lengths = [data.variables[axis].to_numpy().astype(float) for data in named.values()]
     x = np.unique(np.concatenate(lengths))
     panes, differences = [], []
@@ -340,7 +340,7 @@ def _scene(
 
 
 def _motion(data: xr.Dataset, axis: str, rig: Rig | None, trial: Trial | None) -> Any:
-    """Give what makes the motion of the mechanism over the common axis, where the rig is a corner in 3-D."""
+    """Return the motion of the mechanism over the common axis if the rig is a 3-D corner."""
     from jounce.parts import Corner
 
     if not isinstance(rig, Corner):
@@ -352,18 +352,20 @@ def _motion(data: xr.Dataset, axis: str, rig: Rig | None, trial: Trial | None) -
             axis == "time" and {"sprung.z", "unsprung.z"} <= set(map(str, data.data_vars))
         ):
             return _moving(data, axis, rig, trial)
-    except JounceError:  # the curves are shown all the same
+    except JounceError:  # the curves are still shown
         pass
     return None
 
 
 def _motion_at_poses(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
-    """Every pose as it was: the recording says where the hardpoints were."""
+    """Return every recorded pose: the recording contains the hardpoint positions."""
     from jounce.plots.mechanisms.scene import poses_of, scene_of
 
     drawing = scene_of(rig)
     poses = poses_of(rig, drawing, data)
-    poses = poses.subset(np.unique(poses.over, return_index=True)[1])  # ascending, each place once
+    poses = poses.subset(
+        np.unique(poses.over, return_index=True)[1]
+    )  # ascending, without duplicates
     mechanism, over = PosedRig(drawing, poses, axis == "time"), poses.over
 
     def motion(x: Array) -> Motion:
@@ -378,7 +380,7 @@ def _motion_at_poses(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None)
 
 
 def _passing_road(trial: Trial | None, x: Array, drawing: Any, axis: str) -> tuple[Any, float]:
-    """The road that passes under the wheel, and how fast; none under a plate."""
+    """Return the road that passes under the wheel and its speed; none for a plate."""
     from jounce.plots.mechanisms.scene import roadway_of
 
     if axis != "time" or trial is None or trial.road is None or trial.speed is None:
@@ -387,7 +389,7 @@ def _passing_road(trial: Trial | None, x: Array, drawing: Any, axis: str) -> tup
 
 
 def _moving(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
-    """The mechanism over its travel, carried by its body."""
+    """Return the mechanism over its travel, attached to its body."""
     from jounce.kinematics import sweep_travel
     from jounce.plots.mechanisms.scene import poses_of, scene_of
 
@@ -408,7 +410,7 @@ def _moving(data: xr.Dataset, axis: str, rig: Any, trial: Trial | None) -> Any:
                 else np.full(len(x), default)
             )
 
-        if axis == "wheel_travel":  # a plate lifts the wheel
+        if axis == "wheel_travel":  # a plate moves the wheel
             order = np.argsort(poses.over)
             ground = np.interp(x, poses.over[order], poses.contact[order, 2])
             return Motion(mechanism, np.zeros_like(x), x, ground, np.ones_like(x))
@@ -429,7 +431,7 @@ def _extremes(
     names: Sequence[str],
     units: Mapping[str, DisplayUnit],
 ) -> PageTable:
-    """Minimum and maximum of every channel of every run, and the largest difference from the first."""
+    """Return minimum and maximum of each channel and run, and the largest difference from the first run."""
     several = len(named) > 1
     rows = []
     for name in names:

@@ -1,4 +1,4 @@
-"""A page into one self-contained HTML text, and a folder of files written whole or not at all."""
+"""Rendering of pages as self-contained HTML, and atomic writing of a folder of files."""
 
 from __future__ import annotations
 
@@ -48,39 +48,39 @@ def write_page(
     pdf: bool = False,
     progress: Callable[[str], None] = lambda _text: None,
 ) -> list[Path]:
-    """Write a page into a folder, with its figures beside it by wish: what was computed first, then what is drawn.
+    """Write a page into a folder, with optional separate figures: computed files first, then drawings.
 
     Parameters
     ----------
     page : Page or callable
-        What is to be said, or a function that gives it: it is called once ``files`` are on the disk.
+        The page, or a function that returns it and is called once ``files`` are written.
     out : Path or str
-        Folder; made where it is missing, refused when it holds something and ``force`` is not given.
+        Output folder; created if it does not exist. A folder that is not empty requires ``force``.
     files : mapping of str to bytes or str
-        Further files of what was computed, path and content, beside those of a ``Page``.
+        Further files with results, path to content, in addition to those of a ``Page``.
     force : bool
-        Replace files of the same names in an existing folder; others stay.
+        Replace files of the same names in an existing folder; other files are kept.
     figures : sequence of str
         Formats in which every figure is also written as ``figures/<name>.<format>``: ``"svg"``, ``"png"``.
     tables : sequence of str
-        Formats in which the tables are also written: ``"csv"``, one file each in the folder ``tables``; ``"xlsx"``,
-        all of them in the workbook ``tables.xlsx``.
+        Formats in which the tables are also written: ``"csv"``, one file per table in the folder ``tables``;
+        ``"xlsx"``, all in the workbook ``tables.xlsx``.
     pdf : bool
-        Whether the page is also written as a PDF document of the same name.
+        Whether to also write the page as a PDF document of the same name.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with a one-line message at each stage.
 
     Returns
     -------
     list of Path
-        ``report.html`` (one file that needs nothing else), the page's further files, and the figures.
+        ``report.html`` (self-contained), the page's further files, and the figures.
 
     Raises
     ------
     OutputError
-        For a folder that is not empty, or cannot be written.
+        If the folder is not empty or cannot be written.
     DrawingError
-        For pictures or sections that cannot be drawn; everything else is written by then.
+        If figures or sections cannot be drawn; all other files have been written by then.
 
     Examples
     --------
@@ -110,7 +110,7 @@ def write_page(
             progress(Phrase("write: {name}", name=name))
             try:
                 beside |= make()
-            except Exception as error:  # noqa: BLE001 - whatever it is, the page is written
+            except Exception as error:  # noqa: BLE001 - the page is written in any case
                 missing.append(not_drawn(name, error))
         progress("write: files")
         drawn: dict[str, bytes | str] = {whole.name: page_html(whole, inside)}
@@ -134,7 +134,7 @@ drawn, or it could not be.</p></html>
 def _documents(
     page: Page, tables: Sequence[str], *, pdf: bool
 ) -> dict[str, Callable[[], Mapping[str, bytes | str]]]:
-    """Give what else a page is written as by wish: what it is, and how its files are made."""
+    """Return the further requested outputs of a page: their names, and functions that create the files."""
     wanted: dict[str, Callable[[], Mapping[str, bytes | str]]] = {}
     if "csv" in tables:
         wanted["tables as CSV"] = lambda: {
@@ -156,7 +156,7 @@ def _documents(
 def _draw(
     page: Page, formats: Sequence[str], progress: Callable[[str], None]
 ) -> tuple[dict[str, str], dict[str, bytes | str], list[Finding]]:
-    """Draw all figures: as HTML by name, as files by path, and which could not be drawn."""
+    """Draw all figures; return HTML by name, files by path, and the figures that could not be drawn."""
     inside: dict[str, str] = {}
     beside: dict[str, bytes | str] = {}
     missing: list[Finding] = []
@@ -170,7 +170,7 @@ def _draw(
         progress(progress_through("draw: figure {which} of {count}", k, len(pictures)))
         try:
             files = _files(picture, page.figure_note, formats)
-        except Exception as error:  # noqa: BLE001 - whatever it is, the other figures are drawn
+        except Exception as error:  # noqa: BLE001 - the other figures are still drawn
             missing.append(not_drawn(f"figure {picture.name}", error))
             continue
         inside[picture.name] = str(files.pop("page"))
@@ -179,16 +179,16 @@ def _draw(
 
 
 FIGURES = ("svg", "png")
-"""Formats of figures beside a page."""
+"""Formats of separate figure files."""
 
 
 def figures_here() -> tuple[str, ...]:
-    """Formats of figures beside a page that can be written with what is installed."""
+    """Return the formats of separate figure files that the installed packages support."""
     return FIGURES if find_spec(TYPESETTER[0]) else ("svg",)
 
 
 def _files(picture: Picture | Chart, note: str, formats: Sequence[str]) -> dict[str, bytes | str]:
-    """Figure of a page as HTML (``page``) and in other formats."""
+    """Render a figure as HTML (``page``) and in other formats."""
     identity = f"fig-{slug(picture.name)}"
     if isinstance(picture, Chart):
         files: dict[str, bytes | str] = {"page": chart_html(picture)}
@@ -207,10 +207,10 @@ def _files(picture: Picture | Chart, note: str, formats: Sequence[str]) -> dict[
 
 
 def _panels(picture: Picture | Chart) -> dict[str, bytes]:
-    """Give the panels of a figure as SVG files for a document, which knows light colours only."""
+    """Return the panels of a figure as SVG files for a document, in light colours only."""
     name = slug(picture.name)
     if isinstance(picture, Chart):
-        last = picture.panels[-1].x_label  # on paper panels stand side by side
+        last = picture.panels[-1].x_label  # on paper, panels are side by side
         panels = (replace(panel, x_label=panel.x_label or last) for panel in picture.panels)
         alone = (Chart((panel,), picture.name, "", picture.alternative) for panel in panels)
         return {
@@ -235,11 +235,11 @@ def _write_pdf(page: Page, file: Path) -> None:
 
 
 REPORTS = Formats("reports", {".html": _write_html, ".pdf": _write_pdf}, {".pdf": TYPESETTER})
-"""How a page is written as one file: one HTML file that needs nothing else, or PDF."""
+"""Writers of a page as a single file: self-contained HTML, or PDF."""
 
 
 def chart_html(chart: Chart) -> str:
-    """Give the panels of a chart as SVG elements for a page."""
+    """Return the panels of a chart as SVG elements for a page."""
     identity = f"fig-{slug(chart.name)}"
     return "\n".join(
         panel_svg(
@@ -252,7 +252,7 @@ def chart_html(chart: Chart) -> str:
 
 
 def png_of(svg: str, scale: float = 2.0) -> bytes:
-    """Draw an SVG file as PNG, enlarged by a scale, with the fonts of matplotlib: the same everywhere."""
+    """Render an SVG file as PNG at a scale, with the fonts of matplotlib for identical output on all systems."""
     source = '#set page(width: auto, height: auto, margin: 0pt)\n#image("figure.svg")\n'
     files = {"main.typ": source.encode(), "figure.svg": plain_colours(svg).encode()}
     (made,) = typeset(files, "png", ppi=96.0 * scale)
@@ -260,25 +260,25 @@ def png_of(svg: str, scale: float = 2.0) -> bytes:
 
 
 def plain_colours(svg: str) -> str:
-    """Write colours and widths of lines as they are: what draws SVG outside browsers knows no variables."""
+    """Substitute colours and line widths for CSS variables, which SVG renderers outside browsers do not support."""
     colours = dict(re.findall(r"--([\w-]+):\s*([^;}]+);", light_colours()))
     plain = re.sub(r"var\(--([\w-]+)\)", lambda match: colours[match[1]].strip(), svg)
     return plain.replace("</style>", f"{SCALED_CSS}</style>", 1)
 
 
 def light_colours() -> str:
-    """Colours of a light page as a rule of a style sheet."""
+    """Return the colours of a light page as a CSS rule."""
     text = _css("colours")
     return text[: text.index("}") + 1]
 
 
 def chart_style() -> str:
-    """Style sheet of a figure that stands by itself."""
+    """Return the style sheet of a standalone figure."""
     return light_colours() + CSS
 
 
 def page_html(page: Page, figures: Mapping[str, str]) -> str:
-    """Give the page as HTML text with its figures (name to HTML) and viewers inside, those that there are."""
+    """Return the page as HTML with its available figures (name to HTML) and viewers."""
 
     def figure_html(picture: Picture | Chart) -> str:
         if picture.name in figures:
@@ -297,7 +297,7 @@ def page_html(page: Page, figures: Mapping[str, str]) -> str:
 
 
 def fill_template(template: str, viewers: Sequence[Viewer], **content: Any) -> str:
-    """Fill an HTML template, whose style sheet has the same name, with its viewers and the script of all pages."""
+    """Fill an HTML template with its style sheet (of the same name), viewers and the common page script."""
     script = bundle("viewer.js" if viewers else "page.js")
     data = (
         json.dumps(live_data(viewers), ensure_ascii=False, allow_nan=False, separators=(",", ":"))
@@ -350,22 +350,22 @@ _JOINTS = re.compile(r"(?<=[^\W\d_]{2})([._])(?=[^\W_]{2})")
 
 
 def with_break_points(text: str) -> Any:
-    """Let a long name break behind the joints between its words, so that a narrow column breaks it nowhere else."""
+    """Allow line breaks in a long name only after its word separators."""
     from markupsafe import Markup, escape
 
     return Markup(_JOINTS.sub(r"\1<wbr>", str(escape(text))))
 
 
 _STYLE = re.compile(r"<style type=\"text/css\">.*?</style>", re.DOTALL)
-_PIXELS_PER_POINT = 1.6  # on a wide screen: text of 9 pt becomes as large as that of the page
+_PIXELS_PER_POINT = 1.6  # on a wide screen: 9 pt text gets the size of the page's text
 _FULL_WIDTH = 547.0  # points
 _SIZE = re.compile(r' (?:width|height)="[\d.]+pt"')
 
 
 def inline_svg(svg: bytes, name: str, alternative: str) -> str:
-    """Make an SVG file of matplotlib one ``<svg>`` element that scales with its HTML page.
+    """Convert a matplotlib SVG file into an ``<svg>`` element that scales with its HTML page.
 
-    Every name inside the figure begins with ``name``; ``alternative`` is for readers who cannot see.
+    Every id inside the figure begins with ``name``; ``alternative`` is the text for screen readers.
     """
     text = svg.decode()
     text = text[text.index("<svg") :]
@@ -390,14 +390,14 @@ def inline_svg(svg: bytes, name: str, alternative: str) -> str:
 def write_folder(
     out: Path | str, files: Mapping[str, bytes | str], *, force: bool = False
 ) -> list[Path]:
-    """Write files into a folder that is empty or, with ``force``, keeps what else it holds: all of them, or none.
+    """Write all files into a folder, or none; with ``force``, the folder need not be empty.
 
     Parameters
     ----------
     out : Path or str
-        Folder; made where it is missing. With ``force``, files of the same names in it are replaced, others stay.
+        Output folder; created if missing. With ``force``, files of the same names are replaced and others are kept.
     files : mapping of str to bytes or str
-        Path within the folder to content.
+        Content by path within the folder.
     force : bool
         Write into a folder that is not empty.
 
@@ -409,7 +409,7 @@ def write_folder(
     Raises
     ------
     OutputError
-        For a folder that is not empty, a file in its place, or a disk that refuses; nothing is changed then.
+        If the folder is not empty, is a file, or cannot be written; nothing is changed then.
 
     Examples
     --------
@@ -422,7 +422,7 @@ def write_folder(
 
 
 def curve_files(name: str, signals: xr.Dataset) -> tuple[tuple[str, bytes], ...]:
-    """Give a recording as ``curves/<name>.csv`` and ``curves/<name>.nc``, path and content each."""
+    """Return a recording as ``curves/<name>.csv`` and ``curves/<name>.nc``, path to content."""
     with working_folder() as folder:
         files = [write_recording(signals, folder / f"{name}{suffix}") for suffix in (".csv", ".nc")]
         return tuple((f"curves/{file.name}", file.read_bytes()) for file in files)

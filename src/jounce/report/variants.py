@@ -1,4 +1,4 @@
-"""A sweep as a page: statistics and sensitivities of every metric first, then pictures, runs, and its study."""
+"""Page of a sweep: statistics and sensitivities of all metrics, then figures, runs, and the study file."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from jounce.variants.study import SweepResult
     from jounce.variants.summary import Influence, Summary
 
-_SHOWN = 10.0  # s, of a long run at first
+_SHOWN = 10.0  # s of a long run shown initially
 _WORDS = {
     "first": "alone",
     "total": "with others",
@@ -62,7 +62,7 @@ def sweep_page(
     trial: Trial | None = None,
     study: str = "",
 ) -> Page:
-    """Put a sweep on a page.
+    """Create a page of a sweep.
 
     Parameters
     ----------
@@ -71,16 +71,16 @@ def sweep_page(
     title : str
         Name of the study.
     runs : mapping of str to xarray.Dataset, optional
-        Runs for the viewer by what they are, e.g. those with the least and the greatest value of a metric.
+        Runs for the viewer by label, e.g. those with the minimum and maximum of a metric.
     rig, trial : Rig and Trial, optional
-        A 3-D rig that moves with the first of them, and what it is driven over.
+        3-D rig animated with the first run, and the trial that gives its road.
     study : str
-        Text of the study's file.
+        Text of the study file.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS` or :func:`jounce.report.write_page`.
+        Page to be written with :data:`jounce.report.REPORTS` or :func:`jounce.report.write_page`.
     """
     summary, data = sweep.summary, sweep.data
     parts: dict[str, Callable[[], Section]] = {"Answer": lambda: Section("Answer", _answer(sweep))}
@@ -106,7 +106,7 @@ def sweep_page(
 
 
 def sweep_result_page(swept: SweepResult, *, title: str) -> Page:
-    """Put a sweep on a page with the study that its file holds, and the runs of its extremes."""
+    """Create a page of a sweep with the text of its study file and the runs at its extremes."""
     from jounce.variants.study import extreme_runs, read_sweep
 
     sweep = read_sweep(swept.study)
@@ -122,14 +122,14 @@ def sweep_result_page(swept: SweepResult, *, title: str) -> Page:
 
 
 _SCATTER = (
-    "Metrics over the numbers, at most the seven that the first metric depends on most, a dot a variant; lines are "
+    "Metrics over the varied parameters (at most the seven most influential), one dot per variant; lines are "
     "means of tenths of the variants."
 )
-_PARALLEL = "Every variant as a line through its numbers and metrics, coloured by the first metric."
-_BANDS = "Median of the channels over the variants, with bands that hold half and nine tenths of them at each time."
-_TORNADO = (
-    "Means of the metrics where each number is low and high, and indices with 95 % intervals."
+_PARALLEL = (
+    "Every variant as a line through its parameters and metrics, coloured by the first metric."
 )
+_BANDS = "Median of the channels over the variants, with bands that contain 50 % and 90 % of them at each time."
+_TORNADO = "Means of the metrics at low and high values of each parameter, and indices with 95 % intervals."
 
 
 def _picture_section(title: str, draw: Callable[[], Figure], name: str, words: str) -> Section:
@@ -206,8 +206,10 @@ def _percentiles(summary: Summary) -> Details:
         levels = [_with_interval(level, unit.factor) for level in metric.percentiles.values()]
         rows.append((metric.name, unit.name or "–", *levels))
     header = ("metric", "unit", *(f"{key} %" for key in summary.metrics[0].percentiles))
-    note = "In brackets the 95 % interval that so many variants, taken as a random sample, leave a percentile."
-    words = "Percentiles and how sure they are"
+    note = (
+        "In brackets: 95 % interval of each percentile, treating the variants as a random sample."
+    )
+    words = "Percentiles and their uncertainty"
     return Details(words, (PageTable(words, header, tuple(rows), "llrrr", note),))
 
 
@@ -222,7 +224,7 @@ def _with_interval(level: Mapping[str, Any], factor: float) -> str:
 
 
 def _share(measure: Mapping[str, Any]) -> str:
-    """A share of a variance or a coefficient, to a thousandth, which is less than a design tells."""
+    """Format a share of variance or a coefficient with three decimals, finer than the accuracy of the design."""
     if not math.isfinite(measure["value"]):
         return "–"
     every = measure["value"], *(measure["interval"] or ())
@@ -237,7 +239,7 @@ def _matters(summary: Summary, data: xr.Dataset) -> tuple[Block, ...]:
 
 
 def _table(summary: Summary, metric: str) -> PageTable:
-    """What one metric depends on, the number that matters most first."""
+    """Return the sensitivities of a metric, most influential parameter first."""
     own = [influence for influence in summary.influences if influence.metric == metric]
     measures = [name for name in own[0].measures if name in _WORDS]
     unit = display_unit(
@@ -291,7 +293,7 @@ def _provenance(sweep: SweepResult, study: str) -> tuple[Block, ...]:
     items = [
         f"Command: {sweep.command}",
         f"Study: {sweep.study}",
-        f"Shards and all that results follow from: {sweep.out}",
+        f"Shards and all inputs of the results: {sweep.out}",
     ]
     lines = tuple(Paragraph(line) for line in study.splitlines() if line.strip())
     return (Bullets(tuple(items)), *((Details("The study's file", lines),) if lines else ()))

@@ -253,7 +253,7 @@ def test_superseded_updates_stand_folded_with_their_findings(result: CampaignRes
     )
     assert [finding.message for finding in careful.blocks[0].items] == ["new"]
     folded = [block.summary for block in page.blocks() if isinstance(block, Details)]
-    assert f"{first}: superseded, the final model is not made of it" in folded
+    assert f"{first}: superseded, not part of the final model" in folded
     assert [
         finding.message
         for finding in next(s for s in page.sections if s.title == "Findings").blocks[0].items
