@@ -1,6 +1,6 @@
-"""Shock-absorber inspection: records of testers, what they say about each wheel, and how well that is known.
+"""Shock-absorber inspection: tester records, the values of each wheel, and their uncertainty.
 
-The names are those of ``__init__.pyi``; each is loaded on first use.
+The public names are listed in ``__init__.pyi``; each is loaded on first use.
 """
 
 import lazy_loader

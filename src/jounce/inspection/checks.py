@@ -21,7 +21,7 @@ FORCE_UNITS = {
     0.22481: "pounds (lbf)", 0.10197: "kilograms (kgf)", 0.1: "daN", 0.001: "kN", 4.4482: "", 9.80665: "", 1000.0: ""
 }  # fmt: skip
 LENGTH_UNITS = {1.0 / 25.4: "inches", 0.001: "metres", 0.1: "centimetres", 1000.0: "micrometres"}
-"""Value as written over value in N, or over that in mm; without a name: the load is in another unit."""
+"""Ratio of the written value to the value in N or mm; an empty name means that the load has the wrong unit."""
 
 _RIGID_BAND = (
     7.0,
@@ -34,57 +34,57 @@ Simulated on the shipped testers with 1 % noise, an Audi A6 gives 1.00 on rigid 
 with its dampers, 2.9 to 4.2 with 30 % of them and 4.6 to 7.9 with 5 %.
 """
 _FEWEST_STROKES = (
-    12  # turns, so that one odd turn is neither the tenth nor the ninetieth percentile
+    12  # turns: a single outlier then does not affect the tenth or ninetieth percentile
 )
 _SPRUNG_SPREAD, _COMPRESSED = (
     1.1,
     1.5,
-)  # strokes on a spring vary by more, forces compress it by less
-_NEAR = 0.06  # share by which a ratio may miss a unit's; daN and kgf are 2 % apart, and the nearer counts
+)  # the stroke of a sprung plate varies more than this; forces compress the spring by less
+_NEAR = (
+    0.06  # relative tolerance of a unit's ratio; daN and kgf differ by 2 %, the nearer one is used
+)
 _KILO, _NEAR_KILO = (
     0.001,
     0.5,
-)  # kN over N, and how far off it may be: no other unit is within a factor of ten
+)  # kN over N, and its relative tolerance: no other unit is within a factor of ten
 _WEIGHT_WARNING, _WEIGHT_PROBLEM = (
     0.02,
     0.08,
-)  # an error of the load is one of the adhesion, as large
+)  # a relative error of the load causes an equal relative error of the adhesion
 _LEAST_LOAD, _GREATEST_LOAD = 300.0, 30e3  # N: 30 kg and 3 t on one wheel
 _CLIPPED_SHARE = (
-    0.01  # of the samples: limits that a steady sine touches for so long cut 0.05 % of it
+    0.01  # share of the samples: clipping a steady sine for this share cuts off 0.05 % of it
 )
-_DROPOUT = 8e-3  # s: a fifth of the shortest turn, at 25 Hz
-_SLOWEST_SAMPLING = 200.0  # Hz: eight samples a turn at 25 Hz
-_SHORTEST = 2.0  # s: half of what the fastest sweep allowed (3 Hz/s) takes from 18 to 6 Hz
-_SWING = 1.0  # s: about one swing of a body
-_COARSE = (
-    0.05  # of the static load, of the stroke: rounding to such steps is noise of 1.4 % of them
-)
-_SLOW_BANDS = (1.5, 4.0), (4.0, 7.0)  # Hz: the second where the first has too few turns
+_DROPOUT = 8e-3  # s: a fifth of the shortest period, at 25 Hz
+_SLOWEST_SAMPLING = 200.0  # Hz: eight samples per period at 25 Hz
+_SHORTEST = 2.0  # s: half the time of the fastest allowed sweep (3 Hz/s) from 18 to 6 Hz
+_SWING = 1.0  # s: about one period of the body's oscillation
+_COARSE = 0.05  # share of the static load or stroke: rounding to such steps adds noise of 1.4 %
+_SLOW_BANDS = (1.5, 4.0), (4.0, 7.0)  # Hz: the second is used if the first contains too few turns
 _MIDDLE_BAND, _FAST_BAND = (
     (8.0, 14.0),
     (20.0, 40.0),
-)  # Hz: about wheel hop, where filters do nothing; about the hold
+)  # Hz: around wheel hop, where filters have no effect; around the hold
 _FEWEST_IN_BAND = 2.0  # turns
 _FALLEN, _RISEN = 0.96, 0.975
-"""Stroke over that of the middle band (1), which a low pass of second order at 45 Hz leaves at the hold of 25 Hz, and a
-high pass of first order at 0.6 Hz in the slowest band."""
+"""Stroke relative to the middle band (1): at the 25 Hz hold after a second-order low pass at 45 Hz, and in the slowest
+band after a first-order high pass at 0.6 Hz."""
 _EXCITER_BANDS, _EXCITER_OFF = (
     ((1.5, 4.0), (3.0, 8.0)),
     0.05,
-)  # Hz; an error of the stroke is one of the amplification
+)  # Hz; an error of the stroke causes an equal error of the amplification
 _TURNS_OF_MEAN, _FREQUENCY_OFF = (
     10,
     0.04,
-)  # turns of which the mean counts, since noise moves single crossings
+)  # turns that are averaged, because noise shifts single crossings
 _STILL, _STILL_OF_LOAD = (
     0.5,
     0.03,
-)  # standard deviation of a force while its plate moves, over that while it stands; 1
+)  # standard deviation of a force while its plate moves over that at rest; 1
 
 
 def check_finite(channels: Mapping[str, Array], time: Array) -> list[Finding]:
-    """Name the first value of each channel (any unit) on ``time`` (s) that is not a number."""
+    """Report the first NaN or infinite value of each channel (any unit) on ``time`` (s)."""
     findings = []
     for name, values in channels.items():
         if not np.isfinite(values).all():
@@ -96,7 +96,7 @@ def check_finite(channels: Mapping[str, Array], time: Array) -> list[Finding]:
 
 
 def check_tester(name: str, tester: Tester | None) -> list[Finding]:
-    """Compare the tester that the header names with the one by which the record is evaluated."""
+    """Compare the tester named in the header with the one used for the evaluation."""
     if not name or tester is None:
         return []
     own_name, kind = _find_shipped(name)
@@ -113,7 +113,7 @@ def check_tester(name: str, tester: Tester | None) -> list[Finding]:
 
 @lru_cache(maxsize=32)
 def _find_shipped(name: str) -> tuple[str, str]:
-    """Name and kind of a shipped tester, by its file or the name that it gives itself; empty where there is none."""
+    """Find a shipped tester by file name or display name; return its name and kind, or empty strings."""
     from jounce.parts.testers import library, load_tester
 
     for file, path in library().items():
@@ -124,7 +124,7 @@ def _find_shipped(name: str) -> tuple[str, str]:
 
 
 def check_rigid(strokes: Array, frequency: Array, place: str) -> list[Finding]:
-    """Report a plate on a spring: its stroke (n,) in m follows the frequency (n,) in Hz, a rigid one's does not."""
+    """Report a sprung plate: unlike a rigid one, its stroke (n,) in m varies with frequency (n,) in Hz."""
     inside = (frequency > _RIGID_BAND[0]) & (frequency < _RIGID_BAND[1])
     if np.count_nonzero(inside) < _FEWEST_STROKES:
         return []
@@ -137,9 +137,9 @@ def check_rigid(strokes: Array, frequency: Array, place: str) -> list[Finding]:
 def check_sprung(
     strokes: Array, frequency: Array, signals: WheelSignals, tester: Tester
 ) -> list[Finding]:
-    """Report a rigid plate: on the tester's spring, such strokes (n,) in m could not make the measured forces.
+    """Report a rigid plate: with the tester's spring, these strokes (n,) in m cannot produce the measured forces.
 
-    The spring is between the exciter and the plate, so no force compresses it by more than both of them move.
+    The spring is between the exciter and the plate, so its compression cannot exceed the sum of their motions.
     """
     inside = (frequency > _RIGID_BAND[0]) & (frequency < _RIGID_BAND[1])
     if tester.plate_spring_rate is None or np.count_nonzero(inside) < _FEWEST_STROKES:
@@ -153,7 +153,7 @@ def check_sprung(
 
 
 def check_even_stroke(signals: WheelSignals, turns: Turns) -> list[Finding]:
-    """Look for filters of the record: the stroke of a rigid plate is the same at every frequency."""
+    """Detect filtered records: the stroke of a rigid plate must be the same at every frequency."""
     middle = _amplitude(signals.height, signals.time, turns, _MIDDLE_BAND)
     if middle is None:
         return []
@@ -162,7 +162,7 @@ def check_even_stroke(signals: WheelSignals, turns: Turns) -> list[Finding]:
     slow = [_amplitude(signals.height, signals.time, turns, band) for band in _SLOW_BANDS]
     slowest = next(
         (size for size in slow if size is not None), None
-    )  # a high pass leaves the slowest turns too small
+    )  # a high pass reduces the slowest turns
     for code, size, least in (("stroke_falls", fast, _FALLEN), ("stroke_rises", slowest, _RISEN)):
         if size is not None and size < least * middle:
             words = {"stroke": 2e3 * size, "middle": 2e3 * middle}
@@ -173,9 +173,9 @@ def check_even_stroke(signals: WheelSignals, turns: Turns) -> list[Finding]:
 def check_exciter(
     exciter: Array, signals: WheelSignals, turns: Turns, span: tuple[float, float], tester: Tester
 ) -> list[Finding]:
-    """Compare the exciter's height (n,) in m, by a sprung plate's height and force, with stroke and programme.
+    """Compare the exciter's height (n,) in m, from a sprung plate's height and force, with stroke and programme.
 
-    ``span`` (s) is that of the sweep: a plate at rest shows the noise of its force, and no turns.
+    ``span`` (s) is that of the sweep: a plate at rest shows only force noise and no turns.
     """
     findings, place = [], f"{signals.wheel}.plate.z"
     within = slice(*np.searchsorted(signals.time, span))
@@ -202,9 +202,9 @@ def check_exciter(
 def _amplitude(
     height: Array | None, time: Array, turns: Turns, band: tuple[float, float]
 ) -> float | None:
-    """Amplitude (m) of a height (n,) in m at the frequency of the turns while that is within a band (Hz), on time (s).
+    """Return the amplitude (m) of a height (n,) in m at the turns' frequency within a band (Hz), on time (s).
 
-    None where the height is not known, or makes too few turns there.
+    None if the height is unknown or has too few turns in the band.
     """
     if height is None or time.size < 2:  # a span outside the record has no turns
         return None
@@ -220,7 +220,7 @@ def _amplitude(
 
 
 def check_resolution(signals: WheelSignals, raw: Array, load: float) -> list[Finding]:
-    """Look for coarse steps of the force (n,) in N beside the static load (N), and of the height beside its stroke."""
+    """Report coarse steps of force (n,) in N relative to static load (N), and of height relative to stroke."""
     findings = []
     for name, code, values, whole in (
         ("force", "force_coarse", raw, load),
@@ -241,12 +241,12 @@ def check_resolution(signals: WheelSignals, raw: Array, load: float) -> list[Fin
 
 
 def check_together(raw: Array, moving: tuple[int, int], load: float, wheel: str) -> list[Finding]:
-    """Report the force (n,) in N of another plate: constant while this plate moves, changing while it rests.
+    """Report the force (n,) in N of the other plate: constant while this plate moves, changing while it rests.
 
-    ``moving`` are the first sample of the plate's motion and the one behind the last; the static load is in N.
+    ``moving`` is the half-open sample range of the plate's motion; the static load is in N.
     """
     inside, outside = raw[slice(*moving)], np.concatenate([raw[: moving[0]], raw[moving[1] :]])
-    # A fifth of the time of the motion says how the force of a standing plate scatters.
+    # At least a fifth of the motion's duration is needed to estimate the scatter of the force at rest.
     if outside.size < 0.2 * inside.size or np.std(inside) >= min(
         _STILL * np.std(outside), _STILL_OF_LOAD * load
     ):
@@ -258,7 +258,7 @@ def check_together(raw: Array, moving: tuple[int, int], load: float, wheel: str)
 
 
 def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> list[Finding]:
-    """Look for a record that is too short, swapped columns, heights in another unit; ``raw`` is the force in N."""
+    """Report a record that is too short, swapped columns, or heights in a wrong unit; ``raw`` is the force in N."""
     length = float(signals.time[-1] - signals.time[0])
     if length < _SHORTEST:
         return [problem("time", "too_short", length, length=length)]
@@ -266,7 +266,7 @@ def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> l
         return []
     place = f"{signals.wheel}.plate.z"
     stroke, force = float(np.ptp(signals.height)), float(np.max(np.abs(raw)))
-    # Under 100 N no wheel stands on a plate, and no plate moves by 0.2 m or lies 0.3 m from where it is measured.
+    # A wheel load is above 100 N, a stroke below 0.2 m, and the median height within 0.3 m of zero.
     if force < 100.0 and (stroke > 0.2 or abs(float(np.median(signals.height))) > 0.3):
         return [problem(place, "columns_swapped", stroke, stroke=1e3 * stroke, force=force)]
     if stroke == 0.0:
@@ -276,7 +276,7 @@ def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> l
     ratio = stroke / tester.stroke
     if tester.kind == "rigid-plate":
         return _rigid_stroke(place, ratio, stroke, tester)
-    # Above its resonance a plate on a spring moves less than its exciter; at it, without a damper, many times as much.
+    # A sprung plate moves less than its exciter above resonance, and many times more at an undamped resonance.
     if not 0.15 < ratio < 30.0:
         return [
             problem(place, "stroke_unit", stroke, stroke=1e3 * stroke, expected=1e3 * tester.stroke)
@@ -287,9 +287,11 @@ def check_columns(signals: WheelSignals, raw: Array, tester: Tester | None) -> l
 def _rigid_stroke(place: str, ratio: float, stroke: float, tester: Tester) -> list[Finding]:
     words = {"stroke": 1e3 * stroke, "expected": 1e3 * tester.stroke}
     for factor, unit in LENGTH_UNITS.items():
-        if abs(ratio / factor - 1.0) < 2.0 * _NEAR:  # a stroke is the difference of two readings
+        if (
+            abs(ratio / factor - 1.0) < 2.0 * _NEAR
+        ):  # a stroke is the difference between two readings
             return [problem(place, "height_unit", ratio, unit=unit, **words)]
-    if not 0.7 < ratio < 1.4:  # of a stroke of 6 mm, below 4.2 or above 8.4 mm: another tester
+    if not 0.7 < ratio < 1.4:  # for a 6 mm stroke, below 4.2 or above 8.4 mm: a different tester
         return [problem(place, "stroke_wrong", ratio, **words)]
     if abs(stroke - tester.stroke) > tester.limits.stroke_tolerance:
         return [
@@ -301,7 +303,7 @@ def _rigid_stroke(place: str, ratio: float, stroke: float, tester: Tester) -> li
 
 
 def check_load(signals: WheelSignals, measured: float, tester: Tester | None) -> list[Finding]:
-    """Compare the static load of the header with what the force cell shows on average (N)."""
+    """Compare the static load in the header with the mean measured force (N)."""
     place = f"{signals.wheel}.static_load"
     load = signals.static_load
     if load is None:
@@ -333,8 +335,10 @@ def check_load(signals: WheelSignals, measured: float, tester: Tester | None) ->
 
 
 def _unit_of(ratio: float) -> str | None:
-    """Unit of a force that is ``ratio`` times (1) its value in N; empty where rather the load is in another unit."""
-    if abs(ratio / _KILO - 1.0) < _NEAR_KILO:  # the plate's inertia matters beside so few newtons
+    """Return the unit of a force that is ``ratio`` times (1) its value in N; empty if the load has the wrong unit."""
+    if (
+        abs(ratio / _KILO - 1.0) < _NEAR_KILO
+    ):  # the plate's inertia is significant at such small values
         return FORCE_UNITS[_KILO]
     nearest = min(FORCE_UNITS, key=lambda factor: abs(ratio / factor - 1.0))
     return FORCE_UNITS[nearest] if abs(ratio / nearest - 1.0) < _NEAR else None
@@ -355,11 +359,11 @@ def _range(place: str, load: float, tester: Tester | None) -> list[Finding]:
 
 
 def check_pair(loads: Mapping[str, float | None], measured: Mapping[str, float]) -> list[Finding]:
-    """Look at both wheels together (N): swapped sides, or the same offset on both force cells."""
+    """Check both wheels together (N) for swapped sides, or the same offset on both force cells."""
     if set(loads) != {"left", "right"} or set(measured) != {"left", "right"}:
         return []
     left, right = loads["left"], loads["right"]
-    # Sides that were swapped fit crosswise within what a load may be off without a warning, and not as they are.
+    # Swapped sides: loads match crosswise within the warning tolerance, but not side by side.
     if (
         left is None
         or right is None
@@ -374,9 +378,9 @@ def check_pair(loads: Mapping[str, float | None], measured: Mapping[str, float])
         _unit_of(measured[side] / load) is not None or _is_turned(measured[side], load)
         for side, load in (("left", left), ("right", right))
     ):
-        return []  # each wheel says of which unit or sign it is
+        return []  # the findings of each wheel report its unit or sign
     offsets = measured["left"] - left, measured["right"] - right
-    # A choice: both zeros are shifted alike, to a tenth of the shift.
+    # Chosen limit: the zero shifts of both sides agree within a tenth.
     if abs(offsets[0] - offsets[1]) < 0.1 * max(abs(value) for value in offsets):
         offset = 0.5 * sum(offsets)
         return [problem("left, right", "both_offset", offset, offset=offset)]
@@ -388,23 +392,21 @@ def _off(measured: float, load: float | None) -> float:
 
 
 def check_sampling(signals: WheelSignals, tester: Tester | None) -> list[Finding]:
-    """Look at the sampling rate."""
+    """Report a sampling rate that is too low."""
     rate, place = signals.sample_rate, f"{signals.wheel}.plate.force"
     wanted = limits_of(tester).sampling_frequency_min
     if rate < _SLOWEST_SAMPLING:
         return [problem(place, "samples_too_few", rate, rate=rate, wanted=wanted)]
-    if rate < 0.999 * wanted:  # clocks written with few digits
+    if rate < 0.999 * wanted:  # tolerates clocks written with only a few digits
         return [warning(place, "samples_few", rate, rate=rate, wanted=wanted)]
     return []
 
 
 def check_clipping(force: Array, load: float, place: str) -> list[Finding]:
-    """Look for a saturated force (N): flat pieces at its largest or smallest value, lift-off apart."""
+    """Report a saturated force (N): flat sections at its maximum or minimum, except lift-off."""
     findings = []
     for limit, name in ((float(force.max()), "upper"), (float(force.min()), "lower")):
-        if (
-            name == "lower" and abs(limit) < 0.05 * load
-        ):  # a wheel that lifts off, with an error of the zero
+        if name == "lower" and abs(limit) < 0.05 * load:  # lift-off, allowing for a zero offset
             continue
         flat = force == limit
         count = int(np.count_nonzero(flat))
@@ -412,7 +414,7 @@ def check_clipping(force: Array, load: float, place: str) -> list[Finding]:
             continue
         jumps = np.abs(np.diff(force))
         entered = jumps[flat[1:] != flat[:-1]]
-        # A flat piece that is entered by single steps of the resolution is the turn of a signal.
+        # A flat section entered in single resolution steps is a turning point of the signal, not saturation.
         if entered.size == 0 or float(np.median(entered)) <= 1.5 * float(
             np.min(jumps[jumps > 0.0], initial=np.inf)
         ):
@@ -427,10 +429,10 @@ def check_clipping(force: Array, load: float, place: str) -> list[Finding]:
 
 
 def check_dropout(force: Array, signals: WheelSignals, load: float) -> list[Finding]:
-    """Report a force (N) of exactly zero for a while: a cell under a moving plate always feels the plate."""
+    """Report a dropout, a force (N) of exactly zero: a moving plate always exerts an inertia force."""
     if signals.plate_mass <= 0.0:
         return []
-    # About zero, with an error of the zero.
+    # Near zero, allowing for a zero offset.
     still = np.flatnonzero((np.diff(force) == 0.0) & (np.abs(force[1:]) < 0.05 * load))
     runs = np.split(still, np.flatnonzero(np.diff(still) > 1) + 1)
     longest = max(runs, key=len)
@@ -444,11 +446,11 @@ def check_dropout(force: Array, signals: WheelSignals, load: float) -> list[Find
 def check_other_plate(
     wheel: str, own: tuple[int, int], other: tuple[int, int] | None, step: float, order: str
 ) -> list[Finding]:
-    """Tell whether the other plate runs while this one is tested: samples of motion, s between samples."""
+    """Report that the other plate runs during this test; motion as sample ranges, sample interval in s."""
     if other is None:
         return []
     overlap = (min(own[1], other[1]) - max(own[0], other[0])) * step
-    if overlap < 0.5:  # s: one plate may run down while the other starts
+    if overlap < 0.5:  # s: one plate may run down while the other one starts
         return []
     if order == "together":
         return [remark(f"{wheel}.plate.z", "note", "other_together", time=overlap)]
@@ -456,16 +458,16 @@ def check_other_plate(
 
 
 def check_order(order: str, moving: Mapping[str, tuple[int, int] | None]) -> list[Finding]:
-    """Compare the order of the wheels that the header gives with that in which the plates run (samples).
+    """Compare the wheel order in the header with the order in which the plates run (samples).
 
-    Where it gives none, nothing but the names of the columns says which side is which.
+    Without an order in the header, only the column names identify the sides.
     """
     spans = {side: span for side, span in moving.items() if span is not None}
     sides = [side.strip() for side in order.split(",")]
     if not (order == "" or len(sides) == 2) or set(spans) != {"left", "right"}:
         return []
     first, second = sorted(spans, key=lambda side: spans[side][0])
-    # Plates that start within half a run are tested together.
+    # Plates that start within half a run of each other are tested together.
     apart = spans[second][0] >= spans[first][0] + 0.5 * (spans[first][1] - spans[first][0])
     if apart and order == "":
         return [remark("left, right", "note", "order_missing", order=f"{first}, {second}")]
@@ -475,7 +477,7 @@ def check_order(order: str, moving: Mapping[str, tuple[int, int] | None]) -> lis
 
 
 def _means(values: Array, time: Array, length: float) -> Array:
-    """Means of (n,) values over a length (s), from each time (n,) in s on that has so much after it; or that of all."""
+    """Return means of (n,) values over a length (s) from each time (n,) in s that allows it; else the overall mean."""
     sums = np.concatenate([[0.0], np.cumsum(values)])
     ends = np.searchsorted(time, time + length)
     whole = np.flatnonzero(ends < time.size)
@@ -487,20 +489,20 @@ def _means(values: Array, time: Array, length: float) -> Array:
 def check_wandering(
     mean: Array, frequency: Array, load: float, wheel: str, *, hops: bool = False
 ) -> list[Finding]:
-    """Look for a wheel that slips: mean force (N) of turns (their frequency in Hz) that stays off the load (N).
+    """Report a slipping wheel: the mean force (N) of turns (frequency in Hz) deviates from the load (N).
 
-    The mean is taken over a swing of the body; for a wheel that hops, whose body is thrown about, over the whole test.
+    The mean is taken over one oscillation of the body, or over the whole test if the wheel hops.
     """
     known = np.isfinite(mean) & (
         frequency > 6.0
-    )  # Hz: slower turns are few, and swings of the body
+    )  # Hz: slower turns are rare and affected by body motion
     if np.count_nonzero(known) < 12:
         return []
     smooth = _means(
         mean[known] / load - 1.0, np.cumsum(1.0 / frequency[known]), np.inf if hops else _SWING
     )
     drift = float(smooth[int(np.argmax(np.abs(smooth)))])
-    # Adhesion is the least force over the load: it is wrong by about as much. A fifth is a problem.
+    # Adhesion is minimum force over load, so its error is about as large. A fifth is a problem.
     if abs(drift) < 0.05:
         return []
     return [

@@ -1,4 +1,4 @@
-"""Three tests of the same car compared: adhesion, phase angle and THETA over damper wear, tyre, load, friction."""
+"""Comparison of adhesion, phase angle and THETA for the same car over damper wear, tyre, load and friction."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ if TYPE_CHECKING:
 
 Progress = Callable[[float], None]
 METHODS = {key: EVALUATED[key].numbers[0] for key in ("eusama", "egea", "theta")}
-"""Methods that are compared, and what each of them grades."""
+"""Compared methods and the quantity that each of them grades."""
 SOUND, WORN = 0.2, 0.7
-"""A damper that has lost up to this share is sound; one that has lost this share or more is worn (estimated)."""
+"""Loss of damping up to which a damper is sound, and from which it is worn (estimated)."""
 _RIGID, _SPRUNG = "egea-specsus2018", "theta-msd3000"
 _MOST_POINTS = 200  # of each varied quantity: 14 400 tests
-_TESTS_OF_A_PROCESS = 200  # as many as one can do in the time that another process takes to start
+_TESTS_OF_A_PROCESS = 200  # as many as can run in the time it takes to start a process
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,8 @@ class Factor:
     """A property other than the damper's that may influence a test."""
 
     name: str
-    label: str  # on pictures, with its unit
-    scale: float  # shown value for one SI unit
+    label: str  # axis label with unit
+    scale: float  # displayed value per SI unit
     values: tuple[float, ...]  # SI, ascending
     changes: Callable[[QuarterCar, float], dict[str, Any]]  # changes of the rig for a value
 
@@ -87,12 +87,12 @@ class Disagreement:
     method: str
     sound: int  # cars with a sound damper
     worn: int  # cars with a worn damper
-    rejected_sound: int  # how many sound ones the method rejects
-    passed_worn: int  # how many worn ones it passes
+    rejected_sound: int  # sound cars that the method rejects
+    passed_worn: int  # worn cars that it passes
     rejected_at: (
         tuple[float, float] | None
-    )  # range of the factor (SI) in which sound ones are rejected
-    passed_at: tuple[float, float] | None  # range of the factor (SI) in which worn ones pass
+    )  # range of the factor (SI) in which sound cars are rejected
+    passed_at: tuple[float, float] | None  # range of the factor (SI) in which worn cars pass
 
 
 @dataclass(frozen=True)
@@ -103,17 +103,17 @@ class Equivalence(Shown):
     ----------
     planes : dict
         Factor to a Dataset over ``wear`` (1) and the factor (SI): ``adhesion`` (1), ``phase_angle_min_deg`` (deg),
-        ``theta_road`` (1), without a number where a test gives none, and ``<method>_verdict``.
+        ``theta_road`` (1), NaN where a test gives no value, and ``<method>_verdict``.
     disagreements : tuple of Disagreement
-        By factor and method.
+        One per factor and method.
     factors : tuple of Factor
-        As given.
+        Varied factors.
     limits : str
-        Which limits.
+        Label of the limits.
     tests : int
-        Simulated sweeps.
+        Number of simulated sweeps.
     edges : dict
-        Method to the value below which it rejects, in the unit of its quantity.
+        Rejection threshold of each method, in the unit of its quantity.
     """
 
     planes: dict[str, xr.Dataset]
@@ -124,9 +124,9 @@ class Equivalence(Shown):
     edges: dict[str, float] = field(default_factory=dict)
 
     def rejecting_wear(self, factor: str, method: str) -> Array:
-        """Least wear at which a method rejects, over a factor: between two wears where its value meets the limit.
+        """Return the minimum wear at which a method rejects, over a factor, interpolated between wears.
 
-        Shares of damping lost (1) for each value of the factor (n,); not a number where the method never rejects.
+        Shares of damping lost (1) for each value of the factor (n,); NaN where the method never rejects.
 
         Examples
         --------
@@ -146,7 +146,7 @@ class Equivalence(Shown):
         return np.array([_first_rejected(wear, fail, value, edge) for fail, value in columns])
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values: tables of values over wear (rows) and factor, SI and degrees."""
+        """Return plain values: tables over wear (rows) and factor, in SI and degrees."""
         planes = {
             name: {
                 "wear": plane["wear"].to_numpy(),
@@ -191,23 +191,23 @@ def study_equivalence(
     Parameters
     ----------
     rig : Rig, str or Path
-        The sound wheel with its share of the car, a quarter car.
+        Quarter car with a sound damper.
     points : int
         Number of values of each varied quantity, 2 to 200.
     limits : str, optional
         A limits file in place of the shipped limits.
     progress : callable
-        Called with a text as the work goes on.
+        Called with a progress text.
 
     Returns
     -------
     Equivalence
-        As :func:`jounce.compare_tests` gives it.
+        As returned by :func:`jounce.compare_tests`.
 
     Raises
     ------
     DescriptionError
-        For a number of points out of range.
+        If the number of points is out of range.
 
     Examples
     --------
@@ -241,36 +241,36 @@ def compare_tests(
     workers: int = 1,
     progress: Progress = lambda _: None,
 ) -> Equivalence:
-    """Test a wheel on a rigid plate (adhesion, phase angle) and by its damping ratio on the road, worn and varied.
+    """Compute adhesion, phase angle and damping ratio on the road of a wheel over damper wear and other factors.
 
     Adhesion and phase angle come from simulated sweeps of an EGEA tester, THETA from the poles of the model without
-    friction: what friction adds at a tester's amplitude is not in it.
+    friction: THETA does not include the damping that friction adds at a tester's amplitude.
 
     Parameters
     ----------
     rig : QuarterCar
-        The sound wheel with its share of the car.
+        Quarter car with a sound damper.
     wear : sequence of float, optional
-        Shares of damping that are lost, 1; 24 from 0 to 0.95 by default.
+        Lost shares of damping, 1; 24 values from 0 to 0.95 by default.
     factors : sequence of Factor, optional
-        What else is varied, one plane each; :func:`usual_factors` by default.
+        Other varied quantities, one plane each; :func:`usual_factors` by default.
     limits : Limits, optional
-        Whose bands count; the shipped ones by default.
+        Limits with the grading bands; the shipped ones by default.
     workers : int
-        Processes that share the work (1: this one), one for at least 200 tests; a script that asks for more needs
+        Number of processes (1: this one), at most one per 200 tests; a script that uses several needs
         ``if __name__ == "__main__":``.
     progress : callable
-        Told the share that is done, 1.
+        Called with the completed share, 1.
 
     Returns
     -------
     Equivalence
-        Values and verdicts over each plane, and who is misjudged where.
+        Values and verdicts over each plane, and the misjudged cars.
 
     Raises
     ------
     JounceError
-        For a rig that no tester takes.
+        If the rig cannot be tested.
 
     Examples
     --------
@@ -315,7 +315,7 @@ def compare_tests(
 
 
 def _first_rejected(wear: Array, fails: NDArray[np.bool_], values: Array, edge: float) -> float:
-    """Least wear (1) that fails; on the straight line between it and the one before, where the value is at the edge."""
+    """Return the minimum failing wear (1), interpolated linearly to where the value equals the edge."""
     if not fails.any():
         return float("nan")
     i = int(fails.argmax())
@@ -325,7 +325,7 @@ def _first_rejected(wear: Array, fails: NDArray[np.bool_], values: Array, edge: 
 
 
 def _edges(limits: Limits) -> dict[str, float]:
-    """Value of each method below which it rejects, where more is better."""
+    """Return the rejection threshold of each method for which higher values are better."""
     edges: dict[str, float] = {}
     for method in METHODS:
         bands = limits.methods[method].bands if method in limits.methods else ()
@@ -341,7 +341,7 @@ def _edges(limits: Limits) -> dict[str, float]:
 def _test_columns(
     columns: Sequence[tuple[QuarterCar, Array]], workers: int
 ) -> Iterator[dict[str, Array]]:
-    """Test all columns, in their order."""
+    """Test all columns in order."""
     workers = min(workers, sum(len(shares) for _, shares in columns) // _TESTS_OF_A_PROCESS)
     if workers <= 1:
         yield from map(_column, columns)
@@ -356,7 +356,7 @@ def _test_columns(
 
 
 def _column(column: tuple[QuarterCar, Array]) -> dict[str, Array]:
-    """Values of the three methods for one car over its wear; not a number where a test gives none."""
+    """Compute the values of the three methods for one car over its wear; NaN where a test gives no value."""
     rig, shares = column
     rigid, sprung = load_tester(_RIGID), load_tester(_SPRUNG)
     results = {quantity: np.full(len(shares), np.nan) for quantity in METHODS.values()}
@@ -377,7 +377,7 @@ def _column(column: tuple[QuarterCar, Array]) -> dict[str, Array]:
 
 
 def _without_friction(rig: QuarterCar) -> QuarterCar:
-    """The rig whose poles are those of its damper: about rest friction holds, and has no damping ratio."""
+    """Return the rig without friction, which sticks near rest and has no damping ratio."""
     return rig.model_copy(update={"strut": rig.strut.model_copy(update={"friction": None})})
 
 
@@ -393,13 +393,13 @@ def _plane(factor: Factor, shares: Array, tables: dict[str, Array], limits: Limi
 
 
 def _verdict(limits: Limits, method: str, value: float) -> str:
-    """Verdict of a method; a value that is not there, or in no band, is not graded."""
+    """Return a method's verdict; a value that is missing or in no band is not graded."""
     band = limits.methods[method].band_of(value) if np.isfinite(value) else None
     return "not graded" if band is None else band.verdict
 
 
 def _disagreements(factor: Factor, plane: xr.Dataset) -> list[Disagreement]:
-    """Sound cars that are rejected and worn ones that pass, by method."""
+    """Count sound cars that are rejected and worn cars that pass, by method."""
     wear, values = plane["wear"].to_numpy(), plane[factor.name].to_numpy()
     sound, worn_out = wear <= SOUND, wear >= WORN
     rows = []

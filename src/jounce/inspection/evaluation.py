@@ -1,4 +1,4 @@
-"""Evaluation of a tester's record, measured or simulated: values of each wheel, and findings that weaken them."""
+"""Evaluation of a measured or simulated tester record: values of each wheel, and findings about them."""
 
 from __future__ import annotations
 
@@ -38,12 +38,10 @@ if TYPE_CHECKING:
 
 
 _MARGIN = 0.5  # s kept before and after the plate's motion
-_SLOWEST = 0.3  # Hz of the tacho, below which the drive stands
-_AS_MUCH = (
-    0.5  # of the shaking of the plate that is named: so much is no car that shakes the other one
-)
-_STANDING = 0.1e-3  # m: exciters of the shipped testers move by 6 mm or more
-_EXCITER = 0.3  # of the stroke: the height of an exciter is found from forces, whose noise is in it
+_SLOWEST = 0.3  # Hz: tacho frequency below which the drive is at rest
+_AS_MUCH = 0.5  # share of the named plate's shaking: more than the car transmits to the other plate
+_STANDING = 0.1e-3  # m: exciters of the shipped testers have strokes of 6 mm or more
+_EXCITER = 0.3  # share of the stroke: an exciter's height is computed from noisy forces
 
 
 @dataclass(frozen=True)
@@ -67,27 +65,27 @@ def evaluate(
     Parameters
     ----------
     record : xarray.Dataset or pandas.DataFrame
-        Plate forces (N) and heights (m) on ``time`` (s), one or two wheels, as ``read_record`` and simulations give
-        them; ``left.static_load`` (N) and so on as attributes.
+        Plate forces (N) and heights (m) on ``time`` (s) of one or two wheels, as returned by ``read_record`` and
+        simulations; attributes such as ``left.static_load`` (N).
     tester : Tester, str or Path, optional
-        Kind of the plate, its mass, springs and limits; by default a rigid plate whose force needs no compensation.
+        Plate kind, mass, springs and limits; by default a rigid plate whose force needs no inertia compensation.
     vehicle : Rig or Vehicle, optional
-        Under test; the wheel loads of a quarter car, or of a vehicle's axle, are compared with the static loads.
+        Vehicle under test; its wheel loads are compared with the measured static loads.
     methods : iterable of {"eusama", "egea", "theta", "boge"}, optional
-        What to evaluate; by default all that the plate allows.
+        Methods to evaluate; by default all that the plate supports.
 
     Returns
     -------
     Inspection
-        Values per wheel in SI with their uncertainties. A wheel whose record is unfit has no values; its findings and
-        reasons say why, and it is never graded.
+        Values per wheel in SI with their uncertainties. A wheel with an unusable record has no values and is never
+        graded; its findings and reasons explain why.
 
     Raises
     ------
         When there is no wheel in the record, or a channel of one is not in SI.
         When there is no wheel in the record.
     DescriptionError
-        For an unknown method, or one that the plate does not allow.
+        If a method is unknown or not supported by the plate.
 
     Examples
     --------
@@ -136,10 +134,10 @@ def evaluate(
 
 
 def tested_wheels(record: xr.Dataset, facts: Mapping[str, Any]) -> tuple[str, ...]:
-    """Give the wheels that were tested: of a record whose order names one wheel, the other one is not.
+    """Return the tested wheels; if the record's wheel order names a single wheel, only that one.
 
-    The car shakes the other plate a little, a sprung one more. A plate that moves as much as the named one counts as
-    tested, too, so that exchanged sides are noticed.
+    The car shakes the other plate slightly, a sprung plate more. A plate that moves as much as the named one also
+    counts as tested, to detect swapped sides.
     """
     sides, order = wheels_of(record), facts.get("wheel_order")
     if order not in sides or len(sides) == 1:
@@ -151,7 +149,7 @@ def tested_wheels(record: xr.Dataset, facts: Mapping[str, Any]) -> tuple[str, ..
 
 
 def _without_force(record: xr.Dataset, facts: Mapping[str, Any]) -> list[WheelResult]:
-    """Wheels whose plate has moved but whose force is not in the record: a column is lost or misspelt."""
+    """Return wheels whose plate moved but whose force is not in the record: a missing or misspelt column."""
     lost = []
     order = facts.get("wheel_order")
     for side in (order,) if order in SIDES else SIDES:
@@ -164,7 +162,7 @@ def _without_force(record: xr.Dataset, facts: Mapping[str, Any]) -> list[WheelRe
 
 
 def _shaking(record: xr.Dataset, side: str) -> float:
-    """Mean stroke (m) of a plate in short blocks, 0 without its height."""
+    """Return the mean stroke (m) of a plate in short blocks; 0 without its height."""
     name, time = f"{side}.{HEIGHT}", np.asarray(record["time"].values, dtype=float)
     heights = record[name].to_numpy() if name in record else np.empty(0)
     known = heights[np.isfinite(heights)]
@@ -173,12 +171,12 @@ def _shaking(record: xr.Dataset, side: str) -> float:
 
 
 def require_gradable(inspection: Inspection, where: str = "record") -> None:
-    """Refuse an inspection of which no wheel can be graded, or some cannot.
+    """Raise an error unless every wheel of an inspection can be graded.
 
     Raises
     ------
     RecordingError
-        With the first reason; command lines end with exit code 2.
+        With the first reason; commands exit with code 2.
     """
     for wheel in inspection.wheels:
         for finding in wheel.findings:
@@ -209,7 +207,7 @@ def _task(
 
 
 def wheel_load(vehicle: Any, axle: str = "") -> float | None:
-    """Static load (N) of a quarter car's wheel, or of each wheel of a vehicle's axle; None where it is not known.
+    """Return the static load (N) of a quarter car's wheel or of each wheel of a vehicle's axle; None if unknown.
 
     Examples
     --------
@@ -347,7 +345,7 @@ def _evaluate_wheel(
 
 
 def _swings_upside_down(signals: WheelSignals, tester: Tester | None) -> bool:
-    """Whether a plate that swings more than its exciter is pushed away by its spring, and not back."""
+    """Whether a plate's height is inverted: its spring seems to push it away from the middle instead of back."""
     if signals.height is None or tester is None or tester.plate_spring_rate is None:
         return False
     return (
@@ -382,10 +380,10 @@ def _on_rigid_plate(
     findings += about
     swing = np.nan_to_num(
         analysis.modelled[:, 5] - load
-    )  # a body that is not damped swings for long
+    )  # an undamped body oscillates for a long time
     steady = analysis.measured[:, 5] - swing
     hops = bool(analysis.lifted.any())
-    if hops:  # landings carry what the wheel does not in the air: all of it counts
+    if hops:  # landings compensate for airborne phases, so the whole force is averaged
         steady = _mean_by_turn(signals, analysis.top)
     findings += checks.check_wandering(steady, analysis.frequency, load, wheel, hops=hops)
     if _is_unfit(findings):
@@ -412,7 +410,7 @@ def _on_rigid_plate(
 
 
 def _mean_by_turn(signals: WheelSignals, top: Array) -> Array:
-    """Mean force (N) from the top of each turn (n,) in s to the next; NaN for the last."""
+    """Return the mean force (N) from the top of each turn (n,) in s to the next; NaN for the last."""
     at = np.clip(
         np.round((top - signals.time[0]) * signals.sample_rate).astype(int), 0, signals.force.size
     )
@@ -463,7 +461,7 @@ def _by_methods(
     curves: WheelCurves,
     chosen: Iterable[str],
 ) -> WheelResult:
-    """Combine the results of the chosen methods with the values that are known without them."""
+    """Combine the results of the chosen methods with the method-independent values."""
     halves: dict[str, float | None] = {}
     unreliable: dict[str, None] = {}
     for key, method in METHODS.items():

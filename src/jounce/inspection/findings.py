@@ -1,4 +1,4 @@
-"""What an evaluation finds: rows of this package's ``findings.toml``, whose codes carry no package."""
+"""Findings of an evaluation: rows of this package's ``findings.toml``, with codes without a package prefix."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from jounce.inspection.quantities import Language
 
 @dataclass(frozen=True)
 class Remark(Finding):
-    """A finding of an evaluation; archives and ``--json`` name its numbers ``words``, too.
+    """A finding of an evaluation; archives and ``--json`` also store its numbers as ``words``.
 
     Attributes
     ----------
     place, severity, message, value, numbers
-        As of every `Finding`; the message is English.
+        As in `Finding`; the message is in English.
     code : str
-        Its row of this package's ``findings.toml``.
+        Key in this package's ``findings.toml``.
     words : mapping
-        What stands in it: numbers in the unit that the sentence names, and names.
+        Values in the message: names, and numbers in the unit of the sentence.
     """
 
     words: Mapping[str, Any] = field(default_factory=dict)
@@ -31,7 +31,7 @@ class Remark(Finding):
 def remark(
     place: str, severity: Severity, code: str, value: float | None = None, /, **words: Any
 ) -> Remark:
-    """Make a finding of a code; its message is English.
+    """Create a finding from a code, with an English message.
 
     Examples
     --------
@@ -45,17 +45,17 @@ def remark(
 
 
 def problem(place: str, code: str, value: float | None = None, /, **words: Any) -> Finding:
-    """Make a finding that makes a record unfit; ``code`` and ``words`` as of `remark`."""
+    """Create a finding that makes a record unusable; ``code`` and ``words`` as in `remark`."""
     return remark(place, "problem", code, value, **words)
 
 
 def warning(place: str, code: str, value: float | None = None, /, **words: Any) -> Finding:
-    """Make a finding that weakens a value; ``code`` and ``words`` as of `remark`."""
+    """Create a finding that makes a value less reliable; ``code`` and ``words`` as in `remark`."""
     return remark(place, "warning", code, value, **words)
 
 
 def of_plain(table: Mapping[str, Any]) -> Finding:
-    """Restore a finding from its plain table, with its code if it is known.
+    """Restore a finding from a plain table, with its code if known.
 
     Examples
     --------
@@ -68,5 +68,5 @@ def of_plain(table: Mapping[str, Any]) -> Finding:
 
 
 def sentence_of(finding: Finding, language: Language = "en") -> str:
-    """Give a finding's sentence in a language, German numbers with a comma; the English one where it has no code."""
+    """Return a finding's sentence in a language, with German decimal commas; the English message if it has no code."""
     return finding.sentence(language, decimal="," if language == "de" else ".")

@@ -1,4 +1,4 @@
-"""Grading of an inspection by limits: bands, verdicts and reasons of wheels, axles and the vehicle."""
+"""Grading of an inspection by limits: bands, verdicts and reasons for wheels, axles and the vehicle."""
 
 from __future__ import annotations
 
@@ -26,24 +26,26 @@ class Difference:
     """Difference of one value between two wheels."""
 
     quantity: str
-    first: float  # of one wheel, in the unit of the quantity
-    second: float  # of the other
+    first: float  # value of the first wheel, in the unit of the quantity
+    second: float  # value of the second wheel, same unit
     absolute: float  # |first - second|, same unit
-    # |first - second| / max(first, second) (1), values below 0 taken as 0; None where the greater one is not above 0
+    # |first - second| / max(first, second) (1), values below 0 taken as 0; None if the greater value is not positive
     relative: float | None
     uncertainty: (
         float | None
     )  # half width of the 95 % interval of the absolute difference, same unit
-    smaller: str  # which wheel has the smaller value; empty for equal values
+    smaller: str  # wheel with the smaller value; empty for equal values
     relative_uncertainty: float | None = (
         None  # half width of the 95 % interval of the relative difference (1)
     )
     place: str = ""  # side of the car, for front and rear
     bands: dict[str, VerdictBand] = field(default_factory=dict)  # by name of the limit
-    unreliable: tuple[str, ...] = ()  # wheels or axles whose value is unreliable: no band then
+    unreliable: tuple[
+        str, ...
+    ] = ()  # wheels or axles with an unreliable value, which prevents grading
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values and, by the name of the limit, label and verdict."""
+        """Return plain values, with label and verdict by name of the limit."""
         grade = {
             name: {"label": band.label, "verdict": band.verdict}
             for name, band in self.bands.items()
@@ -62,7 +64,7 @@ class Difference:
 def difference_of(
     quantity: str, first: WheelResult, second: WheelResult, places: tuple[str, str], place: str = ""
 ) -> Difference | None:
-    """Difference of a value between two wheels called ``places``; None where one of them has no value.
+    """Return the difference of a value between two wheels named ``places``; None if either value is missing.
 
     Examples
     --------
@@ -100,9 +102,9 @@ def grade_differences(
 ) -> tuple[tuple[Difference, ...], list[Reason]]:
     """Find the bands of differences across ``"wheels"`` or ``"axles"``, and the reasons from the decisive limits.
 
-    ``used`` are the methods that decide; limits that belong to none of them only name their band. A difference is in
-    the band that its 95 % interval begins in: wheels are called unequal only where that is beyond doubt. One of
-    unreliable values is in no band.
+    ``used`` lists the deciding methods; other limits are graded for information only. A difference belongs to the
+    band that contains the lower end of its 95 % interval, so wheels are graded unequal only if that is certain. A
+    difference of unreliable values has no band.
     """
     graded = {difference.quantity: difference for difference in differences}
     reasons: list[Reason] = []
@@ -139,8 +141,8 @@ def grade_differences(
 
 
 USUAL_TYRE = 200e3
-"""Stiffness of a usual car tyre, N/m; that of the reference car on which the methods were compared."""
-_ALIKE = 0.05  # share by which a tyre must differ from the usual one to be named as a reason
+"""Stiffness of a typical car tyre, N/m, from the reference car on which the methods were compared."""
+_ALIKE = 0.05  # relative difference from the typical tyre above which the tyre is given as a reason
 
 
 def explain(wheel: WheelResult, bands: Mapping[str, VerdictBand], limits: Limits) -> list[Reason]:
@@ -177,7 +179,7 @@ def _of_adhesion(wheel: WheelResult, limits: Limits) -> list[Reason]:
 
 
 def _of_tyre(wheel: WheelResult) -> list[Reason]:
-    """Adhesion with a usual tyre, by the model of the record; without one, what the tyre does in general."""
+    """Return the adhesion with a typical tyre by the record's model; without a model, the tyre's general influence."""
     amplitude = np.nan
     if wheel.curves is not None and wheel.curves.plate_amplitude.size:
         amplitude = float(np.nanmax(wheel.curves.plate_amplitude, initial=np.nan))
@@ -209,7 +211,7 @@ class WheelGrade:
     wheel: str  # ``left`` or ``right``
     bands: dict[str, VerdictBand]  # by method; methods without a value or limits are missing
     verdict: str  # ``pass``, ``advise``, ``fail`` or ``not graded``
-    reasons: tuple[Reason, ...]  # what decides first
+    reasons: tuple[Reason, ...]  # deciding reasons first
 
 
 @dataclass(frozen=True)
@@ -219,17 +221,17 @@ class GradedInspection(Shown):
     Attributes
     ----------
     inspection : Inspection
-        The same values; wheels and axle carry grade, verdict and reasons in English.
+        The same values with grade, verdict and English reasons added to wheels and axle.
     limits : Limits
-        By which it was graded.
+        Limits used for the grading.
     grades : tuple of WheelGrade
-        In the order of the wheels.
+        Gradings in the order of the wheels.
     differences : tuple of Difference
-        Between the wheels.
+        Differences between the wheels.
     verdict : str
-        Of the axle, as far as it was tested.
+        Verdict of the tested wheels of the axle.
     reasons : tuple of Reason
-        Of the axle.
+        Reasons for the axle's verdict.
     deciding : tuple of str
         Methods whose grade counts.
     """
@@ -258,15 +260,15 @@ class GradedInspection(Shown):
 
     @property
     def axle(self) -> str:
-        """``front``, ``rear``, or empty where the record does not say."""
+        """``front``, ``rear``, or empty if the record does not name the axle."""
         return str(self.inspection.axle.get("axle", ""))
 
     def grade_of(self, wheel: str) -> WheelGrade | None:
-        """Grading of ``"left"`` or ``"right"``; None where it was not tested."""
+        """Return the grading of ``"left"`` or ``"right"``; None if it was not tested."""
         return next((grade for grade in self.grades if grade.wheel == wheel), None)
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain JSON object ``{wheels: [...], axle: {...}, limits: {...}, verdict: ..., reasons: [...]}``."""
+        """Return a plain JSON object ``{wheels: [...], axle: {...}, limits: {...}, verdict: ..., reasons: [...]}``."""
         return {
             **self.inspection.to_dict(),
             "deciding": list(self.deciding),
@@ -283,13 +285,13 @@ class VehicleGrade:
     Attributes
     ----------
     axles : tuple of GradedInspection
-        Front before rear.
+        Graded axles, front before rear.
     differences : tuple of Difference
-        Between front and rear of each side.
+        Differences between front and rear of each side.
     verdict : str
-        Of the vehicle, as far as it was tested.
+        Verdict of the tested axles of the vehicle.
     reasons : tuple of Reason
-        Why.
+        Reasons for the verdict.
     """
 
     axles: tuple[GradedInspection, ...]
@@ -298,11 +300,11 @@ class VehicleGrade:
     reasons: tuple[Reason, ...] = field(default_factory=tuple)
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain JSON object ``{axles: [...], differences: {...}, verdict: ..., reasons: [...]}``."""
+        """Return a plain JSON object ``{axles: [...], differences: {...}, verdict: ..., reasons: [...]}``."""
         return {"axles": [axle.to_dict() for axle in self.axles], **self.summary()}
 
     def summary(self) -> dict[str, Any]:
-        """Plain JSON object about the vehicle as a whole."""
+        """Return a plain JSON object about the whole vehicle."""
         sides: dict[str, dict[str, Any]] = {}
         for difference in self.differences:
             sides.setdefault(difference.place, {})[difference.quantity] = to_plain(
@@ -323,7 +325,7 @@ def _about(limits: Limits) -> dict[str, str]:
 
 
 def worst(verdicts: Iterable[str]) -> str:
-    """Give the worst verdict: one failure decides; otherwise one part without a grade leaves the whole not graded.
+    """Return the worst verdict: any failure decides; otherwise any ungraded part makes the result not graded.
 
     Examples
     --------
@@ -346,18 +348,18 @@ def grade(
     Parameters
     ----------
     inspection : Inspection
-        As ``evaluate`` gives it.
+        As returned by ``evaluate``.
     limits : Limits, optional
-        Those that come with jounce by default.
+        Limits to apply; by default the shipped ones.
     deciding : sequence of {"eusama", "egea", "theta", "boge"}, optional
-        Methods whose grade counts for the verdict: a wheel that lacks one of them is not graded. By default all that
-        were evaluated and gave a value count. Other methods are graded for information, and where they disagree the
-        reasons say why. Limits that nobody has verified decide nothing.
+        Methods that determine the verdict: a wheel that lacks one of them is not graded. By default all evaluated
+        methods with a value. Other methods are graded for information; the reasons explain disagreements. Unverified
+        limits do not affect the verdict.
 
     Returns
     -------
     GradedInspection
-        The worst band decides. What cannot be graded has the verdict ``"not graded"`` with its reasons.
+        The worst band decides. Ungradable wheels and axles have the verdict ``"not graded"`` with its reasons.
 
     Raises
     ------
@@ -482,7 +484,7 @@ def _verdicts(reasons: Iterable[Reason]) -> list[str]:
 def _by_method(
     wheel: WheelResult, method: str, limits: Limits
 ) -> tuple[VerdictBand | None, list[Reason]]:
-    """Band of a wheel by one method, and the reasons."""
+    """Return the band of a wheel by one method, and the reasons."""
     criterion = limits.methods.get(method)
     if criterion is None:
         return None, [Reason("unlimited", NOT_GRADED, {"method": method})]
@@ -506,13 +508,13 @@ def _by_method(
 
 
 def _lowest_band(criterion: Criterion, value: float, half: float | None) -> VerdictBand | None:
-    """Lowest band for a value below it whose 95 % interval (half width in the same unit) reaches into it."""
+    """Return the lowest band for a value below it whose 95 % interval (half width in the same unit) overlaps it."""
     lowest = criterion.bands[0]
     return lowest if half is not None and value < lowest.start <= value + half else None
 
 
 def near_edges(criterion: Criterion, value: float, half: float | None, method: str) -> list[Reason]:
-    """Say which limits the 95 % interval of a value reaches over (value and half width in the criterion's unit)."""
+    """Return a reason for each limit within the 95 % interval of a value (half width in the criterion's unit)."""
     if half is None:
         return []
     low, high = value - half, value + half
@@ -528,7 +530,7 @@ def near_edges(criterion: Criterion, value: float, half: float | None, method: s
 
 
 def _conditions(wheel: WheelResult, limits: Limits, used: Sequence[str]) -> list[Reason]:
-    """Conditions of the used methods that fail, or may fail."""
+    """Return reasons for conditions of the used methods that fail or may fail."""
     reasons = []
     for condition in limits.conditions.values():
         value, needed = (
@@ -564,7 +566,7 @@ def _between_wheels(
 def differences_of(
     first: WheelResult, second: WheelResult, places: tuple[str, str], place: str = ""
 ) -> list[Difference]:
-    """Differences of all values that both wheels have; ``places`` are the names of the two."""
+    """Return differences of all values that both wheels have; ``places`` are the names of the two wheels."""
     differences = (difference_of(name, first, second, places, place) for name in QUANTITIES)
     return [difference for difference in differences if difference is not None]
 
@@ -583,7 +585,7 @@ def _axle_reasons(grades: tuple[WheelGrade, ...]) -> list[Reason]:
 
 
 def grade_vehicle(axles: Sequence[GradedInspection]) -> VehicleGrade:
-    """Put the gradings of a vehicle's axles together.
+    """Combine the gradings of a vehicle's axles.
 
     Parameters
     ----------
@@ -593,12 +595,12 @@ def grade_vehicle(axles: Sequence[GradedInspection]) -> VehicleGrade:
     Returns
     -------
     VehicleGrade
-        Verdict over what was tested, differences between front and rear of each side.
+        Verdict of the tested axles, and differences between front and rear of each side.
 
     Raises
     ------
     RecordingError
-        For two records of the same axle, records that do not say of which one, or different limits.
+        If both records are of the same axle, do not name their axle, or were graded by different limits.
     """
     ordered = sorted(axles, key=lambda axle: axle.axle)  # front, rear
     for first, second in combinations(ordered, 2):

@@ -1,4 +1,4 @@
-"""Limits of the inspection as data: bands of each method, of its conditions, and of differences."""
+"""Inspection limits as data: bands of methods, conditions and differences."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ SCHEMA = "jounce.limits/1"
 Verdict = Literal["pass", "advise", "fail"]
 Colour = Literal["green", "yellow", "orange", "red"]
 VERDICTS: tuple[Verdict, ...] = ("pass", "advise", "fail")
-"""From good to bad."""
+"""Colours from good to bad."""
 
 
 class VerdictBand(Description):
@@ -32,17 +32,17 @@ class VerdictBand(Description):
     Attributes
     ----------
     start, end : float
-        ``from`` and ``to`` in the file, in the unit of the quantity; without them the band has no end on that side.
+        ``from`` and ``to`` in the file, in the unit of the quantity; without them the band is unbounded.
     end_included : bool
         ``to_included``: the end belongs to this band and not to the next one.
     label, label_de : str
-        What a value in it is called, in English and German.
+        Class name, in English and German.
     colour : {"green", "yellow", "orange", "red"}
-        On protocols.
+        Colour in reports.
     verdict : {"pass", "advise", "fail"}
-        What it means.
+        Verdict for values in this band.
     note : str
-        A keyword that results carry, e.g. ``over_range``.
+        Keyword included in results, e.g. ``over_range``.
     """
 
     start: Number = Field(default=-math.inf, alias="from")
@@ -55,7 +55,7 @@ class VerdictBand(Description):
     note: str = ""
 
     def words(self, language: Language = "en") -> str:
-        """Give its label; the English one where there is no other."""
+        """Return the label in a language, or in English if no translation exists."""
         return self.label_de if language == "de" and self.label_de else self.label
 
 
@@ -67,13 +67,13 @@ class Criterion(Description):
     quantity : str
         Key of the value in results, e.g. ``"theta_road"``.
     bands : tuple of VerdictBand
-        Ascending, without gaps and overlaps.
+        Bands in ascending order, without gaps or overlaps.
     source, source_de : str
-        Where the numbers are from, in English and German.
+        Source of the limits, in English and German.
     date : str
-        Of the source.
+        Date of the source.
     verified : bool
-        Whether the numbers may decide. A class by limits that nobody has verified is for information only.
+        Whether the limits affect verdicts. Classes by unverified limits are for information only.
     """
 
     quantity: str
@@ -84,12 +84,12 @@ class Criterion(Description):
     verified: bool = True
 
     def citation(self, language: Language = "en") -> str:
-        """Give its source; the English one where there is no other."""
+        """Return the source in a language, or in English if no translation exists."""
         return self.source_de if language == "de" and self.source_de else self.source
 
     @property
     def kind(self) -> WheelQuantity:
-        """Unit and words of the quantity; of a relative difference per cent."""
+        """Unit and name of the quantity."""
         return QUANTITIES[self.quantity]
 
     @classmethod
@@ -149,7 +149,7 @@ class Criterion(Description):
         return self.kind.limit_text(value) if math.isfinite(value) else "no limit"
 
     def band_of(self, value: float) -> VerdictBand | None:
-        """Find the band of a value in the quantity's unit; None where no band is.
+        """Return the band of a value in the quantity's unit; None if no band contains it.
 
         Examples
         --------
@@ -170,14 +170,14 @@ class Criterion(Description):
         return tuple(band.end for band in self.bands[:-1])
 
     def passing_from(self) -> float | None:
-        """Least passing limit if more is better; None if there is none."""
+        """Return the lowest passing limit if higher values are better; None if there is none."""
         for low, high in zip(self.bands[:-1], self.bands[1:], strict=True):
             if low.verdict != "pass" and high.verdict == "pass":
                 return high.start
         return None
 
     def failing_below(self) -> float | None:
-        """Limit below which a value fails if more is better; None if there is none."""
+        """Return the limit below which a value fails if higher values are better; None if there is none."""
         starts = [band.start for band in self.bands]
         fails = [band.end for band in self.bands if band.verdict == "fail"]
         least = self.passing_from()
@@ -223,7 +223,7 @@ class DifferenceCriterion(Condition):
 
     @property
     def kind(self) -> WheelQuantity:
-        """Unit of the difference, words of the quantity."""
+        """Unit of the difference and name of the quantity."""
         return _SHARE if self.definition == "relative" else QUANTITIES[self.quantity]
 
     @classmethod
@@ -241,11 +241,11 @@ class Limits(Description):
     Attributes
     ----------
     name, version, date, source : str
-        What results and protocols say of them.
+        Identification in results and reports.
     methods : dict
         Criterion by method: ``eusama``, ``egea``, ``theta``, ``boge``.
     conditions : dict
-        What must hold, by name.
+        Criteria of required conditions, by name.
     differences : dict
         Criteria of differences, by name.
     """
@@ -281,13 +281,13 @@ class Limits(Description):
 
     @property
     def digest(self) -> str:
-        """Eight letters that change with any number or word in the limits."""
+        """Eight-character digest that changes with any number or word in the limits."""
         table = self.model_dump(mode="python", by_alias=True)
         return hashlib.sha256(json.dumps(table, sort_keys=True).encode()).hexdigest()[:8]
 
     @property
     def label(self) -> str:
-        """Name, version and digest, e.g. ``jounce 1 (0a1b2c3d)``; what results and stores carry."""
+        """Name, version and digest, e.g. ``jounce 1 (0a1b2c3d)``; as included in results and stores."""
         return f"{self.name} {self.version} ({self.digest})".strip()
 
 
@@ -297,17 +297,17 @@ def load_limits(name: str | Path | None = None) -> Limits:
     Parameters
     ----------
     name : str or Path, optional
-        Path to a file; by default, or as ``"jounce"``, the limits that come with jounce.
+        Path to a file; by default, or for ``"jounce"``, the shipped limits.
 
     Returns
     -------
     Limits
-        Frozen; values in the units of their quantities (SI, degrees for angles).
+        Frozen limits; values in the units of their quantities (SI, degrees for angles).
 
     Raises
     ------
     DescriptionError
-        With file, line and path: for a missing file, gaps, overlaps, unknown keys, quantities and methods, wrong units.
+        With file, line and path: if the file is missing, or has gaps, overlaps, wrong units or unknown names.
 
     Examples
     --------

@@ -1,9 +1,9 @@
-"""The methods of inspection: what each of them measures on a tester, and how it is evaluated.
+"""Inspection methods: the quantities each of them measures on a tester, and their evaluation.
 
-A method is one row of ``METHODS``: its key and name, the shipped tester and the plates it works on, the values it gives
-(``quantities.NUMBERS`` has their units and words), and the function that finds them in a test. Its findings are rows of
-``findings.toml``. Choices of commands, schemas, tables and grades follow from these rows; bands are given in
-``limits.toml``, since a lane may have others.
+Each method is one row of ``METHODS``: key, name, shipped tester, supported plates, values (units and names are in
+``quantities.NUMBERS``) and the function that computes the values from a test. Its findings are rows of
+``findings.toml``. Command choices, schemas, tables and grades are derived from these rows; bands are defined in
+``limits.toml``, because they may differ between lanes.
 """
 
 from __future__ import annotations
@@ -37,34 +37,28 @@ from jounce.inspection.turn_forces import UNDERFLOW, Analysis, corrected_curve
 from jounce.parts.testers import Tester
 from jounce.testers.plates import RIGIDITY, RIGIDITY_FREQUENCY, phase_angle, tyre_rigidity
 
-_ADHESION_LENGTH, _PHASE_LENGTH = 1.2, 2.0  # Hz over which what the model misses may change
-_NEAR = 4.0  # Hz around the least force: turns farther away say less than 1 % of what the model misses there
-_END = 0.05  # Hz: so near to an end of the band, or to a turn with lift-off, is there
-_BESIDE = (
-    2.0  # Hz beyond the band that the curve is smoothed with: the length over which it may change
-)
-_TOLERANCE = (
-    1.0  # Hz by which a hold may miss the 25 Hz for which EGEA's constants of the rigidity are made
-)
-_FEWEST_TURNS = 6  # of the hold: a quarter of a second
+_ADHESION_LENGTH, _PHASE_LENGTH = 1.2, 2.0  # Hz: correlation length of the model error
+_NEAR = 4.0  # Hz around the minimum force: turns farther away contribute less than 1 % to the model error there
+_END = 0.05  # Hz: distance below which a frequency counts as the end of the band or as a turn with lift-off
+_BESIDE = 2.0  # Hz beyond the band that are included in the smoothing: the correlation length
+_TOLERANCE = 1.0  # Hz: tolerance of the hold about 25 Hz, for which EGEA's rigidity constants apply
+_FEWEST_TURNS = 6  # turns of the hold: a quarter of a second
 _LOWEST, _HIGHEST, _POINTS = 1.5, 15.0, 541  # Hz, in steps of 0.025 Hz
-_FEWEST_EXTREMES = 4  # turning points: three swings, two ratios of them
-_EVEN = 0.2  # share by which neighbouring swings of one free decay may last longer or shorter
-_VAGUE = 0.1  # half width of a damping ratio that says nothing any more
-_LOWEST_RESONANCE = 2.0  # Hz; below it is the body's
+_FEWEST_EXTREMES = 4  # turning points: three swings, two decrements
+_EVEN = 0.2  # relative tolerance of the duration of neighbouring swings in one free decay
+_VAGUE = 0.1  # half width above which a damping ratio is meaningless
+_LOWEST_RESONANCE = 2.0  # Hz; resonances below it are the body's
 
 
 @dataclass(frozen=True)
 class WheelTest:
-    """One wheel's test as the methods are given it."""
+    """Test of one wheel, the input of the methods."""
 
-    signals: WheelSignals  # of the part in which the plate moves
-    sweep: Sweep  # turns of the plate
+    signals: WheelSignals  # signals of the section in which the plate moves
+    sweep: Sweep  # turns and sweep of the plate
     load: float  # static load, N
-    tester: (
-        Tester | None
-    )  # on which it was made; None for a rigid plate of which nothing else is known
-    fit: ResponseFit | None  # quarter car fitted to it
+    tester: Tester | None  # tester used; None for a rigid plate without further data
+    fit: ResponseFit | None  # quarter car fitted to the test
     analysis: Analysis | None = None  # forces of every turn; on a rigid plate only
 
     @cached_property
@@ -74,31 +68,31 @@ class WheelTest:
 
     @cached_property
     def adhesion(self) -> Adhesion | None:
-        """Least and greatest force on a rigid plate; None where no turn could be evaluated."""
+        """Minimum and maximum force on a rigid plate; None if no turn could be evaluated."""
         return None if self.analysis is None else find_adhesion(self.analysis, self.sweep.highest)
 
 
 @dataclass
 class MethodResult:
-    """Result of a method in a test."""
+    """Result of one method."""
 
-    # by key, SI or as the key says; ``half_widths`` of their 95 % intervals, None where they are not known
+    # by key, in SI or in the unit of the key; ``half_widths`` of the 95 % intervals, None if unknown
     values: dict[str, Any] = field(default_factory=dict)
     half_widths: dict[str, float | None] = field(default_factory=dict)
-    findings: list[Finding] = field(default_factory=list)  # what weakens them
+    findings: list[Finding] = field(
+        default_factory=list
+    )  # findings that make the values less reliable
     phase_deg: Array | None = None  # phase angle of every turn in degrees, for the curves
-    unreliable: tuple[
-        str, ...
-    ] = ()  # keys of values that may be far off, which no interval of theirs says
+    unreliable: tuple[str, ...] = ()  # keys of values whose error is not covered by an interval
 
 
 @dataclass(frozen=True)
 class Method:
-    """A method of inspection: its key in files and results, and its name as people write it.
+    """A method of inspection, with its key in files and results and its display name.
 
-    It has a shipped ``tester`` that stands for it, the kinds of testers (``plates``) on which it can be evaluated, its
-    values that may be graded (keys of :data:`jounce.inspection.quantities.NUMBERS`), the main one first, and the
-    function that finds them.
+    Further fields: the default shipped ``tester``, the kinds of ``plates`` on which the method can be evaluated, its
+    gradable values (keys of :data:`jounce.inspection.quantities.NUMBERS`) with the main one first, and the function
+    that computes them.
     """
 
     key: str
@@ -111,19 +105,19 @@ class Method:
 
 @dataclass(frozen=True)
 class Adhesion:
-    """Least and greatest force of a test."""
+    """Adhesion and relative force amplitude of a test."""
 
-    adhesion: float  # least over static force (1); 0 with lift-off
-    frequency_hz: float  # where the force is least, Hz
+    adhesion: float  # minimum over static force (1); 0 with lift-off
+    frequency_hz: float  # frequency of the minimum force, Hz
     lift_off: bool  # whether the tyre left the plate
     relative_force_amplitude: (
-        float  # static less least force over static force (1); with lift-off greatest less static
+        float  # (static - minimum) / static force (1); with lift-off (maximum - static) / static
     )
-    half_width: float | None  # of the 95 % intervals of both (1); None where it is not known
+    half_width: float | None  # of the 95 % intervals of both values (1); None if unknown
 
 
 def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
-    """Find the adhesion of a sweep up to the ``highest`` frequency in Hz; None where no turn could be evaluated."""
+    """Find the adhesion of a sweep up to the ``highest`` frequency in Hz; None if no turn could be evaluated."""
     least, load = analysis.measured[:, 0], analysis.load
     known = np.isfinite(least)
     if np.count_nonzero(known) < 4:
@@ -161,7 +155,7 @@ def find_adhesion(analysis: Analysis, highest: float) -> Adhesion | None:
 
 
 def _of_fit(test: WheelTest) -> MethodResult:
-    """Values of the fitted quarter car that every method reports: explained force, damping ratio of the body."""
+    """Return the values of the fitted quarter car that every method reports: explained force and body damping ratio."""
     result = MethodResult()
     if test.fit is not None:
         result.values["explained_force"] = test.fit.explained
@@ -177,7 +171,7 @@ def _of_body(corner: LinearQuarterCar) -> float:
 
 
 def _eusama(test: WheelTest) -> MethodResult:
-    """Adhesion at the least force, and EGEA's relative force amplitude, which follows from the same force."""
+    """Compute the adhesion and EGEA's relative force amplitude, both from the minimum force."""
     result, minimum = _of_fit(test), test.adhesion
     if minimum is None:
         return result
@@ -195,22 +189,22 @@ def _eusama(test: WheelTest) -> MethodResult:
 
 @dataclass(frozen=True)
 class PhaseMinimum:
-    """Least phase angle."""
+    """Minimum phase angle."""
 
     angle_deg: float  # degrees
-    frequency_hz: float  # where, Hz
+    frequency_hz: float  # frequency of the minimum, Hz
     half_width_deg: float | None  # of its 95 % interval, degrees
-    at_end: bool  # whether it lies at an end of the band
-    # whether the tyre leaves the plate there, so that the angle is that of the fitted quarter car
+    at_end: bool  # whether the minimum is at an end of the band
+    # whether the tyre leaves the plate there; the angle is then that of the fitted quarter car
     in_lift_off: bool = False
 
 
 def phase_angles(analysis: Analysis, rows: Array) -> Array:
-    """Phase angle (degrees) of each turn from the course of the force in it (n, 7).
+    """Compute the phase angle (degrees) of each turn from its force values (n, 7).
 
-    ``360 f (t_ref - t_top)``: t_ref lies midway between the time at which the force falls below the static load and the
-    one at which it rises above it again, around its least value; f is one over the time from this top to the next. The
-    fall is before the top where the angle is below 90 degrees.
+    ``360 f (t_ref - t_top)``: t_ref is midway between the times at which the force falls below the static load and
+    rises above it again around its minimum; f is the reciprocal of the time from this top to the next. The force falls
+    before the top if the angle is below 90 degrees.
     """
     reference = 0.5 * (rows[:, 3] + rows[:, 4])
     return np.asarray(360.0 * analysis.turn_frequency * (reference - analysis.top))
@@ -219,10 +213,10 @@ def phase_angles(analysis: Analysis, rows: Array) -> Array:
 def find_phase_minimum(
     analysis: Analysis, band: tuple[float, float]
 ) -> tuple[PhaseMinimum | None, Array]:
-    """Find the least phase angle within a band (Hz, ends included), and the angles of the turns (n,) in degrees.
+    """Find the minimum phase angle within a band (Hz, ends included), and the angles of the turns (n,) in degrees.
 
-    In the band and a little beside it the angles are those of the curve whose least value is given; elsewhere those of
-    the single turns. There is no least one where the turns do not cover the band.
+    In and near the band the angles are those of the smoothed curve whose minimum is returned; elsewhere they are those
+    of the single turns. The minimum is None if the turns do not cover the band.
     """
     measured = phase_angles(analysis, analysis.measured)
     frequency = analysis.turn_frequency
@@ -301,7 +295,7 @@ def find_rigidity(
 
 
 def rigidity_findings(value: float, tester: Tester | None, place: str) -> list[Finding]:
-    """Report a tyre inflated too little or too much from its rigidity (N/m), by the limits of a tester."""
+    """Report an under- or overinflated tyre from its rigidity (N/m), by the limits of a tester."""
     low, high = limits_of(tester).tyre_rigidity_min, limits_of(tester).tyre_rigidity_max
     if low <= value <= high:
         return []
@@ -310,7 +304,7 @@ def rigidity_findings(value: float, tester: Tester | None, place: str) -> list[F
 
 
 def _egea(test: WheelTest) -> MethodResult:
-    """Least phase angle and tyre rigidity, in addition to the values of the least force."""
+    """Compute minimum phase angle and tyre rigidity, in addition to the EUSAMA values."""
     result, wheel, analysis = _eusama(test), test.signals.wheel, test.analysis
     tyre, result.findings = find_rigidity(test.signals, test.sweep, test.load)
     if tyre is not None:
@@ -341,7 +335,7 @@ def _egea(test: WheelTest) -> MethodResult:
     }
     if (
         analysis.lifted.any()
-    ):  # how the wheel swings on after it depends on chance, which noise and fit do not show
+    ):  # after lift-off the wheel's motion is chaotic, which noise and fit do not reveal
         result.unreliable = ("phase_angle_min_deg", "phase_frequency_hz")
         result.findings.append(warning(f"{wheel}.phase", "phase_after_lift_off"))
     else:
@@ -367,10 +361,10 @@ class Theta:
 
 
 def theta_by_fit(fit: ResponseFit, tester: Tester | None) -> Theta:
-    """Damping ratios of the wheel from the poles of a fitted quarter car.
+    """Compute damping ratios of the wheel from the poles of a fitted quarter car.
 
-    On the rig plate and plate spring of the tester stand under the wheel; on the road, and on a rigid plate, the plate
-    is at rest.
+    The rig value includes the tester's plate and plate spring under the wheel; on the road, and on a rigid plate, the
+    plate is at rest.
     """
 
     def on_road(corner: LinearQuarterCar) -> float:
@@ -391,10 +385,10 @@ def theta_by_fit(fit: ResponseFit, tester: Tester | None) -> Theta:
 
 
 def half_power(frequency: Array, amplitude: Array) -> float | None:
-    """Damping ratio (1) from the width of a resonance at 0.707 of its height: (f2 - f1) / (2 f_r).
+    """Compute the damping ratio (1) from the width of a resonance at 0.707 of its height: (f2 - f1) / (2 f_r).
 
-    Frequencies (n,) in Hz in any order, amplitudes (n,) in any unit. None where one of the two points does not exist,
-    as above some 0.2 of damping.
+    Frequencies (n,) in Hz in any order, amplitudes (n,) in any unit. None if one of the two points does not exist,
+    as for damping ratios above about 0.2.
     """
     order = np.argsort(frequency)
     f, a = frequency[order], amplitude[order]
@@ -410,7 +404,7 @@ def half_power(frequency: Array, amplitude: Array) -> float | None:
 
 
 def plate_gain(corner: LinearQuarterCar, tester: Tester, frequency: Array) -> Array:
-    """Height of a sprung plate over that of the exciter (1), frequencies (n,) in Hz."""
+    """Return the height of a sprung plate over that of the exciter (1), frequencies (n,) in Hz."""
     s = 2j * np.pi * np.asarray(frequency, dtype=float)
     spring = (
         float(tester.plate_spring_rate or 0.0) + float(tester.plate_damping_coefficient or 0.0) * s
@@ -421,9 +415,9 @@ def plate_gain(corner: LinearQuarterCar, tester: Tester, frequency: Array) -> Ar
 
 
 def theta_by_amplification(gain: float, corner: LinearQuarterCar, tester: Tester) -> float | None:
-    """Damping ratio (1) of the rig whose plate is moved ``gain`` times (1) as much as the exciter at resonance.
+    """Compute the rig's damping ratio (1) for which the plate moves ``gain`` times (1) the exciter at resonance.
 
-    Of the corner everything but the damper counts. None where no damper gives this amplification.
+    All values of the corner except its damping are used. None if no damping gives this amplification.
     """
     from scipy.optimize import brentq
 
@@ -445,10 +439,10 @@ def theta_by_amplification(gain: float, corner: LinearQuarterCar, tester: Tester
 
 
 def theta_by_decay(height: Array, sample_rate: float) -> tuple[float, float] | None:
-    """Damping ratio (1) and frequency (Hz) of the free decay at the end of a record, after the exciter has stopped.
+    """Compute damping ratio (1) and frequency (Hz) of the free decay after the exciter has stopped.
 
-    Turning points of the height (n,) in m are followed backwards from the end as long as they come evenly and grow
-    (rate in Hz). None where fewer than four do.
+    Turning points of the height (n,) in m are followed backwards from the end while they are evenly spaced and grow
+    (rate in Hz). None if there are fewer than four.
     """
     size = max(round(0.005 * sample_rate), 1)
     smooth = np.convolve(height, np.full(size, 1.0 / size), mode="valid")
@@ -473,7 +467,7 @@ def theta_by_decay(height: Array, sample_rate: float) -> tuple[float, float] | N
 
 
 def _even_turns(turns: NDArray[np.intp], away: Array) -> NDArray[np.intp]:
-    """Turning points of the decay: from the last one back, on alternating sides, growing, at even distances."""
+    """Return the decay's turning points: backwards from the last, alternating, growing and evenly spaced."""
     even = [int(turns[-1])] if turns.size else []
     for at in turns[-2::-1]:
         now, then = away[even[-1]], away[at]
@@ -481,7 +475,7 @@ def _even_turns(turns: NDArray[np.intp], away: Array) -> NDArray[np.intp]:
             break
         if len(even) > 1 and abs((even[-1] - at) / (even[-2] - even[-1]) - 1.0) > _EVEN:
             break
-        # Decrements scatter more than times: noise moves the height of a small swing, and hardly its turn.
+        # Decrements scatter more than times: noise affects the height of a small swing, but hardly its turning time.
         if (
             len(even) > 1
             and abs(math.log(-then / now) / math.log(-now / away[even[-2]]) - 1.0) > 3.0 * _EVEN
@@ -492,7 +486,7 @@ def _even_turns(turns: NDArray[np.intp], away: Array) -> NDArray[np.intp]:
 
 
 def _theta(test: WheelTest) -> MethodResult:
-    """Damping ratios by the fitted quarter car; on a sprung plate by the older methods as well."""
+    """Compute damping ratios from the fitted quarter car; on a sprung plate also by the older methods."""
     result, wheel = _of_fit(test), test.signals.wheel
     if test.fit is not None:
         theta = theta_by_fit(test.fit, test.tester)
@@ -539,7 +533,7 @@ def _theta(test: WheelTest) -> MethodResult:
 
 @dataclass(frozen=True)
 class BogeAmplitude:
-    """Greatest movement of the plate from lowest to highest point (m), its half width of 95 % (m), and where (Hz)."""
+    """Maximum peak-to-peak plate movement (m), half width of its 95 % interval (m), and its frequency (Hz)."""
 
     amplitude: float
     half_width: float
@@ -547,7 +541,7 @@ class BogeAmplitude:
 
 
 def stroke_by_turn(height: Array | None, time: Array, turns: Turns) -> Array | None:
-    """Highest less lowest height (m) of each turn, by the upward crossings; height (n,) in m on time (n,) in s."""
+    """Return the peak-to-peak height (m) of each turn between upward crossings; height (n,) in m on time (n,) in s."""
     if height is None:
         return None
     starts = np.searchsorted(time, turns.crossing[::2])
@@ -564,7 +558,7 @@ def stroke_by_turn(height: Array | None, time: Array, turns: Turns) -> Array | N
 
 
 def find_boge(test: WheelTest) -> BogeAmplitude | None:
-    """Find the greatest movement of a plate while the exciter passes the resonance of the wheel."""
+    """Find the maximum movement of a plate while the exciter passes the wheel's resonance."""
     height, strokes, frequency = test.signals.height, test.strokes, test.sweep.turns.frequency
     if height is None or strokes is None:
         return None
@@ -597,17 +591,17 @@ METHODS: dict[str, Method] = {
         Method("boge", "BOGE", "boge", (_SPRUNG,), ("boge_amplitude",), _boge),
     )
 }  # fmt: skip
-"""Methods by their key, in the order in which they are listed and evaluated."""
+"""Methods by key, in the order of listing and evaluation."""
 
 QUANTITIES = {name: NUMBERS[name] for method in METHODS.values() for name in method.numbers}
-"""Values that limits may be given for, by their key in results."""
+"""Quantities that can have limits, by their key in results."""
 
 
 def methods_on(plate: str) -> tuple[str, ...]:
-    """Give the keys of the methods that can be evaluated on a kind of plate."""
+    """Return the keys of the methods that can be evaluated on a kind of plate."""
     return tuple(key for key, method in METHODS.items() if plate in method.plates)
 
 
 def method_names(keys: tuple[str, ...]) -> str:
-    """Write methods as people do: ``EUSAMA, EGEA``."""
+    """Return the display names of methods: ``EUSAMA, EGEA``."""
     return ", ".join(METHODS[key].name if key in METHODS else key for key in keys)

@@ -9,22 +9,22 @@ from typing import Literal, NamedTuple
 
 Language = Literal["en", "de"]
 LANGUAGES: tuple[Language, ...] = ("en", "de")
-_MOST_DECIMALS = 6  # that a quantity may be written with
+_MOST_DECIMALS = 6  # maximum number of displayed decimals
 
 
 class Sentence(NamedTuple):
-    """A sentence in each language; ``{names}`` in braces are filled in."""
+    """A sentence in each language, with ``{names}`` as placeholders."""
 
     en: str
     de: str
 
     def in_language(self, language: Language) -> str:
-        """Give the sentence in a language."""
+        """Return the sentence in a language."""
         return self.de if language == "de" else self.en
 
 
 def with_decimal_sign(number: str, language: Language) -> str:
-    """Write a number with a comma where the language has one."""
+    """Replace the decimal point by a comma if the language uses one."""
     return number.replace(".", ",") if language == "de" else number
 
 
@@ -35,17 +35,17 @@ class WheelQuantity:
     Attributes
     ----------
     name : str
-        Its key in results.
+        Key in results.
     si : str
         Unit of the value in results and of bare numbers in limits files.
     unit : str
-        Unit in which it is shown; empty for plain numbers.
+        Displayed unit; empty for plain numbers.
     factor : float
-        Shown value for one of ``si``.
+        Displayed value per ``si`` unit.
     decimals : int
-        As shown.
+        Number of displayed decimals.
     english, german : str
-        Words.
+        Names.
     """
 
     name: str
@@ -57,11 +57,11 @@ class WheelQuantity:
     german: str
 
     def words(self, language: Language = "en") -> str:
-        """Give its name in words."""
+        """Return the name in a language."""
         return self.german if language == "de" else self.english
 
     def label(self, language: Language = "en") -> str:
-        """Give its name with the unit in brackets, as above a figure or a column."""
+        """Return the name with the unit in brackets, for figure titles and column headings."""
         words = self.words(language)
         return f"{words[:1].upper()}{words[1:]}" + (f" [{self.unit}]" if self.unit else "")
 
@@ -73,9 +73,9 @@ class WheelQuantity:
         apart_from: Sequence[float] = (),
         with_unit: bool = True,
     ) -> str:
-        """Write a value (``si``), or an en dash where there is none; German numbers have a comma.
+        """Format a value (``si``), or an en dash for None; German numbers have a decimal comma.
 
-        As many decimals are shown as tell the value from each of the limits (``si``) that it is ``apart_from``.
+        Decimals are added until the value is distinguishable from each of the limits ``apart_from`` (``si``).
 
         Examples
         --------
@@ -97,14 +97,14 @@ class WheelQuantity:
         return self._with_unit(text) if with_unit else text
 
     def rounded_up(self, half: float, language: Language = "en", *, with_unit: bool = True) -> str:
-        """Write a half width of an interval (``si``), rounded up: never narrower than it is."""
+        """Format the half width of an interval (``si``), always rounded up."""
         step = 10.0**-self.decimals
         shown = math.ceil(half * self.factor / step - 1e-9) * step
         text = with_decimal_sign(f"{shown:.{self.decimals}f}", language)
         return self._with_unit(text) if with_unit else text
 
     def limit_text(self, value: float, language: Language = "en") -> str:
-        """Write a limit (``si``) without padding zeros: ``40 %``, ``0.13``."""
+        """Format a limit (``si``) without trailing zeros: ``40 %``, ``0.13``."""
         text = f"{value * self.factor:.6g}".replace("-", "−")
         return self._with_unit(with_decimal_sign(text, language))
 
@@ -150,4 +150,4 @@ NUMBERS: dict[str, WheelQuantity] = {
         ),
     )
 }  # fmt: skip
-"""Every number of a wheel by its key in results, in the order of tables: the one list of them."""
+"""All numeric quantities of a wheel by their key in results, in table order."""

@@ -1,8 +1,8 @@
 """The linear quarter car on a plate: response, steady states, and fit to the motion of a plate.
 
-Every stretch of the record is transformed once. In its bins the force is the response of a quarter car to the plate's
-height, and what the stretch began and ended with: a polynomial in s over the characteristic polynomial (Pintelon and
-Schoukens), so nothing has to be at rest or periodic. White noise of the force has the same weight in every bin.
+Each stretch of the record is transformed once. In its bins the force is the quarter car's response to the plate's
+height plus a transient from the states at both ends: a polynomial in s over the characteristic polynomial (Pintelon and
+Schoukens). The signals need neither start at rest nor be periodic. White force noise has equal weight in all bins.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ class LinearQuarterCar:
     Attributes
     ----------
     sprung_mass, unsprung_mass : float
-        kg. What a record gives is the mass that acts on the wheel; of a car it may differ from the share that the wheel
-        carries.
+        kg. A record yields the effective mass acting on the wheel, which may differ from the share of the car's mass
+        that the wheel carries.
     spring_rate, damping_coefficient : float
-        Of the suspension at the wheel, N/m and N s/m.
+        Suspension values at the wheel, N/m and N s/m.
     tyre_stiffness, tyre_damping_coefficient : float
         N/m and N s/m.
     """
@@ -47,12 +47,12 @@ class LinearQuarterCar:
 
     @property
     def static_load(self) -> float:
-        """Weight of both masses, N, at 9.81 m/s^2."""
+        """Weight of sprung and unsprung mass, N, at 9.81 m/s^2."""
         return (self.sprung_mass + self.unsprung_mass) * GRAVITY
 
 
 def force_response(corner: LinearQuarterCar, frequency: ArrayLike) -> Complex:
-    """Dynamic tyre force over plate height of a wheel that stays on the plate.
+    """Return the dynamic tyre force over plate height of a wheel in permanent contact.
 
     Parameters
     ----------
@@ -64,8 +64,8 @@ def force_response(corner: LinearQuarterCar, frequency: ArrayLike) -> Complex:
     Returns
     -------
     ndarray of complex, shape (n,)
-        (F - F_st) / z_plate in N/m, force up on the tyre and height up positive. The EGEA phase angle is 180 degrees
-        less its angle, the EUSAMA adhesion is one less its magnitude times the plate's amplitude over the static load.
+        (F - F_st) / z_plate in N/m; force on the tyre and height are positive upwards. The EGEA phase angle is 180
+        degrees minus its angle, the EUSAMA adhesion 1 minus its magnitude times plate amplitude over static load.
 
     Examples
     --------
@@ -83,7 +83,7 @@ def force_response(corner: LinearQuarterCar, frequency: ArrayLike) -> Complex:
 
 
 def responses(parameters: Array, s: Complex) -> Complex:
-    """Responses (m, n) in N/m of m quarter cars at ``s`` in 1/s (n,).
+    """Return the responses (m, n) in N/m of m quarter cars at ``s`` in 1/s (n,).
 
     Columns of the parameters (m, 6): unsprung mass, rate, damping, tyre stiffness, tyre damping, sprung mass, SI.
     """
@@ -94,12 +94,12 @@ def responses(parameters: Array, s: Complex) -> Complex:
 
 
 def road_poles(corner: LinearQuarterCar) -> Complex:
-    """Poles with the plate at rest, which are those on the road, 1/s."""
+    """Return the poles with the plate at rest, as on the road, 1/s."""
     return _roots(road_polynomial(corner))
 
 
 def road_polynomial(corner: LinearQuarterCar) -> Array:
-    """Characteristic polynomial with the plate at rest, highest power first, SI."""
+    """Return the characteristic polynomial with the plate at rest, highest power first, SI."""
     ms, mu, k, c = (
         corner.sprung_mass,
         corner.unsprung_mass,
@@ -118,7 +118,7 @@ def rig_poles(
     spring_rate: float,
     damping_coefficient: float = 0.0,
 ) -> Complex:
-    """Poles on a sprung plate (kg, N/m, N s/m) whose exciter is at rest, 1/s."""
+    """Return the poles on a sprung plate (kg, N/m, N s/m) with the exciter at rest, 1/s."""
     ms, mu, k, c = (
         corner.sprung_mass,
         corner.unsprung_mass,
@@ -145,10 +145,10 @@ def _roots(polynomial: Array) -> Complex:
 
 
 def wheel_damping(poles: Complex) -> tuple[float, float]:
-    """Damping ratio (1) and natural frequency (Hz) of the wheel's mode: the second lowest that oscillates.
+    """Return damping ratio (1) and natural frequency (Hz) of the wheel's mode, the second-lowest oscillatory mode.
 
-    Where only the body does not oscillate, its poles are slow and the wheel's mode is the lowest of the others; a fast
-    pole on the real axis is a wheel that does not oscillate, which counts as ratio 1.
+    If only the body is overdamped, its poles are slow and the wheel's mode is the lowest remaining one. A fast real
+    pole means an overdamped wheel, with ratio 1.
     """
     upper = sorted(poles[poles.imag > 1e-6 * np.abs(poles)], key=abs)
     real = np.sort(np.abs(poles[np.abs(poles.imag) <= 1e-6 * np.abs(poles)].real))
@@ -162,9 +162,9 @@ def wheel_damping(poles: Complex) -> tuple[float, float]:
 
 
 def body_damping(poles: Complex) -> float:
-    """Damping ratio (1) of the body, the slowest mode; 1 if the slowest mode does not oscillate.
+    """Return the damping ratio (1) of the body, the slowest mode; 1 if that mode does not oscillate.
 
-    Tyres hardly damp it, whatever they do to the wheel: next to nothing means that no damper acts.
+    Tyres hardly damp this mode, so a value near zero means that the damper has no effect.
     """
     slowest = poles[int(np.argmin(np.abs(poles)))]
     return 1.0 if abs(slowest.imag) <= 1e-6 * abs(slowest) else float(-slowest.real / abs(slowest))
@@ -179,12 +179,12 @@ _equations = Loop("quarter_car")
 def normal_equations(
     parameters: Array, speed: Array, height: Complex, force: Complex
 ) -> tuple[float, Array, Array, Complex]:
-    """Compare a quarter car with the bins of a section, after projecting out the transients of its ends.
+    """Compare a quarter car with the bins of a section after projecting out the end transients.
 
     Parameters (6,): unsprung mass, spring rate, damping, tyre stiffness, tyre damping, sprung mass, SI; angular
-    frequencies (n,), rising, rad/s; plate height (m) and dynamic tyre force (N) in these bins, of one scale. Gives the
-    sum of the squares of what is left, J' J (6, 6) and J' r (6,) of the Gauss-Newton step, and what neither the quarter
-    car nor a transient explains (n,), N.
+    frequencies (n,), ascending, rad/s; plate height (m) and dynamic tyre force (N) in these bins, equally scaled.
+    Returns the residual sum of squares, J' J (6, 6) and J' r (6,) of the Gauss-Newton step, and the residual (n,) in N
+    after quarter car and transients.
     """
     n = speed.size
     basis, transient, gap = np.empty((TRANSIENT, 2 * n)), np.zeros(2 * n), np.empty(2 * n)
@@ -197,42 +197,44 @@ def normal_equations(
     return float(gap @ gap), normal, right, gap[:n] + 1j * gap[n:]
 
 
-_FREE = 6  # numbers of the quarter car that a fit may change
+_FREE = 6  # free parameters of the quarter car
 _TIED = np.eye(_FREE, 5)
 _TIED[5, 0] = -1.0  # sprung and unsprung mass together carry the static load
 _SUM = np.array([1.0, 0.0, 0.0, 0.0, 0.0, 1.0])
-_SCALE = np.array([1.0, 1e3, 10.0, 1e3, 50.0, 10.0])  # least sizes by which steps are judged, SI
+_SCALE = np.array([1.0, 1e3, 10.0, 1e3, 50.0, 10.0])  # minimum scales for judging step sizes, SI
 _MASS_SPREAD = (
-    0.2  # of what the plate carries: in a car the mass that acts on a wheel differs from it
+    0.2  # share of the carried mass: the effective mass acting on a wheel differs from it
 )
 _MOST_STEPS, _MORE_STEPS = (
     40,
     12,
-)  # with the masses tied to the load, and from there with all six numbers
+)  # with the masses tied to the load, then with all six parameters
 _ROUGH_STEP, _SMALLEST_STEP = (
     2e-2,
     1e-4,
-)  # relative changes that end these two searches: the first is only a start
-_FEWEST_BINS = 24  # spectral lines: 48 numbers for six of a quarter car and those of the transient
+)  # relative changes that end these two searches; the first only provides a start
+_FEWEST_BINS = (
+    24  # spectral lines: 48 numbers for six quarter-car parameters and those of the transient
+)
 _GRADIENT_STEP = 1e-5  # relative
-_START_LINES = 60  # spectral lines by which starts are compared
+_START_LINES = 60  # spectral lines used to compare starts
 POOR, _TRIED = 0.97, 6
-"""Share of the force (1) below which more starts are tried and a fit is doubted, and how many: dampers with bends leave
-0.98."""
+"""Explained share of the force (1) below which a fit is doubtful and more starts are tried, and their number. Kinked
+dampers reach 0.98."""
 _SHARES, _RATIOS = (
     (0.05, 0.08, 0.12, 0.18),
     (0.005, 0.05, 0.2),
-)  # of starts: unsprung masses, damping ratios
+)  # unsprung masses and damping ratios of starts
 _STIFFNESSES, _RATES = (
     (8e4, 1.2e5, 1.7e5, 2.4e5, 3.4e5),
     (30.0, 65.0, 150.0, 400.0, 1100.0),
-)  # N/m, N/m for each kg
+)  # N/m, N/m per kg
 TYRES = (5e4, 1.2e6)
-"""Stiffnesses that a tyre may have, N/m."""
+"""Range of plausible tyre stiffness, N/m."""
 _TYRE_DAMPING, _TYRE_DAMPING_SPREAD = (
     50.0,
     60.0,
-)  # N s/m: what a record with little to say falls back on
+)  # N s/m: prior that applies if a record contains little information
 
 
 @dataclass(frozen=True)
@@ -250,22 +252,22 @@ class ResponseFit:
     """Quarter car fitted to a record."""
 
     corner: LinearQuarterCar  # fitted masses, rates and dampings
-    # (6, 6): of unsprung mass, spring rate, damping, tyre stiffness, tyre damping and sprung mass, SI
+    # (6, 6): covariance of unsprung mass, spring rate, damping, tyre stiffness, tyre damping and sprung mass, SI
     covariance: Array
-    # standard deviation of what the model leaves, N per sample, between the lowest and the highest frequency
+    # standard deviation of the residual, N per sample, between the lowest and the highest frequency
     noise: float
     explained: float  # share (1) of the force in these bins that the model explains
-    # time (s) by which the force comes later than the height, where that is sure and not small; else 0
+    # delay (s) of the force after the height if significant; otherwise 0
     delay: float = 0.0
 
     def spread(self, quantity: Callable[[LinearQuarterCar], float]) -> float:
-        """Standard error of a number that follows from the corner, in the number's unit."""
+        """Return the standard error of a quantity computed from the corner, in its unit."""
         return self._spread(np.array([quantity(_corner(near)) for near in self._near]))
 
     def spread_at(self, frequency: float, quantity: Callable[[Complex], Array]) -> float:
-        """Standard error of a number that follows from the response (N/m) at a frequency in Hz, in its unit.
+        """Return the standard error of a quantity computed from the response (N/m) at a frequency in Hz, in its unit.
 
-        The quantity is asked for several responses (m,) at once.
+        ``quantity`` is called with an array of responses (m,).
         """
         return self._spread(
             quantity(responses(self._near, np.array([2j * np.pi * frequency]))[:, 0])
@@ -273,7 +275,7 @@ class ResponseFit:
 
     @cached_property
     def _near(self) -> Array:
-        """The parameters, and for each of them a copy in which it is a little greater, shape (7, 6)."""
+        """Return the parameters, and one copy per parameter with that parameter slightly increased, shape (7, 6)."""
         here = _parameters(self.corner)
         steps = np.maximum(np.abs(here), _SCALE) * _GRADIENT_STEP
         return np.asarray(here + np.vstack([np.zeros(_FREE), np.diag(steps)]))
@@ -286,7 +288,7 @@ class ResponseFit:
 def stretch_of(height: Array, force: Array, sample_rate: float, low: float, high: float) -> Stretch:
     """Transform a section of plate height (n,) in m and dynamic tyre force (n,) in N, sampled at a rate in Hz.
 
-    Bins outside ``low`` to ``high`` Hz are left out; the first and the last sample count half (trapezoidal sums).
+    Bins outside ``low`` to ``high`` Hz are omitted; first and last sample have weight 0.5 (trapezoidal sums).
     """
     from scipy.fft import next_fast_len, rfft
 
@@ -307,12 +309,11 @@ def stretch_of(height: Array, force: Array, sample_rate: float, low: float, high
 def fit_response(
     stretches: Sequence[Stretch], static_load: float, *, where: str = "wheel"
 ) -> ResponseFit:
-    """Fit a quarter car to sections of one record without lift-off; the static load (N) is its weight.
+    """Fit a quarter car to sections of one record without lift-off; its weight is the static load (N).
 
-    A least-squares estimate with its covariance. The mass that acts on the wheel is expected within 20 % of what the
-    plate carries, and the damping of the tyre, which hardly shows below the resonance of the wheel, at
-    (50 +- 60) N s/m; both count only as far as the noise leaves them open. Raises FitError where there is too little
-    signal, or no quarter car resembles it.
+    A least-squares estimate with its covariance. Priors: the effective mass is within 20 % of the carried mass, and
+    the tyre damping, which has little effect below the wheel's resonance, is (50 +- 60) N s/m. Both priors are weighed
+    against the noise. Raises FitError if the signal is too weak or no quarter car resembles it.
     """
     bins = sum(stretch.s.size for stretch in stretches)
     if bins < _FEWEST_BINS:
@@ -335,12 +336,12 @@ def fit_response(
 
 
 def _merit(fit: ResponseFit) -> float:
-    """Explained share (1) of the force, negative for an implausible tyre."""
+    """Return the explained share (1) of the force, negative for an implausible tyre."""
     return fit.explained if TYRES[0] < fit.corner.tyre_stiffness < TYRES[1] else fit.explained - 1.0
 
 
 def _fit_from(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
-    """Fit the parameters from a start; at first the masses together (kg) make up the static load."""
+    """Fit the parameters from a start, first with the total mass (kg) fixed to the static load."""
     cost, normal, right = _system(parts, here)
     damping = 1e-3
     for _ in range(_MOST_STEPS):
@@ -355,13 +356,13 @@ def _fit_from(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit
                 break
         else:
             damping = max(10.0 * damping, 1e-6)
-            if damping > 1e8:  # steps are rounding
+            if damping > 1e8:  # steps are at rounding level
                 break
     return _release_masses(parts, here, mass)
 
 
 def _release_masses(parts: Sequence[Stretch], here: Array, mass: float) -> ResponseFit:
-    """Let the masses differ from the static load, and weigh the prior against the noise."""
+    """Free the masses from the static load, weighing the prior against the noise."""
     freedom = max(2 * sum(stretch.s.size for stretch in parts) - _FREE - TRANSIENT * len(parts), 1)
     cost, normal, right = _system(parts, here)
     damping = 1e-9
@@ -394,7 +395,7 @@ def _release_masses(parts: Sequence[Stretch], here: Array, mass: float) -> Respo
 
 
 def _prior_equations(here: Array, mass: float, variance: float) -> tuple[Array, Array]:
-    """Normal matrix and right side of the prior: tyre damping, and the sum of the masses (kg)."""
+    """Return normal matrix and right-hand side of the prior on tyre damping and total mass (kg)."""
     of_mass = variance / (_MASS_SPREAD * mass) ** 2
     known = of_mass * np.outer(_SUM, _SUM)
     known[4, 4] += variance / _TYRE_DAMPING_SPREAD**2
@@ -404,7 +405,7 @@ def _prior_equations(here: Array, mass: float, variance: float) -> tuple[Array, 
 
 
 def _surprise(here: Array, mass: float, variance: float) -> float:
-    """Sum of squares by which parameters miss the prior."""
+    """Return the sum of squared deviations of the parameters from the prior."""
     gap = (
         (mass - float(_SUM @ here)) / (_MASS_SPREAD * mass),
         (_TYRE_DAMPING - here[4]) / _TYRE_DAMPING_SPREAD,
@@ -418,11 +419,11 @@ def _corner(parameters: Array) -> LinearQuarterCar:
 
 
 def delay_of(fit: ResponseFit, stretches: Sequence[Stretch], plate_mass: float = 0.0) -> float:
-    """Delay (s) of the measured force after the height, negative if earlier; 0 if uncertain.
+    """Estimate the delay (s) of the measured force after the height, negative if earlier; 0 if uncertain.
 
-    The inertia of ``plate_mass`` (kg) was subtracted from the force by means of the height. The delay is estimated to
-    first order together with all parameters. It counts where it explains about half of the residual, or where the fit
-    needs negative tyre damping: of residuals of dry friction and of bent damper curves it explains a third at most.
+    The inertia of ``plate_mass`` (kg) was subtracted from the force using the height. The delay is estimated to first
+    order together with all parameters. It is accepted if it explains about half of the residual, or if the fit needs
+    negative tyre damping; it explains at most a third of residuals from dry friction or kinked damper curves.
     """
     here = _parameters(fit.corner)
     steps = np.maximum(np.abs(here), _SCALE) * _DELAY_STEP
@@ -467,13 +468,13 @@ def delay_of(fit: ResponseFit, stretches: Sequence[Stretch], plate_mass: float =
     return delay if sure else 0.0
 
 
-_DELAY_STEP, _PER_MILLISECOND = 1e-4, 1e-3  # relative, and s: steps of differences
-_SMALL_DELAY = 0.8e-3  # s: turns the phase angle by 3 degrees at 10 Hz
+_DELAY_STEP, _PER_MILLISECOND = 1e-4, 1e-3  # relative, and s: steps of finite differences
+_SMALL_DELAY = 0.8e-3  # s: changes the phase angle by 3 degrees at 10 Hz
 _OF_LEFT, _SURELY = (
     0.45,
     3.0,
-)  # share of what is left (1): dry friction and bends give a third; standard errors
-_DRIVES = 0.5e-3  # s: negative damping of a tyre over its stiffness
+)  # share of the residual (1): dry friction and kinks give a third; standard errors
+_DRIVES = 0.5e-3  # s: ratio of negative tyre damping to stiffness
 
 
 def _both_parts(values: Complex) -> Array:
@@ -494,7 +495,7 @@ def _within(parameters: Array, before: Array, mass: float) -> Array:
 
 
 def _start(parts: Sequence[Stretch], mass: float) -> Array:
-    """Best of a grid of quarter cars."""
+    """Return the best of a grid of quarter cars."""
     tyre = _tyre_stiffness(parts)
     grid = []
     for share, ratio, factor in product((0.06, 0.1, 0.16), (0.05, 0.15, 0.4), (0.8, 1.0, 1.25)):
@@ -514,7 +515,7 @@ def _start(parts: Sequence[Stretch], mass: float) -> Array:
 
 
 def _more_starts(parts: Sequence[Stretch], mass: float) -> list[Array]:
-    """Best of a wider grid, with what a stretch began with projected out: a wheel without a damper swings for long."""
+    """Return the best of a wider grid, with transients projected out: an undamped wheel oscillates for long."""
     grid = []
     for share, ratio, tyre, rate in product(_SHARES, _RATIOS, _STIFFNESSES, _RATES):
         unsprung, sprung = share * mass, (1.0 - share) * mass
@@ -525,9 +526,9 @@ def _more_starts(parts: Sequence[Stretch], mass: float) -> list[Array]:
 
 
 def _tyre_stiffness(parts: Sequence[Stretch]) -> float:
-    """Tyre stiffness (N/m) from the highest frequencies, where the wheel hardly follows."""
+    """Estimate the tyre stiffness (N/m) from the highest frequencies, where the wheel hardly moves."""
     highest = max(parts, key=lambda part: float(part.s[-1].imag))
-    # A start: the highest 15 % are enough lines, and nearest to a wheel at rest.
+    # As a start value, the highest 15 % of the lines suffice; the wheel moves least there.
     top = highest.s.imag > 0.85 * highest.s[-1].imag
     drive = float(np.sum(np.abs(highest.height[top]) ** 2))
     gain = (
@@ -539,7 +540,7 @@ def _tyre_stiffness(parts: Sequence[Stretch]) -> float:
 
 
 def _system(parts: Sequence[Stretch], parameters: Array) -> tuple[float, Array, Array]:
-    """Sum of squares, normal matrix and right side for the six parameters; the transients are projected out."""
+    """Return sum of squares, normal matrix and right-hand side for the six parameters, transients projected out."""
     cost, normal, right = 0.0, np.zeros((_FREE, _FREE)), np.zeros(_FREE)
     for stretch in parts:
         squares, of_part, pull, _ = normal_equations(
@@ -559,7 +560,7 @@ def _solve(normal: Array, right: Array, damping: float) -> Array:
 
 
 def predicted_force(fit: ResponseFit, stretch: Stretch) -> Complex:
-    """Dynamic force (N) in the bins of a section, with the best-fitting transients."""
+    """Predict the dynamic force (N) in the bins of a section, with the best-fitting transients."""
     left = normal_equations(_parameters(fit.corner), stretch.s.imag, stretch.height, stretch.force)[
         3
     ]
@@ -567,29 +568,29 @@ def predicted_force(fit: ResponseFit, stretch: Stretch) -> Complex:
 
 
 Response = Callable[[ArrayLike], Complex]
-_AT_END = 0.005  # Hz: half of the steps of 0.01 Hz in which least values are looked for
+_AT_END = 0.005  # Hz: half the 0.01 Hz step of the search for minima
 
 
 @dataclass(frozen=True)
 class SteadyState:
-    """Values of the steady states.
+    """Inspection values from steady-state responses.
 
     Attributes
     ----------
     adhesion : float
-        Least over static tyre force (1); 0 where the linear force would be negative.
+        Minimum over static tyre force (1); 0 if the linear force would be negative.
     adhesion_frequency_hz : float
-        Where, Hz.
+        Frequency of the minimum force, Hz.
     lift_off : bool
         Whether the linear force would be negative.
     phase_angle_min_deg, phase_frequency_hz : float
-        Least phase angle in degrees within the band, ends included, and where (Hz).
+        Minimum phase angle in degrees within the band, ends included, and its frequency (Hz).
     phase_at_end : bool
-        Whether that is an end of the band.
+        Whether the minimum is at an end of the band.
     relative_force_amplitude : float
-        Greatest force amplitude over static load (1).
+        Maximum force amplitude over static load (1).
     tyre_rigidity : float
-        By EGEA from the force amplitude at the highest frequency, N/m.
+        EGEA rigidity from the force amplitude at the highest frequency, N/m.
     """
 
     adhesion: float
@@ -610,25 +611,26 @@ def steady_state(
     highest: float = 25.0,
     band: tuple[float, float] = (6.0, 18.0),
 ) -> SteadyState:
-    """Find adhesion, least phase angle and rigidity of a linear wheel on a rigid plate.
+    """Find adhesion, minimum phase angle and rigidity of a linear wheel on a rigid plate.
 
     Parameters
     ----------
     response : callable or LinearQuarterCar
         Dynamic tyre force over plate height (N/m, complex) at frequencies (Hz); or the quarter car.
     static_load : float, optional
-        N; that of the corner where one is given.
+        N; by default the corner's.
     amplitude : float
-        Of the plate, m.
+        Amplitude of the plate, m.
     highest : float
-        Highest frequency of the test, Hz. With a damped tyre the force grows with the frequency: the limit matters.
+        Highest frequency of the test, Hz. It affects the result, because the force of a damped tyre grows with
+        frequency.
     band : (float, float)
-        Where the phase angle is searched for, Hz.
+        Search band of the phase angle, Hz.
 
     Returns
     -------
     SteadyState
-        Frequencies to 0.01 Hz.
+        Values with frequencies to 0.01 Hz.
 
     Examples
     --------

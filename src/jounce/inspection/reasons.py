@@ -145,13 +145,13 @@ _DEFINITIONS = {
 class Reason:
     """One reason of a verdict."""
 
-    kind: str  # what it says, e.g. ``"band"``, ``"near"``, ``"disagree"``
-    verdict: str = ""  # what it asks for by itself; empty where it only explains
-    # numbers in SI (angles in degrees), names and bands behind it
+    kind: str  # kind of reason, e.g. ``"band"``, ``"near"``, ``"disagree"``
+    verdict: str = ""  # verdict that it implies by itself; empty if it only explains
+    # supporting numbers in SI (angles in degrees), names and bands
     values: Mapping[str, Any] = field(default_factory=dict)
 
     def text(self, language: Language = "en", *, with_source: bool = True) -> str:
-        """Write the reason as one sentence, with or without the source of the limits.
+        """Format the reason as one sentence, with or without the source of the limits.
 
         Examples
         --------
@@ -216,7 +216,7 @@ def _criterion_words(
 def with_uncertainty(
     criterion: Criterion, value: float, half: float | None, language: Language = "en"
 ) -> str:
-    """Write a value with the half width of its 95 % interval, ``34.1 % ± 0.8 %``; both in the criterion's unit."""
+    """Format a value with the half width of its 95 % interval, ``34.1 % ± 0.8 %``; both in the criterion's unit."""
     kind = criterion.kind
     text = kind.text(value, language, apart_from=criterion.edges())
     return text if half is None else f"{text} ± {kind.rounded_up(half, language)}"
@@ -240,7 +240,7 @@ def range_words(criterion: Criterion, band: VerdictBand, language: Language = "e
 
 
 def verdict_words(verdict: str, language: Language = "en") -> str:
-    """Say ``pass``, ``advise``, ``fail`` or ``not graded`` in a language; another text is given as it is."""
+    """Translate ``pass``, ``advise``, ``fail`` or ``not graded``; other text is returned unchanged."""
     return VERDICT_WORDS[verdict].in_language(language) if verdict in VERDICT_WORDS else verdict
 
 
@@ -259,4 +259,4 @@ _WRITTEN: Mapping[str, Callable[[Any, Language], str]] = {
     "adhesion": QUANTITIES["adhesion"].text,
     "phase": QUANTITIES["phase_angle_min_deg"].text,
 }
-"""How words and values are written that are neither in a table nor a plain number."""
+"""Formatters for names and values that are neither in a table nor plain numbers."""

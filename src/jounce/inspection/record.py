@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 SIDES = ("left", "right")
 FORCE, HEIGHT, TACHO = "plate.force", "plate.z", "plate.frequency"
 NUMBERS = {"static_load": "N", "plate_mass": "kg", "tyre_pressure": "Pa"}
-"""What a header says about each wheel (``left.static_load``), with its SI unit."""
+"""Header keys of each wheel (``left.static_load``), with their SI units."""
 TEXTS = (
     "axle",
     "wheel_order",
@@ -41,12 +41,12 @@ TEXTS = (
     "comment",
     "simulated",
 )
-"""What it says about the whole record."""
+"""Header keys of the whole record."""
 _ORDERS = {"left, right", "right, left", "left", "right", "together"}
 _LONGEST_TEXT, _LARGEST_NAME = (
     2000,
     1e15,
-)  # characters; a number that is a name, written with all its digits
+)  # characters; of numbers used as names, written with all digits
 
 
 def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Dataset, list[Finding]]:
@@ -56,22 +56,22 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
     ----------
     path : Path or str
         File of any known format, e.g. CSV with ``time [s], left.plate.z [mm], left.plate.force [N], ...``. What is
-        known about the car stands in lines ``# left.static_load = "4316 N"`` before the columns, or in a TOML file of
-        the same name beside it; the lines win.
+        known about the car is given in lines ``# left.static_load = "4316 N"`` before the columns, or in a TOML file of
+        the same name in the same directory; the lines take precedence.
     tester : Tester, optional
-        Whose ``columns``, ``variable``, ``sample_time`` and ``resample`` say how its files are read.
+        Whose ``columns``, ``variable``, ``sample_time`` and ``resample`` define how its files are read.
 
     Returns
     -------
     record : xarray.Dataset
-        Plate heights (m) and forces (N) on ``time`` (s); what the header says as attributes, in SI.
+        Plate heights (m) and forces (N) on ``time`` (s); header entries as attributes, in SI.
     findings : list of Finding
-        What was left out, resampled or misspelt.
+        Omitted columns, resampled channels and misspelt keys.
 
     Raises
     ------
     RecordingError
-        For a file that cannot be read or trusted: missing columns, NaN, a clock that jitters, no wheel.
+        For an unreadable or invalid file: missing columns, NaN, clock jitter, no wheel.
     DescriptionError
         For a header with a wrong unit or value, or columns with a wrong unit.
 
@@ -107,7 +107,7 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
 
 
 def _check_units(findings: Iterable[Finding], file: Path) -> None:
-    """Refuse plate heights and forces that the reader left out because they have no unit."""
+    """Raise an error for plate heights and forces that the reader omitted because they have no unit."""
     said = [
         str(item.numbers["labels"]) for item in findings if item.code == "recordings.without_unit"
     ]
@@ -119,7 +119,7 @@ def _check_units(findings: Iterable[Finding], file: Path) -> None:
 
 
 def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
-    """Facts of the file beside the record and of the lines before its columns."""
+    """Read the entries of the accompanying TOML file and of the header lines."""
     from jounce.recordings.readers import reader_of
 
     facts: dict[str, Any] = {}
@@ -146,7 +146,7 @@ def _header(file: Path) -> tuple[dict[str, Any], list[Finding]]:
 
 
 def flat_facts(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
-    """Give the facts of a header's tables by their dotted names: ``{"left": {"static_load": "4 kN"}}`` and the like."""
+    """Flatten a header's tables, e.g. ``{"left": {"static_load": "4 kN"}}``, to dotted names."""
     flat: dict[str, Any] = {}
     for key, value in table.items():
         flat |= (
@@ -160,10 +160,10 @@ def flat_facts(table: Mapping[str, Any], before: str = "") -> dict[str, Any]:
 def read_facts(
     facts: Mapping[str, Any], *, where: str = "record"
 ) -> tuple[dict[str, Any], list[Finding]]:
-    """Check what a header says (see ``NUMBERS`` and ``TEXTS``) and put its numbers, text with a unit or SI, in SI.
+    """Check the header entries (see ``NUMBERS`` and ``TEXTS``) and convert numbers and texts with units to SI.
 
-    Gives the facts, and a warning for each key that is not known; it is kept. Raises DescriptionError for a value with
-    a wrong unit or out of range; ``where`` is the place named in errors.
+    Returns the entries, and a warning for each unknown key, which is kept. Raises DescriptionError for a value with a
+    wrong unit or out of range; ``where`` is the location named in errors.
     """
     checked: dict[str, Any] = {}
     findings: list[Finding] = []
@@ -190,7 +190,7 @@ def read_facts(
 
 
 def _text(value: object, where: str) -> str:
-    """Text of an entry about the record: plates and names may be written as numbers, dates as TOML writes them."""
+    """Return the text of an entry about the record; also accepts numbers and TOML dates."""
     plain = value.item() if isinstance(value, np.generic) else value
     if isinstance(plain, (datetime.date, datetime.time)):
         return plain.isoformat()
@@ -207,7 +207,7 @@ def _text(value: object, where: str) -> str:
 
 
 def day_of(text: str) -> str:
-    """Give a date as ISO 8601 day; other text is returned unchanged.
+    """Convert a date to an ISO 8601 day; other text is returned unchanged.
 
     Examples
     --------
@@ -268,7 +268,7 @@ def _axle(value: object, where: str) -> str:
 
 
 def _unit_error(error: DescriptionError) -> DescriptionError:
-    """Say what is meant by a pound or a kilogram in a force column."""
+    """Add a hint about pounds or kilograms in a force column."""
     words = {"lb": "lbf", "lbs": "lbf", "pound": "lbf", "kg": "kgf"}
     unit = str(error.found or "")
     hint = error.hint
@@ -282,7 +282,7 @@ def _unit_error(error: DescriptionError) -> DescriptionError:
 
 
 def _column_error(error: RecordingError) -> RecordingError:
-    """Say where a tester's own names of columns belong."""
+    """Add a hint about where to define a tester's column names."""
     if not error.what.startswith("no column"):
         return error
     hint = 'Tell its name in the tester file, [columns]: time = "Zeit [s]", "left.plate.z" = "s_left [mm]", ...'
@@ -292,7 +292,7 @@ def _column_error(error: RecordingError) -> RecordingError:
 
 
 def is_simulated(facts: Mapping[str, Any]) -> bool:
-    """Whether a record is marked as simulated, in its header or in the comment of older ones."""
+    """Whether a record is marked as simulated in its header or, for older records, in a comment."""
     return bool(facts.get("simulated")) or str(facts.get("comment", "")).startswith(
         "simulated, seed"
     )
@@ -303,8 +303,8 @@ def with_facts(
 ) -> tuple[xr.Dataset, list[Finding]]:
     """Replace header entries of a test, e.g. its ``date`` or ``plate_number``.
 
-    Gives the record, and a warning for each text of the header that another one takes the place of. Raises
-    DescriptionError for a date that is none.
+    Returns the record, and a warning for each header entry that was replaced. Raises DescriptionError for an invalid
+    date.
     """
     if "date" in given and not _is_day(given["date"]):
         raise DescriptionError(
@@ -319,12 +319,12 @@ def with_facts(
 
 
 def wheels_of(record: xr.Dataset, *, where: str = "record") -> tuple[str, ...]:
-    """Give the wheels of a record, ``"left"`` before ``"right"``: those with a plate force.
+    """Return the wheels of a record that have a plate force, ``"left"`` before ``"right"``.
 
     Raises
     ------
     RecordingError
-        When there is none.
+        If the record has no plate force.
     """
     names = [str(name) for name in record.data_vars]
     sides = tuple(side for side in SIDES if f"{side}.{FORCE}" in names)

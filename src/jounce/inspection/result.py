@@ -1,4 +1,4 @@
-"""Result of an inspection: values per wheel with their uncertainty, curves, grades and reasons."""
+"""Result of an inspection: values per wheel with uncertainty, curves, grades and reasons."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ NOT_GRADED = "not graded"
 
 @dataclass(frozen=True)
 class WheelCurves:
-    """Values of a test over the frequency, by turns of the exciter in the order of time.
+    """Values of a test over frequency, one per turn of the exciter in chronological order.
 
     Attributes
     ----------
     time : ndarray, shape (n,)
-        When the plate was at the top, s.
+        Time at which the plate is highest, s.
     frequency : ndarray, shape (n,)
-        Of the plate, Hz.
+        Frequency of the plate, Hz.
     least_force, greatest_force : ndarray, shape (n,)
-        Of the tyre in that turn, after the filter of the turn, N.
+        Minimum and maximum tyre force in the turn after filtering, N.
     phase_deg : ndarray, shape (n,)
-        Phase angle by EGEA in degrees: in the band and beside it the curve that the least one is taken from, elsewhere
-        that of the single turn; NaN where it is not known.
+        EGEA phase angle in degrees: in and near the band from the smoothed curve whose minimum is reported, elsewhere
+        from the single turn; NaN if unknown.
     plate_amplitude : ndarray, shape (n,)
         Half the plate's stroke in that turn, m.
     """
@@ -45,57 +45,57 @@ class WheelCurves:
 
 @dataclass(frozen=True)
 class WheelResult(Plain):
-    """Values of one wheel from a record, SI; None if unknown, with the reason among the findings.
+    """Values of one wheel from a record, SI; None if unknown, with the reason in the findings.
 
     Attributes
     ----------
     wheel : str
         ``left`` or ``right``.
     static_load : float or None
-        N.
+        Static wheel load, N.
     adhesion : float or None
-        Least over static tyre force (1); 0 where the tyre lifts off.
+        Minimum over static tyre force (1); 0 if the tyre lifts off.
     adhesion_frequency_hz : float or None
-        Where the force is least, Hz; the resonance of the wheel on this tester.
+        Frequency of the minimum force, Hz; the wheel's resonance on this tester.
     phase_angle_min_deg : float or None
-        Least EGEA phase angle within 6 to 18 Hz, ends included, in degrees.
+        Minimum EGEA phase angle within 6 to 18 Hz, ends included, in degrees.
     phase_frequency_hz : float or None
-        Where it is, Hz.
+        Frequency of the minimum phase angle, Hz.
     relative_force_amplitude : float or None
-        Greatest force amplitude over static load (1).
+        Maximum force amplitude over static load (1).
     tyre_rigidity : float or None
-        By EGEA, from the force at 25 Hz, N/m.
+        EGEA rigidity from the force at 25 Hz, N/m.
     theta_rig, theta_road : float or None
         Damping ratio (1) of the wheel on this tester and on the road (plate at rest), by parametric fit.
     lift_off : bool
         Whether the tyre left the plate.
     resonance_frequency_hz : float or None
-        Where the plate (sprung) or the force (rigid) moves most, Hz.
+        Frequency of the maximum plate movement (sprung) or force amplitude (rigid), Hz.
     boge_amplitude : float or None
-        Greatest movement of a sprung plate from lowest to highest point, m.
+        Maximum peak-to-peak movement of a sprung plate, m.
     theta_methods : mapping of str to float or None
         Damping ratio (1) on this tester by ``fit``, ``half_power``, ``amplification``, ``free_decay``.
     uncertainty : mapping of str to float
         Half width of the 95 % interval by key, in the unit of the value.
     unreliable : tuple of str
-        Keys of values that another test of the same wheel may give quite differently, as after lift-off: they have no
-        interval, and no difference to another wheel is graded by them.
+        Keys of values with poor repeatability, as after lift-off: they have no interval and are not used for grading
+        differences between wheels.
     corner : LinearQuarterCar or None
         Linear quarter car fitted to the record.
     grade : mapping of str to str
-        Band by method; filled by the grading.
+        Band by method; set by the grading.
     verdict : str
-        One word for the wheel; ``not graded`` before the grading, and for good where the record does not allow it.
+        Verdict of the wheel; ``not graded`` before the grading, and if the record is unusable.
     reasons : tuple of str
-        Why; first of all what makes the record unfit.
+        Reasons of the verdict, starting with those that make the record unusable.
     findings : tuple of Finding
-        What weakens the values.
+        Findings that make the values less reliable.
     german : mapping
-        Its ``reasons`` and the bands of its ``grade`` in German.
+        The ``reasons`` and the bands of ``grade`` in German.
     curves : WheelCurves or None
-        What the plate and the tyre force do over frequency.
+        Plate movement and tyre force over frequency.
     more : mapping of str to float or None
-        Values of methods that have no attribute of their own here, by key.
+        Further values of methods, without an attribute of their own, by key.
     """
 
     wheel: str
@@ -127,7 +127,7 @@ class WheelResult(Plain):
         return "\n".join([str(wheel_table("", [self])), *self.reasons, *map(str, self.findings)])
 
     def value(self, key: str) -> float | None:
-        """Give a value by its key in results, SI or as the key says; None where it is not known."""
+        """Return a value by its key in results, in SI or the unit in the key; None if unknown."""
         value: float | None = getattr(self, key) if key in FIELDS else self.more.get(key)
         return value
 
@@ -147,9 +147,9 @@ class WheelResult(Plain):
         return not any(finding.severity == "problem" for finding in self.findings)
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain JSON object: values, ``lift_off``, ``uncertainty``, ``grade``, ``verdict``, ``reasons``, ``findings``.
+        """Return JSON data: values, ``lift_off``, ``uncertainty``, ``grade``, ``verdict``, ``reasons``, ``findings``.
 
-        Beside them ``wheel``, ``static_load``, ``adhesion_frequency_hz``, ``resonance_frequency_hz``,
+        It also contains ``wheel``, ``static_load``, ``adhesion_frequency_hz``, ``resonance_frequency_hz``,
         ``boge_amplitude``, ``theta_methods``, ``theta_graded`` and ``unreliable``.
         """
         table: dict[str, Any] = {"wheel": self.wheel}
@@ -173,7 +173,7 @@ FIELDS = frozenset(item.name for item in fields(WheelResult))
 
 
 def wheel_table(title: str, wheels: Sequence[WheelResult]) -> TextTable:
-    """Write the values of wheels side by side, with half 95 % intervals, grades and verdicts.
+    """Tabulate the values of wheels side by side, with half widths of 95 % intervals, grades and verdicts.
 
     >>> print(wheel_table("front", [WheelResult("left", adhesion=0.61, uncertainty={"adhesion": 0.0123})]))
     front
@@ -215,15 +215,15 @@ class Inspection(Plain):
     Attributes
     ----------
     wheels : tuple of WheelResult
-        Left before right.
+        Results, left before right.
     axle : mapping
-        ``{"axle": "front"}`` and what the grading adds: differences, verdict, reasons.
+        ``{"axle": "front"}`` plus differences, verdict and reasons after grading.
     facts : mapping
-        What the record's header says: tester, vehicle, plate number, date.
+        Entries of the record's header: tester, vehicle, plate number, date.
     methods : tuple of str
-        What was evaluated.
+        Evaluated methods.
     findings : tuple of Finding
-        About the whole record.
+        Findings about the whole record.
     """
 
     wheels: tuple[WheelResult, ...]
@@ -241,7 +241,7 @@ class Inspection(Plain):
         return "\n".join([str(wheel_table(title, self.wheels)), *map(str, findings)])
 
     def wheel(self, name: str) -> WheelResult:
-        """Give the result of ``"left"`` or ``"right"``."""
+        """Return the result of ``"left"`` or ``"right"``."""
         return next(wheel for wheel in self.wheels if wheel.wheel == name)
 
     @property

@@ -1,4 +1,4 @@
-"""A rig or vehicle tested by simulation: one wheel, one over the wear of its damper, or both wheels of an axle."""
+"""Simulated test of a rig or vehicle: one wheel, one wheel over damper wear, or both wheels of an axle."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 _OF_TESTER = "tester."
 _WHEELS, _AXLES = ("left", "right", "both"), ("front", "rear")
-_LONGEST_STROKE = 1.0  # m, of a bare number: a larger one lacks its unit
+_LONGEST_STROKE = 1.0  # m, limit for bare numbers: larger ones probably lack a unit
 _METHOD = Mark("eusama, egea, theta or boge; by default the method of the tester.")
 
 
@@ -39,13 +39,13 @@ def rig_under_test(
     rig: Annotated[str, File("A rig or vehicle file, or a name of `jounce library`.")],
     changes: Annotated[Mapping[str, Any] | None, CHANGES] = None,
 ) -> Rig:
-    """Load a rig and change its values; changes of the tester are left to that."""
+    """Load a rig and apply changes to its values; changes of the tester are ignored."""
     loaded, wanted = load(rig), _of_rig(changes)
     return loaded.with_changes(wanted) if wanted else loaded
 
 
 def rig_under_test_in_python(rig: str, changes: Mapping[str, Any] | None = None) -> str:
-    """Write it as Python."""
+    """Return the equivalent Python code of `rig_under_test`."""
     return rig_in_python(rig, _of_rig(changes))
 
 
@@ -69,12 +69,12 @@ def chosen_tester(
     ] = None,
     changes: Annotated[Mapping[str, Any] | None, CHANGES] = None,
 ) -> Tester:
-    """Load a tester, or the one for a method, and change its values.
+    """Load a tester, or the default one of a method, and apply changes to its values.
 
     Raises
     ------
     DescriptionError
-        Where neither is given, or for unknown ones.
+        If neither is given, or one of them is unknown.
     """
     if tester is None and method is None:
         allowed = "eusama, egea, theta, boge; or --tester with a file or a name"
@@ -93,7 +93,7 @@ def python_of_tester(
     sweep_rate: float | None = None,
     changes: Mapping[str, Any] | None = None,
 ) -> str:
-    """Write the tester as Python.
+    """Return the equivalent Python code of `chosen_tester`.
 
     >>> python_of_tester(method="egea", stroke=0.006)
     "jn.load_tester('egea-specsus2018').with_changes({'stroke': 0.006})"
@@ -122,7 +122,7 @@ def _of_tester(
 
 
 def check_record(*, out: Path | None, steady: bool, wear: str | None, **_: Any) -> None:
-    """Refuse a file for a record where there is none, or more than one."""
+    """Raise an error for an output file unless the test yields exactly one record."""
     if out is not None and (steady or _is_range(wear)):
         what = "steady states have no record" if steady else "a record holds a single test"
         raise OutputError(
@@ -136,26 +136,26 @@ def _is_range(wear: str | float | None) -> bool:
 
 @dataclass(frozen=True)
 class InspectedRig(Shown):
-    """A rig that was tested by simulation.
+    """Result of a simulated test of a rig.
 
     Attributes
     ----------
     tester : Tester
-        On which it was tested.
+        Tester used.
     method : str
-        Whose grade decides.
+        Method whose grade decides.
     steady : bool
-        Steady states instead of a sweep.
+        Whether steady states were computed instead of a sweep.
     wear : tuple of float
         Loss of damping of each test (1).
     tests : tuple of SimulatedInspection
-        Of one wheel, one for each wear; empty where both wheels were tested.
+        Tests of one wheel, one per wear; empty if both wheels were tested.
     axle : GradedInspection or None
-        Both wheels, where they were tested.
+        Result of both wheels, if both were tested.
     record : xarray.Dataset or None
-        Of the test; None for steady states, and for a range of wear.
+        Record of the test; None for steady states and for a range of wear.
     is_range : bool
-        Whether a range of wear was asked for.
+        Whether a range of wear was requested.
     """
 
     tester: Tester
@@ -174,7 +174,7 @@ class InspectedRig(Shown):
         return f"{self.tester.name}, {kind}"
 
     def to_dict(self) -> dict[str, Any]:
-        """Give one wheel as it is, a range of wear as a list of wheels, both wheels as `inspect evaluate` does."""
+        """Return a single wheel, a list of wheels for a range of wear, or both wheels as in `inspect evaluate`."""
         about = {"tester": self.tester.name, "method": self.method, "steady": self.steady}
         if self.axle is not None:
             return {**self.axle.to_dict(), **about}
@@ -252,29 +252,29 @@ def inspect_rig(  # noqa: PLR0913 - each is an option
     Parameters
     ----------
     rig : Rig, str or Path
-        Under test; a vehicle stands on the plates with one axle.
+        Rig under test; of a vehicle one axle is tested.
     tester : Tester, str or Path
         Plates, programme and limits.
     method : {"eusama", "egea", "theta", "boge"}, optional
-        Whose grade decides; by default the method of the tester.
+        Method whose grade decides; by default the method of the tester.
     steady : bool
-        Steady states instead of a sweep.
+        Whether to compute steady states instead of a sweep.
     wear : str or float, optional
-        Loss of damping, as a share (1); ``first:last:step`` are several.
+        Loss of damping, as a share (1); ``first:last:step`` gives several values.
     wheel : {"left", "right", "both"}
-        The wheel to test, and its plate; or both wheels of an axle in turn.
+        Wheel to test and its plate, or both wheels of an axle one after the other.
     axle : {"front", "rear"}
-        Of a vehicle.
+        Axle of a vehicle.
     noise : float
-        Standard deviation of the force's noise, in shares of the static load (1).
+        Standard deviation of the force noise relative to the static load (1).
     seed : int
-        Of the noise.
+        Seed of the noise.
     truth : bool
-        Keep channels in the record that no tester measures (``truth.*``).
+        Whether to keep unmeasured channels (``truth.*``) in the record.
     vehicle : str
         Name or file of the vehicle, for the record.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with a progress text of one line.
 
     Returns
     -------
@@ -341,6 +341,6 @@ def inspect_rig(  # noqa: PLR0913 - each is an option
 
 
 def measurable(record: xr.Dataset, *, truth: bool) -> xr.Dataset:
-    """Give the channels of a record that a tester measures; with ``truth`` all of them."""
+    """Return the channels of a record that a tester measures; with ``truth`` all channels."""
     names = [name for name in record.data_vars if truth or not str(name).startswith("truth.")]
     return record if truth else record[names]

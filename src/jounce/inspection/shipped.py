@@ -1,4 +1,4 @@
-"""Shipped limits, by name and file: listed without loading them."""
+"""Name and file of the shipped limits, available without loading them."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from importlib import resources
 from pathlib import Path
 
 SHIPPED = "jounce"
-"""The name by which they are asked for."""
+"""Name of the shipped limits."""
 
 
 def shipped_limits() -> Path:
-    """Return the file of the shipped limits, to be copied and changed."""
+    """Return the path of the shipped limits file, a template for custom limits."""
     return Path(str(resources.files("jounce.inspection") / "limits.toml"))

@@ -1,4 +1,4 @@
-"""One wheel's prepared signals: constant time steps, without the plate's inertia; the moving section and its turns."""
+"""Preparation of one wheel's signals: resampling, removal of the plate's inertia, moving section and turns."""
 
 from __future__ import annotations
 
@@ -22,31 +22,31 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _ACCELERATION_TIME, _ACCELERATION_ORDER = 0.021, 7
-"""Length (s) and order of the polynomials that give a plate's acceleration.
+"""Length (s) and order of the polynomials used to compute a plate's acceleration.
 
-At 1 kHz they err by 0.02 % at 25 Hz and by 0.2 % at 40 Hz, with a 22nd of the noise that second differences of
-neighbouring samples have.
+At 1 kHz the error is 0.02 % at 25 Hz and 0.2 % at 40 Hz, and the noise 1/22 of that of second differences of
+neighbouring samples.
 """
-_BLOCK_TIME = 0.1  # s: a turn at 10 Hz; of swings of a body little more than 2 % is left about a line through it
+_BLOCK_TIME = 0.1  # s: one turn at 10 Hz; detrending a block leaves little more than 2 % of the body's oscillation
 _OF_OTHER, _IDLE = (
     0.6,
     0.2,
-)  # of the other plate's shaking and of the least stroke: what a plate gets through the car
-_STANDSTILL, _LONG_STANDSTILL = 0.2, 2.0  # s that a plate must stand before its test, or after it
-_STANDS = 0.1  # standard deviation over mean of a force that is no swing's
+)  # shares of the other plate's shaking and of the minimum stroke: motion transmitted through the car
+_STANDSTILL, _LONG_STANDSTILL = 0.2, 2.0  # s of required standstill before or after a test
+_STANDS = 0.1  # maximum coefficient of variation of a force without oscillation
 
 
 @dataclass(frozen=True)
 class WheelSignals:
-    """Signals of one wheel in SI."""
+    """Signals of one wheel, in SI."""
 
     wheel: str  # ``left`` or ``right``
-    time: Array  # (n,): in constant steps, s
-    force: Array  # (n,): of the plate on the tyre, without the plate's inertia, N
-    height: Array | None  # (n,): of the plate, m
+    time: Array  # (n,): uniform time, s
+    force: Array  # (n,): force of the plate on the tyre, without the plate's inertia, N
+    height: Array | None  # (n,): height of the plate, m
     tacho: Array | None  # (n,): frequency of the exciter, Hz
     static_load: float | None  # from the header, N
-    plate_mass: float  # that was taken off, kg
+    plate_mass: float  # mass whose inertia was subtracted, kg
 
     @property
     def sample_rate(self) -> float:
@@ -74,11 +74,11 @@ class PlateCalibration:
     plate_mass : float
         Effective mass of the plate above the force cell, kg.
     residual_per_hz : float
-        Greatest force that is left after its inertia is taken off, over the frequency, between 6 and 18 Hz, N/Hz.
+        Maximum ratio of residual force, after inertia compensation, to frequency between 6 and 18 Hz, N/Hz.
     allowed_per_hz : float
-        N/Hz.
+        Allowed residual, N/Hz.
     standard_error : float
-        Of the mass, kg.
+        Standard error of the mass, kg.
     """
 
     plate_mass: float
@@ -88,17 +88,17 @@ class PlateCalibration:
 
     @property
     def is_passed(self) -> bool:
-        """Whether the residual is small enough."""
+        """Whether the residual is within the allowed limit."""
         return self.residual_per_hz <= self.allowed_per_hz
 
 
 def uniform_time(record: xr.Dataset, where: str = "record") -> tuple[xr.Dataset, list[Finding]]:
-    """Check a record's clock and resample the channels to constant steps if allowed (below 1 % of jitter).
+    """Check a record's clock and resample the channels to constant steps if allowed (jitter below 1 %).
 
     Raises
     ------
     RecordingError
-        For a clock that cannot be trusted.
+        If the clock is unreliable.
     """
     time = np.asarray(record["time"].values, dtype=float)
     uniform, findings = check_time(time, where=where)
@@ -108,7 +108,7 @@ def uniform_time(record: xr.Dataset, where: str = "record") -> tuple[xr.Dataset,
 
 
 def plate_acceleration(height: Array, sample_rate: float) -> Array:
-    """Acceleration (m/s^2) of a plate from its height (m) sampled at a rate in Hz: polynomials over 21 ms.
+    """Compute the acceleration (m/s^2) of a plate from its height (m), by polynomials over 21 ms; rate in Hz.
 
     Examples
     --------
@@ -130,25 +130,25 @@ def plate_acceleration(height: Array, sample_rate: float) -> Array:
 
 @lru_cache(maxsize=16)
 def _curvature(samples: int) -> Array:
-    """Weights (1) that give the second derivative of a polynomial of order 7 in the middle of equidistant samples."""
+    """Return weights (1) for the second derivative, at the middle sample, of a 7th-order polynomial fit."""
     place = np.arange(samples) - samples // 2
     powers = (place[:, None] / samples) ** np.arange(_ACCELERATION_ORDER + 1)
     return np.asarray(np.linalg.pinv(powers)[2][::-1] * 2.0 / samples**2)
 
 
 def limits_of(tester: Tester | None) -> TesterLimits:
-    """Limits of a tester; the usual ones for an unknown tester."""
+    """Return the limits of a tester, or default limits if the tester is None."""
     return TesterLimits() if tester is None else tester.limits
 
 
 def band_of(tester: Tester | None) -> tuple[float, float]:
-    """Frequencies (Hz) between which a sweep is evaluated."""
+    """Return the evaluated frequency band (Hz) of a sweep."""
     limits = limits_of(tester)
     return limits.frequency_min, limits.frequency_max
 
 
 def signals_of(record: xr.Dataset, wheel: str, tester: Tester | None) -> WheelSignals:
-    """Take one wheel's signals from a record on constant time steps, and the plate's inertia off the force."""
+    """Extract one wheel's signals from a uniformly sampled record and subtract the plate's inertia force."""
     height = _channel(record, f"{wheel}.{HEIGHT}")
     force = np.asarray(record[f"{wheel}.{FORCE}"].values, dtype=float)
     time = np.asarray(record["time"].values, dtype=float)
@@ -164,7 +164,7 @@ def signals_of(record: xr.Dataset, wheel: str, tester: Tester | None) -> WheelSi
 
 
 def plate_mass_of(facts: dict[str, Any], wheel: str, tester: Tester | None) -> float:
-    """Mass (kg) whose inertia is in the measured force: the header's, else the tester's; 0 for a cell at the tyre."""
+    """Return the plate mass (kg) from the header or the tester; 0 if the cell measures the tyre force directly."""
     if tester is not None and tester.force_cell == "contact":
         return 0.0
     mass = facts.get(f"{wheel}.plate_mass")
@@ -180,12 +180,11 @@ def _channel(record: xr.Dataset, name: str) -> Array | None:
 def moving_part(
     values: Array, sample_rate: float, least: float, other: Array | None = None
 ) -> tuple[int, int] | None:
-    """First and last sample between which a plate moves, by blocks of 0.1 s; None where it stands still.
+    """Return the sample range in which a plate moves, in blocks of 0.1 s; None if it does not move.
 
-    A block counts when the stroke (m) in it is above ``least`` m. The shape of the signals is (n,), their rate in Hz.
-    Where the ``other`` plate (m) moves as well, a sprung plate is shaken through the car while the other one is tested
-    and swings on with the body afterwards: the part is then the one in which this plate is shaken more than the other,
-    and slow swings do not count.
+    A block counts if its stroke (m) is above ``least`` m. The signals have shape (n,) and a rate in Hz. During a test
+    of the ``other`` plate (m), a sprung plate is shaken through the car and then oscillates with the body. The range
+    is therefore the one in which this plate is shaken more than the other; slow oscillations are ignored.
     """
     size = max(round(_BLOCK_TIME * sample_rate), 2)
     stroke = _strokes(values, size)
@@ -202,7 +201,7 @@ def moving_part(
 
 
 def mean_shaking(values: Array, sample_rate: float) -> float:
-    """Mean stroke (m) of a plate within blocks of 0.1 s, slow swings apart; height (n,) in m at a rate in Hz."""
+    """Return the mean stroke (m) of a plate in blocks of 0.1 s without slow motion; height (n,) in m, rate in Hz."""
     size = max(round(_BLOCK_TIME * sample_rate), 2)
     return float(np.mean(_bends(values, size))) if values.size >= size else 0.0
 
@@ -212,7 +211,7 @@ def _strokes(values: Array, size: int) -> Array:
 
 
 def _bends(values: Array, size: int) -> Array:
-    """Stroke of each block about its own straight line, to which swings much slower than the block hardly add."""
+    """Return the stroke of each block after removing a linear trend, which suppresses slow oscillations."""
     blocks = _blocks(values, size)
     place = np.arange(size) - 0.5 * (size - 1)
     slope = blocks @ place / (place @ place)
@@ -224,7 +223,7 @@ def _blocks(values: Array, size: int) -> Array:
 
 
 def _greatest_part(gains: Array) -> NDArray[np.intp]:
-    """Indices of the connected part of (n,) gains whose sum is greatest; none where no gain is above zero."""
+    """Return the indices of the contiguous part of (n,) gains with the maximum sum; empty if no gain is positive."""
     sums = np.concatenate([[0.0], np.cumsum(gains)])
     lowest = np.minimum.accumulate(sums)
     last = int(np.argmax(sums - lowest))
@@ -236,9 +235,9 @@ def _greatest_part(gains: Array) -> NDArray[np.intp]:
 def standstill_force(
     signals: WheelSignals, moving: tuple[int, int], other: tuple[int, int] | None
 ) -> float | None:
-    """Median force (N) before the plate moves or, failing that, after; None where it stands still too short.
+    """Return the median force (N) before or, failing that, after the motion; None if the standstill is too short.
 
-    A wheel that swings on after the plate has stopped does not stand: its force means nothing but over whole swings.
+    Sections in which the wheel still oscillates are not used, because only means over whole periods are valid there.
     """
     rate, size = signals.sample_rate, signals.force.size
     before = moving[0] if other is None or other[0] > moving[0] else min(moving[0], other[0])
@@ -262,20 +261,20 @@ def calibrate_plate(
     record : xarray.Dataset
         Plate height (m) and force (N) over a sweep of the unloaded plate.
     tester : Tester, optional
-        Whose limits count: 4 N/Hz by default.
+        Tester with the limits to apply; 4 N/Hz by default.
     wheel : {"left", "right"}, optional
-        Which plate; by default the only one.
+        Plate to calibrate; by default the only one in the record.
 
     Returns
     -------
     PlateCalibration
-        Mass in kg, to be written into the tester file or the header (``left.plate_mass``), and whether what is left is
+        Mass in kg, to be entered in the tester file or the header (``left.plate_mass``), and whether the residual is
         small enough between 6 and 18 Hz.
 
     Raises
     ------
     RecordingError
-        Without plate height, or where the plate does not pass through 6 to 18 Hz.
+        If the plate height is missing, or the plate does not pass through 6 to 18 Hz.
 
     Examples
     --------
@@ -318,7 +317,7 @@ def calibrate_plate(
 def _residual_per_hz(
     time: Array, height: Array, residual: Array, tester: Tester | None, where: str
 ) -> float:
-    """Greatest amplitude of the residual at the plate's frequency over that frequency, N/Hz, by half seconds."""
+    """Return the maximum ratio of residual amplitude to plate frequency, N/Hz, evaluated in half-second blocks."""
     middle = 0.5 * float(height.max() + height.min())
     turns = find_turns(time, height, middle, 0.5 * float(np.ptp(height)))
     low, high = band_of(tester)
@@ -337,31 +336,31 @@ def _residual_per_hz(
     return float(np.max(2.0 * np.abs(blocks[inside]) / centre[inside]))
 
 
-_HYSTERESIS = 0.3  # of the amplitude, within which noise makes no crossing
-FEWEST_TURNS = 8  # of an exciter: fewer are no test
+_HYSTERESIS = 0.3  # share of the amplitude, as protection against noise crossings
+FEWEST_TURNS = 8  # minimum number of exciter turns of a test
 
 
 @dataclass(frozen=True)
 class Turns:
-    """Turns of a plate that moves up and down."""
+    """Turns of an oscillating plate."""
 
-    # (n,): times (s) at which the plate passes its middle, upwards and downwards in turn, upwards first
+    # (n,): times (s) at which the plate passes its middle, alternately upwards and downwards, upwards first
     crossing: Array
-    top: Array  # (m,): times (s) at which it is highest
+    top: Array  # (m,): times (s) at which the plate is highest
     frequency: Array  # (m,): frequency (Hz) at these times
-    angle: Any  # angle (rad) at times (s): 0 at the first upward crossing, tops at pi / 2 and every 2 pi on
+    angle: Any  # angle (rad) at times (s): 0 at the first upward crossing, tops at pi / 2 plus multiples of 2 pi
 
     def frequency_at(self, time: Array) -> Array:
-        """Frequency in Hz at times in s."""
+        """Return the frequency in Hz at times in s."""
         return np.asarray(self.angle(time, 1) / (2.0 * np.pi))
 
 
 def middle_crossings(
     time: Array, height: Array, middle: float, amplitude: float
 ) -> tuple[Array, bool]:
-    """Find when (s) a height (m) passes its ``middle`` (m), and whether the first time is upwards.
+    """Find the times (s) at which a height (m) crosses its ``middle`` (m), and whether the first crossing is upwards.
 
-    Excursions under 0.3 of the amplitude (m) do not count.
+    Excursions below 0.3 of the amplitude (m) are ignored.
     """
     away = height - middle
     far = np.flatnonzero(np.abs(away) > _HYSTERESIS * amplitude)
@@ -378,9 +377,9 @@ def middle_crossings(
 
 
 def find_turns(time: Array, height: Array, middle: float, amplitude: float) -> Turns | None:
-    """Read the turns of an eccentric exciter from the height of its plate (m) on uniform time (s).
+    """Find the turns of an eccentric exciter from the height of its plate (m) on uniform time (s).
 
-    None where the plate makes fewer than 8 turns about its middle with the amplitude (m).
+    Returns None if the plate makes fewer than 8 turns about its middle with the amplitude (m).
     """
     from scipy.interpolate import CubicSpline
 
@@ -396,5 +395,5 @@ def find_turns(time: Array, height: Array, middle: float, amplitude: float) -> T
     smooth = 1.0 / (2.0 * np.pi * np.where(slope > 0.0, slope, np.inf))
     frequency = np.where(
         np.abs(smooth / half - 1.0) < 0.3, smooth, half
-    )  # the spline swings where a plate comes to rest
+    )  # the spline oscillates where a plate comes to rest
     return Turns(crossing, when(tops), frequency, CubicSpline(crossing, turn))

@@ -1,4 +1,4 @@
-"""Inspection of a rig by simulation: its test simulated and evaluated, or its steady states."""
+"""Simulated inspection of a rig: an evaluated sweep, or steady states."""
 
 from __future__ import annotations
 
@@ -36,21 +36,21 @@ from jounce.testers.testing import findings_of_test, simulate_test
 if TYPE_CHECKING:
     import xarray as xr
 
-_RESOLUTION = 0.005  # Hz: half of the steps of 0.01 Hz in which least values are looked for
+_RESOLUTION = 0.005  # Hz: half the 0.01 Hz step of the search for minima
 
 
 @dataclass(frozen=True)
 class SimulatedInspection(Shown):
-    """One wheel on a tester.
+    """Result of one wheel in a simulated test.
 
     Attributes
     ----------
     wheel : WheelResult
         Values (SI), grade, verdict and reasons.
     record : xarray.Dataset or None
-        Of the simulated test; None for steady states.
+        Record of the simulated test; None for steady states.
     theta_road, theta_rig : float or None
-        Damping ratios of the wheel's mode by the poles of the linear model: the truth that a record is judged by.
+        True damping ratios of the wheel's mode, from the poles of the linear model.
     """
 
     wheel: WheelResult
@@ -60,7 +60,7 @@ class SimulatedInspection(Shown):
 
 
 def tester_for(method: str) -> Tester:
-    """Give the shipped tester of a method.
+    """Return the shipped tester of a method.
 
     Raises
     ------
@@ -73,12 +73,12 @@ def tester_for(method: str) -> Tester:
 
 
 def on_plates(rig: Rig, axle: Literal["front", "rear"] = "front") -> Rig:
-    """Give the rig on the plates: of a vehicle, one of its axles.
+    """Return the rig on the plates; of a vehicle, one of its axles.
 
     Raises
     ------
     DescriptionError, SimulationError
-        For a vehicle without tyres, or another rig that no tester takes.
+        For a vehicle without tyres, or a rig that cannot be tested.
     """
     standing: Rig = axle_of(rig, axle) if isinstance(rig, Vehicle) else rig
     check_rig(standing)
@@ -108,9 +108,9 @@ def simulate_inspection(
     method : {"eusama", "egea", "theta", "boge"}, optional
         Whose grade decides; the tester's own otherwise.
     steady : bool
-        Steady states instead of a sweep: what an infinitely slow sweep without noise would show.
+        Whether to compute steady states, equivalent to an infinitely slow sweep without noise.
     wheel : {"left", "right"}
-        Of an axle; of a single wheel the plate it stands on.
+        Wheel of an axle; for a single wheel, its plate.
     axle : {"front", "rear"}
         Of a vehicle.
     noise : float
@@ -128,7 +128,7 @@ def simulate_inspection(
     Raises
     ------
     JounceError
-        For a rig that no tester takes, an unknown method or wheel, a run that does not end.
+        For a rig that cannot be tested, an unknown method or wheel, or a failed simulation.
 
     Examples
     --------
@@ -192,14 +192,14 @@ def simulate_axle(
     Returns
     -------
     graded : GradedInspection
-        Values (SI), grades and differences of both wheels, by the record alone.
+        Values (SI), grades and differences of both wheels, from the record alone.
     record : xarray.Dataset
-        Of the simulated test.
+        Record of the simulated test.
 
     Raises
     ------
     JounceError
-        For a rig with one wheel only, or as `simulate_inspection`.
+        For a rig with only one wheel, or as in `simulate_inspection`.
 
     Examples
     --------
@@ -224,7 +224,7 @@ def simulate_axle(
 
 
 def _deciding(method: str | None, tester: Tester) -> str:
-    """The method whose grade decides."""
+    """Return the method whose grade decides."""
     chosen = method or tester.method
     if chosen not in METHODS:
         raise unknown(chosen, METHODS, what="method", where="method")
@@ -232,12 +232,12 @@ def _deciding(method: str | None, tester: Tester) -> str:
 
 
 def _of_wheel(record: xr.Dataset, wheel: str) -> xr.Dataset:
-    """Channels of one wheel's plate; the other plate of an axle stood still."""
+    """Return the channels of one wheel's plate; the axle's other plate did not move."""
     return record[[name for name in record.data_vars if str(name).startswith(f"{wheel}.")]]
 
 
 def _with_findings(inspection: Inspection, rig: Rig, tester: Tester) -> Inspection:
-    """Add findings that follow from the description and that the evaluation lacks."""
+    """Add findings from the description that the evaluation lacks."""
     wheel = inspection.wheels[0]
     known = {item.place.rpartition(".")[2] for item in wheel.findings}
     new = [
@@ -294,7 +294,7 @@ def _is_linear(rig: Rig) -> bool:
 
 
 def _closed_form_values(rig: Rig, tester: Tester, wheel: str) -> dict[str, Any] | None:
-    """Values in closed form; None where the wheel lifts off."""
+    """Compute values in closed form; None if the wheel lifts off."""
     adhesion, at = closed_form_adhesion(rig, tester, wheel=wheel)
     if adhesion <= 0.0:
         return None
@@ -314,7 +314,7 @@ def _closed_form_values(rig: Rig, tester: Tester, wheel: str) -> dict[str, Any] 
 
 
 def _swept(rig: Rig, tester: Tester, wheel: str) -> tuple[dict[str, Any], list[Finding]]:
-    """Values of periodic steady states, and what weakens them."""
+    """Compute values of periodic steady states, and findings about them."""
     sweep = steady_sweep(rig, tester, wheel=wheel)
     static = float(steady_response(rig, tester, [RIGIDITY_FREQUENCY], wheel=wheel).static_load)
     above = max(state.force_max for state in sweep.states) / static - 1.0
@@ -347,12 +347,12 @@ def _end_finding(frequency: float, tester: Tester, wheel: str) -> list[Finding]:
 
 
 def sweep_wear(text: str) -> list[float]:
-    """Read wears as ``first:last:step``, both ends included, or one number.
+    """Parse wears from ``first:last:step``, both ends included, or from one number.
 
     Raises
     ------
     SimulationError
-        For anything else, or wears outside of 0 to 1.
+        For any other text, or wears outside 0 to 1.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The sweep of a test: where the plate's frequency runs down, and whether it can be evaluated."""
+"""Detection and checks of the frequency sweep of a test."""
 
 from __future__ import annotations
 
@@ -25,41 +25,43 @@ from jounce.inspection.signals import (
 if TYPE_CHECKING:
     from jounce.parts.testers import Tester
 
-HIGHEST_SHARE = 0.985  # of the highest frequency, above which the hold lasts
-_WAIT = 1.0  # s of the hold that are used
+HIGHEST_SHARE = 0.985  # share of the highest frequency above which a turn belongs to the hold
+_WAIT = 1.0  # s of the hold that are evaluated
 _SLOW_TIME, _PASSES = 0.25, 2
-"""Length (s) of the mean that is taken off a height, and how often.
+"""Length (s) of the moving average that is subtracted from a height, and number of passes.
 
-Twice leaves 1 % of a swing at 1 Hz, 13 % at 2 Hz, and all from 4 Hz on.
+Two passes leave 1 % of an oscillation at 1 Hz, 13 % at 2 Hz, and all of it from 4 Hz upwards.
 """
 _RESONANCE, _BELOW_RESONANCE = (
     7.0,
     5.0,
-)  # Hz: a sweep must get below the first; falls below the second count
-_LASTING = 5  # turns beyond these frequencies: fewer are no sweep
+)  # Hz: a sweep must fall below the first; falls below the second are counted
+_LASTING = 5  # minimum number of turns beyond these frequencies
 _QUIET_SHARE = 0.12  # an eighth: see ``turns_of``
 _SLOWEST_TURN, _ODD_TURN, _FAST_CHANGE = (
     5.0,
     0.06,
     0.3,
-)  # Hz, shares by which turns differ: from neighbours, over two
+)  # Hz; relative differences of turns from their neighbours, and over two turns
 SWINGS = 0.5
-"""Correlation of a plate's spring force with its height, beyond which the plate swings on its spring.
+"""Correlation of a plate's spring force with its height above which the plate oscillates on its spring.
 
 An Audi A6 on the shipped sprung testers gives 0.1 with its dampers, 0.3 to 0.4 with 30 % of them, 0.7 to 0.8 with 5 %.
 """
-_FORCE_TIME = 0.011  # s over which forces are averaged: 6 % less at 18 Hz
+_FORCE_TIME = 0.011  # s: averaging time of forces, which attenuates 18 Hz by 6 %
 
 
 @dataclass(frozen=True)
 class Sweep:
-    """Turns of a test and its sweep, down or up."""
+    """Turns of a test and its downward or upward sweep."""
 
     turns: Turns  # of the exciter
-    first: int  # turn at which the hold ends and the frequency begins to fall
-    last: int  # turn at which it is lowest
+    first: int  # turn at which the hold ends and the frequency starts to fall
+    last: int  # turn with the lowest frequency
     hold: slice  # turns of the hold
-    sweep_rate: float  # greatest rate of the frequency within 6 to 18 Hz (or all of it), Hz/s
+    sweep_rate: (
+        float  # maximum rate of the frequency within 6 to 18 Hz (or over the whole sweep), Hz/s
+    )
 
     @property
     def highest(self) -> float:
@@ -68,7 +70,7 @@ class Sweep:
 
     @property
     def begin(self) -> float:
-        """Time from which the record is used: up to 1 s before the frequency falls, s."""
+        """Start time of the evaluated part, up to 1 s before the frequency falls, s."""
         return float(max(self.turns.top[self.hold][0], self.turns.top[self.first] - _WAIT))
 
 
@@ -77,8 +79,8 @@ def find_sweep(
 ) -> tuple[Sweep | None, list[Finding]]:
     """Find turns and sweep of a test, with findings; None with the reason if there is no sweep.
 
-    The signals reach from shortly before to shortly after the plate moves. On a rigid plate the frequency must fall
-    through the tester's band (18 to 6 Hz); a sprung plate may be swept either way.
+    The signals span the plate's motion with a short margin. On a rigid plate the frequency must fall through the
+    tester's band (18 to 6 Hz); a sprung plate may be swept in either direction.
     """
     turns = turns_of(signals, None if rigid else tester)
     place = (
@@ -123,7 +125,7 @@ def find_sweep(
     begun = first
     while (
         begun > 0 and frequency[begun - 1] > 0.97 * top
-    ):  # a little lower than its end, so that noise cuts no hold
+    ):  # slightly below its end, so noise does not truncate the hold
         begun -= 1
     rate = _rate(turns.top[first : last + 1], frequency[first : last + 1], low, high)
     sweep = Sweep(turns, first, last, slice(begun, first + 1), rate)
@@ -131,15 +133,15 @@ def find_sweep(
 
 
 def _missing_rows(turns: Turns, place: str) -> list[Finding]:
-    """Look for a turn that is longer or shorter than those beside it: the frequency of a heavy drive is smooth.
+    """Report lost rows from turns longer or shorter than their neighbours; a heavy drive's frequency is smooth.
 
-    A pause of the drive lasts longer than two turns; lost rows make no turn so long.
+    A pause of the drive lasts longer than two turns, unlike a turn with lost rows.
     """
     times = turns.crossing[::2]
     lengths = np.diff(times)
     usual = 0.5 * (lengths[:-2] + lengths[2:])
     share, beside = lengths[1:-1] / usual, lengths[2:] / np.maximum(lengths[:-2], 1e-12)
-    # Below 5 Hz a plate that runs down changes its speed within a turn.
+    # Below 5 Hz the speed of a decelerating plate changes within a turn.
     steady = (usual < 1.0 / _SLOWEST_TURN) & (share < 2.0) & (np.abs(beside - 1.0) < _FAST_CHANGE)
     away = np.where(steady, np.abs(share - 1.0), 0.0)
     if away.max(initial=0.0) < _ODD_TURN:
@@ -167,7 +169,7 @@ def _sprung_findings(sweep: Sweep, place: str) -> list[Finding]:
     if falls > 1:
         return [problem(place, "several_sweeps", float(falls), count=falls)]
     lowest = float(middle.min())
-    # Of testers that do not start at 25 Hz the frequencies count in shares of the highest one.
+    # For testers that do not start at 25 Hz, frequencies are relative to the highest one.
     if falls + rises == 0 and lowest > min(_RESONANCE, 0.6 * top):
         code = "no_sweep" if lowest > 0.75 * top else "sweep_cut_off"
         return [problem(place, code, lowest, low=lowest, top=top)]
@@ -175,7 +177,7 @@ def _sprung_findings(sweep: Sweep, place: str) -> list[Finding]:
 
 
 def _lasting(frequency: Array, high: float, low: float) -> Array:
-    """Frequencies (n,) in Hz of the stretches above ``high`` and below ``low`` that last for some turns."""
+    """Return frequencies (n,) in Hz of stretches above ``high`` or below ``low`` that last several turns."""
     level = np.where(frequency >= high, 1, np.where(frequency <= low, -1, 0))
     ends = np.append(np.flatnonzero(np.diff(level)) + 1, level.size)
     begins = np.append(0, ends[:-1])
@@ -184,7 +186,7 @@ def _lasting(frequency: Array, high: float, low: float) -> Array:
 
 
 def _whole_sweep(turns: Turns) -> Sweep:
-    """Sweep over everything: sprung plates are swept either way."""
+    """Return a sweep over all turns; sprung plates may be swept in either direction."""
     frequency = turns.frequency
     top = float(np.percentile(frequency, 95.0))
     at_top = np.flatnonzero(frequency >= HIGHEST_SHARE * top)
@@ -195,10 +197,10 @@ def _whole_sweep(turns: Turns) -> Sweep:
 
 
 def turns_of(signals: WheelSignals, tester: Tester | None = None) -> Turns | None:
-    """Turns from the plate's height; without it, from the tacho (then with an unknown beginning of the turn).
+    """Find turns from the plate's height or, without it, from the tacho (then with unknown phase).
 
-    On the sprung plate of a ``tester`` the turns may be as small as an eighth of the exciter's or of the greatest, and
-    stand on slow swings of the car.
+    On the sprung plate of a ``tester`` turns may be as small as an eighth of the exciter's or of the largest, and may
+    be superimposed on slow motion of the car.
     """
     if signals.height is not None:
         middle = 0.5 * float(signals.height.max() + signals.height.min())
@@ -219,10 +221,10 @@ def turns_of(signals: WheelSignals, tester: Tester | None = None) -> Turns | Non
 
 
 def spring_against_height(signals: WheelSignals, tester: Tester | None) -> float:
-    """Correlation (-1 to 1) of the force of a plate's spring with the plate's height.
+    """Return the correlation (-1 to 1) of the plate's spring force with the plate's height.
 
-    Near -1 the plate swings on its spring, whatever the exciter does; near 1 the height is upside down, since a spring
-    pushes back. 0 where nothing moves.
+    Near -1 the plate oscillates freely on its spring; near 1 the height is inverted, because a spring pushes back. 0
+    if nothing moves.
     """
     if signals.height is None or tester is None:
         return 0.0
@@ -232,7 +234,7 @@ def spring_against_height(signals: WheelSignals, tester: Tester | None) -> float
 
 
 def _spring_force(signals: WheelSignals, tester: Tester) -> Array:
-    """Force (n,) in N of the spring on a plate about its mean: what pushes the tyre up and the plate itself."""
+    """Return the spring force (n,) in N on a plate about its mean: tyre force plus the plate's inertia."""
     mass = signals.plate_mass or tester.plate_mass
     height = np.zeros_like(signals.force) if signals.height is None else signals.height
     force = signals.force + mass * plate_acceleration(height, signals.sample_rate)
@@ -240,10 +242,10 @@ def _spring_force(signals: WheelSignals, tester: Tester) -> Array:
 
 
 def exciter_height(signals: WheelSignals, tester: Tester | None) -> Array | None:
-    """Height (n,) in m of the exciter under a sprung plate: the plate's height plus the spring's deflection.
+    """Compute the exciter's height (n,) in m under a sprung plate: plate height plus spring deflection.
 
-    Without a damper the wheel swings on at its own frequency, whatever the exciter does, and the plate with it. None
-    where the spring or the plate's height is not known.
+    It is needed because an undamped wheel oscillates at its natural frequency, together with the plate. None if the
+    spring or the plate's height is unknown.
     """
     if signals.height is None or tester is None or tester.plate_spring_rate is None:
         return None
@@ -254,21 +256,21 @@ def exciter_height(signals: WheelSignals, tester: Tester | None) -> Array | None
 
 
 def _slow_part(height: Array, sample_rate: float) -> Array:
-    """Mean of a height (n,) in m over 0.25 s around each sample; the rate is in Hz."""
+    """Return the moving average of a height (n,) in m over 0.25 s; the rate is in Hz."""
     half = min(max(round(0.5 * _SLOW_TIME * sample_rate), 1), (height.size - 1) // 2)
     sums = np.concatenate([[0.0], np.cumsum(np.pad(height, half, mode="edge"))])
     return np.asarray((sums[2 * half + 1 :] - sums[: -2 * half - 1]) / (2 * half + 1))
 
 
 def _falls(frequency: Array, high: float, low: float) -> int:
-    """How often the frequency (Hz) falls from above ``high`` to below ``low``."""
+    """Count how often the frequency (Hz) falls from above ``high`` to below ``low``."""
     level = np.where(frequency >= high, 1, np.where(frequency <= low, -1, 0))
     level = level[level != 0]
     return int(np.count_nonzero((level[:-1] == 1) & (level[1:] == -1)))
 
 
 def _rate(time: Array, frequency: Array, low: float, high: float) -> float:
-    """Greatest rate of change in the band, over five turns, Hz/s."""
+    """Return the maximum rate of change in the band over five turns, Hz/s."""
     if time.size < 8:
         return 0.0
     rate = np.abs(frequency[5:] - frequency[:-5]) / (time[5:] - time[:-5])
@@ -279,32 +281,30 @@ def _rate(time: Array, frequency: Array, low: float, high: float) -> float:
 def _sweep_findings(sweep: Sweep, tester: Tester | None, place: str) -> list[Finding]:
     findings = []
     most, least = limits_of(tester).sweep_rate_max, limits_of(tester).sweep_time_min
-    if (
-        sweep.sweep_rate > 1.02 * most
-    ):  # 2 % more, and below less time, is how well both are read from turns
+    if sweep.sweep_rate > 1.02 * most:  # rate and duration are read from turns to within 2 %
         findings.append(
             warning(place, "sweep_fast", sweep.sweep_rate, rate=sweep.sweep_rate, most=most)
         )
     top = sweep.turns.top
     length = float(top[sweep.last] - top[sweep.first])
-    # A record that ends above 2 Hz does not tell how long the sweep was.
+    # The sweep's duration is unknown if the record ends above 2 Hz.
     if length < 0.98 * least and sweep.turns.frequency[sweep.last] < 2.0:
         findings.append(warning(place, "sweep_short", length, length=length, least=least))
     return findings
 
 
-_ONE_TURN = 0.25  # share by which a turn may last longer or shorter than its frequency says
+_ONE_TURN = 0.25  # relative tolerance of a turn's duration about the reciprocal of its frequency
 _BESIDE, _BACK = (
     0.15,
     1.02,
-)  # share of the median of five turns, and times the slowest before: noise of crossings
-_FEWEST_TURNS = 5  # as many as the median takes
+)  # share of the median of five turns, and multiple of the slowest one before: crossing noise
+_FEWEST_TURNS = 5  # window length of the median
 
 
 def turns_of_sweep(frequency: Array, time: Array) -> NDArray[np.bool_]:
-    """Find the turns of the sweep: whole ones, from the highest frequency on, each slower than the last.
+    """Find the turns of the sweep: complete turns from the highest frequency onwards, each slower than the last.
 
-    Frequencies (n,) of the turns in Hz, and when they were (n,) in s. None belongs to it where there are too few.
+    Takes frequencies (n,) of the turns in Hz and their times (n,) in s. All False if there are too few turns.
 
     Examples
     --------
@@ -327,13 +327,13 @@ def turns_of_sweep(frequency: Array, time: Array) -> NDArray[np.bool_]:
 
 
 def _whole_turns(frequency: Array, time: Array) -> NDArray[np.bool_]:
-    """Turns (n,) at one over their frequency from the one before or after: others are swings of another kind."""
+    """Return turns (n,) whose distance to a neighbour matches their period; others are unrelated oscillations."""
     whole = np.abs(frequency[:-1] * np.diff(time) - 1.0) < _ONE_TURN
     before, after = np.append(False, whole), np.append(whole, False)
     return np.asarray(before | after)
 
 
 def _medians(values: Array) -> Array:
-    """Median of each of (n,) values and the two on either side of it."""
+    """Return the running median of (n,) values over five samples."""
     rows = np.lib.stride_tricks.sliding_window_view(np.pad(values, 2, mode="edge"), 5)
     return np.asarray(np.median(rows, axis=1))

@@ -1,8 +1,8 @@
-"""The force in every turn of the plate, measured and from a fitted quarter car, and curves over frequency.
+"""Force in every turn of the plate, measured and from a fitted quarter car, and curves over frequency.
 
-The same evaluation of the measured and of the modelled force gives two curves. Their difference is noise where the
-model holds, and a smooth curve where it does not (friction, kinked dampers). How much of it is believed follows from
-the record itself: a Gaussian process whose size has the greatest likelihood, often zero (Rasmussen and Williams).
+The same evaluation is applied to the measured and the modelled force. The difference of the two curves is noise where
+the model is valid, and a smooth curve elsewhere (friction, kinked dampers). The smooth part is estimated by a Gaussian
+process whose magnitude, often zero, maximises the likelihood (Rasmussen and Williams).
 """
 
 from __future__ import annotations
@@ -37,17 +37,17 @@ from jounce.inspection.sweep import Sweep
 from jounce.kernel.call import Loop
 
 PASS, STOP, RIPPLE = 2.0, 4.0, 0.01  # times the frequency of the turn, share: EGEA SPECSUS2018
-_POINTS = 1025  # of the tabulated half of the filter
+_POINTS = 1025  # samples of the tabulated half of the filter
 _find = Loop("turn_forces")
 FIELDS = ("least", "least_time", "greatest", "down", "up", "mean", "half_amplitude")
 
 
 @cache
 def prototype() -> tuple[Array, float]:
-    """Give one half of the filter's impulse response against time in periods (weight per period, 1), and its length.
+    """Return one half of the filter's impulse response over time in periods (weight per period, 1), and its length.
 
-    A Kaiser window on a sinc between pass band (2 f) and stop band (4 f) with a ripple of 0.01 (EGEA SPECSUS2018), and
-    within that ripple moved so that the gain is exactly 1 at 0, f and 2 f: amplitudes are not biased by the filter.
+    A sinc with Kaiser window between pass band (2 f) and stop band (4 f) with a ripple of 0.01 (EGEA SPECSUS2018). It
+    is adjusted within that ripple to a gain of exactly 1 at 0, f and 2 f, so the filter does not bias amplitudes.
     """
     from scipy.signal import kaiser_beta
     from scipy.signal.windows import kaiser
@@ -75,14 +75,14 @@ def force_in_periods(
     level: float,
     window: tuple[float, float],
 ) -> Array:
-    """Evaluate forces in each period of the plate, after the low pass that belongs to the period.
+    """Evaluate forces in each period of the plate after a low pass matched to the period.
 
-    Forces (rows, n) in N, sampled at ``rate`` Hz from ``start`` s; ``tops`` (s) are when the plate is highest, with its
-    frequencies (Hz) then. The least force is looked for in a ``window`` of periods after the top, and the crossings of
-    a ``level`` (N) around it (of the middle, where the level is never crossed). Gives (rows, periods, 7), as ``FIELDS``
-    names them: least force (N) and its time (s), greatest force (N) in the period around it, times (s) at which the
-    force falls below the level before and rises above it after the least force, mean force (N), half of greatest less
-    least (N); NaN where the record does not reach or the least force lies at the window's end.
+    Forces (rows, n) in N are sampled at ``rate`` Hz from ``start`` s; ``tops`` (s) are the times at which the plate is
+    highest, with the frequencies (Hz) at these times. The minimum force is searched for in a ``window`` of periods
+    after the top, and around it the crossings of a ``level`` (N), or of the middle if the level is never crossed.
+    Returns (rows, periods, 7) in the order of ``FIELDS``: minimum force (N) and its time (s), maximum force (N) in the
+    period around it, times (s) of the fall below the level before and the rise above it after the minimum, mean force
+    (N), and half of maximum minus minimum (N). NaN outside the record or if the minimum is at the window's end.
     """
     taps, half = prototype()
     block, places, at = (
@@ -115,19 +115,19 @@ def force_in_periods(
 
 
 _SIZES = np.array([0.3, 0.6, 1.2, 2.5, 5.0, 10.0, 30.0, 100.0, 1000.0])
-_BELIEVED = 2.0  # log likelihood that a size must win over none: two standard errors
-_FLOOR = 1e-9  # of the largest difference: noise of records without any
-_FEWEST = 8  # turns, below which a curve is not smoothed
-_SAME = 0.06  # Hz: turns of a hold are one place of the curve
+_BELIEVED = 2.0  # minimum gain in log likelihood over zero magnitude: two standard errors
+_FLOOR = 1e-9  # share of the largest difference: noise floor for records without noise
+_FEWEST = 8  # minimum number of turns for smoothing
+_SAME = 0.06  # Hz: turns closer than this, as in a hold, are merged
 
 
 @dataclass(frozen=True)
 class FrequencyCurve:
     """A quantity over frequency."""
 
-    frequency: Array  # (n,): rising, Hz
+    frequency: Array  # (n,): ascending, Hz
     value: Array  # (n,): the quantity
-    error: Array  # (n,): standard error of what was added to the model, unit of the quantity
+    error: Array  # (n,): standard error of the correction to the model, unit of the quantity
 
     def with_turns(self, frequency: Array, value: Array) -> FrequencyCurve:
         """Add turns (Hz, unit of the quantity) without a measurement."""
@@ -140,7 +140,7 @@ class FrequencyCurve:
         )
 
     def at(self, frequency: Array, otherwise: Array) -> Array:
-        """Give the curve at frequencies (Hz), and ``otherwise`` where it does not reach to; unit of the quantity."""
+        """Return the curve at frequencies (Hz), and ``otherwise`` outside its range; unit of the quantity."""
         from scipy.interpolate import CubicSpline
 
         if self.frequency.size < _FEWEST:
@@ -149,14 +149,14 @@ class FrequencyCurve:
         return np.where(inside, CubicSpline(self.frequency, self.value)(frequency), otherwise)
 
     def lowest(self) -> tuple[float, float, float]:
-        """Frequency (Hz), value and error of the turn with the least value."""
+        """Return frequency (Hz), value and error of the turn with the minimum value."""
         at = int(np.argmin(self.value))
         return float(self.frequency[at]), float(self.value[at]), float(self.error[at])
 
     def least(self, low: float, high: float) -> tuple[float, float, float] | None:
-        """Frequency (Hz), value and error where the curve is least between two frequencies (Hz), ends included.
+        """Return frequency (Hz), value and error of the minimum between two frequencies (Hz), ends included.
 
-        None where the curve does not reach over both ends.
+        None if the curve does not cover both ends.
         """
         from scipy.interpolate import CubicSpline
 
@@ -173,10 +173,10 @@ class FrequencyCurve:
 def corrected_curve(
     frequency: Array, measured: Array, modelled: Array, spread: Array, length: float
 ) -> FrequencyCurve:
-    """Correct a modelled curve by a measured one; frequencies in Hz in any order, NaN where not known.
+    """Correct a modelled curve by a measured one; frequencies in Hz in any order, NaN if unknown.
 
-    ``spread`` says how the noise of the measured values goes from one to the other, its size does not matter; what the
-    model misses may change over ``length`` Hz. The curve is sorted, and has each frequency once.
+    ``spread`` is the relative noise of the measured values, in any scale; ``length`` (Hz) is the correlation length of
+    the model error. The returned curve is sorted by frequency, without duplicates.
     """
     known = np.isfinite(measured) & np.isfinite(modelled) & (spread > 0.0)
     order = np.argsort(frequency[known], kind="stable")
@@ -194,7 +194,7 @@ def corrected_curve(
 
 
 def _merge_turns(f: Array, y: Array, base: Array, wide: Array) -> tuple[Array, Array, Array, Array]:
-    """Means of turns at nearly the same frequency."""
+    """Average turns at nearly the same frequency."""
     starts = np.flatnonzero(np.diff(np.floor(f / _SAME), prepend=-1.0))
     if starts.size == f.size:
         return f, y, base, wide
@@ -204,7 +204,7 @@ def _merge_turns(f: Array, y: Array, base: Array, wide: Array) -> tuple[Array, A
 
 
 def _noise(gap: Array, wide: Array) -> float:
-    """Size of the jumps between neighbouring values, in units of ``wide``."""
+    """Estimate the noise from jumps between neighbouring values, in units of ``wide``."""
     second = gap[:-2] - 2.0 * gap[1:-1] + gap[2:]
     scale = np.sqrt(wide[:-2] ** 2 + 4.0 * wide[1:-1] ** 2 + wide[2:] ** 2)
     jumps = float(np.median(np.abs(second) / scale)) / 0.6745
@@ -212,9 +212,9 @@ def _noise(gap: Array, wide: Array) -> float:
 
 
 def _posterior(f: Array, gap: Array, noise: Array, length: float) -> tuple[Array, Array]:
-    """Mean and standard error of the smooth part of ``gap``; zero where none is believed.
+    """Return mean and standard error of the smooth part of ``gap``; zero if it is not significant.
 
-    The process is written in cosines over the band, weighted as its kernel's spectrum (Solin and Sarkka).
+    The process is expanded in cosines over the band, weighted by its kernel's spectrum (Solin and Sarkka).
     """
     reach = float(f[-1] - f[0]) + 2.0 * length
     order = np.arange(min(int(2.0 * reach / length) + 2, f.size // 2))
@@ -235,20 +235,20 @@ def _posterior(f: Array, gap: Array, noise: Array, length: float) -> tuple[Array
     return turned @ (shares * along), np.sqrt((turned**2) @ shares)
 
 
-LOWEST_FIT, HIGHEST_FIT = 0.7, 40.0  # Hz: from below the bounce of a body to above what exciters do
-LOWEST_TURN = 3.5  # Hz: well below the band that is evaluated, so that a curve passes its end
-UNDERFLOW = 0.01  # of the static load: a force below it is lift-off
-_BOX_TIME = 0.009  # s over which forces are averaged for that: noise of single samples is none
-_AFTER_LIFT_OFF = 0.06  # s beside lift-off that are left out
-_SHORTEST_STRETCH = 0.8  # s: spectral lines of shorter ones are farther apart than 1.25 Hz
+LOWEST_FIT, HIGHEST_FIT = 0.7, 40.0  # Hz: from below body bounce to above exciter frequencies
+LOWEST_TURN = 3.5  # Hz: well below the evaluated band, for curves that extend beyond its end
+UNDERFLOW = 0.01  # share of the static load below which a force means lift-off
+_BOX_TIME = 0.009  # s: averaging time for lift-off detection, against sample noise
+_AFTER_LIFT_OFF = 0.06  # s omitted before and after lift-off
+_SHORTEST_STRETCH = 0.8  # s: shorter stretches have spectral lines more than 1.25 Hz apart
 _WINDOW = (-0.12, 0.63)
-"""Periods after the top of the plate within which its least force is looked for: phase angles of -43 to 227 degrees."""
-_WHOLE_TURN = (-0.1, 1.1)  # without a height, where the turn begins is not known
+"""Search window of the minimum force in periods after the plate's top: phase angles of -43 to 227 degrees."""
+_WHOLE_TURN = (-0.1, 1.1)  # used without a height, when the turn's phase is unknown
 _UNDAMPED, _OWN = (
     0.05,
     0.2,
-)  # damping ratio, and the share by which lift-off moves the wheel's natural frequency
-_HIGHEST_OF_BODY = 2.5  # Hz; it heaves, pitches and rolls upon the other wheels, too
+)  # damping ratio, and relative shift of the wheel's natural frequency by lift-off
+_HIGHEST_OF_BODY = 2.5  # Hz; the body also heaves, pitches and rolls on the other wheels
 
 
 @dataclass(frozen=True)
@@ -256,20 +256,18 @@ class Analysis:
     """Results of every turn, measured and modelled."""
 
     load: float  # static load, N
-    fit: ResponseFit | None  # quarter car; None where none could be fitted
-    top: Array  # (n,): when the plate was at the top, s
-    frequency: Array  # (n,): frequency then, Hz
-    turn_frequency: Array  # (n,): one over the time to the next top, Hz
+    fit: ResponseFit | None  # fitted quarter car; None if the fit failed
+    top: Array  # (n,): times at which the plate is highest, s
+    frequency: Array  # (n,): frequency at these times, Hz
+    turn_frequency: Array  # (n,): reciprocal of the time to the next top, Hz
     measured: Array  # (n, 7): see ``force_in_periods``
-    modelled: Array  # (n, 7): the same of the model, NaN where the tyre lifts off
-    lifted: NDArray[
-        np.bool_
-    ]  # (n,): turns in which the tyre leaves the plate, or which are not yet over it
-    amplitude: float  # of the plate, m; NaN where it is not known
+    modelled: Array  # (n, 7): same values of the model, NaN where the tyre lifts off
+    lifted: NDArray[np.bool_]  # (n,): turns with lift-off, or still affected by it
+    amplitude: float  # of the plate, m; NaN if unknown
 
 
 def find_lift_off(force: Array, load: float, sample_rate: float) -> NDArray[np.bool_]:
-    """Samples (n,) in which the mean force (N) over 9 ms is below 1 % of the static load (N); rate in Hz."""
+    """Flag samples (n,) whose mean force (N) over 9 ms is below 1 % of the static load (N); rate in Hz."""
     size = max(round(_BOX_TIME * sample_rate), 1)
     sums = np.concatenate([[0.0], np.cumsum(force)])
     mean = (sums[size:] - sums[:-size]) / size
@@ -281,7 +279,7 @@ def find_lift_off(force: Array, load: float, sample_rate: float) -> NDArray[np.b
 def stretches_between(
     lifted: NDArray[np.bool_], first: int, last: int, sample_rate: float
 ) -> list[tuple[int, int]]:
-    """Samples (from, up to) between ``first`` and ``last`` without lift-off that are long enough to be fitted (Hz)."""
+    """Return sample ranges from ``first`` to ``last`` without lift-off, long enough for a fit; rate in Hz."""
     if not lifted[first:last].any():
         return [(first, last)]
     margin = max(round(_AFTER_LIFT_OFF * sample_rate), 1)
@@ -294,7 +292,7 @@ def stretches_between(
 def analyse(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Analysis, list[Finding]]:
     """Fit a quarter car to one wheel's test on a rigid plate, and evaluate every turn under a static load (N).
 
-    The turns are those from 1 s before the sweep on, down to 3.5 Hz; findings say what is wrong with the fit.
+    Includes turns from 1 s before the sweep down to 3.5 Hz; the findings report problems of the fit.
     """
     rate, start = signals.sample_rate, float(signals.time[0])
     lifted = find_lift_off(signals.force, load, rate)
@@ -328,7 +326,7 @@ def analyse(signals: WheelSignals, sweep: Sweep, load: float) -> tuple[Analysis,
 def _turns_hit(
     flags: NDArray[np.bool_], top: Array, frequency: Array, rate: float, start: float
 ) -> NDArray[np.bool_]:
-    """Turns (n,) with a flagged sample between half a turn before and 1.2 turns after their top."""
+    """Flag turns (n,) with a flagged sample between half a turn before and 1.2 turns after their top."""
     counts = np.concatenate([[0], np.cumsum(flags)])
     low = np.clip(((top - 0.5 / frequency - start) * rate).astype(int), 0, flags.size)
     high = np.clip(((top + 1.2 / frequency - start) * rate).astype(int), 0, flags.size)
@@ -344,10 +342,10 @@ def fit_test(
     *,
     upright: bool = False,
 ) -> tuple[ResponseFit | None, list[Finding]]:
-    """Fit a quarter car to parts (samples from, up to) of a test with heights, and write its force into ``model`` (N).
+    """Fit a quarter car to parts (sample ranges) of a test with heights, and write its force into ``model`` (N).
 
-    Static load in N, highest frequency in Hz; ``upright`` where the sign of the height is known to be right. None where
-    nothing resembles a quarter car; findings say what is wrong.
+    Static load in N, highest frequency in Hz; ``upright`` means that the sign of the height is known to be correct.
+    None if no quarter car resembles the test; the findings report problems.
     """
     height, place = signals.height, f"{signals.wheel}.plate.force"
     if height is None:
@@ -363,7 +361,7 @@ def fit_test(
         return None, [warning(place, "not_fitted", text=error.what)]
     strange = not TYRES[0] < fit.corner.tyre_stiffness < TYRES[1]
     doubtful = strange or fit.explained < 0.9  # a height with the wrong sign is worth another fit
-    # Turned over, the height must explain more than half of what it leaves now.
+    # The inverted height must explain more than half of the current residual.
     if (
         doubtful
         and not upright
@@ -372,7 +370,7 @@ def fit_test(
         return None, [problem(f"{signals.wheel}.plate.z", "upside_down", fit.explained)]
     if (
         strange or fit.explained < 0.3
-    ):  # a car without dampers, which is more than a quarter car, leaves 0.75
+    ):  # a car without dampers, which is not a pure quarter car, reaches 0.75
         stiffness = fit.corner.tyre_stiffness
         return None, [problem(place, "no_wheel", stiffness, stiffness=1e-3 * stiffness)]
     fit = replace(fit, delay=delay_of(fit, stretches, signals.plate_mass))
@@ -391,10 +389,10 @@ def fit_test(
 def _upside_down(
     signals: WheelSignals, parts: list[tuple[int, int]], load: float, high: float
 ) -> float:
-    """Share (1) of the force that is explained when the height is turned over."""
+    """Return the share (1) of the force that is explained with an inverted height."""
     height = np.zeros(0) if signals.height is None else -signals.height
     inertia = signals.plate_mass * plate_acceleration(height, signals.sample_rate)
-    force = signals.force - 2.0 * inertia - load  # it had been taken off with the wrong sign
+    force = signals.force - 2.0 * inertia - load  # it was subtracted with the wrong sign
     turned = [
         stretch_of(height[a:b], force[a:b], signals.sample_rate, LOWEST_FIT, high) for a, b in parts
     ]
@@ -415,7 +413,7 @@ def _doubts(
     for stretch, unexplained in zip(stretches, left, strict=True):
         size = 2.0 / stretch.samples * np.abs(unexplained)
         at = int(np.argmax(size))
-        # Of noise, whose lines are spread like Rayleigh's, next to none is six times the median, let alone twelve.
+        # For noise with Rayleigh-distributed lines, six times the median is very rare, and twelve times even more so.
         if size[at] > 0.01 * load and size[at] > 12.0 * float(np.median(size)):
             frequency = float(stretch.s[at].imag / (2.0 * np.pi))
             code = "swings_on" if _is_own(frequency, fit.corner) else "vibrates"
@@ -426,6 +424,6 @@ def _doubts(
 
 
 def _is_own(frequency: float, corner: LinearQuarterCar) -> bool:
-    """Whether a nearly undamped wheel, or the body on it, swings on at a frequency (Hz)."""
+    """Whether a frequency (Hz) is a nearly undamped oscillation of the wheel or of the body above it."""
     ratio, own = wheel_damping(road_poles(corner))
     return ratio < _UNDAMPED and (frequency < _HIGHEST_OF_BODY or abs(frequency / own - 1.0) < _OWN)
