@@ -197,7 +197,7 @@ def test_pareto(cli):
                 "strut.deflection=1 mm",
                 *ON_C,
             ),
-            "no design within the bounds keeps all limits",
+            "no design within the bounds meets all limits",
         ),
         (
             (

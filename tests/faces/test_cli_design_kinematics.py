@@ -193,9 +193,9 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
         ),
         (
             SEVERAL.replace("front =", '"../front" =') + FREE + CURVE,
-            ["not a name of a rig", "../front"],
+            ["not a rig name", "../front"],
         ),
-        (SEVERAL.replace("front =", '"a.b" =') + FREE + CURVE, ["not a name of a rig"]),
+        (SEVERAL.replace("front =", '"a.b" =') + FREE + CURVE, ["not a rig name"]),
         (
             SEVERAL + FREE.replace('"hard', '"rear.hard') + CURVE + 'rig = "front"\n',
             ["free[0].point", "'rear'", "front"],

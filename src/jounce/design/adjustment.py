@@ -1,4 +1,4 @@
-"""Adjustments of a rig as requested by commands and pages: settings, or the lengths for a camber and a toe."""
+"""Adjustments of a rig for commands and pages: settings, or the lengths for a required camber and toe."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from jounce.kinematics.adjustments import SETTINGS, write_setting
 from jounce.parts import Corner, as_rig
 from jounce.parts.options import RigAlone
 
-_LARGEST = 0.35  # rad: of an angle that is adjusted; a larger bare number is in degrees
+_LARGEST = 0.35  # rad: largest angle of an adjustment; a larger bare number is taken as degrees
 Angle = float | str | None
 
 
@@ -26,9 +26,9 @@ class Adjustment(Plain):
     Attributes
     ----------
     report : AdjustReport
-        The wheel before and after, and the effect of each setting where none was made.
+        The wheel before and after; if no setting was made, the effect of each possible setting.
     lengths : Lengths or None
-        Lengths that were found for a camber and a toe.
+        Lengths found for the required camber and toe.
     """
 
     report: AdjustReport
@@ -46,7 +46,7 @@ class Adjustment(Plain):
 
     @property
     def settings(self) -> str:
-        """Settings in words, with "with" before them; empty without one."""
+        """Settings in words, preceded by "with"; empty without settings."""
         made = ", ".join(
             f"{name} {write_setting(value, SETTINGS[name].unit)}"
             for name, value in self.report.settings.items()
@@ -76,10 +76,10 @@ class Adjustment(Plain):
 
 
 def check_adjusted(**given: Any) -> None:
-    """Refuse an output file if nothing changes the rig."""
+    """Reject an output file if nothing changes the rig."""
     if given["out"] is not None and not any(given[name] for name in ("set_", "camber", "toe")):
         raise DescriptionError(
-            "nothing to adjust", where="--out", allowed="--set, --camber or --toe beside it"
+            "nothing to adjust", where="--out", allowed="with --set, --camber or --toe"
         )
 
 
@@ -132,7 +132,7 @@ def adjust_rig(
     settings : mapping, optional
         Setting to its value, text with a unit or SI.
     camber, toe : float or str, optional
-        Wanted static angles, rad; top outward and toe-in positive.
+        Required static angles, rad; top outward and toe-in positive.
 
     Returns
     -------

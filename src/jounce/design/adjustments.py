@@ -1,4 +1,4 @@
-"""Effects of a suspension's adjustments on the wheel, and lengths for a wanted camber and toe."""
+"""Effects of suspension adjustments on wheel alignment, and lengths for a required camber and toe."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ from jounce.simulation import equilibrium
 
 
 def adjustment_findings(values: Mapping[str, float]) -> list[Finding]:
-    """Report doubtful settings (SI): angles that the prototype did not have or that are too steep."""
+    """Report doubtful settings (SI): angles that the prototype did not offer or that are too steep."""
     if "strut_angle" not in values:
         return []
     angle = values["strut_angle"]
     steep = strut_angle_findings(angle, "strut_angle")
-    # 0.05 deg: an angle that was rounded to tenths is still the published one.
+    # 0.05 deg: an angle rounded to tenths still counts as the published one.
     if steep or any(abs(np.degrees(angle) - known) < 0.05 for known in PUBLISHED_ANGLES):
         return steep
     built = ", ".join(f"{known:g}" for known in PUBLISHED_ANGLES)
@@ -61,18 +61,18 @@ OVER_TRAVEL: Mapping[str, str] = {
     "motion_ratio": "1",
     "wheel_rate": "N/m",
 }
-"""Quantities reported over travel, with their SI units: arms of another length change the wheel only off design."""
+"""Quantities reported over travel, with their SI units: some settings change the wheel only away from design."""
 _TRAVELS = (-0.03, -0.015, 0.0, 0.015, 0.03)  # m: a choice, five rows of a table
 _STEP = 1e-3
-"""Share of a setting's range over which its effect per unit is taken."""
-_CLOSE = 1e-10  # rad: far below what a wheel is set to, and above rounding of an assembled linkage
-_NUDGE = 1e-6  # m: step of differences; lengths of 0.3 m are rounded to 1e-16 m, and bend over centimetres
-_ROUNDS = 30  # of Newton's method, at most; where it converges, it takes a few
+"""Share of a setting's range used as the step for its effect per unit."""
+_CLOSE = 1e-10  # rad: far below the accuracy of wheel alignment, and above rounding of an assembled linkage
+_NUDGE = 1e-6  # m: step of differences; lengths of 0.3 m are rounded to 1e-16 m, and are curved over centimetres
+_ROUNDS = 30  # of Newton's method, at most; convergence takes only a few
 
 
 @dataclass(frozen=True)
 class WheelState:
-    """Wheel alignment, SI: angles and roll centre at design height; ride height and wheel rate at rest.
+    """Wheel alignment, SI: angles and roll centre at design height, ride height and wheel rate at rest.
 
     Attributes
     ----------
@@ -87,7 +87,7 @@ class WheelState:
     ride_height : float or None
         Rise of the body from design at rest, m; None for a fixed body.
     wheel_rate : float or None
-        N/m, with its preload term; None where no spring is described.
+        N/m, with its preload term; None without a spring.
     """
 
     camber: float
@@ -112,9 +112,9 @@ class Effect:
     lowest, base, highest : float
         Ends of its range and the rig's own value, SI.
     at_lowest, at_highest : WheelState or None
-        Wheel at the ends; None where the linkage does not go together there.
+        Wheel at the ends of the range; None if the linkage cannot be assembled there.
     per_unit : dict
-        Quantity to its change for one SI unit of the setting, at the rig's own value; None where there is none.
+        Quantity to its change per SI unit of the setting, at the rig's own value; None if undefined.
     """
 
     setting: str
@@ -129,7 +129,7 @@ class Effect:
 
 @dataclass(frozen=True)
 class OverTravel:
-    """Quantities (SI) over wheel travel (m, bump positive), NaN where the linkage does not reach."""
+    """Quantities (SI) over wheel travel (m, bump positive), NaN out of reach of the linkage."""
 
     travel: tuple[float, ...]
     before: dict[str, tuple[float, ...]]
@@ -138,10 +138,10 @@ class OverTravel:
 
 @dataclass(frozen=True)
 class AdjustReport(Shown):
-    """What adjustments do to a rig: settings that were made (SI), the wheel before and after, the rig with them.
+    """Effect of adjustments on a rig: the settings (SI), the wheel before and after, and the adjusted rig.
 
-    ``effects`` says what each setting would do to the rig as given, ``over_travel`` what the settings did away from
-    design.
+    ``effects`` has the effect of each possible setting on the given rig, ``over_travel`` the effect of the chosen
+    settings away from design.
     """
 
     settings: dict[str, float]
@@ -158,9 +158,9 @@ _LENGTHS = ("lower_arm_length", "upper_arm_length", "tie_rod_length")
 
 @dataclass(frozen=True)
 class Lengths(Shown):
-    """Changes of length for a wanted camber and toe, m, and the angles that they reach, rad.
+    """Changes of length for a required camber and toe, m, and the resulting angles, rad.
 
-    ``others`` are those of what a double wishbone does not have: a strut's top mount, links.
+    ``others`` has the changes of parts that a double wishbone does not have: a strut's top mount, links.
     """
 
     lower_arm_length: float
@@ -171,7 +171,7 @@ class Lengths(Shown):
     others: Mapping[str, float] = field(default_factory=dict)
 
     def settings(self) -> dict[str, float]:
-        """Settings that are not zero, as ``adjusted`` takes them."""
+        """Settings that are not zero, in the form that ``adjusted`` accepts."""
         lengths = {name: getattr(self, name) for name in _LENGTHS} | dict(self.others)
         return {name: value for name, value in lengths.items() if value != 0.0}
 
@@ -206,7 +206,7 @@ def adjust_report(
     settings : dict, optional
         Settings to make: name to value, text with a unit or SI.
     effects : bool
-        Whether every setting is taken over its range, too.
+        Whether to vary every possible setting over its range as well.
 
     Returns
     -------
@@ -215,9 +215,9 @@ def adjust_report(
     Raises
     ------
     DescriptionError
-        For a rig without hardpoints, a setting that it does not have, or a value out of its range.
+        For a rig without hardpoints, a setting that it does not have, or a value out of range.
     AssemblyError
-        When arms, upright and rods do not go together with the settings.
+        If the linkage cannot be assembled with the settings.
 
     Examples
     --------
@@ -246,7 +246,7 @@ def adjust_report(
 
 
 def _over_travel(rig: Corner) -> dict[str, tuple[float, ...]]:
-    """Quantities of the rig at all travels that the linkage reaches."""
+    """Return the quantities of the rig over travel, as far as the linkage reaches."""
     has = {row.name for row in kinematic_model(rig).rows}
     names, rows = [name for name in OVER_TRAVEL if name in has], []
     for travel in _TRAVELS:
@@ -260,32 +260,32 @@ def _over_travel(rig: Corner) -> dict[str, tuple[float, ...]]:
 
 
 def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None) -> Lengths:
-    """Find the lengths of arms, links and tie rod that give a wanted camber and toe.
+    """Find the lengths of arms, links and tie rod for a required camber and toe.
 
-    Of a double wishbone one arm is lengthened, the upper one for more camber, the lower one for less; of a McPherson
-    strut the top mount is moved; of five links the one is set that tilts the wheel most for its length. Tie rod or toe
-    link set the toe. Without a wanted toe they are left alone, and the toe comes out as it does; without a wanted
-    camber the others are.
+    For a double wishbone, one arm is lengthened: the upper one for more camber, the lower one for less. For a McPherson
+    strut the top mount is moved; for five links, the link with the largest effect on camber is adjusted. The tie rod or
+    toe link sets the toe. Without a required toe, the tie rod is not adjusted and the toe follows from the camber
+    adjustment; without a required camber, only the tie rod is adjusted.
 
     Parameters
     ----------
     rig : Rig
-        A corner whose upright hangs on rods: a double wishbone, a McPherson strut, five links; it is not changed.
+        A double wishbone, McPherson strut or five-link corner; it is not changed.
     camber : str or float, optional
-        Wanted static camber, text with a unit or rad, top outward positive.
+        Required static camber, text with a unit or rad, top outward positive.
     toe : str or float, optional
-        Wanted static toe, text with a unit or rad, toe-in positive.
+        Required static toe, text with a unit or rad, toe-in positive.
 
     Returns
     -------
     Lengths
-        Changes of length in m, and the camber and toe that they give, rad.
+        Changes of length in m, and the resulting camber and toe, rad.
 
     Raises
     ------
     DescriptionError
-        When no target is given, for a trailing arm, whose arm carries the wheel itself, or when the target is out of
-        what the lengths reach.
+        If no target is given, for a trailing arm, whose arm carries the wheel directly, or if the lengths cannot reach
+        the target.
 
     Examples
     --------
@@ -301,7 +301,7 @@ def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None)
     corner = corner_of(rig)
     if not rods(corner):
         raise DescriptionError(
-            "no length of it sets camber or toe",
+            "none of its lengths sets camber or toe",
             where="rig",
             found=f'model = "{getattr(rig, "model", "")}"',
             allowed="double-wishbone, mcpherson, five-link",
@@ -316,7 +316,7 @@ def lengths_for(rig: Rig, camber: Value | None = None, toe: Value | None = None)
         _camber_lengths(corner, wished.get("camber")),
         _TOE_LENGTHS[type(corner)],
     )
-    # The tie rod changes the camber a little, too: all lengths are tried where a camber is wanted.
+    # The tie rod also changes the camber slightly: all lengths are tried if a camber is required.
     for camber_length in camber_lengths if camber is not None else camber_lengths[:1]:
         names = [{"camber": camber_length, "toe": toe_length}[name] for name in wished]
         lengths = _solve(corner, wished, names)
@@ -334,11 +334,11 @@ _TOE_LENGTHS: Mapping[type[Corner], str] = {
     McPherson: "tie_rod_length",
     FiveLink: "link_5_length",
 }
-_PROBE = 1e-4  # m: the lengths are only put in order of their effect
+_PROBE = 1e-4  # m: only used to sort the lengths by their effect
 
 
 def _camber_lengths(rig: Corner, camber: float | None) -> list[str]:
-    """Lengths that set the camber, in the order in which they are tried."""
+    """Return the lengths that set the camber, in the order in which they are tried."""
     if isinstance(rig, McPherson):
         return ["camber_plate"]
     if isinstance(rig, DoubleWishbone):
@@ -352,7 +352,7 @@ def _camber_lengths(rig: Corner, camber: float | None) -> list[str]:
 
 
 def _solve(rig: Corner, wished: Mapping[str, float], names: list[str]) -> dict[str, float] | None:
-    """Newton with bounds; None when it ends at a bound or the linkage cannot be assembled."""
+    """Solve for lengths by Newton's method; None if it ends at a bound or the linkage cannot be assembled."""
     low, high = (
         np.array([getattr(SETTINGS[name], end) for name in names]) for end in ("lowest", "highest")
     )
@@ -385,7 +385,7 @@ def _by_name(names: list[str], lengths: Array) -> dict[str, float]:
 def _unreachable(
     rig: Corner, wished: Mapping[str, float], candidates: Mapping[str, list[str]]
 ) -> DescriptionError:
-    """Error that states what the lengths reach."""
+    """Return the error that states the reachable angles."""
     texts, used = [], list[str]()
     for name in wished:
         ends = []
@@ -439,7 +439,9 @@ def _effect(rig: Corner, setting: Adjustable, findings: list[Finding]) -> Effect
 
     step = _STEP * (highest - lowest)
     low, high = (float(np.clip(base + sign * step, lowest, highest)) for sign in (-1.0, 1.0))
-    if setting.name == "short_upper_arm":  # the block comes with any short arm: compare two of them
+    if (
+        setting.name == "short_upper_arm"
+    ):  # any short arm includes the block: compare two short arms
         low, high = highest - 2.0 * step, highest - step
     per_unit = _slopes(at(low), at(high), high - low)
     return Effect(
@@ -450,7 +452,7 @@ def _effect(rig: Corner, setting: Adjustable, findings: list[Finding]) -> Effect
 def _slopes(
     low: WheelState | None, high: WheelState | None, step: float
 ) -> dict[str, float | None]:
-    """Change of every quantity for one unit of a setting."""
+    """Return the change of every quantity per unit of a setting."""
     slopes: dict[str, float | None] = {}
     for name in QUANTITIES:
         first, second = getattr(low, name, None), getattr(high, name, None)

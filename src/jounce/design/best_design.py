@@ -1,4 +1,4 @@
-"""The best design as requested by commands and pages: of a rig with bounds and an objective, or of a study file."""
+"""The best design for commands and pages: from a rig with bounds and an objective, or from a study file."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ class BestDesign(Plain):
     Attributes
     ----------
     outcome : Optimisation, ParetoFront or DesignFront
-        SI; a front where a study asks for one.
+        Result in SI; a front if the study requests one.
     study : str
         The study file; empty without one.
     of : str
-        The rig that a study names.
+        The rig named in the study.
     """
 
     outcome: Optimisation | ParetoFront | DesignFront
@@ -54,7 +54,7 @@ class BestDesign(Plain):
         """The best rig."""
         assert isinstance(
             self.outcome, Optimisation
-        )  # a front is refused before the search where a rig is asked for
+        )  # a front is rejected before the search if a rig is requested
         return self.outcome.rig
 
     @property
@@ -89,12 +89,12 @@ def rig_or_study(
     ],
     changes: Annotated[Mapping[str, Any] | None, CHANGES] = None,
 ) -> Rig | Path:
-    """Load a rig and change its values; a study is given as its file."""
+    """Load a rig and change its values; return the path of a study file."""
     return Path(vehicle) if _is_study(vehicle) else rig_of_options(vehicle, changes)
 
 
 def rig_or_study_in_python(vehicle: str, changes: Mapping[str, Any] | None = None) -> str:
-    """Write it as Python."""
+    """Write the rig or study as Python."""
     return repr(vehicle) if _is_study(vehicle) else rig_in_python(vehicle, changes)
 
 
@@ -103,7 +103,7 @@ def _is_study(vehicle: str) -> bool:
 
 
 def check_task(vehicle: str, out: Path | None, **given: Any) -> None:
-    """Refuse options beside a study, a rig file for a front, and a task without variables or objective."""
+    """Reject options alongside a study, a rig file for a front, and a task without variables or objective."""
     options = {name: given["set_" if name == "set" else name] for name in _BESIDE}
     if not _is_study(vehicle):
         for name in ("free", "objective"):
@@ -111,7 +111,7 @@ def check_task(vehicle: str, out: Path | None, **given: Any) -> None:
                 raise DescriptionError(
                     "nothing is given",
                     where=f"--{name}",
-                    hint="Or give a study file that states it.",
+                    hint="Or give a study file that defines it.",
                 )
         return
     for name, value in options.items():
@@ -123,7 +123,9 @@ def check_task(vehicle: str, out: Path | None, **given: Any) -> None:
             )
     if out is not None and read_optimisation(vehicle)[0].front is not None:
         raise DescriptionError(
-            "a front is many rigs", where="--out", hint="Take one of its designs with --set."
+            "a front consists of many rigs",
+            where="--out",
+            hint="Take one of its designs with --set.",
         )
 
 
@@ -180,7 +182,8 @@ def find_best_design(
     Parameters
     ----------
     rig : Rig, str or Path
-        Rig or vehicle, its file or its name in the library; or a study file (``jounce.optimisation/1``) alone.
+        Rig or vehicle, its file or its name in the library; or a study file (``jounce.optimisation/1``) without further
+        arguments.
     free : mapping, optional
         Path to its bounds, as for :func:`jounce.optimise`.
     objective : sequence of str, optional
@@ -192,11 +195,11 @@ def find_best_design(
     constraints : mapping, optional
         Limits, as for :func:`jounce.optimise`.
     duration : float or str, optional
-        Time for which the road is simulated, s; by default the random response is used in closed form.
+        Simulated time, s; by default the random response is computed in closed form.
     band : tuple of float or "iso", optional
         Spatial frequencies of the road, 1/m.
     starts : int
-        Searches, the first from the present design.
+        Number of searches; the first starts from the present design.
 
     Returns
     -------
@@ -229,7 +232,7 @@ def find_best_design(
 
 
 def _weights(texts: Sequence[str]) -> dict[str, float]:
-    """Give weights by metric; 1 where none is given."""
+    """Parse weights by metric; 1 by default."""
     weights: dict[str, float] = {}
     for text in texts:
         name, equals, weight = text.partition("=")

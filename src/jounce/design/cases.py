@@ -1,8 +1,8 @@
 """Designs evaluated by several cases at once: random roads, trials and kinematics, over a spread of the parts.
 
-A metric is written with its case before it, ``"rough: sprung.az weighted"``, and with a statistic where numbers are
-spread: ``"rough: p95 tyre.force coefficient"``. All designs are judged over the same samples, so that differences
-between designs are theirs and the objective has no noise.
+A metric is prefixed with its case, ``"rough: sprung.az weighted"``, and, if parameters are spread, with a statistic:
+``"rough: p95 tyre.force coefficient"``. All designs are evaluated over the same samples; sampling noise therefore
+cancels in comparisons of designs.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ from jounce.variants.designs import Spread, sobol
 
 Case = Trial | Mapping[str, Any]
 """A trial, ``{"road": ..., "speed": ...}`` for a random road, or ``{"travel": [...]}`` for kinematics over it (m)."""
-_STEP = 1e-6  # of a number's range: central differences of kinematics
+_STEP = 1e-6  # of a variable's range: step of central differences of kinematics
 _MOST_SAMPLES = 4096  # of a spread; each is evaluated at every step of a search
 _KINDS = ("value", "range", "max", "min")
 _STATISTICS = ("mean", "p95")
@@ -52,7 +52,7 @@ _STATISTICS = ("mean", "p95")
 
 @dataclass(frozen=True)
 class KinematicEvaluator:
-    """Quantities of a 3-D corner over wheel travel (m): value at design, range, maximum and minimum; by differences."""
+    """Evaluates a 3-D corner over wheel travel (m): value at design, range, maximum and minimum; by differences."""
 
     rig: Corner
     paths: tuple[str, ...]
@@ -117,9 +117,9 @@ class OneByOne:
 
 @dataclass(frozen=True)
 class CasesEvaluator:
-    """Metrics of all cases: ``wanted`` maps the text of each to its case, the metric there, and a statistic.
+    """Evaluates the metrics of all cases; ``wanted`` maps each text to its case, metric and statistic.
 
-    ``factors`` (samples, numbers) multiply the free numbers in each sample of the spread.
+    ``factors`` (samples, variables) multiply the free variables in each sample of the spread.
     """
 
     cases: Mapping[str, StationaryEvaluator | OneByOne]
@@ -133,7 +133,7 @@ class CasesEvaluator:
 
     @property
     def has_kinks(self) -> bool:
-        """Whether a percentile is asked for."""
+        """Whether a metric is a percentile."""
         return any(statistic != "mean" for _, _, statistic in self.wanted.values())
 
     def at(self, values: Array) -> dict[str, Numbers]:
@@ -149,7 +149,7 @@ class CasesEvaluator:
 
 
 def _statistic(kind: str, numbers: Array, slopes: Array) -> Numbers:
-    """Mean or 95th percentile over samples (samples, channels), with slopes (numbers, channels)."""
+    """Return the mean or 95th percentile over samples (samples, channels), with slopes (numbers, channels)."""
     if kind == "mean" or len(numbers) == 1:
         return numbers.mean(axis=0), slopes.mean(axis=0)
     order = np.argsort(numbers, axis=0)
@@ -255,7 +255,7 @@ def _split_text(
     statistic = words.pop(0) if words and words[0] in _STATISTICS else "mean"
     if statistic == "p95" and not spread:
         raise DescriptionError(
-            "a percentile of one design", where=f"{where}: {text}", hint="Give a spread."
+            "a percentile needs a spread", where=f"{where}: {text}", hint="Give a spread."
         )
     return case, statistic, " ".join(words)
 
@@ -269,9 +269,7 @@ def _read_metric(words: str, case: Case, rig: Rig, where: str) -> Metric:
         allowed = Phrase(
             "a quantity of the catalogue, or {kinds} before one", kinds=", ".join(_KINDS)
         )
-        raise DescriptionError(
-            "not a metric of kinematics", where=where, found=words, allowed=allowed
-        )
+        raise DescriptionError("not a kinematic metric", where=where, found=words, allowed=allowed)
     known = {quantity.name: quantity for quantity in CATALOGUE}
     if parts[0] not in known:
         raise unknown(parts[0], known, what="quantity", where=where)
@@ -285,7 +283,7 @@ def _draw_samples(
     samples: int,
     seed: int,
 ) -> tuple[list[Rig], list[Array]]:
-    """Draw the rigs of the spread, and the factors of the free numbers in each."""
+    """Draw the rigs of the spread, and the factors of the free variables in each."""
     ones = np.ones(len(numbers))
     if not spread:
         return [rig], [ones]
@@ -357,9 +355,7 @@ def _build_evaluator(
             ) from None
     rigs = [family.rig for family in families.members if isinstance(family.rig, Corner)]
     if set(case) != {"travel"} or len(rigs) < len(families):
-        raise DescriptionError(
-            "kinematics are those of a 3-D corner over travel", where=where, found=dict(case)
-        )
+        raise DescriptionError("kinematics need a 3-D corner", where=where, found=dict(case))
     from jounce.core.units import to_si
 
     travel = np.array([to_si(value, "m", where=where) for value in case["travel"]])

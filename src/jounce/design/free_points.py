@@ -1,4 +1,4 @@
-"""Free numbers of a search for hardpoints: of one rig or of several, tied, on lines, within boxes."""
+"""Free variables of a hardpoint search: for one or several rigs, tied, on lines, within boxes."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ from jounce.parts.advice import LONGEST
 from jounce.parts.rig import unit_of, unknown_path
 
 Rigs = Mapping[str, Corner]
-"""Rigs of a study by name; one alone has the name ''."""
-_FAR = 1.0  # m: no hardpoint moves that far
+"""Rigs of a study by name; a single rig has the name ''."""
+_FAR = 1.0  # m: largest movement of a hardpoint
 _AXES = "xyz"
 _LATERAL = 1  # of x, y, z
 
 
 def full_path(name: str, path: str) -> str:
-    """Path of a number of the rig of that name in a study of several."""
+    """Return the path of a parameter of a named rig in a study of several."""
     return qualify(name, path)
 
 
 @dataclass(frozen=True)
 class Numbering:
-    """Numbers that enter the kinematics of the rigs of a study, one rig after the other: ``paths`` in their order."""
+    """Parameters that affect the kinematics of the rigs of a study, concatenated: ``paths`` in this order."""
 
     rigs: Rigs
     models: Mapping[str, KinematicModel]
@@ -41,7 +41,7 @@ class Numbering:
 
     @staticmethod
     def of(rigs: Rigs) -> Numbering:
-        """Number the rigs of a study."""
+        """Index the parameters of the rigs of a study."""
         models = {name: kinematic_model(rig) for name, rig in rigs.items()}
         parts, paths = dict[str, slice](), list[str]()
         for name, model in models.items():
@@ -50,14 +50,14 @@ class Numbering:
         return Numbering(rigs, models, parts, tuple(paths))
 
     def values(self, rigs: Rigs | None = None) -> Array:
-        """Numbers of rigs of the same structure as those of the study, by default of the study's own rigs."""
+        """Return the parameters of rigs of the same structure, by default of the study's own rigs."""
         chosen = self.rigs if rigs is None else rigs
         return np.concatenate(
             [self.models[name].parameter_values(rig) for name, rig in chosen.items()]
         )
 
     def owner(self, path: str, where: str) -> tuple[str, str]:
-        """Name of the rig that a path of the study belongs to, and its path there."""
+        """Return the name of the rig that a path of the study belongs to, and the path within that rig."""
         if "" in self.rigs:
             return "", path
         name, _, rest = path.partition(".")
@@ -66,18 +66,18 @@ class Numbering:
         return name, rest
 
     def unit(self, path: str) -> str:
-        """SI unit of a number of the study."""
+        """Return the SI unit of a parameter of the study."""
         name, own = self.owner(path, path)
         return unit_of(self.rigs[name], own)
 
 
 @dataclass(frozen=True)
 class FreeNumbers:
-    """Variables of the search, x (n,) in SI: the numbers of the models are ``origin + directions @ x``.
+    """Variables x (n,) of the search, SI: the parameters of the models are ``origin + directions @ x``.
 
-    ``owners`` is the entry of the study that each belongs to, ``paths`` are the numbers that move; ``firsts`` is the
-    path of each x (the first of tied numbers), ``labels`` its name, ``values`` its number where x is 0 (0 along a
-    line).
+    ``owners`` has the index of the study entry of each variable; ``paths`` are the parameters that move. ``firsts`` has
+    the path of each variable (the first one of tied parameters), ``labels`` its name, and ``values`` its parameter
+    value at x = 0 (0 along a line).
     """
 
     origin: Array
@@ -92,12 +92,12 @@ class FreeNumbers:
 
     @property
     def lengths(self) -> Array:
-        """Half the range of each."""
+        """Half the range of each variable."""
         return 0.5 * (self.upper - self.lower)
 
 
 def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "free") -> FreeNumbers:
-    """Read the free numbers; refuse paths that do not exist, have no effect, or are given twice."""
+    """Read the free points; reject paths that do not exist, have no effect, or are given twice."""
     origin, index = numbering.values(), {path: i for i, path in enumerate(numbering.paths)}
     columns, lower, upper, values, owners, taken = [], [], [], [], [], dict[str, str]()
     firsts, labels = list[str](), list[str]()
@@ -113,12 +113,12 @@ def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "fr
         for paths, name, sign in groups:
             if len(paths) != size:
                 raise DescriptionError(
-                    "is tied to something of another size", where=f"{where}.tied", found=name
+                    "is tied to an entry of a different size", where=f"{where}.tied", found=name
                 )
             for j, path in enumerate(paths):
                 if path in taken:
                     raise DescriptionError(
-                        "is free twice", where=where, found=path, allowed="each number once"
+                        "is listed twice", where=where, found=path, allowed="each number once"
                     )
                 taken[path] = where
                 matrix[index[path], j] = sign * _mirror_sign(numbering, first[j], path)
@@ -140,7 +140,9 @@ def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "fr
         labels += first if entry.along is None else [f"{entry.point} along {_line(entry.along)}"]
     if not columns:
         raise DescriptionError(
-            "nothing is free", where="free", allowed='e.g. {"hardpoints.tie_rod_inner[2]": "10 mm"}'
+            "there are no free points",
+            where="free",
+            allowed='e.g. {"hardpoints.tie_rod_inner[2]": "10 mm"}',
         )
     return FreeNumbers(
         origin,
@@ -160,7 +162,7 @@ def _line(along: str | tuple[float, ...]) -> str:
 
 
 def _list_tied(entry: FreePoint) -> list[tuple[str, str, float]]:
-    """List keys and paths of an entry, and whether each moves with the first or against it."""
+    """List keys and paths of an entry, with sign 1 if it moves with the first point, -1 if against it."""
     tied = [
         (f"tied[{i}]", name.removeprefix("-"), -1.0 if name[:1] == "-" else 1.0)
         for i, name in enumerate(entry.tied)
@@ -169,7 +171,7 @@ def _list_tied(entry: FreePoint) -> list[tuple[str, str, float]]:
 
 
 def _paths(numbering: Numbering, index: Mapping[str, int], name: str, where: str) -> list[str]:
-    """Paths of a point's coordinates, or of one number."""
+    """Return the paths of a point's coordinates, or of a single parameter."""
     owner, own = numbering.owner(name, where)
     known = numbering.rigs[owner].parameters()
     paths = [own] if own in known else [f"{own}[{i}]" for i in range(3)]
@@ -191,13 +193,13 @@ def _paths(numbering: Numbering, index: Mapping[str, int], name: str, where: str
 
 
 def _mirror_sign(numbering: Numbering, first: str, second: str) -> float:
-    """-1 for a lateral coordinate on the other side of the car than the first one, else 1."""
+    """Return -1 for a lateral coordinate on the opposite side of the car, otherwise 1."""
     sides = [numbering.rigs[numbering.owner(path, path)[0]].sign for path in (first, second)]
     return sides[0] * sides[1] if coordinate(second) == _LATERAL else 1.0
 
 
 def _direction(numbering: Numbering, entry: FreePoint, at: Array, where: str) -> Array:
-    """Unit vector of the line that a point moves on."""
+    """Return the unit vector of the line on which a point moves."""
     along = entry.along
     if isinstance(along, str):
         rig = numbering.rigs[numbering.owner(entry.point, where)[0]]
@@ -224,7 +226,7 @@ def _bounds(
         given = entry.within if isinstance(entry.within, (list, tuple)) else [entry.within] * size
         if len(given) != size:
             raise DescriptionError(
-                "not one width a coordinate", where=f"{where}.within", found=len(given)
+                "there must be one width per coordinate", where=f"{where}.within", found=len(given)
             )
         width = np.array(
             [positive_si(width_text, unit, where=f"{where}.within") for width_text in given]
@@ -246,7 +248,7 @@ def _bounds(
             "not a box of this point",
             where=f"{where}.box",
             found=f"{[len(corner) for corner in corners]} numbers",
-            allowed=Phrase("lower and upper corner of {size} each", size=size),
+            allowed=Phrase("lower and upper corner with {size} coordinates each", size=size),
         )
     low, high = (
         np.array([to_si(bound, unit, where=f"{where}.box") for bound in corner])

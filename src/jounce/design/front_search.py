@@ -1,8 +1,8 @@
-"""The search between competing goals, which all fronts share.
+"""The search between competing goals, shared by all Pareto fronts.
 
-The corners of a front are the least of each goal. Between them the goal that is relatively worst is made as good as
-it can be (the achievement function of the reference-point method), along mixtures of the goals: this finds the hollow
-parts of a front, too. Exact slopes take each search there in tens of designs.
+The corners of a front minimise one goal each. Between them, the worst normalised goal is minimised along mixtures of
+the goals (the achievement function of the reference-point method); this also finds nonconvex parts of a front. With
+exact gradients each search takes only tens of designs.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from jounce.core.types import Array
 from jounce.design.mixtures import achievement
 
 SHARE = (
-    1e-3  # weight of all goals beside the relatively worst one: excludes weakly dominated designs
+    1e-3  # weight of the other goals relative to the worst one: excludes weakly dominated designs
 )
-_PRECISION = 1e-10  # of the relative achievement, which is about 1: far finer than a front is drawn
-_STILL = 1e-6  # scaled movement of a new start below which a search has come to rest
+_PRECISION = 1e-10  # of the achievement, which is about 1: far finer than the resolution of a plot
+_STILL = 1e-6  # scaled movement after a restart below which a search has converged
 
 
 class Aim(NamedTuple):
@@ -31,25 +31,25 @@ class Aim(NamedTuple):
 
 
 class FrontSearch:
-    """Goals and constraints of designs, with their slopes along scaled numbers."""
+    """Goals and constraints of designs, with their slopes along scaled variables."""
 
     rounds: ClassVar[int]  # steps of one search
-    tries: ClassVar[int] = 1  # starts of it, where it has not come to rest
+    tries: ClassVar[int] = 1  # restarts of a search that has not converged
 
     def run(self, x: Array, aim: Aim) -> tuple[Array, bool]:
         """Search towards an aim from a design; return the design and whether the search converged."""
         raise NotImplementedError
 
     def rank(self, x: Array, aim: Aim) -> tuple[float, float]:
-        """Rank a design, the lowest is best: violation of the constraints, then the relatively worst goal."""
+        """Rank a design, the lowest is best: violation of the constraints, then the worst normalised goal."""
         raise NotImplementedError
 
     def rows(self, u: Array) -> tuple[Array, Array, Sequence[int]]:
-        """Goals at scaled numbers, one or several rows each; their slopes; to which goal each row belongs."""
+        """Return goals at scaled variables (one or several rows each), their slopes, and the goal of each row."""
         raise NotImplementedError
 
     def room(self, u: Array) -> tuple[Array, Array]:
-        """Margins of the constraints at scaled numbers, not below zero where they hold; and their slopes."""
+        """Return the margins of the constraints at scaled variables (negative if violated), and their slopes."""
         raise NotImplementedError
 
     def between(
@@ -70,7 +70,7 @@ class FrontSearch:
     def towards(
         self, begin: Array, goals: Array, aim: Aim, lower: Array, upper: Array
     ) -> tuple[Array, bool]:
-        """Minimise the relatively worst goal from scaled numbers, at which the ``goals`` are known."""
+        """Minimise the worst normalised goal, starting from scaled variables whose ``goals`` are already known."""
         from scipy.optimize import minimize
 
         size = len(begin)
@@ -94,7 +94,7 @@ class FrontSearch:
         z, is_at_rest = np.append(begin, achievement(goals, *aim)), False
         for _ in range(
             self.tries
-        ):  # SLSQP forgets its curvature at a new start, which helps where it stalled
+        ):  # a restart resets the curvature estimate of SLSQP, which helps after a stall
             result = minimize(
                 least, z, jac=True, method="SLSQP",
                 bounds=[*zip(lower, upper, strict=True), (None, None)],

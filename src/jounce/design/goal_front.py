@@ -1,6 +1,6 @@
 """Pareto front of several competing metrics, from the best design for one metric to that for another.
 
-Searches aim along mixtures that are spread evenly, then between those designs that are still farthest apart.
+Searches follow evenly spread mixtures of the metrics, then fill the widest gaps between designs.
 """
 
 from __future__ import annotations
@@ -30,14 +30,20 @@ from jounce.parts.rig import unit_of
 from jounce.ride.surface import Density
 from jounce.variants.designs import Spread
 
-_FEWEST, _MOST, _FEWEST_GOALS = 3, 500, 2  # designs: both ends and one between; each is a search
-_HELD = 1e-6  # share by which the least of one metric may be left while the others are made less
+_FEWEST, _MOST, _FEWEST_GOALS = (
+    3,
+    500,
+    2,
+)  # designs: at least both ends and one between; each takes a search
+_HELD = (
+    1e-6  # relative increase allowed above the minimum of one metric while the others are minimised
+)
 _KEPT = 1e-6  # share of a limit that rounding of a search may break
 _NEAR, _NEARER, _MOST_NEAR = (
     0.05,
     1e-5,
     60,
-)  # scaled steps of the search around a kink, and looks a number
+)  # scaled steps of the search around a kink, and evaluations per variable
 
 
 @dataclass(frozen=True)
@@ -55,13 +61,13 @@ class DesignFront(Plain):
     number_units : dict
         Path to SI unit.
     present : dict
-        Metric to its value of the rig as it is, SI.
+        Metric to its value for the present rig, SI.
     start : dict
-        Path to the value of the rig as it is, SI.
+        Path to its value in the present rig, SI.
     converged : bool
-        Whether all searches came to rest.
+        Whether all searches converged.
     evaluations : int
-        Designs that were judged.
+        Number of designs evaluated.
     driven : str
         The road, in words.
     findings : tuple of Finding
@@ -115,8 +121,8 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
 ) -> DesignFront:
     """Find the Pareto front of competing metrics: no design is better than another in all of them.
 
-    Each metric is to be as near to zero as can be. For comfort against road holding, with best dampers beside it,
-    there is :func:`pareto`; for kinematics :func:`kinematic_front`.
+    The magnitude of each metric is minimised. See :func:`pareto` for comfort against road holding, including the best
+    dampers, and :func:`kinematic_front` for kinematics.
 
     Parameters
     ----------
@@ -133,15 +139,15 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     constraints : mapping, optional
         Limits for all designs, SI or texts with units, as for :func:`optimise`.
     points : int
-        About how many designs, 3 to 500; those that others surpass are left out.
+        Approximate number of designs, 3 to 500; dominated designs are left out.
     band : tuple of float or "iso", optional
         Spatial frequencies of the road, 1/m; by default white noise where all metrics are finite on it.
     cases : mapping, optional
         Several cases instead of one road, by name, as for :func:`optimise`.
     spread : mapping, optional
-        Path to its spread, SI or texts with units, as for :func:`optimise`, for designs that are robust.
+        Path to its spread, SI or texts with units, as for :func:`optimise`, for robust designs.
     samples, seed : int
-        Of the spread, as for :func:`optimise`.
+        Number and seed of the samples of the spread, as for :func:`optimise`.
 
     Returns
     -------
@@ -151,7 +157,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     Raises
     ------
     DescriptionError, FitError
-        As for :func:`optimise`, and for less than two metrics.
+        As for :func:`optimise`, and for fewer than two metrics.
 
     Examples
     --------
@@ -191,7 +197,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     tried: list[Array] = []
     with report_work(
         lambda: Phrase(
-            "searching design {which} of about {points}: {judged} judged",
+            "searching design {which} of about {points}: {judged} evaluated",
             which=len(tried) + 1,
             points=points,
             judged=problem.evaluations,
@@ -221,7 +227,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
 
 
 def _search(race: _GoalSearch, points: int, tried: list[Array]) -> tuple[bool, Array]:
-    """Add designs of the front to those ``tried``; return whether all searches converged, and the goals' ranges."""
+    """Append designs of the front to ``tried``; return whether all searches converged, and the goals' ranges."""
     problem = race.problem
     tried.extend(_find_corner(problem, name) for name in race.names)
     reached = np.array([race.goals_at(values) for values in tried])
@@ -233,7 +239,7 @@ def _search(race: _GoalSearch, points: int, tried: list[Array]) -> tuple[bool, A
 def _aims(
     race: _GoalSearch, tried: list[Array], best: Array, span: Array, points: int
 ) -> Iterator[Array]:
-    """Mixtures to aim at: first evenly spread ones, then those between ``tried`` designs that are still far apart."""
+    """Yield mixtures to search along: first evenly spread ones, then those in wide gaps between ``tried`` designs."""
     yield from mixtures(len(best), max(points // 2, len(best) + 1))
     known: set[tuple[int, int]] = set()
     while len(tried) < points:
@@ -262,7 +268,7 @@ def _findings(count: int, *, settled: bool) -> list[Finding]:
 
 
 def _find_corner(problem: DesignProblem, name: str) -> Array:
-    """Find the design with the least of one metric; among equals that with the least of the others."""
+    """Find the design that minimises one metric; among equal ones, the design with the smallest other metrics."""
     alone = replace(problem, weights={name: 1.0})
     first = search(alone)
     check_kept(alone, first)
@@ -278,7 +284,7 @@ def _find_corner(problem: DesignProblem, name: str) -> Array:
 
 
 class _GoalSearch(FrontSearch):
-    """Goals of a task and its limits in scaled numbers, with their slopes; its designs are values in SI."""
+    """Goals and limits of a task in scaled variables, with their slopes; designs are values in SI."""
 
     rounds, tries = 200, 3
 
@@ -286,11 +292,11 @@ class _GoalSearch(FrontSearch):
         self.problem, self.names, self.scale = problem, names, Scale(problem)
 
     def goals_at(self, values: Array) -> Array:
-        """Distance of each metric from zero (SI)."""
+        """Return the magnitude of each metric, SI."""
         return np.array([abs(self.problem.whole(name, values)[0]) for name in self.names])
 
     def rows(self, u: Array) -> tuple[Array, Array, Sequence[int]]:
-        """Goals, one row each, or one per channel where the worst counts; their slopes; the goal of each row."""
+        """Return rows of goals (several for a worst-corner metric), their slopes, and the goal of each row."""
         values, chain = self.scale.values(u), self.scale.slopes(u)
         goals, slopes, of = [], [], []
         for k, name in enumerate(self.names):
@@ -306,7 +312,7 @@ class _GoalSearch(FrontSearch):
         return np.array(goals), np.array(slopes), of
 
     def room(self, u: Array) -> tuple[Array, Array]:
-        """Margins of the limits, and their slopes."""
+        """Return the margins of the limits, and their slopes."""
         margins = self.problem.margins(self.scale.values(u))
         chain = self.scale.slopes(u)
         table = np.array([slope * chain for _, _, _, _, slope in margins]).reshape(
@@ -315,11 +321,11 @@ class _GoalSearch(FrontSearch):
         return np.array([margin for _, _, _, margin, _ in margins]), table
 
     def rank(self, x: Array, aim: Aim) -> tuple[float, float]:
-        """Violation of the limits, then the relatively worst metric."""
+        """Rank a design: violation of the limits, then the worst normalised metric."""
         return max(violation_of(self.problem, x), _KEPT), achievement(self.goals_at(x), *aim)
 
     def run(self, x: Array, aim: Aim) -> tuple[Array, bool]:
-        """Minimise the relatively worst goal from some values (SI); return the values and whether it converged."""
+        """Minimise the worst normalised goal from given values (SI); return the values and whether it converged."""
         size = len(x)
         u, is_at_rest = self.towards(
             self.scale.normalise(x), self.goals_at(x), aim, np.zeros(size), np.ones(size)
@@ -328,7 +334,7 @@ class _GoalSearch(FrontSearch):
         return self._refine(values, aim) if self.problem.has_kinks else (values, is_at_rest)
 
     def _refine(self, values: Array, aim: Aim) -> tuple[Array, bool]:
-        """Refine the end of a gradient search without gradients (COBYLA): it may have stopped at a kink."""
+        """Refine the result of a gradient search without gradients (COBYLA), since it may have stopped at a kink."""
         from scipy.optimize import minimize
 
         def worst(u: Array) -> float:

@@ -23,21 +23,21 @@ from jounce.kinematics.clearances import Shape
 from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig
 
-_FEWEST, _MOST = 3, 500  # designs: both ends and one between; each is a search
-_SOFT = 1e-3  # tolerances below which a goal is as good as reached
+_FEWEST, _MOST = 3, 500  # designs: at least both ends and one between; each takes a search
+_SOFT = 1e-3  # tolerances below which a goal is practically reached
 _PRECISION, _FORBIDDEN = (
     1e-10,
     1e6,
-)  # tolerances: far below what is built; far above what a linkage that closes misses
+)  # tolerances: far below manufacturing accuracy; far above any miss of a linkage that can be assembled
 _INSIDE = 0.95  # tolerances
-_HELD = 1.0 + 1e-6  # tolerances, but for what a search leaves
+_HELD = 1.0 + 1e-6  # tolerances, plus the residual error of a search
 
 
 @dataclass(frozen=True)
 class FrontDesign(Plain):
-    """A design on the front: ``goals`` as root mean square of their targets in tolerances, ``moved`` numbers (SI).
+    """A design on the front: ``goals`` as root mean square of their targets in tolerances; ``moved`` parameters, SI.
 
-    ``met`` says whether all targets are within their tolerances.
+    ``met`` is True if all targets are within their tolerances.
     """
 
     goals: Mapping[str, float]
@@ -52,17 +52,17 @@ class KinematicFront(Plain):
     Attributes
     ----------
     goals : mapping of str to tuple of int
-        Goals by name, with the numbers of their targets.
+        Goals by name, with the indices of their targets.
     held : tuple of int
-        Targets that are kept within their tolerances all along the front.
+        Indices of the targets that stay within their tolerances along the entire front.
     designs : tuple of FrontDesign
-        By the first goal, best first.
+        Designs sorted by the first goal, best first.
     before : FrontDesign
-        The rigs as they are.
+        The initial rigs.
     evaluations : int
-        Designs that were computed.
+        Number of designs evaluated.
     start : mapping of str to Corner
-        The rigs that the search began with, by name.
+        The rigs from which the search started, by name.
     findings : tuple of Finding
         Findings.
     """
@@ -122,19 +122,20 @@ def kinematic_front(
 ) -> KinematicFront:
     """Find the Pareto front of competing goals: no design is better than another in all of them.
 
-    Targets with the same ``goal`` belong together; where none has one, each target that need not hold is its own goal.
-    Targets that ``must`` hold, and those without a goal beside others that have one, stay within their tolerances.
+    Targets with the same ``goal`` form one goal; if no target names a goal, each target without ``must`` is a goal of
+    its own. Targets with ``must``, and targets without a goal if others have one, are constraints: they stay within
+    their tolerances.
 
     Parameters
     ----------
     rig, free, targets, vehicle
         As for :func:`jounce.design_kinematics`; lengths in m, angles in rad, or texts with their units.
     points : int
-        About how many designs, 3 to 500; those that others surpass are left out.
+        Approximate number of designs, 3 to 500; dominated designs are left out.
     starts : int
-        Searches for the best of each goal; the first begins at the rig, the others at places of the boxes.
+        Number of searches for the optimum of each goal; the first starts from the rig, the others within the boxes.
     seed : int
-        Seed of those places.
+        Seed of the starting points.
     shapes : mapping of str to Solid or Rim, optional
         Bodies by name, as for :func:`jounce.design_kinematics`, m.
 
@@ -146,7 +147,7 @@ def kinematic_front(
     Raises
     ------
     DescriptionError
-        As :func:`jounce.design_kinematics`; for fewer than two goals, and where no design keeps what must hold.
+        As for :func:`jounce.design_kinematics`; for fewer than two goals; and if no design meets the constraints.
 
     Examples
     --------
@@ -175,7 +176,7 @@ def kinematic_front(
 
 
 def front_of(task: KinematicTask, points: int, starts: int, seed: int) -> KinematicFront:
-    """Search for the front that a task asks for."""
+    """Search for the front of a task."""
     search = task.search()
     goals, held = _goals(search)
     values_before(search)
@@ -212,7 +213,7 @@ def front_of(task: KinematicTask, points: int, starts: int, seed: int) -> Kinema
 
 
 def _goals(search: HardpointSearch) -> tuple[dict[str, tuple[int, ...]], list[int]]:
-    """Goals by name with their targets, and the targets that must hold."""
+    """Return the goals by name with their targets, and the targets that are constraints."""
     named = any(item.text.goal is not None for item in search.wanted)
     goals: dict[str, list[int]] = {}
     held = []
@@ -236,7 +237,7 @@ def _goals(search: HardpointSearch) -> tuple[dict[str, tuple[int, ...]], list[in
 
 
 class _HardpointFrontSearch(FrontSearch):
-    """Goals and constraints of a search, with their slopes; its designs are scaled numbers."""
+    """Goals and constraints of a search, with their slopes; designs are scaled variables."""
 
     rounds = 150
 
@@ -246,7 +247,7 @@ class _HardpointFrontSearch(FrontSearch):
         self.search, self.goals = search, goals
         parts = search.evaluator.parts
         count = parts[-1].stop
-        self._weights = np.zeros((len(goals), count))  # of squares, in the mean of each goal
+        self._weights = np.zeros((len(goals), count))  # of the squares in the mean of each goal
         for k, members in enumerate(goals.values()):
             for i in members:
                 part = parts[i]
@@ -256,7 +257,7 @@ class _HardpointFrontSearch(FrontSearch):
         self._seen: tuple[bytes, tuple[Array, Array, Array, Array]] | None = None
 
     def at(self, x: Array) -> tuple[Array, Array, Array, Array]:
-        """Goals (root mean squares, tolerances) and their slopes, room of constraints and its slopes."""
+        """Return goals (root mean squares, tolerances) and margins of the constraints, each with slopes."""
         key = x.tobytes()
         if self._seen is not None and self._seen[0] == key:
             return self._seen[1]
@@ -288,33 +289,33 @@ class _HardpointFrontSearch(FrontSearch):
         return result
 
     def means(self, off: Array) -> Array:
-        """Mean squares of each goal, from the deviations of its values in tolerances."""
+        """Return the mean square of each goal from the deviations of its values, in tolerances."""
         return np.asarray(self._weights @ off**2)
 
     def goals_at(self, x: Array) -> Array:
-        """Goals at a point."""
+        """Return the goals at a point."""
         return self.at(x)[0]
 
     def holds(self, x: Array) -> bool:
-        """Whether a point is within reach and keeps the constraints."""
+        """Whether a point is within reach and meets the constraints."""
         goals, _, room, _ = self.at(x)
         return bool(np.all(goals < _FORBIDDEN) and np.all(room >= _INSIDE - _HELD))
 
     def rank(self, x: Array, aim: Aim) -> tuple[float, float]:
-        """Whether constraints are violated, then the relatively worst goal."""
+        """Rank a design: constraint violation (0 or 1), then the worst normalised goal."""
         return float(not self.holds(x)), achievement(self.goals_at(x), *aim)
 
     def rows(self, u: Array) -> tuple[Array, Array, Sequence[int]]:
-        """Goals and their slopes."""
+        """Return the goals and their slopes, one row each."""
         goals, slopes, _, _ = self.at(u)
         return goals, slopes, range(len(goals))
 
     def room(self, u: Array) -> tuple[Array, Array]:
-        """Room of constraints and its slopes."""
+        """Return the margins of the constraints and their slopes."""
         return self.at(u)[2:]
 
     def run(self, x: Array, aim: Aim) -> tuple[Array, bool]:
-        """Minimise the relatively worst goal."""
+        """Minimise the worst normalised goal."""
         begin = np.clip(x, self.search.lower, self.search.upper)
         return self.towards(begin, self.goals_at(begin), aim, self.search.lower, self.search.upper)
 
@@ -343,13 +344,13 @@ def _find_corner(race: _HardpointFrontSearch, i: int, starts: int, seed: int) ->
             "no design within the boxes meets the constraints",
             where="free",
             found=f"{starts} starts",
-            hint="Widen the boxes, ask for less, or give more starts.",
+            hint="Widen the boxes, relax the targets, or give more starts.",
         )
     return min(good, key=lambda x: float(weights @ race.goals_at(x)))
 
 
 def _describe_design(race: _HardpointFrontSearch, x: Array) -> FrontDesign | None:
-    """Describe the design at a point; None where its numbers make no rig."""
+    """Describe the design at a point; None if its parameters do not form a valid rig."""
     search = race.search
     try:
         rigs = rigs_of(search, x)

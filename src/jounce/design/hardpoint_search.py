@@ -1,10 +1,10 @@
-"""The search for hardpoints: least squares of all targets in tolerances, from many places of the boxes.
+"""The search for hardpoints: least squares of all targets in tolerances, from several starting points.
 
-Every free number counts in shares of how far it may go, every target in tolerances. A search is a Levenberg-Marquardt
-descent within the boxes, from the rig itself and from places of the boxes; a slight pull towards the rig keeps what
-the targets leave open where it is. Where the best compromise misses a target, a second search asks only that all are
-within their tolerances; where it cannot, a third one seeks the compromise within what must hold (sequential quadratic
-programming: constraints are no least squares).
+Free variables are scaled by their range, targets by their tolerance. A search is a Levenberg-Marquardt descent within
+the boxes, from the rig itself and from points within the boxes. A slight pull towards the rig keeps undetermined
+variables in place. If the best compromise misses a target, a second search only requires all targets to be within their
+tolerances. If that fails, a third search finds the compromise subject to the mandatory targets by sequential quadratic
+programming, since constraints cannot be expressed as least squares.
 """
 
 from __future__ import annotations
@@ -22,26 +22,26 @@ from jounce.design.free_points import FreeNumbers
 from jounce.design.kinematic_study import FreePoint
 from jounce.design.kinematic_targets import Evaluators, Wanted
 
-_STEPS = 60  # at most; a search that takes more says so (`UNSETTLED`)
-_PULL = 1e-4  # tolerances for a number moved as far as it may go
+_STEPS = 60  # at most; a search that needs more is reported as `UNSETTLED`
+_PULL = 1e-4  # tolerances for a variable moved over its full range
 _DAMPING, _LARGEST_DAMPING = (
     1e-3,
     1e10,
-)  # of Levenberg and Marquardt: nearly free at first; then steps are rounding
-_SETTLED = 1e-10  # share of the cost below which a step has gained nothing
-_REACHED = 1e-9  # tolerances off from which a target has what it wants
-_SLACK = 1e-7  # tolerances that a smaller movement may cost a wanted value: a band without width has no inside
-_INSIDE = 0.95  # share of the tolerance that the second search asks for
+)  # of Levenberg-Marquardt: almost undamped at first; at the largest, steps are rounding
+_SETTLED = 1e-10  # share of the cost below which a step is no improvement
+_REACHED = 1e-9  # deviation in tolerances below which a target is met exactly
+_SLACK = 1e-7  # tolerances that a smaller movement may cost a wanted value: a band of zero width has no interior
+_INSIDE = 0.95  # share of the tolerance that the second search requires
 UNSETTLED = "no more steps"
-"""Why a search ended that had not come to rest."""
+"""Reason for the end of a search that did not converge."""
 _MOST_ROUNDS, _PRECISION, _FORBIDDEN = (
     200,
     1e-12,
     1e6,
-)  # steps; share of the cost; tolerances where nothing closes
-_REST = 1e-6  # share of the cost that a search at rest could still gain over a whole box; room where a limit holds
-_NOTHING = 1e-9  # a number that changes its targets less, in tolerances over its box, has no effect
-_WITHIN = 1.0 + 1e-9  # tolerances, but for rounding
+)  # steps; share of the cost; tolerances where the linkage cannot be assembled
+_REST = 1e-6  # share of the cost that a converged search could still gain over a whole box; margin of an active limit
+_NOTHING = 1e-9  # effect, in tolerances over its box, below which a variable has no influence
+_WITHIN = 1.0 + 1e-9  # tolerances, plus rounding
 
 
 class Demand(NamedTuple):
@@ -54,7 +54,7 @@ class Demand(NamedTuple):
 
 @dataclass
 class HardpointSearch:
-    """Residuals of all targets in tolerances, for free numbers in shares of their boxes."""
+    """Residuals of all targets in tolerances, for free variables scaled by their boxes."""
 
     evaluator: Evaluators
     free: FreeNumbers
@@ -82,26 +82,26 @@ class HardpointSearch:
         self.lower, self.upper = self.free.lower / self.scale, self.free.upper / self.scale
 
     def numbers(self, x: Array) -> Array:
-        """Numbers of the models for free numbers in shares of their boxes."""
+        """Return the model parameters for scaled free variables."""
         return np.asarray(self.free.origin + self.free.directions @ (self.scale * x))
 
     def off(self, values: Array) -> Array:
-        """How far values are above (positive) or below what is wanted, in tolerances."""
+        """Return the deviation of values from the targets, in tolerances; positive above, negative below."""
         far = np.where(values > self.high, values - self.high, np.minimum(values - self.low, 0.0))
         return np.asarray(far / self.tolerance)
 
     @property
     def compromise(self) -> Demand:
-        """All targets, each in tolerances."""
+        """Demand of the compromise: all targets, each in tolerances."""
         return Demand(np.zeros_like(self.share), self.share, _PULL)
 
     @property
     def bands(self) -> Demand:
-        """All targets only within their tolerances."""
+        """Demand that all targets are within their tolerances."""
         return Demand(np.full_like(self.share, _INSIDE), self.share, 0.0)
 
     def residuals(self, x: Array, asked: Demand, *, slopes: bool) -> tuple[Array, Array, bool]:
-        """Residuals (and slopes), and whether every target is within its tolerance."""
+        """Return residuals, slopes if requested, and whether every target is within its tolerance."""
         values, along = self.evaluator.together(self.numbers(x), slopes=slopes)
         off = self.off(values)
         met = bool(np.all(np.abs(off) <= _WITHIN))
@@ -113,7 +113,7 @@ class HardpointSearch:
         return asked.share * over, rows, met
 
     def judge(self, x: Array) -> tuple[float, bool, bool]:
-        """Cost of the compromise at a point, whether all targets are met, and whether the mandatory ones are."""
+        """Return the cost of the compromise at x, whether all targets are met, and whether the mandatory ones are."""
         values, _ = self.evaluator.together(self.numbers(x), slopes=False)
         off = self.off(values)
         met = np.abs(off) <= _WITHIN
@@ -124,7 +124,7 @@ class HardpointSearch:
         )
 
     def descend(self, x: Array, asked: Demand) -> tuple[Array, float, bool, int, str]:
-        """Levenberg-Marquardt from x: the point reached, its cost, whether all targets are met, steps, why it ended."""
+        """Descend from x (Levenberg-Marquardt); return the point, cost, whether all targets are met, steps, reason."""
         x, pull = np.clip(x, self.lower, self.upper), asked.pull
         residuals_here, jacobian, met = self.residuals(x, asked, slopes=True)
         if not np.all(np.isfinite(residuals_here)):
@@ -165,11 +165,11 @@ class HardpointSearch:
         return x, cost, met, steps, why
 
     def move_back(self, x: Array, asked: Demand) -> Array:
-        """Move back to the point nearest to the rig that is nowhere worse than x, where all targets are met.
+        """Move back to the point closest to the rig at which no target is worse than at x, if x meets all targets.
 
-        A descent treats each missed limit as a value to reach and moves even numbers with little influence for it;
-        afterwards the slight pull is too weak to move them back. Here limits are constraints: least movement, no
-        value farther off than at x. It starts from x and from the rig, since the path between them may be curved.
+        A descent treats each missed limit as a value to reach, and moves even variables of little influence for it; the
+        slight pull is too weak to move them back. Here limits are constraints: the movement is minimised with no value
+        farther off than at x. The search starts from x and from the rig, since the path between them may be curved.
         """
         from scipy.optimize import minimize
 
@@ -184,7 +184,7 @@ class HardpointSearch:
         seen: dict[bytes, tuple[Array, Array]] = {}
 
         def room(place: Array) -> tuple[Array, Array]:
-            """How far values are inside of their limits, in tolerances, and its slopes."""
+            """Return the margins of values to their limits, in tolerances, and their slopes."""
             key = place.tobytes()
             if key not in seen:
                 values, along = self.evaluator.together(self.numbers(place))
@@ -222,13 +222,13 @@ class HardpointSearch:
         return best
 
     def satisfy_constraints(self, x: Array) -> tuple[Array, int, str]:
-        """Find the compromise that keeps the mandatory targets, from x: the point reached, rounds, why it ended."""
+        """Find the compromise that meets the mandatory targets, from x; return the point, rounds and reason."""
         from scipy.optimize import minimize, nnls
 
         seen: dict[bytes, tuple[float, Array, Array, Array]] = {}
 
         def at(place: Array) -> tuple[float, Array, Array, Array]:
-            """Cost and its slopes, margins of the constraints and their slopes."""
+            """Return the cost and its slopes, and the margins of the constraints with their slopes."""
             key = place.tobytes()
             if key not in seen:
                 values, along = self.evaluator.together(self.numbers(place))
@@ -274,7 +274,7 @@ class HardpointSearch:
         )
         place = np.clip(np.asarray(solution.x, dtype=float), self.lower, self.upper)
         cost, slope, room, slopes = at(place)
-        # The success that SLSQP reports may depend on the last bit; the gain of a further step decides instead.
+        # The success flag of SLSQP may depend on rounding; the gain of a further step decides instead.
         walls = [np.diag(place < self.lower + _REST), -1.0 * np.diag(place > self.upper - _REST)]
         gain = nnls(np.vstack([slopes[room < _REST], *walls]).T, slope)[1] / size
         rests = solution.success or (np.isfinite(cost) and gain < _REST)
@@ -284,7 +284,7 @@ class HardpointSearch:
 
 @dataclass(frozen=True)
 class Outcome:
-    """End of a search, x in shares of the boxes; ``holds``: whether the mandatory targets are met."""
+    """End of a search, with x scaled by the boxes; ``holds`` is True if the mandatory targets are met."""
 
     x: Array
     cost: float
@@ -293,10 +293,10 @@ class Outcome:
     steps: int
     ended: str
     asked: Demand | None = None
-    """The demand that was searched for, where all targets are met."""
+    """Demand of the search, if all targets are met."""
 
     def move_back(self, search: HardpointSearch) -> Outcome:
-        """Move nearer to the rig, where all targets are met."""
+        """Move closer to the rig if all targets are met."""
         if self.asked is None:
             return self
         x = search.move_back(self.x, self.asked)
@@ -304,17 +304,17 @@ class Outcome:
 
     @property
     def mean_displacement(self) -> float:
-        """Mean distance from the rig."""
+        """Root mean square displacement from the rig, in shares of the boxes."""
         return float(np.sqrt(np.mean(self.x**2)))
 
     @property
     def rank(self) -> tuple[bool, bool, float]:
-        """Rank, the lowest is best: met targets by least movement, otherwise mandatory ones by least cost."""
+        """Rank, the lowest is best: first designs that meet all targets, by displacement; then others, by cost."""
         return not self.met, not self.holds, self.mean_displacement if self.met else self.cost
 
 
 def search_from(search: HardpointSearch, x: Array) -> Outcome:
-    """Search from a point; where the compromise misses a target, try to bring all within their tolerances."""
+    """Search from a point; if the compromise misses a target, try to bring all within their tolerances."""
     x, cost, met, steps, ended = search.descend(x, search.compromise)
     if not np.isfinite(cost):
         return Outcome(x, cost, False, False, steps, ended)
@@ -335,7 +335,7 @@ def search_from(search: HardpointSearch, x: Array) -> Outcome:
 
 
 def places(search: HardpointSearch, starts: int, seed: int) -> list[Array]:
-    """Starting points: the rig (or the nearest point of the boxes), then a Latin hypercube of the boxes."""
+    """Return starting points: the rig (or the nearest point in the boxes), then a Latin hypercube in the boxes."""
     check_seed(seed)
     random = np.random.default_rng(seed)
     size = len(search.scale)
@@ -350,7 +350,7 @@ def places(search: HardpointSearch, starts: int, seed: int) -> list[Array]:
 
 
 def refuse_idle(search: HardpointSearch, free: Sequence[FreePoint], seed: int) -> None:
-    """Refuse entries that change no target, neither at the rig nor at a random point of the boxes."""
+    """Reject entries that affect no target, neither at the rig nor at a random point of the boxes."""
     check_seed(seed)
     random = np.random.default_rng(seed + 1)
     random_place = search.lower + random.random(len(search.scale)) * (search.upper - search.lower)
@@ -369,5 +369,5 @@ def refuse_idle(search: HardpointSearch, free: Sequence[FreePoint], seed: int) -
                 "has no effect on any target",
                 where=f"free[{k}].point",
                 found=entry.point,
-                hint="Leave it out, or ask for a quantity that it changes.",
+                hint="Leave it out, or add a target that it affects.",
             )

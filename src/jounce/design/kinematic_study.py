@@ -1,4 +1,4 @@
-"""Studies of hardpoints: points that may move, wanted curves, limits that must hold."""
+"""Studies of hardpoints: movable points, target curves and constraints."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from jounce.kinematics.clearances import Rim, Solid
 from jounce.kinematics.sweeps import AxleLayout
 
 NAME = r"[A-Za-z][\w-]*"
-"""Names of rigs in a study of several: files are named after them, and paths begin with them."""
+"""Names of rigs in a study of several: used as file names and as prefixes of paths."""
 SCHEMA: Literal["jounce.design/1"] = "jounce.design/1"
 Quantitative = Any
-"""A text with a unit, or a number in SI: which unit it has is known where the quantity is."""
+"""A text with a unit, or a number in SI; the unit depends on the quantity."""
 Corners = tuple[Any, ...]
 Share = Annotated[float, Unit("1")]
 
@@ -33,19 +33,19 @@ USUAL_TOLERANCES = {
     "N/m": 500.0,
     "m/rad": 1e-3,
 }
-"""Tolerances of targets that give none, by their SI unit: 1 mm, 0.05 deg, 1 %, 0.5 deg/m, 0.5 N/mm, 1 mm/rad."""
+"""Default tolerances of targets, by their SI unit: 1 mm, 0.05 deg, 1 %, 0.5 deg/m, 0.5 N/mm, 1 mm/rad."""
 
 
 class FreePoint(Description):
-    """A hardpoint, one coordinate of it, or another number of the rig, that the search may move.
+    """A hardpoint, one of its coordinates, or another parameter of the rig that the search may change.
 
     ``point`` is its path: ``hardpoints.tie_rod_inner`` for all three coordinates, ``hardpoints.tie_rod_inner[2]`` for
-    one. ``within`` (m) is how far each coordinate may go to either side; ``box`` has its lower and its upper corner
-    instead. ``along`` is a direction, x, y, z, of any length, or the name of a hardpoint towards which it shows: the
-    point moves on that line, ``within`` to either side; towards the other end of a link that is the link's length.
-    ``tied`` lists points (or coordinates) that move by the same, on the other side of a car as in a mirror; with a
-    minus before it, ``-hardpoints.lower_arm_rear[2]``, by the opposite. In a study of several rigs a path begins with
-    the name of one: ``front.hardpoints.tie_rod_inner``.
+    one. ``within`` (m) is the range of each coordinate to either side; ``box`` has the lower and the upper corner
+    instead. ``along`` is a direction x, y, z of any length, or the name of a hardpoint that gives the direction: the
+    point moves on that line, ``within`` to either side. With the other end of a link as ``along``, this changes the
+    link's length. ``tied`` lists points (or coordinates) that move by the same amount, mirrored on the other side of
+    the car; with a minus sign, ``-hardpoints.lower_arm_rear[2]``, by the opposite amount. In a study of several rigs a
+    path begins with the name of a rig: ``front.hardpoints.tie_rod_inner``.
     """
 
     point: str
@@ -72,22 +72,24 @@ class FreePoint(Description):
                 raise error_at(("along",), "not a direction", found=as_found([0, 0, 0]))
             if self.point.endswith("]"):
                 raise error_at(
-                    ("along",), "one coordinate moves along its axis", allowed="a point of three"
+                    ("along",),
+                    "one coordinate moves along its axis",
+                    allowed="a point with three coordinates",
                 )
         return self
 
 
 class KinematicTarget(Description):
-    """A wanted value or curve of a quantity of the catalogue.
+    """A target value or curve of a quantity of the catalogue.
 
-    ``value`` is wanted within ``tolerance`` to either side; ``values`` are those of a curve, one a pose; ``at_least``
-    and ``at_most`` are limits. ``at`` is a pose: a travel, or ``{travel = ..., rack = ..., roll = ...}``; ``over`` a
-    range, of wheel travel (m) or of roll (an angle), or of the rack with ``along = "rack"``. Without both it is the
-    design pose. ``slope`` wants the value of the slope of a straight line through the curve instead. ``tolerance`` is
-    from where it is met, by default what is usual for its unit (``USUAL_TOLERANCES``). ``weight`` multiplies its share
-    in a compromise, ``must`` makes it a constraint that holds in one. ``goal`` names what it belongs to where goals
-    compete. ``rig`` says whose target it is in a study of several; ``right`` names the right corner of a rolled or
-    steered axle that is not the mirror image of it.
+    ``value`` is the target value; ``values`` are those of a curve, one per pose; ``at_least`` and ``at_most`` are
+    limits. ``at`` is a pose: a travel, or ``{travel = ..., rack = ..., roll = ...}``; ``over`` is a range of wheel
+    travel (m), of roll (an angle), or of the rack with ``along = "rack"``. Without ``at`` and ``over`` the target
+    applies to the design pose. With ``slope``, the value applies to the slope of a straight line fitted to the curve.
+    The target is met within ``tolerance`` to either side; the default depends on the unit (``USUAL_TOLERANCES``).
+    ``weight`` multiplies its share in a compromise; ``must`` makes it a constraint. ``goal`` names the goal to which it
+    belongs if goals compete. ``rig`` names its rig in a study of several; ``right`` names the right corner of a rolled
+    or steered axle if it is not the mirror image of the left one.
     """
 
     quantity: str
@@ -121,22 +123,23 @@ class KinematicTarget(Description):
         if self.at is not None and self.over is not None:
             raise error_at(
                 ("over",),
-                "a target stands at one pose or over a range",
+                "a target applies at one pose or over a range",
                 found=Phrase("both at and over"),
             )
         if self.values is not None and self.over is None:
-            raise error_at(("values",), "values are those of a curve; allowed with over")
+            raise error_at(("values",), "values describe a curve and need over")
         if self.slope and (self.over is None or self.values is not None):
             raise error_at(("slope",), "the slope of a curve needs over, and one value")
         return self
 
 
 class Spread(Description):
-    """How exactly parts are made: a tolerance is two standard deviations of a normal distribution.
+    """Manufacturing tolerances of the parts; a tolerance is two standard deviations of a normal distribution.
 
-    ``points`` (m) is that of each coordinate of pickup points and joints, ``links`` (m) that of the length of each
-    link; ``exact`` has others by the name of a point or the inner point of a link. ``adjust`` names what can be
-    set afterwards, see :data:`jounce.kinematics.adjustments.SETTINGS`. ``cars`` are built, drawn with ``seed``.
+    ``points`` (m) applies to each coordinate of pickup points and joints, ``links`` (m) to the length of each link;
+    ``exact`` has individual tolerances by the name of a point or the inner point of a link. ``adjust`` names the
+    adjustments that can be made afterwards, see :data:`jounce.kinematics.adjustments.SETTINGS`. ``cars`` is the number
+    of cars built, drawn with ``seed``.
 
     Examples
     --------
@@ -153,12 +156,13 @@ class Spread(Description):
 
 
 class KinematicStudy(Description):
-    """A study of hardpoints from targets: the ``rig`` (a file, or the name of a shipped one), what is free, wanted.
+    """A study of hardpoints from targets: the ``rig`` (a file, or the name of a shipped rig), free points, targets.
 
-    ``rigs`` are several by name instead, both axles of a car or both sides of an axle, whose points may be tied.
-    ``vehicle`` is the car around the axle, for anti-effects and Ackermann; ``vehicles`` has one by the name of a rig.
-    ``starts`` searches begin at the rig and at places of the boxes drawn with ``seed``. ``spread`` says how exactly
-    the parts are made, ``shapes`` are bodies by name for targets of their ``clearance(one, other)``.
+    ``rigs`` has several rigs by name instead, such as both axles of a car or both sides of an axle; their points may be
+    tied. ``vehicle`` has the vehicle data of the axle, for anti-effects and Ackermann; ``vehicles`` has them by the
+    name of a rig. ``starts`` is the number of searches, from the rig and from points within the boxes, drawn with
+    ``seed``. ``spread`` has the manufacturing tolerances; ``shapes`` are bodies by name for targets of the quantity
+    ``clearance(one, other)``.
     """
 
     schema_: Literal["jounce.design/1"] = Field(default=SCHEMA, alias="schema")
@@ -182,29 +186,33 @@ class KinematicStudy(Description):
         for name in self.rigs or ():
             if not re.fullmatch(NAME, name):
                 raise error_at(
-                    ("rigs",), "not a name of a rig", found=name, allowed="letters, digits, _ and -"
+                    ("rigs",), "not a rig name", found=name, allowed="letters, digits, _ and -"
                 )
         if self.rigs is None and self.vehicles is not None:
             raise error_at(
-                ("vehicles",), "only several rigs have several", allowed="a table [vehicle]"
+                ("vehicles",),
+                "only a study of several rigs has several vehicles",
+                allowed="a table [vehicle]",
             )
         if self.rigs is not None and self.vehicle is not None:
             raise error_at(
-                ("vehicle",), "whose is it?", allowed="tables [vehicles.<name of a rig>]"
+                ("vehicle",),
+                "the rig of the vehicle data is not clear",
+                allowed="tables [vehicles.<name of a rig>]",
             )
         return self
 
     def files_by_rig(self) -> dict[str, str]:
-        """Files by the name of each rig; one alone has no name."""
+        """Return files by the name of each rig; a single rig has the name ""."""
         return dict(self.rigs) if self.rigs else {"": str(self.rig)}
 
     def around(self) -> dict[str, AxleLayout]:
-        """Cars by the name of the rig."""
+        """Return the vehicle data by the name of the rig."""
         return {"": self.vehicle} if self.vehicle is not None else dict(self.vehicles or {})
 
 
 def coordinate(path: str) -> int | None:
-    """Coordinate that a path ends with: 2 for ``hardpoints.tie_rod_inner[2]``; None for a whole point.
+    """Return the coordinate index at the end of a path; None for a whole point.
 
     >>> coordinate("hardpoints.tie_rod_inner[2]"), coordinate("hardpoints.tie_rod_inner")
     (2, None)

@@ -1,7 +1,7 @@
-"""Targets in numbers: values of catalogue rows at poses of a corner or an axle, with their slopes along free numbers.
+"""Target values: catalogue rows at poses of a corner or an axle, with derivatives along the free variables.
 
-Slopes of a corner's rows are exact. Those of an axle's rows are differences of their closed formulas along the exact
-slopes of both wheels' rows.
+The derivatives of a corner's rows are exact. Those of an axle's rows are finite differences of closed formulas along
+the exact derivatives of the rows of both wheels.
 """
 
 from __future__ import annotations
@@ -50,9 +50,9 @@ _SHARE = 1e-3  # of a direction's length: step of differences of an axle's close
 class Wanted:
     """A target in SI: the values of ``quantity`` at ``poses`` (k, 3: travel m, rack m, roll rad), along one of them.
 
-    ``low`` and ``high`` (n,) bound what is wanted, and are the same where it is a value; n is 1 for a slope, else k.
-    ``rig`` names the rig of a study of several, ``right`` the right corner of its axle where it is one of its own,
-    ``pair`` the bodies of a clearance.
+    ``low`` and ``high`` (n,) are the limits, equal for a single wanted value; n is 1 for a slope, otherwise k. ``rig``
+    is the name of the rig in a study of several, ``right`` the right corner of its axle if it is not the mirror image,
+    and ``pair`` the two bodies of a clearance.
     """
 
     text: KinematicTarget
@@ -69,7 +69,7 @@ class Wanted:
 
     @property
     def at(self) -> Array:
-        """Values of what the curve runs along, SI, shape (k,)."""
+        """Abscissa of the curve, SI, shape (k,)."""
         return self.poses[:, _POSES.index(self.along)]
 
     @property
@@ -82,15 +82,15 @@ class Wanted:
 
     @property
     def label(self) -> str:
-        """Quantity, with the name of its rig in a study of several."""
+        """Return the quantity, preceded by the name of its rig in a study of several."""
         return f"{self.rig} {self.quantity}" if self.rig else self.quantity
 
     def is_met_by(self, values: Array) -> bool:
-        """Tell whether values (n,) are all within the tolerance."""
+        """Return whether all values (n,) are within the tolerance."""
         return bool(np.all(np.abs(self.off(values)) <= self.tolerance * (1.0 + 1e-9)))
 
     def off(self, values: Array) -> Array:
-        """How far values (n,) are above (positive) or below what is wanted, SI."""
+        """Return the deviation of values (n,) from the target, SI; positive above, negative below."""
         return np.asarray(
             np.where(values > self.high, values - self.high, np.minimum(values - self.low, 0.0))
         )
@@ -105,7 +105,7 @@ def read_targets(
     vehicles: Mapping[str, AxleLayout],
     shapes: Mapping[str, Shape] | None = None,
 ) -> list[Wanted]:
-    """Read the targets of a study into SI; refuse targets that its rigs cannot have, and name their place."""
+    """Convert the targets of a study to SI; reject targets that do not apply to its rigs, naming the key."""
     for name in vehicles:
         if name not in rigs:
             raise unknown(name, rigs, what="rig", where="vehicles")
@@ -154,7 +154,7 @@ def _read_target(
     if target.values is not None:
         if len(target.values) != count:
             raise DescriptionError(
-                "not one value a pose",
+                "there must be one value per pose",
                 where=f"{where}.values",
                 found=len(target.values),
                 allowed=str(count),
@@ -172,12 +172,12 @@ def _read_target(
         low, high = read("at_least"), read("at_most")
         if np.any(low > high):
             raise DescriptionError(
-                "at_least lies above at_most", where=where, found=f"{target.at_least}"
+                "at_least is greater than at_most", where=where, found=f"{target.at_least}"
             )
     if target.tolerance is None and unit not in USUAL_TOLERANCES:
         text, allowed = (
             "the key is missing",
-            Phrase("how exactly it is wanted, above 0 {unit}", unit=unit),
+            Phrase("a tolerance above 0 {unit}", unit=unit),
         )
         raise DescriptionError(text, where=f"{where}.tolerance", allowed=allowed)
     given = USUAL_TOLERANCES[unit] if target.tolerance is None else target.tolerance
@@ -201,7 +201,7 @@ def _read_target(
 def _right_corner(
     rigs: Rigs, rig: Corner, target: KinematicTarget, of_axle: bool, where: str
 ) -> Corner | None:
-    """Right corner of the axle of a target, where it is not the mirror image of the left one."""
+    """Return the right corner of the axle of a target; None if it is the mirror image of the left one."""
     if target.right is None:
         return None
     if target.right not in rigs:
@@ -209,7 +209,7 @@ def _right_corner(
     if not of_axle:
         text, hint = (
             "only a rolled or steered axle has two corners",
-            "Leave it out, or ask over roll.",
+            "Leave it out, or set the target over roll.",
         )
         raise DescriptionError(text, where=f"{where}.right", found=target.quantity, hint=hint)
     if rig.side != "left":
@@ -217,7 +217,7 @@ def _right_corner(
             "not a left corner",
             where=f"{where}.rig",
             found=f'side = "{rig.side}"',
-            allowed='"left" beside right',
+            allowed='"left" if right is given',
         )
     right = rigs[target.right]
     check_pair_of_corners(rig, right, f"{where}.right")
@@ -231,13 +231,13 @@ def _right_corner(
 def _read_pair(
     rig: Corner, quantity: str, along: str, shapes: Mapping[str, Shape], where: str
 ) -> tuple[Shape, Shape] | None:
-    """Bodies of a clearance."""
+    """Return the two bodies of a clearance target; None for other quantities."""
     named = _CLEARANCE.match(quantity)
     if named is None:
         return None
     if along == "roll":
         raise DescriptionError(
-            "a clearance is one of travel and rack", where=where, found="over roll"
+            "a clearance depends only on travel and rack", where=where, found="over roll"
         )
     for name in named.groups():
         if name not in shapes:
@@ -248,7 +248,7 @@ def _read_pair(
 
 
 def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str]:
-    """Poses of a target, shape (k, 3), and what they run along."""
+    """Return the poses of a target, shape (k, 3), and the coordinate that varies."""
     fixed = {
         "travel": 0.0,
         "rack": float(getattr(getattr(rig, "steering", None), "rack_travel", 0.0)),
@@ -283,7 +283,9 @@ def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str
             "no rack moves this wheel", where=where, found=f"along the rack: {target.quantity}"
         )
     if along == "roll" and fixed["travel"]:
-        raise DescriptionError("a rolled axle sets the wheel travel itself", where=f"{where}.at")
+        raise DescriptionError(
+            "wheel travel cannot be set: it follows from the roll", where=f"{where}.at"
+        )
     poses = np.tile([fixed[name] for name in _POSES], (len(values), 1))
     poses[:, _POSES.index(along)] = values
     return poses, along
@@ -310,7 +312,7 @@ def _is_of_axle(target: KinematicTarget, along: str) -> bool:
 
 
 _HANDWHEEL = {"c_factor": "m", "steering_ratio": "1"}
-"""Rows of what turns the rack, where the corner says it."""
+"""Rows of the steering gear, if the corner describes it."""
 _STEERED = {
     "ackermann": "1",
     "ideal_outer_steer": "rad",
@@ -325,7 +327,7 @@ _STEERED = {
 _WITHOUT_VEHICLE = ("mean_steer", "steer_difference", *_HANDWHEEL)
 _ROLLED = {"track": "m", "roll_centre_height": "m", "roll_centre_y": "m", "roll_moment": "N*m"}
 _STIFF = {f"roll_stiffness{name}": "N*m/rad" for name in ("", "_springs", "_bar", "_total")}
-"""Rows of a rolled axle that have a difference inside; their slopes are differences of whole axles."""
+"""Rows of a rolled axle that contain a finite difference; their derivatives are differences of whole axles."""
 _EACH = {"camber_to_ground": "rad", "roll_steer": "1", "roll_camber": "1", "roll_caster": "1"}
 
 
@@ -337,7 +339,7 @@ def quantity_unit(
     where: str,
     right: Corner | None = None,
 ) -> str:
-    """SI unit of a quantity that a target may have; an unknown one is refused."""
+    """Return the SI unit of a target quantity; reject an unknown quantity."""
     rows = {row.name: row.unit for row in kinematic_model(rig).rows}
     known = dict(rows)
     if vehicle is not None:
@@ -381,7 +383,7 @@ def quantity_unit(
         }
         if vehicle is None and name in _STEERED and name not in _WITHOUT_VEHICLE:
             raise DescriptionError(
-                "needs the car around the axle",
+                "needs vehicle data",
                 where=f"{where}.quantity",
                 found=name,
                 allowed="a table [vehicle] with axle, wheelbase, centre_of_mass_height, brake_share",
@@ -390,7 +392,10 @@ def quantity_unit(
         if name in ("anti_dive", "anti_lift", "anti_squat"):
             hint = "It needs a table [vehicle] of that axle."
             raise DescriptionError(
-                "not known without the car", where=f"{where}.quantity", found=name, hint=hint
+                "not available without vehicle data",
+                where=f"{where}.quantity",
+                found=name,
+                hint=hint,
             )
         require_parts(rig, name.removeprefix("left.").removeprefix("right."))
         if name in (*_STIFF, "roll_moment"):
@@ -404,7 +409,7 @@ def quantity_unit(
 
 @dataclass
 class _CornerPoses:
-    """A grid of travel and rack of one corner, and what targets read from it."""
+    """A grid of travel and rack positions of one corner, from which target values are read."""
 
     sweep: PreparedSweep
     tangents: Tangents
@@ -415,10 +420,10 @@ class _CornerPoses:
 
 
 class TargetEvaluator:
-    """Values of all targets for the numbers of a rig, and their slopes along ``directions`` (parameters, n).
+    """Evaluates all targets for the parameters of a rig, with derivatives along ``directions`` (parameters, n).
 
-    ``lengths`` (n,) are how far each direction may go. Where the axle has a ``right`` corner of its own, its numbers
-    (parameters) come after those of the left one.
+    ``lengths`` (n,) is the range of each direction. If the axle has a separate ``right`` corner, its parameters follow
+    those of the left one.
     """
 
     def __init__(
@@ -436,7 +441,7 @@ class TargetEvaluator:
         self._cut = len(self.model.parameters)
         self.directions, self.lengths = directions[: self._cut], lengths
         self._padded = self._with_tracks(rig, self.directions)
-        self._every = directions  # of both sides
+        self._every = directions  # directions of both sides
         self._posed: dict[bytes, PosedCorner] = {}
         shapes = [
             shape for item in wanted for shape in item.pair or () if not isinstance(shape, Rim)
@@ -450,7 +455,7 @@ class TargetEvaluator:
         self._lay_out()
 
     def together(self, numbers: Array, *, slopes: bool = True) -> tuple[Array, Array]:
-        """Values of all targets one after the other, see ``parts``, and slopes (all, directions), when wanted."""
+        """Return the concatenated values of all targets (see ``parts``) and, if requested, slopes (all, directions)."""
         count = self.parts[-1].stop
         values, along = (
             np.empty(count),
@@ -487,7 +492,7 @@ class TargetEvaluator:
         return values, along
 
     def _lay_out(self) -> None:
-        """Assign places to the values of each target, and find those that are plain rows of a corner's poses."""
+        """Assign slices to the values of each target, and find targets that are plain rows of a corner's poses."""
         ends = np.cumsum([len(item.low) for item in self.wanted])
         self.parts = [
             slice(int(end) - len(item.low), int(end))
@@ -510,13 +515,13 @@ class TargetEvaluator:
         }
 
     def _columns(self, item: Wanted) -> NDArray[np.intp]:
-        """Places of a target's poses in the walk of its grid."""
+        """Return the indices of a target's poses in the traversal order of its grid."""
         grid = self._grids[self._key(item)]
         swept = np.unique(grid.sweep.layout.targets[:, 1 if item.along == "rack" else 0])
         return np.asarray(grid.place[np.searchsorted(swept, item.at)])
 
     def ends_in_words(self) -> list[str]:
-        """Where the last poses ended, in words."""
+        """Return a description of where the last poses ended."""
         return [
             str(end)
             for grid in self._grids.values()
@@ -572,7 +577,7 @@ class TargetEvaluator:
         ]
 
     def _distance(self, item: Wanted, numbers: Array) -> tuple[Array, Array]:
-        """Distance of two hardpoints at design."""
+        """Return the distance between two hardpoints at design."""
         match = _DISTANCE.match(item.quantity)
         assert match is not None
         paths = [[f"hardpoints.{name}[{i}]" for i in range(3)] for name in match.groups()]
@@ -598,7 +603,7 @@ class TargetEvaluator:
     def _clearance(
         self, item: Wanted, numbers: Array, *, slopes: bool
     ) -> tuple[Array, Array | None]:
-        """Distance of two bodies."""
+        """Return the distance between two bodies."""
         assert item.pair is not None
         travel, rack = item.poses[:, 0].copy(), item.poses[:, 1].copy()
         key = travel.tobytes() + rack.tobytes()
@@ -661,7 +666,7 @@ class TargetEvaluator:
         self, numbers: Array, roll: Array, rack: float, names: set[str], slopes: bool
     ) -> tuple[dict[str, Array], dict[str, Array]]:
         whole = names & {*_STIFF, *(("roll_moment",) if reaches_over(self.rig) else ())}
-        if whole:  # what reaches over to the other wheel needs more than the rows of both
+        if whole:  # rows that couple both wheels need whole axles
             values, moved = self._difference_roll(numbers, roll, rack, whole, slopes=slopes)
             if whole == names:
                 return values, moved
@@ -669,7 +674,7 @@ class TargetEvaluator:
             return values | others[0], moved | others[1]
         rising = tuple(
             np.hstack([part, np.eye(len(part))[:, :1]]) for part in self._everywhere
-        )  # travel, too
+        )  # and travel
         axle = self._axle(numbers, (rising[0], rising[1]) if slopes else None)
         left, right = axle.level(roll, rack)
 
@@ -683,7 +688,7 @@ class TargetEvaluator:
         values = rows(left.wheel, right.wheel, numbers, roll)
         if not slopes:
             return values, {}
-        # the travel at which both wheels stand on the road changes, too: by what closes the difference of heights
+        # the travel at which both wheels touch the road changes too: it closes the height difference
         heights = self._along(
             lambda a, b, _, at: {"off": Ground(a, at, 1.0).height - Ground(b, at, -1.0).height},
             axle,
@@ -703,7 +708,7 @@ class TargetEvaluator:
     def _difference_roll(
         self, numbers: Array, roll: Array, rack: float, names: set[str], *, slopes: bool
     ) -> tuple[dict[str, Array], dict[str, Array]]:
-        """Rows of a rolling axle, and their differences along each direction."""
+        """Return the rows of a rolling axle and their differences along each direction."""
 
         def at(numbers: Array) -> dict[str, Array]:
             computed = roll_axle(self._axle(numbers), roll, rack).values
@@ -726,7 +731,7 @@ class TargetEvaluator:
         numbers: Array,
         roll: Any,
     ) -> dict[str, Array]:
-        """Slopes of closed formulas of both wheels' rows along each direction, by differences along exact slopes."""
+        """Return derivatives of closed formulas of both wheels' rows, by differences along their exact derivatives."""
         slopes_by_name: dict[str, list[Array]] = {}
         for k, length in enumerate(self.lengths):
             step = _SHARE * length
@@ -755,7 +760,7 @@ class TargetEvaluator:
         return float(own[len(model.tracks) + model.parameters.index("wheel.radius"), k])
 
     def _axle(self, numbers: Array, directions: tuple[Array, Array] | None = None) -> TwoWheelAxle:
-        """Axle with these numbers of both sides."""
+        """Return the axle with these parameters of both sides."""
         own = numbers[: self._cut]
         return TwoWheelAxle(
             self.rig,
@@ -766,7 +771,7 @@ class TargetEvaluator:
 
     @cached_property
     def _everywhere(self) -> tuple[Array, Array]:
-        """Directions of both sides, with those of the tracks, which do not move."""
+        """Return the directions of both sides, padded for the track widths, which do not vary."""
         if self.right is None:
             return self._padded, self._padded
         return self._padded, self._with_tracks(self.right, self._every[self._cut :])
@@ -779,9 +784,9 @@ class TargetEvaluator:
 
 
 class Evaluators:
-    """Values of all targets of a study for the numbers of its rigs, and their slopes along ``directions``, as one.
+    """Evaluates all targets of a study for the parameters of its rigs, with derivatives along ``directions``.
 
-    ``parts`` says where each target's values stand, ``paths`` which numbers they are computed from.
+    ``parts`` has the slice of each target's values, ``paths`` the parameters from which they are computed.
     """
 
     def __init__(
@@ -828,7 +833,7 @@ class Evaluators:
             self._members.append((part, into, member))
 
     def together(self, numbers: Array, *, slopes: bool = True) -> tuple[Array, Array]:
-        """Values of all targets one after the other, NaN out of reach, and slopes (all, directions), when wanted."""
+        """Return all target values in one array, NaN out of reach, and slopes (all, directions) if requested."""
         self.evaluations += 1
         count = self.parts[-1].stop
         values, along = np.empty(count), np.zeros((count if slopes else 0, self._count))
@@ -839,17 +844,17 @@ class Evaluators:
         return values, along
 
     def at(self, numbers: Array, *, slopes: bool = True) -> tuple[list[Array], list[Array]]:
-        """Values of each target (n,), NaN where a pose is out of reach, and slopes (n, directions), when wanted."""
+        """Return the values of each target (n,), NaN out of reach, and slopes (n, directions) if requested."""
         values, along = self.together(numbers, slopes=slopes)
         return [values[part] for part in self.parts], [along[part] for part in self.parts if slopes]
 
     def ends_in_words(self) -> list[str]:
-        """Where the last poses ended, in words."""
+        """Return a description of where the last poses ended."""
         return [end for *_, member in self._members for end in member.ends_in_words()]
 
 
 def _swept_values(item: Wanted, kind: str) -> Array:
-    """Roll angles (rad) or rack travels (m) of a target of an axle."""
+    """Return the roll angles (rad) or rack travels (m) of an axle target."""
     return item.poses[:, 1 if kind == "steering" else 2]
 
 

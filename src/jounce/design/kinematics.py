@@ -1,6 +1,6 @@
 """Hardpoints from targets: the points of a corner, or of several, that give wanted curves.
 
-A search also reports what decided its result: which targets conflict, what each point changes, and which points the
+The result also reports what shaped it: which targets conflict, what each point changes, and which points the
 curves determine.
 """
 
@@ -48,18 +48,18 @@ from jounce.kinematics.sweeps import AxleLayout
 from jounce.parts import Corner, Rig, as_rig, load
 from jounce.parts.files import rig_named_in
 
-_FIGHTS = -0.3  # cosine of two targets' slopes from which meeting one costs the other
-_STILL = 0.5e-9  # m: a smaller movement counts as none
-_EDGE = 0.02  # half boxes: a number this near to the edge is reported as lying on it
-_GENTLE = 0.03  # tolerances that half a box must change before it counts as a way to have one more
+_FIGHTS = -0.3  # cosine between the gradients of two targets below which they conflict
+_STILL = 0.5e-9  # m: smaller movements are ignored
+_EDGE = 0.02  # half boxes: a variable this close to the edge is reported as being on it
+_GENTLE = 0.03  # tolerances: smallest effect of half a box that counts as influence
 _AT_LIMIT = 1e-3  # tolerances
-_SEEN = 1.0  # tolerances: points are told apart if curves change by as much
-_NOISE = 1e-9  # share of the largest change below which there is none
+_SEEN = 1.0  # tolerances: change of the curves from which points are distinguishable
+_NOISE = 1e-9  # share of the largest change below which a change is noise
 _LOST = (
-    1e-6  # share of a number in directions that curves do not determine, from which it is not known
+    1e-6  # share of a variable in undetermined directions from which the variable is undetermined
 )
-_PART = 0.1  # share of a combination from which a number is named
-_MOST_OPEN = 5  # combinations that are listed
+_PART = 0.1  # share of a combination from which a variable is listed
+_MOST_OPEN = 5  # combinations listed at most
 _NO_VALUE = (
     "Ackermann needs a rack away from straight ahead, swing arms and instant centres arms "
     "that are not parallel."
@@ -71,12 +71,12 @@ _NO_VALUE = (
 
 @dataclass(frozen=True)
 class TargetResult(Plain):
-    """A target before and after: values (SI), one for a single pose or a slope, otherwise one per pose of its curve.
+    """A target before and after the search: one value (SI) for a single pose or a slope, otherwise one per pose.
 
-    ``wanted`` is a value, a list of them, or the limits ``[at_least, at_most]`` (None where there is none); ``at`` is
-    where the curve's values stand (m or rad), along ``along``. ``must`` says whether it is a constraint, ``rig`` whose
-    it is in a study of several, ``right`` the right corner of its axle where it is not the mirror image, ``limits``
-    whether ``wanted`` are limits.
+    ``wanted`` is a value, a list of values, or the limits ``[at_least, at_most]`` (None for an open side). ``at`` has
+    the poses of the values (m or rad) along ``along``. ``must`` is True for a constraint. ``rig`` is the name of the
+    target's rig in a study of several. ``right`` is the right corner of the axle if it is not the mirror image of the
+    left one. ``limits`` is True if ``wanted`` are limits.
     """
 
     quantity: str
@@ -95,28 +95,28 @@ class TargetResult(Plain):
     right: str = ""
 
     def bounds(self) -> tuple[Array, Array]:
-        """Return the lowest and the highest value wanted at each pose, SI; infinite where there is no limit."""
+        """Return the lower and upper limit at each pose, SI; infinite where there is no limit."""
         low, high = self.wanted if self.limits else (self.wanted, self.wanted)
         ends = (-np.inf if low is None else low, np.inf if high is None else high)
         count = np.size(self.after)
         return tuple(np.broadcast_to(np.array(end, dtype=float), (count,)) for end in ends)  # type: ignore[return-value]
 
     def off(self, values: Array) -> Array:
-        """Return how far values are above (positive) or below the target, in tolerances [1]."""
+        """Return the deviation of values from the target, in tolerances [1]; positive above, negative below."""
         low, high = self.bounds()
         return np.asarray(
             np.where(values > high, values - high, np.minimum(values - low, 0.0)) / self.tolerance
         )
 
     def worst(self, values: float | list[float]) -> tuple[int, float]:
-        """Return the index of the value farthest from the target, and how far above (positive) or below it is, SI."""
+        """Return the index of the value farthest from the target, and its deviation, SI (positive above the target)."""
         each = np.atleast_1d(np.array(values, dtype=float))
         low, high = self.bounds()
         k = int(np.argmax(np.maximum(low - each, each - high)))
         return k, float(self.off(each)[k] * self.tolerance)
 
     def pose(self, k: int) -> str:
-        """Pose of a value, in the unit that is shown: ``-30 mm``; of a slope the whole range."""
+        """Return the pose of a value as text in display units, e.g. ``-30 mm``; for a slope, the whole range."""
         unit = display_unit("rad" if self.along == "roll" else "m")
         ends = [self.at[k]] if len(self.at) == np.size(self.after) else [self.at[0], self.at[-1]]
         text = " … ".join(f"{0.0 + round(end * unit.factor, 6):g}" for end in ends)
@@ -124,18 +124,18 @@ class TargetResult(Plain):
 
     @property
     def has_curve(self) -> bool:
-        """Whether a value of its own is wanted at each pose."""
+        """Whether the target has a separate value for each pose."""
         return isinstance(self.wanted, list) and not self.limits
 
     @property
     def label(self) -> str:
-        """Quantity in words, with its rig in a study of several."""
+        """Return the quantity in words, preceded by its rig in a study of several."""
         return f"{self.rig} {self.quantity}".strip().replace("_", " ")
 
 
 @dataclass(frozen=True)
 class Moved(Plain):
-    """A number of the rig before and after, SI."""
+    """A parameter of the rig before and after the search, SI."""
 
     before: float
     after: float
@@ -143,12 +143,13 @@ class Moved(Plain):
 
 @dataclass(frozen=True)
 class StartResult(Plain):
-    """A search and where it ended.
+    """The end of one search.
 
-    ``cost`` is half the sum of squares of all targets in tolerances, ``travelled`` the mean distance from the rig in
-    shares of the boxes; both are None where the start is no mechanism. ``ended`` says why it stopped, ``holds`` whether
-    the constraints hold. ``numbers`` are the free numbers there by path (SI), so that another design than the best can
-    be taken; empty where they are no rig.
+    ``cost`` is half the sum of squared deviations of all targets, in tolerances; ``travelled`` is the mean distance
+    from the rig as a share of the boxes. Both are None if the linkage cannot be assembled at the start. ``ended`` is
+    the reason why the search stopped; ``holds`` is True if the constraints are met. ``numbers`` are the free variables
+    at the end by path (SI), which allows choosing a design other than the best; it is empty if they do not form a valid
+    rig.
     """
 
     start: int
@@ -163,7 +164,7 @@ class StartResult(Plain):
 
 @dataclass(frozen=True)
 class Fight(Plain):
-    """Two conflicting targets, of which improving one worsens the other: cosine of their slopes [1]."""
+    """Two conflicting targets: improving one worsens the other. The cosine is that between their gradients [1]."""
 
     missed: int
     other: int
@@ -172,10 +173,10 @@ class Fight(Plain):
 
 @dataclass(frozen=True)
 class Identified(Plain):
-    """How well curves known to their tolerances determine a free parameter: standard deviations in its SI ``unit``.
+    """Standard deviations of a free parameter, in its SI ``unit``, if the curves are known to within their tolerances.
 
-    ``alone`` is that of the number where all others are known, ``together`` that where all are sought at once. None
-    where it is more than half the box: the curves do not feel the number, or others can make up for it.
+    ``alone`` applies if all other parameters are known, ``together`` if all are estimated at once. A value is None
+    where it exceeds half the box: the parameter has no influence on the curves, or others can compensate for it.
     """
 
     number: str
@@ -186,9 +187,9 @@ class Identified(Plain):
 
 @dataclass(frozen=True)
 class OpenCombination(Plain):
-    """Parameters that the curves cannot tell apart: moved by these ``shares`` of their boxes, they hardly matter.
+    """Parameters that the curves cannot distinguish: moving them by ``shares`` of their boxes has hardly any effect.
 
-    ``change`` is the root of the sum of squares of all values, in tolerances.
+    ``change`` is the root of the sum of squared changes of all values, in tolerances.
     """
 
     change: float
@@ -202,31 +203,32 @@ class KinematicDesign(Plain):
     Attributes
     ----------
     rigs : mapping of str to Corner
-        The rigs with their points moved, by name; one alone has the name "".
+        The rigs with their points moved, by name; a single rig has the name "".
     met : bool
         Whether all targets are within their tolerances.
     targets : tuple of TargetResult
         In the order of the study.
     moved : mapping of str to Moved
-        Free and tied numbers by path, SI.
+        Free and tied parameters by path, SI.
     starts : tuple of StartResult
         The outcome of every search.
     evaluations : int
-        Designs that were computed.
+        Number of designs evaluated.
     sensitivity : mapping of str to tuple of float
-        What each coordinate of every hardpoint changes of each target at the design found: SI per metre, the largest
-        over the curve.
+        Change of each target per coordinate of every hardpoint at the design found: SI per metre, the largest along the
+        curve.
     fights : tuple of Fight
-        Which targets stand against those that are missed.
+        Targets that conflict with the missed ones.
     tradeoffs : tuple of tuple of float
-        Asking one tolerance more of the target of the row moves that of the column by so many tolerances, the largest
-        over its curve, when the compromise is found anew: 1 on the diagonal is free to have, less is shared.
+        Response of the column's target, in tolerances (the largest along its curve), when the row's target is shifted
+        by one tolerance and the compromise is recomputed. A diagonal element of 1 means that the shift is met in full;
+        a smaller one, that it is met only in part.
     identified : tuple of Identified
-        How well the curves tell each free number.
+        How well the curves determine each free parameter.
     open : tuple of OpenCombination
-        What they do not tell apart, the least change first.
+        Combinations that the curves do not determine, the one with the smallest change first.
     spread : mapping of str to KinematicSpread
-        What the spread of parts does to the curves, by the name of the rig; empty where none is given.
+        Effect of the tolerances of the parts on the curves, by the name of the rig; empty if no spread is given.
     findings : tuple of Finding
         Findings.
     """
@@ -249,7 +251,7 @@ class KinematicDesign(Plain):
 
     @property
     def rig(self) -> Corner:
-        """The rig with its points moved, of a study of one."""
+        """The rig with its points moved; only for a study of a single rig."""
         if len(self.rigs) != 1:
             raise DescriptionError(
                 "the study has several rigs",
@@ -260,7 +262,7 @@ class KinematicDesign(Plain):
         return next(iter(self.rigs.values()))
 
     def before(self) -> dict[str, Corner]:
-        """Return the rigs that the search began with."""
+        """Return the rigs from which the search started."""
         rigs = {}
         for name, rig in self.rigs.items():
             head = f"{name}." if name else ""
@@ -273,7 +275,7 @@ class KinematicDesign(Plain):
         return rigs
 
     def fighting(self) -> tuple[Fight, ...]:
-        """Return each pair of competing targets once: two missed targets would appear twice."""
+        """Return each pair of conflicting targets once; ``fights`` lists a pair of missed targets twice."""
         pairs = {frozenset((fight.missed, fight.other)): fight for fight in reversed(self.fights)}
         return tuple(
             fight for fight in self.fights if pairs[frozenset((fight.missed, fight.other))] is fight
@@ -285,7 +287,7 @@ class KinematicDesign(Plain):
         return {name: plain[name] for name in ("met", "targets", "moved", "starts", "evaluations")}
 
     def sensitivity_table(self) -> str:
-        """Return the sensitivities as CSV: one row per coordinate, the change of each target with 1 mm of it, SI."""
+        """Return the sensitivities as CSV: one row per coordinate, the change of each target per millimetre, SI."""
         heads = [
             _head(target, i, f" [{target.unit} per mm]") for i, target in enumerate(self.targets)
         ]
@@ -296,7 +298,7 @@ class KinematicDesign(Plain):
         return "\n".join([",".join(["coordinate", *heads]), *rows, ""])
 
     def tradeoff_table(self) -> str:
-        """Return the trade-offs as CSV: one row per target that is improved, the response of all, in tolerances [1]."""
+        """Return the trade-offs as CSV: one row per shifted target, the responses of all targets, in tolerances [1]."""
         heads = [_head(target, i) for i, target in enumerate(self.targets)]
         rows = [
             ",".join([head, *map(repr, row)])
@@ -305,7 +307,7 @@ class KinematicDesign(Plain):
         return "\n".join([",".join(["one tolerance more of", *heads]), *rows, ""])
 
     def identified_table(self) -> str:
-        """Return as CSV how well the curves determine each free number, SI; empty where they do not."""
+        """Return the standard deviations of the free parameters as CSV, SI; empty where undetermined."""
         rows = [
             ",".join(
                 [
@@ -341,7 +343,7 @@ class KinematicDesign(Plain):
 
 
 def _head(target: TargetResult, i: int | None = None, unit: str = "") -> str:
-    """Name of a target in a CSV table; its number distinguishes targets of the same quantity."""
+    """Return the name of a target in a CSV table; its index distinguishes targets of the same quantity."""
     name = qualify(target.rig, target.quantity)
     text = name if i is None else f"{name} {i}{unit}"
     return f'"{text}"' if "," in text else text
@@ -361,45 +363,45 @@ def design_kinematics(
     spread: Spread | Mapping[str, Any] | None = None,
     shapes: Mapping[str, Shape] | None = None,
 ) -> KinematicDesign:
-    """Find the hardpoints of a corner, or of several, that give wanted kinematic values and curves.
+    """Find hardpoints of one or more corners that meet kinematic targets.
 
-    Least squares of all targets, each in tolerances, over the free numbers within their boxes, with exact slopes of
-    every row of the catalogue. Targets that contradict each other get the best compromise, in which those that ``must``
-    hold do.
+    Minimises the sum of squared deviations of all targets, each in tolerances, over the free variables within their
+    boxes. The gradients of every row of the catalogue are exact. For conflicting targets the result is the best
+    compromise that meets the targets marked ``must``.
 
     Parameters
     ----------
     rig : Rig, str or Path, or mapping of str to Rig
-        A corner with hardpoints, the name or file of one; several by name (both axles, both sides), whose points may be
-        tied; or a study file (schema ``jounce.design/1``) alone.
+        A corner with hardpoints, or its name or file; several rigs by name (both axles, or both sides of one) whose
+        points may be tied; or a study file (schema ``jounce.design/1``) without further arguments.
     free : sequence of FreePoint or mapping, optional
-        What may move, with the keys of ``[[free]]``: ``point``, and ``within`` or ``box`` (m); or a mapping of paths
-        to ``within``. Of several rigs a path begins with the name of one.
+        Points that may move, with the keys of ``[[free]]``: ``point``, and ``within`` or ``box`` (m); or a mapping of
+        paths to ``within``. With several rigs, a path begins with the name of a rig.
     targets : sequence of KinematicTarget or mapping, optional
-        What is wanted, with the keys of ``[[target]]``: ``quantity``, ``value`` (its unit, or SI), ``tolerance``,
+        Targets, with the keys of ``[[target]]``: ``quantity``, ``value`` (with a unit, or SI), ``tolerance``,
         ``at`` or ``over`` (m, or an angle for roll), ``must``, ``rig`` and so on.
     vehicle : AxleLayout or mapping of str to AxleLayout, optional
-        The car around the axle, for anti-effects and Ackermann; of several rigs one by the name of each.
+        Vehicle data of the axle, needed for anti-effects and Ackermann; with several rigs, one entry per rig name.
     starts : int
-        How many searches begin; the first at the rig, the others at places of the boxes.
+        Number of searches; the first starts from the rig, the others from points within the boxes.
     seed : int
-        Seed of those places.
+        Seed of those points.
     spread : Spread or mapping, optional
-        How exactly parts are made, to be told what that does to the design found (see :func:`kinematic_spread`).
+        Manufacturing tolerances; if given, their effect on the design found is reported (see :func:`kinematic_spread`).
     shapes : mapping of str to Solid or Rim, optional
         Bodies by name for targets of the quantity ``clearance(one, other)``, m.
 
     Returns
     -------
     KinematicDesign
-        The rigs found, every target before and after (SI), what was moved, what fights, sensitivities, and which
-        numbers the curves tell apart.
+        The rigs found, every target before and after (SI), the moved points, conflicting targets, sensitivities, and
+        how well the curves determine the free parameters.
 
     Raises
     ------
     DescriptionError
-        For unknown paths or quantities, empty boxes, numbers that do nothing, a rig or boxes that cannot reach the
-        poses of the targets.
+        For unknown paths or quantities, empty boxes, parameters without effect, or if the rig or no point within the
+        boxes can reach the poses of the targets.
 
     Examples
     --------
@@ -435,7 +437,7 @@ def _design_from_file(rig: object, free: object, targets: object) -> KinematicDe
 
 @dataclass(frozen=True)
 class KinematicTask:
-    """Task of a search: rigs by name, free numbers and targets as in a study, and the cars around the rigs."""
+    """Task of a search: rigs by name, free points and targets as in a study, and the vehicle data of the rigs."""
 
     rigs: Rigs
     free: tuple[FreePoint, ...]
@@ -445,13 +447,13 @@ class KinematicTask:
     shapes: Mapping[str, Shape] = field(default_factory=dict)
 
     def read(self) -> tuple[Numbering, FreeNumbers, list[Wanted]]:
-        """Read the task into numbers; refuse impossible targets."""
+        """Convert the task to variables and targets in SI; reject impossible targets."""
         numbering = Numbering.of(self.rigs)
         wanted = read_targets(self.rigs, self.targets, self.vehicles, self.shapes)
         return numbering, free_numbers(numbering, self.free), wanted
 
     def check_spread(self, wanted: Sequence[Wanted]) -> None:
-        """Refuse a spread that these rigs cannot have."""
+        """Reject a spread that does not apply to these rigs."""
         for name, rig in self.rigs.items() if self.spread is not None else ():
             assert self.spread is not None
             own = wanted_of(wanted, name)
@@ -474,7 +476,7 @@ def read_task(
     vehicle: AxleLayout | Mapping[str, AxleLayout] | None = None,
     shapes: Mapping[str, Shape] | None = None,
 ) -> KinematicTask:
-    """Read what :func:`design_kinematics` and its relatives take."""
+    """Read the arguments of :func:`design_kinematics` and related functions."""
     rigs = rig if isinstance(rig, Mapping) else {"": as_rig(rig)}
     cars = (
         dict(vehicle) if isinstance(vehicle, Mapping) else {} if vehicle is None else {"": vehicle}
@@ -494,7 +496,7 @@ def read_task(
     for name in rigs if isinstance(rig, Mapping) else ():
         if not re.fullmatch(NAME, str(name)):
             raise DescriptionError(
-                "not a name of a rig",
+                "not a rig name",
                 where="rig",
                 found=str(name),
                 allowed="letters, digits, _ and -",
@@ -541,7 +543,7 @@ def check_study(path: Path | str) -> tuple[KinematicStudy, int]:
 
 
 def _place_error(error: DescriptionError, path: Path | str, text: str) -> DescriptionError:
-    """The error with file and line, where its place is one of the study."""
+    """Return the error with file and line if it refers to a key of the study."""
     head = error.where.replace("]", "").replace("[", ".").split(".")
     if head[0] not in ("free", "target", "spread", "vehicles"):
         return error
@@ -562,7 +564,7 @@ def design(task: KinematicTask, starts: int, seed: int) -> KinematicDesign:
     first = min(range(len(outcomes)), key=lambda i: outcomes[i].rank)
     outcomes[first] = outcomes[first].move_back(
         search
-    )  # the one that is proposed: it takes longer than a search
+    )  # only for the proposed design: moving back takes longer than a search
     reached = [outcome for outcome in outcomes if np.isfinite(outcome.cost)]
     if not reached:
         raise DescriptionError(
@@ -577,16 +579,16 @@ def design(task: KinematicTask, starts: int, seed: int) -> KinematicDesign:
         except JounceError:
             continue
         return _result(task, moved, search, best.x, before, outcomes)
-    raise DescriptionError("no design found is a rig", where="free", hint="Narrow the boxes.")
+    raise DescriptionError("no design found is a valid rig", where="free", hint="Narrow the boxes.")
 
 
 def wanted_of(wanted: Sequence[Wanted], name: str) -> list[Wanted]:
-    """Targets of one rig alone."""
+    """Return the targets of one rig, without those of a whole axle with its own right corner."""
     return [item for item in wanted if item.rig == name and not item.right]
 
 
 def values_before(search: HardpointSearch) -> list[Array]:
-    """Values of the targets of the rigs as they are; those that have none are refused."""
+    """Return the target values of the initial rigs; reject targets without a value there."""
     wanted = search.wanted
     before, _ = search.evaluator.at(search.free.origin, slopes=False)
     missing = [i for i, value in enumerate(before) if not np.all(np.isfinite(value))]
@@ -604,10 +606,10 @@ def values_before(search: HardpointSearch) -> list[Array]:
                 hint=_NO_VALUE,
             )
         raise DescriptionError(
-            "the rig itself cannot reach the poses of a target",
+            "even the initial rig cannot reach the poses of a target",
             where=where,
             found=ends[0] if ends else item.quantity,
-            hint="Ask for less travel, or start from another rig.",
+            hint="Reduce the travel, or start from a different rig.",
         )
     return before
 
@@ -616,7 +618,7 @@ def values_before(search: HardpointSearch) -> list[Array]:
 
 
 def rigs_of(search: HardpointSearch, x: Array) -> dict[str, Corner]:
-    """Rigs of a result, their numbers rounded as files show them: lengths to the nanometre in mm."""
+    """Return the rigs of a result with parameters rounded as in files: lengths to the nanometre."""
     numbering = search.evaluator.numbering
     index = {path: i for i, path in enumerate(numbering.paths)}
     numbers = search.numbers(x)
@@ -633,7 +635,7 @@ def rigs_of(search: HardpointSearch, x: Array) -> dict[str, Corner]:
 
 
 def _numbers_at(search: HardpointSearch, outcome: Outcome) -> dict[str, float]:
-    """Free numbers where a search ended, rounded as in files; none where they make no rig."""
+    """Return the free parameters at the end of a search, rounded as in files; empty if they do not form a valid rig."""
     if not np.isfinite(outcome.cost):
         return {}
     numbering = search.evaluator.numbering
@@ -710,7 +712,7 @@ def _result(
 
 
 def target_result(item: Wanted, before: Array, after: Array) -> TargetResult:
-    """Describe a target as a result."""
+    """Return a target with its values before and after."""
     text = item.text
     limits = text.values is None and text.value is None
     if limits:
@@ -742,7 +744,7 @@ def target_result(item: Wanted, before: Array, after: Array) -> TargetResult:
 def _sensitivity(
     task: KinematicTask, rigs: Rigs, wanted: Sequence[Wanted]
 ) -> dict[str, tuple[float, ...]]:
-    """Change of each target with each coordinate of a hardpoint, SI per metre, the largest over its curve."""
+    """Return the change of each target per hardpoint coordinate, SI per metre, the largest along its curve."""
     numbering = Numbering.of(rigs)
     paths = [
         path for path in numbering.paths if numbering.owner(path, path)[1].startswith("hardpoints.")
@@ -757,19 +759,19 @@ def _sensitivity(
 
 
 def _largest(values: Array) -> Array:
-    """Of each column (n, m) the value farthest from 0, shape (m,)."""
+    """Return the value of largest magnitude in each column (n, m), shape (m,)."""
     return np.asarray(values[np.argmax(np.abs(values), axis=0), np.arange(values.shape[1])])
 
 
 def _room(search: HardpointSearch, x: Array) -> NDArray[np.bool_]:
-    """Which numbers are not at the edge of their boxes."""
+    """Return a mask of the variables that are not at the edge of their boxes."""
     return np.asarray((x > search.lower + 1e-9) & (x < search.upper - 1e-9))
 
 
 def _fights(
     search: HardpointSearch, x: Array, values: list[Array], slopes: list[Array]
 ) -> tuple[Fight, ...]:
-    """Targets that get worse when a missed one gets better, along the directions that the boxes still allow."""
+    """Return targets that worsen when a missed one improves, along directions that the boxes still allow."""
     room = _room(search, x)
     pulls = []
     for item, value, slope in zip(search.wanted, values, slopes, strict=True):
@@ -791,13 +793,13 @@ def _fights(
 def _tradeoffs(
     search: HardpointSearch, x: Array, values: list[Array], slopes: list[Array]
 ) -> tuple[tuple[float, ...], ...]:
-    """Response of all targets when one is moved by one tolerance: the new compromise, to first order."""
+    """Return the first-order response of the compromise when one target is shifted by one tolerance."""
     room = _room(search, x)
     moves = [
         slope * search.scale / item.tolerance * room
         for item, slope in zip(search.wanted, slopes, strict=True)
     ]
-    # limits have an effect only where they are reached
+    # limits matter only where they are active
     asks = [
         item.text.weight
         / np.sqrt(len(item.low))
@@ -816,14 +818,14 @@ def _tradeoffs(
 
 
 def _room_within(item: Wanted, value: Array) -> Array:
-    """How far values are within their limits, in tolerances."""
+    """Return the margin of values to their limits, in tolerances."""
     return np.asarray(np.minimum(value - item.low, item.high - value) / item.tolerance)
 
 
 def identifiability(
     search: HardpointSearch, slopes: list[Array]
 ) -> tuple[tuple[Identified, ...], tuple[OpenCombination, ...]]:
-    """How well values that are known to their tolerances determine the free numbers, and which they leave open."""
+    """Return how well values known to tolerance determine the free variables, and undetermined combinations."""
     rows = np.vstack(
         [
             slope * search.scale / item.tolerance * (item.low == item.high)[:, None]

@@ -4,14 +4,14 @@ With the body on a vertical guide, a corner has two free motions: heights of bod
 rest obey ``M z'' + C z' + K z = tyre`` with
 
 - ``M``: a share ``r`` of each body's mass moves with the wheel (the rise of its centre of mass over that of the wheel),
-  the rest with the car's body. What its turning and its sideways motion take beyond that is an *inertance* between the
-  two, as of an inerter: ``b = sum(m |v|^2 + w I w - m r)`` with velocities for a unit speed of the wheel centre.
+the rest with the car's body. Its rotation and lateral motion add an *inertance* between the two, like that of an
+inerter: ``b = sum(m |v|^2 + w I w - m r)`` with velocities for a unit speed of the wheel centre.
 - ``C``: the damper's coefficient times its motion ratio squared.
-- ``K``: spring rate times its motion ratio squared, plus the spring's force times the change of its motion ratio, both
-  of the damper at rest (its gas), too, plus what the weight of the bodies adds where their centres of mass move along
-  curves.
+- ``K``: spring rate times its motion ratio squared, plus the spring's force times the gradient of its motion ratio; the
+same two terms for the gas of the damper at rest; plus the effect of the bodies' weights where their centres of mass
+move along curves.
 
-Two masses without an inertance cannot be the same; those of the quarter car are chosen to give the same two natural
+Two masses without an inertance cannot be fully equivalent; those of the quarter car are chosen to match the two natural
 frequencies.
 """
 
@@ -35,15 +35,15 @@ from jounce.parts.variants import LARGEST
 from jounce.simulation import Mode, equilibrium
 
 _NUDGE = 1e-4
-"""Travel in m to either side over which the curve of a centre of mass is measured."""
+"""Travel to either side over which the curvature of the path of a centre of mass is measured, m."""
 
 
 @dataclass(frozen=True)
 class BodyShare:
-    """How one suspension body divides between sprung and unsprung mass, about equilibrium.
+    """Division of a suspension body between sprung and unsprung mass, about equilibrium.
 
-    ``wheel_share`` is the rise of its centre of mass over that of the wheel centre (1); ``inertance`` (kg) is what it
-    adds between car body and wheel.
+    ``wheel_share`` is the rise of its centre of mass over that of the wheel centre (1); ``inertance`` (kg) is its
+    contribution between car body and wheel.
     """
 
     mass: float
@@ -63,14 +63,14 @@ class BodyShare:
 
 @dataclass(frozen=True)
 class Lumping:
-    """A corner about static equilibrium, as seen at the wheel centre. SI, compression positive.
+    """Properties of a corner about static equilibrium, referred to the wheel centre. SI, compression positive.
 
     Attributes
     ----------
     travel : float
         Wheel travel from design at rest, m.
     motion_ratio, damper_ratio : float
-        Shortening of spring and damper over rise of the wheel centre [1].
+        Shortening of spring and damper per rise of the wheel centre [1].
     motion_ratio_gradient : float
         Change of the spring's motion ratio with travel, 1/m.
     spring_deflection : float
@@ -78,22 +78,22 @@ class Lumping:
     spring_force : float
         Force of spring and stops at rest, N.
     wheel_force : float
-        Force at the wheel centre of all springs at rest, N: with torsion bar, third spring, Z-bar and gas of dampers.
+        Force of all springs at the wheel centre at rest, N, including torsion bar, third spring, Z-bar and damper gas.
     wheel_rate_spring, wheel_rate_preload, wheel_rate_weight : float
-        Rate at the wheel from the stiffness of spring, torsion bar and gas, from their force where the motion ratio
-        changes, and from the weights of the suspension's bodies, N/m.
+        Rate at the wheel from the stiffness of spring, torsion bar and gas, from their force and the gradient of the
+        motion ratio, and from the weights of the suspension's bodies, N/m.
     wheel_rate_across : float
-        Rate at the wheel of third spring and Z-bar while both wheels move alike, N/m.
+        Rate at the wheel of third spring and Z-bar in parallel wheel travel, N/m.
     third_ratio : float
-        Shortening of the third spring over rise of both wheel centres [1]; 0 without.
+        Shortening of the third spring per rise of both wheel centres [1]; 0 without one.
     wheel_damping : float
         Damping coefficient at the wheel, of the dampers at rest, N s/m.
     tyre_stiffness, tyre_damping : float
-        Of the tyre at its static load, N/m and N s/m.
+        Stiffness and damping coefficient of the tyre at its static load, N/m and N s/m.
     body_mass : float
         Mass on the guide, kg.
     shares : dict
-        Body of the suspension to its share.
+        Suspension body to its share.
     gravity : float
         m/s^2.
     """
@@ -129,7 +129,7 @@ class Lumping:
 
     @property
     def static_masses(self) -> tuple[float, float]:
-        """Sprung and unsprung mass by the law of the lever, kg; together the whole mass."""
+        """Sprung and unsprung mass by the lever rule, kg; their sum is the total mass."""
         parts = self.shares.values()
         return (
             self.body_mass + sum(part.sprung_mass for part in parts),
@@ -138,12 +138,12 @@ class Lumping:
 
     @property
     def inertance(self) -> float:
-        """Inertance between body and wheel, kg; negative where masses between them outweigh what turns."""
+        """Inertance between body and wheel, kg; negative if the masses between them outweigh the rotational inertia."""
         return sum(part.inertance for part in self.shares.values())
 
     @property
     def effective_masses(self) -> tuple[float, float]:
-        """Sprung and unsprung mass, kg, that give both natural frequencies without an inertance."""
+        """Sprung and unsprung mass that reproduce both natural frequencies without an inertance, kg."""
         (sprung, unsprung), b = self.static_masses, self.inertance
         k, k_t = self.wheel_rate, self.tyre_stiffness
         product = sprung * unsprung + b * (sprung + unsprung)
@@ -154,7 +154,7 @@ class Lumping:
         return sprung_mass, product / sprung_mass
 
     def matrices(self) -> tuple[Array, Array, Array]:
-        """Mass, damping and stiffness of the heights of body and wheel centre, each shape (2, 2)."""
+        """Mass, damping and stiffness matrices for the heights of body and wheel centre, each shape (2, 2)."""
         (sprung, unsprung), b = self.static_masses, self.inertance
         between = np.array([[1.0, -1.0], [-1.0, 1.0]])
         at_wheel = np.diag([0.0, 1.0])
@@ -165,7 +165,7 @@ class Lumping:
         )
 
     def modes(self) -> tuple[Mode, ...]:
-        """Oscillating modes by rising natural frequency, shapes in ``sprung.z`` and ``unsprung.z``."""
+        """Oscillating modes by rising natural frequency, with shapes in ``sprung.z`` and ``unsprung.z``."""
         mass, damping, stiffness = self.matrices()
         inverse = np.linalg.inv(mass)
         upper = np.hstack([np.zeros((2, 2)), np.eye(2)])
@@ -195,8 +195,8 @@ class Lumping:
 def lump(rig: Rig) -> Lumping:
     """Reduce a corner to rates, damping and masses at the wheel, about static equilibrium.
 
-    The body of the rig is free along z. Exact for small motions on a vertical guide, ideal joints and a vertical tyre:
-    bushings and turning of the body are left out.
+    The body of the rig must be free along z. The result is exact for small motions on a vertical guide with ideal
+    joints and a vertical tyre; bushings and rotation of the body are neglected.
 
     Examples
     --------
@@ -245,20 +245,19 @@ def lumped_from(rig: Rig) -> QuarterCar:
     Returns
     -------
     QuarterCar
-        ``strut.angle`` is the angle whose cosine is the damper's motion ratio, so that damper and friction keep their
-        laws; the spring rate makes the wheel rate (preload term and weights included, and torsion bar, third spring
-        and Z-bar where both wheels move alike; less what the damper's law has of it); the preload puts zero deflection
-        at design; a third damper is added
-        to the law of the damper; masses are those that give both natural frequencies. A spring or tyre curve becomes
-        its slope at rest (spring) or is kept (tyre); the bump stop is met where it is met; rebound stops and bushings
-        have no place in it.
+        The cosine of ``strut.angle`` is the damper's motion ratio; damper and friction therefore keep their laws. The
+        spring rate reproduces the wheel rate, including the preload term, weights, torsion bar, and third spring and
+        Z-bar in parallel wheel travel, minus the part that the damper's law contains. The preload is chosen for zero
+        deflection at design. A third damper is added to the law of the damper. The masses reproduce both natural
+        frequencies. A spring curve is replaced by its slope at rest; a tyre curve is kept. The bump stop engages at the
+        same wheel travel. Rebound stops and bushings are omitted.
 
     Raises
     ------
     DescriptionError
-        For a lumped rig, a fixed body, or a damper whose motion ratio no strut angle gives.
+        For a lumped rig, a fixed body, or a damper with a motion ratio that no strut angle can represent.
     SimulationError
-        When there is no static equilibrium.
+        If there is no static equilibrium.
 
     Examples
     --------
@@ -317,13 +316,13 @@ def _guide_vertically(rig: Rig) -> Corner:
     """Mount the corner on a vertical guide with ideal joints."""
     if not isinstance(rig, Corner):
         raise DescriptionError(
-            "this rig is lumped already",
+            "the rig is already lumped",
             where=getattr(rig, "model", "rig"),
             allowed="a rig with hardpoints: double-wishbone, mcpherson, five-link, trailing-arm",
         )
     if rig.guide == "fixed" or rig.sprung is None:
         raise DescriptionError(
-            "a fixed body has no motion to lump",
+            "a rig with a fixed body cannot be lumped",
             where="guide",
             found=rig.guide,
             allowed='"vertical" and a sprung mass',
@@ -334,7 +333,7 @@ def _guide_vertically(rig: Rig) -> Corner:
 
 
 def _shares(rig: Corner) -> dict[str, BodyShare]:
-    """Shares of all bodies at the design of ``rig``."""
+    """Return the shares of all bodies at the design position of ``rig``."""
     shares = {}
     for name, body in rig.body_masses().items():
         velocity, turn = body_motion(rig, name)
@@ -347,7 +346,7 @@ def _shares(rig: Corner) -> dict[str, BodyShare]:
 
 
 def _weight_rate(below: Corner, above: Corner) -> float:
-    """Rate of the bodies' weights at the wheel, N/m: from how much more they rise a little farther up."""
+    """Return the rate of the bodies' weights at the wheel, N/m, from the change of their rise with travel."""
     shares = [_shares(rig) for rig in (below, above)]
     gained = sum(
         part.mass * (part.wheel_share - shares[0][name].wheel_share)
@@ -357,7 +356,7 @@ def _weight_rate(below: Corner, above: Corner) -> float:
 
 
 def _tyre_slope(rig: Corner, deflection: float) -> float:
-    """Stiffness of the tyre at a deflection (m), N/m."""
+    """Return the stiffness of the tyre at a deflection (m), N/m."""
     if deflection <= 0.0:
         raise SimulationError(
             "the wheel is not on the road", where="tyre.deflection", found=f"{deflection} m"
@@ -371,7 +370,7 @@ def _tyre_slope(rig: Corner, deflection: float) -> float:
 
 
 def _stop(rig: Corner, lumping: Lumping) -> tuple[dict[str, float], float, float]:
-    """Bump stop along the lumped strut, and its force (N) and stiffness (N/m) along the spring at rest."""
+    """Return the bump stop along the lumped strut, and its force (N) and stiffness (N/m) along the spring at rest."""
     stop, scale = rig.strut.bump_stop, lumping.motion_ratio / lumping.damper_ratio
     if stop is None:
         return {}, 0.0, 0.0
@@ -388,7 +387,7 @@ def _stop(rig: Corner, lumping: Lumping) -> tuple[dict[str, float], float, float
 
 
 def _damper(rig: Corner, lumping: Lumping) -> DamperLaw:
-    """Damper as a lumped rig describes it, the third one with it; of a map the row at its length at rest."""
+    """Return the damper of the lumped rig including the third damper; for a map, the row at its length at rest."""
     damper: DamperLaw = rig.strut.damper.at_length(
         rig.hardpoints.length("damper") - lumping.damper_ratio * lumping.travel
     )
@@ -401,7 +400,7 @@ def _damper(rig: Corner, lumping: Lumping) -> DamperLaw:
     )
     share = (
         lumping.third_ratio / lumping.damper_ratio
-    )  # velocity of the third damper for one of the lumped one
+    )  # velocity of the third damper per velocity of the lumped one
     velocities = np.unique(np.round(np.concatenate([own_points[0], third_points[0] / share]), 12))
     both = on_lines(*own_points, velocities) + 0.5 * share * on_lines(
         *third_points, share * velocities
@@ -410,11 +409,11 @@ def _damper(rig: Corner, lumping: Lumping) -> DamperLaw:
 
 
 def _law_points(damper: DamperLaw, where: str) -> tuple[Array, Array]:
-    """Velocities (m/s) and forces (N) of a damper made of straight lines."""
+    """Return velocities (m/s) and forces (N) of a piecewise linear damper."""
     points = damper.points()
     if points is None:
         raise DescriptionError(
-            "a hysteretic damper beside a third damper has no lumped law",
+            "a hysteretic damper combined with a third damper has no lumped equivalent",
             where=where,
             found=damper.kind,
             allowed="linear, bilinear, blow-off, table, or no third damper",

@@ -1,8 +1,8 @@
-"""Hardpoints from measured curves: points of a corner updated until its model gives a table of measured poses.
+"""Hardpoints from measured curves: fits the points of a corner to a table of measured poses.
 
-Least squares over poses and quantities, each quantity weighed by its noise: the one given, or that of its own
-residuals. Slopes are exact. Intervals come from the slopes at the end; residuals that follow a pattern (of play,
-friction, compliance) count as fewer.
+Least squares over poses and quantities, each quantity weighted by its noise, either given or estimated from its
+residuals. Derivatives are exact. Intervals follow from the derivatives at the solution; for correlated residuals (from
+play, friction or compliance) the effective number of readings is reduced.
 """
 
 from __future__ import annotations
@@ -37,10 +37,12 @@ from jounce.parts import Corner, Rig, as_rig
 if TYPE_CHECKING:
     import xarray as xr
 
-_ROUNDS = 4  # in which noise is estimated again
-_CLEAR = 1e-8  # share of the largest singular value below which numbers are not told apart
-_LOST = 1e-6  # share of a number (squared) in directions that are not told apart, from which it is not determined
-_FARTHEST = 3.0  # standard deviations of the noise given from which residuals are too large for it
+_ROUNDS = 4  # of noise estimation
+_CLEAR = 1e-8  # share of the largest singular value below which variables are not distinguishable
+_LOST = (
+    1e-6  # squared share of a variable in undetermined directions from which it is not determined
+)
+_FARTHEST = 3.0  # standard deviations of the given noise from which residuals are too large
 _AXES = ("wheel_travel", "rack_travel")
 
 
@@ -48,7 +50,7 @@ _AXES = ("wheel_travel", "rack_travel")
 class MeasuredQuantity(Plain):
     """A measured quantity, SI: readings, their noise, root mean square residuals before and after.
 
-    ``measured``, ``before`` and ``after`` are values pose by pose, the model's with the offset that was found; a
+    ``measured``, ``before`` and ``after`` have one value per pose; the model's values include the estimated offset. A
     missing reading is NaN.
     """
 
@@ -63,26 +65,26 @@ class MeasuredQuantity(Plain):
 
 @dataclass(frozen=True)
 class HardpointFit(Plain):
-    """Hardpoints that give measured poses.
+    """Hardpoints fitted to measured poses.
 
     Attributes
     ----------
     rig : Corner
         The rig with its points updated.
     numbers : mapping of str to Estimate
-        Free numbers with their 95 % intervals, SI; without one where the measurements do not tell them.
+        Free parameters with their 95 % intervals, SI; without an interval if the measurements do not determine them.
     before : mapping of str to float
-        The same of the rig as it was.
+        Their values in the initial rig, SI.
     offsets : mapping of str to Estimate
-        Zeros of the measurement that were sought, too, SI of their quantity: reading minus model.
+        Estimated zero offsets of the measurement, in the SI unit of the quantity: reading minus model.
     quantities : mapping of str to MeasuredQuantity
-        What was measured, by name.
+        Measured quantities by name.
     wheel_travel, rack_travel : list of float
         Poses, m.
     starts : int
-        Searches, and ``agreed`` how many of them ended at the best.
+        Number of searches.
     agreed : int
-        See ``starts``.
+        Number of searches that ended at the best result.
     findings : tuple of Finding
         Findings.
     """
@@ -150,38 +152,38 @@ def fit_hardpoints(
     ] = 3,
     seed: int = 0,
 ) -> HardpointFit:
-    """Update hardpoints until the model gives a table of measured poses, with 95 % intervals.
+    """Fit hardpoints to a table of measured poses, with 95 % intervals.
 
     Parameters
     ----------
     rig : Rig, str or Path
-        A corner with hardpoints as it is known, or the name or file of one.
+        A corner with its nominal hardpoints, or its name or file.
     measured : xarray.Dataset, mapping of str to array_like, shape (n,), str or Path
         A file of columns with their units, or ``wheel_travel`` (m, bump positive), ``rack_travel`` (m, positive to the
-        left; 0 where it is missing), and rows of the catalogue against the body, pose by pose, SI: ``toe`` (rad),
-        ``camber`` (rad), ``wheel_centre_x`` (m), ``spring_length`` (m) and so on. NaN is no reading.
+        left; 0 where it is missing), and rows of the catalogue relative to the body, one value per pose, SI: ``toe``
+        (rad), ``camber`` (rad), ``wheel_centre_x`` (m), ``spring_length`` (m) and so on. NaN marks a missing reading.
     free : sequence of FreePoint or mapping
-        What may move, with the keys of ``[[free]]`` of a design study (m), or paths to ``within``.
+        Points that may move, with the keys of ``[[free]]`` of a design study (m), or a mapping of paths to ``within``.
     noise : mapping of str to float or str, optional
-        Standard deviation of a reading (SI or with its unit); by default that of what is left of each quantity.
+        Standard deviation of a reading (SI or with its unit); by default that of the residuals of each quantity.
     offsets : sequence of str
-        Quantities whose zero is not known: a constant is sought with the points.
+        Quantities with an unknown zero: a constant offset is estimated along with the points.
     starts : int
-        How many searches begin; the first at the rig, the others at places of the boxes.
+        Number of searches; the first starts from the rig, the others from points within the boxes.
     seed : int
-        Seed of those places.
+        Seed of those points.
 
     Returns
     -------
     HardpointFit
-        The rig updated, numbers and offsets with 95 % intervals (SI), and what is left of each quantity.
+        The updated rig, parameters and offsets with 95 % intervals (SI), and the residuals of each quantity.
 
     Raises
     ------
     DescriptionError
         For unknown quantities or paths, or poses that the rig does not reach.
     FitError
-        For fewer readings than numbers.
+        For fewer readings than free parameters.
 
     Examples
     --------
@@ -217,7 +219,7 @@ def fit_hardpoints(
     count = numbers.directions.shape[1] + len(table.offsets)
     if int(table.known.sum()) <= count:
         raise FitError(
-            "fewer readings than numbers",
+            "fewer readings than free parameters",
             found=f"{int(table.known.sum())} readings, {count} numbers",
         )
     before = table.misfit(np.zeros(count))
@@ -232,7 +234,7 @@ def fit_hardpoints(
     idle = np.linalg.norm(table.slopes(np.zeros(count))[0], axis=0)
     for k in np.flatnonzero(idle == 0.0):
         raise DescriptionError(
-            "changes nothing that was measured", where="free", found=table.labels[k]
+            "has no effect on any measured quantity", where="free", found=table.labels[k]
         )
     ended: list[tuple[float, Array]] = []
     for begin in _starting_points(numbers, len(table.offsets), starts, seed):
@@ -287,7 +289,7 @@ def _starting_points(numbers: FreeNumbers, offsets: int, starts: int, seed: int)
 
 
 class _Table:
-    """Readings and the model's values at their poses, for free numbers x and offsets, one after the other."""
+    """Readings and the model's values at their poses, for x: the free variables followed by the offsets."""
 
     def __init__(
         self,
@@ -327,7 +329,7 @@ class _Table:
             values[name] = samples
             if samples.shape != self.travel.shape:
                 raise DescriptionError(
-                    "not one reading a pose",
+                    "there must be one reading per pose",
                     where=f"measured: {name}",
                     found=len(samples),
                     allowed=str(len(self.travel)),
@@ -357,7 +359,7 @@ class _Table:
         return self._units[name]
 
     def part(self, name: str) -> slice:
-        """Place of a quantity's readings among all."""
+        """Return the slice of a quantity's readings among all."""
         i, size = self.names.index(name), len(self.travel)
         return slice(i * size, (i + 1) * size)
 
@@ -372,18 +374,18 @@ class _Table:
 
     @property
     def scale(self) -> Array:
-        """Scale of each number: its range; of an offset the range of its readings."""
+        """Return the scale of each variable: its range, or for an offset the scatter of its readings."""
         reach = [
             max(float(np.nanstd(self.readings[self.part(name)])), 1e-9) for name in self.offsets
         ]
         return np.concatenate([self.numbers.lengths, reach])
 
     def ends(self) -> str:
-        """Where poses ended, in words."""
+        """Return a description of where poses ended."""
         return next((str(end) for end in self._sweep.ends()), "no value")
 
     def model(self, x: Array) -> Array:
-        """Values of the model with the offsets, NaN where a pose is out of reach."""
+        """Return the model's values including offsets, NaN where a pose is out of reach."""
         size = self.numbers.directions.shape[1]
         self._sweep.walk.p[:] = self.numbers.origin + self.numbers.directions @ x[:size]
         self._sweep.run()
@@ -392,17 +394,17 @@ class _Table:
         return rows.ravel() + self._shift @ x[size:]
 
     def misfit(self, x: Array) -> Array:
-        """Model minus reading."""
+        """Return model minus reading."""
         return np.asarray(self.model(x) - self.readings)
 
     def slopes(self, x: Array) -> tuple[Array, Array]:
-        """Slopes of the model's values along all numbers, and the residuals."""
+        """Return the slopes of the model's values along all variables, and the residuals."""
         left = self.misfit(x)
         moved = self._tangents.run()[self._rows]  # (quantities, directions, poses)
         return np.hstack([moved.transpose(0, 2, 1).reshape(len(left), -1), self._shift]), left
 
     def weigh(self, x: Array, spread: Array) -> tuple[Array, Array]:
-        """Residuals and slopes in standard deviations, 1e3 where a pose is out of reach."""
+        """Return residuals and slopes in standard deviations, 1e3 where a pose is out of reach."""
         slopes, left = self.slopes(x)
         good = np.isfinite(left) & self.known
         residuals = np.where(good, left, 1e3 * spread)[self.known] / spread[self.known]
@@ -411,7 +413,7 @@ class _Table:
         ]
 
     def spread_of(self, left: Array, given: Mapping[str, float], count: int) -> Array:
-        """Standard deviation of every reading: as given, or that of the residuals of its quantity."""
+        """Return the standard deviation of every reading: as given, or that of the residuals of its quantity."""
         used = 1.0 - count / max(int(self.known.sum()), count + 1)
         spread = np.empty_like(self.readings)
         for name in self.names:
@@ -499,7 +501,7 @@ def _describe_fit(
         )
     except JounceError as error:
         raise FitError(
-            "the points found are no rig", found=str(error), hint="Narrow the boxes."
+            "the points found do not form a valid rig", found=str(error), hint="Narrow the boxes."
         ) from None
     return HardpointFit(
         rig,

@@ -10,14 +10,14 @@ import numpy as np
 
 from jounce.core.types import Array
 
-MOST_GOALS = 8  # mixtures in steps of a twelfth already take 330 of the 500 designs; more goals are covered worse
-_SAME = 1e-3  # share of a goal's range below which two designs are one
+MOST_GOALS = 8  # mixtures in steps of 1/12 already take 330 of the 500 designs; more goals would be too coarse
+_SAME = 1e-3  # share of a goal's range below which two designs are the same
 
 
 def mixtures(goals: int, points: int) -> Iterator[Array]:
-    """Mixtures of goals, evenly spread inside the corners; with the corners about as many as points.
+    """Yield evenly spread mixtures of goals between the corners; including corners, about as many as ``points``.
 
-    A goal without room would be kept at its least, which is the corner that is known already.
+    Every goal has a share above 0: a goal with share 0 would stay at its minimum, which is a known corner.
 
     >>> [mixture.tolist() for mixture in mixtures(2, 5)]
     [[0.25, 0.75], [0.5, 0.5], [0.75, 0.25]]
@@ -31,16 +31,16 @@ def mixtures(goals: int, points: int) -> Iterator[Array]:
         yield np.diff((0, *bars, steps)) / steps
 
 
-_NARROW = 0.03  # of the goals' ranges: a gap between designs that is left as it is
+_NARROW = 0.03  # of the goals' ranges: gaps between designs below this are not filled
 _LEAST = 1e-3  # smallest part of a mixture
 
 
 def across_gap(shares: Array, known: set[tuple[int, int]]) -> Array | None:
-    """Mixture that aims between two neighbours of a front with the widest gap; None where no wide one is left.
+    """Return the mixture that aims into the widest gap between neighbours on a front; None if all gaps are narrow.
 
-    ``shares`` are goals from their least (0) to the greatest at a corner (1), one row a design. Neighbours are those
-    that the shortest tree through all designs joins; those ``known`` were aimed between already, and the pair joins
-    them.
+    ``shares`` has the goals scaled from their minimum (0) to their maximum at a corner (1), one row per design.
+    Neighbours are joined by the minimum spanning tree of all designs. Pairs in ``known`` have already been searched;
+    the returned pair is added to them.
 
     >>> across_gap(np.array([[0.0, 1.0], [0.1, 0.7], [1.0, 0.0]]), set()).round(2).tolist()
     [0.61, 0.39]
@@ -60,12 +60,12 @@ def across_gap(shares: Array, known: set[tuple[int, int]]) -> Array | None:
 
 
 def achievement(goals: Array, best: Array, span: Array, mixture: Array) -> float:
-    """Value of the relatively worst of the goals (less is better) along a mixture."""
+    """Return the worst normalised goal (lower is better) along a mixture."""
     return float(np.max((goals - best) / (span * mixture)))
 
 
 def undominated_rows(goals: Array, span: Array) -> list[int]:
-    """Rows of goals (less is better) that no other row dominates, each once.
+    """Return the indices of rows of goals (lower is better) that no other row dominates, without duplicates.
 
     >>> undominated_rows(np.array([[1.0, 3.0], [2.0, 2.0], [2.0, 4.0], [3.0, 1.0], [3.0, 1.0]]), np.array([2.0, 2.0]))
     [0, 1, 3]

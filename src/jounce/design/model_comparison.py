@@ -1,4 +1,4 @@
-"""Where a lumped model differs from the corner that it represents, and why."""
+"""Differences between a lumped model and the corner that it represents, with their reasons."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ if TYPE_CHECKING:
 
 R = TypeVar("R", bound=Rig)
 CHANNELS = ("sprung.az", "unsprung.az", "tyre.force")
-"""Channels whose largest absolute values are compared."""
+"""Channels whose peak absolute values are compared."""
 _REACH = 0.15
-"""Travel to either side that curves show, as a share of the wheel's radius."""
+"""Travel to either side of the curves, as a share of the wheel's radius."""
 _POINTS = 13  # of a curve over travel
-_SAME_LINE = 1e-6  # of a motion ratio: rounding
+_SAME_LINE = 1e-6  # of a motion ratio: differences below are rounding
 
 
 @dataclass(frozen=True)
 class ModelDifference:
-    """One quantity in both models, SI, and why they differ; None where a model does not have it."""
+    """A quantity in both models, SI, and the reason for the difference; None if a model does not have it."""
 
     quantity: str
     unit: str
@@ -46,7 +46,7 @@ class ModelDifference:
 
 @dataclass(frozen=True)
 class PeakDifference:
-    """Largest absolute value of a channel in one trial, SI, in both models."""
+    """Peak absolute value of a channel in one trial in both models, SI."""
 
     trial: str
     channel: str
@@ -56,7 +56,7 @@ class PeakDifference:
 
     @property
     def relative(self) -> float:
-        """Lumped over 3-D, minus 1."""
+        """Relative difference: lumped over 3-D, minus 1."""
         return self.lumped / self.spatial - 1.0
 
 
@@ -67,7 +67,7 @@ class ModelComparison(Shown):
     Attributes
     ----------
     lumping : Lumping
-        The corner reduced to the wheel, and the share of each body.
+        Properties of the corner referred to the wheel, with the share of each body.
     lumped : QuarterCar
         The lumped model.
     rows : tuple of Difference
@@ -75,11 +75,11 @@ class ModelComparison(Shown):
     travel : ndarray, shape (n,)
         Wheel travel from design, m.
     motion_ratio, wheel_rate : ndarray, shape (n,)
-        Of the corner against travel: shortening of the spring over rise of the wheel [1]; N/m, preload term included.
+        Corner over travel: shortening of the spring per rise of the wheel [1]; wheel rate with the preload term, N/m.
     lumped_motion_ratio, lumped_wheel_rate : float
-        Of the lumped model, at any travel.
+        Constant values of the lumped model [1], N/m.
     peaks : tuple of PeakDifference
-        Of every trial.
+        Peaks of every trial.
     """
 
     lumping: Lumping
@@ -93,7 +93,7 @@ class ModelComparison(Shown):
     peaks: tuple[PeakDifference, ...]
 
     def curves(self) -> xr.Dataset:
-        """Return motion ratio and wheel rate of both models against travel."""
+        """Return motion ratio and wheel rate of both models over travel."""
         import xarray as xr
 
         level = np.ones_like(self.travel)
@@ -122,7 +122,7 @@ class ModelComparison(Shown):
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain data, SI."""
+        """Return plain values, SI."""
         masses = {
             "static_masses": self.lumping.static_masses,
             "effective_masses": self.lumping.effective_masses,
@@ -157,22 +157,22 @@ def compare_models(
     spatial : Rig
         A 3-D rig whose body is free along z.
     lumped : Rig, optional
-        A quarter car; by default the one equivalent to the corner about equilibrium.
+        A quarter car; by default the equivalent of the corner at equilibrium.
     trials : dict or sequence of Trial
-        What to drive with both, by name.
+        Trials to simulate with both models, by name.
 
     Returns
     -------
     ModelComparison
-        Quantities about rest with the reason of every difference, curves over travel, peaks of every trial. Modes leave
-        out dry friction, which would hold small motions.
+        Quantities about rest with the reason for every difference, curves over travel, peaks of every trial. Modes are
+        computed without dry friction, which would block small motions.
 
     Raises
     ------
     DescriptionError
-        When the rigs are not a 3-D and a lumped one.
+        If the rigs are not a 3-D and a lumped one.
     SimulationError
-        When there is no equilibrium, or a trial diverges.
+        If there is no equilibrium, or a trial diverges.
 
     Examples
     --------
@@ -245,7 +245,7 @@ def without_friction(rig: R) -> R:
 
 
 def _at_wheel(lumped: QuarterCar) -> tuple[float, float]:
-    """Rate (N/m) and damping coefficient (N s/m) of the strut at the wheel, about rest, friction apart."""
+    """Return rate (N/m) and damping coefficient (N s/m) of the strut at the wheel, about rest, without friction."""
     model = linearise(without_friction(lumped))
     row, mass = model.states.index("sprung.vz"), lumped.sprung.mass
     return tuple(
@@ -328,17 +328,17 @@ def _rows(
 
 
 def _damper_row(lumping: Lumping, ratio: float) -> list[ModelDifference]:
-    """Motion ratio of a damper that is not on the spring's line of action."""
+    """Return the row for a damper that is not on the spring's line of action."""
     if abs(lumping.damper_ratio - lumping.motion_ratio) < _SAME_LINE:
         return []
-    why = "Spring and damper stand on lines of their own; a lumped strut has one angle for both."
+    why = "Spring and damper have different lines of action; a lumped strut has one angle for both."
     return [
         ModelDifference("motion ratio of the damper at rest", "1", lumping.damper_ratio, ratio, why)
     ]
 
 
 def _mode_rows(spatial: tuple[Mode, ...], lumped: tuple[Mode, ...]) -> list[ModelDifference]:
-    """Modes of both models, the slow one first, without modes that do not oscillate."""
+    """Return the oscillating modes of both models, the slower one first."""
     why = "Follows from the rates, damping, masses and inertance above."
     rows = []
     for name in ("body bounce", "wheel hop"):
@@ -369,16 +369,16 @@ def _find_mode(name: str, modes: tuple[Mode, ...]) -> Mode | None:
 
 @dataclass(frozen=True)
 class LumpedComparison(Plain):
-    """A 3-D rig beside a lumped model of it, with their names.
+    """A 3-D rig and its lumped model side by side, with their names.
 
     Attributes
     ----------
     comparison : ModelComparison
-        What differs, and why.
+        Differences and their reasons.
     rig : Rig
         The 3-D rig.
     title : str
-        Names of both.
+        Names of the two models.
     """
 
     comparison: ModelComparison
@@ -438,7 +438,7 @@ def compare_with_lumped(
     lumped : Rig, str or Path, optional
         Quarter car to compare; by default the equivalent of the rig at equilibrium.
     road : str, optional
-        A road, its file or its name; by default an obstacle of a bench, 10 mm high and 60 mm long (estimated).
+        A road, its file or its name; by default a test-bench obstacle, 10 mm high and 60 mm long (estimated).
     speeds : sequence of float or str, optional
         Speeds over the road, m/s; by default 1.95, 2.86 and 3.79 m/s.
     duration : float or str
@@ -447,7 +447,7 @@ def compare_with_lumped(
     Returns
     -------
     LumpedComparison
-        As :func:`jounce.compare_models` gives it.
+        The result of :func:`jounce.compare_models`, with the names.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""A design task as a file: free numbers, objectives over cases and spread, the best design or the front."""
+"""A design task as a file: free parameters and objectives over cases and spread, for the best design or a front."""
 
 from __future__ import annotations
 
@@ -22,18 +22,19 @@ from jounce.parts.files import rig_named_in
 from jounce.variants.study import read_trial
 
 Weight = Annotated[float, Unit("1", above=0.0)]
-_PAIR = 2  # goals, for which a front has a method of its own (`pareto`)
+_PAIR = 2  # goals: a front of two has its own method (`pareto`)
 SCHEMA: Literal["jounce.optimisation/1"] = "jounce.optimisation/1"
 
 
 class OptimisationStudy(Description):
-    """A study of the best design, or with ``front`` of those of which none is better in several metrics at once.
+    """A study of the best design or, with ``front``, of the Pareto front of several metrics.
 
-    ``rig`` is a file or a shipped one, ``free`` has the bounds of what may vary. ``objective`` has metrics with their
-    weights; ``front`` two to eight metrics instead; beside two, one more is ``shown``. ``constraints`` are limits of
-    any metric. ``cases`` are judged at once, by name: the keys of a trial, ``road`` and ``speed`` of a random road, or
-    ``travel`` of kinematics; metrics have the name before them. ``spread`` is that of production or use, over
-    ``samples`` drawn with ``seed``. ``starts`` searches are made, a front has ``points``.
+    ``rig`` is a file or a shipped rig; ``free`` has the bounds of the free parameters. ``objective`` has metrics with
+    their weights, or ``front`` has two to eight metrics; for a front of two, one more metric can be ``shown``.
+    ``constraints`` are limits of any metric. ``cases`` are evaluated together, by name: the keys of a trial, ``road``
+    and ``speed`` of a random road, or ``travel`` of kinematics; metrics are prefixed with the name of the case.
+    ``spread`` is the scatter of parameters in production or use, over ``samples`` drawn with ``seed``. ``starts`` is
+    the number of searches, ``points`` the number of designs on a front.
     """
 
     schema_: Literal["jounce.optimisation/1"] = Field(default=SCHEMA, alias="schema")
@@ -59,13 +60,13 @@ class OptimisationStudy(Description):
         if self.shown is not None and len(self.front or ()) != _PAIR:
             raise error_at(
                 ("shown",),
-                "is a metric beside a front of two; those of a larger front are all shown",
+                "is an additional metric of a front of two; larger fronts show all their metrics",
             )
         return self
 
 
 def read_optimisation(path: Path | str) -> tuple[OptimisationStudy, Rig, dict[str, Any]]:
-    """Read a study with its rig, and how :func:`optimise` or :func:`pareto` is asked; errors name file and line."""
+    """Read a study, its rig, and the arguments of :func:`optimise` or :func:`pareto`; errors name file and line."""
     study, text = read_description(OptimisationStudy, path, SCHEMA)
     file = Path(path)
     rig = load(rig_named_in(study.rig, file))
@@ -81,7 +82,7 @@ def read_optimisation(path: Path | str) -> tuple[OptimisationStudy, Rig, dict[st
 
 
 def check_optimisation(path: Path | str) -> tuple[OptimisationStudy, DesignProblem]:
-    """Read a study and all that it names, without searching."""
+    """Read a study and everything it refers to, without searching."""
     study, rig, given = read_optimisation(path)
     objective = study.objective if study.objective is not None else (study.front or ("",))[0]
     more = [*(study.front or ())[1:], *([study.shown] if study.shown is not None else [])]
@@ -100,12 +101,12 @@ def run_optimisation(path: Path | str) -> Optimisation | ParetoFront | DesignFro
     Returns
     -------
     Optimisation, ParetoFront or DesignFront
-        SI; a front where the study has one, the last of three metrics or more.
+        Result in SI; a front if the study requests one, a ``DesignFront`` for three or more metrics.
 
     Raises
     ------
     DescriptionError, FitError
-        As for :func:`optimise`, with the file.
+        As for :func:`optimise`, with the file name.
 
     Examples
     --------
@@ -145,16 +146,16 @@ def run_optimisation(path: Path | str) -> Optimisation | ParetoFront | DesignFro
 
 
 class _placed:  # noqa: N801 - used as a verb
-    """Name the file and the line where an error is one of the study."""
+    """Adds file and line to errors that refer to keys of the study."""
 
     def __init__(self, path: Path | str) -> None:
         self.path = Path(path)
 
     def __enter__(self) -> None:
-        """Nothing is opened."""
+        """Enter the context; nothing is opened."""
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
-        """Raise the error again with its place."""
+        """Raise the error again with file and line."""
         if not isinstance(error, JounceError):
             return
         head, _, rest = error.where.partition(": ")
@@ -164,7 +165,7 @@ class _placed:  # noqa: N801 - used as a verb
         text = self.path.read_text(encoding="utf-8")
         if key == "metrics" or (
             key == "objective" and line_of(text, ("front",))
-        ):  # a front is an objective and more
+        ):  # the first metric of a front is read as the objective
             key = "front"
         line = line_of(text, (key, *inside, rest))
         place = ".".join([key, *inside]) + (f": {rest}" if rest else "")

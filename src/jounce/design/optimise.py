@@ -34,23 +34,23 @@ from jounce.roads import Trial
 from jounce.variants.designs import Spread
 
 _ACTIVE = (
-    1e-5  # share of a limit, up to which it counts as kept, and as reached: searches end far nearer
+    1e-5  # share of a limit within which it counts as met, and as active: searches end far closer
 )
-_STATIONARY = 1e-4  # slope that is left at an optimum: 0.01 % of the objective at the start over the range of a number
-_EVEN = 1e-4  # weight by which multipliers stay small
+_STATIONARY = 1e-4  # residual slope at an optimum: 0.01 % of the initial objective over the range of a variable
+_EVEN = 1e-4  # regularisation weight of the multipliers
 _MOST_STARTS = 1000  # each is a search
-_WIDE = 3.0  # bounds wider than this ratio are searched by logarithm
+_WIDE = 3.0  # bounds wider than this ratio are searched on a logarithmic scale
 _MOST = 200  # iterations
 _FINE = (
-    1e-14  # of the objective, which is 1 at the start: down to rounding, as evaluations are exact
+    1e-14  # of the objective, which is 1 at the start: rounding level, since evaluations are exact
 )
 
 
 @dataclass(frozen=True)
 class SearchResult:
-    """Where a search ended: values (SI), objective, largest broken share of a limit (1), iterations.
+    """End of a search: values (SI), objective, largest relative violation of a limit (1), iterations.
 
-    ``settled`` tells whether a search around kinks, as percentiles have them, found nothing better.
+    ``settled`` is True if a search around kinks, which percentiles cause, found nothing better.
     """
 
     values: Array
@@ -62,14 +62,14 @@ class SearchResult:
 
 @dataclass(frozen=True)
 class Conditions:
-    """Whether the conditions of an optimum hold, and the multiplier of every active limit side by its names."""
+    """Result of the optimality check, and the multiplier of each active side of a limit by its names."""
 
     holds: bool
     gains: dict[tuple[str, str, str], float]
 
 
 class Scale:
-    """Free numbers as 0 to 1 between their bounds, by logarithm where these are far apart."""
+    """Scaling of the free variables to 0..1 between their bounds, logarithmic for wide bounds."""
 
     def __init__(self, problem: DesignProblem) -> None:
         self.lower = np.array([free.lower for free in problem.free])
@@ -86,7 +86,7 @@ class Scale:
         return np.asarray(np.clip(values, self.lower, self.upper))
 
     def slopes(self, u: Array) -> Array:
-        """Slope of each value (SI) along its scaled one."""
+        """Return the derivative of each value (SI) with respect to its scaled value."""
         safe = np.where(self.is_log, self.lower, 1.0)
         ratio = np.where(self.is_log, self.upper, 1.0) / safe
         return np.asarray(
@@ -104,7 +104,7 @@ class Scale:
 
 
 class _SlsqpProblem:
-    """What SLSQP sees: scaled numbers, then one bound for each metric whose worst corner counts."""
+    """The problem as passed to SLSQP: scaled variables, then one bound for each metric that takes its worst corner."""
 
     def __init__(self, problem: DesignProblem) -> None:
         self.problem, self.scale = problem, Scale(problem)
@@ -141,7 +141,7 @@ class _SlsqpProblem:
         return total, slopes
 
     def margins(self, z: Array) -> tuple[Array, Array]:
-        """Margins that must not become negative, and their slopes (margins, variables)."""
+        """Return margins, which must not become negative, and their slopes (margins, variables)."""
         u, tops = z[: self.count], z[self.count :]
         values, chain = self.scale.values(u), self.scale.slopes(u)
         rows = [
@@ -170,7 +170,7 @@ def search(
 ) -> SearchResult:
     """Search from the rig's own values (or ``begin``, SI) and from further points; return the best valid result.
 
-    It ends when the objective changes by less than ``precision`` (1) between steps.
+    The search ends when the objective changes by less than ``precision`` (1) between steps.
     """
     if not 1 <= starts <= _MOST_STARTS:
         raise FitError(
@@ -197,11 +197,11 @@ _NEAR, _NEARER, _MOST_NEAR = (
     0.05,
     1e-5,
     60,
-)  # scaled steps of the search around a kink, and looks a number
+)  # scaled steps of the search around a kink, and evaluations per variable
 
 
 def _refine_at_kink(problem: DesignProblem, best: SearchResult) -> SearchResult:
-    """Refine the end of a gradient search without gradients (COBYLA): it may have stopped at a kink."""
+    """Refine the result of a gradient search without gradients (COBYLA), since it may have stopped at a kink."""
     from scipy.optimize import minimize
 
     scale = Scale(problem)
@@ -242,7 +242,9 @@ def _run_slsqp(problem: DesignProblem, begin: Array, precision: float) -> Search
         )
     bounds = [(0.0, 1.0)] * task.count + [(0.0, None)] * len(task.worst)
     iterations = 0
-    for _ in range(3):  # SLSQP forgets its curvature at a new start, which helps where it stalled
+    for _ in range(
+        3
+    ):  # a restart resets the curvature estimate of SLSQP, which helps after a stall
         result = minimize(
             task.objective, z, jac=True, method="SLSQP", bounds=bounds, constraints=constraints,
             options={"ftol": precision, "maxiter": _MOST},
@@ -258,12 +260,12 @@ def _run_slsqp(problem: DesignProblem, begin: Array, precision: float) -> Search
 
 
 def violation_of(problem: DesignProblem, values: Array) -> float:
-    """Largest share (1) by which a limit is broken; 0 where all are kept."""
+    """Return the largest relative violation (1) of a limit; 0 if all are met."""
     return max((-margin for _, _, _, margin, _ in problem.margins(values)), default=0.0)
 
 
 def least_violation(problem: DesignProblem) -> Array:
-    """Values (SI) within the bounds with the least violation of the limits."""
+    """Find the values (SI) within the bounds with the smallest violation of the limits."""
     from scipy.optimize import minimize
 
     scale = Scale(problem)
@@ -300,7 +302,7 @@ def least_violation(problem: DesignProblem) -> Array:
 
 
 def is_optimal(problem: DesignProblem, values: Array) -> Conditions:
-    """Check the conditions of Karush, Kuhn and Tucker at some values (SI), in scaled numbers."""
+    """Check the Karush-Kuhn-Tucker conditions at given values (SI), in scaled variables."""
     from scipy.optimize import nnls
 
     task = _SlsqpProblem(problem)
@@ -317,7 +319,7 @@ def is_optimal(problem: DesignProblem, values: Array) -> Conditions:
         holds = float(np.max(np.abs(slope), initial=0.0)) <= _STATIONARY
         return Conditions(holds, {})
     table = np.array(columns)
-    small = _EVEN * np.eye(len(table))  # limits that say the same share what they hold
+    small = _EVEN * np.eye(len(table))  # equivalent limits share their multiplier
     multipliers, _ = nnls(
         np.vstack([table.T, small]), np.concatenate([slope, np.zeros(len(table))])
     )
@@ -327,7 +329,7 @@ def is_optimal(problem: DesignProblem, values: Array) -> Conditions:
 
 
 def _wall(i: int, u: float, count: int) -> Array | None:
-    """Direction into the bounds where a number lies on one of them."""
+    """Return the inward direction if a variable is on one of its bounds, otherwise None."""
     row = np.zeros(count)
     row[i] = 1.0 if u < 1e-6 else -1.0 if u > 1.0 - 1e-6 else 0.0
     return row if row.any() else None
@@ -336,7 +338,7 @@ def _wall(i: int, u: float, count: int) -> Array | None:
 _AT_BOUND = 1e-6  # of the range
 _KEPT = 1e-6  # share of a limit that rounding of a search may break
 _ONE_PERCENT = (
-    0.01  # rise of the objective that counts as none, a choice: with 2 % ranges are some 40 % wider
+    0.01  # rise of the objective that is neglected, a choice: with 2 % ranges are about 40 % wider
 )
 _HALVINGS = 20  # at most: half the range is then known to a millionth
 _STEPS = tuple(0.5**k for k in range(6, -1, -1))
@@ -344,21 +346,21 @@ _STEPS = tuple(0.5**k for k in range(6, -1, -1))
 
 @dataclass(frozen=True)
 class DesignNumber:
-    """One free number of a design, SI.
+    """A free parameter of a design, SI.
 
     Attributes
     ----------
     path, unit : str
-        Where it is in the rig; SI unit.
+        Path in the rig; SI unit.
     start, value, lower, upper : float
-        In that unit: before, after, bounds.
+        Value before and after, and bounds, in that unit.
     at : str
-        ``"lower"`` or ``"upper"`` where it ended at a bound.
+        ``"lower"`` or ``"upper"`` if it ended at a bound.
     sensitivity : float
-        Relative change of the objective for a relative change of the number (1), the others kept.
+        Relative change of the objective per relative change of the parameter (1), the others fixed.
     flat : tuple of float or None
-        Within this range the objective rises by at most 1 % and every limit holds, the others kept; None where trials
-        or several cases judge.
+        Range in which the objective rises by at most 1 % and every limit is met, the other parameters fixed; None if
+        the design is judged by simulated trials or several cases.
     """
 
     path: str
@@ -374,20 +376,20 @@ class DesignNumber:
 
 @dataclass(frozen=True)
 class DesignConstraint:
-    """One limit of a design in one channel, SI.
+    """A limit of a design in one channel, SI.
 
     Attributes
     ----------
     name, channel, unit : str
         Metric, channel and SI unit.
     start, value : float
-        Before and after, in that unit.
+        Value before and after, in that unit.
     lower, upper : float or None
         Limits in that unit.
     is_active : bool
-        Whether it holds the design back.
+        Whether the limit restricts the design.
     gain : float
-        Relative gain of the objective for a relative loosening of the limit (1): 0 where it is not active.
+        Relative improvement of the objective per relative relaxation of the limit (1); 0 if it is not active.
     """
 
     name: str
@@ -408,13 +410,13 @@ class Optimisation(Plain):
     Attributes
     ----------
     rig : Rig
-        With the numbers that were found.
+        Rig with the parameters found.
     numbers : tuple of DesignNumber
         Free numbers.
     objective : dict
         Metric to its weight (1).
     value : float
-        Objective over that of the start (1): weighted mean of the squared metrics, each relative to its start.
+        Objective relative to its initial value (1): weighted mean of the squared metrics, each relative to its start.
     before, after : dict
         Metric to its value, SI.
     units : dict
@@ -424,13 +426,13 @@ class Optimisation(Plain):
     converged : bool
         Whether the conditions of an optimum hold (to 1e-4 of the objective).
     iterations, evaluations : int
-        Of the optimiser; designs judged.
+        Iterations of the optimiser; designs evaluated.
     derivatives : str
         ``"exact"``, or ``"differences"`` for mechanisms on random roads.
     driven : str
-        What it was judged on.
+        Road or cases on which the design was evaluated.
     findings : tuple of Finding
-        Bounds that were hit, flat objectives, what the linear model does not know.
+        Bounds that were reached, flat objectives, effects that the linear model neglects.
     """
 
     left_out = ("rig",)
@@ -504,12 +506,13 @@ def optimise(  # noqa: PLR0913 - each is a choice of its own
     samples: int = 32,
     seed: int = 1,
 ) -> Optimisation:
-    """Find the numbers of a rig with the least objective within bounds and limits.
+    """Find the parameters of a rig that minimise an objective within bounds and limits.
 
     Metrics are written as words: ``"sprung.az"`` (r.m.s. about rest), ``"sprung.az weighted"`` (by Wk, or by any
     weighting by its name), ``"tyre.force coefficient"`` (r.m.s. over the static value), ``"strut.deflection static"``,
-    ``"mode 1 frequency"``, ``"mode 2 damping_ratio"``. The last words of a channel stand for those of all corners:
-    their root mean square in an objective (``"worst tyre.force"`` takes the largest), each of them in a constraint.
+    ``"mode 1 frequency"``, ``"mode 2 damping_ratio"``. A channel name without its corner selects that channel of all
+    corners: an objective takes their root mean square (``"worst tyre.force"`` takes the largest), a constraint applies
+    to each.
 
     Parameters
     ----------
@@ -518,36 +521,40 @@ def optimise(  # noqa: PLR0913 - each is a choice of its own
     free : mapping
         Path to its bounds: ``(lower, upper)`` with units or in SI, or a range around the start as ``"±30 %"``.
     objective : str or mapping
-        Metric, or metrics to weights (1). What is minimised is the weighted mean of the squared metrics, each over its
-        value at the start.
+        Metric, or metrics to weights (1). The weighted mean of the squared metrics is minimised, each relative to its
+        initial value.
     constraints : mapping, optional
-        Metric to the most that it may be (``"20 mm"``, SI number), the least (``">= 1.2 Hz"``), or both as a pair.
+        Metric to its upper limit (``"20 mm"``, or a number in SI), its lower limit (``">= 1.2 Hz"``), or a pair of
+        both.
     road : str, float or callable, optional
         Random road, as for :func:`stationary`: class, degree of roughness in m^3, or density.
     speed : float or str, optional
-        On that road, m/s.
+        Speed on that road, m/s.
     trial : Trial, optional
-        Instead of them a trial to simulate, lift-off, stops and friction included; r.m.s. about rest at its start.
+        A trial to simulate instead of road and speed, with lift-off, stops and friction; r.m.s. values are about the
+        state of rest at its start.
     band : tuple of float or "iso", optional
         Spatial frequencies of the road, 1/m. By default white noise where all metrics are finite on it, otherwise the
         band of ISO 8608.
     sides : str, optional
-        What left and right share, as for :func:`stationary`.
+        Relation of the left and right tracks, as for :func:`stationary`.
     starts : int
-        Searches, the first from the rig, the others from points spread over the bounds.
+        Number of searches; the first starts from the rig, the others from points spread over the bounds.
     cases : mapping, optional
-        Instead of one road or trial several by name, judged at once: a :class:`jounce.Trial`,
+        Several roads or trials by name, evaluated together instead of a single one: a :class:`jounce.Trial`,
         ``{"road": ..., "speed": ...}`` (m/s), or ``{"travel": ["-30 mm", "30 mm"]}`` for kinematics of a 3-D corner.
-        Metrics then have the name before them: ``"rough: sprung.az weighted"``, ``"corner: range toe"`` (``range``,
-        ``max`` or ``min`` of a quantity of the catalogue over the travel, without a word its value at design).
+        Metrics are then prefixed with the name of the case: ``"rough: sprung.az weighted"``, ``"corner: range toe"``
+        (``range``, ``max`` or ``min`` of a quantity of the catalogue over the travel; without such a word, its value at
+        design).
     spread : mapping, optional
-        Path to its spread in production or in use, as for :func:`jounce.sobol`. Each design is then judged over
-        ``samples`` of it, the same for all designs: ``"rough: p95 tyre.force coefficient"`` is the 95th percentile,
-        without a word the mean counts. A free number may be spread, too: it is multiplied then.
+        Path to its spread in production or in use, as for :func:`jounce.sobol`. Each design is then evaluated over
+        ``samples`` of the spread, the same for all designs: ``"rough: p95 tyre.force coefficient"`` is the 95th
+        percentile; without ``p95`` the mean is used. If a free parameter has a spread, its value is multiplied by each
+        sample.
     samples : int
-        Of the spread, 2 to 4096; best a power of 2.
+        Number of samples of the spread, 2 to 4096; preferably a power of 2.
     seed : int
-        Of the samples.
+        Seed of the samples.
 
     Returns
     -------
@@ -557,14 +564,15 @@ def optimise(  # noqa: PLR0913 - each is a choice of its own
     Raises
     ------
     DescriptionError
-        For an unknown metric or path, equal bounds, and values that are no limits.
+        For an unknown metric or path, equal bounds, or invalid limits.
     FitError
-        When no design within the bounds keeps the limits, with the least that can be reached.
+        If no design within the bounds meets the limits; the message states the smallest violation found.
 
     Notes
     -----
-    SciPy's SLSQP with exact slopes: Lyapunov equations and integrals over the spectrum are differentiated, simulated
-    trials carry their sensitivities. Mechanisms on random roads take differences of fourth order.
+    Uses SciPy's SLSQP with exact gradients: Lyapunov equations and integrals over the spectrum are differentiated, and
+    simulated trials include sensitivity equations. For mechanisms on random roads the gradients are fourth-order finite
+    differences.
 
     Examples
     --------
@@ -579,7 +587,9 @@ def optimise(  # noqa: PLR0913 - each is a choice of its own
         as_rig(rig), free, objective, constraints, given, cases, spread, samples, seed
     )
     with report_work(
-        lambda: Phrase("searching the best design: {judged} judged", judged=problem.evaluations)
+        lambda: Phrase(
+            "searching for the best design: {judged} evaluated", judged=problem.evaluations
+        )
     ):
         result = search(problem, starts=starts)
         check_kept(problem, result)
@@ -591,13 +601,15 @@ def task_of(
     given: Mapping[str, Any], cases: Mapping[str, Case] | None, spread: Mapping[str, Spread] | None, samples: int,
     seed: int, more: Sequence[str] = (),
 ) -> DesignProblem:  # fmt: skip
-    """A task of one road or trial, or of several cases and samples."""
+    """Return the design task for one road or trial, or for several cases and samples."""
     if cases is None and spread is None:
         return design_problem(rig, free, objective, constraints, more=more, **given)
     chosen = {name: value for name, value in given.items() if value is not None}
     if cases is not None and chosen:
         raise DescriptionError(
-            "cases have their own roads", where=next(iter(chosen)), hint="Give either of both."
+            "cases have their own roads",
+            where=next(iter(chosen)),
+            hint="Give either cases or a road.",
         )
     if cases is None:
         trial = chosen.pop("trial", None)
@@ -618,7 +630,7 @@ def task_of(
 
 
 def check_kept(problem: DesignProblem, result: SearchResult) -> None:
-    """Refuse a search that ended where limits are broken: name the one broken most where all are broken least."""
+    """Raise an error if the search result violates limits, naming the worst one at the smallest violation."""
     if result.violation <= _KEPT:
         return
     values = least_violation(problem)
@@ -632,12 +644,12 @@ def check_kept(problem: DesignProblem, result: SearchResult) -> None:
     )
     unit = "" if limit.metric.unit == "1" else f" {limit.metric.unit}"
     raise FitError(
-        "no design within the bounds keeps all limits",
+        "no design within the bounds meets all limits",
         where=f"constraints: {channel if channel.endswith(limit.metric.text) else limit.metric.text}",
         found=f"{reached:.4g}{unit}",
         allowed=f"{'at most' if side == 'upper' else 'at least'} {bound:.4g}{unit}",
         hint=Phrase(
-            "This is where the limits are broken least ({design}); loosen them or widen the bounds.",
+            "The violation is smallest at {design}; loosen the limits or widen the bounds.",
             design=design,
         ),
     )
@@ -709,7 +721,7 @@ def _number(
 def _flat_range(
     problem: DesignProblem, i: int, values: Array, objective: float
 ) -> tuple[float, float]:
-    """Range of a number, within its bounds, in which all limits hold and the objective rises by at most 1 %."""
+    """Return the range of a variable, within its bounds, with all limits met and at most 1 % rise of the objective."""
     broken = -min([0.0, *(margin[3] for margin in problem.margins(values))])
 
     def is_as_good(value: float) -> bool:
@@ -726,7 +738,7 @@ def _flat_range(
 
 
 def _reach(start: float, bound: float, is_as_good: Callable[[float], bool]) -> float:
-    """Distance from ``start`` towards ``bound`` without a loss: in growing steps, then by halving the last one."""
+    """Find how far ``start`` can move towards ``bound`` without loss: growing steps, then bisection of the last one."""
     near = far = start
     for share in _STEPS if bound != start else ():
         far = start + share * (bound - start)

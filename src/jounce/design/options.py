@@ -1,4 +1,4 @@
-"""Options that several searches for designs share: design variables, limits, road, speed, band."""
+"""Options shared by several design searches: design variables, limits, road, speed, band."""
 
 from __future__ import annotations
 

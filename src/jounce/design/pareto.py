@@ -1,4 +1,4 @@
-"""The trade between comfort and road holding: best dampers for each, and the Pareto front of both."""
+"""The trade-off between comfort and road holding: the best dampers for each, and the Pareto front."""
 
 from __future__ import annotations
 
@@ -41,10 +41,12 @@ from jounce.variants.designs import Spread
 
 COMFORT, HOLDING, TRAVEL = "sprung.az", "tyre.force coefficient", "strut.deflection"
 _RANGE = (0.2, 5.0)
-"""Range of the search for a best damper, as multiples of that of the closed form."""
-_SAME = 1e-6  # share by which both ends differ where comfort and road holding want the same
-_PRECISION = 1e-9  # of the objective, which is 1 at the start: far finer than a front is drawn
-_FEWEST, _MOST = 3, 500  # designs: both ends and one between; each is a search
+"""Range of the search for the best damper, as multiples of the closed-form value."""
+_SAME = 1e-6  # relative difference of the two ends below which comfort and road holding agree
+_PRECISION = (
+    1e-9  # of the objective, which is 1 at the start: far finer than the resolution of a plot
+)
+_FEWEST, _MOST = 3, 500  # designs: at least both ends and one between; each takes a search
 
 
 @dataclass(frozen=True)
@@ -56,11 +58,11 @@ class BestDamper(Shown):
     goal : str
         ``comfort`` or ``road holding``.
     metric, unit : str
-        What is least there, and its unit.
+        Metric that is minimised, and its unit.
     present, closed_form, searched : dict
         Path to the damping coefficient, N*s/m.
     values : dict
-        ``present``, ``closed_form`` and ``searched`` to the metric.
+        ``present``, ``closed_form`` and ``searched`` to the value of the metric.
     """
 
     goal: Literal["comfort", "road holding"]
@@ -81,7 +83,7 @@ def best_dampers(
     comfort: str = COMFORT,
     holding: str = HOLDING,
 ) -> tuple[BestDamper, BestDamper]:
-    """Best dampers for comfort and for road holding: closed forms of the quarter car beside a search.
+    """Compute the best dampers for comfort and for road holding, in closed form and by a search.
 
     Parameters
     ----------
@@ -94,13 +96,13 @@ def best_dampers(
     band : tuple of float or "iso", optional
         Spatial frequencies of the road, 1/m; by default white noise where all metrics are finite on it.
     comfort, holding : str
-        Metrics that are to be least.
+        Metrics to minimise.
 
     Returns
     -------
     tuple of BestDamper
-        Comfort, road holding. The closed forms know one wheel on white noise and a tyre without damping; the search
-        knows the whole model.
+        The results for comfort and for road holding. The closed forms apply to one wheel on white noise with an
+        undamped tyre; the search uses the complete model.
 
     Examples
     --------
@@ -129,7 +131,7 @@ def best_dampers(
         begin = {
             path: min(max(values[path], _RANGE[0] * c), _RANGE[1] * c) for path, c in closed.items()
         }
-        more = [comfort, holding]  # so that both are judged on the same road
+        more = [comfort, holding]  # to evaluate both on the same road
         problem = design_problem(
             rig.with_changes(begin), free, metric, more=more, road=road, speed=speed, band=band
         )
@@ -158,7 +160,7 @@ def _metric_with(problem: DesignProblem, metric: str, dampers: Mapping[str, floa
 
 @dataclass(frozen=True)
 class ParetoMark:
-    """One design to compare with the front, SI: its words, free parameters and dampers by path, and metrics."""
+    """A design for comparison with the front, SI: its name, free parameters and dampers by path, and metrics."""
 
     name: str
     kind: Literal["present", "closed form", "searched"]
@@ -177,7 +179,7 @@ class ParetoFront(Plain):
     metrics : dict
         ``comfort``, ``holding`` and ``travel`` to the metric in words.
     units : dict
-        The same to SI unit.
+        Role to the SI unit of its metric.
     comfort, holding, travel : ndarray, shape (points,)
         Metrics along the front, each in its unit.
     numbers : dict
@@ -185,7 +187,7 @@ class ParetoFront(Plain):
     number_units : dict
         Path to SI unit.
     marks : tuple of ParetoMark
-        The rig as it is, and best dampers by closed form and by search where only they are changed.
+        The present rig, and the rig with only its dampers changed to the best ones by closed form and by search.
     converged : bool
         Whether all points are optimal.
     driven : str
@@ -208,7 +210,7 @@ class ParetoFront(Plain):
 
     @property
     def roles(self) -> tuple[str, ...]:
-        """``comfort``, ``holding`` and, where it is a metric of its own, ``travel``."""
+        """``comfort``, ``holding`` and, if it is a different metric, ``travel``."""
         pair = ("comfort", "holding")
         return (
             pair
@@ -218,7 +220,7 @@ class ParetoFront(Plain):
 
     @property
     def heading(self) -> str:
-        """The two ends of the front, in words."""
+        """Return the two ends of the front in words."""
         usual = self.metrics["comfort"] == COMFORT and self.metrics["holding"] == HOLDING
         return (
             "comfort to road holding"
@@ -280,9 +282,9 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
 ) -> ParetoFront:
     """Find the Pareto front between comfort and road holding, with the best dampers in closed form and by search.
 
-    No design of the front is worse in both than any other. The two ends are the least of each metric; between them
-    comfort is sought under falling limits of road holding (the epsilon-constraint method), each search starting from
-    the design before it.
+    No design on the front is dominated by another. The two ends minimise one metric each. Between them, comfort is
+    optimised under decreasing limits of road holding (the epsilon-constraint method); each search starts from the
+    previous design.
 
     Parameters
     ----------
@@ -295,7 +297,7 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
     speed : float or str
         m/s.
     comfort, holding, travel : str
-        Metrics as for :func:`optimise`; the last is only shown.
+        Metrics as for :func:`optimise`; ``travel`` is only reported.
     constraints : mapping, optional
         Limits for all points, as for :func:`optimise`.
     points : int
@@ -304,11 +306,11 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
         Spatial frequencies of the road, 1/m; by default white noise where all metrics are finite on it.
     cases : mapping, optional
         Several cases instead of one road, by name, as for :func:`optimise`; ``comfort``, ``holding`` and ``travel`` are
-        then any metrics of them (SI).
+        then metrics of these cases (SI).
     spread : mapping, optional
-        Path to its spread, as for :func:`optimise`, for designs that are robust: ``"p95 sprung.az"``.
+        Path to its spread, as for :func:`optimise`, for robust designs: ``"p95 sprung.az"``.
     samples, seed : int
-        Of the spread, as for :func:`optimise`.
+        Number and seed of the samples of the spread, as for :func:`optimise`.
 
     Returns
     -------
@@ -356,7 +358,7 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
     designs: list[Array] = []
     with report_work(
         lambda: Phrase(
-            "searching design {which} of {points} of the front: {judged} judged",
+            "searching design {which} of {points} on the front: {judged} evaluated",
             which=len(designs) + 1,
             points=points,
             judged=soft.evaluations,
@@ -387,19 +389,19 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
 def _front(
     soft: DesignProblem, firm: DesignProblem, holding: str, points: int, table: list[Array]
 ) -> tuple[Array, bool]:
-    """Free numbers (points, numbers) along the front; each is added to the ``table`` at once."""
+    """Compute the free variables (points, variables) along the front, adding each design to ``table`` at once."""
     ends = [search(problem) for problem in (soft, firm)]
     for problem, end in zip((soft, firm), ends, strict=True):
         check_kept(problem, end)
     first, last = (soft.whole(holding, end.values)[0] for end in ends)
     if first <= last * (1.0 + _SAME):
         return np.array([ends[0].values]), is_optimal(soft, ends[0].values).holds
-    # With two goals, a limit on one of them places the designs where they are wanted, and a search for one goal does.
-    # The mixtures of `front_search` serve any number of goals, but their designs cluster where the front bends.
+    # With two goals, a limit on one of them controls where the designs are, and each takes a single-goal search.
+    # The mixtures of `front_search` work for any number of goals, but their designs cluster where the front bends.
     along = np.cos(0.5 * np.pi * np.arange(1, points - 1) / (points - 1)) ** 2
     table.append(ends[0].values)
     holds = ends[0].settled or is_optimal(soft, ends[0].values).holds
-    for share in along:  # dense where one of both is nearly free
+    for share in along:  # dense where one of the two goals costs almost nothing
         bound = last + (first - last) * float(share)
         limit = Limit(soft.metrics[holding], None, bound, is_whole=True)
         problem = replace(soft, limits=(*soft.limits, limit))
@@ -415,7 +417,7 @@ def _front(
 def _marks(
     soft: DesignProblem, metrics: dict[str, str], given: dict[str, Any]
 ) -> tuple[tuple[ParetoMark, ...], list[Finding]]:
-    """The rig as it is, and the best dampers where closed forms exist for the rig."""
+    """Return the present rig, and the best dampers if closed forms exist for the rig."""
     marks = [_mark("as it is", "present", soft, {}, metrics)]
     try:
         best = best_dampers(
@@ -455,7 +457,7 @@ def _mark(
 
 
 def _present(soft: DesignProblem) -> dict[str, float]:
-    """The free numbers as the rig has them."""
+    """Return the free parameters of the present rig."""
     has = soft.rig.parameters()
     return {number.path: has[number.path] for number in soft.free}
 

@@ -1,10 +1,10 @@
-"""A design task in numbers: free numbers within bounds, an objective, limits, all with slopes.
+"""A design task: free variables within bounds, an objective and limits, all with derivatives.
 
-Designs are judged by metrics: numbers of a stationary response or of a simulated trial. A metric is written as words:
+Designs are evaluated by metrics of a stationary response or of a simulated trial. A metric is written as words:
 ``sprung.az`` (r.m.s. about rest), ``sprung.az weighted`` (by Wk, or any weighting by its name), ``tyre.force
 coefficient`` (r.m.s. over static value), ``strut.deflection static``, ``mode 1 frequency``, ``mode 2 damping_ratio``.
-The last words of a channel stand for those of all corners; ``worst`` before them takes the largest instead of the root
-mean square over the corners.
+A channel name without its corner selects that channel of all corners; ``worst`` before it takes the largest instead of
+the root mean square over the corners.
 """
 
 from __future__ import annotations
@@ -43,10 +43,10 @@ Numbers = tuple[Array, Array]
 
 @dataclass(frozen=True)
 class Metric:
-    """One metric as it was written (``text``), with its SI unit (Hz for frequencies).
+    """A metric as written (``text``), with its SI unit (Hz for frequencies).
 
-    ``channels`` are those it is made of, or the name of a mode's number; ``kind`` is one of `KINDS` or of `_MODE`;
-    ``mode`` counts from 1; ``is_worst`` tells whether the largest of its channels counts.
+    ``channels`` are its channels, or the quantity of a mode; ``kind`` is one of `KINDS` or of `_MODE`; ``mode`` counts
+    from 1; ``is_worst`` is True if the largest of its channels is used.
     """
 
     text: str
@@ -59,12 +59,12 @@ class Metric:
 
     @property
     def is_of_mode(self) -> bool:
-        """Whether it is a number of a mode."""
+        """Whether it is a quantity of a mode."""
         return self.mode > 0
 
 
 def read_metric(text: str, units: Mapping[str, str], *, where: str) -> Metric:
-    """Read a metric; ``units`` has the SI unit of every channel of the model."""
+    """Parse a metric; ``units`` has the SI unit of every channel of the model."""
     words = str(text).split()
     is_worst = words[:1] == ["worst"]
     words = words[1:] if is_worst else words
@@ -83,12 +83,14 @@ def read_metric(text: str, units: Mapping[str, str], *, where: str) -> Metric:
             where=where,
         )
         if words[0] in {row.name for row in CATALOGUE}:
-            hint = "Kinematic quantities are designed by jn.design_kinematics, `jounce design kinematics`."
+            hint = (
+                "Use jn.design_kinematics or `jounce design kinematics` for kinematic quantities."
+            )
             raise DescriptionError(error.what, where=where, allowed=error.allowed, hint=hint)
         raise error
     if kind == "coefficient" and not words[0].endswith("force"):
         raise DescriptionError(
-            "a coefficient is that of a force",
+            "only a force has a coefficient",
             where=where,
             found=text,
             allowed="e.g. 'tyre.force coefficient'",
@@ -115,7 +117,7 @@ def _kind(word: str, text: str, where: str) -> tuple[str, str]:
         return word, ""
     allowed = ", ".join([*KINDS, *WEIGHTINGS])
     raise DescriptionError(
-        Phrase("no such number of a channel: {word!r}", word=word),
+        Phrase("no such metric of a channel: {word!r}", word=word),
         where=where,
         found=text,
         allowed=allowed,
@@ -126,13 +128,13 @@ def _kind(word: str, text: str, where: str) -> tuple[str, str]:
 def _mode_metric(text: str, words: Sequence[str], where: str) -> Metric:
     if len(words) != 3 or not words[1].isdigit() or int(words[1]) < 1 or words[2] not in _MODE:
         allowed = "'mode 1 frequency', 'mode 1 damping_ratio', ..., by rising frequency"
-        raise DescriptionError("not a number of a mode", where=where, found=text, allowed=allowed)
+        raise DescriptionError("not a quantity of a mode", where=where, found=text, allowed=allowed)
     return Metric(str(text), (" ".join(words),), words[2], _MODE[words[2]], mode=int(words[1]))
 
 
 @dataclass(frozen=True)
 class StationaryEvaluator:
-    """Metrics of linear models with their free numbers on a random road: of one rig, or of many side by side."""
+    """Evaluates metrics of linear models on a random road, for one rig or for many at once."""
 
     families: Families
     surface: Surface
@@ -145,7 +147,7 @@ class StationaryEvaluator:
 
     @cached_property
     def _layout(self) -> tuple[dict[str, list[int]], tuple[Signal, ...]]:
-        """Places of each metric's signals, and the signals."""
+        """Indices of each metric's signals, and the signals."""
         names = list(self.families.first.compiled.output_names)
         places: dict[str, list[int]] = {}
         signals: list[Signal] = []
@@ -158,7 +160,7 @@ class StationaryEvaluator:
 
     @cached_property
     def analysis(self) -> RandomVibration:
-        """Random vibration of the wanted signals."""
+        """Random vibration of the required signals."""
         return RandomVibration(self.families, self.surface, self._layout[1])
 
     def absent(self) -> dict[str, str]:
@@ -176,14 +178,14 @@ class StationaryEvaluator:
         return reasons
 
     def at(self, values: Array) -> dict[str, Numbers]:
-        """Return every metric of the one rig by its text: values of its channels and their slopes, SI."""
+        """Return every metric of a single rig by its text: values of its channels and their slopes, SI."""
         return {
             text: (numbers[0], slopes[0])
             for text, (numbers, slopes) in self.each(values[None]).items()
         }
 
     def each(self, values: Array) -> dict[str, Numbers]:
-        """The same for values (members, numbers) of all rigs: (members, channels), (members, numbers, channels)."""
+        """Return every metric for all rigs: (members, channels) and slopes (members, numbers, channels), SI."""
         moments = self.analysis.at(values)
         metrics = {}
         for metric in self.metrics:
@@ -210,7 +212,7 @@ class StationaryEvaluator:
 def _of_kind(
     metric: Metric, sigma: Array, slopes: Array, rest: Array, rest_slopes: Array
 ) -> Numbers:
-    """Number of each channel (..., channels), and its slopes (..., numbers, channels)."""
+    """Return the metric of each channel (..., channels), and its slopes (..., numbers, channels)."""
     if metric.kind == "static":
         return rest, rest_slopes
     if metric.kind != "coefficient":
@@ -224,16 +226,16 @@ def _of_kind(
 
 
 def mode_number(metric: Metric, a: Array, along: Array) -> Numbers:
-    """Frequency (Hz) or damping ratio (1) of a mode of ``dx/dt = a x``, and its slopes from those of the matrix.
+    """Return frequency (Hz) or damping ratio (1) of a mode of ``dx/dt = a x``, and its derivatives.
 
-    A mode that is damped too much to oscillate keeps both: they go on smoothly as those of its pair of eigenvalues.
+    Both are also defined for an overdamped mode: they continue smoothly, computed from its pair of real eigenvalues.
     """
     from scipy.linalg import eig
 
     values, left, right = eig(a, left=True, right=True)
     pairs = _pairs(values)
     if metric.mode > len(pairs):
-        raise FitError(Phrase("there are {count} modes only", count=len(pairs)), where=metric.text)
+        raise FitError(Phrase("there are only {count} modes", count=len(pairs)), where=metric.text)
     i, j = pairs[metric.mode - 1]
     first, second = values[i], values[j]
     moves = [
@@ -250,7 +252,7 @@ def mode_number(metric: Metric, a: Array, along: Array) -> Numbers:
 
 
 def _pairs(values: NDArray[np.complex128]) -> list[tuple[int, int]]:
-    """Eigenvalues of each mode by rising frequency: conjugates, or neighbours of those that do not oscillate."""
+    """Return the eigenvalue pair of each mode by rising frequency: conjugates, or adjacent real eigenvalues."""
     real = sorted(
         (i for i in range(len(values)) if values[i].imag == 0.0), key=lambda i: abs(values[i])
     )
@@ -262,7 +264,7 @@ def _pairs(values: NDArray[np.complex128]) -> list[tuple[int, int]]:
 
 @dataclass(frozen=True)
 class TrialEvaluator:
-    """Metrics of a simulated trial: r.m.s. about the values at its start, where the rig is at rest; step in s."""
+    """Evaluates metrics of a simulated trial: r.m.s. about the values at rest at its start; step in s."""
 
     family: LinearFamily
     trial: Trial
@@ -278,7 +280,7 @@ class TrialEvaluator:
 
     @property
     def is_exact(self) -> bool:
-        """Whether its slopes are exact: they ride along with the simulation."""
+        """Whether its slopes are exact: always, since the simulation computes sensitivities."""
         return True
 
     def at(self, values: Array) -> dict[str, Numbers]:
@@ -315,7 +317,7 @@ class TrialEvaluator:
         return metrics
 
     def _number(self, metric: Metric, signals: Array, along: Array) -> Numbers:
-        """Signals (channels, time) and their slopes (channels, numbers, time) as one metric."""
+        """Return a metric of signals (channels, time) with slopes (channels, numbers, time)."""
         rest, rest_slopes = signals[:, 0], along[:, :, 0]
         moved, slopes = signals - rest[:, None], along - rest_slopes[:, :, None]
         if metric.weighting:
@@ -346,7 +348,7 @@ Evaluator = StationaryEvaluator | TrialEvaluator
 
 
 def combine_channels(metric: Metric, numbers: Numbers) -> tuple[float, Array]:
-    """One number of all channels of a metric, and its slopes (numbers,): largest, or root mean square."""
+    """Combine all channels of a metric: the largest, or the root mean square, with its slopes (numbers,)."""
     values, slopes = numbers
     if len(values) == 1:
         return float(values[0]), slopes[:, 0]
@@ -358,7 +360,7 @@ def combine_channels(metric: Metric, numbers: Numbers) -> tuple[float, Array]:
 
 
 def units_of(rig: Rig) -> dict[str, str]:
-    """SI unit of every channel of a rig's model."""
+    """Return the SI unit of every channel of a rig's model."""
     return {output.name: output.unit for output in LinearFamily(rig).compiled.facts.outputs}
 
 
@@ -369,7 +371,7 @@ LimitGiven = Bound | tuple[Bound, Bound] | list[Bound]
 
 @dataclass(frozen=True)
 class Limit:
-    """Limits of a metric, in each channel or (``is_whole``) of all together, SI; None where a side is open."""
+    """Limits of a metric, for each channel or (``is_whole``) for all combined, SI; None for an open side."""
 
     metric: Metric
     lower: float | None
@@ -379,11 +381,11 @@ class Limit:
 
 @dataclass(frozen=True)
 class DesignProblem:
-    """A design task: the rig to start from, free numbers, weights of the objective, and limits.
+    """A design task: the initial rig, free variables, weights of the objective, and limits.
 
-    ``metrics`` are all by their text; ``surface`` is the road of a stationary response, ``trial`` what is simulated
-    otherwise; ``notes`` say what was decided on the way; ``base`` has the objective's metrics at the start, SI;
-    ``driven`` says what several cases are.
+    ``metrics`` has all metrics by their text; ``surface`` is the road of a stationary response, ``trial`` the simulated
+    trial otherwise; ``notes`` are findings about automatic choices; ``base`` has the objective's metrics at the start,
+    SI; ``driven`` describes several cases in words.
     """
 
     rig: Rig
@@ -401,7 +403,7 @@ class DesignProblem:
 
     @property
     def has_kinks(self) -> bool:
-        """Whether percentiles over samples bend where two of them change places."""
+        """Whether the metrics have kinks: a percentile has one where two samples swap their order."""
         return bool(getattr(self.evaluator, "has_kinks", False))
 
     @property
@@ -411,22 +413,22 @@ class DesignProblem:
 
     @property
     def evaluations(self) -> int:
-        """How many designs were judged."""
+        """Number of designs evaluated."""
         return len(self._memory)
 
     def numbers(self, values: Array) -> dict[str, Numbers]:
-        """All metrics at some values (SI) of the free numbers, with slopes."""
+        """Return all metrics at given values (SI) of the free variables, with slopes."""
         key = np.asarray(values, dtype=float).tobytes()
         if key not in self._memory:
             self._memory[key] = self.evaluator.at(np.asarray(values, dtype=float))
         return self._memory[key]
 
     def whole(self, text: str, values: Array) -> tuple[float, Array]:
-        """One number of a metric over all its channels, and its slopes, SI."""
+        """Return a metric combined over all its channels, and its slopes, SI."""
         return combine_channels(self.metrics[text], self.numbers(values)[text])
 
     def objective(self, values: Array) -> tuple[float, Array]:
-        """Objective over that of the start (1), and its slopes per SI unit of the free numbers."""
+        """Return the objective relative to its initial value (1), and its slopes per SI unit of the free variables."""
         total, slopes = 0.0, np.zeros(len(self.free))
         for text, weight in self.weights.items():
             number, along = self.whole(text, values)
@@ -436,13 +438,13 @@ class DesignProblem:
         return total, slopes
 
     def with_values(self, values: Array) -> Rig:
-        """The rig with other values (SI) of the free numbers."""
+        """Return the rig with given values (SI) of the free variables."""
         return self.rig.with_changes(
             dict(zip([free.path for free in self.free], map(float, values), strict=True))
         )
 
     def margins(self, values: Array) -> list[tuple[Limit, str, str, float, Array]]:
-        """Margin of each side of each limit and channel, relative to the limit, with slopes."""
+        """Return the margin of each side of each limit and channel, relative to the limit, with slopes."""
         margins = []
         for limit in self.limits:
             numbers, slopes = self.numbers(values)[limit.metric.text]
@@ -462,7 +464,7 @@ class DesignProblem:
         return margins
 
     def base_of(self, metric: Metric) -> float:
-        """Value of a metric at the start, SI."""
+        """Return the value of a metric at the start, SI."""
         return self.whole(metric.text, self.start)[0]
 
 
@@ -478,7 +480,7 @@ def design_problem(
     more: Sequence[str] = (),
     **settings: Any,
 ) -> DesignProblem:
-    """Read a design task; ``more`` are further metrics to be known, ``settings`` those of the road (SI or texts)."""
+    """Read a design task; ``more`` are further metrics to evaluate, ``settings`` those of the road (SI or texts)."""
     numbers = numbers_of(rig, free)
     units = units_of(rig)
     weights = read_weights(objective)
@@ -514,7 +516,7 @@ def design_problem(
 
 
 def numbers_of(rig: Rig, free: Mapping[str, Bounds]) -> tuple[FreeParameter, ...]:
-    """Read the free numbers, which the model depends on, with bounds that the description allows."""
+    """Read the free parameters; reject those without effect on the model, and bounds that the schema forbids."""
     numbers = free_parameters(
         rig, {path: _strip_sign(bounds) for path, bounds in free.items()}, where="free"
     )
@@ -534,7 +536,7 @@ def read_weights(objective: Objective) -> dict[str, float]:
         raise DescriptionError(
             "no objective", where="objective", hint='Give one, e.g. {"sprung.az": 1.0}.'
         )
-    every: Mapping[str, object] = given  # what callers give is not always what they should
+    every: Mapping[str, object] = given  # callers may pass other types than annotated
     for text, number in every.items():
         is_number = isinstance(number, (int, float)) and not isinstance(number, bool)
         if not (is_number and np.isfinite(given[text]) and given[text] > 0.0):
@@ -568,7 +570,9 @@ def read_limit(metric: Metric, given: LimitGiven) -> Limit:
         raise DescriptionError("no limit", where=where, allowed="a value, or (lower, upper)")
     if lower is not None and upper is not None and lower > upper:
         raise DescriptionError(
-            "the lower limit lies above the upper", where=where, found=f"{lower:g}, {upper:g}"
+            "the lower limit is greater than the upper one",
+            where=where,
+            found=f"{lower:g}, {upper:g}",
         )
     return Limit(metric, lower, upper)
 
@@ -592,7 +596,7 @@ def _check_used(family: LinearFamily) -> None:
 
 
 def _check_bounds(rig: Rig, numbers: Sequence[FreeParameter]) -> None:
-    """Refuse bounds that the description does not allow."""
+    """Reject bounds that the description does not allow."""
     for number in numbers:
         for value in (number.lower, number.upper):
             rig.with_changes({number.path: value})
@@ -614,7 +618,7 @@ def stationary_evaluator(
     speed: float | str | None,
     settings: dict[str, Any],
 ) -> tuple[StationaryEvaluator, tuple[Finding, ...]]:
-    """Metrics on a road: white noise where all of them are finite there, otherwise over the band of ISO 8608."""
+    """Return an evaluator on a road: white noise if all metrics are finite on it, otherwise the band of ISO 8608."""
     if road is None or speed is None:
         missing = "road" if road is None else "speed"
         raise DescriptionError(

@@ -1,8 +1,8 @@
 """Tolerance study: the effect of manufacturing tolerances on every curve, and what adjustments can recover.
 
-Pickup points on the body, joints of the upright and the rocker, and lengths of links deviate; the corner is put
-together with what was made, so that the wheel stands otherwise than drawn (camber and toe, too). Then adjustments bring
-static camber and toe, and all curves, as near to those of the drawing as they can.
+Pickup points on the body, joints of the upright and the rocker, and lengths of links deviate. The corner is assembled
+from these parts, which changes the position of the wheel, including camber and toe. Adjustments then bring static
+camber and toe, and all curves, as close to the drawing as possible.
 """
 
 from __future__ import annotations
@@ -30,19 +30,19 @@ from jounce.parts import Corner, Rig, as_rig
 from jounce.parts.bodies import distance
 
 _BAND = (2.5, 97.5)  # percent: the usual 95 %
-_DEVIATIONS = 2.0  # standard deviations that a tolerance is
-_ALIGNED = float(np.radians(0.05))  # how exactly static camber and toe are set
-_STEP = 1e-4  # m: step of an adjustment for its effect
+_DEVIATIONS = 2.0  # standard deviations per tolerance
+_ALIGNED = float(np.radians(0.05))  # accuracy of setting static camber and toe
+_STEP = 1e-4  # m: step of an adjustment to measure its effect
 _PUSHROD = "pushrod"
 _ROCKER = ("rocker_pivot", "rocker_axis", "pushrod_inner", "pushrod_outer")
 
 
 @dataclass(frozen=True)
 class SpreadTarget(Plain):
-    """A target over all cars: 95 % of them lie within its band, SI; the same again with everything adjusted.
+    """A target over all cars: bands that contain 95 % of the cars, as built and adjusted, SI.
 
-    ``drawn`` are the values of the drawing; ``met`` and ``met_adjusted`` are shares of the cars that meet it [1];
-    ``causes`` is what the spread of each part does to it: its share of the variance, the largest over the curve [1].
+    ``drawn`` has the values of the drawing; ``met`` and ``met_adjusted`` are the shares of cars that meet the target
+    [1]. ``causes`` is the share of each part in the variance, the largest along the curve [1].
     """
 
     quantity: str
@@ -64,9 +64,9 @@ class SpreadTarget(Plain):
 
 @dataclass(frozen=True)
 class AdjustmentNeed(Plain):
-    """Range that an adjustment needs, m: 95 % of the cars lie between ``low`` and ``high``.
+    """Range that an adjustment needs, m: 95 % of the cars need settings between ``low`` and ``high``.
 
-    ``at_its_end`` is the share of the cars that need more than it has [1].
+    ``at_its_end`` is the share of the cars that need more than the available range [1].
     """
 
     low: float
@@ -76,20 +76,20 @@ class AdjustmentNeed(Plain):
 
 @dataclass(frozen=True)
 class KinematicSpread(Plain):
-    """Effect of deviating parts on wanted curves.
+    """Effect of deviating parts on target curves.
 
     Attributes
     ----------
     targets : tuple of SpreadTarget
         In the order of the study.
     cars : int
-        Cars that were built.
+        Number of cars built.
     failed : int
-        Those whose parts did not go together, or that do not reach a pose.
+        Number of cars that cannot be assembled or do not reach a pose.
     met, met_adjusted : float
         Share of the cars that meet all targets, as built and adjusted [1].
     adjustments : mapping of str to AdjustmentNeed
-        What each adjustment must reach.
+        Range that each adjustment must cover.
     findings : tuple of Finding
         Findings.
     """
@@ -125,30 +125,30 @@ def kinematic_spread(
     vehicle: AxleLayout | None = None,
     shapes: Mapping[str, Shape] | None = None,
 ) -> KinematicSpread:
-    """Build many cars from deviating parts and evaluate the wanted curves, as built and after adjustment.
+    """Build many cars from deviating parts and evaluate the targets, as built and after adjustment.
 
     Parameters
     ----------
     rig : Rig, str or Path
-        A corner with hardpoints as it is drawn, or the name or file of one.
+        A corner with the hardpoints of the drawing, or its name or file.
     targets : sequence of KinematicTarget or mapping
-        What is wanted, as for :func:`jounce.design_kinematics`.
+        Targets, as for :func:`jounce.design_kinematics`.
     spread : Spread or mapping
-        How exactly parts are made, ``{"points": "0.5 mm", "links": "0.3 mm", "adjust": ["tie_rod_length"]}``.
+        Manufacturing tolerances, e.g. ``{"points": "0.5 mm", "links": "0.3 mm", "adjust": ["tie_rod_length"]}``.
     vehicle : AxleLayout, optional
-        The car around the axle, for anti-effects and Ackermann.
+        Vehicle data of the axle, for anti-effects and Ackermann.
     shapes : mapping of str to Solid or Rim, optional
         Bodies by name, as for :func:`jounce.design_kinematics`, m.
 
     Returns
     -------
     KinematicSpread
-        Bands of every target, shares of cars that meet it, causes, and how far adjustments must reach.
+        Bands of every target, shares of cars that meet it, causes, and the ranges that adjustments need.
 
     Raises
     ------
     DescriptionError
-        For unknown points, quantities or adjustments, or a spread of nothing.
+        For unknown points, quantities or adjustments, or a spread without deviations.
 
     Examples
     --------
@@ -164,7 +164,9 @@ def kinematic_spread(
         item if isinstance(item, KinematicTarget) else KinematicTarget(**item) for item in targets
     ]
     if not wishes:
-        raise DescriptionError("nothing is wanted", where="targets", allowed="one target or more")
+        raise DescriptionError(
+            "there are no targets", where="targets", allowed="one target or more"
+        )
     chosen = spread if isinstance(spread, Spread) else Spread(**spread)
     cars = {} if vehicle is None else {"": vehicle}
     return spread_of(corner, read_targets({"": corner}, wishes, cars, shapes), chosen, vehicle)
@@ -173,7 +175,7 @@ def kinematic_spread(
 def spread_of(
     rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: AxleLayout | None
 ) -> KinematicSpread:
-    """Build the cars of a corner whose targets are read."""
+    """Build and evaluate the cars of a corner for targets in SI."""
     workshop = Workshop(rig, wanted, spread, vehicle)
     random = np.random.default_rng(spread.seed)
     drawn = workshop.values(rig)
@@ -203,7 +205,7 @@ def spread_of(
 
 
 class Workshop:
-    """Builds corners whose parts deviate: ``sources`` of deviations in ``sizes`` (standard deviations, m)."""
+    """Builds corners from deviating parts: ``sources`` of deviation with ``sizes`` (standard deviations, m)."""
 
     def __init__(
         self, rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: AxleLayout | None
@@ -278,15 +280,15 @@ class Workshop:
         self._effects = np.array(columns).T if columns else np.zeros((len(self._drawn), 0))
 
     def ends(self, k: int) -> tuple[float, float]:
-        """Range of an adjustment, m."""
+        """Return the range of an adjustment, m."""
         return float(self._low[k]), float(self._high[k])
 
     def values(self, rig: Corner) -> Array:
-        """Values of all targets, SI."""
+        """Return the values of all targets, SI."""
         return self._evaluator.together(self._numbering.values({"": rig}), slopes=False)[0]
 
     def _aims(self, rig: Corner, values: Array) -> Array:
-        """Aims of the adjustments: all values in tolerances, and static camber and toe."""
+        """Return the quantities to be adjusted: all values in tolerances, and static camber and toe."""
         return np.concatenate(
             [values / self.tolerance, np.array([rig.wheel.camber, rig.wheel.toe]) / _ALIGNED]
         )
@@ -298,7 +300,9 @@ class Workshop:
             away.setdefault(name, np.zeros(3))[i] = value
         given = self.rig.hardpoints.given()
         base, longer = self.rig, 0.0
-        if self._rocker:  # the parts of the rocker as they are, the push rod as long as it is
+        if (
+            self._rocker
+        ):  # with the deviating parts of the rocker and the actual length of the push rod
             moved = {
                 f"hardpoints.{name}[{i}]": given[name][i] + away[name][i]
                 for name in self._rocker
@@ -320,7 +324,7 @@ class Workshop:
         return refit(base, Changes(inner, lengths, shims, longer))
 
     def adjust(self, car: Corner, values: Array) -> tuple[Array, Array]:
-        """Find settings (m) that bring a car's curves as near to the drawing as possible, and the values then."""
+        """Find settings (m) that bring a car's curves as close to the drawing as possible, and the resulting values."""
         if not self._settings:
             return np.zeros(0), values
         from scipy.optimize import lsq_linear
@@ -328,7 +332,7 @@ class Workshop:
         aims, values_then, settings = self._aims(car, values), values, np.zeros(len(self._settings))
         for _ in range(
             2
-        ):  # the effects are those of the drawing: the second step removes what the first one leaves
+        ):  # the effects are those of the drawing: the second step removes the remaining error of the first
             left = aims - self._drawn - self._effects @ settings
             bounds = (self._low - 1e-12, self._high + 1e-12)
             settings = np.clip(
@@ -343,7 +347,7 @@ class Workshop:
         return settings, values_then
 
     def causes(self, drawn: Array) -> dict[str, Array]:
-        """Variance of every value by the part that causes it, to first order; SI squared."""
+        """Return the first-order variance of every value by the part that causes it, SI squared."""
         variances: dict[str, Array] = {}
         for k, (name, _) in enumerate(self.sources):
             if self.sizes[k] > 0.0:

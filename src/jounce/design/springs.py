@@ -34,7 +34,7 @@ class WheelCarriage:
     """Masses and stiffnesses of one wheel, and the paths of its spring and damper, SI.
 
     ``place`` is ``front``, ``rear``, or empty for a quarter car; ``spring`` and ``damper`` are the paths of rate and
-    coefficient; ``motion_ratio`` is spring travel over wheel travel (1); None where the model has no such part.
+    coefficient; ``motion_ratio`` is spring travel over wheel travel (1). Values are None if the model has no such part.
     """
 
     place: str
@@ -47,7 +47,7 @@ class WheelCarriage:
     tyre_damping: float = 0.0
 
     def quarter_car(self, values: Mapping[str, float]) -> LumpedCorner:
-        """Quarter car of this wheel, with the numbers (SI) of its rig."""
+        """Return the quarter car of this wheel for parameter values (SI) of its rig."""
         if self.unsprung_mass is None or self.tyre_stiffness is None:
             raise DescriptionError(
                 "best dampers need a wheel with a mass on a tyre of constant stiffness",
@@ -62,7 +62,7 @@ class WheelCarriage:
 
 
 def wheels_of(rig: Rig) -> tuple[WheelCarriage, ...]:
-    """Wheels of a quarter car, or one of each axle of a vehicle; refuses 3-D rigs and laws of more than one number."""
+    """Return the wheel of a quarter car, or one per axle of a vehicle; reject 3-D rigs and nonlinear laws."""
     if isinstance(rig, QuarterCar):
         tyre, ratio = rig.tyre, float(np.cos(rig.strut.angle))
         damper = _linear("strut.damper", rig.strut.damper)
@@ -147,9 +147,9 @@ class WheelDesign:
 
 @dataclass(frozen=True)
 class SpringDesign(Shown):
-    """Springs and dampers for the requested frequencies: the rig with them, and one wheel of each axle.
+    """Springs and dampers for the requested frequencies: the modified rig, and one wheel of each axle.
 
-    ``with_tyre`` says whether the frequency is that of spring and tyre in series.
+    ``with_tyre`` is True if the frequency is that of spring and tyre in series.
     """
 
     rig: Rig
@@ -178,7 +178,7 @@ class SpringDesign(Shown):
 
     @property
     def changes(self) -> dict[str, float]:
-        """Wanted values of all wheels by path, SI."""
+        """New values of all wheels by path, SI."""
         return {path: value for wheel in self.wheels for path, value in wheel.changes.items()}
 
     def to_dict(self) -> dict[str, Any]:
@@ -239,24 +239,24 @@ def design_springs(
     Parameters
     ----------
     rig : Rig, str or Path
-        Quarter car, half car or full car, its file or its name in the library, with one rate a spring and a linear
+        Quarter car, half car or full car, its file or its name in the library, with a constant spring rate and a linear
         damper. The lever rule gives the sprung mass on each wheel of a vehicle.
     frequency : float, str or tuple
         Hz; a pair for front and rear.
     damping_ratio : float or tuple of float
-        Of critical (1), the tyre taken as rigid; a pair for front and rear.
+        Fraction of critical damping (1), with a rigid tyre; a pair for front and rear.
     with_tyre : bool
-        Whether the frequency is that of spring and tyre in series, as it is measured on the car.
+        Whether the frequency is that of spring and tyre in series, as measured on the car.
 
     Returns
     -------
     SpringDesign
-        SI, with the rig changed accordingly.
+        Values in SI, with the modified rig.
 
     Raises
     ------
     DescriptionError
-        For values out of range, rigs in 3-D, and laws with more than one number.
+        For values out of range, rigs in 3-D, and nonlinear springs or dampers.
 
     Examples
     --------
@@ -296,20 +296,20 @@ def design_springs(
 
 
 def _each(value: Any, wheels: tuple[WheelCarriage, ...], where: str) -> tuple[Any, ...]:
-    """One value for each wheel."""
+    """Return one value for each wheel."""
     if not isinstance(value, (tuple, list)):
         return (value,) * len(wheels)
     if len(value) != len(wheels):
         places = ", ".join(wheel.place for wheel in wheels) or "one wheel"
         raise DescriptionError(
-            "not one value for each axle", where=where, found=list(value), allowed=places
+            "there must be one value for each axle", where=where, found=list(value), allowed=places
         )
     return tuple(value)
 
 
 def _advice(rig: Rig, wheels: list[WheelDesign]) -> list[Finding]:
     sags = [(wheel.place or "spring", wheel.wanted.static_deflection) for wheel in wheels]
-    # 0.25 m at rest is 1 Hz, the softest of passenger cars.
+    # A static deflection of 0.25 m corresponds to 1 Hz, that of the softest passenger cars.
     findings = [
         finding("design.spring_sags", place, sag, deflection=sag)
         for place, sag in sags

@@ -22,7 +22,7 @@ class StudiedDesign(Plain):
     Attributes
     ----------
     design : KinematicDesign
-        Rigs, targets before and after, what was moved, SI.
+        Rigs, targets before and after, moved points, SI.
     sources : mapping of str to Path
         The file of each rig.
     study : str
@@ -45,7 +45,7 @@ class StudiedDesign(Plain):
 
     @property
     def subject(self) -> str:
-        """Name of the rig; of several that of the study."""
+        """Name of the rig, or of the study if it has several rigs."""
         return next(iter(self.sources.values())).stem if len(self.sources) == 1 else self.study
 
     def to_dict(self) -> dict[str, Any]:
@@ -91,7 +91,7 @@ def design_from_study(
         int | None, Count("Number of searches; the study's own by default.", least=1)
     ] = None,
 ) -> StudiedDesign:
-    """Find the hardpoints that give wanted kinematic values and curves. Exit code 1 where targets are missed.
+    """Find hardpoints that meet kinematic targets. Exit code 1 if targets are missed.
 
     Parameters
     ----------
@@ -103,7 +103,7 @@ def design_from_study(
     Returns
     -------
     StudiedDesign
-        As :func:`jounce.design_kinematics` gives it, with the files that are written of it.
+        The result of :func:`jounce.design_kinematics`, with its output files.
 
     Raises
     ------

@@ -113,7 +113,7 @@ def test_springs_of_vehicles():
         ("audi-a6-half-car", ("0 Hz", 0.3), {}, "above 0 Hz"),
         ("audi-a6-half-car", ("1.2 m", 0.3), {}, "wrong unit"),
         ("audi-a6-half-car", (1.2, -0.1), {}, "at least 0"),
-        ("audi-a6-half-car", ((1.2, 1.3, 1.4), 0.3), {}, "not one value for each axle"),
+        ("audi-a6-half-car", ((1.2, 1.3, 1.4), 0.3), {}, "there must be one value for each axle"),
         ("audi-a6-half-car", (1.2, 0.3), {"with_tyre": True}, "no tyre"),
         (
             "audi-a6-half-car-4dof",

@@ -263,7 +263,7 @@ def test_more_starts_do_not_end_worse():
         ),
         ({DAMPER: "±10 %"}, "sprung.az smoothed", {}, ROAD, "no such number of a channel"),
         ({DAMPER: "±10 %"}, "sprung.az coefficient", {}, ROAD, "coefficient is that of a force"),
-        ({DAMPER: "±10 %"}, "mode 1 colour", {}, ROAD, "not a number of a mode"),
+        ({DAMPER: "±10 %"}, "mode 1 colour", {}, ROAD, "not a quantity of a mode"),
         ({DAMPER: "±10 %"}, "mode 3 frequency", {}, ROAD, "2 modes only"),
         ({DAMPER: "±10 %"}, "", {}, ROAD, "not a metric"),
         ({DAMPER: "±10 %"}, {}, {}, ROAD, "no objective"),
