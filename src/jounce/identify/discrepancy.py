@@ -546,7 +546,7 @@ class ModelErrorProblem:
         return blocks, states
 
     def _slopes(self, run: _Run, state: _State) -> Array:
-        """Return derivatives of the extended rig's numbers by scaled parameters and whitened nuisances (algebra only)."""
+        """Return derivatives of the extended rig's numbers by scaled parameters and whitened nuisances."""
         unknowns = np.concatenate([state.theta, state.xi[: self.lanes]])
         p = len(self.free)
 

@@ -1,4 +1,4 @@
-"""Uncertainty of a model and its measurements: standard deviations of all inputs that are never exact."""
+"""Uncertainty of a model and its measurements: standard deviations of all inexact inputs."""
 
 from __future__ import annotations
 
@@ -15,67 +15,68 @@ Share = Annotated[float, Unit("1", at_least=0.0)]
 class Doubt(Description):
     """Uncertainty of model and measurements, each as one standard deviation; 0 means exact.
 
-    The defaults are those of a careful small laboratory. State what is known better, and what is known less: with half
-    or double of them all, intervals of a spring rate are 0.5 to 0.7 and 2 times as wide, of a tyre's stiffness 0.7 to
-    0.9 and 1.7 times, of a damper 0.7 to 1.1 and 1.4 to 1.8 times, of frictions and tyre damping 0.8 to 1.3 and 1.0 to
-    1.9 times (three virtual benches of three trials): those depend more on what nothing explains.
+    The defaults suit a careful small laboratory. State inputs that are known better or worse. With half or double of
+    all defaults, intervals of a spring rate are 0.5 to 0.7 and 2 times as wide, of a tyre's stiffness 0.7 to 0.9 and
+    1.7 times, of a damper 0.7 to 1.1 and 1.4 to 1.8 times, of frictions and tyre damping 0.8 to 1.3 and 1.0 to 1.9
+    times (three virtual benches of three trials). The latter depend more on the unexplained residual.
 
     Attributes
     ----------
     stated : float
-        Masses that the rig states, in 3-D, as a share (1).
+        Masses stated by the rig, for 3-D models, as a share (1).
     lumped : float
-        The same of lumped models, whose masses are on no scale: the arms are sprung in part.
+        The same for lumped models, whose masses cannot be weighed, as the arms are partly sprung.
     estimated : float
-        Masses that the rig's ``estimated`` list names, as a share (1).
+        Masses in the rig's ``estimated`` list, as a share (1).
     values : dict
-        Path of any number of the rig to its own: a share (``"3 %"``), or in its unit (``"0.2 kg"``).
+        Mapping from the path of any number of the rig to its own uncertainty: a share (``"3 %"``), or a value in its
+        unit (``"0.2 kg"``).
     angle : float
         Strut angle, rad.
     damper_shape : float
-        Force of the damper beside its law, as a share (1) of it, at velocities as far apart as slow and fast; in
-        addition ``damper_force`` (N).
+        Deviation of the damper's force from its law, as a share (1) of it, with little correlation between slow and
+        fast motion; ``damper_force`` (N) is added.
     damper_force : float
-        See there, N.
+        Constant part of that deviation, N.
     presliding : float
-        Hysteretic force of damper, mounts and seals that builds up over half a millimetre, N.
+        Hysteretic force of damper, mounts and seals that builds up over half a millimetre of travel, N.
     guide_presliding : float
-        Share (1) of the guide's friction that builds up over travel (half a millimetre, within a factor of two) instead
-        of with the velocity, where that friction is fitted: about one half of it.
+        Share (1) of a fitted guide friction that builds up over travel (half a millimetre, within a factor of two)
+        instead of with the velocity, as a deviation from one half.
     arms : float
-        Inertia that arms and struts share between body and wheel, as a share (1) of the unsprung mass; of quarter cars,
-        whose two masses feel each other through springs and dampers only.
+        Inertia that arms and struts share between body and wheel, as a share (1) of the unsprung mass; for quarter
+        cars, whose two masses are coupled by springs and dampers only.
     friction : float
         Friction that is not fitted, as a share (1) of the load on the spring.
     friction_onset : float
-        Regularisation velocities of friction, as a factor: 1 for between half and double (1).
+        Regularisation velocities of friction, as a power of two: 1 means between half and double (1).
     spring_curvature : float
-        Change of the spring's rate at the strut for a deflection as large as the static one, as a share (1); of lumped
-        models, which have no motion ratio that changes.
+        Change of the spring's rate at the strut over a deflection equal to the static one, as a share (1); for lumped
+        models, which have a constant motion ratio.
     tyre_curvature : float
-        The same of the tyre's stiffness.
+        The same for the tyre's stiffness.
     height : float
         Height of obstacles, or size of a base motion, as a share (1).
     contact_patch : float
-        Length of the patch over which the tyre averages an obstacle, in static deflections of the tyre (1).
+        Length of the contact patch over which the tyre averages an obstacle, in static tyre deflections (1).
     speed : float
         Speed of each trial, m/s.
     slowing : float
-        Share (1) by which the speed changes during a pass, of each trial.
+        Change of speed during a pass of each trial, as a share (1).
     gain : float
         Gain of a sensor, as a share (1).
     corner : float
         Corner frequency of a low pass, as a share (1).
     bandwidth : float
-        Time constant of a low pass that a sensor's chain has and nobody states, one over its angular corner, s; of
-        channels without a stated one.
+        Time constant of an undeclared low pass in a sensor's chain, the inverse of its angular corner, s; for channels
+        without a stated low pass.
     bias : float
         Constant error of a sensor, as a share (1) of the standard deviation of its record.
     start : float
-        How far each natural vibration may go when a record begins, m: 0 where all begin at rest, or on a belt whose
-        loops are simulated.
+        Amplitude of each natural vibration at the start of a record, m; 0 if all records begin at rest or on a belt
+        whose loops are simulated.
     wheel_load : float
-        Wheel load at rest where it was measured, as a share (1) of it.
+        Measured static wheel load, as a share (1).
 
     Examples
     --------
@@ -110,7 +111,7 @@ class Doubt(Description):
 
 
 def doubts_of(given: Doubt | Mapping[str, Any]) -> Doubt:
-    """Return the uncertain inputs, also from a table."""
+    """Return the uncertain inputs, reading them from a table if necessary."""
     if isinstance(given, Doubt):
         return given
     if not isinstance(given, Mapping):

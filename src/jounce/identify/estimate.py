@@ -1,4 +1,4 @@
-"""Estimated numbers with their uncertainty: least squares, replicates, independent estimates combined."""
+"""Estimates with their uncertainty: least squares, replicates, and combination of independent estimates."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from jounce.core.types import Array
 
 @dataclass(frozen=True)
 class Estimate(Shown):
-    """A number found from measurements, and how well it is known.
+    """A value estimated from measurements, with its uncertainty.
 
     Attributes
     ----------
@@ -35,12 +35,12 @@ class Estimate(Shown):
         return estimate_text(self, "1")
 
     def has(self, truth: float) -> bool:
-        """Tell whether the 95 % interval covers ``truth`` (same unit); False where there is no interval."""
+        """Whether the 95 % interval covers ``truth`` (same unit); False without an interval."""
         return self.interval is not None and self.interval[0] <= truth <= self.interval[1]
 
 
 def student_factor(degrees_of_freedom: float, *, level: float = 0.95) -> float:
-    """Two-sided Student t factor: half width of an interval in standard errors [1].
+    """Return the two-sided Student t factor: half width of an interval in standard errors [1].
 
     >>> round(student_factor(2), 3), round(student_factor(float("inf")), 3)
     (4.303, 1.96)
@@ -58,7 +58,7 @@ def estimate(
 ) -> Estimate:
     """Make an estimate with its 95 % Student interval, symmetric about ``value``.
 
-    Without a finite standard error, or with less than one degree of freedom, it has no interval.
+    Without a finite standard error, or with less than one degree of freedom, the estimate has no interval.
 
     >>> tuple(round(end, 3) for end in estimate(10.0, 1.0, 2).interval)
     (5.697, 14.303)
@@ -70,7 +70,7 @@ def estimate(
 
 
 def at_least_zero(given: Estimate) -> Estimate:
-    """Cut value and interval of a quantity that cannot be negative at zero; the standard error stays.
+    """Clip value and interval of a non-negative quantity at zero; the standard error is unchanged.
 
     >>> at_least_zero(Estimate(-1.0, 1.0, (-3.0, 1.0)))
     Estimate(value=0.0, standard_error=1.0, interval=(0.0, 1.0))
@@ -84,10 +84,10 @@ def at_least_zero(given: Estimate) -> Estimate:
 
 
 def mean_of_replicates(values: list[float], *, value: float | None = None) -> Estimate:
-    """Estimate a quantity from repeated trials, the trials being the independent replicates.
+    """Estimate a quantity from repeated trials, treated as independent replicates.
 
-    ``value`` replaces the mean where another one is to be reported, e.g. that of a fit through all points together. The
-    standard error is the standard deviation between trials over the root of their number; one trial gives no interval.
+    ``value`` replaces the reported mean, e.g. by the result of a fit to all points together. The standard error is the
+    standard deviation between trials over the root of their number; one trial gives no interval.
 
     >>> round(mean_of_replicates([1.0, 2.0, 3.0]).standard_error, 4)
     0.5774
@@ -103,7 +103,7 @@ def mean_of_replicates(values: list[float], *, value: float | None = None) -> Es
 def combine(estimates: Sequence[Estimate]) -> Estimate:
     """Combine independent estimates of one quantity (random effects).
 
-    Weighted mean; without a standard error on every entry the plain mean and the scatter between entries.
+    The result is the weighted mean; if a standard error is missing, the plain mean with the scatter between entries.
 
     >>> combine([Estimate(1.0, 0.1), Estimate(3.0, 0.1)]).value
     2.0
@@ -129,11 +129,11 @@ def combine(estimates: Sequence[Estimate]) -> Estimate:
 
 @dataclass(frozen=True)
 class Uncertainty:
-    """How well a least-squares fit knows its parameters.
+    """Uncertainty of the parameters of a least-squares fit.
 
-    ``covariance`` is that of the parameters (products of their units), ``degrees_of_freedom`` the effective number of
-    independent residuals less the number of parameters, at least 1, and ``correlation_time`` the number of samples that
-    carry the information of one independent sample, 1 for white residuals.
+    ``covariance`` is that of the parameters (products of their units). ``degrees_of_freedom`` is the effective number
+    of independent residuals less the number of parameters, at least 1. ``correlation_time`` is the number of samples
+    per independent sample, 1 for white residuals.
     """
 
     covariance: Array
@@ -141,7 +141,7 @@ class Uncertainty:
     correlation_time: float
 
     def estimates(self, values: Array) -> tuple[Estimate, ...]:
-        """One estimate per parameter."""
+        """Return one estimate per parameter."""
         errors = np.sqrt(np.maximum(np.diag(self.covariance), 0.0))
         return tuple(
             estimate(float(v), float(e), self.degrees_of_freedom)
@@ -149,7 +149,7 @@ class Uncertainty:
         )
 
     def propagate(self, value: float, gradient: Array) -> Estimate:
-        """Estimate of a quantity computed from the parameters (first-order propagation)."""
+        """Return the estimate of a quantity computed from the parameters (first-order propagation)."""
         if not np.all(np.isfinite(self.covariance)):
             return Estimate(value)
         variance = float(gradient @ self.covariance @ gradient)
@@ -157,7 +157,7 @@ class Uncertainty:
 
 
 def correlation_time(residual: Array) -> float:
-    """Samples per independent residual [1] (integrated autocorrelation, initial positive sequence), 1 if white."""
+    """Return samples per independent residual [1] (integrated autocorrelation, initial positive sequence)."""
     count = len(residual)
     centred = residual - residual.mean()
     variance = float(centred @ centred)
@@ -175,10 +175,10 @@ def correlation_time(residual: Array) -> float:
 
 
 def uncertainty(jacobian: Array, residual: Array) -> Uncertainty:
-    """Parameter covariance of a least-squares fit, allowing for autocorrelated residuals.
+    """Compute the parameter covariance of a least-squares fit, allowing for autocorrelated residuals.
 
-    White residuals give the classical covariance. Otherwise a Newey-West estimate on prewhitened scores is used, never
-    below the classical one parameter by parameter. Variances are infinite where the data do not determine a parameter.
+    White residuals give the classical covariance. Otherwise a Newey-West estimate on prewhitened scores is used, whose
+    variances are at least the classical ones. Parameters that the data do not determine have infinite variances.
 
     References
     ----------
@@ -203,7 +203,7 @@ def uncertainty(jacobian: Array, residual: Array) -> Uncertainty:
 
 
 def _long_run(scores: Array, time: float) -> Array:
-    """Long-run sum of squares of the scores: Newey-West on scores prewhitened one by one, then recoloured."""
+    """Compute the long-run sum of squares of the scores: Newey-West on individually prewhitened scores, recoloured."""
     count = len(scores)
     before, after = scores[:-1], scores[1:]
     share = (before * after).sum(axis=0) / np.maximum((before**2).sum(axis=0), 1e-300)
@@ -218,7 +218,7 @@ def _long_run(scores: Array, time: float) -> Array:
 
 
 def _not_below(covariance: Array, floor: Array) -> Array:
-    """Raise variances of ``covariance`` to those of ``floor``, keeping its correlations."""
+    """Raise variances of ``covariance`` to at least those of ``floor``, keeping its correlations."""
     variance = np.maximum(np.diag(covariance), 1e-300)
     factor = np.sqrt(np.maximum(np.diag(floor) / variance, 1.0))
     raised: Array = covariance * np.outer(factor, factor)
@@ -226,7 +226,7 @@ def _not_below(covariance: Array, floor: Array) -> Array:
 
 
 def linear_least_squares(regressors: Array, target: Array) -> tuple[Array, Array, Uncertainty]:
-    """Fit ``target = regressors @ coefficients``; give the coefficients, measured minus fitted, and the uncertainty."""
+    """Fit ``target = regressors @ coefficients``; return coefficients, measured minus fitted, and uncertainty."""
     scale = np.linalg.norm(regressors, axis=0)
     scale = np.where(scale > 0.0, scale, 1.0)
     coefficients = np.linalg.lstsq(regressors / scale, target, rcond=None)[0] / scale
@@ -235,7 +235,7 @@ def linear_least_squares(regressors: Array, target: Array) -> tuple[Array, Array
 
 
 def correlation_of(covariance: Array) -> Array:
-    """Correlation matrix of a covariance; rows without variance become zero."""
+    """Return the correlation matrix of a covariance; rows without variance are zero."""
     deviation = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
         correlation = covariance / np.outer(deviation, deviation)
@@ -243,14 +243,14 @@ def correlation_of(covariance: Array) -> Array:
 
 
 def r_squared(measured: Array, residual: Array) -> float:
-    """Share of the variance explained [1]; 0 when the measured values do not vary."""
+    """Return the share of the variance explained [1]; 0 if the measured values are constant."""
     spread = measured - measured.mean()
     total = float(spread @ spread)
     return 1.0 - float(residual @ residual) / total if total > 0.0 else 0.0
 
 
 def central_differences(function: Callable[[Array], Array], values: Array, steps: Array) -> Array:
-    """Derivatives of a function along each of some values, shape (..., values), by central differences."""
+    """Return derivatives of a function by each of its arguments, shape (..., values), by central differences."""
     moves = np.diag(steps)
     columns = [
         (function(values + move) - function(values - move)) / (2.0 * step)

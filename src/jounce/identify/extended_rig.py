@@ -1,7 +1,8 @@
-"""The same rig extended: laws that may bend, friction that may act elsewhere, masses that may be off.
+"""Extended rig for model error: nonlinear laws, additional friction, uncertain masses.
 
-With all of it at zero the richer rig moves as the rig does, so its exact sensitivities say what each would change. Only
-friction of a guide that is fitted differs: half of it builds up over travel, until the recordings say how much does.
+With all extensions at zero the extended rig moves like the original, so that its exact sensitivities give the effect of
+each extension. The only exception is a fitted guide friction: half of it builds up over travel, until the recordings
+determine the share.
 """
 
 from __future__ import annotations
@@ -33,18 +34,18 @@ _LEAST = 1e-3  # of the largest doubt of the damper's forces: one side may be fi
 _STIFFENS = 0.5  # of its doubt: tyres stiffen with deflection as a rule
 _ONSET = math.log(2.0)
 ONSET_VELOCITY: float = Friction.model_fields["regularisation_velocity"].default
-"""Velocity in m/s over which friction turns over where the rig does not say."""
+"""Default regularisation velocity of friction, m/s."""
 SLIDING_OVER = 5e-4
-"""Travel in m over which a presliding force builds up."""
+"""Travel over which a presliding force builds up, m."""
 _RATES = {"strut.spring": "strut.spring.rate", "tyre": "tyre.stiffness"}  # paths of elastic parts
 _MIDDLE = 0.5  # of the guide's friction: what builds up over travel, as far as anybody knows
 
 
 @dataclass(frozen=True)
 class Nuisance:
-    """An input known beforehand only by its mean and standard deviation, in ``unit``.
+    """An uncertain input with prior mean and standard deviation, in ``unit``.
 
-    ``group`` names the entry of :class:`Doubt` that it comes from.
+    ``group`` is the corresponding entry of :class:`Doubt`.
     """
 
     name: str
@@ -64,11 +65,11 @@ class RideExtent:
 
 
 class ExtendedRig:
-    """An extended rig: its description, its uncertain inputs, and its parameters for values of both.
+    """An extended rig: its description, its uncertain inputs, and its parameters for given values of fit and inputs.
 
-    ``free`` are the paths of the fitted parameters; ``nuisances`` stand in the order of the whitened unknowns ``xi``
-    (independent, mean 0, standard deviation 1) that stand for them. ``fitted`` are values (SI) that the rig does not
-    have yet: what is doubted as a share is one of these, whatever the fit started from.
+    ``free`` are the paths of the fitted parameters. ``nuisances`` have the order of the whitened unknowns ``xi``
+    (independent, mean 0, standard deviation 1) that represent them. ``fitted`` are values (SI) that replace those of
+    the rig: uncertainties stated as shares refer to these, not to the start values of the fit.
     """
 
     def __init__(
@@ -95,11 +96,11 @@ class ExtendedRig:
 
     @property
     def description(self) -> Rig:
-        """The extended rig's description, with the values of the rig."""
+        """Description of the extended rig, with the values of the original rig."""
         return type(self.rig).from_table(self._table)
 
     def of(self, rig: Rig) -> Rig:
-        """The extended description of another set-up of the same rig (angle, pressure)."""
+        """Return the extended description of a different set-up of the same rig (angle, pressure)."""
         table = rig.model_dump(by_alias=True, exclude_none=True)
         return type(rig).from_table(_merge(self._table, table, self._own_tables()))
 
@@ -110,7 +111,7 @@ class ExtendedRig:
     def plain(
         self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array
     ) -> dict[str, float]:
-        """Parameters of the rig by path, with uncertain masses, angle and friction."""
+        """Return parameters of the rig by path, with uncertain masses, angle and friction."""
         p = {**values, **fitted}
         for i, path in self._shares.items():
             p[path] = p[path] * (1.0 + self.nuisances[i].deviation * xi[i])
@@ -124,7 +125,7 @@ class ExtendedRig:
     def numbers(
         self, values: Mapping[str, float], fitted: Mapping[str, float], xi: Array
     ) -> dict[str, float]:
-        """Parameters of the extended rig by path, from those of a set-up, fitted ones and nuisances."""
+        """Return parameters of the extended rig by path, from those of a set-up, the fitted ones and the nuisances."""
         p = self.plain(values, fitted, xi)
         moving = (
             *self.free,
@@ -153,7 +154,7 @@ class ExtendedRig:
         return out
 
     def damper_force(self, p: Mapping[str, float], xi: Array, velocity: Array) -> Array:
-        """Force in N of the damper's law with its bends at strut velocities (m/s), straight between the knots."""
+        """Return the force (N) of the extended damper law at strut velocities (m/s), linear between the knots."""
 
         def number(name: str) -> float:
             return p[f"strut.damper.{name}"]
@@ -173,7 +174,7 @@ class ExtendedRig:
     def curve(
         self, part: str, p: Mapping[str, float], xi: Array, places: tuple[int, ...]
     ) -> list[float]:
-        """Coefficients of spring or tyre, whose tangent at the static deflection is the rig's rate or stiffness."""
+        """Return coefficients of spring or tyre whose tangent at the static deflection is the rig's stiffness."""
         rate, rest = (
             p[_RATES[part]],
             {"strut.spring": self.extent.strut, "tyre": self.extent.tyre}[part],
@@ -187,7 +188,7 @@ class ExtendedRig:
     def elastic_force(
         self, part: str, p: Mapping[str, float], xi: Array, deflection: Array
     ) -> Array:
-        """Force in N of spring or tyre at deflections (m), without preload."""
+        """Return the force (N) of spring or tyre at deflections (m), without preload."""
         if part not in self._curved:
             return p.get(_RATES[part], 0.0) * deflection
         coefficients = self.curve(part, p, xi, self._curved[part])
@@ -215,7 +216,7 @@ class ExtendedRig:
                 self._shares[i] = path
 
     def _own(self, path: str, share: float, group: str) -> tuple[float, str]:
-        """Share by which a value may be off: its own, or that of its group."""
+        """Return the relative uncertainty of a value and its group: its own, or the default of its group."""
         if path not in self.doubt.values:
             return share, group
         return own_doubt(self.rig, path, self.doubt.values[path], "doubt.values"), "values"
@@ -244,7 +245,7 @@ class ExtendedRig:
                 self._shares[i] = path
 
     def _damper_law(self) -> DamperLaw | None:
-        """The damper of the strut where its law is straight on either side of rest, which a table may bend."""
+        """Return the strut's damper if its law is linear in bump and in rebound, so that a table can extend it."""
         damper: DamperLaw = getattr(self.rig, "strut").damper  # noqa: B009 - rigs with laws have one
         return damper if damper.bends() == (0.0,) else None
 
@@ -276,7 +277,7 @@ class ExtendedRig:
         self._table["strut"]["damper"] = {"velocity": tuple(knots), "force": tuple(force)}
 
     def laws_as_described(self) -> list[str]:
-        """Laws of the rig that are assumed to be as described."""
+        """Return the laws of the rig that are assumed to be exact."""
         if not self.has_laws:
             return ["dampers", "friction", "springs", "tyres"]
         laws = [] if self._knots is not None or self.doubt.damper_shape <= 0.0 else ["damper"]
@@ -286,11 +287,11 @@ class ExtendedRig:
         ]
 
     def damper_covariance_root(self) -> tuple[tuple[int, ...], Array] | None:
-        """Places of the damper's forces among the nuisances, and the root of their prior covariance, N."""
+        """Return the indices of the damper's forces in the nuisances, and the root of their prior covariance, N."""
         return self._knotted
 
     def knot_velocities(self) -> Array:
-        """Strut velocities (m/s) of the damper's uncertain forces: as far in rebound as in bump."""
+        """Return strut velocities (m/s) of the damper's uncertain forces, symmetric in bump and rebound."""
         return np.zeros(0) if self._knots is None else self._knots[self._knots != 0.0]
 
     def _frictions(self) -> None:
@@ -313,7 +314,7 @@ class ExtendedRig:
                 self._presliding(path, table)
 
     def _presliding(self, path: str, table: dict[str, Any]) -> None:
-        """Let a share of the guide's friction build up over travel, and doubt share and distance."""
+        """Let a share of the guide's friction build up over travel, with uncertain share and distance."""
         i = self._add(
             f"{path}.presliding", "guide_presliding", self.doubt.guide_presliding, mean=_MIDDLE
         )
@@ -327,7 +328,7 @@ class ExtendedRig:
             self._factors[j] = f"{path}.presliding_distance"
 
     def _friction_places(self) -> dict[str, dict[str, Any]]:
-        """Path of each friction to the table that holds it."""
+        """Return a mapping from the path of each friction to its table."""
         places = {"strut.friction": self._table["strut"]}
         if isinstance(self.rig, QuarterCar):
             places["guide.friction"] = self._table.setdefault("guide", {})
@@ -366,12 +367,12 @@ class ExtendedRig:
         table["curve"] = {"kind": "polynomial", "coefficients": (1.0,) * (1 + len(places))}
 
     def _own_tables(self) -> set[str]:
-        """Tables that are the richer rig's own."""
+        """Return the tables that only the extended rig has."""
         parts = {f"{part}.curve" for part in self._curved}
         return parts | ({"strut.damper"} if self._knots is not None else set())
 
     def _absent_paths(self) -> set[str]:
-        """Paths of the rig that the richer one does not have."""
+        """Return the paths of the rig that the extended rig does not have."""
         gone = {
             f"{part}.{law}"
             for part, law in (("strut.spring", "rate"), ("tyre", "stiffness"))
@@ -384,7 +385,7 @@ class ExtendedRig:
 
 
 def own_doubt(rig: Rig, path: str, given: object, where: str) -> float:
-    """Relative uncertainty (1) of a parameter of a rig, given as a share or in its unit; errors name ``where``."""
+    """Return the relative uncertainty (1) of a parameter, given as a share or in its unit; errors mention ``where``."""
     values, place = rig.parameters(), f"{where}: {path}"
     if path not in values:
         raise unknown_path(place, values, name=path)
@@ -406,7 +407,7 @@ def own_doubt(rig: Rig, path: str, given: object, where: str) -> float:
 def _merge(
     richer: dict[str, Any], plain: dict[str, Any], own: set[str], prefix: str = ""
 ) -> dict[str, Any]:
-    """Values of ``plain`` in the shape of ``richer``; tables in ``own`` and what ``plain`` lacks are the richer's."""
+    """Return ``richer`` with the values of ``plain``, except for tables in ``own`` and entries that ``plain`` lacks."""
     merged = {}
     for key, value in richer.items():
         path = f"{prefix}{key}"
@@ -421,7 +422,7 @@ def _merge(
 
 
 def _straight(x: Array, knots: Array, values: Array) -> Array:
-    """Straight lines through points, going on beyond the ends."""
+    """Interpolate linearly through points and extrapolate beyond the ends."""
     inside = np.interp(x, knots, values)
     first, last = (
         (values[i + 1] - values[i]) / (knots[i + 1] - knots[i]) for i in (0, len(knots) - 2)

@@ -1,6 +1,6 @@
-"""The residuals of several trials against scaled free parameters, with exact sensitivities.
+"""Residuals of several trials as functions of scaled free parameters, with exact sensitivities.
 
-Scaling: ``p_i = p_i0 + half_range_i * s_i`` with ``s_i`` from -1 to +1 between the bounds, as paper 1 does for its
+The scaling is ``p_i = p_i0 + half_range_i * s_i`` with ``s_i`` from -1 to +1 between the bounds, as in paper 1 for its
 +-10 % bounds. The objective of its Eq. 2 is the plain sum of squares over all channels and samples.
 """
 
@@ -46,38 +46,40 @@ from jounce.simulation.solve import start_offset
 
 _FEWEST = 2  # samples of a recording
 _FREE_LAG = 1.0 - 1e-9
-"""Share of its bound at which a lag counts as held by it."""
+"""Share of its bound from which a lag counts as held by the bound."""
 
 
 @dataclass(frozen=True)
 class FitTrial(Shown):
-    """One trial to fit: how it was run and what was measured.
+    """One trial to fit: its set-up and its recording.
 
     Attributes
     ----------
     name : str
-        Names the trial in results and messages.
+        Name of the trial in results and messages.
     rig : Rig
         The rig as set up for this trial (strut angle, tyre pressure), with its start values.
     trial : Trial
         Road and speed, or base motion.
     measured : xarray.Dataset
-        Recording, made of a table with columns ``name [unit]`` where such is given; every variable that is also an
-        output of the model is compared.
+        Recording; a table with columns ``name [unit]`` is converted. Every variable that is also an output of the model
+        is compared.
     sensors : dict
-        Channel to sensor: applied to the simulation before it is compared. Where a sensor says no ``datum``, or a
-        channel has no sensor, :func:`jounce.identify.datum.with_datums` finds it; until then it is "undeformed".
+        Mapping from channel to sensor, applied to the simulation before the comparison. If a sensor states no
+        ``datum``, or a channel has no sensor, :func:`jounce.identify.datum.with_datums` determines it; until then it is
+        "undeformed".
     added : dict
-        Path to what the rig had on top in this trial alone (SI), such as a known mass; it is in ``rig``. A fitted value
-        is that without it.
+        Mapping from path to an addition to the rig in this trial only (SI), such as a known mass. ``rig`` includes it;
+        fitted values exclude it.
     wheel_load : float or None
-        Force of the wheel on the ground that was measured at rest, with what was added, N; of rigs with one wheel. An
-        interval that counts model error takes the scale of the masses from it.
+        Measured static force of the wheel on the ground, including ``added``, N; for rigs with one wheel. It determines
+        the scale of the masses for intervals that include model error.
     offset : dict
-        State to how far from equilibrium the run begins (SI), as for :func:`jounce.simulate`: at rest by default.
+        Mapping from state to its initial distance from equilibrium (SI), as for :func:`jounce.simulate`; by default the
+        run starts at rest.
     noise : dict
-        Channel to the standard deviation of its noise (SI) where the scatter of repeated passages tells it; of other
-        channels it is what the fit leaves at high frequencies.
+        Mapping from channel to the standard deviation of its noise (SI), if known from the scatter of repeated
+        passages. For other channels the noise is estimated from the residuals at high frequencies.
     """
 
     name: str
@@ -92,14 +94,14 @@ class FitTrial(Shown):
 
     @property
     def rig_without(self) -> Rig:
-        """The rig without nuisances."""
+        """Return the rig without the additions of this trial."""
         values = self.rig.parameters()
         return self.rig.with_changes(
             {path: values[path] - more for path, more in self.added.items()}
         )
 
     def in_motion(self, offset: Mapping[str, float]) -> FitTrial:
-        """Return the trial started away from equilibrium (SI by state): no sensor shows its zero then."""
+        """Return the trial started away from equilibrium (SI by state), in which no sensor begins at its zero."""
         sensors = dict(self.sensors)
         for name in map(str, self.measured.data_vars):
             sensor = sensors.get(name, Sensor())
@@ -127,15 +129,15 @@ class FreeParameter:
 
     @property
     def half_range(self) -> float:
-        """Value of one scaled unit."""
+        """Value of one scaled unit, SI."""
         return 0.5 * (self.upper - self.lower)
 
     def value(self, scaled: float) -> float:
-        """Value at a scaled coordinate."""
+        """Return the value at a scaled coordinate."""
         return 0.5 * (self.upper + self.lower) + self.half_range * scaled
 
     def scale(self, value: float) -> float:
-        """Scaled coordinate of a value."""
+        """Return the scaled coordinate of a value."""
         return (value - 0.5 * (self.upper + self.lower)) / self.half_range
 
 
@@ -149,7 +151,7 @@ class Unknown(Protocol):
 
     @property
     def free(self) -> FreeParameter:
-        """Its start value and bounds."""
+        """Start value and bounds of the unknown."""
         ...
 
     def concerns(self, trial: FitTrial) -> bool:
@@ -157,16 +159,16 @@ class Unknown(Protocol):
         ...
 
     def apply_to(self, trial: FitTrial, value: float) -> FitTrial:
-        """The trial with this value."""
+        """Return the trial with this value of the unknown."""
         ...
 
 
 @dataclass(frozen=True)
 class Channel:
-    """One compared channel of one trial, ready to be evaluated.
+    """One compared channel of one trial, ready for evaluation.
 
-    ``frozen`` are samples that tell nothing (see `frozen_samples`): ``measured`` is a line across them. ``noise`` is
-    the standard deviation of its noise where that is known.
+    ``frozen`` marks stuck samples without information (see `frozen_samples`), which ``measured`` bridges by a line.
+    ``noise`` is the standard deviation of the channel's noise if it is known.
     """
 
     name: str
@@ -180,9 +182,9 @@ class Channel:
     noise: float | None = None
 
     def offset(self, table: Array, slope: Array) -> tuple[Array, Array]:
-        """Table and slope by the lag, with a free offset as the best constant: as if it were fitted, too.
+        """Return table and lag derivative with a free offset eliminated as the best constant, as if it were fitted.
 
-        Where the record is frozen the table is the record, whatever the parameters: nothing is left there.
+        Frozen samples of the table equal the record, so their residual is zero for all parameters.
         """
         if self.datum == "free offset":
             seen = slice(None) if self.frozen is None else ~self.frozen
@@ -196,13 +198,13 @@ class Channel:
         return table, slope
 
     def mask_frozen(self, slope: Array) -> Array:
-        """A slope of the reading, 0 where the record is frozen."""
+        """Return a slope of the reading, set to 0 where the record is frozen."""
         return slope if self.frozen is None else np.where(self.frozen, 0.0, slope)
 
 
 @dataclass(frozen=True)
 class Prepared:
-    """One trial with its native model, output times and channels."""
+    """One trial with its compiled model, output times and channels."""
 
     source: FitTrial
     compiled: Compiled
@@ -215,11 +217,11 @@ class Prepared:
     offsets: Array
 
     def own(self, values: Array) -> Array:
-        """Values of this trial for those of the first trial without nuisances."""
+        """Convert values of the first trial, without additions, to values of this trial."""
         return values * self.factors + self.offsets
 
     def solve(self, values: Array, tolerance: float) -> Solution:
-        """Simulate with the free parameters at ``values`` (in the units of the first trial's start values)."""
+        """Simulate with the free parameters at ``values`` (SI, of the first trial)."""
         p, names, free = self.start.copy(), self.compiled.facts.parameters, self.compiled.free
         if free:
             p[[names.index(path) for path in free]] = self.own(values)
@@ -240,20 +242,20 @@ class Prepared:
         return solution
 
     def tracks(self) -> list[Segments]:
-        """Inputs of the model against time (s)."""
+        """Return the inputs of the model against time (s)."""
         return excitation(
             self.compiled.facts, self.source.rig, self.source.trial, self.compiled.free
         )
 
     def road(self, channel: Channel) -> Array:
-        """Height of the road (m) below the first wheel at the instants of a channel."""
+        """Return the height of the road (m) below the first wheel at the instants of a channel."""
         first = next(i for i, name in enumerate(self.compiled.facts.tracks) if is_road(name))
         return np.asarray(
             self.tracks()[first].evaluate(self.times)[0][len(self.times) - len(channel.measured) :]
         )
 
     def table(self, channel: Channel, solution: Solution) -> Array:
-        """Simulated reading of a channel and, beside it, its derivatives by the free parameters; a row a sample."""
+        """Return the simulated reading of a channel and its derivatives by the free parameters, one row per sample."""
         table = np.vstack(
             [solution.outputs[channel.column], *solution.output_slopes[channel.column]]
         ).T
@@ -273,9 +275,9 @@ class Prepared:
 class Residuals:
     """Residuals (weighted, measured minus simulated) and their derivatives by the scaled parameters.
 
-    ``direct`` are those with the lags kept, shape (n, parameters); ``lag_slope`` is that by the lag of the row's trial,
-    per s, zero where a lag is not free. ``blocks`` are the rows of each channel of each trial, ``groups`` those of each
-    trial, ``lags`` the lag of each recording behind its simulation, s.
+    ``direct`` are the derivatives at constant lags, shape (n, parameters); ``lag_slope`` is the derivative by the lag
+    of the row's trial, per s, zero for a lag that is not free. ``blocks`` are the rows of each channel of each trial,
+    ``groups`` those of each trial, ``lags`` the lag of each recording behind its simulation, s.
     """
 
     vector: Array
@@ -287,9 +289,9 @@ class Residuals:
 
     @cached_property
     def jacobian(self) -> Array:
-        """Derivatives for least squares with fitted lags: the part that a lag can explain is left out.
+        """Derivatives for least squares with fitted lags, without the part that a lag explains.
 
-        The lags are those that fit best with the parameters as they are (variable projection, Kaufman's form).
+        The lags are the best ones for the current parameters (variable projection, Kaufman's form).
         """
         jacobian = self.direct.copy()
         for rows in self.groups:
@@ -297,7 +299,7 @@ class Residuals:
         return jacobian
 
     def with_lags(self, unit: float) -> Array:
-        """Derivatives by the parameters and, behind them, by the lag of each trial in a unit (s)."""
+        """Return derivatives by the parameters, then by the lag of each trial, in units of ``unit`` (s)."""
         lags = np.zeros((len(self.vector), len(self.groups)))
         for i, rows in enumerate(self.groups):
             lags[rows, i] = unit * self.lag_slope[rows]
@@ -317,8 +319,8 @@ def project_out(columns: Array, direction: Array) -> None:
 class UpdateProblem:
     """Residuals and exact Jacobian of all trials as functions of the scaled parameters.
 
-    With ``align`` every recording lags behind its simulation by what fits best, which no simulation is needed for: the
-    lags are no unknowns of the search.
+    With ``align`` each recording lags behind its simulation by the best-fitting lag. This needs no further simulation,
+    so the lags are not unknowns of the search.
     """
 
     def __init__(
@@ -348,7 +350,7 @@ class UpdateProblem:
         self._last: tuple[bytes, Residuals] | None = None
 
     def coarser(self, tolerance: float) -> UpdateProblem:
-        """The same problem with coarser simulations, and its own count."""
+        """Return the same problem with coarser simulations and a separate evaluation count."""
         problem = copy(self)
         problem.tolerance, problem.evaluations, problem._last = (
             max(tolerance, self.tolerance),
@@ -372,7 +374,7 @@ class UpdateProblem:
         )
 
     def values(self, scaled: Array) -> Array:
-        """Parameter values (SI) at scaled coordinates; those of the nuisances behind them are not given."""
+        """Return parameter values (SI) at scaled coordinates, without those of the nuisances that follow them."""
         return np.array(
             [free.value(s) for free, s in zip(self.free, scaled[: len(self.free)], strict=True)]
         )
@@ -387,7 +389,7 @@ class UpdateProblem:
         return self._last[1]
 
     def _step(self) -> dict[str, Any]:
-        """The last evaluation for whoever watches: objective, and parameters within their bounds (SI)."""
+        """Return the last evaluation for progress reports: objective, and parameters with their bounds (SI)."""
         assert self._last is not None
         key, residuals = self._last
         values = self.values(np.frombuffer(key))
@@ -406,7 +408,7 @@ class UpdateProblem:
         }
 
     def objective(self, scaled: Array) -> tuple[float, Array]:
-        """Sum of squared residuals (Eq. 2 when unweighted) and its gradient."""
+        """Return the sum of squared residuals (Eq. 2 when unweighted) and its gradient."""
         r = self.residuals(scaled)
         return float(r.vector @ r.vector), 2.0 * (r.jacobian.T @ r.vector)
 
@@ -439,7 +441,7 @@ class UpdateProblem:
         )
 
     def speed_slope(self, scaled: Array) -> Array:
-        """Derivative of the residuals by the logarithm of the speed of all trials, with the lags kept."""
+        """Return the derivative of the residuals by the logarithm of the speed of all trials, at constant lags."""
         return self.slope(
             scaled,
             lambda trial, more: replace(trial, trial=trial.trial.at_speed(1.0 + more)),
@@ -449,9 +451,9 @@ class UpdateProblem:
     def slope(
         self, scaled: Array, change: Callable[[FitTrial, float], FitTrial | None], step: float
     ) -> Array:
-        """Derivative of the residuals by a change of the trials, with the lags kept.
+        """Return the derivative of the residuals by a change of the trials, at constant lags.
 
-        ``change`` gives a trial with so much more (``step`` to either side), or None where it does not concern it.
+        ``change`` returns a trial changed by an amount (plus or minus ``step``), or None if the trial is not affected.
         """
         values, lags, columns = self.values(scaled), self.residuals(scaled).lags, list[Array]()
         for trial, lag in zip(self.trials, lags, strict=True):
@@ -473,7 +475,7 @@ class UpdateProblem:
         return np.concatenate(columns)
 
     def _tables(self, trial: Prepared, values: Array, scaled: Array) -> list[Array]:
-        """Readings of the channels, and their derivatives by the parameters and, scaled, by the nuisances."""
+        """Return readings of the channels with their derivatives by the parameters and by the scaled nuisances."""
         solutions: dict[tuple[float | None, ...], Solution] = {}
 
         def tables(at: Array) -> list[Array]:
@@ -510,7 +512,7 @@ class UpdateProblem:
     def _align(
         self, trial: Prepared, tables: list[Array]
     ) -> tuple[float, list[tuple[Array, Array]]]:
-        """Lag of a trial's recording, and each channel's table there with the slope by the lag (0 where held)."""
+        """Return the lag of a trial's recording, and each channel's table there with the lag derivative (0 if held)."""
         both = list(zip(trial.channels, tables, strict=True))
         if not self.align:
             return 0.0, [channel.offset(table, np.zeros(len(table))) for channel, table in both]
@@ -535,8 +537,8 @@ def readings(
 ) -> dict[str, tuple[Array, Array, Array]]:
     """Simulate a trial with its rig's own values and read it through its sensors.
 
-    Gives channel to (time in s, measured, simulated), in the channel's SI unit; ``lag`` (s) is that of the recording
-    behind the simulation.
+    Returns a mapping from channel to (time in s, measured, simulated), in the channel's SI unit. ``lag`` (s) is the lag
+    of the recording behind the simulation.
     """
     return Simulated(trial, tolerance).readings(lag)
 
@@ -550,7 +552,7 @@ class Simulated:
         self.solution = self.prepared.solve(np.zeros(0), tolerance)
 
     def readings(self, lag: float = 0.0) -> dict[str, tuple[Array, Array, Array]]:
-        """Channel to (time in s, measured, simulated), SI; the recording lags by ``lag`` (s)."""
+        """Return channel to (time in s, measured, simulated), SI; the recording lags by ``lag`` (s)."""
         prepared = self.prepared
         time = self.trial.measured["time"].to_numpy()
         signals = {}
@@ -564,10 +566,9 @@ class Simulated:
         return signals
 
     def outputs(self, lag: float = 0.0) -> dict[str, Array]:
-        """Every output of the model (SI) at the recording's instants, without sensors; delayed by ``lag`` (s).
+        """Return all outputs of the model (SI) at the recording's instants, without sensors, delayed by ``lag`` (s).
 
-        Read along straight lines between samples: a tyre that lifts off has no force, which a shift of the whole
-        spectrum would let swing below zero.
+        Outputs are interpolated linearly: a spectral shift would make the force of a lifted tyre oscillate below zero.
         """
         times = self.prepared.times
         at = times[-len(self.trial.measured["time"]) :] - lag
@@ -581,7 +582,7 @@ class Simulated:
 def prepare_trial(
     trial: FitTrial, free: Sequence[FreeParameter], settings: UpdateSettings
 ) -> Prepared:
-    """Compile a trial's model with the free parameters, prepare its channels, and refuse incomparable ones."""
+    """Compile a trial's model with the free parameters and prepare its channels; raise errors for incomparable ones."""
     paths = tuple(item.path for item in free)
     compiled = compile_rig(trial.rig, paths, actuator=force_actuator(trial.trial))
     names, weights = settings.channels, settings.weights
@@ -656,7 +657,7 @@ def prepare_trial(
 def _check_channels(
     known: Sequence[str], names: Sequence[str] | None, weights: str | Mapping[str, float]
 ) -> None:
-    """Refuse channels that the model does not have, and weights that are none: they would be ignored without a word."""
+    """Raise an error for channels that the model does not have and for invalid weights."""
     given = {} if isinstance(weights, str) else weights
     for what, chosen in (("channels", names or ()), ("weights", given)):
         for name in chosen:
@@ -670,7 +671,7 @@ def _check_channels(
 
 
 def _from_rest(time: Array, rate: float) -> tuple[Array, int]:
-    """Output times from 0 on, and how many of the last are at the recording's rate (sensors filter those)."""
+    """Return output times from 0 on, and the number of final ones at the recording's rate (which sensors filter)."""
     if time[0] <= 0.0:
         return time, len(time)
     before = time[0] - np.arange(int(time[0] * rate + 1e-6), 0, -1) / rate
@@ -697,7 +698,7 @@ def _channel(
 
 
 def _weight(weights: str | Mapping[str, float], name: str, measured: Array) -> float:
-    """Weight of a channel's residuals: 1 (Eq. 2 as printed), 1 over its r.m.s. and root length, or as given."""
+    """Return the weight of a channel's residuals: 1 (Eq. 2 as printed), 1 over r.m.s. and root length, or as given."""
     if weights == "printed":
         return 1.0
     if weights == "normalised":
@@ -723,7 +724,7 @@ Bounds = str | float | Sequence[str | float]
 def free_parameters(
     rig: Rig, free: Mapping[str, Bounds], *, where: str = ""
 ) -> tuple[FreeParameter, ...]:
-    """Read the free parameters and their bounds against a rig's values, SI; bounds must not exclude the start."""
+    """Read the free parameters and their bounds for a rig's values, SI; raise an error if bounds exclude the start."""
     check_free(rig, free, where=where)
     values = rig.parameters()
     parameters = []
@@ -743,7 +744,7 @@ def free_parameters(
 
 
 def check_free(rig: Rig, free: Mapping[str, Bounds], *, where: str = "", more: int = 0) -> None:
-    """Refuse no free parameters (``more`` counts those checked elsewhere), unknown paths and unreadable bounds."""
+    """Check that there are free parameters (``more`` are checked elsewhere), with known paths and valid bounds."""
     if not free and not more:
         raise FitError(
             "no free parameter",
@@ -758,7 +759,7 @@ def check_free(rig: Rig, free: Mapping[str, Bounds], *, where: str = "", more: i
 
 
 def _range(bounds: Bounds, initial: float, unit: str, place: str) -> tuple[float, float]:
-    """Lower and upper bound in SI."""
+    """Return the lower and upper bound in SI."""
     if not isinstance(bounds, str | int | float):
         return _absolute(bounds, unit, place)
     share = to_si(bounds, "1", where=place)

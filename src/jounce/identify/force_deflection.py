@@ -1,4 +1,4 @@
-"""Force-deflection trials: zero, loading and unloading branch, hysteresis."""
+"""Force-deflection trials: zero, loading and unloading branches, hysteresis."""
 
 from __future__ import annotations
 
@@ -33,22 +33,22 @@ _CYCLE = 0.1  # of the stroke: a deflection that comes back so far and grows aga
 
 @dataclass(frozen=True)
 class ForceDeflectionTrial(Shown):
-    """One trial on a test machine, in the order it was measured.
+    """One trial on a test machine, in the order of measurement.
 
     Attributes
     ----------
     deflection : array (n,)
-        Imposed deflection, compression positive [m]; of a rotation the angle [rad].
+        Imposed deflection, compression positive [m]; for a rotation the angle [rad].
     force : array (n,)
-        Measured force, compression positive [N]; of a rotation the torque [N m].
+        Measured force, compression positive [N]; for a rotation the torque [N m].
     name : str
         File or number of the trial, used in results and messages.
     stroke_positive : {"compression", "extension"} or None
-        Which way the deflection counts; None: compression, unless the trial shows the other.
+        Positive direction of the deflection; None: compression, unless the trial shows the opposite.
     force_positive : {"compression", "tension"} or None
-        Which way the force counts, likewise: a spring pushes back.
+        Positive direction of the force, likewise: a spring resists compression.
     motion : {"translation", "rotation"}
-        Whether it is a force over a deflection or a torque over an angle.
+        Force over deflection, or torque over angle.
     """
 
     deflection: ArrayLike
@@ -59,7 +59,7 @@ class ForceDeflectionTrial(Shown):
     motion: MotionName = "translation"
 
     def arrays(self) -> tuple[Array, Array]:
-        """Deflection [m or rad] and force [N or N m] as float arrays of shape (n,), checked."""
+        """Return deflection [m or rad] and force [N or N m] as checked float arrays of shape (n,)."""
         if self.motion not in MOTIONS:
             raise unknown(str(self.motion), MOTIONS, what="motion", where=self.name)
         motion = MOTIONS[self.motion]
@@ -109,8 +109,8 @@ class ForceDeflectionTrial(Shown):
 class SeatedTrial:
     """A trial with compression positive and its zero at first contact.
 
-    The loading branch ends and the unloading branch begins at index ``turn``, the largest deflection; ``zero`` is what
-    was subtracted from deflection [m or rad] and force [N or N m].
+    Index ``turn``, the largest deflection, ends the loading branch and begins the unloading branch. ``zero`` contains
+    the values subtracted from deflection [m or rad] and force [N or N m].
     """
 
     name: str
@@ -121,7 +121,7 @@ class SeatedTrial:
     motion: MeasuredMotion
 
     def branch(self, which: Branch) -> tuple[Array, Array]:
-        """Deflection [m or rad] and force [N or N m] of the loading, the unloading or both branches, in time."""
+        """Return deflection [m or rad] and force [N or N m] of the loading, unloading or both branches."""
         back = int(np.flatnonzero(self.deflection == self.deflection[self.turn])[-1])
         part = {
             "loading": slice(0, self.turn + 1),
@@ -131,26 +131,26 @@ class SeatedTrial:
         return self.deflection[part], self.force[part]
 
     def is_two_sided(self) -> bool:
-        """Whether the trial goes well into both tension and compression, about its zero."""
+        """Whether the trial reaches well into both tension and compression, about its zero."""
         return all(
             -_TENSION * column.max() > column.min() for column in (self.deflection, self.force)
         )
 
     def has_unloading(self) -> bool:
-        """Tell whether the trial comes back to less than half of its largest deflection."""
+        """Whether the trial returns to less than half of its largest deflection."""
         return float(self.deflection[self.turn :].min()) < 0.5 * float(self.deflection[self.turn])
 
 
 def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[Finding]]:
-    """Make compression positive and put the zero of a trial at first contact; findings report the changes.
+    """Make compression positive and set the zero of a trial to first contact; findings report the changes.
 
-    A record whose deflection goes negative is reversed; so is a force that falls while the deflection grows. With
-    ``zero="first-contact"`` a leading stretch of free travel (at least eight points over more than 3 % of the stroke,
-    whose slope is surely below a tenth of the mean stiffness) is cut off: its mean force is the zero of the force, and
-    the zero of the deflection is where the line through the first points after it meets that force. Without free travel
-    the first deflection becomes zero if the trial starts there unloaded (force below 2 % of the largest); a trial that
-    starts already loaded is left as it is. ``zero="none"`` only settles the signs. Of several load cycles only the one
-    that reaches farthest is taken, counted from the zero of the first.
+    A record with negative deflections is reversed, and so is a force that falls while the deflection grows. With
+    ``zero="first-contact"`` free travel at the start is cut off: at least eight points over more than 3 % of the
+    stroke, with a slope significantly below a tenth of the mean stiffness. Its mean force is the zero of the force. The
+    zero of the deflection is the intersection of that force with the line through the first points after it. Without
+    free travel the first deflection becomes zero if the trial starts unloaded (force below 2 % of the largest); a trial
+    that starts under load is unchanged. ``zero="none"`` only determines the signs. Of several load cycles only the one
+    with the largest deflection is used, measured from the zero of the first.
     """
     deflection, force = trial.arrays()
     findings: list[Finding] = []
@@ -198,7 +198,7 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
 
 
 _FARTHEST: dict[MotionName, float] = {"translation": 1.0, "rotation": math.pi}
-"""No spring of a vehicle is deflected by a metre, and nothing in it is twisted by half a turn."""
+"""Limits of a plausible deflection: no vehicle spring deflects by a metre, and no part twists by half a turn."""
 
 
 def _compression_positive(
@@ -240,7 +240,7 @@ def _compression_positive(
 
 
 def _farthest_cycle(deflection: Array, name: str, findings: list[Finding]) -> tuple[int, int, int]:
-    """Where the load cycle with the largest deflection begins and ends, and where the first one ends."""
+    """Return start and end of the load cycle with the largest deflection, and the end of the first cycle."""
     turns, top = zigzag(deflection, _CYCLE * float(np.ptp(deflection))), int(np.argmax(deflection))
     if len(turns) < 3:
         return 0, len(deflection), len(deflection)
@@ -321,7 +321,7 @@ def _first_contact(
 
 
 def _is_free_travel(deflection: Array, force: Array, last: int, turn: int) -> bool:
-    """Tell whether the points up to ``last`` are surely flat: a soft start must not be taken for a gap."""
+    """Whether the points up to ``last`` are significantly flat: a soft start must not be mistaken for a gap."""
     stroke = float(deflection[turn] - deflection[0])
     travel = float(deflection[last] - deflection[0])
     if last < 7 or turn - last < 3 or travel <= _FREE_TRAVEL_SHARE * stroke:
@@ -335,7 +335,7 @@ def _is_free_travel(deflection: Array, force: Array, last: int, turn: int) -> bo
 
 
 def _falls(trial: SeatedTrial) -> list[Finding]:
-    """A force that falls while the deflection grows."""
+    """Report a force that falls while the deflection grows."""
     deflection, force = trial.branch("loading")
     below = force[
         deflection < (1.0 - _TOP) * deflection.max()
@@ -358,7 +358,7 @@ def _falls(trial: SeatedTrial) -> list[Finding]:
 
 
 def _slip(trial: SeatedTrial) -> list[Finding]:
-    """A grip that slipped on the way: the force goes on along the same line, but lower, where no bend explains it."""
+    """Report a slipped grip: the force drops and continues parallel to the previous line, which no bend explains."""
     deflection, force = trial.branch("loading")
     if len(deflection) < _FEWEST_SLIP:
         return []
@@ -421,7 +421,7 @@ _NO_DRIFT = 0.02  # of the largest force by which it may differ where a trial en
 
 
 def _out_of_range(trial: SeatedTrial) -> list[Finding]:
-    """A force that stays at its very largest value while the deflection goes on."""
+    """Report a clipped force, which stays at its maximum while the deflection continues."""
     deflection, force = trial.deflection, trial.force
     top = np.flatnonzero(force == force.max())
     over = float(np.ptp(deflection[top]))
@@ -446,7 +446,7 @@ _FEWEST_FLAT = 6  # samples; a choice: fewer may be noise at the top
 
 
 def _drift(trial: SeatedTrial) -> list[Finding]:
-    """A force that a trial does not come back with, where hysteresis cannot have taken it: it only takes."""
+    """Report a force difference at the end of a trial that hysteresis cannot explain, such as a drift."""
     deflection, force, stroke = trial.deflection, trial.force, float(np.ptp(trial.deflection))
     end = deflection[trial.turn :]
     back = trial.turn + int(np.argmin(np.abs(end - deflection[0])))
@@ -496,10 +496,10 @@ def _drift(trial: SeatedTrial) -> list[Finding]:
 
 
 def hysteresis(trial: SeatedTrial) -> tuple[float | None, float | None]:
-    """Energy lost in a load cycle [J] and loss factor [1]; None without an unloading branch.
+    """Compute the energy lost in a load cycle [J] and the loss factor [1]; None without an unloading branch.
 
-    The energy is the area between both branches over the deflections that both cover, the loss factor ``energy / (2 pi
-    W_max)`` with the work W_max of the loading branch over the same range.
+    The energy is the area between the loading and unloading branches over their common range of deflections. The loss
+    factor is ``energy / (2 pi W_max)`` with the work W_max of the loading branch over the same range.
     """
     if not trial.has_unloading():
         return None, None
@@ -516,13 +516,13 @@ def hysteresis(trial: SeatedTrial) -> tuple[float | None, float | None]:
 
 
 def _sort_by_deflection(deflection: Array, force: Array) -> tuple[Array, Array]:
-    """Order by deflection, averaging points at the same deflection."""
+    """Sort by deflection, averaging points at the same deflection."""
     values, inverse = np.unique(deflection, return_inverse=True)
     return values, np.bincount(inverse, force) / np.bincount(inverse)
 
 
 def number_namesakes(trials: list[ForceDeflectionTrial]) -> list[ForceDeflectionTrial]:
-    """Number trials that share a name, so that messages can tell them apart."""
+    """Append numbers to the names of trials that share a name, to distinguish them in messages."""
     names = [trial.name for trial in trials]
     return [
         replace(trial, name=f"{trial.name} {index}") if names.count(trial.name) > 1 else trial

@@ -1,6 +1,6 @@
-"""The free decay of a mass with viscous damping, dry friction and quadratic drag, from turning point to turning point.
+"""Free decay of a mass with viscous damping, dry friction and quadratic drag, from turning point to turning point.
 
-Without drag it is known in closed form. A rotation is the same with angles, inertia and torques.
+Without drag it has a closed form. A rotation obeys the same equations with angles, inertia and torques.
 """
 
 from __future__ import annotations
@@ -21,24 +21,24 @@ _MOST_HALF_CYCLES = (
 
 @dataclass(frozen=True)
 class DecayParameters:
-    """What a free decay of ``m x'' + c x' + F_c sign(x') + d x' |x'| + k (x - x_eq) = 0`` depends on.
+    """Parameters of a free decay of ``m x'' + c x' + F_c sign(x') + d x' |x'| + k (x - x_eq) = 0``.
 
     Attributes
     ----------
     angular_frequency : float
         Undamped natural angular frequency sqrt(k/m) [rad/s].
     damping_ratio : float
-        c / (2 sqrt(k m)) [1], below 1.
+        Viscous damping ratio c / (2 sqrt(k m)) [1], below 1.
     friction_deflection : float
-        x_k = F_c / k [m]: at rest within +-x_k of the equilibrium the mass stays where it is.
+        x_k = F_c / k [m]: a mass at rest within +-x_k of the equilibrium sticks.
     offset : float
         Equilibrium x_eq of a displacement [m]; zero offset of a velocity [m/s] or acceleration [m/s^2] record.
     release_time : float
-        Time of the turning point from which the decay is counted [s]; it may lie before the record.
+        Time of the turning point at which the decay starts [s]; it may precede the record.
     release_deflection : float
         Displacement from equilibrium at that turning point [m], signed.
     quadratic_drag : float
-        d / m [1/m]: what a force that grows with the square of the velocity takes; 0 where there is none.
+        d / m [1/m] of a force proportional to the square of the velocity; 0 without drag.
     """
 
     angular_frequency: float
@@ -56,9 +56,9 @@ class DecayParameters:
 
 
 def turning_points(parameters: DecayParameters, count: int) -> Array:
-    """Displacement from equilibrium at successive turning points (m, signed), the release first; without drag.
+    """Compute the displacements from equilibrium at the turning points (m, signed), release first, without drag.
 
-    It ends where the mass sticks, or after ``count`` half cycles.
+    The sequence ends when the mass sticks, or after ``count`` half cycles.
 
     >>> k, m, c, friction = 18362.0, 16.0, 120.0, 15.0
     >>> system = DecayParameters((k / m) ** 0.5, c / (2 * (k * m) ** 0.5), friction / k, 0.0, 0.0, 0.020)
@@ -78,7 +78,7 @@ def turning_points(parameters: DecayParameters, count: int) -> Array:
 
 
 def alternating(away: Array) -> Array:
-    """Amplitudes of turning points given from equilibrium, up to the first that is not on its own side.
+    """Return the amplitudes of turning points about equilibrium, up to the first one on the wrong side.
 
     >>> alternating(np.array([-20.0, 12.0, -7.0, -1.0])).tolist()
     [20.0, 12.0, 7.0]
@@ -91,7 +91,7 @@ def alternating(away: Array) -> Array:
 
 @dataclass(frozen=True)
 class _Swings:
-    """Turning points, and of each sample: the last one before it, whether the mass moves, and the time since (s)."""
+    """Turning points and, for each sample, the previous one, whether the mass moves, and the time since then (s)."""
 
     points: Array
     which: NDArray[np.int_]
@@ -113,7 +113,7 @@ def _swings(time: Array, parameters: DecayParameters) -> _Swings:
 
 
 class _Shape:
-    """A swing from 1 towards 0 without friction: its derivatives in time, and how they depend on the damping ratio."""
+    """A swing from 1 towards 0 without friction: its time derivatives, and their slopes by the damping ratio."""
 
     def __init__(self, parameters: DecayParameters, local: Array) -> None:
         self.omega, self.ratio = parameters.angular_frequency, parameters.damping_ratio
@@ -123,7 +123,7 @@ class _Shape:
         self.cosine, self.sine = np.cos(self.root * self.phase), np.sin(self.root * self.phase)
 
     def derivative(self, order: int) -> Array:
-        """Derivative of order 0 to 3 in time."""
+        """Return the time derivative of order 0 to 3."""
         omega, share = self.omega, self.ratio / self.root
         if order == 0:
             return np.asarray(self.fall * (self.cosine + share * self.sine))
@@ -134,7 +134,7 @@ class _Shape:
         return -2.0 * self.ratio * omega * self.derivative(2) - omega**2 * self.derivative(1)
 
     def by_ratio(self, order: int) -> Array:
-        """Slope of a derivative of order 0 to 2 by the damping ratio, at the same time since the turning point."""
+        """Return the slope of a time derivative of order 0 to 2 by the damping ratio, at the same time since the turn."""
         omega, ratio, root, sine = self.omega, self.ratio, self.root, self.sine
         turn = self.phase * ratio / root
         bent = turn * ratio / root * self.cosine
@@ -148,9 +148,9 @@ class _Shape:
 
 
 def decay_response(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
-    """Decay at given times (s): displacement (m, offset included), velocity (m/s) or acceleration (m/s^2).
+    """Compute a decay at given times (s): displacement (m, offset included), velocity (m/s) or acceleration (m/s^2).
 
-    Before ``release_time`` the mass is held at the release; once it sticks, it stays where it is.
+    Before ``release_time`` the mass is held at the release; once it sticks, it remains at rest.
     """
     if parameters.quadratic_drag != 0.0:
         return _drag_response(time, parameters, quantity)
@@ -164,9 +164,9 @@ def decay_response(time: Array, parameters: DecayParameters, quantity: Quantity)
 
 
 def decay_slopes(time: Array, parameters: DecayParameters, quantity: Quantity) -> Array:
-    """Slopes of ``decay_response`` without drag by all parameters but the drag, in their order; shape (n, 6).
+    """Return the slopes of ``decay_response`` without drag by all parameters except the drag, in order; shape (n, 6).
 
-    A jump (of the acceleration, at a turning point with friction) has none: the slopes are those of the swing.
+    At a jump (of the acceleration, at a turning point with friction) the slopes are those of the adjacent swing.
     """
     omega, ratio = parameters.angular_frequency, parameters.damping_ratio
     swings, order = _swings(time, parameters), order_of(quantity)
@@ -199,7 +199,7 @@ def decay_slopes(time: Array, parameters: DecayParameters, quantity: Quantity) -
 
 
 def _slopes_of_points(points: Array, parameters: DecayParameters) -> tuple[Array, Array, Array]:
-    """Slopes of the turning points by damping ratio, friction deflection and release deflection."""
+    """Return the slopes of the turning points by damping ratio, friction deflection and release deflection."""
     q, friction = parameters.half_cycle_ratio, parameters.friction_deflection
     slope_of_q = -math.pi * q / (1.0 - parameters.damping_ratio**2) ** 1.5
     by_ratio, by_friction = [0.0], [0.0]

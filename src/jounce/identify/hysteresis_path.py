@@ -21,13 +21,13 @@ def bouc_wen_path(
 ) -> Array:
     """Follow ``z' = rate (v - sigma |v| |z|^(n-1) z + (sigma - 1) v |z|^n)`` along a path of displacements.
 
-    The law does not depend on time, only on the path; between two samples the motion is taken as one-way, and the path
-    is divided so that the state changes little per Runge-Kutta step.
+    The law depends on the path only, not on time. Between two samples the motion is assumed to be monotonic, and the
+    path is subdivided to keep the change of state per Runge-Kutta step small.
 
     Parameters
     ----------
     displacement : array (n,)
-        Displacements in the order they are passed [m].
+        Displacements in the order of the motion [m].
     rate : float
         Inverse of the distance over which the force builds up [1/m], at least 0.
     sigma : float
@@ -45,7 +45,7 @@ def bouc_wen_path(
     Raises
     ------
     DescriptionError
-        When the path is not a list of finite displacements, or a number is outside of its range.
+        A path that is not a list of finite displacements, or a parameter out of range.
 
     Examples
     --------

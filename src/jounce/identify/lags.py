@@ -1,4 +1,4 @@
-"""The lag of a recording behind its simulation, estimated from one simulation, since a shift needs no second run."""
+"""Estimate the lag of a recording behind its simulation from a single run, since a shift needs no second one."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ _RESOLVED = 1e-8  # samples: a shorter step ends the search
 
 @dataclass(frozen=True)
 class Shifted:
-    """A recording beside its simulated reading, which can be read at any lag.
+    """A recording with its simulated reading, which can be evaluated at any lag.
 
-    ``measured`` has shape (n,), ``table`` (n, 1 + k): the reading and its derivatives by k parameters; ``weight`` is
-    that of the residuals, ``rate`` in Hz. Before its first and after its last sample a signal keeps their values. With
-    ``offset`` the lag is sought with any constant added to the reading.
+    ``measured`` has shape (n,), ``table`` (n, 1 + k): the reading and its derivatives by k parameters. ``weight`` is
+    the weight of the residuals, ``rate`` is in Hz. Beyond its ends a signal keeps its first or last value. With
+    ``offset`` the lag is estimated together with a constant offset of the reading.
     """
 
     measured: Array
@@ -36,7 +36,7 @@ class Shifted:
     def of(
         cls, measured: Array, table: Array, weight: float, rate: float, *, offset: bool = False
     ) -> Shifted:
-        """Lay a cubic spline through every column."""
+        """Fit a cubic spline to each column."""
         from scipy.interpolate import CubicSpline
 
         return cls(
@@ -44,7 +44,7 @@ class Shifted:
         )
 
     def at(self, lag: float) -> tuple[Array, Array]:
-        """Table at a lag (s), shape (n, 1 + k), and the derivative of the reading by the lag, shape (n,), per s."""
+        """Return the table at a lag (s), shape (n, 1 + k), and the lag derivative of the reading, shape (n,), per s."""
         wanted = np.arange(len(self.measured)) - lag * self.rate
         read = np.clip(wanted, 0.0, len(self.measured) - 1.0)
         return np.asarray(self.table(read)), -self.rate * np.where(
@@ -52,7 +52,7 @@ class Shifted:
         )
 
     def pull(self, lag: float) -> tuple[float, float]:
-        """First and second derivative by the lag (in samples) of half the weighted sum of squares."""
+        """Return first and second derivative of half the weighted sum of squares by the lag (in samples)."""
         wanted = np.arange(len(self.measured)) - lag * self.rate
         read = np.clip(wanted, 0.0, len(self.measured) - 1.0)
         inside = read == wanted
@@ -65,7 +65,7 @@ class Shifted:
         )
 
     def misfit(self, reach: int) -> Array:
-        """Weighted sum of squares at whole samples of lag from ``-reach`` to ``reach``, less a constant."""
+        """Return the weighted sum of squares at integer lags from ``-reach`` to ``reach`` samples, less a constant."""
         from scipy.signal import correlate
 
         seen = self.measured[reach : len(self.measured) - reach]
@@ -91,10 +91,10 @@ def _window_sums(values: Array, width: int) -> Array:
 
 
 def best_lag(channels: Sequence[Shifted], bound: float) -> float:
-    """Lag (s), at most ``bound`` to either side, at which the channels of a trial fit best together.
+    """Find the lag (s) within plus or minus ``bound`` at which the channels of a trial jointly fit best.
 
-    The best whole sample first, so that the search cannot end beside a better lag, then Newton's method within the
-    samples around it.
+    The search first takes the best integer lag, to avoid local minima, and then refines it by Newton's method within
+    the neighbouring samples.
     """
     rate, count = channels[0].rate, len(channels[0].measured)
     reach = min(int(bound * rate), max((count - 1) // 4, 0))

@@ -1,10 +1,10 @@
-"""Meaning of a parameter: the value of its law over the states of a ride, in two readings.
+"""Component value and effective value of a parameter over the states of a ride.
 
-The *component value* is what a test machine gives of the part: the slope of the damper's force over velocity alone (of
-each side where its law has one for each), its force of sliding, the tangent of spring and tyre at the static load. The
-*effective value* is what the model's law has to be to give the part's force over the ride as well as it can: a
-degressive damper without friction is, to a model with a line, a damper and some friction. They differ by definition,
-not by error; an interval for a parameter has to hold both.
+The *component value* is the value that a test machine would measure on the part: the slope of the damper's force over
+velocity alone (for each side if its law distinguishes them), the sliding friction force, the tangent of spring and tyre
+at the static load. The *effective value* is the one for which the model's law best approximates the part's force over
+the ride: a model with a linear damper represents a degressive damper without friction by a damper and some friction.
+The two differ by definition, not by error; an interval for a parameter must contain both.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class States:
 
     @classmethod
     def of(cls, compiled: Compiled, solution: Solution) -> States:
-        """Read them from a simulation; states that the model does not have are zero."""
+        """Extract the states from a simulation; states that the model does not have are zero."""
         names, time = compiled.output_names, solution.time
 
         def output(name: str) -> Array:
@@ -51,14 +51,14 @@ class States:
 
     @classmethod
     def join(cls, all_of: Sequence[States], every: int = 1) -> States:
-        """Rides one after another, every so many samples."""
+        """Concatenate rides, keeping one in ``every`` samples."""
         names = ("time", "strut", "velocity", "tyre", "tyre_rate", "body")
         return cls(
             *(np.concatenate([getattr(ride, name)[::every] for ride in all_of]) for name in names)
         )
 
     def sliding(self, velocity: Array, over: float = SLIDING_OVER) -> Array:
-        """Share of a presliding force between -1 and 1 after Dahl: it builds up over travel (m), at any velocity."""
+        """Return the presliding force as a share (-1 to 1) by Dahl's model: it builds up over travel (m)."""
         moved = 0.5 * (velocity[1:] + velocity[:-1]) * np.diff(self.time)
         left, ends = np.exp(-np.abs(moved) / over), np.sign(moved)
         z, now = [0.0], 0.0
@@ -75,7 +75,7 @@ class States:
 
 
 class Laws:
-    """Readings of the fitted parameters from the extended rig's parameters over the states of the ride."""
+    """Compute component and effective values of the fitted parameters over the states of the ride."""
 
     def __init__(self, richer: ExtendedRig, states: Sequence[States], every: int = 3) -> None:
         self.richer = richer
@@ -89,7 +89,7 @@ class Laws:
     def readings(
         self, path: str, p: Mapping[str, float], xi: Array, presliding: float
     ) -> tuple[float, float]:
-        """Component and effective value of a parameter, SI; ``p`` are the rig's numbers with those fitted.
+        """Return component and effective value of each parameter, SI; ``p`` are the rig's numbers with fitted ones.
 
         ``presliding`` (N) builds up in the strut.
         """
@@ -122,7 +122,7 @@ class Laws:
         }
 
     def _sides(self) -> dict[str, Array]:
-        """Strut velocities (m/s) that each coefficient of the damper's law is for, 0 at the others."""
+        """Return the strut velocities (m/s) to which each damper coefficient applies, 0 elsewhere."""
         v, place = self.seen.velocity, "strut.damper."
         sides = {
             "coefficient": v, "bump_coefficient": np.maximum(v, 0.0), "rebound_coefficient": np.minimum(v, 0.0)
@@ -130,7 +130,7 @@ class Laws:
         return {place + name: side for name, side in sides.items() if place + name in self._plain}
 
     def _strut(self, p: Mapping[str, float], xi: Array, presliding: float) -> dict[str, float]:
-        """Line, damper and friction nearest to the strut's force; friction that is not fitted stays as described."""
+        """Fit line, damper and friction to the strut's force; friction that is not fitted keeps its value."""
         x, v = self.seen.strut, self.seen.velocity
         onset = p.get("strut.friction.regularisation_velocity", ONSET_VELOCITY)
         force = self.richer.elastic_force("strut.spring", p, xi, x) + self.richer.damper_force(
@@ -165,7 +165,7 @@ class Laws:
         return float(stiffness), float(damping)
 
     def _guide(self, path: str, p: Mapping[str, float]) -> tuple[float, float]:
-        """Force of sliding, and the force of the model's law that is nearest to that over the ride."""
+        """Return the sliding force, and the force of the model's law that best approximates it over the ride."""
         u, place = self.seen.body, path.removesuffix(".force")
         law = np.tanh(u / p.get(f"{place}.regularisation_velocity", ONSET_VELOCITY))
         share = p.get(f"{place}.presliding", 0.0)
@@ -177,14 +177,14 @@ class Laws:
         return p[path], float(self._nearest(place, [column], p[path] * law)[0])
 
     def _guide_built_up(self, over: float) -> Array:
-        """Share of its force (1) that friction of the guide has built up where it takes so much travel (m)."""
+        """Return the guide's friction as a share of its full force (1) if it builds up over travel ``over`` (m)."""
         if over not in self._built_up:
             parts = [ride.sliding(ride.body, over)[:: self._every] for ride in self._states]
             self._built_up[over] = np.concatenate(parts)
         return self._built_up[over]
 
     def _nominal(self, place: str) -> float:
-        """Velocity over which the plain rig's friction turns over."""
+        """Return the regularisation velocity of the plain rig's friction."""
         return self._plain.get(f"{place}.regularisation_velocity", ONSET_VELOCITY)
 
     def _nearest(self, name: str, columns: Sequence[Array], force: Array) -> Array:

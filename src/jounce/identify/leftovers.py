@@ -1,6 +1,6 @@
-"""Residuals of a record after a fit, and the fault that they look like: a delay, a scale, a drift.
+"""Residuals of a record after a fit, and the fault that they resemble: a delay, a scale error, a drift.
 
-The fitted values compensate for such a fault as far as they can, and their intervals do not include it.
+Fitted values compensate for such a fault as far as possible, and their intervals do not include it.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ _LOUD, _ALIKE, _MATTERS = (
 
 @dataclass(frozen=True)
 class LeftOver:
-    """One channel of one trial with the updated model's reading, shape (n,) each, SI; ``rate`` in Hz.
+    """One channel of one trial: record and reading of the updated model, shape (n,) each, SI; ``rate`` in Hz.
 
-    ``noise`` is the standard deviation of its noise where that is known.
+    ``noise`` is the standard deviation of the channel's noise if it is known.
     """
 
     trial: str
@@ -47,22 +47,22 @@ class LeftOver:
 
     @property
     def rest(self) -> Array:
-        """Measured minus read, less its mean."""
+        """Measured signal minus reading, less the mean."""
         rest: Array = self.measured - self.read
         return np.asarray(rest - rest.mean())
 
     @property
     def shape(self) -> Array:
-        """The reading less its mean."""
+        """Reading of the model, less its mean."""
         return np.asarray(self.read - self.read.mean())
 
 
 def faults(
     channel: str, parts: Sequence[LeftOver], longest: float, *, is_aligned: bool
 ) -> list[Finding]:
-    """Name the fault of a channel's records that would explain most of the residual, in all trials together.
+    """Report the fault of a channel's records that would explain most of the residual of all trials.
 
-    ``longest`` is the largest delay looked for (s). With ``is_aligned`` each trial has a lag already, so a delay is
+    ``longest`` is the largest delay considered (s). With ``is_aligned`` each trial already has a lag, and a delay is
     that of this channel behind the others.
     """
     left = sum(float(part.rest @ part.rest) for part in parts)
@@ -167,7 +167,7 @@ def _delay(
 
 
 def beyond_noise(parts: Sequence[LeftOver]) -> float | None:
-    """Ratio of the residuals to the noise of the records, if a relevant pattern remains; otherwise None."""
+    """Return the ratio of the residuals to the noise of the records, or None if no relevant pattern remains."""
     noises = [noise_of(part.measured) if part.noise is None else part.noise for part in parts]
     noise = float(np.sqrt(np.mean(np.square(noises))))
     rest = float(np.sqrt(np.mean(np.concatenate([part.rest for part in parts]) ** 2)))

@@ -1,8 +1,8 @@
-"""A log density that costs simulations, as a polynomial through its exact values and slopes: sampled and diagnosed.
+"""Approximate an expensive log density by a polynomial fitted to exact values and slopes, sample it and diagnose it.
 
-Around its mode the density of well-measured parameters is nearly a Gaussian, so that a polynomial of third or fourth
-degree in whitened coordinates is the log density within hundredths. Exact values and slopes at some tens of points
-determine it; fresh draws, evaluated exactly, say how far it is off.
+Around its mode the density of well-measured parameters is nearly Gaussian. A polynomial of third or fourth degree in
+whitened coordinates then approximates the log density within hundredths. Exact values and slopes at some tens of points
+determine it; new draws, evaluated exactly, measure its error.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _ENSEMBLES, _WALKERS = (
 )  # independent chains, by which convergence is judged; walkers of each, or more
 
 Exact = Callable[[Array], "tuple[float, Array, float] | None"]
-"""Log density at some unknowns, its slopes, and a part to be added whose slopes are not known; None: no such thing."""
+"""Log density at given unknowns, its slopes, and an added part without known slopes; None if it cannot be evaluated."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Polynomial:
 
     @staticmethod
     def terms(count: int, degree: int) -> NDArray[np.int64]:
-        """Powers of all terms up to a degree."""
+        """Return the powers of all terms up to a degree."""
         chosen = [
             term
             for d in range(degree + 1)
@@ -61,7 +61,7 @@ class Polynomial:
 
     @staticmethod
     def rows(powers: NDArray[np.int64], u: Array) -> Array:
-        """Values of the terms at points (n, variables), shape (n, terms)."""
+        """Return the values of the terms at points (n, variables), shape (n, terms)."""
         table = np.stack([u**k for k in range(int(powers.max(initial=0)) + 1)])
         values = np.ones((len(u), len(powers)))
         for i in range(u.shape[1]):
@@ -70,7 +70,7 @@ class Polynomial:
 
     @staticmethod
     def slope_rows(powers: NDArray[np.int64], u: Array, i: int) -> Array:
-        """Derivatives of the terms by variable ``i``, shape (n, terms)."""
+        """Return the derivatives of the terms by variable ``i``, shape (n, terms)."""
         lower = powers.copy()
         lower[:, i] = np.maximum(lower[:, i] - 1, 0)
         return Polynomial.rows(lower, u) * powers[:, i]
@@ -79,7 +79,7 @@ class Polynomial:
     def through(
         cls, degree: int, u: Array, values: Array, slopes: Array | None = None
     ) -> Polynomial:
-        """Least squares through values and, where given, slopes (n, variables) at points (n, variables)."""
+        """Fit by least squares to values and, if given, slopes (n, variables) at points (n, variables)."""
         powers = cls.terms(u.shape[1], degree)
         weight = _weights(u)
         rows, right = [weight[:, None] * cls.rows(powers, u)], [weight * values]
@@ -89,12 +89,12 @@ class Polynomial:
         return cls(powers, np.linalg.lstsq(np.vstack(rows), np.concatenate(right), rcond=None)[0])
 
     def __call__(self, u: Array) -> Array:
-        """Values at points (n, variables), shape (n,)."""
+        """Return the values at points (n, variables), shape (n,)."""
         return np.asarray(self.rows(self.powers, u) @ self.coefficients)
 
     @cached_property
     def _derivatives(self) -> Array:
-        """Coefficients (terms, 1 + variables) of the polynomial and of its derivatives, which have no other terms."""
+        """Coefficients (terms, 1 + variables) of the polynomial and its derivatives, which have the same terms."""
         place = {tuple(power): k for k, power in enumerate(self.powers.tolist())}
         table = np.zeros((len(self.powers), 1 + self.powers.shape[1]))
         table[:, 0] = self.coefficients
@@ -105,13 +105,13 @@ class Polynomial:
         return table
 
     def with_slopes(self, u: Array) -> tuple[float, Array]:
-        """Value and slopes (variables,) at one point (variables,)."""
+        """Return value and slopes (variables,) at one point (variables,)."""
         sums = np.prod(u**self.powers, axis=1) @ self._derivatives
         return float(sums[0]), sums[1:]
 
 
 def _weights(u: Array) -> Array:
-    """Of points (n, variables): what is improbable may be less exact."""
+    """Return the weights of points (n, variables); improbable points may be less accurate."""
     return np.asarray(1.0 / (1.0 + 0.1 * np.sum(u**2, axis=1)))
 
 
@@ -132,11 +132,11 @@ class Region:
         return float(np.sqrt(chi2.isf(_OUTSIDE, len(self.centre))))
 
     def unknowns(self, u: Array) -> Array:
-        """Unknowns at whitened points (n, unknowns)."""
+        """Return the unknowns at whitened points (n, unknowns)."""
         return np.asarray(self.centre + u @ self.root.T)
 
     def whiten(self, x: Array) -> Array:
-        """Whitened points of unknowns (n, unknowns)."""
+        """Return the whitened points of unknowns (n, unknowns)."""
         return np.asarray(np.linalg.solve(self.root, (x - self.centre).T).T)
 
     def has(self, u: Array) -> NDArray[np.bool_]:
@@ -147,7 +147,7 @@ class Region:
         return np.asarray(inside & (np.sum(u**2, axis=1) <= self.radius**2))
 
     def fold(self, u: Array) -> Array:
-        """Points beyond a bound mirrored at it, so that they lie inside."""
+        """Reflect points beyond a bound back inside."""
         x = self.unknowns(u)
         x = np.where(
             x < self.lower, 2.0 * self.lower - x, np.where(x > self.upper, 2.0 * self.upper - x, x)
@@ -157,10 +157,10 @@ class Region:
 
 @dataclass(frozen=True)
 class LogDensity:
-    """A log density as a polynomial over a region, and how far it is off at draws that were evaluated exactly.
+    """A log density as a polynomial over a region, with its error at draws that were evaluated exactly.
 
-    ``error`` is the standard deviation of the difference of both log densities (1), where of a part without slopes the
-    standard error of its trend counts; ``evaluations`` is the number of exact ones.
+    ``error`` is the standard deviation of the difference between exact and approximate log density (1); a part without
+    slopes contributes the standard error of its trend. ``evaluations`` is the number of exact evaluations.
     """
 
     region: Region
@@ -169,12 +169,12 @@ class LogDensity:
     evaluations: int
 
     def __call__(self, u: Array) -> Array:
-        """Log density at whitened points (n, unknowns); minus infinity outside."""
+        """Return the log density at whitened points (n, unknowns); minus infinity outside the region."""
         return np.where(self.region.has(u), self.polynomial(u), -np.inf)
 
 
 def fit_log_density(exact: Exact, region: Region, seed: int) -> LogDensity:
-    """Fit a log density to exact values and slopes, and check it with new draws; add points where it is off."""
+    """Fit a log density to exact values and slopes, check it with new draws, and add points if it is inaccurate."""
     count = len(region.centre)
     first = next((degree for most, degree in _DEGREES if count <= most), 2)
     rng = np.random.default_rng(seed)
@@ -220,16 +220,16 @@ def fit_log_density(exact: Exact, region: Region, seed: int) -> LogDensity:
 
 
 def _points_for(count: int, degree: int) -> int:
-    """Points that determine a polynomial by values and slopes, with some to spare."""
+    """Return the number of points that determine a polynomial by values and slopes, with a margin."""
     return math.ceil(_ROWS * math.comb(count + degree, degree) / (1 + count))
 
 
 _Point = tuple[Array, float, Array, float]
-"""Whitened point, log density, its slopes, and the part whose slopes are not known."""
+"""Whitened point, log density, its slopes, and the part without known slopes."""
 
 
 def _through(points: Sequence[_Point]) -> tuple[Polynomial, Callable[[Array], tuple[Array, Array]]]:
-    """Polynomial through values and slopes, with the trend of what has no slopes.
+    """Fit a polynomial to values and slopes, and a trend to the part without slopes.
 
     Cross-validation chooses the degree: exact values scatter by tenths where wheels lift off at some values of the
     parameters and not at others, and a higher degree would follow this scatter to places without points. Returns also
@@ -256,7 +256,7 @@ def _through(points: Sequence[_Point]) -> tuple[Polynomial, Callable[[Array], tu
 def _predicting(
     degrees: Sequence[int], u: Array, values: Array, slopes: Array | None = None
 ) -> tuple[int, float]:
-    """Degree that predicts values at points left out best, and by how much these are off (weighted rms)."""
+    """Return the degree with the best cross-validated prediction, and its weighted r.m.s. error."""
     fold = np.arange(len(u)) % _FOLDS
     errors = []
     for degree in degrees:
@@ -273,7 +273,7 @@ def _predicting(
 
 
 def _design(region: Region, count: int, rng: np.random.Generator) -> Array:
-    """Whitened points: the centre, two on each axis, the rest in random directions at all probable distances."""
+    """Return whitened points: the centre, two per axis, and others in random directions at all probable distances."""
     size = len(region.centre)
     axes = 2.0 * np.vstack([np.eye(size), -np.eye(size)])
     more = max(count - 1 - len(axes), 0)
@@ -286,9 +286,9 @@ def _design(region: Region, count: int, rng: np.random.Generator) -> Array:
 def sample(density: LogDensity, count: int, seed: int) -> tuple[Array, float]:
     """Draw at least ``count`` whitened points (chains, draws, unknowns) by emcee, with the share of accepted steps.
 
-    Four independent ensembles, each of 16 walkers (or four an unknown). Four steps in five propose
-    points of a t distribution around the mode whatever the walker's place, which is nearly the density itself, the
-    fifth stretches towards another walker [goodman2010].
+    There are four independent ensembles, each of 16 walkers (or four per unknown). Four steps in five propose points of
+    a t distribution around the mode, independent of the walker's position; it is close to the density itself. The fifth
+    step stretches towards a different walker [goodman2010].
     """
     emcee = require("emcee", "posterior")
     size = len(density.region.centre)
@@ -314,13 +314,13 @@ def sample(density: LogDensity, count: int, seed: int) -> tuple[Array, float]:
 
 
 def _start_points(density: LogDensity, walkers: int, rng: np.random.Generator) -> Array:
-    """Points to begin at, inside the region."""
+    """Return start points inside the region."""
     points = density.region.fold(rng.normal(size=(40 * walkers, len(density.region.centre))))
     return points[density.region.has(points)][:walkers]
 
 
 def _independent(places: Array, random: np.random.RandomState) -> tuple[Array, Array]:
-    """Proposals of a t distribution, with the log ratio of both densities of proposals."""
+    """Propose points of a t distribution, with the log ratio of the proposal densities."""
     normal = random.normal(size=places.shape)
     new = normal * np.sqrt(_FREEDOM / random.chisquare(_FREEDOM, size=(len(places), 1)))
     power = -0.5 * (_FREEDOM + places.shape[1])
@@ -333,7 +333,7 @@ def _independent(places: Array, random: np.random.RandomState) -> tuple[Array, A
 
 @dataclass(frozen=True)
 class Convergence:
-    """Diagnostics of one sampled number: rank-normalised R-hat (1), effective draws in bulk and tails (1)."""
+    """Diagnostics of one sampled quantity: rank-normalised R-hat (1), effective draws in bulk and tails (1)."""
 
     r_hat: float
     bulk: float
@@ -341,9 +341,10 @@ class Convergence:
 
 
 def by_ensemble(draws: Array) -> Array:
-    """Draws (chains, draws) of one number by ensembles, each its earlier half before its later one.
+    """Arrange draws (chains, draws) of one quantity by ensemble, with the earlier and later half as separate chains.
 
-    The walkers of an ensemble know of each other and are short: what must agree are the ensembles, early and late.
+    The walkers of an ensemble are short and depend on each other. Convergence therefore requires agreement between
+    ensembles, and between their early and late halves.
     """
     chains, each = draws.shape
     half = each // 2
@@ -352,7 +353,7 @@ def by_ensemble(draws: Array) -> Array:
 
 
 def convergence(draws: Array) -> Convergence:
-    """Diagnose draws (chains, draws) of one number, by ArviZ [vehtari2021]."""
+    """Diagnose draws (chains, draws) of one quantity with ArviZ [vehtari2021]."""
     arviz = require("arviz_stats.base", "posterior").array_stats
     given = {"chain_axis": 0, "draw_axis": 1}
     return Convergence(
@@ -363,7 +364,7 @@ def convergence(draws: Array) -> Convergence:
 
 
 def profile(density: LogDensity, i: int, count: int = 61) -> tuple[Array, Array]:
-    """Unknown ``i`` over the region, and the greatest log density there, the others being free (0 at its top)."""
+    """Return unknown ``i`` over the region, and the profile log density there, 0 at its maximum."""
     from scipy.optimize import minimize
 
     region = density.region
@@ -403,7 +404,7 @@ def _climb(
     others: list[int],
     minimize: Callable[..., object],
 ) -> tuple[Array, float]:
-    """Where the density is greatest with unknown ``i`` held, and its logarithm there."""
+    """Maximise the density with unknown ``i`` held; return the point and the log density there."""
     x = begin.copy()
     x[i] = value
     region = density.region

@@ -1,4 +1,4 @@
-"""Detect a low-pass filter of the logger in the noise of a record."""
+"""Detect a low-pass filter of the logger from the noise of a record."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ _HARMONIC, _LEAST = 0.3, 4  # of the frequency, beside multiples of it; octaves 
 def low_pass_corner(
     residual: Array, rate: float, frequency: float, *, reach: float, step: float, near: float
 ) -> float | None:
-    """Find where (Hz) a low-pass filter ends the noise of a record; None without one, or above ``near`` frequencies.
+    """Find the corner (Hz) of a low-pass filter from the noise; None without one below ``near`` frequencies.
 
-    ``residual`` is what a fit leaves of a motion at ``frequency`` (Hz), sampled at ``rate`` (Hz), and ``reach`` and
-    ``step`` are range and resolution of the record in its unit.
-    Misfits of the law lie at multiples of the frequency, noise everywhere: white noise ends nowhere, noise behind a low
-    pass falls up to the top of the spectrum or down to the power of rounding.
+    ``residual`` is the residual of a fit to a motion at ``frequency`` (Hz), sampled at ``rate`` (Hz); ``reach`` and
+    ``step`` are range and resolution of the record in its unit. Misfits of the law appear at multiples of the
+    frequency, noise at all frequencies. White noise has a flat spectrum; low-pass filtered noise falls towards the top
+    of the spectrum or to the power of rounding.
     """
     if float(residual.std()) < _EXACT * reach:
         return None
@@ -58,9 +58,10 @@ def low_pass_corner(
 
 
 def smoother_corner(signal: Array, response: Array, rate: float, *, near: float) -> float | None:
-    """Find the frequency (Hz) above which a record lacks what its fitted response has; None if not below ``near``.
+    """Find the frequency (Hz) above which a record lacks content of its fitted response; None if not below ``near``.
 
-    A response with dry friction has corners, a record behind a low pass has none. Both are sampled at ``rate`` (Hz).
+    A response with dry friction has corners, which a low-pass filter removes. Record and response are sampled at
+    ``rate`` (Hz).
     """
     window = np.hanning(len(signal))
     measured, fitted = (

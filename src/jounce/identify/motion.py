@@ -1,4 +1,4 @@
-"""Motion along a line and about an axis: the same laws, with words and units of their own."""
+"""Translation and rotation: the same laws with different words and units."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ Quantity = Literal[
 
 @dataclass(frozen=True)
 class MeasuredMotion:
-    """Terms of a motion: its quantities from the deflection to its second derivative, and units (SI).
+    """Terms of a motion: its quantities from the deflection to its second derivative, and their units (SI).
 
-    ``..._word`` are what the numbers are called, ``pushed`` and ``pulled`` the sides of a deflection, which times
-    ``factor`` is in ``shown``.
+    ``..._word`` are the names of the quantities, ``pushed`` and ``pulled`` the two directions of a deflection. A
+    deflection times ``factor`` has the display unit ``shown``.
     """
 
     name: MotionName
@@ -43,7 +43,7 @@ class MeasuredMotion:
         return self.units[0]
 
     def say(self, deflection: float, digits: int = 3) -> str:
-        """Write a deflection (SI) as people say it.
+        """Format a deflection (SI) in its display unit.
 
         >>> TRANSLATION.say(0.0123), ROTATION.say(0.1)
         ('12.3 mm', '5.73 deg')
@@ -52,7 +52,7 @@ class MeasuredMotion:
 
 
 def unit_in_words(unit: str) -> str:
-    """Write a unit as sentences do.
+    """Format a unit for use in sentences.
 
     >>> unit_in_words("N*m*s/rad")
     'N m s/rad'
@@ -79,7 +79,7 @@ QUANTITY_OF_UNIT: dict[str, Quantity] = {
 
 
 def in_motion(name: str) -> Callable[[Any], str]:
-    """Give a function that looks up a unit or a word of a result's ``motion``, such as its unit of ``stiffness``."""
+    """Return a function that looks up a unit or word of a result's ``motion``, such as its unit of ``stiffness``."""
 
     def look_up(result: Any) -> str:
         value: str = getattr(MOTIONS[result.motion], name)
@@ -98,7 +98,7 @@ def motion_of(quantity: Quantity) -> MeasuredMotion:
 
 
 def order_of(quantity: Quantity) -> int:
-    """How often the deflection is differentiated: 0, 1 or 2.
+    """Return the order of the time derivative of the deflection: 0, 1 or 2.
 
     >>> order_of("angular_velocity")
     1

@@ -1,7 +1,8 @@
-"""The next trial worth running, by the information that each is expected to give about the parameters.
+"""Rank possible next trials by their expected information about the parameters.
 
-Linearised Gaussian: before and after a trial the covariance of the parameters follows from exact sensitivities,
-whatever the trial will measure; the expected information gain is the log of the ratio of both volumes [lindley1956].
+In the linearised Gaussian case the covariance of the parameters after a trial follows from exact sensitivities and does
+not depend on the measured values. The expected information gain is the log of the ratio of the volumes before and after
+the trial [lindley1956].
 """
 
 from __future__ import annotations
@@ -37,13 +38,13 @@ class Candidate(Shown):
     Attributes
     ----------
     name : str
-        Names it in the result.
+        Name of the trial in the result.
     rig : Rig
-        As it would be set up.
+        The rig as set up for the trial.
     trial : Trial
-        What would be driven.
+        Road and speed, or base motion.
     sensors : dict
-        Channel to sensor, as for :class:`jounce.FitTrial`.
+        Mapping from channel to sensor, as for :class:`jounce.FitTrial`.
     """
 
     name: str
@@ -62,11 +63,11 @@ class CandidateGain(Shown):
     Attributes
     ----------
     name : str
-        The trial.
+        Name of the trial.
     gain : float
-        Expected information about all parameters together, in nats (1): 0.69 halves one standard deviation.
+        Expected information about all parameters jointly, in nats (1): 0.69 halves one standard deviation.
     standard_errors : dict
-        Path to the standard deviation (SI) that would remain.
+        Mapping from path to the standard deviation (SI) after the trial.
     """
 
     name: str
@@ -83,15 +84,15 @@ class NextTrials(Plain, Shown):
     counted : str
         ``"noise only"`` or ``"model error"``, as in :class:`Posterior`.
     now : dict
-        Path to the standard deviation (SI) today.
+        Mapping from path to the current standard deviation (SI).
     units : dict
-        Path to SI unit.
+        Mapping from path to SI unit.
     candidates : tuple of CandidateGain
-        Each after all that was measured, the one that tells most first.
+        Each candidate added to all fitted trials, sorted by decreasing gain.
     series : tuple of CandidateGain
-        The best one, the best one after it, and so on; ``gain`` (1) is that over the one before.
+        The best candidate, the best one after it, and so on; ``gain`` (1) is relative to the previous one.
     findings : tuple of Finding
-        Trials that could not be judged, and what to know of the ranking.
+        Trials that could not be evaluated, and limitations of the ranking.
     """
 
     counted: str
@@ -120,18 +121,18 @@ class NextTrials(Plain, Shown):
 def next_trials(
     found: Posterior | Basis, candidates: Sequence[Candidate], *, count: int = 3
 ) -> NextTrials:
-    """Rank trials by the information that they are expected to give about the parameters of a posterior.
+    """Rank trials by their expected information about the parameters of a posterior.
 
     Parameters
     ----------
     found : Posterior or Basis
-        As :func:`posterior` gives it, or its ``basis``. Where it counts model error, what the model lacks counts in new
-        trials, too, and the information is that about the parts (``component``).
+        Result of :func:`posterior`, or its ``basis``. If it includes model error, new trials include it as well, and
+        the information is that about the component values (``component``).
     candidates : sequence of Candidate
-        Trials that could be run; of the channels that were fitted.
+        Trials that could be run, with channels that were fitted.
     count : int
-        Length of the series in which each trial is the best after those before it, 1 or more. A trial may stand in it
-        more than once.
+        Length of the series in which each trial is the best after the previous ones, 1 or more. A trial may appear more
+        than once.
 
     Returns
     -------
@@ -140,7 +141,7 @@ def next_trials(
     Raises
     ------
     FitError
-        Without candidates, when none of them runs, or for a posterior of something else than an update.
+        No candidates, no candidate that can be simulated, or a posterior that does not come from an update.
 
     Examples
     --------
@@ -194,7 +195,7 @@ def next_trials(
 
 
 def _simulated_recording(candidate: Candidate, basis: Basis) -> FitTrial:
-    """The trial as if it had been recorded: the fitted channels and rate, with what the rig would do."""
+    """Return the trial with a simulated recording of the fitted channels at the fitted rate."""
     from jounce.simulation import simulate
 
     fitted = basis.trials[0]
@@ -209,7 +210,7 @@ def _simulated_recording(candidate: Candidate, basis: Basis) -> FitTrial:
 
 
 class _NoiseOnly:
-    """Information in scaled parameters; candidates weigh as the residuals of the fitted trials do."""
+    """Information about scaled parameters; candidates have the weights of the fitted trials' residuals."""
 
     def __init__(self, basis: Basis) -> None:
         self.basis = basis
@@ -220,15 +221,15 @@ class _NoiseOnly:
         self.weight = float(np.exp(ratio / len(self.scale)))
 
     def covariance(self, information: Array) -> Array:
-        """Covariance of the parameters, SI."""
+        """Return the covariance of the parameters, SI."""
         return np.asarray(np.linalg.inv(information) * np.outer(self.scale, self.scale))
 
     def information(self, candidate: Candidate) -> Array:
-        """Information that a trial adds."""
+        """Return the information that a trial adds."""
         return self.weight * self._plain(_simulated_recording(candidate, self.basis))
 
     def _plain(self, trial: FitTrial) -> Array:
-        """Information of a trial if its residuals were white, with a free lag where lags were fitted."""
+        """Return the information of a trial with white residuals, with a free lag if lags were fitted."""
         basis = self.basis
         prepared = prepare_trial(trial, basis.free, replace(basis.settings, weights="printed"))
         values = np.array([basis.values[item.path] for item in basis.free])
@@ -253,7 +254,7 @@ class _NoiseOnly:
 
 
 class _WithDoubt:
-    """Information in scaled parameters and doubts that all trials share."""
+    """Information about scaled parameters and doubts that all trials share."""
 
     def __init__(self, basis: Basis) -> None:
         self.basis = basis
@@ -268,12 +269,12 @@ class _WithDoubt:
         self.rest = {name: share / OBSERVATIONS for name, share in self.fit.rest.items()}
 
     def covariance(self, information: Array) -> Array:
-        """Covariance of the component values that a test machine would give, SI."""
+        """Return the covariance of the component values that a test machine would measure, SI."""
         slopes = self.read.slopes[0]
         return np.asarray(slopes @ np.linalg.inv(information) @ slopes.T)
 
     def information(self, candidate: Candidate) -> Array:
-        """Information that a trial adds; the unexplained part grows with the signal, as in the fitted trials."""
+        """Return the information that a trial adds; the unexplained part scales with the signal as in fitted trials."""
         return candidate_information(
             self.fit, _simulated_recording(candidate, self.basis), self.noise, self.rest
         )

@@ -1,6 +1,7 @@
-"""Errors of a record outside the rig: speed, a filter before the logger, motion at its start.
+"""Nuisances of a record outside the rig: speed, a filter before the logger, motion at its start.
 
-Left alone, the fitted values make up for it. Freed, it is found with them; what a fit leaves tells which one to free.
+If they are ignored, the fitted values compensate for them. Free nuisances are estimated with the parameters; the
+residuals of a fit show which one to free.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from jounce.simulation.problem import excitation, force_actuator
 
 SPEED, LOW_PASS, START = "speed", ".low_pass", "start"
 FASTEST = 0.45
-"""Share of the sample rate: corners above it cannot be told from none."""
+"""Share of the sample rate above which a corner has no detectable effect."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,8 @@ class SearchedNuisance:
         ``"speed"`` (m/s, one common factor for all trials that are driven over a road) or ``"<channel>.low_pass"``
         (corner in Hz).
     free : Free
-        Start and bounds of what is searched: the speed in m/s, or one over the corner in s, in which a delay is linear.
+        Start and bounds of the searched variable: the speed in m/s, or the inverse of the corner in s, in which the
+        delay is linear.
     """
 
     name: str
@@ -49,7 +51,7 @@ class SearchedNuisance:
 
     @property
     def width(self) -> float:
-        """Deviation that its bounds allow (1): a share of the speed, the logarithm of a corner."""
+        """Deviation allowed by the bounds (1): relative for the speed, logarithmic for a corner."""
         free = self.free
         return (
             free.half_range / free.initial
@@ -59,11 +61,11 @@ class SearchedNuisance:
 
     @property
     def is_inverse(self) -> bool:
-        """Whether the inverse of its value is searched."""
+        """Whether the search variable is the inverse of the value."""
         return self.name != SPEED
 
     def concerns(self, _trial: FitTrial) -> bool:
-        """Every trial."""
+        """Always true: it affects every trial."""
         return True
 
     def apply_to(self, trial: FitTrial, value: float) -> FitTrial:
@@ -86,13 +88,13 @@ class SearchedStart:
     trial : str
         Name of the trial.
     shape : mapping of str to float
-        State to what it is for an amplitude of 1 m, SI.
+        Mapping from state to its value for an amplitude of 1 m, SI.
     free : FreeParameter
         Start (0) and bounds, m.
     unit : str
         SI unit of the amplitude.
     is_inverse : bool
-        Whether one over the value is searched: never.
+        Whether the search variable is the inverse of the value: always false.
     """
 
     name: str
@@ -104,15 +106,15 @@ class SearchedStart:
 
     @property
     def width(self) -> float:
-        """Half of the range of its bounds, m."""
+        """Half the range of the bounds, m."""
         return self.free.half_range
 
     def concerns(self, trial: FitTrial) -> bool:
-        """Its trial."""
+        """Whether it is the trial of this start."""
         return trial.name == self.trial
 
     def apply_to(self, trial: FitTrial, amplitude: float) -> FitTrial:
-        """The trial started at this distance from equilibrium."""
+        """Return the trial started at this distance from equilibrium."""
         if not self.concerns(trial):
             return trial
         offset = {
@@ -123,16 +125,16 @@ class SearchedStart:
 
 
 def begins_unknown(trial: FitTrial) -> bool:
-    """Whether motion before the record can affect it; that of a belt's loops is simulated."""
+    """Whether unknown motion before the record can affect it; previous loops of a belt are simulated."""
     return float(trial.measured["time"][0]) <= _AT_ONCE
 
 
 _AT_ONCE = 0.05
-"""Seconds of simulation before a record, above which its start is no longer that of the run."""
+"""Simulated time before a record, in s, above which motion at the start of the run no longer matters."""
 
 
 def start_motions(trial: FitTrial) -> list[FreeVibration]:
-    """Natural vibrations of the rig of a trial, at rest on the road where it begins."""
+    """Return the natural vibrations of a trial's rig about its equilibrium at the start of the road."""
     compiled = compile_rig(trial.rig, actuator=force_actuator(trial.trial))
     signals = excitation(compiled.facts, trial.rig, trial.trial)
     heights = [float(signal.evaluate(np.zeros(1))[0][0]) for signal in signals]
@@ -141,7 +143,7 @@ def start_motions(trial: FitTrial) -> list[FreeVibration]:
 
 
 def _starts_of(given: Any, trials: Sequence[FitTrial], place: str) -> list[SearchedStart]:
-    """Amplitudes of each trial's vibrations, within plus and minus what is given (m)."""
+    """Return the start amplitudes of each trial's vibrations, bounded by plus and minus the given length (m)."""
     largest = to_si(given, "m", where=place)
     if largest <= 0.0:
         raise FitError(
@@ -168,16 +170,16 @@ def _starts_of(given: Any, trials: Sequence[FitTrial], place: str) -> list[Searc
 
 
 def with_low_pass(sensor: Sensor | None, corner: float) -> Sensor:
-    """The sensor with a low-pass filter at this corner (Hz)."""
+    """Return the sensor with a low-pass filter at this corner (Hz)."""
     return (sensor or Sensor()).with_fields(low_pass=corner)
 
 
 def nuisances_of(
     given: Mapping[str, Any], trials: Sequence[FitTrial], where: str
 ) -> tuple[SearchedNuisance | SearchedStart, ...]:
-    """Read the nuisances and their bounds: a share of the stated speed, two corners in Hz, or a largest amplitude.
+    """Read the nuisances and their bounds: a share of the stated speed, two corners in Hz, or a maximum amplitude.
 
-    Corners start in the middle of their bounds until a better start is known.
+    Corners start in the middle of their bounds unless a better start is known.
     """
     channels = [str(name) for name in trials[0].measured.data_vars]
     rate = min(
@@ -228,7 +230,7 @@ def nuisances_of(
 
 
 def _speeds(bounds: Any, speed: float, place: str) -> tuple[float, float]:
-    """Lower and upper speed in m/s."""
+    """Return the lower and upper speed in m/s."""
     if isinstance(bounds, str | int | float):
         share = to_si(bounds, "1", where=place)
         if not 0.0 < share < 1.0:

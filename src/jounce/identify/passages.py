@@ -1,8 +1,8 @@
-"""Passages of an obstacle in a record that begins anywhere: found, timed, and averaged over the loops of a belt.
+"""Find and time the passages of an obstacle in a record that begins anywhere, and average the loops of a belt.
 
-A bench whose belt has been running records the wheel meeting the same obstacle again and again, and nothing comes to
-rest in between. The model's own response, through the sensors, is what is looked for; the recurrence gives the speed of
-the belt better than any sensor on a cylinder, and the average over the loops is what the model is compared with.
+On a bench with a running belt the wheel meets the same obstacle repeatedly and does not come to rest in between. The
+search template is the model's response, as the sensors measure it. The recurrence gives the speed of the belt more
+accurately than a sensor on a cylinder. The average over the loops is compared with the model.
 """
 
 from __future__ import annotations
@@ -37,15 +37,15 @@ from jounce.simulation.settings import RunSettings
 from jounce.simulation.solve import solve
 
 _LIKE = 0.5
-"""Correlation with the model's response from which on a place in the record counts as a passage."""
+"""Minimum correlation with the model's response at a passage."""
 _APART = 0.6
-"""Share of a loop that two passages are apart at least."""
+"""Minimum distance of two passages, as a share of a loop."""
 _SLIPS = 0.12
-"""Share by which the belt may be slower or faster than stated for its passages still to be found."""
+"""Largest deviation of the belt speed from the stated one at which passages are found, as a share."""
 _AFTER = 0.15
-"""Seconds behind a single obstacle that are looked for, too: the wheel hops, the body begins to swing."""
+"""Time after a single obstacle that the template includes, in s: the wheel hops, the body begins to oscillate."""
 _ONSET, _NEAR = 0.02, 0.02
-"""Seconds behind the first obstacle that tell its onset, and to either side in which each passage is timed."""
+"""Time after the first obstacle that the onset includes, and half-width of the timing search, in s."""
 
 
 @dataclass(frozen=True)
@@ -55,28 +55,28 @@ class Passages(Shown):
     Attributes
     ----------
     times : tuple of float
-        Instants at which the wheel meets the (first) obstacle, s of the record.
+        Times of the record at which the wheel meets the (first) obstacle, s.
     likeness : tuple of float
-        Correlation of the record with the model's response there, all channels together (1).
+        Correlation of the record with the model's response at each passage, over all channels (1).
     speed : float
-        Speed of the belt, m/s: its length over the time between passages; as stated where there is only one.
+        Speed of the belt, m/s: its length over the time between passages; the stated one for a single passage.
     period : float or None
         Mean time between passages, s; None for a single one.
     again : tuple of float
-        Instants (s) at which an obstacle is met once more whose road does not come again.
+        Times (s) at which the obstacle of a road without recurrence is met again.
     loop : xarray.Dataset or None
-        Average of the loops, in SI on ``time`` (s), which counts from ``LEAD`` of a loop before the obstacle.
+        Average of the loops, in SI over ``time`` (s), which starts a share ``LEAD`` of a loop before the obstacle.
     scatter : xarray.Dataset or None
         Standard deviation between loops at each instant, in the unit of each channel.
     repeatability : dict
-        Channel to the r.m.s. scatter between loops over the r.m.s. of the average (1).
+        Mapping from channel to the r.m.s. scatter between loops relative to the r.m.s. of the average (1).
     noise : dict
-        Channel to the standard deviation of the noise of the average, in the unit of each channel: that of white noise
-        as dense as the differences between loops are at the frequencies of the signal.
+        Mapping from channel to the noise standard deviation of the average, in the unit of the channel: that of white
+        noise with the spectral density of the differences between loops at the frequencies of the signal.
     odd : tuple of int
-        Passages (counted from 1) whose loop is unlike the others and was left out of the average.
+        Passages (counted from 1) whose loop is an outlier and was left out of the average.
     findings : tuple of Finding
-        What was found and what is doubtful.
+        Results and limitations of the search.
     """
 
     times: tuple[float, ...]
@@ -94,16 +94,16 @@ class Passages(Shown):
 
 @dataclass(frozen=True)
 class Sought(Shown):
-    """What was looked for in a record in vain.
+    """Template and record of a search that found no obstacle.
 
     Attributes
     ----------
     record : xarray.Dataset
-        Record, of the channels that were used.
+        Record of the channels that were used.
     response : xarray.Dataset
-        The model's response in the same channels, at the place of the record (``time``, s) that is most like it.
+        The model's response in the same channels, at the best-matching time of the record (``time``, s).
     likeness : float
-        Correlation there (1).
+        Correlation at that time (1).
     """
 
     record: xr.Dataset
@@ -112,7 +112,7 @@ class Sought(Shown):
 
 
 class ObstacleNotFoundError(FitError):
-    """An obstacle that a record does not show; ``sought`` is what was looked for."""
+    """Raised if a record does not contain the obstacle; ``sought`` contains template and record."""
 
     sought: Sought | None = None
 
@@ -127,36 +127,36 @@ def find_passages(
     channels: Sequence[str] | None = None,
     name: str = "record",
 ) -> Passages:
-    """Find where in a record the wheel meets the obstacles of a road, and average over the loops of a belt.
+    """Find the times at which the wheel meets the obstacles of a road, and average over the loops of a belt.
 
     Parameters
     ----------
     measured : xarray.Dataset
-        Recording in SI on uniform time (s); channels that are also outputs of the model are used.
+        Recording in SI at uniform time steps (s); channels that are also outputs of the model are used.
     rig : Rig
-        The rig as set up for the trial; its values need not be right, only near.
+        The rig as set up for the trial; approximate values are sufficient.
     road : Road
-        The obstacle or train; with ``recurrence``, the length of the belt (m), loops are looked for.
+        The obstacle or train; with ``recurrence``, the length of the belt (m), loops are searched for.
     speed : float or str
-        Speed as stated, m/s.
+        Stated speed, m/s.
     sensors : mapping of str to Sensor, optional
-        Channel to sensor: the model's response goes through it.
+        Mapping from channel to sensor, applied to the model's response.
     channels : sequence of str, optional
         Channels to use; all common ones by default.
     name : str
-        Names the record in findings.
+        Name of the record in findings.
 
     Returns
     -------
     Passages
-        Instants, speed, average and scatter.
+        Times, speed, average and scatter.
 
     Raises
     ------
     ObstacleNotFoundError
-        Where no place of the record looks like the response of the model, with what was looked for.
+        If no part of the record matches the model's response; it contains the template.
     FitError
-        Where a loop of the belt holds another obstacle.
+        If a loop of the belt contains a further obstacle.
 
     Examples
     --------
@@ -251,7 +251,7 @@ def find_passages(
 
 @dataclass(frozen=True)
 class _Expected:
-    """The model's response: signals from ``lead`` (s) before the obstacle, at steps of the record."""
+    """The model's response: signals from ``lead`` (s) before the obstacle, at the time steps of the record."""
 
     signals: dict[str, Array]
     lead: float
@@ -261,7 +261,7 @@ class _Expected:
     period: float | None
 
     def window(self, names: Sequence[str], length: int) -> Array:
-        """Signals without their mean over the window, shape (names, length)."""
+        """Return the signals minus their mean over the window, shape (names, length)."""
         rows = np.stack([self.signals[name][:length] for name in names])
         return np.asarray(rows - rows.mean(axis=1, keepdims=True))
 
@@ -271,7 +271,7 @@ def _describe(road: Road) -> str:
 
 
 def _first(road: Road) -> float:
-    """Length (m) of the first obstacle."""
+    """Return the length (m) of the first obstacle."""
     while isinstance(road, Train):
         road = road.of
     return road.end() - road.start
@@ -312,10 +312,10 @@ def _response(
 
 
 def _likeness(recorded: Array, window: Array, ahead: int) -> tuple[Array, Array]:
-    """Correlation (1) of a window with a record, over all channels, and how much of the motion lies in it (1).
+    """Return the correlation (1) of a window with a record, over all channels, and its share of the motion (1).
 
-    From ``ahead`` samples before the first one on. Each channel counts by its own size; what is constant within the
-    window counts in neither. A window that reaches beyond the record is compared where both are.
+    The window starts ``ahead`` samples before the first one. Channels are weighted by their own size; values constant
+    within the window are ignored. A window that extends beyond the record is compared over the overlap.
     """
     from scipy.signal import correlate
 
@@ -339,16 +339,16 @@ def _likeness(recorded: Array, window: Array, ahead: int) -> tuple[Array, Array]
 
 
 _QUIET = 0.05
-"""Mean square of a window over that of the whole record, below which its noise is not taken for a response."""
+"""Minimum mean square of a window, relative to the whole record, so that noise is not mistaken for a response."""
 _FEWEST_SEEN = 0.15
-"""Share of a window that must lie within the record."""
+"""Minimum share of a window within the record."""
 
 
 def _peaks(like: Array, power: Array, step: float, period: float | None) -> tuple[np.ndarray, int]:
-    """Samples at which passages begin, and the sign of all channels together.
+    """Return the samples at which passages begin, and the common sign of all channels.
 
-    A train looks much like itself a pitch later; what tells them apart is that the wheel moves within it and hardly
-    before and behind it, so likeness counts by the share of the motion that lies in the window.
+    A train resembles itself one pitch later. The wheel moves within the train and hardly before and after it, so the
+    correlation is weighted by the share of the motion within the window.
     """
     from scipy.signal import find_peaks
 
@@ -368,7 +368,7 @@ def _peaks(like: Array, power: Array, step: float, period: float | None) -> tupl
 
 
 _SHARE = 0.6
-"""Share of the best score from which on another place is a passage, too."""
+"""Minimum share of the best score for a further passage."""
 
 
 def _sought(
@@ -380,7 +380,7 @@ def _sought(
     step: float,
     likeness: float,
 ) -> Sought:
-    """The model's response where the record is most like it, each channel about its mean and with the likelier sign."""
+    """Return the model's response at its best match, each channel minus its mean and with the likelier sign."""
     begin = float(data["time"][0]) + best * step - expected.lead
     count = expected.length
     channels = {}
@@ -397,7 +397,7 @@ def _sought(
 
 
 def _repeated_meetings(onset: Array, score: Array, at: int, length: int) -> np.ndarray:
-    """Samples at which an obstacle that does not come again, by its road, is met once more."""
+    """Return the samples at which the obstacle of a road without recurrence is met again."""
     from scipy.signal import find_peaks
 
     padded = np.concatenate([[-1.0], score, [-1.0]])
@@ -413,9 +413,9 @@ def _repeated_meetings(onset: Array, score: Array, at: int, length: int) -> np.n
 def _another_obstacle(
     onset: Array, power: Array, at: np.ndarray, expected: _Expected, names: Sequence[str]
 ) -> int:
-    """Samples from the start of an obstacle to another one that every loop holds beside those of the road; 0: none.
+    """Return the samples from the start of an obstacle to a further one that every loop contains; 0: none.
 
-    Wheel and body swing on and look like another obstacle a little; how much the model's own loop tells.
+    The continued oscillation of wheel and body resembles an obstacle to some degree, which the model's loop shows.
     """
     loop = expected.window(names, len(next(iter(expected.signals.values()))))
     own, _ = _likeness(np.hstack([loop, loop]), expected.window(names, expected.onset), 0)
@@ -432,19 +432,19 @@ def _another_obstacle(
 
 
 _CLEAR = 0.8
-"""Correlation with the onset from which on a place where none was expected counts as another passage."""
+"""Minimum correlation with the onset for an unexpected passage."""
 _MORE_ALIKE = 0.3
-"""How much more a place of the loop is like the onset than the same place of the model's loop, to be an obstacle."""
+"""Minimum excess of the correlation with the onset over that of the model's loop, for a further obstacle."""
 
 
 def _at_onset(
     onset: Array, whole: Array, at: np.ndarray, reach: int, near: int, period: float | None
 ) -> np.ndarray:
-    """Move passages to where the record begins to look like the response to the first obstacle, evenly apart.
+    """Move passages to the onset of the response to the first obstacle, at equal distances.
 
-    What follows in a train depends too much on masses and damping. From the surest passage on, the next ones are looked
-    for a period (samples) before and behind it, so that none is missed at the ends and none is found between. ``whole``
-    is the likeness where the window lies within the record.
+    Later parts of a train depend too much on masses and damping. Starting from the most certain passage, the next ones
+    are searched for one period (samples) before and after it, which avoids missed passages at the ends and false ones
+    in between. ``whole`` is the correlation for windows within the record.
     """
     surest = max((_argmax_near(whole, int(i), reach) for i in at), key=lambda i: float(whole[i]))
     if period is None:
@@ -471,9 +471,9 @@ def _at_onset(
 
 
 _EVEN = 0.05
-"""Share by which passages that no stated speed explains may be unevenly apart."""
+"""Largest unevenness, as a share, of the distances of passages that do not match the stated speed."""
 _SURE = 0.7
-"""Correlation with the onset from which on a passage counts that was expected there."""
+"""Minimum correlation with the onset for an expected passage."""
 
 
 def _argmax_near(onset: Array, i: int, reach: int) -> int:
@@ -482,7 +482,7 @@ def _argmax_near(onset: Array, i: int, reach: int) -> int:
 
 
 def _fractions(like: Array, at: np.ndarray) -> Array:
-    """Where between samples the correlation is greatest: a parabola through three of them."""
+    """Refine correlation maxima between samples by a parabola through three of them."""
     fraction = np.zeros(len(at))
     for k, i in enumerate(at):
         if 0 < i < len(like) - 1:
@@ -493,9 +493,9 @@ def _fractions(like: Array, at: np.ndarray) -> Array:
 
 
 def _signs(recorded: Array, window: Array, ahead: int) -> Array:
-    """Sign of each channel where all of them together, each by its size, are most like the model's response.
+    """Return the sign of each channel at the best joint match with the model's response, weighted by size.
 
-    A channel is reversed only where it clearly is the response upside down: one that shows little keeps its sign.
+    A channel is reversed only if it clearly is the inverted response; a weak channel keeps its sign.
     """
     each = [
         _likeness(row[None, :], wanted[None, :], ahead)
@@ -520,7 +520,7 @@ def _average_loops(
     findings: list[Finding],
     where: str,
 ) -> Passages:
-    """Speed, average and scatter of a record with several passages."""
+    """Compute speed, average and scatter of a record with several passages."""
     periods = np.diff(times)
     usual = float(np.median(periods))
     whole = np.maximum(
