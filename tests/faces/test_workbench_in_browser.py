@@ -631,3 +631,41 @@ def test_what_a_page_shows_is_saved_and_copied(workbench, browser, tmp_path):
     assert RIG in _saved(page, table, "CSV", tmp_path).read_text("utf-8-sig")
     assert opened.troubles == []
     opened.context.close()
+
+
+@pytest.mark.pages
+def test_everything_is_found_by_its_name(workbench, browser):
+    """Pages, files, curves and actions from every page; the filter of curves takes what its example shows."""
+    opened = Opened(browser, workbench, viewport={"width": 1280, "height": 900})
+    page = opened.page
+    opened.go(f"kinematics?rig={RIG}")
+    assert page.title() == f"Kinematics of {RIG} – Kinematics – jounce workbench"
+    until(page, "document.querySelectorAll('.multiples figure').length > 20")
+    page.keyboard.press("Control+k")
+    matches = page.locator("dialog [role=option]")
+    page.locator("dialog input").fill("roll centre h")
+    assert matches.all_inner_texts() == ["roll centre height\ncurve"]
+    page.keyboard.press("Enter")
+    until(page, "document.querySelectorAll('dialog').length === 0")
+    curve = page.locator(".multiples figure", has_text="roll centre height")
+    until(page, "scrollY > 0")
+    assert curve.is_visible()
+    page.get_by_placeholder("camber, roll centre").fill("camber, roll centre …")
+    assert 2 <= page.locator(".multiples figure:visible").count() <= 8
+    page.keyboard.press("Control+k")
+    page.locator("dialog input").fill("run view")
+    matches.get_by_text("run.nc: view").wait_for()
+    page.keyboard.press("Enter")
+    page.wait_for_selector("html[data-ready=record]")
+    page.evaluate("document.activeElement.blur()")
+    page.keyboard.press("?")
+    assert page.get_by_role("dialog").get_by_role("heading").inner_text() == "Keys"
+    page.keyboard.press("Escape")
+    page.keyboard.press("Control+k")
+    page.locator("dialog input").fill("no such thing")
+    assert matches.all_inner_texts() == ["nothing found"]
+    page.keyboard.press("Enter")
+    page.keyboard.press("Escape")
+    assert page.get_by_role("dialog").count() == 0
+    assert opened.troubles == []
+    opened.context.close()

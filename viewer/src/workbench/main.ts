@@ -21,6 +21,7 @@ import { ride } from "./pages/ride";
 import { rig } from "./pages/rig";
 import { studies } from "./pages/studies";
 import { trial } from "./pages/trial";
+import { listenForKeys, searchButton } from "./palette";
 import { problem } from "./parts";
 import { savePage } from "./saving";
 import { address, carried, carry, type Page, setLive } from "./shell";
@@ -41,6 +42,8 @@ const PAGES: Record<string, Page> = {
   studies,
   jobs,
 };
+
+const LABELS = Object.fromEntries(Object.entries(PAGES).map(([page, { label }]) => [page, label]));
 
 async function show(): Promise<void> {
   const [page = "", values = ""] = location.hash.replace(/^#\//, "").split("?");
@@ -66,7 +69,11 @@ async function show(): Promise<void> {
       make("p", {}, make("a", { href: address("project") }, "Back to the project")),
     );
   }
-  if (place.isConnected) document.documentElement.dataset.ready = chosen;
+  if (!place.isConnected) return;
+  const heading = place.querySelector("h1")?.textContent ?? "";
+  if (heading && heading !== tr(PAGES[chosen]!.label))
+    document.title = `${heading} – ${document.title}`; // which rig or record is in which tab
+  document.documentElement.dataset.ready = chosen;
 }
 
 document.documentElement.classList.add("live");
@@ -77,7 +84,8 @@ document
       make("a", { href: address(page), "data-page": page }, label),
     ),
   );
-document.querySelector("header")!.append(languageButton(), themeButton());
+document.querySelector("header")!.append(searchButton(LABELS), languageButton(), themeButton());
+listenForKeys(LABELS);
 document.getElementById("pages")!.setAttribute("aria-label", tr("Pages"));
 const skip = document.querySelector(".skip")!;
 skip.textContent = tr("Skip to the content");

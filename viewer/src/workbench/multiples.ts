@@ -91,12 +91,17 @@ export class Multiples {
     this.mark(this.place);
   }
 
-  /** Shows those whose name or words hold a text. */
+  /** Shows those whose name or words hold all words of a text, or of one of its parts between commas. */
   filter(text: string): void {
     this.wanted = text;
-    const words = text.toLowerCase().split(/\s+/).filter(Boolean);
-    for (const one of this.plots)
-      one.box.hidden = !words.every((word) => one.box.dataset.words!.includes(word));
+    const parts = text
+      .toLowerCase()
+      .split(/[,;…]/)
+      .map((part) => part.split(/\s+/).filter(Boolean))
+      .filter((words) => words.length);
+    const isWanted = (own: string) =>
+      !parts.length || parts.some((words) => words.every((word) => own.includes(word)));
+    for (const one of this.plots) one.box.hidden = !isWanted(one.box.dataset.words!);
     this.draw();
   }
 

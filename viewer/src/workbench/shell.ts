@@ -17,6 +17,28 @@ export const RIGS = ["rig"],
 export const address = (page: string, values: Record<string, string> = {}) =>
   `#/${page}?${new URLSearchParams(values)}`;
 
+/** Pages that open a kind of file, with the words of their links. */
+export const OPENS: Record<string, [page: string, key: string, words: string][]> = {
+  rig: [
+    ["rig", "name", "edit"],
+    ["trial", "rig", "drive"],
+    ["kinematics", "rig", "kinematics"],
+  ],
+  vehicle: [
+    ["rig", "name", "edit"],
+    ["trial", "rig", "drive"],
+  ],
+  record: [
+    ["record", "path", "view"],
+    ["trial", "record", "compare with a simulation"],
+    ["inspection", "record", "inspect"],
+  ],
+  campaign: [["campaign", "file", "open"]],
+  sweep: [["studies", "study", "open"]],
+  swept: [["studies", "folder", "results"]],
+  store: [["inspection", "store", "search"]],
+};
+
 /** Parses a value of an address as JSON; empty if it is not valid. */
 export function given<T extends object>(text: string | null): T {
   try {

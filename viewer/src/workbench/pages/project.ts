@@ -8,7 +8,7 @@ import { discard, draftsOf, type Lying, moment } from "../drafts";
 import { field, once, problem, snippets } from "../parts";
 import { inWords } from "../quantities";
 import { savable } from "../saving";
-import { address, goTo, type Page } from "../shell";
+import { address, goTo, OPENS, type Page } from "../shell";
 import { table } from "../table";
 
 export const project: Page = { label: "Project", show };
@@ -39,28 +39,6 @@ const LABELS: Record<string, string> = {
   inspection: "Inspection",
   studies: "Studies",
 };
-/** Pages that open a kind of file, with the words of their links. */
-const OPENS: Record<string, [page: string, key: string, words: string][]> = {
-  rig: [
-    ["rig", "name", "edit"],
-    ["trial", "rig", "drive"],
-    ["kinematics", "rig", "kinematics"],
-  ],
-  vehicle: [
-    ["rig", "name", "edit"],
-    ["trial", "rig", "drive"],
-  ],
-  record: [
-    ["record", "path", "view"],
-    ["trial", "record", "compare with a simulation"],
-    ["inspection", "record", "inspect"],
-  ],
-  campaign: [["campaign", "file", "open"]],
-  sweep: [["studies", "study", "open"]],
-  swept: [["studies", "folder", "results"]],
-  store: [["inspection", "store", "search"]],
-};
-
 async function show(place: HTMLElement): Promise<void> {
   const [{ name, folder, entries }, library, kept, jobs] = await Promise.all([
     api.project(),
