@@ -1,6 +1,6 @@
-"""Assembly: from a rough pose to one that closes all loops, with the moved coordinates and the names of faults.
+"""Assembly: find a pose that closes all loops from a rough one; report changed coordinates and faulty joints.
 
-Works on the symbolic model with CasADi's own evaluation, before anything is compiled.
+It evaluates the symbolic model with CasADi, before anything is compiled.
 """
 
 from __future__ import annotations
@@ -18,25 +18,27 @@ from jounce.core.units import to_si
 from jounce.mechanics.facts import Equation
 from jounce.mechanics.model import Model
 
-_ITERATIONS = 100  # of damped Newton steps, at most: rough poses are far from closed
-_ALSO_OPEN = 0.05  # share of the widest gap from which a joint is named beside it; a choice
-_CLOSED = 1e-12  # m or rad: rounding of places of a few metres
+_ITERATIONS = 100  # maximum of damped Newton steps: rough poses are far from closed
+_ALSO_OPEN = 0.05  # a joint is also named if its gap is at least this share of the widest; a choice
+_CLOSED = 1e-12  # m or rad: rounding of positions of a few metres
 _HELD = (
     0.0,
     1e-3,
 )  # compliance of a given coordinate relative to the others: fixed, otherwise stiff
 _DEPENDENT = 1e-9  # singular value of the loop equations, relative to the largest, below which one is redundant
-_NO_SLOPE = 1e-12  # m, 1: slope of an equation without effect in this pose
+_NO_SLOPE = 1e-12  # m, 1: below this slope an equation has no effect in this pose
 _FIRM = (
     1e-2  # singular value above which equations without their redundant ones are well conditioned
 )
-_PART = 1e-6  # share of an equation in a dependence from which it is named
-_NUDGE = 1e-3  # m or rad: a singular pose differs from equations that are redundant everywhere by this much motion
-_MOVED = 1e-9  # m or rad, beyond which a change of a coordinate is reported
+_PART = 1e-6  # an equation is named if its share in a dependence is at least this
+_NUDGE = (
+    1e-3  # m or rad: motion that tells a singular pose from equations that are redundant everywhere
+)
+_MOVED = 1e-9  # m or rad: larger changes of a coordinate are reported
 _KEPT = 1e-10  # rate at which the loops may still open, relative to the speeds
 
 _Groups = tuple[tuple[Equation, ...], ...]
-"""Loop equations of which one in each group follows from the others."""
+"""Groups of loop equations; one in each group follows from the others."""
 
 
 @dataclass(frozen=True)
@@ -65,9 +67,9 @@ class Assembly:
     x : ndarray, shape (n,)
         States, SI: coordinates, speeds, internal states.
     displacements : tuple of Displacement
-        Coordinates that are not where they were given or designed, and speeds that are not as they were given.
+        Coordinates that differ from their given or design values, and speeds that differ from their given values.
     redundant : tuple of tuple of str
-        Groups of loop equations that repeat each other.
+        Groups of redundant loop equations.
     freedom : int
         Number of free motions.
     """
@@ -80,7 +82,7 @@ class Assembly:
 
 @once_per_object
 def _loops_of(model: Model) -> ca.Function:
-    """Loop equations of a model, and the other results of :meth:`Evaluator.at`."""
+    """Return a function for the loop equations of a model and the other results of :meth:`Evaluator.at`."""
     n_q, n_v = model.facts.counts
     q, v = model.x[:n_q], model.x[n_q : n_q + n_v]
     kinematics = ca.jacobian(model.rate[:n_q], v)
@@ -93,7 +95,7 @@ def _loops_of(model: Model) -> ca.Function:
 
 
 class Evaluator:
-    """Numbers of a model at one set of parameters and inputs."""
+    """Evaluates a model's loop equations for fixed parameters and inputs."""
 
     def __init__(self, model: Model, p: Array, u: Array) -> None:
         self.model, self.p, self.u = model, p, u
@@ -101,14 +103,14 @@ class Evaluator:
         self._functions = _loops_of(model)
 
     def at(self, x: Array) -> tuple[Array, Array, Array, Array]:
-        """Residual, its slope by the speeds, coordinates' rates by the speeds, and what the inputs' rates make."""
+        """Return residual, its slope and the coordinates' rates by the speeds, and the drift by the inputs' rates."""
         value, slope, kinematics, drift = (
             part.full() for part in self._functions(x, self.u, self.p)
         )
         return value[:, 0], slope, kinematics, drift[:, 0]
 
     def move(self, x: Array, displacement: Array) -> Array:
-        """States after a small displacement; quaternions have length one again."""
+        """Return the states after a small displacement, with quaternions normalised."""
         result = x.copy()
         result[: self.n_q] += self.at(x)[2] @ displacement
         _normalise(self.model, result)
@@ -132,20 +134,20 @@ def assemble(
     p, u : ndarray
         Parameters and inputs, SI.
     start : mapping, optional
-        Coordinates (m, rad) and speeds (m/s, rad/s) by name, or text with a unit, as far as they are known; those
-        given move least. A quaternion is taken at length one.
+        Known coordinates (m, rad) and speeds (m/s, rad/s) by name, or text with a unit; these are changed as little
+        as possible. Quaternions are normalised.
     redundant : {"refuse", "keep"}
         Treatment of redundant loop equations.
 
     Returns
     -------
     Assembly
-        States, what moved, redundant equations, number of free motions.
+        States, changed coordinates, redundant equations, number of free motions.
 
     Raises
     ------
     AssemblyError
-        If the loops cannot be closed, repeat each other, or are singular in this pose: with names.
+        If the loops cannot be closed, are redundant, or are singular in this pose; the message names the joints.
     """
     if redundant not in ("refuse", "keep"):
         raise unknown(redundant, ("refuse", "keep"), what="choice", where="redundant")
@@ -235,7 +237,7 @@ def removable(
     start: Mapping[str, float | str] | None = None,
     known: Iterable[frozenset[str]] = (),
 ) -> frozenset[str]:
-    """Loop equations that are redundant at a pose; the choices ``known`` are used again if they still apply.
+    """Return loop equations that are redundant at a pose; reuse the choices ``known`` if they still apply.
 
     Refuses loops that cannot be closed, and singular configurations, where redundancy is undecidable.
     """
@@ -263,7 +265,7 @@ def removable(
 
 
 def refuse_singular(model: Model, x: Array, u: Array, p: Array) -> None:
-    """Refuse a closed pose in which loop equations are redundant that are independent nearby."""
+    """Refuse a closed pose in which loop equations are redundant although they are independent nearby."""
     evaluator = Evaluator(model, p, u)
     groups = _dependences(evaluator.at(x)[1], model.equations) if model.constraints else ()
     if groups and _is_singular_here_only(evaluator, x, len(groups)):
@@ -273,7 +275,7 @@ def refuse_singular(model: Model, x: Array, u: Array, p: Array) -> None:
 def _closed_near(
     evaluator: Evaluator, first: Array, given: Mapping[str, float]
 ) -> tuple[Array, tuple[Array, ...]]:
-    """Close the loops with the given coordinates fixed or, if impossible, slightly changed; return also compliances."""
+    """Close the loops with given coordinates fixed or, if necessary, slightly changed; also return the compliances."""
     weights = tuple(_weights(evaluator.model, given, held) for held in _HELD)
     try:
         return close_loops(evaluator, first, weights[0]), weights
@@ -282,7 +284,7 @@ def _closed_near(
 
 
 def _weights(model: Model, given: Mapping[str, float], held: float) -> Array:
-    """Compliance of the motion of each speed; ``held`` for given coordinates and speeds."""
+    """Return the compliance of each speed's motion; ``held`` for given coordinates and speeds."""
     n_q, n_v = model.facts.counts
     weights = np.ones(n_v)
     slope = ca.Function(
@@ -298,7 +300,7 @@ def _weights(model: Model, given: Mapping[str, float], held: float) -> Array:
 
 
 def close_loops(evaluator: Evaluator, x: Array, weights: Array) -> Array:
-    """Damped Newton on the loop equations, the shortest step in the weighted sense."""
+    """Solve the loop equations by damped Newton steps of minimum weighted norm."""
     value, slope, _, _ = evaluator.at(x)
     _refuse_undefined(evaluator.model, value, slope)
     for _ in range(_ITERATIONS):
@@ -306,7 +308,7 @@ def close_loops(evaluator: Evaluator, x: Array, weights: Array) -> Array:
             return x
         step = -weights * np.linalg.lstsq(slope * weights, value, rcond=1e-12)[0]
         share, better = 1.0, None
-        while share > 1e-4:  # thirteen halvings: a shorter step goes nowhere
+        while share > 1e-4:  # thirteen halvings: shorter steps make no progress
             trial = evaluator.move(x, share * step)
             closer = evaluator.at(trial)
             if np.linalg.norm(closer[0]) < np.linalg.norm(value):
@@ -322,20 +324,20 @@ def close_loops(evaluator: Evaluator, x: Array, weights: Array) -> Array:
 
 
 def _refuse_undefined(model: Model, value: Array, slope: Array) -> None:
-    """Refuse loop equations that are no numbers, such as those with an axis that a parameter made zero."""
+    """Refuse loop equations that are not finite, such as those with an axis set to zero by a parameter."""
     broken = ~(np.isfinite(value) & np.all(np.isfinite(slope), axis=1))
     if np.any(broken):
         joints = dict.fromkeys(
             equation.joint for equation, no in zip(model.equations, broken, strict=True) if no
         )
-        hint = "Check the axes and places of the joints around its loop, and the motions."
+        hint = "Check the axes and positions of the joints in its loop, and the motions."
         raise AssemblyError(
             "the loop cannot be computed", where=", ".join(joints), found="not a number", hint=hint
         )
 
 
 def _open(model: Model, value: Array) -> AssemblyError:
-    """Error that names the open loops, the widest first."""
+    """Return the error that names the open loops, the widest first."""
     order = np.argsort(-np.abs(value))
     worst = [
         model.equations[i] for i in order if abs(value[i]) > _ALSO_OPEN * abs(value[order[0]])
@@ -350,28 +352,28 @@ def _open(model: Model, value: Array) -> AssemblyError:
         where=", ".join(joints),
         found=", ".join(shown),
         allowed="all loops closed",
-        hint="Check the places of these joints, or give coordinates nearer to the wished pose.",
+        hint="Check the positions of these joints, or give coordinates closer to the desired pose.",
     )
 
 
 def _gap(joint: str, rows: list[tuple[str, float]]) -> str:
-    """Gap of an open joint, by units and values: a distance, else an angle, else the residual of its equation."""
+    """Describe the gap of an open joint: a distance, else an angle, else the residual of its equation."""
     place, turn = (
         float(np.linalg.norm([value for own, value in rows if own == unit]))
         for unit in ("m", "rad")
     )
     if place > _ALSO_OPEN * turn:  # m, rad
-        return f"{joint} stays open by {place:.4g} m"
+        return f"{joint} has a gap of {place:.4g} m"
     if turn > 0.0:
-        return f"{joint} stays askew by {np.degrees(np.arcsin(min(turn, 1.0))):.4g} degrees"
+        return f"{joint} is misaligned by {np.degrees(np.arcsin(min(turn, 1.0))):.4g} degrees"
     return (
-        f"{joint} misses its condition by {abs(rows[0][1]):.4g} (a rod by that half of the "
+        f"{joint} violates its condition by {abs(rows[0][1]):.4g} (a rod by that half of the "
         "square of its length, m^2)"
     )
 
 
 def _dependences(slope: Array, equations: tuple[Equation, ...]) -> _Groups:
-    """Groups of equations of which one follows from the others."""
+    """Return groups of equations in each of which one follows from the others."""
     scale = np.linalg.norm(slope, axis=1)
     groups = [(equations[i],) for i in np.flatnonzero(scale <= _NO_SLOPE)]
     rows = np.flatnonzero(scale > _NO_SLOPE)
@@ -392,7 +394,7 @@ def _dependences(slope: Array, equations: tuple[Equation, ...]) -> _Groups:
 
 
 def motions_left(slope: Array) -> Array:
-    """Orthonormal motions of the speeds that open no loop, shape (n, f)."""
+    """Return orthonormal motions of the speeds that keep all loops closed, shape (n, f)."""
     if not slope.shape[0]:
         return np.eye(slope.shape[1])
     sizes = np.linalg.norm(slope, axis=1)
@@ -401,7 +403,7 @@ def motions_left(slope: Array) -> Array:
 
 
 def _explain(evaluator: Evaluator, pose: Array, groups: _Groups) -> None:
-    """Refuse a singular pose and equations that repeat each other."""
+    """Refuse a singular pose and redundant equations."""
     if _is_singular_here_only(evaluator, pose, len(groups)):
         raise _singular(groups)
     loops, joints = evaluator.model.loops, _joints_of(groups)
@@ -411,24 +413,24 @@ def _explain(evaluator: Evaluator, pose: Array, groups: _Groups) -> None:
     place = f" in the loop of {', '.join(around)}" if around else ""
     listed = "; ".join(", ".join(equation.name for equation in group) for group in groups)
     raise AssemblyError(
-        "redundant joints: they repeat each other",
+        "redundant joints: their constraints are dependent",
         where="; ".join(joints),
         found=f"{_count(groups, 'superfluous equation')} ({listed}){place}",
-        hint='Loosen one of them (a spherical joint for a hinge), or say redundant="remove".',
+        hint='Replace one by a joint with more freedom (a spherical joint for a hinge), or set redundant="remove".',
     )
 
 
 def _singular(groups: _Groups) -> AssemblyError:
     return AssemblyError(
-        "the mechanism is in a singular configuration: its loops do not determine how it moves on from here",
+        "the mechanism is in a singular configuration: its loops do not determine its further motion",
         where="; ".join(_joints_of(groups)),
         found=f"{_count(groups, 'equation')} that repeat others in this pose only",
-        hint="Start it away from the pose in which its links lie on one line.",
+        hint="Start away from the pose in which its links are collinear.",
     )
 
 
 def _joints_of(groups: _Groups) -> list[str]:
-    """Joints of each group of equations, once."""
+    """Return the joints of each group of equations, each joint once."""
     return list(
         dict.fromkeys(
             ", ".join(dict.fromkeys(equation.joint for equation in group)) for group in groups
@@ -441,7 +443,7 @@ def _count(groups: _Groups, what: str) -> str:
 
 
 def _is_singular_here_only(evaluator: Evaluator, pose: Array, count: int) -> bool:
-    """Whether the equations become independent a little farther along each motion of the mechanism."""
+    """Whether the equations become independent after a small step along each motion of the mechanism."""
     _, slope, _, _ = evaluator.at(pose)
     for motion in motions_left(slope).T:
         for way in (_NUDGE, -_NUDGE):
@@ -462,7 +464,7 @@ def _is_singular_here_only(evaluator: Evaluator, pose: Array, count: int) -> boo
 def _with_speeds(
     evaluator: Evaluator, pose: Array, slope: Array, drift: Array, weights: tuple[Array, ...]
 ) -> Array:
-    """Speeds that keep the loops closed, with the given ones unchanged if possible."""
+    """Return speeds that keep the loops closed, with the given ones unchanged if possible."""
     n_q, n_v = evaluator.n_q, evaluator.n_v
     driven = pose.copy()
     speeds = pose[n_q : n_q + n_v]
@@ -479,7 +481,7 @@ def _with_speeds(
 def _displacements(
     model: Model, before: Array, after: Array, given: Iterable[str]
 ) -> tuple[Displacement, ...]:
-    """Coordinates and given speeds that changed."""
+    """Return the coordinates and given speeds that changed."""
     shown = {*model.coordinates, *given}
     each = [
         Displacement(name, float(a), float(b))

@@ -1,8 +1,9 @@
-"""Rigid bodies: their mass, their position by the joints, and their points used in expressions.
+"""Rigid bodies: their mass, their frames as determined by the joints, and their points for use in expressions.
 
-A point that a user requests of a body (:meth:`Body.point`) has *symbols* for its place, known with the body they belong
-to. So a force along an expression of such points can be divided among the bodies: what the expression gains when the
-point moves is the force there. Before equations are formed, the symbols are replaced by what the joints make of them.
+:meth:`Body.point` returns *symbols* for the position of a point, and the mechanism records the body to which they
+belong. A force along an expression of such points can therefore be divided among the bodies: the force on each point is
+the derivative of the expression with respect to that point. Before equations are formed, the symbols are replaced by
+their expressions in the joint coordinates.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from jounce.mechanics.rotations import skew
 
 @dataclass(frozen=True)
 class MassProperties:
-    """Mass (kg), design place of its centre (m) and inertia about it in design axes (kg m^2, shape (3, 3))."""
+    """Mass (kg), design position of its centre (m) and inertia about it in design axes (kg m^2, shape (3, 3))."""
 
     mass: ca.SX
     centre: ca.SX
@@ -33,7 +34,7 @@ class MassProperties:
 
 @dataclass(frozen=True)
 class Named:
-    """A point or direction of a body that expressions may name, with its symbols."""
+    """A point or direction of a body for use in expressions, with its symbols."""
 
     body: Body
     design: ca.SX
@@ -44,7 +45,7 @@ class Named:
 
 @dataclass(frozen=True)
 class BodyPoint(Moving):
-    """A point of a known body: the one at ``design`` (m) in the design pose."""
+    """A point of a body, at ``design`` (m) in the design pose."""
 
     body: Body
     design: ca.SX
@@ -52,14 +53,14 @@ class BodyPoint(Moving):
 
 @dataclass
 class BodyFrames:
-    """Frames of the bodies of one mechanism by name, and their points and directions that expressions name."""
+    """Frames of a mechanism's bodies by name, and their points and directions used in expressions."""
 
     collection: Collection
     frames: dict[str, Frame] = field(default_factory=lambda: {"ground": GROUND})
     named: dict[int, tuple[Named, int]] = field(default_factory=dict)
 
     def require_still(self, expression: ca.SX, where: str) -> ca.SX:
-        """Refuse an expression in place of a number if it names anything but parameters, such as a coordinate."""
+        """Refuse an expression given for a number if it depends on anything but parameters, such as a coordinate."""
         constants = (symbol for symbol, _ in self.collection.constants.values())
         parameters = [*self.collection.parameters.values(), *constants]
         known = {symbol.element_hash() for symbol in parameters}
@@ -72,7 +73,7 @@ class BodyFrames:
                 "numbers, and expressions of this mechanism's parameters",
             )
             hint = (
-                "What moves is not described by a place in the design pose: give what moves there a "
+                "A position in the design pose cannot describe a moving point: give the moving part a "
                 "body and a joint."
             )
             raise AssemblyError(
@@ -81,7 +82,7 @@ class BodyFrames:
         return expression
 
     def name(self, body: Body, design: ca.SX, moving: Moving, *, is_point: bool) -> Moving:
-        """Return symbols for a point or direction; a fixed one, or one in a moving frame, needs none."""
+        """Return a point or direction with symbols; return it unchanged if it is fixed or in a moving frame."""
         if body.frame is GROUND or body.carrier.moves:
             return moving
         symbol = ca.SX.sym(f"{body.name} {'point' if is_point else 'direction'}", 3)
@@ -92,7 +93,7 @@ class BodyFrames:
         return replace(moving, value=symbol)
 
     def occurring(self, expression: ca.SX) -> list[Named]:
-        """Points and directions that an expression names."""
+        """Return the points and directions that occur in an expression."""
         result = [self.named.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
         return list({id(entry[0]): entry[0] for entry in result if entry is not None}.values())
 
@@ -112,13 +113,13 @@ class Body:
     Attributes
     ----------
     name : str
-        For messages and channels.
+        Name used in messages and channels.
     poses : BodyFrames
         Frames of the bodies of its mechanism.
     mass_properties : MassProperties, optional
         None for a body that only carries points.
     axes_of : Body, optional
-        The body whose moving axes these are; None for a body of its own.
+        The body whose moving axes this object represents; None for a real body.
     """
 
     name: str
@@ -133,29 +134,29 @@ class Body:
 
     @property
     def itself(self) -> Body:
-        """The body; of moving axes the one that they move with."""
+        """The body itself; for moving axes, the body with which they move."""
         return self.axes_of or self
 
     @property
     def frame(self) -> Frame:
-        """Its frame, with its origin at its joint."""
+        """Frame of the body, with the origin at its joint."""
         if not self.is_placed:
             raise AssemblyError(
-                "the body hangs on nothing yet", where=self.name, hint="Give its joint first."
+                "the body has no joint yet", where=self.name, hint="Give its joint first."
             )
         return self.poses.frames[self.name]
 
     @property
     def carrier(self) -> Carrier:
-        """Carrier of the axes of its frame: the ground, or a moving body; "ground axes" are its axes then."""
+        """Carrier of the body's axes: the ground, or a moving body whose axes then replace the ground axes."""
         return self.frame.carrier
 
     def point(self, design: ca.SX | Sequence[float | str]) -> BodyPoint:
-        """Follow the point of the body that lies at ``design`` (m, or text with a unit) in the design pose.
+        """Return the point of the body at ``design`` (m, or text with a unit) in the design pose.
 
-        Its ``value`` is for expressions that a mechanism takes: they know whose point it is. To differentiate one, use
-        ``rate_of``. The design place depends on numbers and parameters only; a point that slides along a body is none
-        of its points.
+        Use its ``value`` in expressions passed to a mechanism, which identifies the body from it. To differentiate such
+        an expression, use ``rate_of``. The design position may depend on numbers and parameters only; a point that
+        slides along a body does not belong to it.
         """
         where = f"point of {self.name}"
         place = self.poses.require_still(vector_of(design, where), where)
@@ -163,7 +164,7 @@ class Body:
         return BodyPoint(named.value, named.rate, named.bias, self, place)
 
     def direction(self, design: ca.SX | Sequence[float | str]) -> Moving:
-        """Follow the direction of the body that is ``design`` (of any length, m) in the design pose; see ``point``."""
+        """Return the direction of the body that is ``design`` (of any length, m) in the design pose; see ``point``."""
         where = f"direction of {self.name}"
         along = self.poses.require_still(vector_of(design, where), where)
         return self.poses.name(self, along, self.frame.direction(along), is_point=False)
@@ -177,7 +178,7 @@ class Body:
 def tensor_elements(
     path: str, inertia: Sequence[float | str] | NDArray[np.float64]
 ) -> list[float | str]:
-    """Elements xx, yy, zz, xy, xz, yz of a tensor given as three or six of them or as a matrix."""
+    """Return the elements xx, yy, zz, xy, xz, yz of a tensor given by three or six elements or as a matrix."""
     elements = np.asarray(inertia, dtype=object)
     if elements.shape == (3, 3):
         tensor = np.array([[to_si(part, "kg*m^2", where=path) for part in row] for row in elements])
@@ -196,7 +197,7 @@ def tensor_elements(
 
 
 class RigidMass:
-    """Inertia of a rigid body, written about its frame's origin and in its own axes."""
+    """Inertia of a rigid body about its frame's origin, in its own axes."""
 
     def __init__(self, frame: Frame, properties: MassProperties) -> None:
         self._frame, self._mass = frame, properties.mass
@@ -206,7 +207,7 @@ class RigidMass:
         self._tensor = properties.inertia + steiner
 
     def matrix(self, v: ca.SX) -> ca.SX:
-        """Mass matrix for the speeds ``v``."""
+        """Return the mass matrix for the speeds ``v``."""
         rotate = self._frame.orientation.rotate
         linear = ca.jacobian(self._frame.origin.rate, v)
         angular = ca.jacobian(self._frame.orientation.spin, v)
@@ -221,7 +222,7 @@ class RigidMass:
         )
 
     def bias(self, v: ca.SX) -> ca.SX:
-        """Generalised inertial force at constant speeds."""
+        """Return the generalised inertial force at constant speeds."""
         orientation, origin = self._frame.orientation, self._frame.origin
         linear = ca.jacobian(origin.rate, v)
         angular = ca.jacobian(orientation.spin, v)

@@ -1,4 +1,4 @@
-"""Bushings: elastic joints in six directions, and rods that end in one, put into a mechanism."""
+"""Bushings of a mechanism: elastic joints in six directions, and rods with a bushing at one end."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ class Deflection:
     Attributes
     ----------
     displacement, rotation : casadi.SX
-        Of the second body against the first, m and rad; the rotation is axis times angle, up to 180 degrees.
+        Motion of the second body relative to the first, m and rad; the rotation is axis times angle, up to 180 degrees.
     force, torque : casadi.SX
-        On the second body, N and N m.
+        Force and torque on the second body, N and N m.
     energy, power : casadi.SX
-        Stored in it, J, and taken up by it, W: the rate of the energy and what damping loses.
+        Energy stored in it, J, and power absorbed by it, W: rate of the energy plus damping loss.
     """
 
     displacement: ca.SX
@@ -44,8 +44,8 @@ class Deflection:
 class ElasticJoint(Between):
     """An elastic joint in six directions along the axes of its first body, unloaded in the design pose.
 
-    Its forces on both bodies act at the same place, and they derive from an energy: a motion of both bodies
-    together does no work on it, and an undamped bushing returns all energy.
+    Its forces on the two bodies act at the same point and derive from an energy: a common motion of the bodies does no
+    work on it, and an undamped bushing returns all energy.
     """
 
     at: Given = place()
@@ -56,7 +56,7 @@ class ElasticJoint(Between):
     kind = "bushing"
 
     def action(self, system: System) -> Action:
-        """Return displacement, rotation, force, torque, energy and power to the maker."""
+        """Return its effects; displacement, rotation, force, torque, energy and power are shown to the caller."""
         del system
         first, second = self.first.frame, self.second.frame
         displacement, rate = _displacement(first, second, self.at)
@@ -87,12 +87,12 @@ class ElasticRod(Between):
     kind = "elastic rod"
 
     def check(self, known: Known) -> None:
-        """Refuse ends in one point: its length and its direction are those of the design pose."""
+        """Refuse coincident ends: the rod takes its length and direction from the design pose."""
         super().check(known)
         refuse_one_point(self.name, known("second_at") - known("at"), "in the design pose")
 
     def action(self, system: System) -> Action:
-        """Return tension (N) and the power taken up (W) to the maker."""
+        """Return its effects; tension (N) and absorbed power (W) are shown to the caller."""
         del system
         other = self.second.frame.point(self.second_at)
         reach, design = other - self.first.frame.point(self.at), self.second_at - self.at
@@ -119,7 +119,7 @@ class SlidingBushing(Between):
     kind = "sliding bushing"
 
     def action(self, system: System) -> Action:
-        """Return the force on the second body (N, its axes) and the power taken up (W) to the maker."""
+        """Return its effects; force on the second body (N, its axes) and absorbed power (W) are shown to the caller."""
         fixed, own = self.second.frame.point(self.point), self.second.frame.orientation
         apart = own.unrotate(fixed.value - self.first.frame.point(self.at).value)
         along = own.unrotate(self.first.frame.direction(self.axis).value)
@@ -146,7 +146,7 @@ def add_bushing(
     rotational_stiffness: Vector = _NONE,
     rotational_damping: Vector = _NONE,
 ) -> Deflection:
-    """Put a bushing between two bodies, unloaded in the design pose.
+    """Add a bushing between two bodies, unloaded in the design pose.
 
     Parameters
     ----------
@@ -157,7 +157,7 @@ def add_bushing(
     first, second : Body
         The bodies; the axes are those of the first.
     at : sequence of float, shape (3,)
-        Its place in the design pose, m.
+        Its position in the design pose, m.
     stiffness, damping : sequence of float, shape (3,)
         N/m and N s/m.
     rotational_stiffness, rotational_damping : sequence of float, shape (3,)
@@ -166,7 +166,7 @@ def add_bushing(
     Returns
     -------
     Deflection
-        For outputs.
+        Displacement, force and energy, for use in outputs.
 
     Examples
     --------
@@ -193,11 +193,11 @@ def add_elastic_rod(
     stiffness: Vector,
     damping: Vector = _NONE,
 ) -> tuple[ca.SX, ca.SX]:
-    """Tie two points by a massless rod with a bushing at its first end; give tension (N) and the power taken up (W).
+    """Connect two points by a massless rod with a bushing at its first end; return tension (N) and absorbed power (W).
 
     Such a rod carries only axial force, so only the bushing's compliance along the rod matters,
-    ``sum e_i^2 / k_i`` with the rod's direction ``e`` in the design pose, and the damping that loses as much in a slow
-    motion. Its rotational stiffness has no effect.
+    ``sum e_i^2 / k_i`` with the rod's direction ``e`` in the design pose, and the equivalent damping with the same loss
+    in slow motion. Rotational stiffness has no effect.
 
     Parameters
     ----------
@@ -210,7 +210,7 @@ def add_elastic_rod(
     at, second_at : sequence of float, shape (3,)
         The ends in the design pose, m.
     stiffness, damping : sequence of float, shape (3,)
-        Of the bushing along the axes of the design pose, N/m and N s/m.
+        Stiffness and damping of the bushing along the axes of the design pose, N/m and N s/m.
     """
     tension, power = mechanism.act(
         ElasticRod(name, first, second, at, second_at, stiffness, damping)
@@ -228,9 +228,9 @@ def add_sliding_bushing(
     stiffness: ca.SX,
     damping: ca.SX,
 ) -> tuple[ca.SX, ca.SX]:
-    """Hold a point of the second body by a bushing on a line of the first, along which it slides freely.
+    """Support a point of the second body by a bushing that slides freely along a line of the first.
 
-    Returns the force on the second body (N, in its axes, which the bushing has) and the power taken up (W).
+    Returns the force on the second body (N, in its axes, which are those of the bushing) and the absorbed power (W).
     """
     law = SlidingBushing("sliding bushing", first, second, at, axis, point, stiffness, damping)
     force, power = mechanism.act(law).shown
@@ -238,7 +238,7 @@ def add_sliding_bushing(
 
 
 def _displacement(first: Frame, second: Frame, at: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Displacement of the second body's point in the axes of the first, and its rate there."""
+    """Return the displacement of the second body's point and its rate, in the axes of the first body."""
     orientation = first.orientation
     gap = second.point(at) - first.point(at)
     displacement = orientation.unrotate(gap.value)

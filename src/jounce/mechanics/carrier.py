@@ -1,7 +1,7 @@
 """Moving frames: a mechanism on a moving body is formulated in that body's axes, as if the body were fixed.
 
-Joints, loops and inner forces do not see the motion of what carries them; only masses and outer forces do. A point
-at ``r`` that moves at ``u`` in the axes of a body with origin velocity ``v``, spin ``w`` and angular acceleration
+Joints, loops and internal forces do not depend on the carrier's motion; only masses and external forces do. A point
+at ``r`` with velocity ``u`` in the axes of a body with origin velocity ``v``, spin ``w`` and angular acceleration
 ``alpha`` has, in the same axes, velocity and acceleration
 
     v + w x r + u,    a + alpha x r + w x (w x r) + 2 w x u + du/dt.
@@ -27,9 +27,9 @@ class MovingCarrier(Carrier):
     Parameters
     ----------
     frame : Frame
-        The body's.
+        Frame of the body.
     field : casadi.SX, shape (3,)
-        Acceleration that acts on all masses alike, gravity and the inertia of driving, m/s^2, ground axes.
+        Uniform acceleration of all masses by gravity and the inertia of driving, m/s^2, ground axes.
     """
 
     moves = True
@@ -41,45 +41,45 @@ class MovingCarrier(Carrier):
         self.rate, self.turning, self._field = turn.unrotate(frame.origin.rate), turn.spin, field
 
     def arm(self, place: ca.SX) -> ca.SX:
-        """A place as seen from the origin of the axes, m."""
+        """Return a position relative to the origin of the axes, m."""
         return place - self._design
 
     def place(self, place: ca.SX) -> ca.SX:
-        """Position of a place in ground axes, m."""
+        """Return a position in ground axes, m."""
         return self._origin.value + self.outward(self.arm(place))
 
     def height(self, place: ca.SX) -> ca.SX:
-        """Height of a place over z = 0 of the ground, m."""
+        """Return the height of a position above z = 0 of the ground, m."""
         return self._origin.value[2] + ca.dot(self.up, self.arm(place))
 
     def outward(self, vector: ca.SX) -> ca.SX:
-        """Turn a vector into ground axes."""
+        """Transform a vector into ground axes."""
         return self._turn.rotate(vector)
 
     def inward(self, vector: ca.SX) -> ca.SX:
-        """Turn a vector of the ground into these axes."""
+        """Transform a vector from ground axes into these axes."""
         return self._turn.unrotate(vector)
 
     def velocity(self, point: Moving) -> ca.SX:
-        """Velocity of a point against the ground, m/s, in these axes."""
+        """Return the velocity of a point relative to the ground, m/s, in these axes."""
         return self.rate + ca.cross(self.turning, self.arm(point.value)) + point.rate
 
     def spin(self, orientation: Orientation) -> ca.SX:
-        """Angular velocity of an orientation against the ground, rad/s, in these axes."""
+        """Return the angular velocity of an orientation relative to the ground, rad/s, in these axes."""
         return self.turning + orientation.ground_spin
 
     @cached_property
     def start(self) -> ca.SX:
-        """Acceleration of the origin at constant speeds, less the field, m/s^2, in these axes."""
+        """Acceleration of the origin at constant speeds, minus the field, m/s^2, in these axes."""
         return self._turn.unrotate(self._origin.bias - self._field)
 
     def acceleration(self, point: Moving) -> ca.SX:
-        """Acceleration of a point at constant speeds, less the field, m/s^2, in these axes."""
+        """Return the acceleration of a point at constant speeds, minus the field, m/s^2, in these axes."""
         coriolis = ca.cross(2.0 * self.turning, point.rate)
         return self.start + self.steady @ self.arm(point.value) + coriolis + point.bias
 
     def spin_bias(self, orientation: Orientation) -> ca.SX:
-        """Angular acceleration of an orientation at constant speeds, rad/s^2, in these axes."""
+        """Return the angular acceleration of an orientation at constant speeds, rad/s^2, in these axes."""
         seen = orientation.ground_spin
         return (
             self.turning_bias
@@ -89,15 +89,15 @@ class MovingCarrier(Carrier):
 
     @cached_property
     def steady(self) -> ca.SX:
-        """Matrix from an arm to its acceleration at constant speeds, 1/s^2."""
+        """Matrix that maps an arm to its acceleration at constant speeds, 1/s^2."""
         return skew(self.turning_bias) + skew(self.turning) @ skew(self.turning)
 
     def matrix(
         self, v: ca.SX, total: ca.SX, moment: ca.SX, tensor: ca.SX, push: ca.SX, twist: ca.SX
     ) -> ca.SX:
-        """Mass matrix of the bodies in these axes: mass, first moment and inertia about their origin.
+        """Return the mass matrix of the bodies in these axes by mass, first moment and inertia about the origin.
 
-        ``push`` and ``twist`` are the momenta that each speed makes in these axes, linear and about their origin.
+        ``push`` and ``twist`` are the linear and angular momenta per unit speed, in these axes about their origin.
         """
         linear, angular = ca.jacobian(self.rate, v), ca.jacobian(self.turning, v)
         swept = skew(moment)
@@ -108,7 +108,7 @@ class MovingCarrier(Carrier):
         return coupling + coupling.T + own
 
     def force(self, v: ca.SX, push: ca.SX, twist: ca.SX) -> ca.SX:
-        """Generalised force on the speeds of a force (N) and a torque (N m) about the origin, in these axes."""
+        """Return the generalised force of a force (N) and a torque (N m) about the origin, in these axes."""
         linear, angular = ca.jacobian(self.rate, v), ca.jacobian(self.turning, v)
         return linear.T @ push + angular.T @ twist
 
@@ -122,11 +122,11 @@ class Carried:
     orientation: Orientation
     inertia: ca.SX
     alone: InertialTerms
-    """Its contribution to the mass matrix for fixed axes."""
+    """Contribution to the mass matrix for fixed axes."""
 
 
 class CarriedMasses:
-    """Inertia of all bodies on one carrier, summed before it is added to the carrier's motion."""
+    """Inertia of all bodies on one carrier, summed before the carrier's motion is included."""
 
     def __init__(self, carrier: MovingCarrier, masses: Sequence[Carried]) -> None:
         self._carrier, self._masses = carrier, masses
@@ -134,7 +134,7 @@ class CarriedMasses:
         self._tensors = [mass.orientation.turned(mass.inertia) for mass in masses]
 
     def matrix(self, v: ca.SX) -> ca.SX:
-        """Mass matrix for the speeds ``v``."""
+        """Return the mass matrix for the speeds ``v``."""
         size = v.shape[0]
         total, alone, moment, tensor = ca.SX(0.0), ca.SX(size, size), ca.SX(3, 1), ca.SX(3, 3)
         push, twist = ca.SX(3, size), ca.SX(3, size)  # momenta of the motions in these axes
@@ -153,7 +153,7 @@ class CarriedMasses:
         return alone + self._carrier.matrix(v, total, moment, tensor, push, twist)
 
     def bias(self, v: ca.SX) -> ca.SX:
-        """Generalised inertial force at constant speeds, less that of the field."""
+        """Return the generalised inertial force at constant speeds, minus the force of the field."""
         carrier, result = self._carrier, ca.SX(v.shape[0], 1)
         push, twist = ca.SX(3, 1), ca.SX(3, 1)
         for mass, arm, tensor in zip(self._masses, self._arms, self._tensors, strict=True):
@@ -169,13 +169,13 @@ class CarriedMasses:
         return result + carrier.force(v, push, twist)
 
     def _torque(self, carried: Carried, tensor: ca.SX) -> ca.SX:
-        """Rate of a body's angular momentum about its centre when no speed changes."""
+        """Return the rate of a body's angular momentum about its centre at constant speeds."""
         spin = self._carrier.spin(carried.orientation)
         return tensor @ self._carrier.spin_bias(carried.orientation) + ca.cross(spin, tensor @ spin)
 
 
 class Shifting(NamedTuple):
-    """A quantity of one coordinate, and how it changes with that coordinate."""
+    """A function of one coordinate: its value and its slope."""
 
     value: ca.SX
     slope: ca.SX
@@ -183,14 +183,14 @@ class Shifting(NamedTuple):
 
 @dataclass(frozen=True)
 class TravellingMasses:
-    """All masses in moving axes that one coordinate moves; the rest, about the origin of the axes, follows from it.
+    """Combined inertia, about the axes' origin, of all masses in moving axes that a single coordinate moves.
 
     Attributes
     ----------
     carrier : MovingCarrier
         The axes.
     rate : casadi.SX
-        Of the coordinate, m/s.
+        Rate of the coordinate, m/s.
     mass : casadi.SX
         kg.
     moment, momentum, angular_momentum : Shifting
@@ -210,7 +210,7 @@ class TravellingMasses:
     inertia: Shifting
 
     def matrix(self, v: ca.SX) -> ca.SX:
-        """Mass matrix for the speeds ``v``."""
+        """Return the mass matrix for the speeds ``v``."""
         along = ca.jacobian(self.rate, v)
         push, twist = self.momentum.value @ along, self.angular_momentum.value @ along
         carried = self.carrier.matrix(
@@ -219,7 +219,7 @@ class TravellingMasses:
         return self.inertia.value * (along.T @ along) + carried
 
     def bias(self, v: ca.SX) -> ca.SX:
-        """Generalised inertial force at constant speeds, less that of the field."""
+        """Return the generalised inertial force at constant speeds, minus the force of the field."""
         carrier, rate = self.carrier, self.rate
         start, turning, bent = carrier.start, carrier.turning, carrier.turning_bias
         moment, momentum, angular, tensor = (

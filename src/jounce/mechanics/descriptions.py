@@ -1,9 +1,9 @@
 """Descriptions: frozen classes for the parts of a mechanism; their numbers become parameters of its model.
 
-A field declares its kind of quantity (``place()``, ``direction()``, ``quantity(unit)``), also a law
-or a moving point. A description as it is written holds numbers, texts with a unit, or expressions of parameters;
-once a mechanism has taken it, symbols of parameters ``<name>.<field>``. Everything a mechanism lists of itself, and
-everything it checks when numbers change, is read from these fields.
+A field declares its kind of quantity: ``place()``, ``direction()``, ``quantity(unit)``, or ``law(unit)`` for a law or a
+moving point. A user's description contains numbers, texts with a unit, or expressions of parameters. When a mechanism
+adds it, these become symbols of parameters ``<name>.<field>``. The mechanism's listing and its checks of changed
+numbers are derived from these fields.
 """
 
 from __future__ import annotations
@@ -22,30 +22,30 @@ from jounce.mechanics.equations import Track
 from jounce.mechanics.frames import Moving
 
 Number: TypeAlias = float | str | ca.SX
-"""A number in SI, text with a unit, or an expression of parameters."""
+"""A number in SI units, text with a unit, or an expression of parameters."""
 Vector: TypeAlias = Sequence[float | str] | ca.SX
-"""Three numbers in SI or texts with a unit, or three expressions of parameters."""
+"""Three numbers in SI units or texts with a unit, or three expressions of parameters."""
 Given = Any
-"""A field of a description: numbers as they are written, symbols (casadi.SX) once a mechanism has taken it."""
+"""A field of a description: numbers as given, or symbols (casadi.SX) after a mechanism has added it."""
 Plain = str | float | bool | list[Any] | dict[str, Any] | None
 """Content of a JSON file."""
 Write = Callable[[ca.SX], Plain]
-"""Writes an expression: its numbers if it depends on parameters only, else a table with its text."""
+"""Function that writes an expression: its values if it depends on parameters only, else a dict with its text."""
 Known = Callable[[str], Array]
-"""Gives the numbers of a field as they are now, not a number where they are not known."""
+"""Function that returns the current values of a field, NaN if unknown."""
 
 
 class Numbers(Protocol):
-    """Turns numbers into parameters: a mechanism."""
+    """An object that turns numbers into parameters, such as a mechanism."""
 
     def number(self, path: str, value: Number, unit: str = "1") -> ca.SX:
         """Symbol of a number."""
 
     def vector(self, path: str, value: Vector, unit: str = "m") -> ca.SX:
-        """Symbols of three numbers."""
+        """Return the symbols of three numbers."""
 
     def direction(self, path: str, value: Vector) -> ca.SX:
-        """Unit vector along three numbers."""
+        """Return the unit vector along three numbers."""
 
 
 def quantity(
@@ -60,7 +60,7 @@ def quantity(
 
 
 def place(default: Any = MISSING, *, unit: str = "m", at_least: float | None = None) -> Any:
-    """Declare a field of three numbers: a place in the design pose (m), or three numbers in another unit."""
+    """Declare a field of three numbers: a position in the design pose (m), or numbers in a different unit."""
     return field(default=default, metadata={"read": "vector", "unit": unit, "at_least": at_least})
 
 
@@ -80,20 +80,20 @@ class NamedPart:
 
     name: str
     kind: ClassVar[str] = ""
-    """Kind of part, in a word."""
+    """Kind of part, in one word."""
     positive: ClassVar[str] = ""
-    """Effect of a positive force, if it has one."""
+    """Direction of a positive force, if the part has a force."""
 
     def units(self) -> dict[str, str]:
-        """Values for placeholders in the units of the fields."""
+        """Return values for placeholders in the units of the fields."""
         return {}
 
     def defaults(self) -> dict[str, ca.SX]:
-        """Values of fields that were left open."""
+        """Return default values of fields that were not given."""
         return {}
 
     def with_symbols(self, numbers: Numbers) -> Self:
-        """The description with symbols of parameters in place of its numbers."""
+        """Return the description with its numbers replaced by symbols of parameters."""
         symbols: dict[str, Any] = {}
         for each in fields(self):
             value, read = getattr(self, each.name), each.metadata.get("read")
@@ -111,7 +111,7 @@ class NamedPart:
         return replace(self, **symbols)
 
     def check(self, known: Known) -> None:
-        """Refuse impossible numbers; they are checked when the part is made and when they change."""
+        """Refuse impossible numbers; called when the part is created and when numbers change."""
         for each in fields(self):
             limits = [(word, each.metadata.get(word)) for word in ("above", "at_least")]
             for word, limit in limits:
@@ -128,7 +128,7 @@ class NamedPart:
                     )
 
     def to_plain(self, write: Write) -> dict[str, Plain]:
-        """Name, kind, bodies, numbers, laws and their units as plain data."""
+        """Return name, kind, bodies, numbers, laws and their units as plain data."""
         units: dict[str, Plain] = {}
         result: dict[str, Plain] = {"name": self.name, "kind": self.kind, "units": units}
         if self.positive:
@@ -159,7 +159,7 @@ class NamedPart:
 
 
 def _value_to_list(value: ca.SX | Moving) -> ca.SX:
-    """Value of a field to list: for a point of a body its place in the design pose."""
+    """Return the value of a field for listing; for a point of a body its position in the design pose."""
     if isinstance(value, BodyPoint):
         return value.design
     return value.value if isinstance(value, Moving) else value

@@ -1,4 +1,4 @@
-"""A mechanism without time, and one with all motions driven: its loops alone determine poses and rates."""
+"""Quasistatic mechanisms, and fully driven ones whose loop equations alone determine poses and rates."""
 
 from __future__ import annotations
 
@@ -32,29 +32,29 @@ class Statics:
 
 
 class Quasistatic(Mechanism):
-    """A mechanism without time: switches follow the sign of their expressions, hysteresis is at zero."""
+    """A mechanism without time: switches follow the sign of their expressions, hysteresis states are zero."""
 
     def switch(self, name: str, expression: ca.SX) -> ca.SX:  # noqa: ARG002 - as the base class names them
         """Return 1 where the expression is above zero and 0 elsewhere."""
         return ca.SX(expression) > 0.0
 
     def internal_state(self, name: str) -> ca.SX:  # noqa: ARG002
-        """Return zero: nothing has moved yet."""
+        """Return zero, the initial value."""
         return ca.SX(0.0)
 
     def set_internal_rate(self, name: str, rate: ca.SX) -> None:
-        """Nothing moves in time."""
+        """Do nothing: internal states stay zero."""
 
     def derivative(self, expression: ca.SX) -> ca.SX:
         """Return the time derivative of an expression of coordinates, tracks, their rates and speeds."""
         return self.collection.bias_of(expression) + self.accelerated(expression)
 
     def with_accelerations(self, expression: ca.SX, accelerations: ca.SX) -> ca.SX:
-        """Put the accelerations of the speeds into an expression of them."""
+        """Substitute the accelerations of the speeds in an expression."""
         return ca.substitute(expression, self.collection.a, ca.densify(accelerations))
 
     def parameter_symbols(self) -> dict[str, ca.SX]:
-        """Symbols of all numbers by path."""
+        """Return the symbols of all parameters by path."""
         return dict(self.collection.parameters)
 
     def statics(self) -> Statics:
@@ -78,7 +78,7 @@ class Quasistatic(Mechanism):
 
 
 class DrivenMechanism:
-    """A mechanism, complete but for outputs, whose every motion is driven: as many loop equations as speeds."""
+    """A mechanism, complete except for outputs, with all motions driven: as many loop equations as speeds."""
 
     def __init__(self, mechanism: Quasistatic, tracks: list[Track]) -> None:
         self.mechanism, self.tracks = mechanism, tracks
@@ -86,7 +86,7 @@ class DrivenMechanism:
         self.gradient = ca.jacobian(self.statics.constraint_rate, self.statics.v)
         if self.gradient.shape[0] != self.gradient.shape[1]:
             raise AssemblyError(
-                "as many motions as drives are needed", found=f"{self.gradient.shape}"
+                "the numbers of motions and drives must be equal", found=f"{self.gradient.shape}"
             )
         self._normal = Ldl(self.gradient @ self.gradient.T)
         self._rates = [
@@ -95,18 +95,18 @@ class DrivenMechanism:
         ]
 
     def along(self, which: int) -> Callable[[ca.SX], ca.SX]:
-        """Return the substitution of all rates by those of a unit rate of one track at constant track rates."""
+        """Return the substitution of all rates by those for a unit rate of one track at constant track rates."""
         return self._substitution(which, self._rates[which])
 
     def accelerated(self, expression: ca.SX) -> ca.SX:
-        """Expression of coordinates, speeds and accelerations for a constant unit rate of the first track."""
+        """Return an expression of coordinates, speeds and accelerations for a constant unit rate of the first track."""
         accelerations = -self._solve(self.statics.constraint_bias)
         return self.along(0)(self.mechanism.with_accelerations(expression, accelerations))
 
     def pose(self) -> ca.SX:
-        """Coordinates after a Newton step, residual before it, slopes of the coordinates along each track.
+        """Return coordinates after a Newton step, residual before it, and slopes of the coordinates along each track.
 
-        The step starts from quaternions of length one: extrapolated ones are not, and would hide a residual.
+        The step starts from normalised quaternions: extrapolated quaternions are not, and would hide a residual.
         """
         statics = self.statics
         pose = statics.moved(-self._solve(statics.constraint))
@@ -119,18 +119,18 @@ class DrivenMechanism:
         return ca.substitute(ca.vertcat(pose, residual, *slopes), statics.q, start)
 
     def follow(self, expression: ca.SX, numbers: ca.SX, change: ca.SX) -> ca.SX:
-        """Change of an expression of the coordinates along a change of tracks and numbers; the loops stay closed."""
+        """Return the change of an expression for a change of tracks and parameters, with the loops kept closed."""
         displacement = self.yielding(ca.jtimes(self.statics.constraint, numbers, change))
         return ca.jtimes(
             expression, ca.vertcat(self.statics.q, numbers), ca.vertcat(displacement, change)
         )
 
     def yielding(self, opened: ca.SX) -> ca.SX:
-        """Slopes of the coordinates that close the loops again, for a rate at which something else opens them."""
+        """Return slopes of the coordinates that cancel a given rate of opening of the loops."""
         return ca.substitute(self.statics.rates, self.statics.v, ca.densify(-self._solve(opened)))
 
     def _solve(self, right: ca.SX) -> ca.SX:
-        """Speeds (or small displacements) that make this rate of the loop equations."""
+        """Return the speeds (or small displacements) that cause this rate of the loop equations."""
         return self.gradient.T @ self._normal.solve(ca.densify(right))
 
     def _still(self, which: int) -> Callable[[ca.SX], ca.SX]:

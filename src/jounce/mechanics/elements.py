@@ -1,6 +1,6 @@
 """Force laws as expressions, shared by every model. Compression and bump are positive.
 
-Each law takes the descriptions' shape (which branch, how many knots) and the paths of its numbers; the numbers
+Each law takes its structure from the description (branch, number of knots) and the paths of its numbers. The numbers
 themselves are parameters of the model.
 """
 
@@ -24,11 +24,11 @@ from jounce.parts.elements import (
     Tyre,
 )
 
-_SLIDING = 3.0  # regularisation velocities; tanh(3) = 0.995
+_SLIDING = 3.0  # in regularisation velocities; tanh(3) = 0.995
 
 
 def curve_force(system: System, curve: Curve, path: str, deflection: ca.SX) -> ca.SX:
-    """Force (N) of a curve at a deflection (m)."""
+    """Return the force (N) of a curve at a deflection (m)."""
     if isinstance(curve, PolynomialCurve):
         force = ca.SX(0)
         for i in reversed(range(len(curve.coefficients))):
@@ -46,7 +46,7 @@ def curve_force(system: System, curve: Curve, path: str, deflection: ca.SX) -> c
 
 
 def table_force(system: System, path: str, variable: str, points: int, x: ca.SX) -> ca.SX:
-    """Straight lines through the points ``path.variable[i]``, ``path.force[i]``, going on beyond the ends."""
+    """Interpolate the points ``path.variable[i]``, ``path.force[i]`` linearly; extrapolate beyond the ends."""
     knots = [system.parameter(f"{path}.{variable}[{i}]") for i in range(points)]
     forces = [system.parameter(f"{path}.force[{i}]") for i in range(points)]
     slopes = [(forces[i + 1] - forces[i]) / (knots[i + 1] - knots[i]) for i in range(points - 1)]
@@ -60,7 +60,7 @@ def table_force(system: System, path: str, variable: str, points: int, x: ca.SX)
 
 
 def spring_force(system: System, spring: Spring, path: str, deflection: ca.SX) -> ca.SX:
-    """Preload plus rate or curve (N)."""
+    """Return the spring force (N): preload plus rate or curve."""
     preload = system.parameter(f"{path}.preload")
     if spring.curve is not None:
         return preload + curve_force(system, spring.curve, f"{path}.curve", deflection)
@@ -69,7 +69,7 @@ def spring_force(system: System, spring: Spring, path: str, deflection: ca.SX) -
 
 @dataclass(frozen=True)
 class ModelPoint:
-    """Operating point of a damper law as symbols of a model; ``path`` is that of its numbers (``OperatingPoint``)."""
+    """Operating point of a damper law (``OperatingPoint``) in symbols of a model; ``path`` leads to its parameters."""
 
     system: System
     path: str
@@ -79,7 +79,7 @@ class ModelPoint:
     numbers: Callable[[str], ca.SX] | None
 
     def number(self, name: str) -> ca.SX:
-        """Return the parameter."""
+        """Return the symbol of a parameter."""
         return (
             self.system.parameter(f"{self.path}.{name}")
             if self.numbers is None
@@ -87,15 +87,15 @@ class ModelPoint:
         )
 
     def switch(self, name: str, x: ca.SX) -> ca.SX:
-        """Return a mode symbol: steps land where ``x`` changes its sign."""
+        """Return a mode symbol; integration steps end where ``x`` changes sign."""
         return self.system.switch(f"{self.path} {name}", x)
 
     def table(self, variable: str, x: ca.SX, points: int) -> ca.SX:
-        """Return the force at ``x`` on straight lines through the law's points and beyond them."""
+        """Return the force at ``x``, interpolated and extrapolated linearly from the law's points."""
         return table_force(self.system, self.path, variable, points, x)
 
     def grid(self, damper: MapDamper) -> ca.SX:
-        """Return the force at length and velocity on a map."""
+        """Return the force of a map at the current length and velocity."""
         assert self.length is not None, "maps are laws of 3-D struts, which have a length"
         return damper_map_force(self.system, damper, self.path, self.length, self.velocity)
 
@@ -116,9 +116,9 @@ def damper_force(
     *,
     length: ca.SX | None = None,
 ) -> ca.SX:
-    """Damper force (N) at a deflection (m) and a deflection rate (m/s), of a map at a ``length`` (m) as well.
+    """Return the damper force (N) at a deflection (m) and its rate (m/s); a map also needs the ``length`` (m).
 
-    ``number`` gives the numbers of a law with one form (not of a table) where they are not parameters themselves.
+    ``number`` returns the numbers of a closed-form law (not of a table) that are not model parameters themselves.
     """
     return damper.evaluate(ModelPoint(system, path, deflection, velocity, length, number))
 
@@ -126,9 +126,10 @@ def damper_force(
 def damper_map_force(
     system: System, damper: MapDamper, path: str, length: ca.SX, velocity: ca.SX
 ) -> ca.SX:
-    """Damper force (N) of a map over length (m) and velocity (m/s): bilinear, extrapolated linearly in velocity.
+    """Return the bilinearly interpolated damper force (N) of a map over length (m) and velocity (m/s).
 
-    Each piece of the grid is a product of hinge functions, so that steps land on its lines.
+    It is extrapolated linearly in velocity. Each cell of the grid is a product of hinge functions, which
+    lets integration steps end on grid lines.
     """
     rows, columns = len(damper.length), len(damper.velocity)
     places = [system.parameter(f"{path}.length[{i}]") for i in range(rows)]
@@ -167,9 +168,9 @@ def tyre_force(
     rate: ca.SX,
     law: Callable[[ca.SX, ca.SX], ca.SX] | None = None,
 ) -> ca.SX:
-    """Contact force (N) of a radial tyre at a deflection (m) and its rate (m/s); never negative with lift-off.
+    """Compute the contact force (N) of a radial tyre at a deflection (m) and its rate (m/s); with lift-off at least 0.
 
-    ``law`` makes another force of the tyre's own one and of whether that acts (1 or 0).
+    ``law`` computes a modified force from the tyre's own force and its contact state (1 or 0).
     """
     if tyre.curve is not None:
         elastic = curve_force(system, tyre.curve, "tyre.curve", deflection)
@@ -186,7 +187,7 @@ def tyre_force(
 
 
 def _contact_stiffness(system: System, tyre: Tyre) -> ca.SX:
-    """A stiffness (N/m) of the tyre's order that turns its deflection into newtons for the contact test."""
+    """Return a stiffness (N/m) of the tyre's magnitude that converts deflection to newtons for the contact test."""
     curve = tyre.curve
     if curve is None:
         return system.parameter("tyre.stiffness")
@@ -203,9 +204,10 @@ def _contact_stiffness(system: System, tyre: Tyre) -> ca.SX:
 
 
 def friction_force(system: System, friction: Friction | None, path: str, velocity: ca.SX) -> ca.SX:
-    """Regularised Coulomb friction (N) that follows the velocity, and travel where it builds up; zero without friction.
+    """Return regularised Coulomb friction (N) by velocity, and by travel if it builds up; zero without friction.
 
-    A switch where the force is nearly full makes steps land on both sides of the narrow layer in which it turns over.
+    A switch where the force is nearly fully developed makes steps end on both sides of the narrow layer in which it
+    changes sign.
     """
     if friction is None:
         return ca.SX(0)
@@ -224,7 +226,7 @@ def friction_force(system: System, friction: Friction | None, path: str, velocit
 
 
 def bump_stop_force(system: System, stop: BumpStop | None, path: str, deflection: ca.SX) -> ca.SX:
-    """Force (N) of a stop that is touched where the deflection exceeds its gap; zero without a stop."""
+    """Return the force (N) of a stop in contact when the deflection exceeds its gap; zero without a stop."""
     if stop is None:
         return ca.SX(0)
     depth = deflection - system.parameter(f"{path}.gap")

@@ -1,8 +1,8 @@
 """Equations of motion of a collection: ``M a = Q + G^T lambda``, ``G a + gamma = 0``, solved in the graph.
 
-``v`` are the speeds, ``a`` their rates; the coordinates follow ``dq/dt = N(q) v``. ``form`` is the whole way from a
-:class:`Collection` to a :class:`Model`; it changes nothing of what it reads, so a collection can be formed again with
-other loop equations left out.
+``v`` are the speeds, ``a`` their rates; the coordinates follow ``dq/dt = N(q) v``. ``form`` turns a
+:class:`Collection` into a :class:`Model`. It does not modify the collection, which can be formed again without other
+loop equations.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from jounce.mechanics.model import Alike, Balance, Model, with_numbers
 
 
 class InertialTerms(Protocol):
-    """An object with mass: its contributions to the mass matrix and to the bias forces."""
+    """Contributions of an object with mass to the mass matrix and to the bias forces."""
 
     def matrix(self, v: ca.SX) -> ca.SX:
-        """Mass matrix for the speeds ``v``."""
+        """Return the mass matrix for the speeds ``v``."""
 
     def bias(self, v: ca.SX) -> ca.SX:
-        """Generalised inertial force at constant speeds."""
+        """Return the generalised inertial force at constant speeds."""
 
 
 @dataclass(frozen=True)
@@ -44,13 +44,13 @@ class PointMass:
         return self.mass * (jacobian.T @ jacobian)
 
     def bias(self, v: ca.SX) -> ca.SX:
-        """Inertial force of the bias."""
+        """Return the inertial force of the bias."""
         return ca.jacobian(self.rate, v).T @ (self.mass * self.bias_acceleration)
 
 
 @dataclass(frozen=True)
 class Constraint:
-    """Equations ``value = 0`` with their rate and their second rate at zero accelerations."""
+    """Equations ``value = 0`` with their first rate, and their second rate at zero accelerations."""
 
     equations: tuple[Equation, ...]
     value: ca.SX
@@ -88,7 +88,7 @@ class Collection:
     parameters: dict[str, ca.SX] = field(default_factory=dict)
     switches: dict[str, tuple[ca.SX, ca.SX]] = field(
         default_factory=dict
-    )  # modes, and what decides them by its sign
+    )  # mode symbols, and the expressions whose sign sets them
     inertias: list[InertialTerms] = field(default_factory=list)
     loads: list[tuple[ca.SX, ca.SX]] = field(
         default_factory=list
@@ -97,15 +97,15 @@ class Collection:
     outputs: dict[Output, ca.SX] = field(default_factory=dict)
     constants: dict[str, tuple[ca.SX, float]] = field(
         default_factory=dict
-    )  # symbols that stand for numbers
+    )  # symbols that replace numbers
     shared: tuple[str, ...] = ()  # speeds of a body that carries several suspensions
-    alike: Alike | None = None  # parts that are built alike
+    alike: Alike | None = None  # parts of identical structure
     loops: dict[str, tuple[str, ...]] = field(
         default_factory=dict
-    )  # joint that closes to all around, itself first
+    )  # closing joint to all joints around its loop, itself first
 
     def copy(self) -> Collection:
-        """Return a collection of the same things, to which more can be added."""
+        """Return a copy to which more can be added."""
         result = copy.copy(self)
         for name, value in vars(self).items():
             if isinstance(value, dict | list):
@@ -128,7 +128,7 @@ class Collection:
         return ca.vertcat(*self.accelerations.values())
 
     def rate_of(self, expression: ca.SX) -> ca.SX:
-        """Time derivative of an expression of coordinates and tracks."""
+        """Return the time derivative of an expression of coordinates and tracks."""
         tracks = self.tracks.values()
         values = ca.vertcat(*self.coordinates.values(), *(track.value for track in tracks))
         return ca.jtimes(
@@ -136,7 +136,7 @@ class Collection:
         )
 
     def bias_of(self, rate: ca.SX) -> ca.SX:
-        """Time derivative of a rate at constant speeds."""
+        """Return the time derivative of a rate at constant speeds."""
         tracks = self.tracks.values()
         moving = ca.vertcat(
             *self.coordinates.values(),
@@ -151,11 +151,11 @@ class Collection:
         return ca.jtimes(rate, moving, rates)
 
     def accelerated(self, rate: ca.SX) -> ca.SX:
-        """Derivative of a rate with the accelerations."""
+        """Return the time derivative of a rate, including accelerations."""
         return ca.jtimes(rate, self.v, self.a)
 
     def force_on(self, v: ca.SX) -> ca.SX:
-        """Generalised force of all loads on the speeds ``v``."""
+        """Return the generalised force of all loads on the speeds ``v``."""
         load = ca.SX(v.shape[0], 1)
         together: dict[
             tuple[int, ...], tuple[ca.SX, ca.SX]
@@ -169,7 +169,7 @@ class Collection:
         return load
 
     def constraint(self, dropped: frozenset[str] = frozenset()) -> Constraint:
-        """All loop equations in one, without those named."""
+        """Return all loop equations as one constraint, without those named in ``dropped``."""
         equations = [
             equation for constraint in self.constraints for equation in constraint.equations
         ]
@@ -185,7 +185,7 @@ class Collection:
         )
 
     def displace(self, displacement: ca.SX) -> ca.SX:
-        """Coordinates after a small displacement in terms of the speeds; quaternions have length one again."""
+        """Return the coordinates after a small displacement in terms of the speeds, with quaternions normalised."""
         q = self.q + ca.substitute(ca.vertcat(*self.rates), self.v, ca.densify(displacement))
         for first in self.quaternions.values():
             e = q[first : first + 4]
@@ -280,12 +280,12 @@ def form(collection: Collection, dropped: frozenset[str] = frozenset()) -> Model
 
 @dataclass(frozen=True)
 class Solved:
-    """Accelerations, multipliers, projected coordinates and speeds, how far from singular the constraints are.
+    """Accelerations, multipliers, projected coordinates and speeds, and the conditioning of the constraints.
 
-    The functions use the same factors, for derivatives that do not differentiate them: ``residual`` (force balance,
-    then second rates of the constraints) of given accelerations and multipliers, ``answer`` the change of both that
-    takes back a change of the residual, ``correction`` the displacement (or change of the speeds) that takes back a
-    residual (or its rate).
+    The functions reuse the same factors, so that derivatives need not differentiate them. ``residual`` is the force
+    balance, then the second rates of the constraints, for given accelerations and multipliers. ``answer`` returns the
+    change of accelerations and multipliers that cancels a change of the residual. ``correction`` returns the
+    displacement (or change of the speeds) that cancels a constraint residual (or its rate).
     """
 
     acceleration: ca.SX
@@ -308,9 +308,8 @@ def solve(
 ) -> Solved:
     """Solve for the accelerations under a load; return one step of the mass-orthogonal projection onto the constraints.
 
-    ``move`` gives the coordinates after a small displacement in terms of the speeds. The ``shared`` speeds belong to a
-    body that carries several loops, which are independent of each other without them: they are decided last, so that
-    the loops stay apart.
+    ``move`` returns the coordinates after a small displacement in terms of the speeds. The ``shared`` speeds belong to
+    a body that carries several otherwise independent loops. They are solved for last, which keeps the loops decoupled.
     """
     size = v.shape[0]
     matrix, force = ca.SX(size, size), ca.SX(load)
@@ -341,7 +340,7 @@ def solve(
 def _solve_unconstrained(
     v: ca.SX, matrix: ca.SX, force: ca.SX, move: Callable[[ca.SX], ca.SX]
 ) -> Solved:
-    """Accelerations without loops."""
+    """Solve for the accelerations of a system without loops."""
     mass, size = Ldl(matrix), v.shape[0]
     return Solved(
         mass.solve(ca.densify(force)),
@@ -366,17 +365,17 @@ class _LoopFactors:
         self._reduced = Ldl(self._matrix)
 
     def balance(self, applied: ca.SX, bias: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """Accelerations and multipliers; one column for each of the given ones."""
+        """Return accelerations and multipliers, one column per right-hand side."""
         half = self._mass.forward(ca.densify(applied))
         multipliers = self._reduced.solve(-bias - self._scaled.T @ half)
         return self._mass.backward(self._mass.scale(half + self._rows @ multipliers)), multipliers
 
     def displacement(self, residual: ca.SX) -> ca.SX:
-        """Shortest displacement, in terms of the mass matrix, that makes a change of the constraints."""
+        """Return the displacement of minimum mass-weighted norm that causes a given change of the constraints."""
         return self._mass.backward(self._scaled @ self._reduced.solve(residual))
 
     def conditioning(self) -> ca.SX:
-        """How far from singular the constraints are: 1 independent, 0 singular."""
+        """Return the conditioning of the constraints: 1 independent, 0 singular."""
         shares = [
             pivot / entry
             for pivot, entry in zip(self._reduced.pivots, _diagonal(self._matrix), strict=True)
@@ -388,7 +387,7 @@ class _LoopFactors:
 
 
 class _Block:
-    """Loops and speeds that only the shared speeds connect to others; ``follow`` and ``react`` are their responses."""
+    """Loops and speeds coupled to others only by the shared speeds; ``follow`` and ``react`` are their responses."""
 
     def __init__(
         self, matrix: ca.SX, gradient: ca.SX, speeds: list[int], rows: list[int], shared: list[int]
@@ -408,27 +407,27 @@ class _Block:
 
     @property
     def share(self) -> ca.SX:
-        """Reduction of the mass of the shared speeds by the block."""
+        """Return the block's reduction of the shared speeds' mass."""
         result: ca.SX = self._pull.T @ self.react - self._coupling.T @ self.follow
         return result
 
     def pull(self, alone: ca.SX, multipliers: ca.SX) -> ca.SX:
-        """Force on the shared speeds by the block's own motion."""
+        """Return the force on the shared speeds by the block's own motion."""
         return self._pull.T @ multipliers - self._coupling.T @ alone
 
 
 class _Free:
-    """Speeds without loops, in the form of ``_LoopFactors``."""
+    """Factors for speeds without loops, with the interface of ``_LoopFactors``."""
 
     def __init__(self, matrix: ca.SX) -> None:
         self._mass, self._size = Ldl(matrix), matrix.shape[0]
 
     def balance(self, applied: ca.SX, _: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """Accelerations, and no multipliers."""
+        """Return accelerations, and no multipliers."""
         return self._mass.solve(ca.densify(applied)), ca.SX(0, 1)
 
     def displacement(self, _: ca.SX) -> ca.SX:
-        """Return no displacement."""
+        """Return an empty displacement."""
         return ca.SX(self._size, 1)
 
     def conditioning(self) -> ca.SX:
@@ -437,7 +436,7 @@ class _Free:
 
 
 class _SharedLoops:
-    """The same with the shared speeds decided last: what the loops answer to them makes their effective mass."""
+    """Factors that solve for the shared speeds last; the loops' response to these determines their effective mass."""
 
     def __init__(self, matrix: ca.SX, gradient: ca.SX, shared: Sequence[int]) -> None:
         self._shared, self._size = list(shared), matrix.shape[0]
@@ -452,7 +451,7 @@ class _SharedLoops:
         self._mass = Ldl(effective)
 
     def balance(self, applied: ca.SX, bias: ca.SX) -> tuple[ca.SX, ca.SX]:
-        """Accelerations and multipliers."""
+        """Return accelerations and multipliers."""
         alone = [
             block.loops.balance(applied[block.speeds], bias[block.rows]) for block in self._blocks
         ]
@@ -468,14 +467,14 @@ class _SharedLoops:
         return accelerations, multipliers
 
     def displacement(self, residual: ca.SX) -> ca.SX:
-        """Shortest displacement, in terms of the mass matrix, with the shared speeds held."""
+        """Return the displacement of minimum mass-weighted norm with the shared speeds held."""
         result = ca.SX(self._size, 1)
         for block in self._blocks:
             result[block.speeds] = block.loops.displacement(residual[block.rows])
         return result
 
     def conditioning(self) -> ca.SX:
-        """How far from singular the loops are with the shared speeds held."""
+        """Return the conditioning of the loops with the shared speeds held."""
         worst = self._blocks[0].loops.conditioning()
         for block in self._blocks[1:]:
             worst = ca.fmin(worst, block.loops.conditioning())
@@ -485,7 +484,7 @@ class _SharedLoops:
 def _blocks(
     matrix: ca.SX, gradient: ca.SX, inner: Sequence[int]
 ) -> list[tuple[list[int], list[int]]]:
-    """Speeds and rows of the constraints that hang together, among the ``inner`` speeds."""
+    """Return the connected groups of ``inner`` speeds and constraint rows."""
     block = {i: i for i in inner}
 
     def join(members: list[int]) -> None:
@@ -503,5 +502,5 @@ def _blocks(
 
 
 def _diagonal(matrix: ca.SX) -> list[ca.SX]:
-    """Diagonal entries in the order of the pivots."""
+    """Return the diagonal entries in the order of the pivots."""
     return [matrix[i, i] for i in reversed(range(matrix.shape[0]))]

@@ -1,4 +1,4 @@
-"""Read or refuse names, numbers and expressions that users give to a builder."""
+"""Validate names, numbers and expressions that users pass to a builder."""
 
 from __future__ import annotations
 
@@ -24,12 +24,16 @@ def check_name(name: object, where: str = "") -> str:
     )
     text = name if isinstance(name, str) else type(name).__name__
     raise AssemblyError(
-        "not a name", where=where, found=text, allowed="text without blanks around it", hint=hint
+        "not a name",
+        where=where,
+        found=text,
+        allowed="text without leading or trailing blanks",
+        hint=hint,
     )
 
 
 def expression_of(value: object, where: str, unit: str = "1") -> ca.SX:
-    """One or several expressions, numbers (SI) or texts with a unit, as an expression."""
+    """Convert one or more expressions, numbers (SI) or texts with a unit to an expression."""
     if isinstance(value, ca.SX | ca.DM):
         return ca.SX(value)
     if isinstance(value, str | Real):
@@ -50,7 +54,7 @@ def expression_of(value: object, where: str, unit: str = "1") -> ca.SX:
 
 
 def vector_of(value: object, where: str, unit: str = "m") -> ca.SX:
-    """Three expressions, numbers (SI) or texts with a unit, as an expression."""
+    """Convert three expressions, numbers (SI) or texts with a unit to a vector expression."""
     vector = expression_of(value, where, unit)
     if vector.shape != (3, 1):
         raise AssemblyError(
@@ -60,7 +64,7 @@ def vector_of(value: object, where: str, unit: str = "m") -> ca.SX:
 
 
 def text_of(expression: ca.SX) -> str:
-    """One expression written out with all digits; repeated parts are ``@1``, ``@2``."""
+    """Write an expression with all digits; repeated parts are ``@1``, ``@2``."""
     symbols = ca.symvar(expression)
     function = ca.Function("text", symbols, [ca.densify(expression)])
     count = function.n_instructions()

@@ -5,16 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 ROAD = "road.z"
-"""Last words of the name of a track that is the road under a wheel."""
+"""Last words of the names of tracks for the road under a wheel."""
 
 
 def is_road(track: str) -> bool:
-    """Whether a track is the road under a wheel, m; others are loads and commands."""
+    """Whether a track is the road under a wheel (m); other tracks are loads and commands."""
     return track == ROAD or track.endswith(f".{ROAD}")
 
 
 def speed_of(coordinate: str) -> str:
-    """Name of a coordinate's speed, as channels are called.
+    """Return the channel name of a coordinate's speed.
 
     Examples
     --------
@@ -26,7 +26,7 @@ def speed_of(coordinate: str) -> str:
 
 
 def motion_of_speed(speed: str) -> str:
-    """Name of the motion that has a speed: the coordinate, where the speed is its rate.
+    """Return the name of the motion to which a speed belongs: its coordinate if the speed is the coordinate's rate.
 
     Examples
     --------
@@ -40,12 +40,12 @@ def motion_of_speed(speed: str) -> str:
 
 
 MIDDLE, HALF, REACH = "travel.middle", "travel.half", "travel.reach"
-"""Parameters of a reduced corner: middle and half width (m) of the travel that its polynomials are for; and how many
-half widths a wheel of a car may be off the middle, beyond which its mass is no number: there a run ends."""
+"""Parameters of a reduced corner: centre and half width (m) of the travel range of its polynomials, and the distance
+from the centre, in half widths, beyond which the mass of a car's wheel is NaN and a run ends."""
 
 
 def of_travel(quantity: str, degree: int) -> list[str]:
-    """Parameters of the polynomial of a quantity, constant first.
+    """Return the parameter names of a quantity's polynomial, constant term first.
 
     Examples
     --------
@@ -57,7 +57,7 @@ def of_travel(quantity: str, degree: int) -> list[str]:
 
 @dataclass(frozen=True)
 class Output:
-    """One signal a model can give: its channel name, SI unit and label."""
+    """An output signal of a model: channel name, SI unit and label."""
 
     name: str
     unit: str
@@ -66,10 +66,10 @@ class Output:
 
 @dataclass(frozen=True)
 class Equation:
-    """One equation that closes a loop: its name, the joint it belongs to, and the unit of its value.
+    """An equation that closes a loop: its name, its joint, and the unit of its residual.
 
-    ``m`` is a distance, ``rad`` the sine of an angle; half the square of a length is in ``m^2``, and a condition of
-    coordinates, which may mix units, in ``""``.
+    The unit is ``m`` for a distance, ``rad`` for the sine of an angle, ``m^2`` for half the square of a length, and
+    ``""`` for a condition on coordinates, which may mix units.
     """
 
     name: str
@@ -82,7 +82,7 @@ class ModelFacts:
     """Names and counts of a model, without its equations (see :class:`Model`).
 
     ``start`` holds the coordinates in the design pose (m, rad, 1 for quaternions); ``linear_without`` the parameters
-    that must be zero for the model to be piecewise linear, None where that does not make it so.
+    that must be zero for the model to be piecewise linear, or None if it is nonlinear even then.
     """
 
     coordinates: tuple[str, ...]
@@ -110,6 +110,6 @@ class ModelFacts:
 
 
 SLOPE_LANES = 8
-"""Directions that the function ``slopes`` differentiates along at once."""
+"""Number of directions that the function ``slopes`` differentiates along in one call."""
 SLOPES = ("rate", "output", "switch", "constraint")
-"""Parts of its result, one after another."""
+"""Parts of its result, in order."""

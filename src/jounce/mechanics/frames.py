@@ -1,7 +1,7 @@
 """Moving frames: points and directions of a body, their velocities, and their accelerations at constant speeds.
 
-Every point is identified by its place in the design pose (ground axes, m); the axes of every frame are the ground's
-in that pose. "Bias" is the part of an acceleration that is left when all speeds keep their values.
+Every point is identified by its position in the design pose (ground axes, m); the axes of every frame are the ground's
+in that pose. "Bias" is the acceleration at constant speeds.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _ZERO = ca.SX(3, 1)
 
 @dataclass(frozen=True)
 class Moving:
-    """A vector with its first derivative and the bias of its second one, in ground axes."""
+    """A vector with its rate and the bias of its acceleration, in ground axes."""
 
     value: ca.SX
     rate: ca.SX
@@ -27,7 +27,7 @@ class Moving:
         return Moving(self.value - other.value, self.rate - other.rate, self.bias - other.bias)
 
     def dot(self, other: Moving) -> Moving:
-        """Scalar product, as a moving scalar."""
+        """Return the scalar product, as a moving scalar."""
         return Moving(
             ca.dot(self.value, other.value),
             ca.dot(self.rate, other.value) + ca.dot(self.value, other.rate),
@@ -37,7 +37,7 @@ class Moving:
         )
 
     def scaled(self, factor: Moving) -> Moving:
-        """Multiply with a moving scalar."""
+        """Multiply by a moving scalar."""
         return Moving(
             factor.value * self.value,
             factor.rate * self.value + factor.value * self.rate,
@@ -46,13 +46,13 @@ class Moving:
 
     @property
     def sine(self) -> Moving:
-        """Sine of a moving angle."""
+        """Return the sine of a moving angle."""
         s, c = ca.sin(self.value), ca.cos(self.value)
         return Moving(s, c * self.rate, c * self.bias - s * self.rate**2)
 
     @property
     def cosine(self) -> Moving:
-        """Cosine of a moving angle."""
+        """Return the cosine of a moving angle."""
         s, c = ca.sin(self.value), ca.cos(self.value)
         return Moving(c, -s * self.rate, -s * self.bias - c * self.rate**2)
 
@@ -64,24 +64,24 @@ class Orientation:
         self.matrix, self.spin, self.spin_bias = matrix, spin, spin_bias
 
     def rotate(self, vector: ca.SX) -> ca.SX:
-        """Turn a vector of the frame into ground axes."""
+        """Transform a vector from the frame's axes into ground axes."""
         return self.matrix @ vector
 
     def unrotate(self, vector: ca.SX) -> ca.SX:
-        """Turn a vector of the ground into the frame's axes."""
+        """Transform a vector from ground axes into the frame's axes."""
         return self.matrix.T @ vector
 
     def turned(self, tensor: ca.SX) -> ca.SX:
-        """Turn a symmetric tensor of the frame into ground axes."""
+        """Transform a symmetric tensor from the frame's axes into ground axes."""
         return symmetric(self.matrix @ tensor @ self.matrix.T)
 
     @property
     def ground_spin(self) -> ca.SX:
-        """Angular velocity in ground axes, rad/s."""
+        """Return the angular velocity in ground axes, rad/s."""
         return self.rotate(self.spin)
 
     def moving(self, vector: ca.SX) -> Moving:
-        """Follow a vector that is fixed in the frame."""
+        """Return the motion of a vector fixed in the frame."""
         swept = ca.cross(self.spin, vector)
         bias = ca.cross(self.spin_bias, vector) + ca.cross(self.spin, swept)
         return Moving(self.rotate(vector), self.rotate(swept), self.rotate(bias))
@@ -94,24 +94,24 @@ class FixedOrientation(Orientation):
         super().__init__(ca.SX.eye(3), _ZERO, _ZERO)
 
     def rotate(self, vector: ca.SX) -> ca.SX:
-        """Zero: the axes do not rotate."""
+        """Return the argument unchanged: the axes do not rotate."""
         return vector
 
     def unrotate(self, vector: ca.SX) -> ca.SX:
-        """Zero: the axes do not rotate."""
+        """Return the argument unchanged: the axes do not rotate."""
         return vector
 
     def turned(self, tensor: ca.SX) -> ca.SX:
-        """Zero: the axes do not rotate."""
+        """Return the argument unchanged: the axes do not rotate."""
         return tensor
 
     def moving(self, vector: ca.SX) -> Moving:
-        """Zero: the frame does not move."""
+        """Return the vector with zero rate: the frame does not rotate."""
         return Moving(vector, _ZERO, _ZERO)
 
 
 class AxisRotation(Orientation):
-    """A turn about an axis that is fixed in the ground: all but one sine, one cosine and their squares is constant."""
+    """Rotation about an axis fixed in the ground: only a sine, a cosine and their products vary."""
 
     def __init__(self, axis: ca.SX, angle: ca.SX, speed: ca.SX) -> None:
         self.axis, self.angle, self.speed = axis, angle, speed
@@ -122,17 +122,17 @@ class AxisRotation(Orientation):
         super().__init__(matrix, axis * speed, _ZERO)
 
     def rotate(self, vector: ca.SX) -> ca.SX:
-        """Turn a vector of the frame into ground axes."""
+        """Transform a vector from the frame's axes into ground axes."""
         along, across = self._parts(vector)
         return along + self.cosine * across + self.sine * ca.cross(self.axis, vector)
 
     def unrotate(self, vector: ca.SX) -> ca.SX:
-        """Turn a vector of the ground into the frame's axes."""
+        """Transform a vector from ground axes into the frame's axes."""
         along, across = self._parts(vector)
         return along + self.cosine * across - self.sine * ca.cross(self.axis, vector)
 
     def moving(self, vector: ca.SX) -> Moving:
-        """Follow a vector that is fixed in the frame."""
+        """Return the motion of a vector fixed in the frame."""
         along, across = self._parts(vector)
         sideways = ca.cross(self.axis, vector)
         turned = self.cosine * across + self.sine * sideways
@@ -140,7 +140,7 @@ class AxisRotation(Orientation):
         return Moving(along + turned, self.speed * swept, -(self.speed**2) * turned)
 
     def turned(self, tensor: ca.SX) -> ca.SX:
-        """Turn a symmetric tensor of the frame into ground axes: constants with sine, cosine and their products."""
+        """Transform a symmetric tensor into ground axes, as constants times sine, cosine and their products."""
         p, q, k = self._shares
         still, level, cross = (
             p @ tensor @ p.T + q @ tensor @ q.T,
@@ -156,7 +156,7 @@ class AxisRotation(Orientation):
 
     @property
     def ground_spin(self) -> ca.SX:
-        """Angular velocity in ground axes, rad/s."""
+        """Return the angular velocity in ground axes, rad/s."""
         return self.spin
 
     def _parts(self, vector: ca.SX) -> tuple[ca.SX, ca.SX]:
@@ -165,17 +165,17 @@ class AxisRotation(Orientation):
 
 
 def symmetric(matrix: ca.SX) -> ca.SX:
-    """The same matrix, its lower triangle taken from the upper one."""
+    """Return the matrix with its lower triangle copied from the upper one."""
     return ca.triu2symm(ca.triu(matrix))
 
 
 def by_quaternion(e: ca.SX, spin: ca.SX) -> Orientation:
-    """Orientation against the ground by a quaternion, with the angular velocity in the frame's own axes."""
+    """Return the orientation given by a quaternion relative to the ground and a spin in the frame's own axes."""
     return Orientation(quaternion_matrix(e), spin, _ZERO)
 
 
 class Carrier:
-    """Carrier of a frame's axes: here the ground, with fixed axes (see ``carrier`` for moving ones).
+    """Carrier of a frame's axes: here the ground, with fixed axes (for moving ones see module ``carrier``).
 
     Attributes
     ----------
@@ -189,27 +189,27 @@ class Carrier:
     moves = False
 
     def place(self, place: ca.SX) -> ca.SX:
-        """Position of a place in ground axes, m."""
+        """Return a position in ground axes, m."""
         return place
 
     def height(self, place: ca.SX) -> ca.SX:
-        """Height of a place over z = 0 of the ground, m."""
+        """Return the height of a position above z = 0 of the ground, m."""
         return place[2]
 
     def outward(self, vector: ca.SX) -> ca.SX:
-        """Turn a vector into ground axes."""
+        """Transform a vector into ground axes."""
         return vector
 
     def inward(self, vector: ca.SX) -> ca.SX:
-        """Turn a vector of the ground into these axes."""
+        """Transform a vector from ground axes into these axes."""
         return vector
 
     def velocity(self, point: Moving) -> ca.SX:
-        """Velocity of a point against the ground, m/s, in these axes."""
+        """Return the velocity of a point relative to the ground, m/s, in these axes."""
         return point.rate
 
     def spin(self, orientation: Orientation) -> ca.SX:
-        """Angular velocity of an orientation against the ground, rad/s, in these axes."""
+        """Return the angular velocity of an orientation relative to the ground, rad/s, in these axes."""
         return orientation.ground_spin
 
 
@@ -218,7 +218,7 @@ GROUND_AXES = Carrier()
 
 @dataclass(frozen=True)
 class Frame:
-    """A rigid frame: the design place of its origin, the motion of that origin, its orientation, and whose axes."""
+    """A rigid frame: design position and motion of its origin, its orientation, and the carrier of its axes."""
 
     design: ca.SX
     origin: Moving
@@ -226,23 +226,23 @@ class Frame:
     carrier: Carrier = GROUND_AXES
 
     def point(self, design: ca.SX) -> Moving:
-        """Follow the point that lies at ``design`` in the design pose."""
+        """Return the motion of the point at ``design`` in the design pose."""
         arm = self.orientation.moving(design - self.design)
         origin = self.origin
         return Moving(origin.value + arm.value, origin.rate + arm.rate, origin.bias + arm.bias)
 
     def direction(self, design: ca.SX) -> Moving:
-        """Follow the direction that is ``design`` in the design pose."""
+        """Return the motion of the direction that is ``design`` in the design pose."""
         return self.orientation.moving(design)
 
     def at(self, design: ca.SX) -> Frame:
-        """The same frame with its origin elsewhere."""
+        """Return the same frame with its origin at ``design``."""
         return replace(self, design=design, origin=self.point(design))
 
     def translated(
         self, axis: ca.SX, distance: ca.SX, speed: ca.SX, acceleration: ca.SX | float = 0.0
     ) -> Frame:
-        """A frame that slides along an axis of this one; ``acceleration`` is a prescribed one."""
+        """Return a frame that slides along an axis of this one; ``acceleration`` is a prescribed acceleration."""
         along = self.orientation.moving(axis)
         origin = Moving(
             self.origin.value + along.value * distance,
@@ -255,7 +255,7 @@ class Frame:
         return replace(self, origin=origin)
 
     def turned(self, axis: ca.SX, angle: ca.SX, speed: ca.SX) -> Frame:
-        """A frame that turns about an axis of this one through its origin."""
+        """Return a frame that rotates about an axis of this one through its origin."""
         parent = self.orientation
         if isinstance(parent, FixedOrientation):
             return self.oriented(AxisRotation(axis, angle, speed))
@@ -266,7 +266,7 @@ class Frame:
         return self.oriented(Orientation(parent.matrix @ turn.matrix, spin, bias))
 
     def oriented(self, orientation: Orientation) -> Frame:
-        """A frame with the same origin and an orientation of its own."""
+        """Return a frame with the same origin and a different orientation."""
         return replace(self, orientation=orientation)
 
 

@@ -1,10 +1,10 @@
 """Joint types, one class each.
 
-A joint *hangs* a body that has no place yet: then it has coordinates, and ``hang`` returns the frame of the body.
-Between two placed bodies it *closes* a loop: then it has equations, ``rows``, each with the force and torque of its
-multiplier on the second body. ``efforts`` returns the wrenches on the bodies of unit forces on its coordinates; the
-reaction of the joint is across those directions. To add a joint, write a class with these three and give it to
-:meth:`jounce.mechanics.Mechanism.add`.
+A joint *hangs* a body that is not in the tree yet: then it has coordinates, and ``hang`` returns the child's frame.
+Between two bodies of the tree it *closes* a loop: then it has equations, ``rows``, each with the force and torque of
+its multiplier on the second body. ``efforts`` returns the wrenches on the bodies of unit forces on its coordinates; the
+reaction of the joint is perpendicular to those directions. To add a joint type, define these three methods and pass it
+to :meth:`jounce.mechanics.Mechanism.add`.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _TURN = 2.0 * np.pi  # rad
 
 @dataclass(frozen=True)
 class JointCoordinates:
-    """Symbols of a hanging joint: distances and angles with their rates, quaternion and angular velocity."""
+    """Symbols of a tree joint: distances and angles with their rates, quaternion and angular velocity."""
 
     q: ca.SX
     v: ca.SX
@@ -41,8 +41,8 @@ class JointCoordinates:
 class ClosingEquation:
     """One equation of a closing joint; a multiplier of 1 is this force and torque on the second body, at ``point``.
 
-    The first body feels the opposite at the same place. ``residual`` is in ``unit``: ``m``, ``rad`` (the sine of an
-    angle) or ``m^2``.
+    The opposite force and torque act on the first body at the same point. ``residual`` is in ``unit``: ``m``, ``rad``
+    (the sine of an angle) or ``m^2``.
     """
 
     tag: str
@@ -55,7 +55,7 @@ class ClosingEquation:
 
 @dataclass(frozen=True)
 class Effort:
-    """Force and torque on ``body`` (at ``point``), opposite on ``other``, that a unit force on a speed is."""
+    """Force and torque on ``body`` (at ``point``), and opposite on ``other``, of a unit force on a speed."""
 
     body: Body
     other: Body
@@ -66,42 +66,42 @@ class Effort:
 
 @dataclass(frozen=True, eq=False)
 class Joint(NamedPart):
-    """Connection of two bodies. The first joint of a body places it; one between placed bodies closes a loop."""
+    """Connection of two bodies: a body's first joint adds it to the tree, further joints close loops."""
 
     first: Body
     second: Body
 
     coordinates: ClassVar[tuple[tuple[str, str], ...]] = ()
-    """Last words and units of its distances and angles."""
+    """Name suffixes and units of its distances and angles."""
     has_quaternion: ClassVar[bool] = False
-    """Whether the hung body's orientation against the ground is among its coordinates."""
+    """Whether the child's orientation relative to the ground is among its coordinates."""
     hangs: ClassVar[bool] = True
     closes: ClassVar[bool] = True
-    refusal: ClassVar[tuple[str, str]] = ("both bodies hang already", "")
-    """Message and advice for a joint that cannot close a loop."""
+    refusal: ClassVar[tuple[str, str]] = ("both bodies already have joints", "")
+    """Message and hint for a joint that cannot close a loop."""
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
-        """Frame of the body it hangs on ``parent``.
+        """Return the frame of the child body.
 
-        Coordinates count from the first body to the second, whichever hangs: where the first hangs on the second,
-        ``sign`` is -1, and several motions follow each other in the opposite order.
+        Coordinates are those of the second body relative to the first. If the first body is the child, ``sign`` is
+        -1 and multiple motions are applied in reverse order.
         """
         raise NotImplementedError
 
     def rows(self) -> list[ClosingEquation]:
-        """Equations that keep it together."""
+        """Return the equations that close the loop."""
         raise NotImplementedError
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002 - for joints with coordinates
-        """Wrenches of unit forces on its speeds, in their order."""
+        """Return the wrenches of unit forces on its speeds, in their order."""
         return []
 
     def shown(self, multipliers: ca.SX) -> ca.SX:
-        """Return value of its builder when it closes a loop: forces (N) and torques (N m) on the second body."""
+        """Return the result for the caller when it closes a loop: forces (N) and torques (N m) on the second body."""
         return multipliers
 
     def _along(self, axis: ca.SX) -> ca.SX:
-        """A direction of the first body in the current pose."""
+        """Return a direction of the first body in the current pose."""
         return self.first.frame.direction(axis).value
 
     def _push(self, axis: ca.SX, at: ca.SX) -> Effort:
@@ -116,7 +116,7 @@ class Joint(NamedPart):
         return Effort(self.second, self.first, torque=along)
 
     def _turns(self, hung: Body, ground: Body) -> list[Effort]:
-        """Efforts on the three speeds of a quaternion, which are against the ground."""
+        """Return the efforts on the three speeds of a quaternion, which are relative to the ground."""
         matrix = hung.frame.orientation.matrix
         return [Effort(hung, ground, torque=matrix[:, i]) for i in range(3)]
 
@@ -125,23 +125,23 @@ class Joint(NamedPart):
 class Fixed(Joint):
     """Two bodies welded together.
 
-    It hangs the body that has no joint yet; it has no coordinate and takes every force and torque.
+    It adds the body that has no joint yet to the tree. It has no coordinate and transmits every force and torque.
     """
 
     kind = "fixed"
     closes = False
-    refusal = ("both bodies hang already", "Make them one body.")
+    refusal = ("both bodies already have joints", "Make them one body.")
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:  # noqa: ARG002
-        """Frame of the body that hangs."""
+        """Return the frame of the child body."""
         return parent.at(parent.design)
 
 
 @dataclass(frozen=True, eq=False)
 class Prismatic(Joint):
-    """A slide along an axis.
+    """Translation along an axis.
 
-    ``at`` (m) is a point for which its torque is given, ``axis`` (1, of any length) the way of the second body.
+    ``at`` (m) is the reference point of its torque, ``axis`` (1, of any length) the direction of travel.
     """
 
     at: Given = place()
@@ -150,7 +150,7 @@ class Prismatic(Joint):
     coordinates = (("distance", "m"),)
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
-        """Frame of the body that hangs."""
+        """Return the frame of the child body."""
         return parent.at(self.at).translated(sign * self.axis, motion.q, motion.v)
 
     def rows(self) -> list[ClosingEquation]:
@@ -165,7 +165,7 @@ class Prismatic(Joint):
         ]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
-        """Wrenches of unit forces along its coordinates."""
+        """Return the wrenches of unit forces along its coordinates."""
         return [self._push(self.axis, self.at)]
 
 
@@ -182,7 +182,7 @@ class Revolute(Joint):
     coordinates = (("angle", "rad"),)
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
-        """Frame of the body that hangs."""
+        """Return the frame of the child body."""
         return parent.at(self.at).turned(sign * self.axis, motion.q, motion.v)
 
     def rows(self) -> list[ClosingEquation]:
@@ -190,7 +190,7 @@ class Revolute(Joint):
         return [*_point_to_point(self, self.at, self.at), *_parallel(self, self.axis)]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
-        """Wrenches of unit forces along its coordinates."""
+        """Return the wrenches of unit forces along its coordinates."""
         return [self._twist(self._along(self.axis))]
 
 
@@ -198,7 +198,7 @@ class Revolute(Joint):
 class Cylindrical(Joint):
     """A sleeve that slides along an axis and turns about it.
 
-    ``at`` (m) is a point of its axis, ``axis`` (1, of any length) the direction of its slide and its turn.
+    ``at`` (m) is a point of its axis, ``axis`` (1, of any length) the direction of its translation and rotation.
     """
 
     at: Given = place()
@@ -207,7 +207,7 @@ class Cylindrical(Joint):
     coordinates = (("distance", "m"), ("angle", "rad"))
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
-        """Frame of the body that hangs."""
+        """Return the frame of the child body."""
         along, (slide, turn), (speed, spin) = (
             sign * self.axis,
             *(ca.vertsplit(part) for part in (motion.q, motion.v)),
@@ -219,15 +219,15 @@ class Cylindrical(Joint):
         return [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis)]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
-        """Wrenches of unit forces along its coordinates."""
+        """Return the wrenches of unit forces along its coordinates."""
         return [self._push(self.axis, self.at), self._twist(self._along(self.axis))]
 
 
 @dataclass(frozen=True, eq=False)
 class Screw(Joint):
-    """A nut on a thread: a turn of the second body takes it along the axis by the pitch, m.
+    """A nut on a thread: each turn of the second body advances it along the axis by the pitch, m.
 
-    ``at`` (m) is a point of its axis, ``axis`` (1, of any length) its direction, ``pitch`` (m, not 0) the way of one
+    ``at`` (m) is a point of its axis, ``axis`` (1, of any length) its direction, ``pitch`` (m, not 0) the advance per
     turn, negative for a left-hand thread.
     """
 
@@ -247,7 +247,7 @@ class Screw(Joint):
             )
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
-        """Frame of the body that hangs."""
+        """Return the frame of the child body."""
         along, lead = sign * self.axis, self.pitch / _TURN
         return (
             parent.at(self.at)
@@ -256,7 +256,7 @@ class Screw(Joint):
         )
 
     def rows(self) -> list[ClosingEquation]:
-        """A sleeve, and a mark on the second body that stays on the thread however many turns that makes."""
+        """Return the equations of a sleeve, and one that couples rotation to translation over any number of turns."""
         first, second = self.first.frame, self.second.frame
         across, sideways = (first.direction(normal) for normal in normals(self.axis))
         mark, axis, foot = (
@@ -270,7 +270,7 @@ class Screw(Joint):
         )
         thread = sideways.scaled(turn.cosine) - across.scaled(
             turn.sine
-        )  # across the mark where turn and slide agree
+        )  # perpendicular to the mark when rotation and translation match
         climb = -ca.dot(
             mark.value, across.scaled(turn.cosine).value + sideways.scaled(turn.sine).value
         )
@@ -285,7 +285,7 @@ class Screw(Joint):
         return [*_on_line(self, self.at, self.axis, self.at), *_parallel(self, self.axis), lead]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
-        """Wrenches of unit forces along its coordinates."""
+        """Return the wrenches of unit forces along its coordinates."""
         return [self._twist(self._along(self.axis))]
 
 
@@ -313,11 +313,11 @@ class Universal(Joint):
                 "the axes of a universal joint are not at right angles",
                 where=self.name,
                 found=f"{degrees:.4g} degrees between them",
-                hint="Take as second axis the cross product of the first with a direction across both.",
+                hint="As the second axis, use the cross product of the first with a direction perpendicular to both.",
             )
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
-        """Frame of the body that hangs."""
+        """Return the frame of the child body."""
         turns = [
             (sign * axis, motion.q[i], motion.v[i])
             for i, axis in enumerate((self.axis, self.second_axis))
@@ -335,7 +335,7 @@ class Universal(Joint):
         return [*_point_to_point(self, self.at, self.at), _square("cross", *axes)]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:  # noqa: ARG002
-        """Wrenches of unit forces along its coordinates."""
+        """Return the wrenches of unit forces along its coordinates."""
         second = self.second.frame.direction(self.second_axis).value
         return [self._twist(self._along(self.axis)), self._twist(second)]
 
@@ -352,7 +352,7 @@ class Spherical(Joint):
     has_quaternion = True
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:  # noqa: ARG002
-        """Frame of the body that hangs."""
+        """Return the frame of the child body."""
         return parent.at(self.at).oriented(by_quaternion(motion.e, motion.w))
 
     def rows(self) -> list[ClosingEquation]:
@@ -360,13 +360,13 @@ class Spherical(Joint):
         return _point_to_point(self, self.at, self.at)
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:
-        """Wrenches of unit forces along its coordinates."""
+        """Return the wrenches of unit forces along its coordinates."""
         return self._turns(hung, ground)
 
 
 @dataclass(frozen=True, eq=False)
 class Link(Joint):
-    """A rigid link without mass, on a hinge of the first body and a ball joint of the second.
+    """A massless rigid link, on a hinge of the first body and a ball joint of the second.
 
     ``at`` (m) is a point of the hinge and ``axis`` (1, of any length) its direction, ``second_at`` (m) the centre of
     the ball, not on the hinge's axis.
@@ -380,7 +380,7 @@ class Link(Joint):
     has_quaternion = True
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:
-        """From the hinge out to the ball; or from the ball on the parent back to the hinge of the body."""
+        """Return the child's frame, from the hinge out to the ball or from the ball on the parent back to the hinge."""
         orientation = by_quaternion(motion.e, motion.w)
         if sign > 0.0:
             link = parent.at(self.at).turned(self.axis, motion.q, motion.v)
@@ -389,7 +389,7 @@ class Link(Joint):
         return ball.turned(self.axis, motion.q, motion.v).at(self.at).oriented(orientation)
 
     def rows(self) -> list[ClosingEquation]:
-        """The ball stays on its circle: at its height along the axis, and at its distance from the hinge."""
+        """Keep the ball on its circle: at its position along the axis, and at its distance from the hinge."""
         reach, axis = self._reach, self.first.frame.direction(self.axis)
         height, ball = reach.dot(axis), self.second.frame.point(self.second_at).value
         design = self.second_at - self.at
@@ -406,7 +406,7 @@ class Link(Joint):
         ]
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:
-        """Wrenches of unit forces along its coordinates."""
+        """Return the wrenches of unit forces along its coordinates."""
         swept = ca.cross(self._along(self.axis), self._reach.value)
         ball = self.second.frame.point(self.second_at).value
         push = Effort(self.second, self.first, force=swept / ca.dot(swept, swept), point=ball)
@@ -421,7 +421,7 @@ class Link(Joint):
 class Free(Joint):
     """No joint at all: the second body moves freely relative to the ground or a moving frame.
 
-    ``at`` (m) is the point of the body whose displacements are the coordinates, mostly its centre of mass.
+    ``at`` (m) is the point of the body whose displacements are the coordinates, usually its centre of mass.
     """
 
     at: Given = place()
@@ -429,15 +429,15 @@ class Free(Joint):
     coordinates = (("x", "m"), ("y", "m"), ("z", "m"))
     has_quaternion = True
     closes = False
-    refusal = ("the body hangs already", "It needs one joint only.")
+    refusal = ("the body already has a joint", "It needs one joint only.")
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:  # noqa: ARG002
-        """Frame of the body that hangs."""
+        """Return the frame of the child body."""
         origin = Moving(self.at + motion.q, motion.v, ca.SX(3, 1))
         return Frame(self.at, origin, by_quaternion(motion.e, motion.w), parent.carrier)
 
     def efforts(self, hung: Body, ground: Body) -> list[Effort]:
-        """Wrenches of unit forces along its coordinates."""
+        """Return the wrenches of unit forces along its coordinates."""
         origin = hung.frame.origin.value
         pushes = [Effort(hung, ground, force=ca.SX.eye(3)[:, i], point=origin) for i in range(3)]
         return [*pushes, *self._turns(hung, ground)]
@@ -445,7 +445,7 @@ class Free(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Driven(Joint):
-    """A slide along an axis by a prescribed travel: a track, or a parameter (m).
+    """Translation along an axis by a prescribed travel: a track, or a parameter (m).
 
     ``axis`` (1, of any length) is its direction, ``travel`` the track of the mechanism, or a number in m.
     """
@@ -454,10 +454,10 @@ class Driven(Joint):
     travel: Given = quantity("m")
     kind = "driven"
     closes = False
-    refusal = ("both bodies hang already", "Drive a body that has no joint yet.")
+    refusal = ("both bodies already have joints", "Drive a body that has no joint yet.")
 
     def hang(self, parent: Frame, motion: JointCoordinates, sign: int) -> Frame:  # noqa: ARG002
-        """Frame of the body that hangs."""
+        """Return the frame of the child body."""
         still = Track(self.travel, ca.SX(0.0), ca.SX(0.0))
         track = self.travel if isinstance(self.travel, Track) else still
         return parent.translated(sign * self.axis, track.value, track.rate, track.acceleration)
@@ -465,9 +465,9 @@ class Driven(Joint):
 
 @dataclass(frozen=True, eq=False)
 class PointToPoint(Joint):
-    """A point of the second body on a point of the first.
+    """A point of the second body coincides with a point of the first.
 
-    ``at`` and ``second_at`` (m) are the points of the first and second body; the mechanism's ``coincident``.
+    ``at`` and ``second_at`` (m) are the points of the first and second body; created by ``Mechanism.coincident``.
     """
 
     at: Given = place()
@@ -482,7 +482,7 @@ class PointToPoint(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Rod(Joint):
-    """Two points at a distance (m, by default as designed).
+    """Two points at a fixed distance (m, by default that of the design pose).
 
     ``at`` and ``second_at`` (m) are its ends on the first and second body, ``length`` (m, above 0) its length.
     """
@@ -494,14 +494,14 @@ class Rod(Joint):
     hangs = False
 
     def defaults(self) -> dict[str, ca.SX]:
-        """By default it is as long as designed."""
+        """Return the length in the design pose as the default."""
         return {"length": ca.sqrt(self._squared_length)} if self.length is None else {}
 
     def check(self, known: Known) -> None:
         """Refuse a rod without length."""
         super().check(known)
         if known("length") <= 0.0:
-            hint = "Use coincident() to keep two points in one place."
+            hint = "Use coincident() to keep two points together."
             length = f"{known('length'):g} m"
             raise AssemblyError(
                 "a rod without length",
@@ -517,7 +517,7 @@ class Rod(Joint):
         return ca.dot(design, design) if self.length is None else ca.SX(self.length**2)
 
     def rows(self) -> list[ClosingEquation]:
-        """The multiplier is the rod's force over its length, compression positive."""
+        """Return its equation; the multiplier is the rod's force divided by its length, compression positive."""
         other = self.second.frame.point(self.second_at)
         reach = other - self.first.frame.point(self.at)
         return [
@@ -539,7 +539,7 @@ class Rod(Joint):
 class PointOnLine(Joint):
     """A point of the second body on a line of the first.
 
-    ``at`` (m) and ``axis`` (1, of any length) are the line on the first body, ``point`` (m) lies on the second.
+    ``at`` (m) and ``axis`` (1, of any length) are the line on the first body, ``point`` (m) is fixed to the second.
     """
 
     at: Given = place()
@@ -578,9 +578,9 @@ class Perpendicular(Joint):
 
 @dataclass(frozen=True, eq=False)
 class Parallel(Joint):
-    """A direction of both bodies in parallel.
+    """A direction of each body, kept parallel.
 
-    ``axis`` (1, of any length) is the direction that is fixed to both in the design pose.
+    ``axis`` (1, of any length) is the direction in the design pose; it is fixed to both bodies.
     """
 
     axis: Given = direction()
@@ -592,11 +592,11 @@ class Parallel(Joint):
         return _parallel(self, self.axis)
 
 
-# equations that joints are made of ------------------------------------------------------------------------------
+# building blocks of joint equations ------------------------------------------------------------------------------
 
 
 def _point_to_point(joint: Joint, at: ca.SX, second_at: ca.SX) -> list[ClosingEquation]:
-    """Two points in one place; the multipliers are the force on the second body."""
+    """Return equations for coincident points; the multipliers are the force on the second body."""
     other = joint.second.frame.point(second_at)
     gap = other - joint.first.frame.point(at)
     return [
@@ -612,7 +612,7 @@ def _point_to_point(joint: Joint, at: ca.SX, second_at: ca.SX) -> list[ClosingEq
 
 
 def _on_line(joint: Joint, at: ca.SX, axis: ca.SX, point: ca.SX) -> list[ClosingEquation]:
-    """A point of the second body on a line of the first."""
+    """Return equations that keep a point of the second body on a line of the first."""
     other = joint.second.frame.point(point)
     reach = other - joint.first.frame.point(at)
     across = [joint.first.frame.direction(normal) for normal in normals(axis)]
@@ -623,7 +623,7 @@ def _on_line(joint: Joint, at: ca.SX, axis: ca.SX, point: ca.SX) -> list[Closing
 
 
 def _parallel(joint: Joint, axis: ca.SX) -> list[ClosingEquation]:
-    """A direction of both bodies in parallel."""
+    """Return equations that keep a direction of each body parallel."""
     other = joint.second.frame.direction(axis)
     across = [joint.first.frame.direction(normal) for normal in normals(axis)]
     return [
@@ -632,13 +632,13 @@ def _parallel(joint: Joint, axis: ca.SX) -> list[ClosingEquation]:
 
 
 def _square(tag: str, first: Moving, second: Moving) -> ClosingEquation:
-    """A direction of the first body at right angles to one of the second."""
+    """Return the equation that keeps a direction of the first body perpendicular to one of the second."""
     return ClosingEquation(
         tag, "rad", first.dot(second), torque=ca.cross(second.value, first.value)
     )
 
 
 def _half_square(reach: Moving, squared: ca.SX) -> Moving:
-    """Half the excess of a squared length."""
+    """Return half the excess of a squared length."""
     product = reach.dot(reach)
     return Moving(0.5 * (product.value - squared), 0.5 * product.rate, 0.5 * product.bias)

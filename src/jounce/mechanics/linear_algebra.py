@@ -8,8 +8,7 @@ import casadi as ca
 class Ldl:
     """Unrolled factorisation ``matrix = L D L^T`` of a symmetric positive definite matrix.
 
-    Structural zeros stay zeros: rows are eliminated from the last to the first, so the mass matrix of a tree whose
-    root comes first is factorised without fill-in.
+    Rows are eliminated from last to first; the mass matrix of a tree with its root first is factorised without fill-in.
     """
 
     def __init__(self, matrix: ca.SX) -> None:

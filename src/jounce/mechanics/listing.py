@@ -29,11 +29,11 @@ _NO_NUMBERS = {
     "loop",
 }
 _NO_NUMBERS |= {"equations", "tracks", "bodies", "frame", "positive", "as_designed", "joint"}
-_LONGEST = 160  # characters of a law that a line shows
+_LONGEST = 160  # maximum number of characters of a law on a line
 
 
 class Reading:
-    """A mechanism at given parameter values: values and texts of its expressions."""
+    """Evaluates and writes the expressions of a mechanism at given parameter values."""
 
     def __init__(self, mechanism: Structure, values: Mapping[str, float]) -> None:
         self._mechanism, collection = mechanism, mechanism.collection
@@ -52,12 +52,12 @@ class Reading:
         }
 
     def value(self, path: str) -> float | None:
-        """Value of a parameter; None without one."""
+        """Return the value of a parameter; None if unknown."""
         number = self._values.get(path, np.nan)
         return number if isfinite(number) else None
 
     def numbers(self, expression: ca.SX) -> Array | None:
-        """Numbers of an expression of parameters, in its shape; None if it names anything without a number."""
+        """Return the values of an expression of parameters, in its shape; None if any of its symbols has no value."""
         given = [self._numbers.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
         pairs = [pair for pair in given if pair is not None]
         if len(pairs) < len(given):
@@ -69,7 +69,7 @@ class Reading:
         return np.asarray(result.full(), dtype=np.float64).squeeze()
 
     def numbers_of(self, description: NamedPart) -> Known:
-        """Numbers of a description's fields, NaN where they are not known."""
+        """Return the values of a description's fields, NaN if unknown."""
 
         def value_of(field: str) -> Array:
             value = getattr(description, field)
@@ -86,18 +86,18 @@ class Reading:
         return value_of
 
     def write(self, expression: ca.SX) -> Plain:
-        """Numbers of an expression of parameters; else a table with its text and the parameters in it."""
+        """Return the values of an expression of parameters; else a dict with its text and its parameters."""
         numbers = self.numbers(expression)
         if numbers is not None:
             parts = [float(part) if isfinite(part) else None for part in numbers.ravel()]
             return parts[0] if expression.shape == (1, 1) else parts
         within = [self._parameters.get(symbol.element_hash()) for symbol in ca.symvar(expression)]
         if within and all(within):
-            return None  # parameters without a number
+            return None  # parameters without a value
         return self.law(expression)
 
     def law(self, expression: ca.SX) -> dict[str, Plain]:
-        """Text of an expression, points of bodies written as ``body.point(x, y, z).z``, and its parameters."""
+        """Return an expression's text, with body points as ``body.point(x, y, z).z``, and its parameters."""
         for named in self._mechanism.poses.occurring(expression):
             place = self.numbers(named.design)
             parts = ca.vertsplit(named.design)
@@ -118,7 +118,7 @@ class Reading:
         return {"expression": texts[0] if len(texts) == 1 else texts, "parameters": parameters}
 
     def ratios(self, expression: ca.SX) -> dict[str, Plain] | None:
-        """Coefficients of a linear expression by coordinate and track; None if it is not linear in them."""
+        """Return coefficients of a linear expression by coordinate and track; None if it is not linear in them."""
         collection = self._mechanism.collection
         every = {
             name: track.value for name, track in collection.tracks.items()
@@ -137,7 +137,7 @@ class Reading:
 def as_data(
     mechanism: Structure, values: Mapping[str, float], watched: Iterable[NamedPart]
 ) -> dict[str, Any]:
-    """Bodies, joints, loops, conditions, loads, tracks and watched outputs (see :meth:`Mechanism.to_dict`)."""
+    """Return bodies, joints, loops, conditions, loads, tracks and outputs (see :meth:`Mechanism.to_dict`)."""
     collection, loops, read = mechanism.collection, mechanism.loops(), Reading(mechanism, values)
     write = read.write
 
@@ -295,7 +295,7 @@ def as_text(listed: Mapping[str, Any]) -> str:
 
 
 def _line(entry: Mapping[str, Any]) -> str:
-    """Name, kind, bodies, numbers and laws."""
+    """Return name, kind, bodies, numbers and laws on one line."""
     ends = " - ".join(entry[end] for end in ("first", "second", "body", "joint") if end in entry)
     units = {
         name: "" if unit == "1" else f" {unit.replace('*', ' ')}"
@@ -324,7 +324,7 @@ def _law(entry: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _with(law: Mapping[str, Any]) -> str:
-    """Parameters of a law with their numbers."""
+    """Return the parameters of a law with their values."""
     parameters = (
         f"{path} {_format_value(parameter['value'])} {parameter['unit']}".rstrip(" 1")
         for path, parameter in law.get("parameters", {}).items()

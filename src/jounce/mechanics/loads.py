@@ -20,7 +20,7 @@ from jounce.mechanics.frames import Moving
 from jounce.mechanics.system import System
 
 _NONE = ca.SX(3, 1)
-_SLIDING = 3.0  # regularisation rates: friction slides fully; tanh(3) = 0.995
+_SLIDING = 3.0  # in regularisation rates: beyond this, friction is fully developed; tanh(3) = 0.995
 _POINT = 1e-12  # m: a shorter line has no direction
 SAME_POINT = 1e-9  # m: ends closer than this coincide by design
 
@@ -40,16 +40,16 @@ class Action:
     """Effects of a load."""
 
     power: tuple[tuple[ca.SX, ca.SX], ...] = ()  # rates, and forces that do power on them
-    wrenches: tuple[Wrench, ...] = ()  # what it is on bodies
+    wrenches: tuple[Wrench, ...] = ()  # its forces and torques on bodies
     along: tuple[
         tuple[ca.SX, ca.SX], ...
-    ] = ()  # expressions, and forces along them that are not among the wrenches
+    ] = ()  # expressions, and forces along them that are not included in the wrenches
     efforts: tuple[
         tuple[ca.SX, ca.SX], ...
     ] = ()  # rates, and forces on them that act on coordinates
     stored: tuple[ca.SX, ...] = ()  # energies, J
     lost: tuple[ca.SX, ...] = ()  # powers, W
-    shown: tuple[ca.SX, ...] = ()  # what the maker of the load gets
+    shown: tuple[ca.SX, ...] = ()  # results returned to the caller
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +57,7 @@ class ForceElement(NamedPart):
     """A force law in a mechanism."""
 
     def action(self, system: System) -> Action:
-        """Effects of the load."""
+        """Return the effects of the load."""
         raise NotImplementedError
 
 
@@ -71,7 +71,7 @@ class PointForce(ForceElement):
     kind = "force"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
-        """Effects of the load."""
+        """Return the effects of the load."""
         power = (self.body.carrier.velocity(self.at), self.force)
         return Action((power,), (Wrench(self.body, self.force, self.at.value),))
 
@@ -85,7 +85,7 @@ class Torque(ForceElement):
     kind = "torque"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
-        """Effects of the load."""
+        """Return the effects of the load."""
         return Action(((self.body.spin, self.torque),), (Wrench(self.body, torque=self.torque),))
 
 
@@ -104,7 +104,7 @@ class GeneralForce(ForceElement):
         return _units_along(self.length)
 
     def action(self, system: System) -> Action:
-        """Effects of the load."""
+        """Return the effects of the load."""
         return Action(
             ((system.rate_of(self.along), self.magnitude),), along=((self.along, self.magnitude),)
         )
@@ -120,7 +120,7 @@ class PowerOnRate(ForceElement):
     positive = "to greater values of the rate"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
-        """Effects of the load."""
+        """Return the effects of the load."""
         both = ((self.rate, self.magnitude),)
         return Action(both, efforts=both)
 
@@ -133,7 +133,7 @@ class Between(ForceElement):
     second: Body
 
     def apart(self, first: Moving, second: Moving, force: ca.SX) -> Action:
-        """Push two points apart along the line between them, by a force in N."""
+        """Return the action of a force (N) that pushes two points apart along the line between them."""
         reach = second - first
         along = reach.value / length_of(reach.value)
         power = (ca.dot(along, reach.rate), force)
@@ -144,7 +144,7 @@ class Between(ForceElement):
         )
 
     def pair(self, place: ca.SX, force: ca.SX, torque: ca.SX = _NONE) -> tuple[Wrench, ...]:
-        """Force and torque on the second body (ground axes) and their opposites on the first, at one place."""
+        """Return force and torque on the second body (ground axes) and their opposites on the first, at one point."""
         ends = ((self.first, -1.0), (self.second, 1.0))
         return tuple(Wrench(body, sign * force, place, sign * torque) for body, sign in ends)
 
@@ -160,13 +160,13 @@ class PushApart(Between):
     positive = "pushes the points apart"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
-        """Effects of the load."""
+        """Return the effects of the load."""
         return self.apart(self.at, self.second_at, self.force)
 
 
 @dataclass(frozen=True, eq=False)
 class ForceBetween(Between):
-    """A force (N, axes of what carries both bodies) on a point of the second body, the opposite there on the first."""
+    """A force (N, axes of the bodies' carrier) on a point of the second body, and its opposite on the first."""
 
     at: Moving = law("m")
     force: ca.SX = law("N")
@@ -174,7 +174,7 @@ class ForceBetween(Between):
     positive = "on the second body"
 
     def action(self, system: System) -> Action:  # noqa: ARG002
-        """Effects of the load."""
+        """Return the effects of the load."""
         frame = self.first.frame
         carried = frame.origin.rate + ca.cross(
             frame.orientation.ground_spin, self.at.value - frame.origin.value
@@ -196,13 +196,13 @@ class SpringDamper(Between):
     positive = "compression"
 
     def defaults(self) -> dict[str, ca.SX]:
-        """By default the spring is unloaded as designed."""
+        """Return defaults: the spring is unloaded in the design pose."""
         return (
             {} if self.force is not None else {"free_length": length_of(self.second_at - self.at)}
         )
 
     def action(self, system: System) -> Action:
-        """Return length (m) and force (N) to the maker."""
+        """Return its effects; length (m) and force (N) are shown to the caller."""
         del system
         first, second = self.first.frame.point(self.at), self.second.frame.point(self.second_at)
         reach = second - first
@@ -231,7 +231,7 @@ class RotationalSpringDamper(ForceElement):
     positive = "along the angle"
 
     def action(self, system: System) -> Action:
-        """Return the torque (N m) to the maker."""
+        """Return its effects; the torque (N m) is shown to the caller."""
         rate, torque = system.rate_of(self.angle), self.torque
         if torque is not None:
             return Action(((rate, torque),), along=((self.angle, torque),), shown=(torque,))
@@ -261,7 +261,7 @@ class OnCoordinate(ForceElement):
     def acts(
         self, system: System, force: ca.SX, stored: tuple[ca.SX, ...], lost: tuple[ca.SX, ...]
     ) -> Action:
-        """Let a force act along the coordinate."""
+        """Return the action of a force along the coordinate."""
         along = ((self.coordinate, force),)
         return Action(
             ((system.rate_of(self.coordinate), force),), (), along, (), stored, lost, (force,)
@@ -270,7 +270,7 @@ class OnCoordinate(ForceElement):
 
 @dataclass(frozen=True, eq=False)
 class Stop(OnCoordinate):
-    """Elastic ends of a coordinate's travel; while touched they damp, but never pull."""
+    """Elastic stops of a coordinate's travel; in contact they also damp, but never pull."""
 
     stiffness: Given = quantity("{force}/{length}", above=0.0)
     damping: Given = quantity("{force}*s/{length}", at_least=0.0)
@@ -279,7 +279,7 @@ class Stop(OnCoordinate):
     kind = "stop"
 
     def check(self, known: Known) -> None:
-        """Refuse a stop that is never touched, or touched at both ends at once."""
+        """Refuse a stop without limits, or with crossed limits."""
         super().check(known)
         if self.lower is None and self.upper is None:
             raise AssemblyError(
@@ -295,7 +295,7 @@ class Stop(OnCoordinate):
             )
 
     def action(self, system: System) -> Action:
-        """Return its force (N or N m) to the maker."""
+        """Return its effects; the force (N or N m) is shown to the caller."""
         total, stored, lost = ca.SX(0.0), [], []
         for tag, end, sign in (("lower", self.lower, 1.0), ("upper", self.upper, -1.0)):
             if end is None:
@@ -322,12 +322,12 @@ class CoordinateFriction(OnCoordinate):
     kind = "friction"
 
     def action(self, system: System) -> Action:
-        """Return its force (N or N m) to the maker."""
+        """Return its effects; the force (N or N m) is shown to the caller."""
         rate = system.rate_of(self.coordinate)
         sharp = rate / self.regularisation_rate
         system.switch(
             f"{self.name} sliding", ca.fabs(sharp) - _SLIDING
-        )  # steps land on both sides of the layer
+        )  # steps end on both sides of the layer
         drag = -self.force * ca.tanh(sharp)
         return self.acts(system, drag, (), (-drag * rate,))
 
@@ -337,19 +337,19 @@ def _units_along(length: str) -> dict[str, str]:
 
 
 def refuse_one_point(name: str, reach: Array, when: str) -> None:
-    """Refuse two ends, separated by ``reach`` (m), without a direction between them."""
+    """Refuse two ends whose separation ``reach`` (m) is too short to define a direction."""
     if (length := float(np.linalg.norm(reach))) < SAME_POINT:
         raise AssemblyError(
-            "both ends lie in one point, so its force has no direction",
+            "both ends coincide, so its force has no direction",
             where=name,
             found=f"{length:g} m {when}",
             allowed="two points that differ",
-            hint="Was a point copied? What holds two bodies in one point is a bushing, or coincident().",
+            hint="Was a point copied? To hold two bodies together at a point, use a bushing or coincident().",
         )
 
 
 def length_of(vector: ca.SX) -> ca.SX:
-    """Length of a vector, m, above zero."""
+    """Return the length of a vector, m, above zero."""
     return ca.sqrt(ca.dot(vector, vector) + _POINT**2)
 
 
@@ -366,6 +366,6 @@ def _with(
 def _spring_and_damper(
     stiffness: ca.SX, stretch: ca.SX, damping: ca.SX, rate: ca.SX
 ) -> tuple[ca.SX, tuple[ca.SX, ...], tuple[ca.SX, ...]]:
-    """Force of a linear spring and damper against a stretch and its rate, energy stored, power lost."""
+    """Return force, stored energy and dissipated power of a linear spring and damper for a stretch and its rate."""
     force = -stiffness * stretch - damping * rate
     return force, (0.5 * stiffness * stretch**2,), (damping * rate**2,)

@@ -20,7 +20,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 
 Number = float | str
-"""A number in SI, or text with a unit."""
+"""A number in SI units, or text with a unit."""
 _TRIANGLE = (
     1e-6  # share of the largest moment by which rounding may violate the triangle inequality
 )
@@ -39,7 +39,7 @@ class SolidMass:
 
     @property
     def arguments(self) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
-        """Mass, centre and the elements xx, yy, zz, xy, xz, yz."""
+        """Mass, centre and the inertia elements xx, yy, zz, xy, xz, yz."""
         i = self.inertia
         elements = (i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2])
         return self.mass, tuple(map(float, self.centre_of_mass)), tuple(map(float, elements))
@@ -55,7 +55,7 @@ def box(density: Number, size: Sequence[Number], centre: Sequence[Number]) -> So
     size : sequence of float, shape (3,)
         Edge lengths along x, y, z, m.
     centre : sequence of float, shape (3,)
-        Its middle, m.
+        Its centre, m.
 
     Returns
     -------
@@ -74,7 +74,7 @@ def box(density: Number, size: Sequence[Number], centre: Sequence[Number]) -> So
 
 
 def sphere(density: Number, radius: Number, centre: Sequence[Number]) -> SolidMass:
-    """Return the mass properties of a ball.
+    """Return the mass properties of a solid sphere.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def sphere(density: Number, radius: Number, centre: Sequence[Number]) -> SolidMa
     radius : float
         m.
     centre : sequence of float, shape (3,)
-        Its middle, m.
+        Its centre, m.
 
     Returns
     -------
@@ -107,7 +107,7 @@ def cylinder(
     radius : float
         m.
     start, end : sequence of float, shape (3,)
-        Middles of its end faces, m.
+        Centres of its end faces, m.
 
     Returns
     -------
@@ -133,7 +133,7 @@ def tube(
     inner_radius, outer_radius : float
         m.
     start, end : sequence of float, shape (3,)
-        Middles of its end faces, m.
+        Centres of its end faces, m.
 
     Returns
     -------
@@ -169,7 +169,7 @@ def tube(
 def mesh(
     density: Number, surface: str | Path | tuple[ArrayLike, ArrayLike], scale: float = 1.0
 ) -> SolidMass:
-    """Return the mass properties of a closed triangle mesh, by the library trimesh (extra ``mesh``).
+    """Return the mass properties of a closed triangle mesh, computed by trimesh (extra ``mesh``).
 
     Parameters
     ----------
@@ -178,7 +178,7 @@ def mesh(
     surface : str or Path or tuple of array_like
         A file (STL, OBJ, PLY ...), or vertices (n, 3) and faces (m, 3), in design axes.
     scale : float
-        m for one length unit of the surface (1e-3 for millimetres).
+        Length unit of the surface in m (1e-3 for millimetres).
 
     Returns
     -------
@@ -215,8 +215,8 @@ def _read(trimesh: ModuleType, file: Path) -> Any:
     existing_file(file, AssemblyError)
     try:
         result = trimesh.load(str(file), force="mesh")
-    except Exception as error:  # the readers of many formats raise what they like
-        hint = "Take STL, OBJ or PLY."
+    except Exception as error:  # readers of the various formats raise arbitrary exceptions
+        hint = "Use STL, OBJ or PLY."
         raise AssemblyError(
             "not a surface that can be read", where=str(file), found=str(error), hint=hint
         ) from error
@@ -241,7 +241,7 @@ def combine_solids(*solids: SolidMass) -> SolidMass:
     Raises
     ------
     AssemblyError
-        Without any part.
+        If no solid is given.
     """
     if not solids:
         raise AssemblyError("nothing to combine", hint="Give at least one solid.")
@@ -255,12 +255,12 @@ def combine_solids(*solids: SolidMass) -> SolidMass:
 
 
 def check_inertia(name: str, mass: float, inertia: Array) -> None:
-    """Refuse a mass that is not positive and an inertia that no body can have.
+    """Refuse a mass that is not positive and an inertia that is physically impossible.
 
     Raises
     ------
     AssemblyError
-        With the principal moments.
+        If either is invalid; the message contains the principal moments.
     """
     if not (np.isfinite(mass) and mass > 0.0):
         raise AssemblyError("not a mass", where=name, found=f"{mass:g} kg", allowed="above 0 kg")

@@ -1,8 +1,8 @@
 """Mechanisms in space: a builder that collects and checks bodies, joints, loads and outputs.
 
-Places and directions are those in the design pose: x, y, z in metres in the ground's axes. The first
-joint of a body hangs it into the tree; a joint between two bodies that have their places closes a loop. The
-builder lists its content (``str``, ``to_dict``); ``finish`` forms the equations and changes nothing.
+Positions and directions refer to the design pose: x, y, z in metres in the ground's axes. The first joint of a body
+adds it to the tree; a joint between two bodies that are already in the tree closes a loop. The builder lists its
+content (``str``, ``to_dict``); ``finish`` forms the equations and does not modify the builder.
 """
 
 from __future__ import annotations
@@ -50,15 +50,15 @@ from jounce.mechanics.structure import Closing, HangingJoint, LoopExpression, St
 from jounce.mechanics.system import all_or_nothing
 
 BALANCE = "energy.balance"
-"""Work of all forces as a state; kinetic energy less that as an output, in mechanisms with loops."""
+"""Names of a state (work of all forces) and an output (kinetic energy minus that work) of mechanisms with loops."""
 _NONE = ca.SX(3, 1)
 _EMPTY = ca.SX(0, 1)
 
 
 class Mechanism(Structure):
-    """A mechanism under construction: bodies, joints, loops, forces, outputs, then ``finish``.
+    """Builder of a mechanism: add bodies, joints, loops, forces and outputs, then call ``finish``.
 
-    All bodies are connected to its body ``ground``. ``values`` has the numbers (SI) of the parameters as built.
+    All bodies are connected to its body ``ground``. ``values`` maps parameters to their values (SI) as built.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ class Mechanism(Structure):
     # numbers ---------------------------------------------------------------------------------------------------
 
     def number(self, path: str, value: Number, unit: str = "1") -> ca.SX:
-        """Return the parameter at ``path`` with a value of its own (SI ``unit``); an expression is taken unchanged."""
+        """Add a parameter at ``path`` with a value (SI ``unit``) and return it; return an expression unchanged."""
         if isinstance(value, ca.SX):
             if value.shape != (1, 1):
                 raise AssemblyError(
@@ -101,7 +101,7 @@ class Mechanism(Structure):
             return self.poses.require_still(value, path)
         placed = self._scope[1] + check_name(path, "parameter")
         if placed in self.values:
-            hint = "Give every joint, force and watched point a name of its own."
+            hint = "Give every joint, force and watched point a unique name."
             raise AssemblyError("the name is used twice", where=placed, hint=hint)
         number = to_si(value, unit, where=path)
         self.units[placed], self.values[placed] = unit, number
@@ -109,7 +109,7 @@ class Mechanism(Structure):
 
     @all_or_nothing
     def vector(self, path: str, value: Vector, unit: str = "m") -> ca.SX:
-        """Return three parameters ``path[0]`` to ``path[2]`` with values of their own (SI ``unit``)."""
+        """Add three parameters ``path[0]`` to ``path[2]`` with values (SI ``unit``) and return them."""
         shape = (
             value.shape
             if isinstance(value, ca.SX)
@@ -159,24 +159,24 @@ class Mechanism(Structure):
         name : str
             Its name.
         mass : float, optional
-            kg; without one the body only carries points, and must be welded to bodies with mass or moved by a track.
+            kg. A body without mass only carries points; weld it to a body with mass or drive it by a track.
         centre_of_mass : sequence of float, shape (3,), optional
             m, in the design pose.
         inertia : sequence of float, shape (3,), (6,) or (3, 3), optional
-            xx, yy, zz (, xy, xz, yz) of the tensor about the centre of mass in design axes, kg m^2, or the tensor. A
-            point mass without it.
+            xx, yy, zz (, xy, xz, yz) of the tensor about the centre of mass in design axes, kg m^2, or the tensor. By
+            default the body is a point mass.
 
         Returns
         -------
         Body
-            For joints, points and forces.
+            The body, to be passed to joints, points and forces.
         """
         placed = self._require_unused(name, self.bodies)
         properties = None
         if mass is not None:
             if centre_of_mass is None:
                 raise AssemblyError(
-                    "a mass without its place", where=name, hint="Give centre_of_mass."
+                    "a mass without a centre of mass", where=name, hint="Give centre_of_mass."
                 )
             properties = MassProperties(
                 self.number(f"{name}.mass", mass, "kg"),
@@ -217,19 +217,19 @@ class Mechanism(Structure):
 
     @all_or_nothing
     def moving_frame(self, body: Body, field: ca.SX) -> Body:
-        """Return moving axes on a body, for a mechanism attached to it: cheaper than joints to the body itself.
+        """Return moving axes of a body for a mechanism attached to it; cheaper than joints to the body itself.
 
         Parameters
         ----------
         body : Body
             A body with a joint.
         field : casadi.SX, shape (3,)
-            Acceleration that acts on all that hangs there, m/s^2, ground axes: gravity, inertia of driving.
+            Acceleration acting on all bodies in the moving frame, m/s^2, ground axes: gravity, inertia of driving.
 
         Returns
         -------
         Body
-            It moves with the body; joints to it and between what hangs on it do not see that motion.
+            Axes that move with the body. Joints to them and between bodies in them do not depend on that motion.
         """
         self._require_placed("moving frame", body)
         field = vector_of(field, f"field of {body.name} axes", "m/s^2")
@@ -249,16 +249,16 @@ class Mechanism(Structure):
         Parameters
         ----------
         joint : Joint
-            Its description; the methods below write one for you.
+            Its description; the methods below create one for you.
 
         Returns
         -------
         casadi.SX
-            Coordinates (m, rad, 1) of a joint that hangs a body; forces (N) and torques (N m) on the second body of
-            one that closes a loop.
+            Coordinates (m, rad, 1) of a tree joint; forces (N) and torques (N m) on the second body of a joint that
+            closes a loop.
         """
         if not isinstance(joint, Joint):
-            hint = "Take a class of jounce.mechanics, such as Revolute, or one of your own."
+            hint = "Use a class of jounce.mechanics, such as Revolute, or your own."
             raise AssemblyError("not a joint", where="add", found=type(joint).__name__, hint=hint)
         name, first, second = joint.name, joint.first, joint.second
         self._check(name, first, second)
@@ -270,7 +270,7 @@ class Mechanism(Structure):
                 "Give the joints in an order that starts at the ground.",
             )
             raise AssemblyError(
-                "neither body hangs on anything yet", where=name, found=names, hint=hint
+                "neither body is connected to the ground yet", where=name, found=names, hint=hint
             )
         self._refuse_apart(name, first, second)
         closes = first.is_placed and second.is_placed
@@ -289,7 +289,7 @@ class Mechanism(Structure):
         )
 
     def _hang(self, name: str, joint: Joint) -> ca.SX:
-        """Place the unplaced body of a joint."""
+        """Add the joint's new body to the tree."""
         parent, child, sign = joint.first, joint.second, 1
         if child.is_placed:
             parent, child, sign = child, parent, -1
@@ -327,7 +327,7 @@ class Mechanism(Structure):
         return ca.vertcat(q, e)
 
     def _close(self, joint: Joint) -> ca.SX:
-        """Close a loop between two placed bodies."""
+        """Close a loop between two bodies of the tree."""
         rows = tuple(joint.rows())
         equations = [
             Equation(f"{joint.name}.{row.tag}" if row.tag else joint.name, joint.name, row.unit)
@@ -352,33 +352,33 @@ class Mechanism(Structure):
         return self.add(joints.Prismatic(name, parent, child, at, axis))
 
     def revolute(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector) -> ca.SX:
-        """Let a body turn about an axis; return the angle (rad), right-handed about ``axis`` from parent to child."""
+        """Let a body rotate about an axis; return the angle (rad), right-handed about ``axis`` from parent to child."""
         return self.add(joints.Revolute(name, parent, child, at, axis))
 
     def cylindrical(self, name: str, parent: Body, child: Body, at: Vector, axis: Vector) -> ca.SX:
-        """Let a body slide along an axis and turn about it; return distance (m) and angle (rad)."""
+        """Let a body slide along an axis and rotate about it; return distance (m) and angle (rad)."""
         return self.add(joints.Cylindrical(name, parent, child, at, axis))
 
     def screw(
         self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, pitch: Number
     ) -> ca.SX:
-        """Let a body turn on a thread; return the angle (rad). A turn is ``pitch`` (m, not 0) along ``axis``."""
+        """Let a body turn on a thread; return the angle (rad). A turn advances ``pitch`` (m, not 0) along ``axis``."""
         return self.add(joints.Screw(name, parent, child, at, axis, pitch))
 
     def universal(
         self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_axis: Vector
     ) -> ca.SX:
-        """Cross of two axes at right angles, the first on the first body; return the angles about them (rad)."""
+        """Add a cross of two perpendicular axes, the first on ``parent``; return the angles about them (rad)."""
         return self.add(joints.Universal(name, parent, child, at, axis, second_axis))
 
     def spherical(self, name: str, parent: Body, child: Body, at: Vector) -> ca.SX:
-        """Let a body turn about a point; return the quaternion of its orientation against the ground."""
+        """Let a body rotate about a point; return the quaternion of its orientation relative to the ground."""
         return self.add(joints.Spherical(name, parent, child, at))
 
     def link(
         self, name: str, parent: Body, child: Body, at: Vector, axis: Vector, second_at: Vector
     ) -> ca.SX:
-        """Join two bodies by a link without mass, on a hinge of the first and a ball joint of the second.
+        """Connect two bodies by a massless link, on a hinge of the first and a ball joint of the second.
 
         Parameters
         ----------
@@ -394,7 +394,7 @@ class Mechanism(Structure):
         Returns
         -------
         casadi.SX
-            Where it hangs a body: angle of the hinge (rad) and quaternion of that body against the ground.
+            For a tree joint: angle of the hinge (rad) and quaternion of the child body relative to the ground.
         """
         return self.add(joints.Link(name, parent, child, at, axis, second_at))
 
@@ -415,7 +415,7 @@ class Mechanism(Structure):
     def driven(
         self, name: str, parent: Body, child: Body, axis: Vector, travel: Track | Number
     ) -> None:
-        """Let a body slide along an axis by a prescribed travel (m): a track, or a parameter."""
+        """Let a body slide along an axis by a prescribed travel (m): a track or a parameter."""
         self.add(joints.Driven(name, parent, child, axis, travel))
 
     @all_or_nothing
@@ -470,14 +470,14 @@ class Mechanism(Structure):
         return self.add(joints.Perpendicular(name, first, second, axis, second_axis))
 
     def parallel(self, name: str, first: Body, second: Body, axis: Vector) -> ca.SX:
-        """Keep a direction of two bodies parallel; return the two constraint torques (N m)."""
+        """Keep a direction of each body parallel to the other's; return the two constraint torques (N m)."""
         return self.add(joints.Parallel(name, first, second, axis))
 
     def coupler(self, name: str, expression: ca.SX) -> ca.SX:
         """Keep a linear combination of coordinates at zero, such as ``rack - radius * pinion``; return its force."""
         value = self.poses.resolve(expression_of(expression, name))
         if any(ca.which_depends(value, self.collection.q, 2)):
-            hint = "Take condition() for what is not linear."
+            hint = "Use condition() for nonlinear expressions."
             raise AssemblyError(
                 "not a linear combination of coordinates", where=name, found=str(value), hint=hint
             )
@@ -508,14 +508,17 @@ class Mechanism(Structure):
         """Refuse anything but a track of this mechanism."""
         if all(track is not known for known in self.collection.tracks.values()):
             named = track.value if isinstance(track, Track) else track
-            text, hint = str(named), "Take what mechanism.track(name) gives, once for each name."
+            text, hint = (
+                str(named),
+                "Use the track returned by mechanism.track(name); call it once per name.",
+            )
             raise AssemblyError("not a track of this mechanism", where=name, found=text, hint=hint)
 
     def _check_expression(self, name: str, expression: ca.SX) -> ca.SX:
         """Refuse anything but one expression of coordinates, such as the force of a closing joint."""
         expression = expression_of(expression, check_name(name))
         if expression.shape != (1, 1):
-            hint = "Take one of them, as joint[0]; a closing joint gives its forces and has no coordinate."
+            hint = "Use one of them, such as joint[0]; a closing joint returns its forces and has no coordinate."
             raise AssemblyError(
                 "not one coordinate",
                 where=name,
@@ -528,7 +531,7 @@ class Mechanism(Structure):
     def _check_moves(
         self, name: str, expression: ca.SX, text: str, moving: ca.SX, also: Sequence[ca.SX] = ()
     ) -> None:
-        """Refuse symbols but coordinates, parameters, tracks and ``also``, and an expression without ``moving``."""
+        """Refuse symbols except coordinates, parameters, tracks and ``also``, and expressions without ``moving``."""
         expression = self.poses.resolve(expression)
         strange = self._strange_in(expression, also)
         if strange or not ca.depends_on(expression, moving):
@@ -537,15 +540,11 @@ class Mechanism(Structure):
                 if strange
                 else "an expression of no coordinate"
             )
-            hint = (
-                "Let the joint that is to be driven come before the one that closes the loop."
-                if strange
-                else ""
-            )
+            hint = "Add the driven joint before the joint that closes the loop." if strange else ""
             raise AssemblyError(text, where=name, found=symbols, hint=hint)
 
     def _strange_in(self, expression: ca.SX, also: Sequence[ca.SX]) -> list[str]:
-        """Symbols that are no coordinates, parameters or tracks of this mechanism, such as those of another one."""
+        """Return symbols other than this mechanism's coordinates, parameters or tracks, such as another mechanism's."""
         given = [*also, *self.collection.coordinates.values(), *self.collection.parameters.values()]
         given += [symbol for symbol, _ in self.collection.constants.values()]
         for track in self.collection.tracks.values():
@@ -556,16 +555,16 @@ class Mechanism(Structure):
         ]
 
     def _check(self, name: str, *bodies: Body) -> None:
-        """Refuse other types, bodies of another mechanism, and the same body twice."""
+        """Refuse other types, bodies of a different mechanism, and the same body twice."""
         check_name(name)
         for body in bodies:
             if not isinstance(body, Body):
                 kind = body if isinstance(body, str) else type(body).__name__
-                hint = "Take what mechanism.body(name) gave, or mechanism.ground."
+                hint = "Use a body returned by mechanism.body(name), or mechanism.ground."
                 raise AssemblyError("not a body", where=name, found=kind, hint=hint)
             if self.bodies.get(body.name) is not body:
                 raise AssemblyError(
-                    "the body belongs to another mechanism", where=name, found=body.name
+                    "the body belongs to a different mechanism", where=name, found=body.name
                 )
         if len(bodies) == 2 and bodies[0] is bodies[1]:
             raise AssemblyError(
@@ -573,45 +572,45 @@ class Mechanism(Structure):
             )
 
     def _require_placed(self, name: str, *bodies: Body) -> None:
-        """Refuse bodies without a place."""
+        """Refuse bodies that no joint connects to the tree."""
         self._check(name, *bodies)
         for body in bodies:
             if not body.is_placed:
                 hint = "Give the joint that carries it first."
                 raise AssemblyError(
-                    "the body hangs on nothing yet", where=name, found=body.name, hint=hint
+                    "the body has no joint yet", where=name, found=body.name, hint=hint
                 )
         self._refuse_apart(name, *bodies)
 
     def _refuse_apart(self, name: str, *bodies: Body) -> None:
-        """Refuse bodies whose places are in different axes."""
+        """Refuse bodies in different moving frames."""
         carriers = {body.name: body.carrier for body in bodies if body.is_placed}
         if len(set(map(id, carriers.values()))) > 1:
-            hint = "Join what hangs in a moving frame to that frame, not to its body or the ground."
+            hint = "Connect bodies in a moving frame to that frame, not to its body or the ground."
             names = ", ".join(carriers)
             raise AssemblyError(
-                "the bodies hang in different moving frames", where=name, found=names, hint=hint
+                "the bodies belong to different moving frames", where=name, found=names, hint=hint
             )
 
     def _refuse_moving(self, name: str, *bodies: Body) -> None:
-        """Refuse what is for places in ground axes only."""
+        """Refuse bodies in moving frames, for parts that need ground axes."""
         for body in bodies:
             if body.carrier.moves:
                 raise AssemblyError(
-                    "not for what hangs in a moving frame", where=name, found=body.name
+                    "not available for bodies in a moving frame", where=name, found=body.name
                 )
 
     # loads -----------------------------------------------------------------------------------------------------
 
     @all_or_nothing
     def act(self, load: ForceElement) -> Action:
-        """Add a load of any class; ``shown`` is its result for the caller."""
+        """Add a load of any class; ``shown`` of the returned action is the result for the caller."""
         if not isinstance(load, ForceElement):
             raise AssemblyError(
                 "not a load",
                 where="act",
                 found=type(load).__name__,
-                hint="Take one of the builder's methods.",
+                hint="Use one of the builder's methods.",
             )
         if any(
             "read" in each.metadata for each in fields(load)
@@ -631,7 +630,7 @@ class Mechanism(Structure):
         return action
 
     def _check_laws(self, name: str, power: Iterable[tuple[ca.SX, ca.SX]]) -> None:
-        """Refuse forces that depend on other things than this mechanism has before its equations are solved."""
+        """Refuse forces that depend on anything this mechanism does not know before its equations are solved."""
         every, moving = self.collection, [*self.collection.speeds.values()]
         moving += [state for state, _ in every.internal.values()] + [
             mode for mode, _ in every.switches.values()
@@ -647,9 +646,10 @@ class Mechanism(Structure):
             )
 
     def force(self, along: ca.SX, magnitude: ca.SX | float | str) -> None:
-        """Let ``magnitude`` (N, N m) push ``along`` (m, rad), an expression of coordinates and points of bodies.
+        """Apply a force (N, N m) along an expression (m, rad) of coordinates and points of bodies.
 
-        Both may be vectors, such as a point of a body and a force in ground axes.
+        ``along`` is the expression and ``magnitude`` the force. They may be vectors, such as a point of a body and a
+        force in ground axes.
         """
         along = expression_of(along, "force")
         length = self._length_of(along)
@@ -661,16 +661,16 @@ class Mechanism(Structure):
             )
         moving = [self.collection.q, *(track.value for track in self.collection.tracks.values())]
         text, modes = (
-            "a force along what moves nothing of this mechanism",
+            "a force along an expression that moves no part of this mechanism",
             self.collection.switches.values(),
         )
         self._check_moves("force", along, text, ca.vertcat(*moving), [mode for mode, _ in modes])
         self.act(loads.GeneralForce("", length, along, magnitude))
 
     def load(self, rate: ca.SX, magnitude: ca.SX) -> None:
-        """Add a force that does the power ``magnitude * rate``; both may be vectors.
+        """Add a force whose power is ``magnitude * rate``; both may be vectors.
 
-        Reactions see it on coordinates only; ``force`` and ``apply_force`` also have points.
+        Reactions include it only if it acts on coordinates; ``force`` and ``apply_force`` also act on points.
         """
         rate, magnitude = (
             expression_of(rate, "rate of load"),
@@ -689,9 +689,9 @@ class Mechanism(Structure):
         force: ca.SX | Sequence[float | str],
         point: Moving | ca.SX | Sequence[float | str],
     ) -> None:
-        """Let a force (N, ground axes) act on a point of a body, given by ``body.point`` or its design place (m).
+        """Apply a force (N, ground axes) to a point of a body, given by ``body.point`` or its design position (m).
 
-        In a moving frame, force and point are in its axes.
+        For a body in a moving frame, use that frame's axes for force and point.
         """
         self._require_moving("force", body)
         where = f"force on {body.name}"
@@ -699,7 +699,7 @@ class Mechanism(Structure):
         self.act(loads.PointForce("", body, vector_of(force, where, "N"), place))
 
     def apply_torque(self, body: Body, torque: ca.SX | Sequence[float | str]) -> None:
-        """Let a torque (N m, ground axes; in a moving frame its axes) act on a body."""
+        """Apply a torque (N m, ground axes or those of its moving frame) to a body."""
         self._require_moving("torque", body)
         self.act(loads.Torque("", body, vector_of(torque, f"torque on {body.name}", "N*m")))
 
@@ -711,9 +711,9 @@ class Mechanism(Structure):
         second_at: Moving | ca.SX | Sequence[float | str],
         force: ca.SX | float | str,
     ) -> None:
-        """Let a force (N) push two points apart along the line between them.
+        """Apply a force (N) that pushes two points apart along the line between them.
 
-        ``at`` on the first body and ``second_at`` on the second are points or design places (m), as for
+        ``at`` on the first body and ``second_at`` on the second are points or design positions (m), as for
         ``apply_force``.
         """
         name = loads.PushApart.kind
@@ -722,7 +722,7 @@ class Mechanism(Structure):
         self.act(loads.PushApart("", first, second, start, end, self._law(name, force, "N")))
 
     def _require_moving(self, name: str, body: Body) -> None:
-        """Refuse bodies without a place, and the ground, which no force moves."""
+        """Refuse the ground and bodies that no joint connects to the tree."""
         self._require_placed(name, body)
         if body is self.ground:
             raise AssemblyError(
@@ -732,7 +732,7 @@ class Mechanism(Structure):
     def _point_of(
         self, body: Body, point: Moving | ca.SX | Sequence[float | str], where: str
     ) -> Moving:
-        """The point of a body at a design place, or a given point; refuses points of other bodies."""
+        """Return the point of a body at a design position, or a given point; refuse points of other bodies."""
         if not isinstance(point, Moving):
             design = self.poses.require_still(vector_of(point, where), where)
             point = body.frame.point(design)
@@ -750,9 +750,9 @@ class Mechanism(Structure):
                 for owner in owners
             )
             hint = Phrase(
-                "Ask {name} for its point, or use push_apart() between two bodies.", name=body.name
+                "Use a point of {name}, or push_apart() between two bodies.", name=body.name
             )
-            raise AssemblyError("a point of another body", where=where, found=names, hint=hint)
+            raise AssemblyError("a point of a different body", where=where, found=names, hint=hint)
         return point
 
     def _law(self, where: str, law: ca.SX | float | str, unit: str) -> ca.SX:
@@ -770,15 +770,15 @@ class Mechanism(Structure):
     def _own_law(
         self, name: str, law: ca.SX | float | str, unit: str, **beside: Number | None
     ) -> ca.SX:
-        """A user-defined law; refuses numbers of the standard law beside it, which would have no effect."""
+        """Return a user-defined law; refuse numbers of the standard law beside it, which would have no effect."""
         set_numbers = {key: number for key, number in beside.items() if number is not None}
         given = [
             key for key, number in set_numbers.items() if isinstance(number, ca.SX) or number != 0.0
         ]
         if given:
-            hint = "Put them into the law, or leave it out."
+            hint = "Include them in the law, or omit the law."
             raise AssemblyError(
-                "a law of its own takes no other numbers",
+                "a user-defined law accepts no other numbers",
                 where=name,
                 found=", ".join(given),
                 hint=hint,
@@ -815,7 +815,7 @@ class Mechanism(Structure):
         free_length : float, optional
             m; by default the length in the design pose.
         force : casadi.SX, optional
-            A user-defined law in place of stiffness and damping, N, positive in compression.
+            A user-defined law instead of stiffness and damping, N, positive in compression.
 
         Returns
         -------
@@ -850,7 +850,7 @@ class Mechanism(Structure):
         name : str
             Its name.
         joint : str
-            The joint: one with the coordinate ``<joint>.angle``.
+            Name of a joint with the coordinate ``<joint>.angle``.
         stiffness : float
             N m/rad.
         damping : float
@@ -891,20 +891,20 @@ class Mechanism(Structure):
         stiffness: Number,
         damping: Number = 0.0,
     ) -> ca.SX:
-        """Add elastic stops at the ends of a coordinate's travel; give their force or torque on it (N or N m).
+        """Add elastic stops at the ends of a coordinate's travel; return their force or torque on it (N or N m).
 
         Parameters
         ----------
         name : str
             Its name.
         coordinate : casadi.SX
-            Result of the joint, such as its angle or distance, or an expression of these and of points of bodies.
+            Coordinate returned by a joint, such as an angle or distance, or an expression of these and of body points.
         lower, upper : float, optional
             Positions of contact, m or rad.
         stiffness : float
             N/m or N m/rad.
         damping : float
-            N s/m or N m s/rad in contact; a stop does not pull, so its loss ends there.
+            N s/m or N m s/rad while in contact; a stop never pulls, which limits the damping force.
         """
         coordinate = self._check_expression(name, coordinate)
         length = self._length_of(coordinate)
@@ -915,18 +915,18 @@ class Mechanism(Structure):
     def friction(
         self, name: str, coordinate: ca.SX, force: Number, *, regularisation_rate: Number = 2e-3
     ) -> ca.SX:
-        """Add Coulomb friction on a coordinate; return its force or torque on it (N or N m).
+        """Add Coulomb friction on a coordinate; return the force or torque on it (N or N m).
 
         Parameters
         ----------
         name : str
             Its name.
         coordinate : casadi.SX
-            Result of the joint, such as its angle or distance.
+            Coordinate returned by a joint, such as an angle or distance.
         force : float
             N or N m, independent of the joint's load.
         regularisation_rate : float
-            m/s or rad/s: below about that rate the force turns over smoothly, so a joint that should stick creeps.
+            m/s or rad/s: below about this rate the force changes sign smoothly, so a joint that should stick creeps.
         """
         coordinate = self._check_expression(name, coordinate)
         law = loads.CoordinateFriction(
@@ -935,7 +935,7 @@ class Mechanism(Structure):
         return self.act(law).shown[0]
 
     def _length_of(self, expression: ca.SX) -> str:
-        """``rad`` for an expression of angles only, ``m`` otherwise."""
+        """Return ``rad`` for an expression of angles only, ``m`` otherwise."""
         units = {self.collection.units.get(symbol.name()) for symbol in ca.symvar(expression)} - {
             None
         }
@@ -952,14 +952,14 @@ class Mechanism(Structure):
     def watch_body(self, body: Body) -> None:
         """Add channels of a body, in ground axes.
 
-        Its centre of mass as a point; angular velocity ``<body>.wx`` (rad/s) and acceleration ``.alpha_x`` (rad/s^2);
-        how it is turned out of the design pose: quaternion ``.q0`` to ``.q3`` (1; the scalar part ``q0`` is never
-        negative) and ``.roll``, ``.pitch``, ``.yaw`` (rad): turns about the ground's z axis (yaw), then the new y axis
-        (pitch), then the new x axis (roll), as ISO 8855 has them.
+        These are its centre of mass as a point, its angular velocity ``<body>.wx`` (rad/s) and acceleration
+        ``.alpha_x`` (rad/s^2), and its rotation from the design pose: quaternion ``.q0`` to ``.q3`` (1; the scalar part
+        ``q0`` is never negative) and ``.roll``, ``.pitch``, ``.yaw`` (rad), rotations about the ground's z axis (yaw),
+        then the new y axis (pitch), then the new x axis (roll), as in ISO 8855.
         """
         self._check("watch_body", body)
         if body.mass_properties is None or not body.is_placed:
-            raise AssemblyError("a body without mass or joint has nothing to show", where=body.name)
+            raise AssemblyError("a body without mass or joint has no outputs", where=body.name)
         self._refuse_moving(body.name, body)
         self._see(outputs.WatchedBody(body.name, body, body.mass_properties.centre))
 
@@ -971,10 +971,10 @@ class Mechanism(Structure):
         name : str
             Its name.
         first, second : Body
-            The turn of the second is measured against the first.
+            The rotation of ``second`` is measured relative to ``first``.
         axis : sequence of float, shape (3,)
-            Fixed to the first body, given in the design pose; the turn is right-handed about it, from -pi to pi, zero
-            in the design pose. Where the second body also tilts, it is the turn seen along the axis.
+            Fixed to the first body, given in the design pose. The angle is right-handed about it, from -pi to pi, and
+            zero in the design pose. If the second body also tilts, it is the rotation seen along the axis.
         """
         self._require_placed(name, first, second)
         self._see(outputs.WatchedAngle(name, first, second, axis))
@@ -982,7 +982,7 @@ class Mechanism(Structure):
     def watch_coordinates(self) -> None:
         """Add channels of all coordinates and speeds, with accelerations.
 
-        A distance (m) or angle (rad) comes with ``<name> rate`` and ``<name> acceleration``; an orientation as its
+        A distance (m) or angle (rad) has ``<name> rate`` and ``<name> acceleration``; an orientation has its
         quaternion ``<joint>.e0`` to ``.e3`` and its angular velocity ``<joint>.wx`` to ``.wz`` (rad/s, body axes).
         """
         self._see(outputs.WatchedCoordinates("coordinates"))
@@ -1000,11 +1000,11 @@ class Mechanism(Structure):
         frame : str
             ``"ground"``, or the name of a body whose axes are used.
         at : sequence of float, shape (3,), optional
-            Point for which the torque is given: its place in the design pose (m) on the body with the reaction.
-            By default the joint; for a closure its point on the second body.
+            Reference point of the torque: its position in the design pose (m) on the body with the reaction. By
+            default the joint's position; for a closure its point on the second body.
         on : str, optional
-            Body with the reaction: by default the joint's second; of a condition, of all bodies that it acts
-            on the one that comes last in the mechanism.
+            Body on which the reaction acts. By default the joint's second body; for a condition the last-added body
+            among those it acts on.
         """
         known = [*self.joints, *self.closures, *self.conditions]
         if check_name(joint, "reaction") not in known:
@@ -1022,7 +1022,7 @@ class Mechanism(Structure):
                 and at is None
             ):
                 return
-            hint = "Of one joint one reaction is seen, in one frame, at one point and on one body."
+            hint = "Watch the reaction of each joint only once: in one frame, at one point and on one body."
             raise AssemblyError("the reaction is watched twice", where=key, hint=hint)
         place = None if at is None else self.vector(f"{joint}.reaction_at", at)
         self.watched[key] = outputs.WatchedReaction(joint, on, self.bodies[frame], place)
@@ -1031,15 +1031,15 @@ class Mechanism(Structure):
         """Add energies (J) and loop residuals as channels.
 
         ``energy.kinetic``, ``energy.weight`` and, if there are any, ``energy.elastic`` of springs and stops,
-        ``energy.dissipated`` by dampers, stops and friction and ``energy.supplied`` by motions since the start. Forces
-        by user-defined laws and bushings are not among them. ``energy.balance``, where there are loops, is the kinetic
-        energy less the work of all forces: constant but for errors. ``constraint.residual`` is in m and rad.
+        ``energy.dissipated`` by dampers, stops and friction and ``energy.supplied`` by motions since the start.
+        User-defined laws and bushings are not included. With loops, ``energy.balance`` is the kinetic energy minus the
+        work of all forces: constant except for numerical errors. ``constraint.residual`` is in m and rad.
         """
         self._see(outputs.WatchedEnergy("energy"))
 
     @all_or_nothing
     def _see(self, watch: OutputDescription) -> None:
-        """Add an output; coordinates and energies only once."""
+        """Add an output; add coordinates and energies only once."""
         key = (
             watch.kind
             if watch.name == watch.kind
@@ -1057,7 +1057,7 @@ class Mechanism(Structure):
         self._refuse_clashes()
 
     def _refuse_clashes(self) -> None:
-        """Refuse a point, body or angle with the channel names of watched coordinates."""
+        """Refuse a point, body or angle whose channel names are those of watched coordinates."""
         if not any(
             isinstance(watch, outputs.WatchedCoordinates) for watch in self.watched.values()
         ):
@@ -1075,26 +1075,26 @@ class Mechanism(Structure):
         ]
         clashing += sorted(turning & set(self.collection.coordinates))
         if clashing:
-            text = "its coordinates have the names of signals of what is watched by the same name"
-            hint = "Give the joint a name that no watched body or point has."
+            text = "its coordinates have the signal names of a watched part with the same name"
+            hint = "Give the joint a name that differs from all watched bodies and points."
             raise AssemblyError(text, where=", ".join(clashing), hint=hint)
 
     def reaction(self, joint: str, on: str | None = None) -> Reaction:
         """Return force (N) and torque (N m) of a joint, closure or condition in ground axes; for outputs only.
 
-        They are given at the joint (for a closure, at its point on the second body), as they act on ``on``, by default
-        the joint's second body. What holds a coordinate itself (a motion, coupler or condition on it) is transmitted by
-        its joint and counted there; springs, dampers, stops, friction and forces on it are not. Ask when all forces and
-        joints are in.
+        They refer to the joint (for a closure, to its point on the second body) and act on the body ``on``, by default
+        the joint's second body. A motion, coupler or condition on a coordinate is transmitted by the coordinate's joint
+        and included there; springs, dampers, stops, friction and forces on it are not. Call this after all forces and
+        joints have been added.
         """
         return reaction_of(self.complete(), joint, on)
 
     def kinetic_energy(self) -> ca.SX:
-        """Kinetic energy of all bodies, J."""
+        """Return the kinetic energy of all bodies, J."""
         return outputs.kinetic_energy(self.bodies.values())
 
     def weight_energy(self) -> ca.SX:
-        """Potential energy of the weights, J, zero in the design pose."""
+        """Return the potential energy of all weights, J, zero in the design pose."""
         return outputs.weight_energy(self.bodies.values(), self.gravity)
 
     # listing and values --------------------------------------------------------------------------------------------
@@ -1105,12 +1105,12 @@ class Mechanism(Structure):
         Parameters
         ----------
         values : mapping, optional
-            Parameter path to value (SI, or text with a unit), in place of, or in addition to, those as built.
+            Parameter path to value (SI, or text with a unit); replaces or extends the values as built.
 
         Returns
         -------
         dict
-            Strictly plain data (SI); None for a number that is not known.
+            Plain data (SI) ready for JSON; None for unknown numbers.
         """
         given = values or {}
         nothing = {
@@ -1124,7 +1124,7 @@ class Mechanism(Structure):
         return listing.as_data(self, numbers | nothing, self.watched.values())
 
     def with_values(self, values: Mapping[str, float | str]) -> dict[str, float]:
-        """Return every parameter's number by path, ``values`` (SI, or text with a unit) in place of those as built."""
+        """Return the value of every parameter by path; ``values`` (SI, or text with a unit) replace those as built."""
         for path in values:
             if check_name(path, "values") not in self.parameters:
                 raise unknown(path, self.parameters, what="parameter", where="values")
@@ -1148,7 +1148,7 @@ class Mechanism(Structure):
         )
 
     def _check_numbers(self, things: Iterable[NamedPart], values: Mapping[str, float]) -> None:
-        """Let descriptions check their numbers."""
+        """Run each description's own check of its numbers."""
         reading = listing.Reading(self, values)
         for each in things:
             each.check(reading.numbers_of(each))
@@ -1166,7 +1166,7 @@ class Mechanism(Structure):
     # the equations ---------------------------------------------------------------------------------------------
 
     def complete(self) -> Mechanism:
-        """Return a copy with the masses and weights of all bodies; additions to the copy do not change the original."""
+        """Return a copy that includes masses and weights of all bodies; later additions do not change the original."""
         whole = copy.copy(self)
         whole.collection, whole.loads, whole.watched = (
             self.collection.copy(),
@@ -1178,7 +1178,7 @@ class Mechanism(Structure):
         for body in self.bodies.values():
             if not body.is_placed:
                 raise AssemblyError(
-                    "the body hangs on nothing", where=body.name, hint="Give it a joint, or free()."
+                    "the body has no joint", where=body.name, hint="Give it a joint, or free()."
                 )
             properties, carrier = body.mass_properties, body.carrier
             if isinstance(carrier, MovingCarrier):
@@ -1221,11 +1221,11 @@ class Mechanism(Structure):
         Parameters
         ----------
         start : mapping, optional
-            Coordinates (m, rad) by name, as for :func:`jounce.mechanics.assemble`: the pose of the count.
+            Coordinates (m, rad) by name, as for :func:`jounce.mechanics.assemble`: the pose at which to count.
         values : mapping, optional
-            Parameter path to another value (SI, or text with a unit) than it was built with.
+            Parameter path to value (SI, or text with a unit); replaces the value as built.
         inputs : mapping, optional
-            Track to its value (m, rad) at that pose; 0 where it is not given.
+            Track to its value (m, rad) at that pose; 0 by default.
 
         Returns
         -------
@@ -1261,16 +1261,16 @@ class Mechanism(Structure):
         return self.freedoms(model).at(pose.x, u, p, pose.redundant)
 
     def freedoms(self, model: Model) -> Freedoms:
-        """Counter of the degrees of freedom of a model of this mechanism, made once for it."""
+        """Return the counter of degrees of freedom for a model of this mechanism, created once per model."""
         with turn((id(self), "freedoms")):
             if id(model) not in self._counted:
                 self._counted[id(model)] = Freedoms(
                     self, model, self.generalised_force(model)
-                )  # which keeps the model
+                )  # keeps the model alive
             return self._counted[id(model)]
 
     def places(self, values: Mapping[str, float]) -> dict[str, Array]:
-        """Places (m, design pose, at parameter values) of bodies, joints, loads and what is watched, by their paths."""
+        """Return design positions (m, at parameter values) of bodies, joints, loads and watched parts by path."""
         reading = listing.Reading(self, values)
         every: list[NamedPart] = [hung.joint for hung in self.hanging.values()]
         every += [closed.joint for closed in self.closing.values()]
@@ -1312,13 +1312,13 @@ class Mechanism(Structure):
         ----------
         redundant : {"keep", "remove"}
             ``remove`` drops redundant loop equations at the pose assembled from ``start``; the force
-            that a joint without some of its equations shows is then only what the others leave for it.
+            reported for a joint that lost equations is then only the share of its remaining ones.
         start : mapping, optional
             Coordinates (m, rad) by name, as for :func:`jounce.mechanics.assemble`.
         values : mapping, optional
-            Parameter path to another value (SI) than it was built with, for that pose.
+            Parameter path to value (SI) for that pose; replaces the value as built.
         inputs : mapping, optional
-            Track to its value (m, rad) at that pose; 0 where it is not given.
+            Track to its value (m, rad) at that pose; 0 by default.
 
         Returns
         -------
@@ -1340,12 +1340,12 @@ class Mechanism(Structure):
         values: Mapping[str, float] | None = None,
         inputs: Mapping[str, float] | None = None,
     ) -> Model:
-        """Return the finished model for a run, formed anew only when something was added.
+        """Return the finished model for a run; form it again only if parts were added.
 
         Parameters
         ----------
         redundant : {"refuse", "remove"}
-            As for ``finish``; ``refuse`` keeps all equations, and assembly says when they repeat each other.
+            As for ``finish``; ``refuse`` keeps all equations, and assembly reports redundant ones.
         start, values, inputs : mapping, optional
             SI, as for ``finish``.
         """
@@ -1364,7 +1364,7 @@ class Mechanism(Structure):
         )
 
     def _form_once(self, dropped: frozenset[str]) -> Model:
-        """The model without some of the loop equations, formed once."""
+        """Return the model without the ``dropped`` loop equations, formed once."""
         key = (dropped, *self._size())
         with turn((id(self), key)):
             if key not in self._finished:
@@ -1387,7 +1387,7 @@ class Mechanism(Structure):
         )
 
     def _form(self, dropped: frozenset[str], *, balance: bool) -> Model:
-        """Form the equations without some of the loops'; on request with the energy balance of the loops."""
+        """Form the equations without the ``dropped`` loop equations; optionally with the loops' energy balance."""
         whole = self.complete()
         if balance and whole.collection.constraints:
             whole.watch_balance()
@@ -1397,7 +1397,7 @@ class Mechanism(Structure):
         return form(_resolve(whole.collection, self.poses), dropped)
 
     def _check_outputs(self) -> None:
-        """Refuse signals of things that this mechanism does not have."""
+        """Refuse outputs of symbols that this mechanism does not have."""
         every = self.collection
         given = [*every.speeds.values(), *every.accelerations.values()]
         given += [state for state, _ in every.internal.values()] + [
@@ -1413,11 +1413,11 @@ class Mechanism(Structure):
         for output, expression in every.outputs.items():
             strange = self._strange_in(expression, given)
             if strange:
-                text = "an expression of what this mechanism does not have"
+                text = "an expression of symbols that this mechanism does not have"
                 raise AssemblyError(text, where=f"output {output.name}", found=", ".join(strange))
 
     def watch_balance(self) -> None:
-        """Add the energy balance of the loops, which must not change. Unknown if a track moves a body."""
+        """Add the energy balance of the loops, which must stay constant. Unknown if a track moves a body."""
         is_driven = any(isinstance(hung.joint, joints.Driven) for hung in self.hanging.values())
         if is_driven and self.tracks:
             return
@@ -1434,7 +1434,7 @@ class Mechanism(Structure):
     def _numbers(
         self, model: Model, values: Mapping[str, float], inputs: Mapping[str, float]
     ) -> tuple[Array, Array]:
-        """Parameters and inputs of a model."""
+        """Return the values of a model's parameters and inputs."""
         every = self.with_values(values)
         for name in inputs:
             if name not in model.tracks:
@@ -1484,7 +1484,7 @@ def _check_choice(redundant: str, choices: tuple[str, ...]) -> None:
 
 
 def _by_place(bodies: Iterable[Body]) -> list[list[Body]]:
-    """Bodies with mass by the place they belong to, as their names say."""
+    """Group bodies with mass by the prefix of their names."""
     result: dict[str, list[Body]] = {}
     for body in bodies:
         if body.mass_properties is not None:
@@ -1493,7 +1493,7 @@ def _by_place(bodies: Iterable[Body]) -> list[list[Body]]:
 
 
 def _to_carried(body: Body) -> Carried:
-    """A body with mass, in moving axes."""
+    """Return a body with mass as seen from its moving axes."""
     assert body.mass_properties is not None
     properties, frame = body.mass_properties, body.frame
     alone = RigidMass(frame, properties)

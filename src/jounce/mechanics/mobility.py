@@ -1,7 +1,7 @@
 """Degrees of freedom of a mechanism: the motions that its joints allow, and those without force.
 
-The rank of the loop equations' slope counts them. It is taken at a pose that is closed and not singular (assembly
-looks beside the pose, too), so a motion that the next millimetre would stop is not called free.
+They are counted by the rank of the loop equations' Jacobian at a closed, non-singular pose. Assembly also checks
+neighbouring poses; a motion that would stop within the next millimetre is therefore not reported as free.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from jounce.mechanics.bodies import Body
 from jounce.mechanics.model import Model
 from jounce.mechanics.structure import Structure
 
-_NUDGE = 1e-4  # m or rad: a motion along which forces are compared
-_NOTHING = 1e-6  # force, relative to the largest, that is rounding
+_NUDGE = 1e-4  # m or rad: step after which forces are compared
+_NOTHING = 1e-6  # forces below this share of the largest are rounding errors
 _STILL = 1e-6  # share of a motion, and slide (m) of a screw by a turn of 1 rad, below which it is not reported
-_LISTED = 6  # motions that a finding lists
-_POSES = 64  # remembered for a model: recent starts
+_LISTED = 6  # maximum number of motions listed by a finding
+_POSES = 64  # number of recent start poses cached per model
 
 
 @dataclass(frozen=True)
@@ -34,11 +34,11 @@ class FreeMotion:
     Attributes
     ----------
     body : str
-        The body that takes most of the kinetic energy.
+        The body with most of the kinetic energy.
     axis : tuple of float
         Axis of its rotation, or direction of its translation (1), ground axes.
     point : tuple of float or None
-        Point of the axis that is nearest to the centre of mass, m; None where the body does not turn.
+        Point of the axis closest to the centre of mass, m; None if the body does not rotate.
     pitch : float
         Slide of the body along the axis per rotation, m/rad; 0 for a translation.
     moving : tuple of str
@@ -69,11 +69,11 @@ class Mobility:
     Attributes
     ----------
     degrees_of_freedom : int
-        Number of independent motions that the joints and prescribed motions leave.
+        Number of independent motions allowed by the joints and prescribed motions.
     count : int
-        Count by Grübler's formula: 6 for each body, less all equations. It is short by one for each redundant equation.
+        Count by Grübler's formula: 6 per body minus all equations. Each redundant equation makes it too low by one.
     redundant : tuple of tuple of str
-        Groups of loop equations of which one follows from the others: there the joints are over-constrained.
+        Groups of loop equations, in each of which one follows from the others: these joints are over-constrained.
     motions : tuple of FreeMotion
         The free motions, one for each degree of freedom.
     """
@@ -121,10 +121,10 @@ def _format_vector(vector: tuple[float, ...]) -> str:
 
 
 class Freedoms:
-    """Counts the degrees of freedom of a mechanism's model; made once per model, and caches its counts."""
+    """Counts the degrees of freedom of a mechanism's model and caches the results; created once per model."""
 
     def __init__(self, mechanism: Structure, model: Model, force: ca.Function) -> None:
-        """``force`` is that of all loads on the speeds (N, N m), of x, u, p and m."""
+        """``force`` is the generalised force of all loads (N, N m) as a function of x, u, p and m."""
         every = [
             equation.name
             for constraint in mechanism.collection.constraints
@@ -152,7 +152,7 @@ class Freedoms:
     def at(
         self, x: Array, u: Array, p: Array, redundant: tuple[tuple[str, ...], ...] = ()
     ) -> Mobility:
-        """Degrees of freedom at a state with closed loops that is not singular; ``redundant`` are known groups."""
+        """Return the degrees of freedom at a closed, non-singular state; ``redundant`` are known redundant groups."""
 
         def make() -> Mobility:
             motions = self._motions(Evaluator(self._model, p, u), x)
@@ -161,7 +161,7 @@ class Freedoms:
         return self._known.of((x.tobytes(), u.tobytes(), p.tobytes(), redundant), make)
 
     def _motions(self, evaluator: Evaluator, x: Array) -> tuple[FreeMotion, ...]:
-        """Motions that the joints allow, those with a force first."""
+        """Return the motions that the joints allow, those with a force first."""
         directions = motions_left(evaluator.at(x)[1])
         if not directions.shape[1]:
             return ()
@@ -202,22 +202,22 @@ class Freedoms:
         )
 
     def _by_force(self, evaluator: Evaluator, x: Array, directions: Array) -> tuple[Array, Array]:
-        """Motions with forces, and those without: in the pose, at a small speed, or after a small step."""
+        """Split motions into those with and without force in the pose, at a small speed, or after a small step."""
         if self._is_carried:
             return directions, directions[
                 :, :0
-            ]  # weights of bodies in moving axes are among the inertial forces
+            ]  # the inertial forces include weights of bodies in moving axes
         model, n_q, n_v = evaluator.model, evaluator.n_q, evaluator.n_v
-        active = np.ones(len(model.switches))  # also stops that are not touched
+        active = np.ones(len(model.switches))  # include stops that are not in contact
 
         def force(x: Array, left: Array) -> Array:
-            """Force along the remaining motions at a state."""
+            """Return the force along the remaining motions at a state."""
             return np.asarray(
                 left @ (left.T @ self._force(x, evaluator.u, evaluator.p, active).full()[:, 0])
             )
 
         def forces() -> Iterator[Array]:
-            """Forces, the cheapest ones first."""
+            """Yield forces, the cheapest to compute first."""
             reference = force(x, directions)
             yield reference
             steps = [sign * direction for direction in directions.T for sign in (_NUDGE, -_NUDGE)]
@@ -240,7 +240,7 @@ class Freedoms:
 
 
 def _motion(body: Body, v: ca.SX) -> ca.SX:
-    """Of a body: its centre, then mass and trace of its inertia, then slopes of velocity and spin along the speeds."""
+    """Return a body's centre, mass and trace of its inertia, then the slopes of its velocity and spin by the speeds."""
     frame, properties, carrier = body.frame, body.mass_properties, body.carrier
     point = frame.point(frame.design if properties is None else properties.centre)
     rate, spin = carrier.outward(carrier.velocity(point)), carrier.outward(body.spin)
@@ -253,7 +253,7 @@ def _motion(body: Body, v: ca.SX) -> ca.SX:
 
 
 def _readable(directions: Array) -> Array:
-    """The same motions, each with a coordinate that moves in no other."""
+    """Return a basis of the same motions in which each has a coordinate that moves in no other."""
     from scipy.linalg import qr
 
     if not directions.shape[1]:

@@ -27,14 +27,14 @@ _KINKED = {
         "COPYSIGN",
         "FMOD",
     )
-}  # a derivative does not show these
+}  # operations whose derivative hides the dependence
 Alike = tuple[tuple[tuple[str, ...], ...], tuple[tuple[int, ...], ...]]
-"""For each part what its names begin with, then those of its assembly; and parts that are computed side by side."""
+"""Name prefixes of each part, then those of its assembly; and groups of parts that are computed side by side."""
 
 
 @dataclass(frozen=True)
 class Balance:
-    """How rates and outputs follow from unknowns, for derivatives that do not differentiate the solution for them.
+    """Rates and outputs as functions of unknowns, for derivatives that need not differentiate the solver.
 
     Attributes
     ----------
@@ -43,15 +43,15 @@ class Balance:
     found : casadi.SX
         Their solution.
     residual : casadi.SX
-        Of states, inputs, parameters and unknowns; zero at the solution.
+        Residual as a function of states, inputs, parameters and unknowns; zero at the solution.
     answer : callable
-        Change of the unknowns that takes back a change of the residual.
+        Function that returns the change of the unknowns cancelling a change of the residual.
     rate, output : casadi.SX
-        As in the model, of the unknowns instead of their solution.
+        As in the model, but as functions of the unknowns instead of their solution.
     moved : callable
-        Coordinates after a small displacement in terms of the speeds.
+        Function that returns the coordinates after a small displacement in terms of the speeds.
     correction : callable
-        Displacement (or change of the speeds) that takes back a residual of the constraints (or its rate).
+        Function that returns the displacement (or change of the speeds) cancelling a constraint residual (or its rate).
     constraint_rate : casadi.SX
         Rate of the loop equations.
     """
@@ -69,7 +69,7 @@ class Balance:
 
 @dataclass(frozen=True)
 class Generic:
-    """A model with symbols for numbers in which its parts differ: names, symbols, values."""
+    """A model with symbols for the numbers in which its similar parts differ: names, symbols, values."""
 
     model: Model
     names: tuple[str, ...]
@@ -90,7 +90,7 @@ class Model:
     coordinates, speeds, internal, constraints, tracks, parameters, switches : tuple of str
         Names, in the order of the symbols.
     track_order : int
-        Inputs a track: 2 (value, rate) or 3 (and acceleration).
+        Inputs per track: 2 (value, rate) or 3 (value, rate, acceleration).
     outputs : tuple of Output
         Signals, in the order of ``output``.
     start : tuple of float
@@ -100,7 +100,7 @@ class Model:
     rate, output, switch : casadi.SX
         Expressions of the symbols.
     loops : dict
-        Joint that closes a loop to the joints around that loop.
+        Closing joint to the joints around its loop.
     units : tuple of str
         Units of coordinates and speeds.
     quaternions : dict
@@ -110,14 +110,14 @@ class Model:
     constraint : casadi.SX
         Loop equations, zero where the loops are closed.
     projection : casadi.SX
-        States moved onto the constraints, then the residual before it (norm) and the conditioning of the constraints
-        (1: independent, 0: singular); empty without loops.
+        States projected onto the constraints, then the norm of the residual before projection and the conditioning of
+        the constraints (1: independent, 0: singular); empty without loops.
     balance : Balance
-        Source of accelerations and multipliers.
+        Equations of accelerations and multipliers.
     alike : tuple, optional
-        Prefixes of the names of similar parts (a tuple for each), and the groups that are computed together.
+        Name prefixes of similar parts (one tuple each), and the groups that are computed together.
     generic : Generic, optional
-        The same model with symbols in place of some numbers.
+        The same model with symbols instead of some numbers.
     """
 
     coordinates: tuple[str, ...]
@@ -166,7 +166,7 @@ class Model:
     def is_piecewise_linear(self, zero: tuple[str, ...] = ()) -> bool:
         """Whether rates and outputs are affine in states and inputs as long as no mode changes.
 
-        The switching functions are arbitrary. Parameters in ``zero`` are taken as zero.
+        The switching functions may be nonlinear. Parameters in ``zero`` are assumed to be zero.
         """
         if self.constraints or self.projection.shape[0]:
             return False
@@ -180,13 +180,13 @@ class Model:
         return not ca.depends_on(ca.jacobian(equations, signals), signals)
 
     def _bending(self) -> tuple[tuple[str, ...], ...]:
-        """Sets of parameters without which a model may be piecewise linear: none, and what stiffens bump stops."""
+        """Parameter sets to set to zero when testing piecewise linearity: none, and those that stiffen bump stops."""
         stiffening = tuple(name for name in self.parameters if name.endswith(".progression"))
         return ((), stiffening) if stiffening else ((),)
 
 
 def with_numbers(model: Model, constants: Mapping[str, tuple[ca.SX, float]]) -> Model:
-    """Replace symbols by their numbers; the original model is kept as ``generic``."""
+    """Replace symbols by their numbers; keep the original model as ``generic``."""
     symbols, values = (
         ca.vertcat(*(symbol for symbol, _ in constants.values())),
         ca.SX([x for _, x in constants.values()]),
@@ -195,7 +195,7 @@ def with_numbers(model: Model, constants: Mapping[str, tuple[ca.SX, float]]) -> 
     def put(*parts: ca.SX) -> list[ca.SX]:
         return list(
             ca.substitute(list(parts), [symbols], [values])
-        )  # together: what they share stays shared
+        )  # in one call: shared subexpressions stay shared
 
     old = model.balance
     solution, residual, rate, output, constraint_rate, *own = put(

@@ -33,7 +33,7 @@ def constant_rate(rate: float, start: float = 0.0) -> Segments:
 
 
 def _value(value: object, per: str = "") -> float:
-    """A number of a motion, in m or, where it carries the unit of an angle, in rad; or ``per`` time."""
+    """Convert a number of a motion to m, or to rad if it has an angle unit; or the same ``per`` time."""
     try:
         return as_number(value, f"m{per}", where="motion")
     except DescriptionError:
@@ -64,7 +64,7 @@ def harmonic(amplitude: float, frequency: float, phase: float = 0.0, mean: float
 
 
 def step(start: float, end: float, begin: float, stop: float) -> Segments:
-    """Return the motion from one value to another by a cubic with level ends; at rest before and after.
+    """Return the motion from one value to another by a cubic with zero end slopes; at rest before and after.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def step(start: float, end: float, begin: float, stop: float) -> Segments:
     Raises
     ------
     AssemblyError
-        If it does not end after it begins.
+        If ``stop`` is not after ``begin``.
 
     Examples
     --------
@@ -105,7 +105,7 @@ def step(start: float, end: float, begin: float, stop: float) -> Segments:
 
 
 def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> Segments:
-    """Return a motion through points: a cubic spline, or straight lines; constant at its end values beyond the points.
+    """Return a motion through points by a cubic spline or straight lines; constant beyond the first and last point.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> S
     value : array_like, shape (n,)
         m or rad.
     smooth : bool
-        Spline (natural ends) or straight lines; lines have jumps of the rate, which a driven mass cannot follow.
+        Natural cubic spline or straight lines; straight lines have rate jumps, which a driven mass cannot follow.
 
     Returns
     -------

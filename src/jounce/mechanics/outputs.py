@@ -16,16 +16,16 @@ from jounce.mechanics.structure import Structure
 
 @dataclass(frozen=True, eq=False)
 class OutputDescription(NamedPart):
-    """Base of outputs, which become channels of a run."""
+    """Base class of outputs, which become channels of a run."""
 
     def show(self, mechanism: Structure) -> None:
-        """Add its signals to a mechanism that has all its masses and forces."""
+        """Add its signals to a mechanism with all masses and forces."""
         raise NotImplementedError
 
 
 @dataclass(frozen=True, eq=False)
 class WatchedPoint(OutputDescription):
-    """Place, velocity and acceleration of a point of a body."""
+    """Position, velocity and acceleration of a point of a body."""
 
     body: Body
     at: Given = place()
@@ -47,7 +47,7 @@ class WatchedPoint(OutputDescription):
 
 @dataclass(frozen=True, eq=False)
 class WatchedBody(WatchedPoint):
-    """The same for a body's centre of mass, with the body's orientation and angular velocity."""
+    """Motion of a body's centre of mass, with the body's orientation and angular velocity."""
 
     kind = "body"
 
@@ -87,7 +87,7 @@ class WatchedBody(WatchedPoint):
 
 @dataclass(frozen=True, eq=False)
 class WatchedAngle(OutputDescription):
-    """Rotation of a body relative to another about an axis of the latter."""
+    """Rotation of the second body relative to the first about an axis of the first."""
 
     first: Body
     second: Body
@@ -155,7 +155,7 @@ class WatchedReaction(OutputDescription):
 
 @dataclass(frozen=True, eq=False)
 class WatchedEnergy(OutputDescription):
-    """Energies, and the remaining gaps of the loops."""
+    """Energies, and the residual of the loop equations."""
 
     kind = "energy"
 
@@ -167,7 +167,7 @@ class WatchedEnergy(OutputDescription):
         mechanism.output("energy.weight", weight, "J", "potential energy of the weights")
         left = ca.vertcat(*(constraint.value for constraint in mechanism.collection.constraints))
         size = ca.sqrt(ca.dot(left, left)) if left.numel() else ca.SX(0.0)
-        mechanism.output("constraint.residual", size, "m", "what is left open of the loops")
+        mechanism.output("constraint.residual", size, "m", "residual of the loop equations")
         stored = [energy for action in actions for energy in action.stored]
         if stored:
             mechanism.output("energy.elastic", total(stored), "J", "energy of the springs")
@@ -180,7 +180,7 @@ class WatchedEnergy(OutputDescription):
             (
                 "energy.supplied",
                 mechanism.supplied_powers(),
-                "energy put in by motions since the start",
+                "energy supplied by motions since the start",
             ),
         ):
             if powers:
@@ -220,7 +220,7 @@ def kinetic_energy(bodies: Iterable[Body]) -> ca.SX:
 
 
 def weight_energy(bodies: Iterable[Body], gravity: ca.SX) -> ca.SX:
-    """Potential energy of the weights against the design pose, J."""
+    """Return the potential energy of the weights relative to the design pose, J."""
     energy = ca.SX(0.0)
     for body in bodies:
         properties = body.mass_properties

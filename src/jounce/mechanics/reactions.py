@@ -1,10 +1,11 @@
-"""Reactions of joints, by Newton and Euler on the bodies they carry, and of closures and conditions.
+"""Reactions of joints, by Newton-Euler equations of the bodies they carry, and of closures and conditions.
 
-Whatever acts is a force and a torque on bodies. A load or condition along an expression pushes every point that the
-expression names along what the expression gains when that point moves; on a coordinate that it names, it acts between
-the two bodies of its joint. So all that acts on what hangs on a joint is known, and what lacks is the joint's.
+Every load is a force and a torque on bodies. A load or condition along an expression acts on each point in the
+expression along the gradient with respect to that point; for a coordinate in the expression, it acts between the two
+bodies of the coordinate's joint. All other loads on the bodies carried by a joint are thus known, and the joint's
+reaction is the remainder of their balance.
 
-All sums are in ground axes. Bodies in moving axes have their places, forces and accelerations in those.
+All sums are in ground axes. Positions, forces and accelerations of bodies in moving axes are expressed in those axes.
 """
 
 from __future__ import annotations
@@ -23,13 +24,13 @@ from jounce.mechanics.structure import Structure
 
 @dataclass(frozen=True)
 class Reaction:
-    """Force (N) and torque (N m) that the first body of a joint puts on the second, at ``point``, in ground axes."""
+    """Force (N) and torque (N m) of a joint's first body on its second at ``point``, in ground axes."""
 
     force: ca.SX
     torque: ca.SX
     point: ca.SX
     body: Body
-    """The body that it acts on."""
+    """Body on which it acts."""
 
     def at(self, point: ca.SX) -> Reaction:
         """Return the same reaction at another point."""
@@ -40,7 +41,7 @@ class Reaction:
 
 @dataclass(frozen=True)
 class Acting:
-    """A wrench, its closure or condition ("" for loads), and the joint whose coordinate that constrains."""
+    """A wrench, its closure or condition ("" for loads), and the joint whose coordinate is constrained."""
 
     wrench: Wrench
     source: str = ""
@@ -48,9 +49,9 @@ class Acting:
 
 
 def reaction_of(mechanism: Structure, name: str, on: str | None = None) -> Reaction:
-    """Reaction of a joint, closure or condition of a mechanism that has all its masses, weights and loads.
+    """Return the reaction of a joint, closure or condition of a mechanism with all masses, weights and loads.
 
-    ``on`` is the body that it acts on: by default the second of a joint, and the last of all that a condition acts on.
+    ``on`` is the body on which it acts: by default a joint's second body, or the last body that a condition acts on.
     """
     acting = all_acting(mechanism)
     if name in mechanism.joints:
@@ -97,7 +98,7 @@ def reaction_of(mechanism: Structure, name: str, on: str | None = None) -> React
 def _sum_wrenches(
     wrenches: Iterable[Wrench], on: str, bodies: dict[str, Body]
 ) -> tuple[ca.SX, ca.SX, ca.SX]:
-    """Wrenches on one body, at the point of the first force; at the body's origin where none is a force."""
+    """Sum the wrenches on a body at the point of the first force, or at the body's origin if there is no force."""
     own = [wrench for wrench in wrenches if wrench.body.name == on]
     at = next((wrench.point for wrench in own if wrench.force.nnz()), None)
     if at is None:
@@ -112,7 +113,7 @@ def _sum_wrenches(
 
 
 def all_acting(mechanism: Structure) -> list[Acting]:
-    """All loads on the bodies of a mechanism except the joints of its tree, in ground axes."""
+    """Return all loads on the bodies of a mechanism except tree joint reactions, in ground axes."""
     acting: list[Acting] = []
     for _, action in mechanism.loads:
         acting += [Acting(wrench) for wrench in action.wrenches]
@@ -137,7 +138,7 @@ def all_acting(mechanism: Structure) -> list[Acting]:
 
 
 def _outward(wrench: Wrench) -> Wrench:
-    """The same in the ground's axes, and on a body instead of its moving axes."""
+    """Return the wrench in ground axes, acting on the body instead of its moving axes."""
     body, carrier = wrench.body, wrench.body.carrier
     if not carrier.moves:
         return wrench
@@ -148,12 +149,12 @@ def _outward(wrench: Wrench) -> Wrench:
 
 
 def _origin(body: Body) -> ca.SX:
-    """Origin of a body's frame, ground axes."""
+    """Return the origin of a body's frame, ground axes."""
     return body.carrier.place(body.frame.origin.value)
 
 
 def _along(mechanism: Structure, expression: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
-    """Wrenches on bodies of a force along expressions; for a coordinate with its joint."""
+    """Return the wrenches of a force along expressions, each with the joint if it acts on a coordinate."""
     along = []
     for named in mechanism.poses.occurring(expression):
         push = ca.jacobian(expression, named.symbol).T @ force
@@ -166,10 +167,10 @@ def _along(mechanism: Structure, expression: ca.SX, force: ca.SX) -> list[tuple[
 
 
 def _efforts(mechanism: Structure, rate: ca.SX, force: ca.SX) -> list[tuple[Wrench, str]]:
-    """Wrenches of a force on a rate, on the bodies of the joints whose speeds it depends on.
+    """Return the wrenches of a force on a rate, on the bodies of the joints whose speeds occur in the rate.
 
-    What acts between the two bodies of a joint comes with its name. A quaternion is against the ground, or the moving
-    axes that the body hangs in, and what holds it is nothing that a joint between two other bodies transmits.
+    A wrench between the two bodies of a joint includes the joint's name. A quaternion is relative to the ground or to
+    the body's moving axes; a force on it is therefore not transmitted by a joint between two other bodies.
     """
     collection = mechanism.collection
     share = ca.jacobian(rate, collection.v).T @ force
@@ -189,7 +190,7 @@ def _efforts(mechanism: Structure, rate: ca.SX, force: ca.SX) -> list[tuple[Wren
 
 
 def _still(mechanism: Structure, body: Body) -> Body:
-    """The ground, or the moving axes that a body hangs in."""
+    """Return the ground, or the moving axes of a body."""
     axes = (
         other
         for other in mechanism.bodies.values()
@@ -201,7 +202,7 @@ def _still(mechanism: Structure, body: Body) -> Body:
 def _newton_euler(
     mechanism: Structure, child: Body, bodies: Iterable[Body], wrenches: Iterable[Wrench]
 ) -> tuple[ca.SX, ca.SX, ca.SX]:
-    """Wrench at the origin of ``child`` that moves it and all bodies it carries."""
+    """Return the wrench at the origin of ``child`` required by its motion and that of all bodies it carries."""
     origin = _origin(child)
     force, torque = ca.SX(3, 1), ca.SX(3, 1)
     for body in bodies:
@@ -218,9 +219,9 @@ def _newton_euler(
 def _inertial(
     mechanism: Structure, body: Body, properties: MassProperties
 ) -> tuple[ca.SX, ca.SX, ca.SX]:
-    """Centre of mass, mass times its acceleration, and rate of the angular momentum about it.
+    """Return centre of mass, mass times its acceleration, and rate of the angular momentum about it.
 
-    In moving axes the acceleration is relative to the field on all masses, such as that of weight.
+    In moving axes the acceleration is relative to the field acting on all masses, such as gravity.
     """
     orientation, inertia, carrier = body.frame.orientation, properties.inertia, body.carrier
     centre = body.frame.point(properties.centre)

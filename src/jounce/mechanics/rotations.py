@@ -1,4 +1,4 @@
-"""Rotations as expressions: quaternions, turns about a fixed axis, cross-product matrices."""
+"""Rotations as expressions: quaternions, rotations about a fixed axis, cross-product matrices."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import casadi as ca
 
 
 def quaternion_matrix(e: ca.SX) -> ca.SX:
-    """Rotation matrix of a unit quaternion (e0 scalar part)."""
+    """Return the rotation matrix of a unit quaternion (scalar part e0)."""
     w, x, y, z = e[0], e[1], e[2], e[3]
     return ca.vertcat(
         ca.horzcat(1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
@@ -16,13 +16,13 @@ def quaternion_matrix(e: ca.SX) -> ca.SX:
 
 
 def quaternion_rate(e: ca.SX, w: ca.SX) -> ca.SX:
-    """Rate of a quaternion (1/s) for the angular velocity ``w`` (rad/s) in the body's own axes."""
+    """Return the rate of a quaternion (1/s) for the angular velocity ``w`` (rad/s) in the body's own axes."""
     vector = e[1:]
     return 0.5 * ca.vertcat(-ca.dot(vector, w), e[0] * w + ca.cross(vector, w))
 
 
 def skew(a: ca.SX) -> ca.SX:
-    """Matrix of the cross product ``a x``."""
+    """Return the matrix of the cross product ``a x``."""
     zero = ca.SX(1, 1)
     return ca.vertcat(
         ca.horzcat(zero, -a[2], a[1]),
@@ -32,20 +32,20 @@ def skew(a: ca.SX) -> ca.SX:
 
 
 def unit(a: ca.SX) -> ca.SX:
-    """Vector of length one along ``a``."""
+    """Return the unit vector along ``a``."""
     return a / ca.sqrt(ca.dot(a, a))
 
 
 def rotate(vector: ca.SX, axis: ca.SX, angle: ca.SX) -> ca.SX:
-    """Vector turned about a unit axis, right-handed, rad."""
+    """Rotate a vector about a unit axis by a right-handed angle, rad."""
     along = ca.dot(axis, vector) * axis
     return along + (vector - along) * ca.cos(angle) + ca.cross(axis, vector) * ca.sin(angle)
 
 
 def normals(axis: ca.SX) -> tuple[ca.SX, ca.SX]:
-    """Two unit vectors that form a right-handed frame ``(n1, n2, axis)`` with a unit vector.
+    """Return two unit vectors that form a right-handed frame ``(n1, n2, axis)`` with a unit vector.
 
-    They lean on the ground axis that is farthest from ``axis``.
+    They are constructed from the ground axis that is farthest from ``axis``.
     """
     x, y, z = (ca.fabs(axis[i]) for i in range(3))
     is_x = ca.logic_and(x <= y, x <= z)
@@ -55,9 +55,9 @@ def normals(axis: ca.SX) -> tuple[ca.SX, ca.SX]:
 
 
 def matrix_quaternion(matrix: ca.SX) -> ca.SX:
-    """Unit quaternion of a rotation matrix, its scalar part first and never negative.
+    """Return the unit quaternion of a rotation matrix, scalar part first and never negative.
 
-    Of the four formulas the one with the largest divisor is used.
+    It uses the one of the four formulas with the largest divisor.
     """
     m, trace = matrix, ca.trace(matrix)
     sizes = [trace, *(2.0 * m[i, i] - trace for i in range(3))]
@@ -75,16 +75,16 @@ def matrix_quaternion(matrix: ca.SX) -> ca.SX:
     return result / ca.sqrt(ca.dot(result, result))
 
 
-_SMALL = 0.1  # rad: below it the series is exact to the last bit, and above it the closed form
-_TINY = 1e-24  # keeps the slope of a square root finite without rotation
+_SMALL = 0.1  # rad: the series is exact to the last bit below, the closed form above
+_TINY = 1e-24  # keeps the slope of a square root finite at zero rotation
 _SERIES = (1 / 47900160, 1 / 1209600, 1 / 30240, 1 / 720, 1 / 12)
-"""Of ``(1 - h cot(h)) / (2 h)^2`` in the square of the angle ``2 h``, highest power first."""
+"""Coefficients of ``(1 - h cot(h)) / (2 h)^2`` in the square of the angle ``2 h``, highest power first."""
 
 
 def rotation_vector(matrix: ca.SX) -> tuple[ca.SX, ca.SX]:
     """Return the rotation vector (axis times angle, rad) of a rotation matrix, and the matrix from spin to its rate.
 
-    The angle is below 180 degrees, where the axis jumps. The spin is that of the rotated axes, expressed in the others.
+    The angle is below 180 degrees, where the axis jumps. The spin is that of the rotated axes, in the original axes.
     """
     lean = 0.5 * ca.vertcat(
         matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1]
@@ -103,6 +103,6 @@ def rotation_vector(matrix: ca.SX) -> tuple[ca.SX, ca.SX]:
 
 
 def roll_pitch_yaw(matrix: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
-    """Angles (rad) about z, the new y and the new x (intrinsic z-y'-x'', ISO 8855) that make a rotation matrix."""
+    """Return roll, pitch and yaw (rad) of a rotation matrix (intrinsic z-y'-x'', ISO 8855)."""
     pitch = -ca.asin(ca.fmin(ca.fmax(matrix[2, 0], -1.0), 1.0))
     return ca.atan2(matrix[2, 1], matrix[2, 2]), pitch, ca.atan2(matrix[1, 0], matrix[0, 0])

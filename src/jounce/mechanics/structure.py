@@ -1,6 +1,6 @@
 """Structure of a mechanism: bodies, tree joints and closing joints, conditions and loads.
 
-This is what reactions, signals and listings read; :class:`jounce.mechanics.Mechanism` is the builder that collects it.
+Reactions, signals and listings read it; the builder :class:`jounce.mechanics.Mechanism` fills it.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from jounce.mechanics.system import System
 
 @dataclass(frozen=True)
 class HangingJoint:
-    """A joint of the tree with the body it hangs on another, and the names and symbols of its coordinates."""
+    """A joint of the tree with its child body, and the names and symbols of its coordinates."""
 
     joint: Joint
     parent: Body
@@ -43,7 +43,7 @@ class Closing:
 
 @dataclass(frozen=True)
 class LoopExpression:
-    """An expression that is kept at zero: a ``condition``, a ``coupler`` of coordinates or a ``motion`` of one."""
+    """An expression constrained to zero: a ``condition``, a ``coupler`` of coordinates or a ``motion`` of one."""
 
     name: str
     kind: str
@@ -88,11 +88,11 @@ class Structure(System):
         return tuple(self.closing)
 
     def growing(self) -> list[dict[Any, Any] | list[Any]]:
-        """All containers that grow when something is added."""
+        """Return all containers that grow when parts are added."""
         return [*super().growing(), self.poses.frames, self.poses.named]
 
     def loops(self) -> dict[str, tuple[str, ...]]:
-        """Joint that closes a loop to the joints around that loop, itself first."""
+        """Return a map from each closing joint to the joints around its loop, itself first."""
         result = {}
         for name, closed in self.closing.items():
             around = [*self._branch(closed.joint.second), *self._branch(closed.joint.first)]
@@ -100,14 +100,14 @@ class Structure(System):
         return result
 
     def _branch(self, body: Body) -> list[str]:
-        """Joints from the ground to a body."""
+        """Return the joints from the ground to a body."""
         for name, hung in self.hanging.items():
             if hung.child is body:
                 return [*self._branch(hung.parent), name]
         return []
 
     def hanging_on(self, root: Body) -> list[Body]:
-        """A body and all bodies that it carries, also in its moving axes."""
+        """Return a body and all bodies that it carries, including those in its moving axes."""
         result = [root]
         for hung in self.hanging.values():
             if any(hung.parent in (body, self.axes_of(body)) for body in result):
@@ -115,11 +115,11 @@ class Structure(System):
         return result
 
     def axes_of(self, body: Body) -> Body | None:
-        """The moving axes of a body, or None."""
+        """Return the moving axes of a body, or None."""
         return next((axes for axes in self.bodies.values() if axes.axes_of is body), None)
 
     def mass_values(self, values: Mapping[str, float]) -> dict[str, tuple[float, Array]]:
-        """Mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""
+        """Return mass (kg) and inertia (kg m^2, (3, 3)) of every body at parameter values."""
         p, numbers = (
             ca.vertcat(*self.collection.parameters.values()),
             [values[path] for path in self.parameters],
@@ -137,7 +137,7 @@ class Structure(System):
         return super().rate_of(self.poses.resolve(expression_of(expression, "rate")))
 
     def supplied_powers(self) -> list[ca.SX]:
-        """Powers of the motions that tracks prescribe, W."""
+        """Return the powers (W) of the motions prescribed by tracks."""
         tracks = self.collection.tracks.values()
         values, rates = (
             ca.vertcat(*(getattr(track, part) for track in tracks)) for part in ("value", "rate")

@@ -1,8 +1,8 @@
 """Symbolic authoring: coordinates, masses and force elements in, equations of motion out.
 
-Every force element acts along an expression of the coordinates (a height, a length, an angle): its magnitude does work
-on the rate of that expression. The lumped models are written in a :class:`System`; a spatial mechanism is one that has
-bodies and joints, too. Both only collect; the equations are formed by :func:`jounce.mechanics.equations.form`.
+Every force element acts along an expression of the coordinates (a height, a length, an angle): its power is its
+magnitude times the rate of that expression. The lumped models are built as a :class:`System`; a spatial mechanism is a
+system with bodies and joints. Systems only collect parts; :func:`jounce.mechanics.equations.form` forms the equations.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _Builder = TypeVar("_Builder", bound="System")
 def all_or_nothing(
     method: Callable[Concatenate[_Builder, _Arguments], _Answer],
 ) -> Callable[Concatenate[_Builder, _Arguments], _Answer]:
-    """Let a method add everything or, if it refuses, nothing: truncate the builder to its previous size."""
+    """Decorate a builder method to add nothing if it raises: truncate the builder to its previous size."""
 
     @wraps(method)
     def attempt(self: _Builder, /, *given: _Arguments.args, **named: _Arguments.kwargs) -> _Answer:
@@ -48,7 +48,7 @@ def all_or_nothing(
 class System:
     """A mechanical system under construction.
 
-    Order of work: coordinates, parameters and inputs; masses; forces; outputs; ``finish``.
+    Add coordinates, parameters and inputs, then masses, forces and outputs; then call ``finish``.
     """
 
     def __init__(self) -> None:
@@ -56,7 +56,7 @@ class System:
         self._scope = ("", "")
 
     def growing(self) -> list[dict[Any, Any] | list[Any]]:
-        """All containers that grow when something is added."""
+        """Return all containers that grow when parts are added."""
         return [
             part
             for part in (*vars(self).values(), *vars(self.collection).values())
@@ -65,9 +65,9 @@ class System:
 
     @contextmanager
     def within(self, place: str, path: str | None = None) -> Iterator[None]:
-        """Put ``place.`` before every name and ``path.`` (the place by default) before every parameter made inside.
+        """Prefix every name created inside with ``place.`` and every parameter with ``path.`` (``place`` by default).
 
-        So one law or suspension is built several times; corners of one ``path`` share their numbers.
+        This lets a law or suspension be built several times; corners with the same ``path`` share their numbers.
         """
         before = self._scope
         self._scope = f"{before[0]}{place}.", f"{before[1]}{place if path is None else path}."
@@ -77,7 +77,7 @@ class System:
             self._scope = before
 
     def share(self, speeds: Sequence[str]) -> None:
-        """Name the speeds of a body that carries several suspensions, each complete for a fixed body."""
+        """Declare the speeds of a body that carries several suspensions, each complete for a fixed body."""
         self.collection.shared = tuple(speeds)
 
     def alike(self, prefixes: Sequence[tuple[str, ...]], groups: Sequence[tuple[int, ...]]) -> None:
@@ -85,13 +85,13 @@ class System:
         self.collection.alike = tuple(prefixes), tuple(groups)
 
     def constant(self, name: str, value: float) -> ca.SX:
-        """Return a symbol for a number (``value``, SI): expressions that differ in it only are similar."""
+        """Return a symbol for a number (``value``, SI), which lets expressions that differ only in it be similar."""
         name = self._require_unused(name, self.collection.constants)
         self.collection.constants[name] = ca.SX.sym(name), value
         return self.collection.constants[name][0]
 
     def name_at_place(self, name: str) -> str:
-        """Return a name prefixed with the place under construction."""
+        """Return a name with the current prefix."""
         return self._scope[0] + name
 
     def coordinate(self, name: str, unit: str = "m") -> ca.SX:
@@ -151,7 +151,7 @@ class System:
         return q, ca.vertcat(*(into.speeds[name] for name in speeds))
 
     def internal_state(self, name: str) -> ca.SX:
-        """Add a first-order state (hysteresis, actuator); return its rate later with ``set_internal_rate``."""
+        """Add a first-order state (hysteresis, actuator); set its rate later with ``set_internal_rate``."""
         name = self._require_unused(name, self.collection.internal)
         self.collection.internal[name] = (ca.SX.sym(name), None)
         return self.collection.internal[name][0]
@@ -181,7 +181,7 @@ class System:
         return self.collection.parameters[path]
 
     def parameter_at(self, path: str) -> ca.SX:
-        """Return the symbol of the number at a full path, whatever place is under construction."""
+        """Return the symbol of the number at a full path, regardless of the current prefix."""
         return self.collection.parameters.setdefault(path, ca.SX.sym(path))
 
     def switch(self, name: str, expression: ca.SX) -> ca.SX:
@@ -192,7 +192,7 @@ class System:
         return mode
 
     def inertia(self, inertia: InertialTerms) -> None:
-        """Add something with mass."""
+        """Add an object with mass."""
         self.collection.inertias.append(inertia)
 
     def point_mass(self, mass: ca.SX, position: ca.SX) -> None:
@@ -201,17 +201,17 @@ class System:
         self.inertia(PointMass(mass, rate, self.collection.bias_of(rate)))
 
     def force(self, along: ca.SX, magnitude: ca.SX) -> None:
-        """Add a force element: ``magnitude`` (N) pushes ``along`` (m) to greater values."""
+        """Add a force element: a positive ``magnitude`` (N) increases ``along`` (m)."""
         self.load(self.rate_of(along), magnitude)
 
     def load(self, rate: ca.SX, magnitude: ca.SX) -> None:
-        """Add a force that does the power ``magnitude * rate``; both may be vectors."""
+        """Add a force with the power ``magnitude * rate``; both may be vectors."""
         self.collection.loads.append((rate, magnitude))
 
     def constrain(
         self, equations: Sequence[Equation], value: ca.SX, rate: ca.SX, bias: ca.SX
     ) -> ca.SX:
-        """Add equations ``value = 0`` with their two rates; return the symbols of their multipliers (forces)."""
+        """Add equations ``value = 0`` with rate and bias; return the symbols of their multipliers (forces)."""
         before = (
             equation
             for constraint in self.collection.constraints
@@ -221,14 +221,14 @@ class System:
         for equation in equations:
             if equation.name in known:
                 text, names = (
-                    "one of its equations has the name of another",
+                    "an equation with this name already exists",
                     f"{equation.name} of {known[equation.name]}",
                 )
                 raise AssemblyError(
                     text,
                     where=equation.joint,
                     found=names,
-                    hint="Give one of the two another name.",
+                    hint="Rename one of the two.",
                 )
         multipliers = ca.vertcat(
             *(ca.SX.sym(f"{equation.name} multiplier") for equation in equations)
@@ -248,7 +248,7 @@ class System:
         return self.collection.bias_of(rate) + self.accelerated(rate)
 
     def accelerated(self, rate: ca.SX) -> ca.SX:
-        """Return the derivative of a rate with the accelerations (for outputs only)."""
+        """Return the time derivative of a rate, including accelerations (for outputs only)."""
         return self.collection.accelerated(rate)
 
     def output(self, name: str, expression: ca.SX, unit: str, long_name: str) -> None:
@@ -256,7 +256,7 @@ class System:
         name = self._require_unused(name, {known.name for known in self.collection.outputs})
         shown = expression_of(expression, f"output {name}")
         if shown.shape != (1, 1):
-            count, hint = f"{shown.numel()} expressions", "Take one of them, as force[0]."
+            count, hint = f"{shown.numel()} expressions", "Use one of them, such as force[0]."
             raise AssemblyError(
                 "not one expression", where=f"output {name}", found=count, hint=hint
             )
@@ -267,7 +267,7 @@ class System:
         return form(self.collection)
 
     def _require_unused(self, name: str, names: Container[str]) -> str:
-        """Put the place before a name, and refuse a name that is used already."""
+        """Prefix a name, and refuse a name that is already in use."""
         name = self.name_at_place(check_name(name))
         _refuse_twice(name, names)
         return name

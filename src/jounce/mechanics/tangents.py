@@ -1,7 +1,7 @@
 """Directional derivatives of a model's equations, without differentiating the solution for its accelerations.
 
 With the balance ``r(x, u, p, a) = 0`` solved for the unknowns ``a`` by factors ``K``, their change along a direction is
-``K`` applied to the change of ``r`` with ``a`` kept: the factors are used twice and not differentiated.
+``K`` applied to the change of ``r`` at constant ``a``: the factors are reused and not differentiated.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from jounce.mechanics.model import Model
 class Tangent:
     """Changes of a model's expressions along one direction, linear in it.
 
-    ``projection`` is that of the projected states, taken on the constraints; empty without loops.
+    ``projection`` is the change of the projected states, evaluated on the constraints; empty without loops.
     """
 
     rate: ca.SX
@@ -28,7 +28,7 @@ class Tangent:
 
 
 def tangent(model: Model, dx: ca.SX, du: ca.SX, dp: ca.SX) -> Tangent:
-    """Differentiate a model along a direction of states, inputs and parameters; its structural zeros cost nothing."""
+    """Differentiate a model along a direction of states, inputs and parameters; exploits structural zeros."""
     balance = model.balance
     known, along = ca.vertcat(model.x, model.u, model.p), ca.vertcat(dx, du, dp)
     answered = balance.answer(ca.jtimes(balance.residual, known, along))
@@ -43,7 +43,7 @@ def tangent(model: Model, dx: ca.SX, du: ca.SX, dp: ca.SX) -> Tangent:
 
 
 def _projection(model: Model, dx: ca.SX, dp: ca.SX, known: ca.SX, along: ca.SX) -> ca.SX:
-    """Change of coordinates and speeds, each without what would violate the constraints; internal states follow."""
+    """Return the changes of coordinates and speeds projected onto the constraints, then those of internal states."""
     if not model.projection.shape[0]:
         return ca.SX(0, 1)
     balance, (n_q, n_v) = model.balance, (len(model.coordinates), len(model.speeds))

@@ -268,7 +268,8 @@ def test_heights_and_directions_are_those_of_the_ground() -> None:
         lambda: mechanism.watch_point("p", upright, (0.0, 0.0, 0.0)),
     ):
         with pytest.raises(
-            jn.AssemblyError, match=r"not for what hangs in a moving frame; found 'left\.upright'"
+            jn.AssemblyError,
+            match=r"not available for bodies in a moving frame; found 'left\.upright'",
         ):
             watch()
 
