@@ -1,4 +1,4 @@
-"""The bench's drive: from inverter to belt, pulses of the photo-sensor, and load of the motor."""
+"""Drive of the bench: belt speed from inverter frequency or photo-sensor pulses, and load of the motor."""
 
 from __future__ import annotations
 
@@ -40,10 +40,10 @@ _SPEED_FIELDS = ("cylinder_radius", "belt_thickness", "pulley_slip", "flat_belt_
 class BenchDrive(Description):
     """Motor, pulleys, cylinder and flat belt of the bench.
 
-    The published values are the defaults. Never published and therefore *estimated*: ``cylinder_radius`` 50 mm,
-    ``belt_thickness`` 3 mm, ``pulley_slip`` 2 % (slip of the belt between motor and cylinder), ``flat_belt_slip`` 0,
-    ``efficiency`` 0.95, ``standstill_torque`` 0.5 (share of the rated torque a self-ventilated motor keeps without
-    overheating at standstill, growing linearly to 1 at the supply frequency).
+    The defaults are the published values. The following were not published and are *estimated*: ``cylinder_radius``
+    50 mm, ``belt_thickness`` 3 mm, ``pulley_slip`` 2 % (slip of the belt between motor and cylinder),
+    ``flat_belt_slip`` 0, ``efficiency`` 0.95, ``standstill_torque`` 0.5 (fraction of the rated torque that a
+    self-ventilated motor sustains at standstill, rising linearly to 1 at the supply frequency).
 
     Attributes
     ----------
@@ -74,7 +74,7 @@ class BenchDrive(Description):
     efficiency : float
         Efficiency of the drive.
     standstill_torque : float
-        Share of the rated torque that the motor sustains at standstill.
+        Fraction of the rated torque that the motor sustains at standstill.
     """
 
     motor_power: Power = 1500.0
@@ -96,25 +96,25 @@ class BenchDrive(Description):
 
     @property
     def ratio(self) -> float:
-        """Motor speed over cylinder speed without slip [1]."""
+        """Ratio of motor speed to cylinder speed without slip [1]."""
         return self.cylinder_pulley_diameter / self.motor_pulley_diameter
 
     @property
     def radius(self) -> float:
-        """Radius at which the belt runs [m], see ``belt_reference``."""
+        """Effective radius of the belt [m], see ``belt_reference``."""
         share = {"pitch": 0.5, "outer": 1.0, "bare": 0.0}[self.belt_reference]
         return self.cylinder_radius + self.belt_thickness * share
 
     @property
     def motor_slip(self) -> float:
-        """Slip of the motor at its rating [1]."""
+        """Rated slip of the motor [1]."""
         return 1.0 - self.rated_motor_speed * self.pole_pairs / (
             2.0 * math.pi * self.supply_frequency
         )
 
     @property
     def rated_torque(self) -> float:
-        """Torque of the motor at its rating [N m]."""
+        """Rated torque of the motor [N m]."""
         return self.motor_power / self.rated_motor_speed
 
 
@@ -125,19 +125,19 @@ class BeltSpeed:
     Attributes
     ----------
     inverter_frequency : float
-        [Hz].
+        Frequency set at the inverter [Hz].
     motor_speed, cylinder_speed : float
-        Angular speeds with the slips of motor and pulleys [rad/s].
+        Angular speeds, including the slip of motor and pulleys [rad/s].
     ideal_speed : float
-        Belt speed without slip between motor and belt, the motor at its rated slip [m/s].
+        Belt speed at the motor's rated slip, without slip between motor and belt [m/s].
     sensor_speed : float
-        Speed by a photo-sensor on the cylinder [m/s].
+        Speed indicated by a photo-sensor on the cylinder [m/s].
     speed : float
         Belt speed [m/s].
     recurrence_time : float
-        Time after which an obstacle fixed to the belt comes again [s].
+        Time after which an obstacle fixed to the belt returns [s].
     findings : tuple of Finding
-        Estimated values used, and what the sensor cannot see.
+        Estimated values used, and slip that the sensor cannot detect.
     """
 
     inverter_frequency: float
@@ -211,15 +211,15 @@ class SensorSpeed:
     Attributes
     ----------
     speed : Estimate
-        [m/s].
+        Belt speed [m/s].
     cylinder_speed : Estimate
-        [rad/s].
+        Angular speed of the cylinder [rad/s].
     resolution : float
         Change of the speed by one pulse [m/s].
     recurrence_time : float
-        Belt length over speed [s].
+        Belt length divided by speed [s].
     findings : tuple of Finding
-        Estimated values used, coarse counting, and what the sensor cannot see.
+        Estimated values used, coarse counting, and slip that the sensor cannot detect.
     """
 
     speed: Estimate
@@ -239,9 +239,8 @@ def photo_sensor_speed(
 ) -> SensorSpeed:
     """Estimate the belt speed, with its 95 % interval, from the pulses counted in a window of ``duration`` (s).
 
-    Both ends of the counting window fall anywhere between two pulses, so the count is uncertain by 1/sqrt(6) pulses
-    (standard deviation); ``radius_error`` (m), the standard error of the radius at which the belt runs, adds its own
-    relative error.
+    The start and end of the counting window fall anywhere between two pulses, so the count has a standard deviation of
+    1/sqrt(6) pulses. ``radius_error`` (m), the standard error of the belt's effective radius, adds to the error.
 
     Examples
     --------
@@ -282,9 +281,9 @@ class BeltLoad(Description):
     """Resistance of the belt.
 
     Required pull = rolling_resistance * wheel_load + bed_friction * bed_load + bending_force + drag * speed
-    + inertia * acceleration / radius^2. No value is published: all are *estimated* (``wheel_load`` is
-    the weight of 16 kg sprung and an estimated 5 kg unsprung mass; ``bed_load`` presses the belt on its metal support
-    and equals the wheel load when not given).
+    + inertia * acceleration / radius^2. No values are published: all are *estimated*. ``wheel_load`` is
+    the weight of 16 kg sprung and an estimated 5 kg unsprung mass; ``bed_load`` presses the belt onto its metal support
+    and equals the wheel load by default.
 
     Attributes
     ----------
@@ -322,7 +321,7 @@ class BeltLoad(Description):
     acceleration: Annotated[float, Unit("m/s^2")] = 0.0
 
     def force(self, speed: float, radius: float) -> float:
-        """Pull needed at the belt [N] at ``speed`` [m/s] round cylinders of ``radius`` [m]."""
+        """Return the pull required at the belt [N] for ``speed`` [m/s] and cylinders of ``radius`` [m]."""
         bed = self.wheel_load if self.bed_load is None else self.bed_load
         resting = (
             self.rolling_resistance * self.wheel_load + self.bed_friction * bed + self.bending_force
@@ -337,15 +336,15 @@ class DriveMargin:
     Attributes
     ----------
     speed, inverter_frequency : float
-        [m/s], [Hz].
+        Belt speed [m/s] and the frequency that produces it [Hz].
     required_force, available_force, continuous_force : float
-        Pull at the belt: needed, at rated torque, and at the torque the motor keeps without overheating [N].
+        Pull at the belt: required, at rated torque, and at the torque that the motor sustains without overheating [N].
     required_power, available_power : float
-        At the belt [W].
+        Power at the belt [W].
     required_torque, rated_torque : float
-        At the motor [N m].
+        Torque at the motor [N m].
     margin, continuous_margin : float
-        (available - required) / available pull [1]; negative: the drive is overloaded.
+        (available - required) / available pull [1]; negative if the drive is overloaded.
     findings : tuple of Finding
         Overload, overheating, estimated values used.
     """
@@ -365,11 +364,11 @@ class DriveMargin:
 
 
 def drive_margin(drive: BenchDrive, speed: float, load: BeltLoad | None = None) -> DriveMargin:
-    """Compare the pull and power needed at a belt speed (m/s, above 0) with what the motor can give.
+    """Compare the pull and power required at a belt speed (m/s, above 0) with the capacity of the motor.
 
-    An inverter keeps voltage over frequency constant, so the rated *torque* is available at every speed up to the
-    supply frequency and the power grows with the speed; a motor cooled by its own fan must stay below that at low
-    speed. Without a ``load`` all that resists the belt is estimated.
+    An inverter keeps the ratio of voltage to frequency constant, so the rated *torque* is available at every speed up
+    to the supply frequency, and the power grows with the speed. A motor cooled by its own fan must stay below the rated
+    torque at low speed. Without a ``load`` the resistance of the belt is estimated.
 
     Examples
     --------
@@ -406,7 +405,7 @@ def drive_margin(drive: BenchDrive, speed: float, load: BeltLoad | None = None) 
 
 
 def _cooling(drive: BenchDrive, frequency: float) -> float:
-    """Share of the torque that a motor cooled by its own fan keeps at an inverter frequency."""
+    """Return the fraction of its torque that a self-ventilated motor sustains at an inverter frequency."""
     share = min(frequency / drive.supply_frequency, 1.0)
     return drive.standstill_torque + (1.0 - drive.standstill_torque) * share
 
@@ -440,13 +439,13 @@ class AttainableSpeed:
     Attributes
     ----------
     speed : float
-        Highest continuous belt speed of the motor [m/s]; 0 if there is none.
+        Highest belt speed that the motor can sustain [m/s]; 0 if there is none.
     limited_by : {"supply frequency", "torque", "cooling"}
         Limiting factor.
     short_time_speed : float
-        Highest belt speed within the rated torque, heating disregarded [m/s].
+        Highest belt speed within the rated torque, ignoring heating [m/s].
     lowest_continuous_speed : float
-        Below this speed the motor's own fan does not cool it enough [m/s]; 0 when it always does.
+        Speed below which the motor's own fan does not cool it sufficiently [m/s]; 0 if it always does.
     implied_force : float or None
         Pull that would explain an observed ceiling [N].
     findings : tuple of Finding
@@ -464,10 +463,10 @@ class AttainableSpeed:
 def attainable_speed(
     drive: BenchDrive, load: BeltLoad | None = None, *, observed_ceiling: float | None = None
 ) -> AttainableSpeed:
-    """Find the highest belt speed and what limits it; without a ``load`` the resistance is estimated.
+    """Find the highest belt speed and its limiting factor; without a ``load`` the resistance is estimated.
 
-    With ``observed_ceiling``, a speed (m/s) that was not exceeded in practice, e.g. 3.87 on the paper's bench, the
-    result has the pull that would explain it.
+    With ``observed_ceiling``, a speed (m/s) that was not exceeded in practice (e.g. 3.87 on the paper's bench), the
+    result includes the pull that would explain it.
 
     Examples
     --------
@@ -499,7 +498,7 @@ def attainable_speed(
 
 
 def _limit(short: NDArray[np.bool_], lasting: NDArray[np.bool_]) -> Limit:
-    """Name what fails just above the highest speed that can be held."""
+    """Return the limiting factor just above the highest speed that the motor can sustain."""
     if lasting[-1]:
         return "supply frequency"
     above = int(np.flatnonzero(lasting)[-1]) + 1 if lasting.any() else 0
@@ -517,19 +516,19 @@ def _resistance_at_ceiling(drive: BenchDrive, load: BeltLoad, ceiling: float) ->
 
 
 PUBLISHED_CEILING = 3.87  # m/s
-"""Belt speed (m/s) at which the published bench stopped."""
+"""Highest belt speed (m/s) of the published bench."""
 
 
 @dataclass(frozen=True)
 class BeltSpeeds(Plain):
-    """Belt speed from the inverter, from the photo-sensor, or both side by side.
+    """Belt speed from the inverter frequency, from the photo-sensor, or from both for comparison.
 
     Attributes
     ----------
     inverter : BeltSpeed or None
-        From the inverter frequency.
+        Speed from the inverter frequency.
     photo_sensor : SensorSpeed or None
-        From counted pulses.
+        Speed from counted pulses.
     """
 
     inverter: BeltSpeed | None
@@ -537,7 +536,7 @@ class BeltSpeeds(Plain):
 
     @property
     def speed(self) -> float:
-        """Belt speed, m/s: as counted, otherwise from the inverter."""
+        """Belt speed, m/s: from counted pulses if available, otherwise from the inverter."""
         return (
             self.photo_sensor.speed.value
             if self.photo_sensor
@@ -548,11 +547,11 @@ class BeltSpeeds(Plain):
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """Findings of both."""
+        """Findings of inverter and photo-sensor."""
         return _together(self.inverter, self.photo_sensor)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return plain values, SI."""
+        """Return the result as plain values, SI."""
         both = {
             "inverter": _without_findings(self.inverter),
             "photo_sensor": _without_findings(self.photo_sensor),
@@ -601,27 +600,27 @@ def find_belt_speed(
     inverter_frequency : float or str, optional
         Frequency set at the inverter, Hz.
     speed : float or str, optional
-        Belt speed to reach, m/s, instead of the frequency.
+        Desired belt speed, m/s, instead of the frequency.
     pulses : int, optional
-        Pulses of the photo-sensor on the cylinder, counted for ``duration``.
+        Pulses of the photo-sensor on the cylinder, counted over ``duration``.
     duration : float or str, optional
         Counting time, s.
     pulses_per_revolution : int
         Marks on the cylinder.
     radius_error : float or str
-        Standard error of the radius at which the belt runs, m.
+        Standard error of the belt's effective radius, m.
 
     Returns
     -------
     BeltSpeeds
-        SI.
+        Speeds along the drive, SI.
 
     Raises
     ------
     DescriptionError
-        If no input determines a speed, or pulses or their time are missing.
+        If no input determines a speed, or if the pulses or their counting time are missing.
     FitError
-        For numbers that are not positive.
+        If a value is not positive.
 
     Examples
     --------
@@ -674,9 +673,9 @@ class DriveAssessment(Plain):
     Attributes
     ----------
     margin : DriveMargin or None
-        At the requested speed.
+        Margin at the requested speed.
     attainable : AttainableSpeed
-        Highest belt speed.
+        Highest belt speed and its limiting factor.
     """
 
     margin: DriveMargin | None
@@ -684,11 +683,11 @@ class DriveAssessment(Plain):
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """Findings of both."""
+        """Findings of margin and attainable speed."""
         return _together(self.margin, self.attainable)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return plain values, SI."""
+        """Return the result as plain values, SI."""
         margin, attainable = (
             _without_findings(self.margin) or {},
             _without_findings(self.attainable),
@@ -715,14 +714,14 @@ def assess_drive(
     observed_ceiling: Annotated[
         float | str | None,
         Number(
-            "Highest speed reached in practice; gives the pull that would explain it. Default: 3.87 m/s of the "
-            "published bench, where nothing else of it is changed.",
+            "Highest speed reached in practice; gives the pull that would explain it. Default: 3.87 m/s for the "
+            "published bench, if no other value is changed.",
             "VALUE",
             "m/s",
         ),
     ] = None,
 ) -> DriveAssessment:
-    """Assess the drive: torque and power margin at a belt speed, the attainable speed, and what limits it.
+    """Assess the drive: torque and power margin at a belt speed, the attainable speed, and its limiting factor.
 
     Parameters
     ----------
@@ -733,13 +732,13 @@ def assess_drive(
     speed : float or str, optional
         Belt speed to assess, m/s.
     observed_ceiling : float or str, optional
-        Highest speed reached in practice, m/s; by default that of the published bench, where ``drive`` and ``load``
-        are its own.
+        Highest speed reached in practice, m/s; by default that of the published bench, if ``drive`` and ``load`` are
+        unchanged.
 
     Returns
     -------
     DriveAssessment
-        SI.
+        Margin and attainable speed, SI.
 
     Examples
     --------
@@ -763,7 +762,7 @@ def assess_drive(
 
 
 def _without_findings(result: Any) -> dict[str, Any] | None:
-    """Return a part of a result as plain data; findings are listed once for the whole."""
+    """Return a part of a result as plain data without findings, which are listed once for the whole result."""
     return (
         None
         if result is None
@@ -772,7 +771,7 @@ def _without_findings(result: Any) -> dict[str, Any] | None:
 
 
 def _together(*results: Any) -> tuple[Finding, ...]:
-    """Findings of several results, each once."""
+    """Merge the findings of several results without duplicates."""
     return tuple(
         dict.fromkeys(
             finding for result in results if result is not None for finding in result.findings

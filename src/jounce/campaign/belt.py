@@ -1,4 +1,4 @@
-"""Trials on a belt that has been running: speed from pulses, passages found, loops averaged."""
+"""Trials on a running belt: speed from pulses, detection of obstacle passages, averages over loops of the belt."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ from jounce.roads import Road
 
 Passage = Whole | Literal["all"]
 PULSES = "belt.voltage"
-"""Channel that holds the pulses of the photo sensor."""
+"""Channel with the pulses of the photo sensor."""
 _MET_AS_STATED = 0.02
-"""Seconds by which the obstacle may be met earlier or later than the road says: what the alignment of a fit takes."""
+"""Maximum deviation in s of the obstacle's passage from its stated time that the alignment of a fit can compensate."""
 _SLIP_BEYOND = 0.005
-"""Share by which the speed from recurrence may differ from that of the pulses before slip is said: what radius and
-length of a belt are known to."""
+"""Relative difference between the speeds from recurrence and from pulses above which slip is reported; smaller
+differences may come from the radius and length of the belt."""
 
 SPEED_CODES = (
     "identify.other_speed",
@@ -39,7 +39,7 @@ SPEED_CODES = (
 )
 """Findings about the speed of one trial."""
 _LARGEST_SLIP = 0.1
-"""Share that a flat belt slips by at most without being seen or heard."""
+"""Maximum slip (1) of a flat belt that may go unnoticed."""
 
 
 class Belt(Description):
@@ -48,18 +48,18 @@ class Belt(Description):
     Attributes
     ----------
     length : float or None
-        Length of the loop, m: the obstacle comes again each time it has been driven. Where nobody measured it, it
-        follows from the speeds of the trials and the time between passages; slip then counts in it.
+        Length of the loop, m, after which the obstacle returns. If it is not given, it is estimated from the speeds
+        of the trials and the time between passages, and then includes slip.
     radius : float or None
-        Radius of the cylinder that carries the marks, m.
+        Radius of the cylinder with the marks, m.
     thickness : float
-        Thickness of the belt, m; half of it adds to the radius.
+        Thickness of the belt, m; half of it is added to the radius.
     pulses : int or None
-        Pulses of the photo sensor a turn of the cylinder.
+        Pulses of the photo sensor per revolution of the cylinder.
     column : str
         Column of the pulses in the trials' files, e.g. ``"ch2 [V]"``.
     slip : float
-        Share (1) by which the belt is slower than its cylinder, for trials in which the obstacle passes only once.
+        Slip (1) of the belt relative to its cylinder, for trials in which the obstacle passes only once.
 
     Examples
     --------
@@ -76,21 +76,21 @@ class Belt(Description):
 
     @property
     def pitch_radius(self) -> float | None:
-        """Radius at which the belt runs, m; None where that of the cylinder is not known."""
+        """Effective radius of the belt, m; None if the radius of the cylinder is unknown."""
         return None if self.radius is None else self.radius + 0.5 * self.thickness
 
     @property
     def has_pulses(self) -> bool:
-        """Whether a trial's speed follows from its pulses."""
+        """Whether the speed of a trial can be calculated from pulses."""
         return bool(self.column and self.pulses and self.radius)
 
     @property
     def sensors(self) -> dict[str, Sensor]:
-        """The photo sensor, where its column is known."""
+        """The photo sensor; empty if its column is unknown."""
         return {PULSES: Sensor(column=self.column)} if self.column else {}
 
     def speed(self, measured: xr.Dataset, where: str) -> PulseSpeed | None:
-        """Speed of the cylinder's surface in a record; None without pulses."""
+        """Calculate the surface speed of the cylinder in a record; None without pulses."""
         radius = self.pitch_radius
         if not self.has_pulses or PULSES not in measured or radius is None or self.pulses is None:
             return None
@@ -100,22 +100,22 @@ class Belt(Description):
 
 @dataclass(frozen=True)
 class TrialOnBelt(Shown):
-    """Belt and passages of one trial.
+    """Belt speed and obstacle passages of one trial.
 
     Attributes
     ----------
     noted : float or None
-        Speed as the campaign states it, m/s.
+        Speed stated in the campaign, m/s.
     pulses : float or None
         Speed from the pulses, m/s.
     speed : float
-        Speed that the model drives, m/s: from the recurrence of the obstacle where it passes more than once.
+        Speed used for the model, m/s: from the recurrence of the obstacle if it passes more than once.
     slip : float or None
-        Share (1) by which the belt is slower than its cylinder.
+        Slip (1) of the belt relative to its cylinder.
     passages : Passages
-        Where the obstacle was met.
+        Passages of the obstacle.
     findings : tuple of Finding
-        What is doubtful of speed and passages.
+        Uncertainties of speed and passages.
     """
 
     noted: float | None
@@ -127,7 +127,7 @@ class TrialOnBelt(Shown):
 
 
 def with_recurrence(road: Road, belt: Belt | None) -> Road:
-    """The road with the belt's length as its recurrence, unless it states one.
+    """Set the belt's length as the recurrence of a road, unless the road states its own.
 
     >>> from jounce.roads import HalfSine
     >>> with_recurrence(HalfSine(height="10 mm", length="60 mm"), Belt(length="1.97 m")).recurrence
@@ -139,9 +139,9 @@ def with_recurrence(road: Road, belt: Belt | None) -> Road:
 
 
 def loop_length(met: Sequence[tuple[Sequence[float], float]]) -> tuple[float, float] | None:
-    """Length of a belt (m) from instants at which an obstacle was met (s) and the speed (m/s) of each trial.
+    """Estimate the length of a belt (m) from the instants of obstacle passages (s) and the speed (m/s) of each trial.
 
-    Gives the median of the trials and their standard deviation; None where fewer than two meet it twice.
+    Returns the median over the trials and the standard deviation; None if fewer than two trials have two passages.
 
     >>> loop_length([([0.2, 1.2, 2.2], 1.97), ([1.0, 0.5, 2.0], 3.94)])
     (1.97, 0.0)
@@ -152,7 +152,7 @@ def loop_length(met: Sequence[tuple[Sequence[float], float]]) -> tuple[float, fl
         if gaps:
             loops = sum(
                 round(gap / min(gaps)) for gap in gaps
-            )  # a passage between may not have been recognised
+            )  # an intermediate passage may have been missed
             lengths.append(speed * sum(gaps) / loops)
     if len(lengths) < _FEWEST_LENGTHS:
         return None
@@ -160,27 +160,27 @@ def loop_length(met: Sequence[tuple[Sequence[float], float]]) -> tuple[float, fl
 
 
 _FEWEST_LENGTHS = 2
-"""Trials whose lengths must agree: one alone shows no scatter."""
+"""Minimum number of trials: a single trial does not show the scatter."""
 
 Placed = tuple[FitTrial, TrialOnBelt | None, Sequence[Finding]]
-"""A trial that meets its obstacle when the record does, what was found of belt and passages, and what is doubtful."""
+"""A trial aligned with its record, its belt speed and passages, and findings."""
 
 
 def place_trial(
     trial: FitTrial, noted: float | None, passage: Passage, pulses: PulseSpeed | None
 ) -> Placed:
-    """Give a trial whose model meets the obstacle when the record does.
+    """Align a trial with its record, so that the model passes the obstacle at the same time.
 
-    On a belt the record is the average of its loops (``passage="all"``), or one of them, and the model has been
-    running; a record that holds no loop in full is taken as it is. Without a belt the obstacle is moved to where the
-    record meets it, where that is not where the road says.
+    On a belt the record is averaged over its loops (``passage="all"``) or reduced to one loop, and the model is in
+    periodic motion; a record without a complete loop is used unchanged. Without a belt, the obstacle is moved to its
+    position in the record if it differs from the position stated by the road.
 
     Raises
     ------
     ObstacleNotFoundError
-        Where the obstacle is not found.
+        If the obstacle is not found.
     FitError
-        Where the passage that is asked for does not exist, or the belt carries another obstacle.
+        If the requested passage does not exist, or the belt carries a different obstacle.
     """
     road = trial.trial.road
     assert road is not None
@@ -227,7 +227,7 @@ def _compared_channels(trial: FitTrial) -> list[str]:
 
 
 def _with_free_zero(sensor: Sensor | None) -> Sensor:
-    """Nothing is at rest in a loop that could tell where zero lies."""
+    """Estimate the zero of a sensor as a free offset: a loop of the belt has no phase at rest."""
     sensor = sensor or Sensor()
     return (
         sensor if sensor.datum is not None else sensor.model_copy(update={"datum": "free offset"})
@@ -243,7 +243,7 @@ def _speed_findings(noted: float | None, slip: float | None, passages: Passages)
             else "campaign.belt_and_pulses_differ"
         )
         findings.append(finding(code, "speed", slip, slip=slip, speed=passages.speed))
-    # Speeds are noted to three digits, 1.95 m/s to 0.3 %; beyond 1 % it is not rounding.
+    # Speeds are stated to three digits, 1.95 m/s to 0.3 %; more than 1 % is not rounding.
     if noted is not None and abs(passages.speed / noted - 1.0) > 0.01:
         numbers = {"noted": noted, "period": passages.period, "speed": passages.speed}
         findings.append(
@@ -253,7 +253,7 @@ def _speed_findings(noted: float | None, slip: float | None, passages: Passages)
 
 
 def _move_obstacle(trial: FitTrial, noted: float | None, channels: list[str]) -> Placed:
-    """Move the obstacle to where the record meets it; leave a trial alone whose record begins where the road says."""
+    """Move the obstacle to its position in the record, if it differs from the position stated by the road."""
     road, speed = trial.trial.road, trial.trial.speed
     assert road is not None
     assert speed is not None
@@ -272,7 +272,7 @@ def _move_obstacle(trial: FitTrial, noted: float | None, channels: list[str]) ->
     except ObstacleNotFoundError:
         raise
     except JounceError:
-        return trial, None, ()  # the comparison says what it finds
+        return trial, None, ()  # the comparison reports the error
     met, stated = passages.times[0], road.start / speed
     if abs(met - stated) <= _MET_AS_STATED or passages.likeness[0] < _SURE:
         return trial, None, passages.findings
@@ -292,11 +292,11 @@ def _move_obstacle(trial: FitTrial, noted: float | None, channels: list[str]) ->
 
 
 _SURE = 0.8
-"""Correlation with the model's response from which on its place is taken, rather than that of the road."""
+"""Minimum correlation with the model's response for which the detected position replaces the position of the road."""
 
 
 def exchanged_trials(trials: Mapping[int, TrialOnBelt]) -> list[Finding]:
-    """Name pairs of trials whose records were exchanged: each runs at the speed that is noted of the other."""
+    """Find pairs of trials whose records were exchanged: each runs at the stated speed of the other."""
     noted = {number: facts.noted for number, facts in trials.items() if facts.noted is not None}
     findings = []
     for first, second in combinations(noted, 2):
@@ -314,22 +314,22 @@ def exchanged_trials(trials: Mapping[int, TrialOnBelt]) -> list[Finding]:
 
 
 _NOTED = 0.01
-"""Share by which the speed of a trial is off before another trial's is looked for: they are noted with two decimals,
-and a belt is steady to half a per cent."""
+"""Relative error of a trial's stated speed above which other trials are considered: speeds are stated with two
+decimals, and a belt is steady to half a per cent."""
 _SAME_SPEED = 0.02
-"""Share by which a noted speed and that of the recurrence of the right trial differ at most, with slip."""
+"""Maximum relative difference between the stated speed and the speed from recurrence of the right trial, with slip."""
 _MUCH_NEARER = 1.0 / 3.0
-"""Share of the difference to a trial's own noted speed, below which that of the other one is its own."""
+"""Fraction of the difference to a trial's own stated speed below which the other trial's speed is taken as its own."""
 
 
 def common_speed_errors(
     trials: Mapping[int, TrialOnBelt], length: float
 ) -> tuple[list[Finding], bool]:
-    """Say once what makes the speeds of all trials differ by one factor; whether the belt's length is in doubt.
+    """Report an error that scales the speeds of all trials by one factor; also return whether the length is doubtful.
 
-    The speed of the recurrence counts on the belt's ``length`` (m). Pulses count on radius and marks, noted speeds on
-    the drive: where both say the same, or there are no pulses, the length is wrong; where the noted speeds agree with
-    the recurrence, the pulses are.
+    The speed from recurrence depends on the belt's ``length`` (m), pulses depend on radius and marks, and stated speeds
+    on the drive. If pulses and stated speeds agree, or there are no pulses, the length is wrong; if stated speeds and
+    recurrence agree, the pulses are wrong.
     """
     noted = _common_factor([(facts.speed, facts.noted) for facts in trials.values()])
     pulses = _common_factor([(facts.speed, facts.pulses) for facts in trials.values()])
@@ -347,12 +347,12 @@ def common_speed_errors(
 
 
 def _is_off(factor: float) -> bool:
-    """Whether a factor on speeds is neither one nor slip."""
+    """Whether a speed factor differs from 1 by more than slip can explain."""
     return not 1.0 - _LARGEST_SLIP < factor < 1.0 + _SAME_SPEED
 
 
 def _common_factor(pairs: Sequence[tuple[float, float | None]]) -> float | None:
-    """The factor between speeds and others that all pairs have in common; None without one, or with one pair only."""
+    """Return the common factor between pairs of speeds; None if there is none, or if there are too few pairs."""
     factors = [speed / other for speed, other in pairs if other]
     if len(factors) < _FEWEST_ALIKE:
         return None
@@ -363,4 +363,4 @@ def _common_factor(pairs: Sequence[tuple[float, float | None]]) -> float | None:
 
 _FEWEST_ALIKE = 3
 _MOST_ALIKE = 0.8
-"""Trials, and share of them, that must have a factor in common: one or two may be exchanged or misread."""
+"""Minimum number and fraction of trials that must share a factor: one or two may be exchanged or misread."""

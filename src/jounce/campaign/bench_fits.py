@@ -1,4 +1,4 @@
-"""Fits of one part to bench files: a damper law, the damping of free decays, a stiffness."""
+"""Fits of single components to bench files: a damper law, the damping of free decays, a stiffness."""
 
 from __future__ import annotations
 
@@ -55,14 +55,16 @@ from jounce.recordings.options import (
 if TYPE_CHECKING:
     import xarray as xr
 
-STROKE_SIGN = Mark("Which way the stroke counts; compression if unsaid.", "compression|extension")
-FORCE_SIGN = Mark("Which way the force counts; compression if unsaid.", "compression|tension")
+STROKE_SIGN = Mark(
+    "Positive direction of the stroke; default: compression.", "compression|extension"
+)
+FORCE_SIGN = Mark("Positive direction of the force; default: compression.", "compression|tension")
 LONGEST = 10.0
-"""Deflection (m) above which a bare number lacks its unit."""
+"""Deflection (m) above which a number without unit is refused."""
 
 
 def title_of(files: Sequence[Path]) -> str:
-    """Name the file, or the first and the last of several."""
+    """Return the name of the file, or of the first and last of several."""
     return files[0].stem if len(files) == 1 else f"{files[0].stem} to {files[-1].stem}"
 
 
@@ -76,11 +78,11 @@ class MeasuredDamper(Plain):
     Attributes
     ----------
     fit : DamperResult
-        The law.
+        Fitted law.
     curve : DamperCurve
-        Measured and fitted force side by side.
+        Measured and fitted force for comparison.
     findings : tuple of Finding
-        What reading the record and the fit found.
+        Findings of the reader and of the fit.
     """
 
     fit: DamperResult
@@ -91,7 +93,7 @@ class MeasuredDamper(Plain):
         return str(self.fit)
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the law as plain values, SI."""
+        """Return the law as plain values, SI."""
         return {**to_plain(self.fit), "findings": to_plain(self.findings)}
 
 
@@ -122,33 +124,33 @@ def fit_measured_damper(
 ) -> MeasuredDamper:
     """Fit a damper law to a record of imposed motion and force.
 
-    Stroke and force are positive in compression, unless the options say otherwise. What the record itself shows (a
-    damper dissipates, gas pushes outwards) is held against that; the fitted law is positive in compression.
+    Stroke and force are positive in compression, unless the options state otherwise. The signs are checked against the
+    record (a damper dissipates energy, gas pressure extends it); the fitted law is positive in compression.
 
     Parameters
     ----------
     record : RecordFile, str or Path
         Record with channels ``displacement`` (m), ``force`` (N), over time (s), and ``velocity`` (m/s) if recorded.
     law : {"linear", "bilinear", "blow-off", "polynomial", "tanh-hysteretic", "bouc-wen"}
-        What to fit.
+        Damper law to fit.
     degree : int
-        Of a polynomial.
+        Degree of a polynomial law.
     odd, friction : bool
-        Whether a polynomial has odd powers only, and whether dry friction is fitted beside a law of velocity.
+        Whether a polynomial has odd powers only, and whether dry friction is fitted in addition to a velocity law.
     velocity_from : {"recorded", "displacement"}
-        Where the velocity is from.
+        Source of the velocity: the recorded channel, or the derivative of the displacement.
     stroke_positive, force_positive : str, optional
-        How the record counts the stroke ("compression", "extension") and the force ("compression", "tension").
+        Positive direction of the stroke ("compression", "extension") and of the force ("compression", "tension").
 
     Returns
     -------
     MeasuredDamper
-        As :func:`jounce.fit_damper` gives the law, SI.
+        Law as returned by :func:`jounce.fit_damper`, SI.
 
     Raises
     ------
     RecordingError
-        For a record without displacement or force.
+        If displacement or force is missing in the record.
 
     Examples
     --------
@@ -203,13 +205,13 @@ class MeasuredDecays(Plain):
     Attributes
     ----------
     fit : DecayResult or CombinedDecay
-        The damping: of the one decay, or of all of them together.
+        Damping from a single decay, or from all decays combined.
     decays : mapping of str to (DecayResult, ndarray, ndarray)
-        Each by the name of its file, with its time (s) and what was recorded (SI), shape (n,).
+        Result of each decay by file name, with its time (s) and recorded signal (SI), shape (n,).
     title : str
-        Names of the files, in short.
+        Short form of the file names.
     findings : tuple of Finding
-        What reading the records and the fits found.
+        Findings of the reader and of the fits.
     """
 
     fit: DecayResult | CombinedDecay
@@ -221,7 +223,7 @@ class MeasuredDecays(Plain):
         return str(self.fit)
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the damping as plain values, SI; a torque is named as one."""
+        """Return the damping as plain values, SI; keys distinguish forces from torques."""
         unknown = {"value": None, "standard_error": None, "interval": None}
         force = f"coulomb_{MOTIONS[self.fit.motion].force_word}"
         names = {name: name for name in _ESTIMATES} | {"coulomb_force": force}
@@ -274,7 +276,7 @@ def fit_measured_decays(
     inertia: Annotated[
         float | str | None,
         Number(
-            'Inertia about the axis of what turns (angle, rate gyro), e.g. "0.8 kg*m^2".',
+            'Moment of inertia of a rotating part (angle, rate gyro), e.g. "0.8 kg*m^2".',
             "INERTIA",
             "kg*m^2",
             is_positive=True,
@@ -282,22 +284,24 @@ def fit_measured_decays(
     ] = None,
     stiffness: Annotated[
         float | str | None,
-        Mark("Known stiffness, compared with that from mass and frequency.", "STIFFNESS"),
+        Mark("Known stiffness to compare with the one from mass and frequency.", "STIFFNESS"),
     ] = None,
     begin: Annotated[
         float | str | None, Number('Ignore samples before this time, e.g. "1.2 s".', "TIME", "s")
     ] = None,
-    end: Annotated[float | str | None, Number("Ignore samples after this time.", "TIME", "s")] = None,
+    end: Annotated[
+        float | str | None, Number("Ignore samples after this time.", "TIME", "s")
+    ] = None,
     quadratic_drag: Annotated[
-        Drag, Mark("Fit it, too; auto: where the record shows it.", "auto|yes|no")
+        Drag, Mark("Also fit quadratic drag; auto: if the record shows it.", "auto|yes|no")
     ] = "auto",
     stroke_positive: Annotated[StrokePositive | None, STROKE_SIGN] = None,
     progress: Callable[[str], None] = lambda _: None,
 ) -> MeasuredDecays:
     """Separate viscous damping, dry friction and quadratic drag in a free decay.
 
-    Of a pendulum or another part that turns, give the inertia in place of the mass: numbers are then in N m, N m s/rad
-    and N m/rad. Damping does not depend on the sign of the record; the equilibrium of a deflection is positive in
+    For a pendulum or another rotating part, give the inertia instead of the mass; results are then in N m, N m s/rad
+    and N m/rad. The damping does not depend on the sign of the record; the equilibrium of a deflection is positive in
     compression.
 
     Parameters
@@ -305,31 +309,31 @@ def fit_measured_decays(
     records : sequence of RecordFile, str or Path
         Recordings of free decays; several are combined.
     channel : str
-        What was recorded: a displacement (m), velocity (m/s) or acceleration (m/s^2), or an angle (rad) or its rates.
+        Recorded channel: a displacement (m), velocity (m/s) or acceleration (m/s^2), or an angle (rad) or its rates.
     mass, inertia : float or str, optional
-        Of what swings: kg of a motion along a line, kg m^2 of one about an axis.
+        Oscillating mass (kg) for translation, or moment of inertia about the axis (kg m^2) for rotation.
     stiffness : float or str, optional
-        Known stiffness (N/m or N m/rad), compared with that from mass and frequency.
+        Known stiffness (N/m or N m/rad), compared with the stiffness from mass and frequency.
     begin, end : float or str, optional
         Window of the record to use, s.
     quadratic_drag : {"auto", "yes", "no"}
-        Whether it is fitted, too; "auto" where the record shows it.
+        Whether to fit quadratic drag; "auto" fits it if the record shows it.
     stroke_positive : {"compression", "extension"}, optional
-        How the record counts a stroke.
+        Positive direction of a recorded stroke.
     progress : callable
-        Called with a text as the work goes on.
+        Called with a text that describes the current step.
 
     Returns
     -------
     MeasuredDecays
-        As :func:`jounce.fit_decay` gives each, SI.
+        Results as returned by :func:`jounce.fit_decay`, SI.
 
     Raises
     ------
     RecordingError
-        For a record without the channel, or one that is no motion.
+        If the channel is missing or does not describe a motion.
     DescriptionError
-        Without mass or inertia.
+        If mass or inertia is missing.
 
     Examples
     --------
@@ -389,7 +393,7 @@ def check_decay(
     figure: Path | None,
     **_others: Any,
 ) -> None:
-    """Refuse invalid signs, and a figure of several decays."""
+    """Refuse invalid signs, and a figure of more than one decay."""
     sign_of(stroke_positive, "stroke", where="--stroke-positive")
     check_stroke(channel, stroke_positive, where="--stroke-positive")
     count = len(matching_files(measured, "FILE"))
@@ -405,7 +409,7 @@ def check_decay(
 def _inertia(
     mass: float | str | None, inertia: float | str | None, motion: MeasuredMotion, channel: str
 ) -> dict[str, float]:
-    """What swings: the mass of a motion along a line, the inertia of one about an axis."""
+    """Return the mass (translation) or the moment of inertia (rotation) as an argument of the fit."""
     given = {"mass": mass, "inertia": inertia}
     own = given.pop(motion.inertia_word)
     ((other, wrong),) = given.items()
@@ -429,7 +433,7 @@ def _inertia(
 
 
 def _motion_in(data: xr.Dataset, channel: str, file: str) -> tuple[Array, MotionQuantity]:
-    """Samples of the channel, and what motion they are."""
+    """Return the samples of the channel and their kind of motion."""
     names = [str(name) for name in data.data_vars]
     if channel not in names:
         raise RecordingError(
@@ -467,7 +471,7 @@ AnyBenchFiles = Annotated[
         "jounce.campaign.bench_fits:read_bench_files", "jounce.campaign.bench_fits:trials_in_python"
     ),
 ]
-"""Trials of a test machine; faces ask for files, columns and signs."""
+"""Trials of a test machine; user interfaces request files, columns and signs."""
 
 
 def read_bench_files(
@@ -485,23 +489,23 @@ def read_bench_files(
     Parameters
     ----------
     measured : sequence of str or Path
-        Files, or patterns of their names: columns displacement and force, or angle and torque.
+        File names or patterns; the files have the columns displacement and force, or angle and torque.
     columns : mapping, optional
-        Column that holds a quantity.
+        Name of the column for each quantity.
     variable : str
-        Part of the file.
+        Variable, group or sheet to read from the file.
     stroke_positive, force_positive : str, optional
-        How the records count the stroke ("compression", "extension") and the force ("compression", "tension").
+        Positive direction of the stroke ("compression", "extension") and of the force ("compression", "tension").
 
     Returns
     -------
     BenchFiles
-        SI.
+        Trials in SI.
 
     Raises
     ------
     RecordingError
-        For files that hold no such trial.
+        If no file matches or a file does not contain such a trial.
 
     Examples
     --------
@@ -521,7 +525,7 @@ def read_bench_files(
 
 
 def trials_in_python(measured: Sequence[str], **options: Any) -> str:
-    """Write the trials as Python.
+    """Return a Python expression for the trials.
 
     >>> trials_in_python(["spring_1.csv"]), trials_in_python(["spring_1.csv"], force_positive="tension")
     ("['spring_1.csv']", "jn.read_bench_files(['spring_1.csv'], force_positive='tension')")
@@ -537,13 +541,13 @@ class MeasuredStiffness(Plain):
     Attributes
     ----------
     fit : StiffnessResult
-        The stiffness.
+        Fitted stiffness.
     measured : BenchFiles
-        The trials.
+        Measured trials.
     rig_text : str
-        A rig's file with the stiffness in it; empty where no rig takes it over.
+        Text of a rig file with the fitted rate; empty if no rig was given.
     findings : tuple of Finding
-        What reading the trials and the fit found.
+        Findings of the reader and of the fit.
     """
 
     fit: StiffnessResult
@@ -553,14 +557,14 @@ class MeasuredStiffness(Plain):
 
     @property
     def title(self) -> str:
-        """Names of the files, in short."""
+        """Short form of the file names."""
         return title_of(self.measured.files)
 
     def __str__(self) -> str:
         return str(self.fit)
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the stiffness as plain values, SI."""
+        """Return the stiffness as plain values, SI."""
         files = [str(file) for file in self.measured.files]
         return {"files": files, **to_plain(self.fit), "findings": to_plain(self.findings)}
 
@@ -592,52 +596,52 @@ def fit_measured_stiffness(
     operating_force: Annotated[
         float | str | None,
         Mark(
-            'Static load of the part, e.g. "206 N", or torque: checks that the fit covers it.',
+            'Static load of the part, e.g. "206 N", or torque; a finding warns if the fit does not cover it.',
             "LOAD",
         ),
     ] = None,
     rig: Annotated[
-        str | None, File("A rig that takes the rate over: name or file.", "RIG", ("parts",))
+        str | None, File("Rig to write the rate into: name or file.", "RIG", ("parts",))
     ] = None,
     part: Annotated[
-        str | None, Mark("Which rate of the rig it is; strut.spring.rate by default.", "PART")
+        str | None, Mark("Rate of the rig to replace; strut.spring.rate by default.", "PART")
     ] = None,
 ) -> MeasuredStiffness:
-    """Fit the stiffness of a spring, a tyre or a part that is twisted to repeated trials.
+    """Fit the stiffness of a spring, a tyre or a torsional component to repeated trials.
 
-    Stroke and force are positive in compression, unless the options or the record say otherwise. Files with the columns
-    angle and torque give a rate in N m/rad.
+    Stroke and force are positive in compression, unless the options or the record state otherwise. Files with the
+    columns angle and torque give a rate in N m/rad.
 
     Parameters
     ----------
     trials : BenchFiles or sequence of str or Path
-        What was measured, or its files.
+        Measured trials, or the names of their files.
     law : {"linear", "polynomial", "power", "monotone-spline"}
         Force law to fit.
     degree : int
-        Of a polynomial.
+        Degree of a polynomial law.
     discard_below : float or str, optional
-        Ignore smaller deflections, m or rad.
+        Deflection below which points are ignored, m or rad.
     intercept : {"drop", "shift", "keep"}
-        What becomes of the force at zero deflection.
+        Treatment of the force at zero deflection.
     branch : {"loading", "unloading", "both"}
-        Which part of each trial is fitted.
+        Part of each trial that is fitted.
     operating_force : float or str, optional
         Static load of the part, N or N m.
     rig : str, optional
-        Rig whose file takes the rate over, SI.
+        Rig into whose file the rate is written, SI.
     part : str, optional
-        Which rate of the rig it is, ``strut.spring.rate`` by default.
+        Rate of the rig to replace, ``strut.spring.rate`` by default.
 
     Returns
     -------
     MeasuredStiffness
-        As :func:`jounce.fit_stiffness` gives the stiffness, SI.
+        Stiffness as returned by :func:`jounce.fit_stiffness`, SI.
 
     Raises
     ------
     OutputError
-        For a part of the rig that takes no such rate.
+        If the part of the rig does not accept such a rate.
 
     Examples
     --------
@@ -687,7 +691,7 @@ def check_stiffness(*, rig: Any, part: str | None, out: Path | None, **_others: 
 
 
 def _with_rate(fit: StiffnessResult, rig: str, part: str, source: str) -> str:
-    """Write a rig with one of its rates measured, and where it comes from above it."""
+    """Return the text of a rig file with a measured rate, and a comment about its source at the top."""
     rate, motion, described = fit.stiffness, MOTIONS[fit.motion], load(rig)
     if part in described.parameters() and (takes := unit_of(described, part)) != motion.stiffness:
         raise OutputError(

@@ -1,4 +1,4 @@
-"""From bench files to a rig's start values, and the current knowledge of the rig at any point of a campaign.
+"""Evaluation of bench files, which gives a rig its start values, and the state of knowledge during a campaign.
 
 A bench table that fails does not stop the others.
 """
@@ -51,14 +51,14 @@ from jounce.simulation import linearise
 
 TyreTable = dict[str, Any]
 TYRE_PATHS = ("tyre.stiffness", "tyre.curve")
-"""Beginnings of the paths of the tyre's elastic law, which is known for each pressure by itself."""
+"""Path prefixes of the tyre's elastic law, which is stored separately for each pressure."""
 
 
 @dataclass(frozen=True)
 class Knowledge(Shown):
-    """Rig values that apply to all trials, and the tyre's elastic law at each pressure (Pa) that has its own.
+    """Rig values that apply to all trials, and the tyre's elastic law by pressure (Pa).
 
-    ``between`` gives the tyre at a pressure that was not measured, or None where nothing is known about pressure.
+    ``between`` returns the tyre at a pressure that was not measured; it is None if the pressure dependence is unknown.
     """
 
     rig: Rig
@@ -66,7 +66,7 @@ class Knowledge(Shown):
     between: Callable[[float], TyreTable] | None = None
 
     def tyre_at(self, pressure: float | None) -> TyreTable:
-        """Elastic law of the tyre at a pressure, as a rig file writes it; empty: the rig's own."""
+        """Return the tyre's elastic law at a pressure (Pa) as a table of a rig file; empty for the rig's own law."""
         if pressure is None:
             return {}
         if pressure in self.tyres:
@@ -80,9 +80,9 @@ class Knowledge(Shown):
         changes: Mapping[str, Any],
         added_mass: float = 0.0,
     ) -> Rig:
-        """Rig as set up for one trial: strut angle (rad), pressure (Pa), changes by path, and a mass (kg) on its body.
+        """Return the rig as set up for one trial: strut angle (rad), pressure (Pa), changes by path, added mass (kg).
 
-        A 3-D rig's strut is turned about its lower end, see :func:`jounce.parts.variants.with_strut_angle`.
+        The strut of a 3-D rig is rotated about its lower end, see :func:`jounce.parts.variants.with_strut_angle`.
         """
         rig = with_tyre(self.rig, self.tyre_at(pressure))
         rig = rig if strut_angle is None else with_strut_angle(rig, strut_angle)
@@ -96,7 +96,7 @@ class Knowledge(Shown):
     def after(
         self, fitted: Mapping[str, UpdatedParameter], pressures: Sequence[float | None]
     ) -> Knowledge:
-        """Adopt fitted values; those of the tyre apply only at the pressures they were fitted at."""
+        """Adopt fitted values; values of the tyre apply only at the pressures of the fitted trials."""
         tyre = {path: p for path, p in fitted.items() if path.startswith(TYRE_PATHS)}
         rig = self.rig.with_changes(
             {path: p.value for path, p in fitted.items() if path not in tyre}
@@ -121,7 +121,7 @@ class Knowledge(Shown):
 
 
 def with_tyre(rig: Rig, table: TyreTable) -> Rig:
-    """Give the rig with the elastic law of its tyre replaced; an empty table changes nothing."""
+    """Return the rig with the elastic law of its tyre replaced; an empty table changes nothing."""
     if not table:
         return rig
     dump = rig.model_dump(by_alias=True, exclude_none=True)
@@ -132,14 +132,14 @@ def with_tyre(rig: Rig, table: TyreTable) -> Rig:
 
 
 def tyre_of(rig: Rig) -> TyreTable:
-    """Elastic law of a rig's tyre, as a rig file writes it."""
+    """Return the elastic law of a rig's tyre as a table of a rig file."""
     tyre = rig.model_dump(by_alias=True, exclude_none=True)["tyre"]
     return {key: tyre[key] for key in ("stiffness", "curve") if key in tyre}
 
 
 @dataclass(frozen=True)
 class Replaced:
-    """One rig value that a measurement replaced, SI."""
+    """A rig value that was replaced by a measurement, SI."""
 
     path: str
     described: float | None
@@ -150,9 +150,9 @@ class Replaced:
 
 @dataclass(frozen=True)
 class DampingChoice:
-    """One interpretation of the decays: damping ratio (1), coefficient at the sprung mass and the strut (N s/m).
+    """One interpretation of the decays: damping ratio (1), coefficients at the sprung mass and the strut (N s/m).
 
-    ``at_strut`` is None where the rig's damper is no plain coefficient; ``is_used`` tells the way the campaign chose.
+    ``at_strut`` is None if the rig's damper is not a single coefficient; ``is_used`` marks the campaign's choice.
     """
 
     method: str
@@ -164,9 +164,9 @@ class DampingChoice:
 
 @dataclass
 class Characterisation(Shown):
-    """Bench results: those of each table, and which rig values they replaced.
+    """Results of all bench tables, and the rig values that they replaced.
 
-    ``loaded`` holds the trials of the test machine as they were fitted, by their table: ``bench.tyre."0.31 MPa"``.
+    ``loaded`` holds the fitted trials of the test machine by table, e.g. ``bench.tyre."0.31 MPa"``.
     """
 
     spring: StiffnessResult | None = None
@@ -198,7 +198,7 @@ def characterise(
             continue
         try:
             knowledge = step(measured, knowledge, table, folder)
-        except Exception as error:  # noqa: BLE001 - one bad file never loses the others
+        except Exception as error:  # noqa: BLE001 - one bad file must not stop the others
             measured.failed.append(place)
             measured.findings.append(
                 finding("campaign.described_value_used", place, error=reason(error))
@@ -207,7 +207,7 @@ def characterise(
 
 
 def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
-    """Find the files of a table, each once; every pattern must match at least one."""
+    """Find the files of a table without duplicates; every pattern must match at least one file."""
     files: list[Path] = []
     for pattern in patterns:
         matches = (
@@ -222,7 +222,7 @@ def files_of(patterns: tuple[str, ...], folder: Path, where: str) -> list[Path]:
             )
         files += [
             file for file in matches if file not in files
-        ]  # counted twice, it would look like a repetition
+        ]  # a file counted twice would look like a repetition
     return files
 
 
@@ -239,9 +239,9 @@ def read_force_deflection(
     force_positive: ForcePositive | None = None,
     motions: Sequence[MeasuredMotion] = (TRANSLATION,),
 ) -> tuple[list[ForceDeflectionTrial], list[Finding]]:
-    """Read trials of a test machine: columns ``displacement`` (m) and ``force`` (N), compression positive if unsaid.
+    """Read trials of a test machine: ``displacement`` (m) and ``force`` (N), positive in compression by default.
 
-    With ``ROTATION`` among the ``motions``, files with ``angle`` (rad) and ``torque`` (N m) are read, too.
+    With ``ROTATION`` in ``motions``, files with ``angle`` (rad) and ``torque`` (N m) are also read.
     """
     trials, findings = [], []
     for file in files:
@@ -277,7 +277,7 @@ def _fit(
         "branch": table.branch,
         "operating_force": load
         if load > 0.0
-        else None,  # a torsion bar or a third spring may carry all
+        else None,  # a torsion bar or a third spring may carry the entire load
         **choice,
     }
     result = fit_stiffness(trials, **settings)
@@ -291,7 +291,7 @@ def _fit(
 def _has_value(
     measured: Characterisation, place: str, findings: Sequence[Finding], estimate: Estimate
 ) -> bool:
-    """Whether a bench result may replace what the rig describes; where it may not, a finding says why."""
+    """Whether a bench result may replace the described value; otherwise a finding states the reason."""
     problem = next((item.message for item in findings if item.severity == "problem"), None)
     unsure = estimate.standard_error is not None and estimate.standard_error > _UNSURE * abs(
         estimate.value
@@ -304,7 +304,7 @@ def _has_value(
 
 
 _UNSURE = 0.5
-"""Standard error over value above which a bench result is none: its interval holds zero and twice the value."""
+"""Relative standard error above which a bench result is discarded: its interval includes zero and twice the value."""
 
 
 def _spring(
@@ -332,7 +332,7 @@ def _spring(
 
 
 def _measured_spring(result: StiffnessResult, values: Mapping[str, float]) -> dict[str, Any]:
-    """Describe the spring with its measured law; what the rig says of its load stays: preload, or free length."""
+    """Return the table of the spring with its measured law; the rig's preload or free length is kept."""
     load = {
         key: values[f"strut.spring.{key}"]
         for key in ("preload", "free_length")
@@ -350,7 +350,7 @@ def _measured_spring(result: StiffnessResult, values: Mapping[str, float]) -> di
 
 
 def _static_spring_force(rig: Rig) -> float:
-    """Force in N with which the spring carries the rig at rest, at design in 3-D."""
+    """Return the static spring force in N; for a 3-D rig in the design position."""
     if isinstance(rig, Corner):
         return static_spring_force(rig)
     values = rig.parameters()
@@ -358,7 +358,7 @@ def _static_spring_force(rig: Rig) -> float:
 
 
 def static_tyre_force(rig: Rig) -> float:
-    """Force in N with which the tyre carries the rig at rest."""
+    """Return the static tyre load of the rig in N."""
     values = rig.parameters()
     if isinstance(rig, Corner):
         masses = [body.mass for body in rig.body_masses().values()]
@@ -404,12 +404,12 @@ def _tyre(
 
 
 def _nearest(tyres: Mapping[float, dict[str, Any]], pressure: float) -> dict[str, Any]:
-    """Table of the tyre that was measured at the nearest pressure (Pa)."""
+    """Return the tyre table measured at the nearest pressure (Pa)."""
     return tyres[min(tyres, key=lambda known: abs(known - pressure))]
 
 
 def _interpolate(measured: Characterisation, pressure: float) -> dict[str, Any]:
-    """Table of the tyre at a pressure (Pa) between those that were measured."""
+    """Interpolate the tyre table at a pressure (Pa) between the measured pressures."""
     assert measured.pressure is not None
     stiffness, notes = measured.pressure.at(pressure)
     measured.findings += [note for note in notes if note not in measured.findings]
@@ -419,7 +419,7 @@ def _interpolate(measured: Characterisation, pressure: float) -> dict[str, Any]:
 def polynomial_tyres(
     bench: Bench, knowledge: Knowledge, folder: Path, measured: Characterisation
 ) -> Knowledge:
-    """Knowledge with the tyre's measured curve (cubic through the origin, all points) instead of its stiffness."""
+    """Replace the tyre's stiffness by its measured curve (cubic through the origin, fitted to all points)."""
     load = static_tyre_force(knowledge.rig)
     tyres = {}
     for name, table in bench.tyre.items():
@@ -454,7 +454,7 @@ def _tyre_table(result: StiffnessResult) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class DecayRecord:
-    """A free decay as read: its file, time (s), signal (SI; compression positive), and the reader's findings."""
+    """A free decay as read: file, time (s), signal (SI, positive in compression), and the reader's findings."""
 
     file: str
     time: Array
@@ -465,7 +465,7 @@ class DecayRecord:
 def decay_records(
     table: DecayBench, folder: Path, sensors: Mapping[str, Sensor] | None = None
 ) -> list[DecayRecord]:
-    """Read the free decays of a campaign; its files are relative to ``folder``."""
+    """Read the free decays of a campaign; file names are relative to ``folder``."""
     records = []
     for file in files_of(table.files, folder, "bench.decay"):
         data, notes = table.read(file, folder, sensors)
@@ -489,11 +489,12 @@ def _decay(
     folder: Path,
     sensors: Mapping[str, Sensor] | None = None,
 ) -> Knowledge:
-    """Damping at the strut from free decays of the sprung mass.
+    """Estimate the damping at the strut from free decays of the sprung mass.
 
-    With the hub blocked the decay sees the wheel-referred damping ``c_w = c r^2`` (motion ratio ``r``, lumped
-    ``cos(angle)``). On its tyre it is the body's swing upon both masses, strut and tyre: it falls as that swing does
-    with ``c_w``, which for little damping and a light wheel is ``c_w (k_t / (k_w + k_t))^2`` seen.
+    With the hub blocked, the decay measures the damping referred to the wheel, ``c_w = c r^2`` (motion ratio ``r``, or
+    ``cos(angle)`` for a lumped rig). With the wheel on its tyre, the decay rate is that of the body mode of the
+    two-mass system with ``c_w``; for light damping and a light wheel the apparent damping is
+    ``c_w (k_t / (k_w + k_t))^2``.
     """
     rig = knowledge.rig
     values = rig.parameters()
@@ -560,7 +561,7 @@ def _damping_choices(
     refer: Callable[[float], tuple[float, float]] | None,
     method: str,
 ) -> tuple[DampingChoice, ...]:
-    """Both ways to read the decays; ``refer`` gives the wheel's coefficient for the sprung mass's, and its slope."""
+    """Interpret the decays by both methods; ``refer`` converts a coefficient to the wheel and returns its slope."""
     mass = seen_at.sprung_mass
     decrement = decay.logarithmic_decrement
     ratio = ratio_from_decrement(decrement.value) if math.isfinite(decrement.value) else math.inf
@@ -587,7 +588,7 @@ def _damping_choices(
 
 
 def _scale_estimate(source: Estimate, factor: float, value: float) -> Estimate:
-    """Estimate of a quantity whose derivative by another estimate is ``factor`` and whose value is ``value``."""
+    """Propagate an estimate to a dependent quantity with value ``value`` and derivative ``factor``."""
     if source.standard_error is None or source.interval is None or not math.isfinite(value):
         return Estimate(value)
     low, high = (value + factor * (end - source.value) for end in source.interval)
@@ -595,7 +596,7 @@ def _scale_estimate(source: Estimate, factor: float, value: float) -> Estimate:
 
 
 def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration"]:
-    """What a decay channel measures, by its unit."""
+    """Return the quantity of a decay channel according to its unit."""
     unit = channel_unit(channel)
     kinds: dict[str, Literal["displacement", "velocity", "acceleration"]] = {
         "m": "displacement",
@@ -612,9 +613,9 @@ def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration
 
 @dataclass(frozen=True)
 class _AtWheel:
-    """A rig at rest: rates of strut and tyre at the wheel (N/m), masses (kg), damping there over the damper's (1).
+    """Properties of a rig at rest: rates of strut and tyre at the wheel (N/m), masses (kg), tyre damping (N s/m).
 
-    Damping of the tyre in N s/m.
+    ``lever`` is the ratio of the damping at the wheel to the damping of the damper (1).
     """
 
     wheel_rate: float
@@ -625,7 +626,7 @@ class _AtWheel:
     lever: float
 
     def swing(self, damping: float) -> tuple[float, float]:
-        """Damping (N s/m) and stiffness (N/m) of a single mass equivalent to the body, for a wheel damping (N s/m)."""
+        """Return damping (N s/m) and stiffness (N/m) of the single mass equivalent to the body, for a wheel damping."""
         masses = self.sprung_mass, self.unsprung_mass
         poles = road_poles(
             LinearQuarterCar(*masses, self.wheel_rate, damping, self.tyre_rate, self.tyre_damping)
@@ -637,32 +638,33 @@ class _AtWheel:
         return -2.0 * self.sprung_mass * float(pole.real), self.sprung_mass * float(abs(pole)) ** 2
 
     def stiffness_behind(self, seen: float) -> float | None:
-        """Stiffness (N/m) of that mass with a damping coefficient (N s/m); None if no damping at the wheel gives it."""
+        """Return the stiffness (N/m) of that mass for its damping (N s/m); None if no wheel damping produces it."""
         at_wheel = self.damping_behind(seen)
         return None if at_wheel is None else self.swing(at_wheel[0])[1]
 
     def refer(self, seen: float) -> tuple[float, float]:
-        """Damping at the wheel (N s/m) that corresponds to that of one mass (N s/m), and its slope (1).
+        """Convert the damping of a single mass (N s/m) to damping at the wheel (N s/m); return its slope (1), too.
 
-        What falls faster than any damping lets the body fall is referred by the share of the strut in the deflection.
+        A decay faster than any wheel damping allows is scaled by the strut's share of the static deflection.
         """
         return self.damping_behind(seen) or (seen / self._share**2, 1.0 / self._share**2)
 
     @property
     def _share(self) -> float:
-        """Share of the strut in what the body sinks under a load."""
+        """Strut's share of the body's deflection under a static load."""
         return self.tyre_rate / (self.wheel_rate + self.tyre_rate)
 
     def damping_behind(self, seen: float) -> tuple[float, float] | None:
-        """Least damping at the wheel (N s/m) with the decay of one mass with a coefficient (N s/m), and its slope (1).
+        """Find the minimum wheel damping (N s/m) for the damping of a single mass (N s/m), and its slope (1).
 
-        None where there is none: the body's swing falls at most so fast, or ends, and another one is the slowest.
+        Return None if there is no solution: the decay rate of the body mode is bounded, and beyond some damping
+        the mode is no longer oscillatory or no longer the slowest.
 
-        A pole ``p`` is one for the damping ``c`` where ``P(p) + c Q(p) = 0``. Its real part is known; that ``c`` is
-        real gives a cubic in the square of its imaginary part.
+        The system has a pole ``p`` for the damping ``c`` if ``P(p) + c Q(p) = 0``. The real part of ``p`` is known;
+        requiring a real ``c`` gives a cubic equation for the square of its imaginary part.
         """
         least = self.swing(0.0)[0] - seen
-        if least >= 0.0:  # the tyre damps as much
+        if least >= 0.0:  # the tyre's damping alone is sufficient
             return -least / self._share**2, 1.0 / self._share**2
         plain, damped = self._characteristic
         along = Polynomial([-seen / (2.0 * self.sprung_mass), 1j])
@@ -678,7 +680,7 @@ class _AtWheel:
 
     @property
     def _characteristic(self) -> tuple[Polynomial, Polynomial]:
-        """Characteristic polynomial on the road without damping at the wheel, and what 1 N s/m adds to it."""
+        """Characteristic polynomial without damping at the wheel, and its increment per 1 N s/m."""
         masses = self.sprung_mass, self.unsprung_mass
         without, with_one = (
             Polynomial(
@@ -692,14 +694,14 @@ class _AtWheel:
 
     @property
     def _end(self) -> float:
-        """Least damping at the wheel (N s/m) with which the body creeps: its poles meet on the real axis.
+        """Critical damping of the body at the wheel (N s/m), at which the poles of the body meet on the real axis.
 
-        The product of all four poles is the same for any damping, and the wheel's are the quicker ones.
+        The product of all four poles does not depend on the damping, and the poles of the wheel are the faster ones.
         """
         plain, damped = self._characteristic
         standstill = (
             plain.deriv() * damped - plain * damped.deriv()
-        )  # of the damping along the axis
+        )  # stationary points of the damping along the axis
         meet = -_positive_roots(standstill(Polynomial([0.0, -1.0])))
         between = self.wheel_rate * self.tyre_rate / (self.sprung_mass * self.unsprung_mass)
         dampings = -plain(meet) / damped(meet)
@@ -707,20 +709,18 @@ class _AtWheel:
 
 
 def _positive_roots(of: Polynomial) -> Array:
-    """Those roots that are real and positive."""
+    """Return the real positive roots of a polynomial."""
     roots = np.asarray(of.roots(), dtype=complex)
     return np.asarray(
         roots.real[(np.abs(roots.imag) < _SAME_SWING * np.abs(roots)) & (roots.real > 0.0)]
     )
 
 
-_SAME_SWING = (
-    1e-6  # by which share the swing that was looked for may be missed, and a root the real axis
-)
+_SAME_SWING = 1e-6  # relative tolerance of the required decay rate, and of real roots
 
 
 def _at_wheel(rig: Rig) -> _AtWheel:
-    """Give what a decay needs of a rig about static equilibrium; tangents of curves."""
+    """Linearise a rig about static equilibrium for the evaluation of decays."""
     if isinstance(rig, Corner):
         lumped = lump(rig)
         sprung, unsprung = lumped.effective_masses
@@ -740,17 +740,17 @@ def _at_wheel(rig: Rig) -> _AtWheel:
 
 
 SPRUNG_MASS = "sprung.mass"
-"""What ``added_mass`` of a trial is added to."""
+"""Parameter to which the ``added_mass`` of a trial is added."""
 _MACHINE = 0.005
-"""Share of a value that a test machine is off by, at least."""
+"""Minimum relative error of a test machine."""
 
 
 def bench_values(
     measured: Characterisation, rig: Rig, pressure: float | None
 ) -> dict[str, Estimate]:
-    """Values that the bench gave for numbers of a rig, by path, SI; those of the tyre at a pressure (Pa).
+    """Return the bench results for rig parameters by path, SI; tyre results for a pressure (Pa).
 
-    Intervals hold the slope over the fitted range and the one at the static load, and what a test machine is off by.
+    The intervals cover the slope over the fitted range, the slope at the static load, and the test machine's error.
     """
     values, given, used = (
         rig.parameters(),
@@ -781,7 +781,7 @@ def bench_values(
 
 
 def _cover_readings(*readings: Estimate | None) -> Estimate:
-    """One estimate whose interval holds all readings of a component test."""
+    """Return an estimate whose interval covers all readings of a component test."""
     known = [reading for reading in readings if reading is not None]
     ends = [
         end for reading in known for end in (reading.interval or (reading.value, reading.value))

@@ -1,4 +1,4 @@
-"""Make a campaign from a folder: inspect every file, and write the campaign that files and settings define."""
+"""Creation of a campaign from a folder: inspect every file, and write the campaign that files and settings define."""
 
 from __future__ import annotations
 
@@ -35,18 +35,18 @@ from jounce.recordings.schema import channel_unit
 
 Strategies = Literal["default", "paper"]
 _FITTED = 3
-"""Trials that are fitted by default: from three on an update has an interval that counts model error."""
+"""Number of trials fitted by default: with three or more, the intervals of an update include model error."""
 _START_DAMPING = "150 N*s/m"
-"""Where the search for the damper begins: its bounds reach from 0.2 to 3 times this."""
+"""Start value of the damper; its bounds range from 0.2 to 3 times this value."""
 _DAMPING_BOUNDS = ["30 N*s/m", "450 N*s/m"]
 _TYRE_DAMPING_BOUNDS = ["0 N*s/m", "100 N*s/m"]
-"""Nobody measures a tyre's damping: held at a guess it moves the damper, and the masses that are to make up for it."""
+"""Tyre damping is rarely measured; fixed at a guess, it would bias the estimates of damper and masses."""
 _SAME_PRESSURE = 0.02
-"""Share by which a pressure in a file's name may differ from the table's and still be the same."""
+"""Relative tolerance within which a pressure in a file name matches the pressure in the table."""
 _SAME_RATE = 0.01
-"""Share by which sample rates of records may differ and be those of one clock."""
+"""Relative tolerance within which sample rates of records count as equal."""
 _AGREES = 0.03
-"""Share by which a calibration may differ from the sensitivity on a sensor's label without being asked about."""
+"""Relative difference between a calibration and the sensor's stated sensitivity above which a finding is reported."""
 
 
 @dataclass(frozen=True)
@@ -58,9 +58,9 @@ class FolderCampaign(Shown):
     campaign : Path
         The campaign file.
     files : tuple of RecognisedFile
-        Every file of the folder, and what it was taken for.
+        Every file of the folder with its recognised kind.
     findings : tuple of Finding
-        What is missing or could be meant otherwise.
+        Missing or ambiguous information.
     """
 
     campaign: Path
@@ -68,7 +68,7 @@ class FolderCampaign(Shown):
     findings: tuple[Finding, ...]
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain data: files with what they were taken for, and findings."""
+        """Return plain data: files with their recognised kinds, and findings."""
         files = [
             {
                 "file": item.file.name,
@@ -101,11 +101,11 @@ def campaign_from_folder(
     Parameters
     ----------
     folder : Path or str
-        Where ``campaign.toml`` and ``rig.toml`` are written; it is made.
+        Folder in which ``campaign.toml`` and ``rig.toml`` are written; created if necessary.
     source : Path or str
-        Folder of the laboratory's files; they stay where they are.
+        Folder of the laboratory's files, which are neither moved nor changed.
     settings : Path or str, optional
-        What was written by hand (schema ``jounce.laboratory/1``); by default the file of that kind in ``source``.
+        Handwritten settings (schema ``jounce.laboratory/1``); default: the file with this schema in ``source``.
     strategies : {"default", "paper"}
         Updates: one with all parameters free, or the three of the quarter-car prototype paper.
     force : bool
@@ -114,16 +114,16 @@ def campaign_from_folder(
     Returns
     -------
     FolderCampaign
-        The file written, what each file was taken for, and findings.
+        The written campaign file, the recognised kind of each file, and findings.
 
     Raises
     ------
     RecordingError
-        Where there is no folder, or no table of trials.
+        If the folder does not exist or has no table of trials.
     DescriptionError
-        For settings that cannot be understood, or none.
+        If the settings are missing or invalid.
     OutputError
-        When a file exists, without ``force``.
+        If a file exists and ``force`` is not set.
 
     Examples
     --------
@@ -167,7 +167,7 @@ def _settings_of(source: Path, given: Path | str | None) -> Path:
 
 
 class _Maker:
-    """Writes a campaign; notes what is missing on the way."""
+    """Writer of a campaign, which also collects findings about missing information."""
 
     def __init__(
         self,
@@ -207,7 +207,7 @@ class _Maker:
         return [item for item in self.files if item.kind == kind and item.file not in self.left_out]
 
     def _doubt_code(self, item: RecognisedFile) -> str:
-        """Code of the finding about a file that could be of two kinds; it is left out where other tests are certain."""
+        """Return the finding's code for a file of ambiguous kind; exclude the file if other tests are unambiguous."""
         sure = [other for other in self.files if other.kind == item.kind and not other.doubt]
         if item.kind not in ("spring", "tyre") or not sure:
             return "campaign.file_in_doubt"
@@ -279,7 +279,7 @@ class _Maker:
         return quarter_car_text(self.raw["sprung_mass"], self.raw["unsprung_mass"], self._angle())
 
     def _check_columns(self) -> None:
-        """Say which columns of the settings no record has, and name those that the records do have."""
+        """Report columns of the settings that no record has, and list the columns of the records."""
         there = {name for item in self.files for name in item.signals}
         belt = self.laboratory.belt
         asked = {f"channels.{column}": column for column in self.laboratory.channels}
@@ -311,7 +311,7 @@ class _Maker:
         return table
 
     def _calibrate(self, item: RecognisedFile, column: str, channel: CardChannel) -> dict[str, Any]:
-        """Sensitivity and doubt of a calibration in place of those on the sensor's label."""
+        """Return the sensitivity and uncertainty of a calibration, which replace those on the sensor's label."""
         try:
             calibration: Calibration = read_calibration(item.file)
         except JounceError as error:
@@ -350,7 +350,7 @@ class _Maker:
         table = calibration.sensor()
         if (
             channel.high_pass is not None
-        ):  # behind AC coupling a calibration's zero is none of the record
+        ):  # the zero of a calibration does not apply to a record with AC coupling
             del table["zero"]
         return table
 
@@ -385,13 +385,13 @@ class _Maker:
         return bench
 
     def _as_listed(self, pressure: float) -> float:
-        """The pressure of the table (Pa) that a file's name rounds, as 45 psi does 0.31 MPa; else its own."""
+        """Return the table's pressure (Pa) that matches a rounded file name (45 psi for 0.31 MPa), or the given one."""
         listed = {row.pressure for row in self.rows.values() if row.pressure is not None}
         near = [value for value in listed if abs(pressure / value - 1.0) <= _SAME_PRESSURE]
         return min(near, key=lambda value: abs(value - pressure), default=pressure)
 
     def _decays(self) -> list[RecognisedFile]:
-        """Decays at the rig's angle: where every name has an angle of the table, those at others are left out."""
+        """Select the decays at the rig's strut angle, if all file names contain an angle of the table."""
         decays = self._of("decay")
         angles = {
             round(math.degrees(row.angle)) for row in self.rows.values() if row.angle is not None
@@ -410,11 +410,11 @@ class _Maker:
         return [item for item, named in zip(decays, at, strict=True) if usual in named] or decays
 
     def _angle(self) -> float:
-        """The rig's strut angle: that of the first trial, rad."""
+        """Return the rig's strut angle in rad, i.e. the angle of the first trial."""
         return next((row.angle for row in self.rows.values() if row.angle is not None), 0.0)
 
     def _tests(self, items: Sequence[RecognisedFile]) -> dict[str, Any]:
-        """Tests of one part; a file whose columns are called otherwise than those of the most is left out."""
+        """Return the table for the tests of one part; files with unusual column names are left out."""
         usual = Counter(tuple(item.columns.items()) for item in items).most_common(1)[0][0]
         for item in items:
             if tuple(item.columns.items()) != usual:
@@ -503,13 +503,13 @@ class _Maker:
                 )
 
     def _records(self) -> Mapping[int, RecognisedFile]:
-        """The record of each number; of several the first by name."""
+        """Return the record of each trial number; of several records, the first by name."""
         return {
             item.number: item for item in reversed(self._of("trial")) if item.number is not None
         }
 
     def _trials_to_fit(self) -> set[int]:
-        """Trials of a single obstacle at the setting that most have: the slowest, a middle one and the fastest."""
+        """Select trials with a single obstacle at the most common setting: the slowest, a medium and the fastest."""
         single = [row for row in self.rows.values() if row.pitch is None and row.speed is not None]
         settings = Counter((row.angle, row.pressure) for row in single)
         if not settings:
@@ -556,7 +556,7 @@ class _Maker:
                    "free": {"tyre.stiffness": "10 %"}}  # fmt: skip
 
     def _low_pressure(self) -> list[int]:
-        """Trials at the lower pressure, of those whose records are there."""
+        """Return the trials at the lowest pressure that have a record."""
         pressures = {row.pressure for row in self.rows.values() if row.pressure is not None}
         if len(pressures) < 2:
             return []
@@ -568,7 +568,7 @@ class _Maker:
 
 
 def quarter_car_text(sprung: Any, unsprung: Any, angle: float) -> str:
-    """Write the rig file of a quarter car with two masses (with units) and a strut angle (rad); the rest is guessed."""
+    """Write the rig file of a quarter car with two masses (with units) and a strut angle (rad); the rest is assumed."""
     document = tomlkit.document()
     document["schema"] = "jounce.rig/1"
     document["model"] = "quarter-car"
@@ -595,7 +595,7 @@ def _tables(rows: Iterator[dict[str, Any]]) -> tomlkit.items.AoT:
 
 
 def _clock(item: RecognisedFile) -> dict[str, Any]:
-    """What readers must be told of a file's time."""
+    """Return the keys that a reader needs for a file's time."""
     if item.sample_time is not None:
         return {"sample_time": f"{item.sample_time:.6g} s"}
     return {"columns": {"time": item.time}} if item.time else {}

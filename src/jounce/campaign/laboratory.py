@@ -1,4 +1,4 @@
-"""What a laboratory writes down by hand: masses, belt, obstacle, channels of the card, and the table of its trials."""
+"""Handwritten settings of a laboratory: masses, belt, obstacle, channels of the card, and the table of trials."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from jounce.recordings.sensors import Sensor
 
 
 class Obstacle(Description):
-    """The obstacle on the belt, as a caliper measures it: height and length, m."""
+    """Obstacle on the belt, as measured with a caliper: height and length, m."""
 
     height: PositiveHeight
     length: PositiveLength
@@ -44,7 +44,7 @@ class Obstacle(Description):
 
 
 class CardChannel(Sensor):
-    """A channel of the acquisition card: what it measures, and the chain of its sensor."""
+    """A channel of the acquisition card: its measured quantity, and the measuring chain of its sensor."""
 
     measures: str
 
@@ -72,21 +72,21 @@ class Laboratory(Description):
     Attributes
     ----------
     sprung_mass, unsprung_mass : float
-        As weighed, kg.
+        Weighed masses, kg.
     obstacle : Obstacle
-        Height and length, m.
+        Height and length of the obstacle, m.
     belt : Belt
-        Length of the loop; radius, pulses a turn and column of the photo sensor.
+        Length of the loop; radius, pulses per revolution and column of the photo sensor.
     channels : dict
-        Column of the files to what it measures: ``{measures = "sprung.az", sensitivity = "100 mV/g"}``.
+        Channel of each column of the files: ``{measures = "sprung.az", sensitivity = "100 mV/g"}``.
     trials : str
-        File with the table of the trials: number, speed, angle, pressure, obstacles.
+        File with the table of trials: number, speed, angle, pressure, obstacles.
     rig : str
-        A rig instead of the quarter car made of these numbers: a file or a name of the library.
+        Rig file or library name, used instead of the quarter car built from these values.
     title : str
         Title of the report.
     sample_time : float
-        Step of the samples of files without a time, s, where their headers do not say it.
+        Time step of files that contain neither a time column nor a sample rate, s.
     """
 
     schema_: Literal["jounce.laboratory/1"] = Field(default="jounce.laboratory/1", alias="schema")
@@ -118,7 +118,7 @@ def load_laboratory(path: Path | str) -> Laboratory:
     Raises
     ------
     DescriptionError
-        With file, line, key, found value and what is allowed.
+        If the settings are invalid; the message names file, line, key, value and allowed values.
     """
     return read_description(Laboratory, path, "jounce.laboratory/1")[0]
 
@@ -136,7 +136,7 @@ class TrialRow(Description):
     count: Whole = 1
     pitch: PositiveLength | None = None
     taken_for_one: str = ""
-    """What the table calls the profile, where that was not understood."""
+    """Profile as written in the table, if it was not recognised."""
 
 
 _HEADINGS: dict[str, tuple[str, str, tuple[str, ...]]] = {
@@ -148,29 +148,29 @@ _HEADINGS: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "number": ("", "n", ("trial", "number", "no", "nr", "test", "run", "ensaio", "ensayo", "prueba", "versuch",
                          "nummer", "numer", "proba", "essai", "prova")),
 }  # fmt: skip
-"""Usual unit of a column without one, its symbol, and the words that head it, without accents.
+"""Default unit, symbol and heading words (without accents) of each column.
 
-A heading is what the first of these says that it names: "trial speed" is a speed, "obstacle spacing" a pitch.
+The first matching entry applies: "trial speed" is a speed, "obstacle spacing" a pitch.
 """
 _PART_OF_A_WORD = 5
-"""Letters from which a word counts inside another, as in Reifendruck; a shorter one stands alone."""
+"""Minimum length of a word that may match within another, as in Reifendruck; shorter words must match entirely."""
 _TRAIN = 5
-"""Obstacles of the paper's profile B."""
+"""Number of obstacles of the paper's profile B."""
 _TRAINS = r"\s*(B|train|five|5|series?|reihe|seria|trem|tren)\b"
 _SINGLE = r"\s*(A|1|one|single\b.*)?\s*"
 
 
 def read_trials(path: Path | str) -> list[TrialRow]:
-    r"""Read a table of trials (CSV or XLSX): a blank cell has the value above it, as in the paper's Table 2.
+    r"""Read a table of trials (CSV or XLSX): a blank cell repeats the value above it, as in the paper's Table 2.
 
-    Columns are found by the words of their headings: trial, speed, angle, pressure, profile (``A``: one obstacle,
-    ``B``: five) and pitch, also in German, Spanish, Portuguese, French, Italian and Polish; a profile may say its
-    pitch, ``"B (x = 0.10 m)"``. Units stand in the headings or in a row of their own below them.
+    Columns are recognised by words in their headings: trial, speed, angle, pressure, profile (``A``: one obstacle,
+    ``B``: five) and pitch, also in German, Spanish, Portuguese, French, Italian and Polish. A profile may include its
+    pitch, ``"B (x = 0.10 m)"``. Units are given in the headings or in a separate row below them.
 
     Raises
     ------
     RecordingError
-        Without a heading for trial and speed, for a number given twice, or a cell that is none.
+        If the headings for trial or speed are missing, a number occurs twice, or a cell is not a number.
 
     Examples
     --------
@@ -216,7 +216,7 @@ def read_trials(path: Path | str) -> list[TrialRow]:
 
 
 def unread_headings(path: Path | str) -> list[str]:
-    """Headings of a table of trials that jounce does not read."""
+    """Return the headings of a table of trials that jounce does not read."""
     rows, head = _table_of(Path(path))
     read = {i for i, _ in _headings_in(rows[head]).values()}
     return [cell.strip() for i, cell in enumerate(rows[head]) if cell.strip() and i not in read]
@@ -232,7 +232,7 @@ def is_table_of_trials(path: Path | str) -> bool:
 
 
 def _table_of(file: Path) -> tuple[list[list[str]], int]:
-    """Cells of a table of trials, and the row of its headings."""
+    """Return the cells of a table of trials, and the index of its heading row."""
     rows = _cells(file)
     head = next(
         (i for i, row in enumerate(rows) if {"number", "speed"} <= _headings_in(row).keys()), None
@@ -254,7 +254,7 @@ def _count_cells(row: Sequence[str]) -> int:
 
 
 def _cells(file: Path) -> list[list[str]]:
-    """Cells of a text file or of the first sheet of a workbook, as texts with decimal points."""
+    """Read the cells of a text file or of the first sheet of a workbook as texts with decimal points."""
     if file.suffix.lower() == ".xlsx":
         from jounce.core.optional import require
 
@@ -275,13 +275,13 @@ def _cells(file: Path) -> list[list[str]]:
 
 
 def _are_units(row: Sequence[str], places: dict[str, tuple[int, str]]) -> bool:
-    """Whether a row below the headings has their units."""
+    """Whether a row below the headings contains units."""
     place = places["speed"][0]
     return place < len(row) and is_unit_of(row[place], "m/s")
 
 
 def _headings_in(row: Sequence[str]) -> dict[str, tuple[int, str]]:
-    """Column and unit of each heading of a row that names some; a symbol alone is a heading, too."""
+    """Return column and unit of each recognised heading in a row; a single symbol is also a heading."""
     headings: dict[str, tuple[int, str]] = {}
     for i, cell in enumerate(row):
         text, unit = name_and_unit(cell)
@@ -292,7 +292,7 @@ def _headings_in(row: Sequence[str]) -> dict[str, tuple[int, str]]:
 
 
 def _heading(text: str) -> str | None:
-    """What a heading names, by its symbol or the words in it."""
+    """Identify a heading by its symbol or words."""
     plain = without_accents(text)
     words = re.findall(r"[^\W\d_]+", plain)
     for name, (_, symbol, known) in _HEADINGS.items():
@@ -306,7 +306,7 @@ def _heading(text: str) -> str | None:
 
 
 def without_accents(text: str) -> str:
-    """Lower-case text of the letters without their accents, to compare what different keyboards write.
+    """Convert text to lower case without accents, for comparisons across keyboards.
 
     >>> without_accents("Prędkość, Ângulo, koło")
     'predkosc, angulo, kolo'

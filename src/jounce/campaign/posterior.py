@@ -33,22 +33,24 @@ from jounce.roads import Trial, read_roads
 
 CAMPAIGN = File("Campaign file with updates.", "CAMPAIGN.toml")
 STRATEGY = Mark("Name of the update; the last one by default.", "STRATEGY")
-NOISE_ONLY = Switch("Count noise only, not what the campaign doubts of model and measurement.")
-_SPEEDS = 5  # between the slowest and the fastest trial, where none are given; each multiplies the candidates
-_MOST = 500  # candidates: each is a run with its sensitivities
+NOISE_ONLY = Switch(
+    "Count noise only, without the campaign's uncertainty of model and measurement."
+)
+_SPEEDS = 5  # default speeds between the slowest and the fastest trial
+_MOST = 500  # candidates; each requires a simulation with sensitivities
 Progress = Callable[[str], None]
 
 
 @dataclass(frozen=True)
 class CampaignPosterior(Shown):
-    """A posterior with its campaign, and the files written from both.
+    """A posterior with its campaign, and the files written from them.
 
     Attributes
     ----------
     posterior : Posterior
         Parameters, draws and predictions, SI.
     campaign : Campaign
-        What was measured.
+        Campaign with the measured trials.
     """
 
     posterior: Posterior
@@ -63,13 +65,13 @@ class CampaignPosterior(Shown):
         return self.campaign.title
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values without curves: of each band the share of samples inside."""
+        """Return plain values without curves; each band is reduced to the fraction of samples inside."""
         plain = self._table()
         del plain["profiles"]
         return plain
 
     def files(self) -> dict[str, bytes | str]:
-        """Give the numbers, the draws, and the bands of each trial as files, name to content."""
+        """Return numbers, draws and the bands of each trial as a mapping from file name to content."""
         predictions = self.posterior.predictions
         return {
             "posterior.json": to_json(self._table()) + "\n",
@@ -93,7 +95,7 @@ class CampaignPosterior(Shown):
 
 
 def _bands_csv(channels: Mapping[str, PredictionBand]) -> str:
-    """Write the bands of one trial as a table, SI."""
+    """Format the bands of one trial as CSV, SI."""
     columns: dict[str, Any] = {"time [s]": next(iter(channels.values())).time}
     for name, band in channels.items():
         low, high = band.ends()
@@ -122,16 +124,14 @@ def reported_posterior(
     path: Annotated[Path | str, CAMPAIGN],
     strategy: Annotated[str, STRATEGY] = "",
     *,
-    draws: Annotated[
-        int, Count("Number of draws, at least.", least=1000, most=10_000_000)
-    ] = 20_000,
-    seed: Annotated[int, Count("Of everything at random.", least=0)] = 1,
+    draws: Annotated[int, Count("Minimum number of draws.", least=1000, most=10_000_000)] = 20_000,
+    seed: Annotated[int, Count("Seed of the random numbers.", least=0)] = 1,
     noise_only: Annotated[bool, NOISE_ONLY] = False,
     progress: Progress = lambda _text: None,
 ) -> CampaignPosterior:
-    """Draw what the recordings say of an update's parameters, and what that predicts for every trial.
+    """Sample the posterior distribution of an update's parameters, and predict every trial.
 
-    It is what :func:`jounce.campaign_posterior` does, with the campaign's title and files.
+    Like :func:`jounce.campaign_posterior`, but the result includes the campaign's title and files.
     """
     for module in ("emcee", "arviz_stats.base"):
         require(module, "posterior")
@@ -154,34 +154,34 @@ def campaign_posterior(
     noise_only: bool = False,
     progress: Progress = lambda _text: None,
 ) -> Posterior:
-    """Posterior of the parameters of one update of a campaign, with what it predicts for every trial.
+    """Sample the posterior of the parameters of one update of a campaign, with predictions for every trial.
 
     Parameters
     ----------
     path : path
-        Campaign TOML; files it names are relative to its folder.
+        Campaign TOML; file names in it are relative to its folder.
     strategy : str
-        Name of the update, the last one by default. Those it starts from are run before it.
+        Name of the update; default: the last one. The updates that it starts from are run first.
     draws : int
         Number of draws, as for :func:`posterior`.
     seed : int
-        Of everything at random.
+        Seed of the random numbers.
     noise_only : bool
-        Count noise only, not the doubts of the campaign.
+        Count noise only, without the model and measurement uncertainties of the campaign.
     progress : callable
-        Is told in one line of text what is being done.
+        Called with one line of text that describes the current step.
 
     Returns
     -------
     Posterior
-        SI; bands for fitted and held-out trials.
+        Posterior in SI, with bands for fitted and held-out trials.
 
     Raises
     ------
     DescriptionError
-        As :func:`run_campaign`, and for an update that is not in the campaign.
+        As :func:`run_campaign`, and if the update is not in the campaign.
     FitError
-        As :func:`posterior`, and where the update, or one that it starts from, fails.
+        As :func:`posterior`, and if the update, or one that it starts from, fails.
 
     Examples
     --------
@@ -221,55 +221,56 @@ def campaign_next_trials(
     speeds: Annotated[
         Sequence[float | str] | None,
         Texts(
-            'A speed that could be driven, e.g. "2.5 m/s"; repeat it. By default five are tried.',
+            'A possible speed, e.g. "2.5 m/s"; repeat for several. Default: five speeds.',
             "SPEED",
         ),
     ] = None,
     roads: Annotated[
-        Sequence[str] | None, Texts("A road of the campaign; repeat it. By default all.", "ROAD")
+        Sequence[str] | None,
+        Texts("A road of the campaign; repeat for several. Default: all.", "ROAD"),
     ] = None,
     strut_angles: Annotated[
         Sequence[float | str] | None,
-        Texts('A strut angle to set up, e.g. "26 deg"; repeat it.', "ANGLE"),
+        Texts('A possible strut angle, e.g. "26 deg"; repeat for several.', "ANGLE"),
     ] = None,
     tyre_pressures: Annotated[
         Sequence[float | str] | None,
-        Texts('A tyre pressure, e.g. "0.31 MPa"; repeat it.', "PRESSURE"),
+        Texts('A possible tyre pressure, e.g. "0.31 MPa"; repeat for several.', "PRESSURE"),
     ] = None,
-    count: Annotated[int, Count("Trials to choose one after the other.", least=1, most=20)] = 3,
+    count: Annotated[int, Count("Number of trials to choose in sequence.", least=1, most=20)] = 3,
     noise_only: Annotated[bool, NOISE_ONLY] = False,
     progress: Progress = lambda _text: None,
 ) -> NextTrials:
-    """Rank candidate trials by the information that they are expected to give about an update's parameters.
+    """Rank candidate trials by their expected information about an update's parameters.
 
     Parameters
     ----------
     path : path
         Campaign TOML.
     strategy : str
-        Name of the update, the last one by default.
+        Name of the update; default: the last one.
     speeds : sequence, optional
-        Speeds that could be driven, m/s or text; by default five between the least and the greatest of the campaign.
+        Possible speeds, m/s or text; default: five between the minimum and maximum speed of the campaign.
     roads : sequence of str, optional
-        Roads of the campaign; by default all.
+        Roads of the campaign; default: all.
     strut_angles, tyre_pressures : sequence, optional
-        Set-ups that could be tried, rad and Pa or text; by default those of the campaign's trials.
+        Possible settings, rad and Pa or text; default: those of the campaign's trials.
     count : int
-        How many trials to choose, each the best after those before it.
+        Number of trials to choose in sequence, each the best given the previous ones.
     noise_only : bool
-        Count noise only, not the doubts of the campaign.
+        Count noise only, without the model and measurement uncertainties of the campaign.
     progress : callable
-        Is told in one line of text what is being done.
+        Called with one line of text that describes the current step.
 
     Returns
     -------
     NextTrials
-        All candidates with what they would tell, best first, and the series that is best one after the other.
+        All candidates with their expected information gain, best first, and the best sequence of trials.
 
     Raises
     ------
     DescriptionError, FitError
-        As :func:`campaign_posterior`, and for roads that the campaign does not have.
+        As :func:`campaign_posterior`, and if the campaign does not have a road.
 
     Examples
     --------
@@ -300,7 +301,7 @@ def campaign_next_trials(
 def _prepared_update(
     runner: Runner, start: Knowledge, strategy: str, path: Path | str, *, noise_only: bool
 ) -> tuple[Knowledge, list[FitTrial], dict[str, Any], UpdateSettings]:
-    """Run what an update starts from; give what is then known, its trials, free parameters and settings."""
+    """Run the updates that an update starts from; return knowledge, trials, free parameters and settings."""
     entries = {entry.name: entry for entry in runner.campaign.update}
     if not entries:
         raise FitError(
@@ -337,7 +338,7 @@ def _prepared_update(
             hint='Mark trials with use = "fit" or name their numbers.',
         )
     free: dict[str, Any] = dict(entry.free)
-    if noise_only:  # a prior counts beside doubts only
+    if noise_only:  # priors apply only together with uncertainties
         settings = replace(settings, doubt=None)
         free = {
             path: given["bounds"] if isinstance(given, Mapping) else given
@@ -351,7 +352,7 @@ def _candidates(
     roads: Sequence[str] | None, strut_angles: Sequence[float | str] | None,
     tyre_pressures: Sequence[float | str] | None,
 ) -> tuple[list[Candidate], list[Finding]]:  # fmt: skip
-    """All combinations that can be set up and driven, and why others cannot."""
+    """Return all feasible combinations of road, speed and settings, and findings about the others."""
     known = read_roads(runner.campaign.roads, where=str(path), folder=path.parent)
     for name in roads or ():
         if name not in known:
@@ -374,7 +375,7 @@ def _candidates(
         chosen = [positive_si(v, "m/s", where="speeds") for v in speeds]
     entries = runner.campaign.trial
     angles: list[float | None] = list(dict.fromkeys(entry.strut_angle for entry in entries))
-    angles.sort(key=lambda angle: angle is None)  # which may be one of the others
+    angles.sort(key=lambda angle: angle is None)  # None may equal one of the others
     if strut_angles is not None:
         angles = [to_si(v, "rad", where="strut_angles") for v in strut_angles]
     pressures: list[float | None] = list(dict.fromkeys(entry.tyre_pressure for entry in entries))

@@ -1,6 +1,6 @@
 """Recognise the files of a laboratory: spring or tyre test, free decay, trial, calibration, table of trials, settings.
 
-By its columns, their units and the shape of what they hold; names of files add what columns cannot tell.
+Files are recognised by their columns, units and signal shapes; file names provide information that columns lack.
 """
 
 from __future__ import annotations
@@ -27,32 +27,32 @@ Kind = Literal[
     "spring", "tyre", "decay", "trial", "calibration", "table of trials", "settings", "unknown"
 ]
 _FEW_ROWS = 60
-"""Rows: by hand nobody writes more, and no trial has fewer."""
+"""Maximum number of rows of a handwritten table, and minimum number of samples of a trial."""
 _STIFF = 60e3
-"""N/m: springs of small cars and karts are softer, tyres stiffer; bicycle springs lie about there, so it is said."""
+"""Limit in N/m: springs of small cars and karts are softer, tyres are stiffer; rates near the limit are reported."""
 _WORDS: dict[Kind, tuple[str, ...]] = {
     "spring": ("spring", "mola", "feder", "resorte", "muelle", "molla", "ressort", "sprezyn"),
     "tyre": ("tyre", "tire", "pneu", "reifen", "neumatico", "gomma", "opon"),
 }
 _WEIGHTS = {"kg": "kgf", "lb": "lbf", "lbs": "lbf"}
-"""Masses that stand for forces in a test with weights or scales."""
+"""Units of mass that denote forces in a test with weights or scales."""
 _RATE = re.compile(
     r"(?:sampl|rate|abtast|frequen|frecuen|muestreo|amostrag|czestotliw|\bfs\b)[^\d\n]{0,40}"
     r"(\d+(?:[.,]\d+)?) *(k?)(?:Hz|S/s)",
     re.IGNORECASE,
 )
-"""How headers of files without a time column say the rate of their samples."""
+"""Pattern of the sample rate in the header of a file without a time column."""
 _HEADER = 4000
-"""Characters at the beginning of a file in which its rate may stand."""
+"""Number of characters at the beginning of a file that are searched for its sample rate."""
 _USUAL_RATES = (50.0, 200e3)
-"""Hz: what vibrations are recorded at; it tells seconds from milliseconds where a column of time has no unit."""
+"""Usual sample rates in Hz; they distinguish seconds from milliseconds if a time column has no unit."""
 _FALLS = 0.5
-"""Share of the first quarter's motion that is left in the last one of a free decay, at most."""
+"""Maximum motion in the later quarters of a free decay, as a fraction of the motion in the first quarter."""
 
 
 @dataclass(frozen=True)
 class RecognisedFile(Shown):
-    """A file and what it seems to be.
+    """A file and its recognised kind.
 
     Attributes
     ----------
@@ -61,23 +61,23 @@ class RecognisedFile(Shown):
     kind : str
         ``spring``, ``tyre``, ``decay``, ``trial``, ``calibration``, ``table of trials``, ``settings`` or ``unknown``.
     why : str
-        What tells it.
+        Reason for the recognised kind.
     columns : dict
-        Names of a campaign to the columns of the file, where they differ.
+        Names in the campaign to columns of the file, if they differ.
     number : int or None
-        Number of a trial, of its name.
+        Trial number in the file name.
     pressure : float or None
-        Pressure that its name says, Pa.
+        Pressure in the file name, Pa.
     doubt : str
-        What else it could be; empty where nothing.
+        Alternative kind; empty if the file is unambiguous.
     time : str
-        Its column of time with the unit, where readers must be given it: ``"t [s]"``.
+        Time column with its unit, if readers need it: ``"t [s]"``.
     sample_time : float or None
-        Step of the samples that its header says, s, where it has no time.
+        Time step from the header, s, if the file has no time column.
     rate : float or None
-        Samples a second of a record over time, Hz.
+        Sample rate of a record over time, Hz.
     signals : tuple of str
-        Columns of a record over time, without the time.
+        Columns of a record over time, except the time.
     """
 
     file: Path
@@ -101,17 +101,17 @@ def recognise(folder: Path | str, settings: Laboratory | None = None) -> list[Re
     folder : Path or str
         Folder of a laboratory's files.
     settings : Laboratory, optional
-        What was written by hand: its channels tell electrical columns apart.
+        Settings of the laboratory, whose channels distinguish electrical columns.
 
     Returns
     -------
     list of RecognisedFile
-        In the order of names; files that no reader knows are ``unknown``.
+        Files in the order of their names; files without a reader are ``unknown``.
 
     Raises
     ------
     RecordingError
-        For a folder that does not exist or is empty.
+        If the folder does not exist or is empty.
     """
     place = Path(folder)
     if not place.is_dir():
@@ -197,7 +197,7 @@ def _of_columns(file: Path, table: ColumnTable, settings: Laboratory | None) -> 
 
 
 def _time(table: ColumnTable) -> Column | None:
-    """The column of time: of that name, in a unit of time, or called so in another language."""
+    """Return the time column, recognised by its name (in several languages) or unit."""
     plain = next(
         (column for column in table if column.name == "time" or _kind_of_unit(column.unit) == "s"),
         None,
@@ -210,7 +210,7 @@ def _time(table: ColumnTable) -> Column | None:
 def _clock(
     file: Path, time: Column | None, rows: int, settings: Laboratory | None
 ) -> tuple[Array | None, str, float | None]:
-    """Times of the samples (s), how a campaign names their column, and their step where only the header says it."""
+    """Return the instants of the samples (s), the column as named in a campaign, and a time step from the header."""
     if time is None:
         step = _step_in_header(file) if rows > _FEW_ROWS else None
         if step is None and rows > _FEW_ROWS and settings is not None:
@@ -258,7 +258,7 @@ def _no_time(table: ColumnTable, rows: int) -> str:
 def _of_signals(
     file: Path, seconds: Array, signals: list[Column], settings: Laboratory | None
 ) -> RecognisedFile:
-    """A trial or a free decay, by what its signals look like over time (s)."""
+    """Distinguish trials from free decays by the shape of their signals over time (s)."""
     pulses = [column for column in signals if _has_pulses(seconds, column.values)]
     moving = [column for column in signals if column not in pulses]
     if moving and all(_falls(column.values) for column in moving):
@@ -308,7 +308,7 @@ def _force_deflection(file: Path, length: Column, force: Column) -> RecognisedFi
 
 
 def _original_heading(column: Column) -> str:
-    """The heading as the file has it, unit and all."""
+    """Return the heading as written in the file, including its unit."""
     return column.written or column.label
 
 
@@ -324,7 +324,7 @@ def _by_name(stem: str) -> Kind | None:
 
 
 def _pressure(stem: str) -> float | None:
-    """Pressure (Pa) in a name such as ``tyre_031_2`` (0.31 MPa), ``pneu_2.5bar`` or ``run07_45psi``."""
+    """Extract the pressure (Pa) from a name such as ``tyre_031_2`` (0.31 MPa), ``pneu_2.5bar`` or ``run07_45psi``."""
     with_unit = re.search(r"(\d+(?:[.,]\d+)?)\s*_?(MPa|bar|kPa|psi)", stem, re.IGNORECASE)
     if with_unit:
         unit = {"mpa": "MPa", "kpa": "kPa", "bar": "bar", "psi": "psi"}[with_unit[2].casefold()]
@@ -339,11 +339,11 @@ def _measured_channel(column: str, settings: Laboratory | None) -> str | None:
 
 
 def _has_pulses(time: Array, values: Array) -> bool:
-    """Whether a signal has two levels and nothing between them."""
+    """Whether a signal has two levels and almost no samples between them."""
     if not np.all(np.isfinite(values)) or np.ptp(values) == 0.0 or len(values) < _FEW_ROWS:
         return False
     low, high = np.quantile(values, [0.0, 1.0])
-    # Pulses pass the middle half of their range only at edges; other signals are there as often as elsewhere.
+    # Pulses cross the middle half of their range only at edges; other signals are there as often as elsewhere.
     between = np.mean(np.abs(values - 0.5 * (low + high)) < 0.25 * (high - low))
     if between > _BETWEEN:
         return False
@@ -354,11 +354,11 @@ def _has_pulses(time: Array, values: Array) -> bool:
 
 
 _BETWEEN = 0.02
-"""Share of samples in the middle between the levels of a pulse signal: edges pass through it in less than one."""
+"""Maximum fraction of samples between the levels of a pulse signal: an edge takes less than one sample."""
 
 
 def _falls(values: Array) -> bool:
-    """Whether a signal swings about its end and falls: a free decay."""
+    """Whether a signal decays towards its final value, as in a free decay."""
     if not np.all(np.isfinite(values)) or len(values) < _FEW_ROWS:
         return False
     centred = values - np.median(values[-len(values) // 4 :])
@@ -374,7 +374,7 @@ def _falls(values: Array) -> bool:
 
 
 def _numbers_of(tables: list[Path]) -> set[int]:
-    """Numbers in the table of trials, if there is one that can be read."""
+    """Return the trial numbers in the table of trials; empty if there is no readable table."""
     try:
         return {row.number for row in read_trials(tables[0])} if len(tables) == 1 else set()
     except JounceError:
@@ -382,9 +382,9 @@ def _numbers_of(tables: list[Path]) -> set[int]:
 
 
 def _number_trials(files: list[RecognisedFile], known: Collection[int]) -> list[RecognisedFile]:
-    """Give trials the number in their names: the place that has most numbers of the table, or most different ones.
+    """Extract trial numbers from file names, at the position with most numbers of the table, or most distinct numbers.
 
-    Places count from either end of a name; of several alike the last in the name is taken.
+    Positions are counted from either end of a name; in case of a tie the last position is used.
     """
     trials = [item for item in files if item.kind == "trial"]
     numbers = {

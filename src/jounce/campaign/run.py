@@ -1,4 +1,4 @@
-"""Run a campaign: characterise, update strategy by strategy, compare every trial with the model."""
+"""Run a campaign: characterise components, run the updates, and compare every trial with the model."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ _Compared = tuple[TrialComparison | None, dict[str, Signals], list[Finding], Tri
 
 @dataclass(frozen=True)
 class _Loaded:
-    """A trial whose road and recording could be read."""
+    """A trial with its road and recording."""
 
     entry: TrialEntry
     trial: Trial
@@ -99,20 +99,20 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
     Parameters
     ----------
     path : path
-        Campaign TOML; files it names are relative to its folder.
+        Campaign TOML; file names in it are relative to its folder.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with one line of text that describes the current step.
 
     Returns
     -------
     CampaignResult
-        Nothing is written; see :func:`jounce.report.write_campaign`. What fails (a bench table, a trial, an update)
-        is a finding of severity ``problem``; the rest is done.
+        Results in memory; to write them, see :func:`jounce.report.write_campaign`. A failed bench table, trial or
+        update is reported as a finding of severity ``problem``, and the run continues.
 
     Raises
     ------
     DescriptionError
-        When the campaign, rig or road tables cannot be understood.
+        If the campaign, rig or road tables are invalid.
 
     Examples
     --------
@@ -148,9 +148,9 @@ def run_campaign(path: Path | str, *, progress: Progress = lambda _text: None) -
 
 
 def prepared_campaign(path: Path | str, progress: Progress) -> tuple[Runner, Rig, Knowledge]:
-    """Read a campaign, refuse implausible entries, and characterise: ready for updates.
+    """Read and check a campaign, and evaluate its bench tests, to prepare the updates.
 
-    Gives what runs them, the rig as described, and what is known before any update.
+    Returns the runner, the rig as described, and the knowledge before any update.
     """
     file = Path(path)
     campaign, text = load_campaign(file)
@@ -185,7 +185,7 @@ def prepared_campaign(path: Path | str, progress: Progress) -> tuple[Runner, Rig
 
 
 def _truth(campaign: Campaign, folder: Path, findings: list[Finding]) -> BenchTruth | None:
-    """What lies behind the recordings of a synthetic campaign, where it stands beside it."""
+    """Return the true values behind a synthetic campaign if its folder contains them."""
     file = folder / "truth.toml"
     if not (campaign.synthetic and file.is_file()):
         return None
@@ -206,7 +206,7 @@ _LEADING = (
 
 
 def _leading(findings: list[Finding]) -> list[Finding]:
-    """What says that parameters are not those of the parts, first."""
+    """Sort findings so that those which question the physical meaning of parameters come first."""
     return sorted(findings, key=lambda finding: finding.code not in _LEADING)
 
 
@@ -222,7 +222,7 @@ def _check_references(campaign: Campaign, roads: dict[str, Road], file: Path) ->
 
 
 def checks_of(campaign: Campaign, rig: Rig, file: Path) -> list[Callable[[], list[Finding]]]:
-    """Checks made before any work starts; ``jounce check`` makes all of them, too."""
+    """Return the checks made before a run; ``jounce check`` also makes all of them."""
     return [
         partial(check, campaign, rig, file)
         for check in (
@@ -245,7 +245,7 @@ def _check_sensors(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
 
 
 def check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
-    """Refuse angles that this rig's strut cannot have; list those that the literature rejects."""
+    """Refuse strut angles that this rig cannot have; report angles that the literature advises against."""
     findings: list[Finding] = []
     for i, entry in enumerate(campaign.trial):
         if entry.strut_angle is None:
@@ -262,13 +262,13 @@ def check_strut_angles(campaign: Campaign, rig: Rig, file: Path) -> list[Finding
 
 
 def rig_of(entry: TrialEntry, knowledge: Knowledge) -> Rig:
-    """Return the rig as it was set up for a trial, with its adjustments made last."""
+    """Return the rig as set up for a trial; adjustments are applied last."""
     rig = knowledge.rig_for(entry.strut_angle, entry.tyre_pressure, entry.changes, entry.added_mass)
     return apply_adjustments(rig, entry.adjustments) if entry.adjustments else rig
 
 
 def _check_adjustments(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
-    """Refuse adjustments that the rig does not have, or that do not go together."""
+    """Refuse adjustments that the rig does not have, or that conflict with each other."""
     for i, entry in enumerate(campaign.trial):
         if not entry.adjustments:
             continue
@@ -284,7 +284,7 @@ def _check_adjustments(campaign: Campaign, rig: Rig, file: Path) -> list[Finding
 
 
 def _check_masses(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
-    """Refuse masses that are added to a rig without a body."""
+    """Refuse added masses if the rig has no body."""
     for i, entry in enumerate(campaign.trial):
         if entry.added_mass and SPRUNG_MASS not in rig.parameters():
             place = f"{file}: trial[{i}].added_mass (number {entry.number})"
@@ -297,7 +297,7 @@ def _check_masses(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
 
 
 def _check_updates(campaign: Campaign, rig: Rig, file: Path) -> list[Finding]:
-    """Refuse updates and doubts that cannot be meant, before any work is done."""
+    """Refuse invalid updates and uncertainties before the run starts."""
     for path, given in campaign.doubt.values.items():
         own_doubt(rig, path, given, f"{file}: doubt.values")
     for i, entry in enumerate(campaign.update):
@@ -335,7 +335,7 @@ def _load_trials(
 def load_trial(
     entry: TrialEntry, roads: Mapping[str, Road], folder: Path, campaign: Campaign | None = None
 ) -> tuple[_Loaded, list[Finding]]:
-    """Read what a trial needs, and refuse what cannot be compared with a simulation."""
+    """Read the inputs and the recording of a trial; refuse a trial that cannot be compared with a simulation."""
     belt, sensors = (None, {}) if campaign is None else (campaign.belt, campaign.sensors)
     measured, notes = entry.read(
         folder / entry.recording, folder, {**sensors, **(belt.sensors if belt else {})}
@@ -358,7 +358,7 @@ def load_trial(
 
 
 def _window(measured: xr.Dataset, entry: TrialEntry) -> xr.Dataset:
-    """The part of a record that counts; its time begins at 0 there."""
+    """Return the part of a record between ``from`` and ``to``, with time starting at 0."""
     if entry.from_ is None and entry.to is None:
         return measured
     part = measured.sel(time=slice(entry.from_, entry.to))
@@ -378,7 +378,7 @@ def _window(measured: xr.Dataset, entry: TrialEntry) -> xr.Dataset:
 
 
 def _inputs_of(entry: TrialEntry, folder: Path, findings: list[Finding]) -> dict[str, Any]:
-    """Read the measured inputs of a trial, the base motion and the force of an actuator, as fields of a `Trial`."""
+    """Read the measured inputs of a trial (base motion and actuator force) as fields of a `Trial`."""
     known: dict[str, Any] = {}
     if entry.actuator_force is not None:
         file = folder / entry.actuator_force.file
@@ -434,7 +434,7 @@ class Runner:
     as_read: dict[int, _Loaded] = field(default_factory=dict)
 
     def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
-        """Give a trial with the rig as it was set up for it."""
+        """Return a trial with its rig as set up for it."""
         entry = item.entry
         rig = rig_of(entry, knowledge)
         added = {SPRUNG_MASS: entry.added_mass} if entry.added_mass else {}
@@ -452,7 +452,7 @@ class Runner:
         )
 
     def place_trials(self, knowledge: Knowledge) -> None:
-        """Find when each record meets its obstacle, and align the model with it; see `jounce.campaign.belt`."""
+        """Find when each record passes its obstacle, and align the model with it; see `jounce.campaign.belt`."""
         if self.campaign.belt is not None and self.campaign.belt.length is None:
             self._measure_belt(knowledge)
         self.as_read = dict(self.loaded)
@@ -497,7 +497,7 @@ class Runner:
         on_belt = {number: item.facts for number, item in self.loaded.items() if item.facts}
         if self.campaign.belt is not None and self.campaign.belt.length is not None:
             common, is_in_doubt = common_speed_errors(on_belt, self.campaign.belt.length)
-            if common:  # said once, and not of every trial again
+            if common:  # reported once instead of for every trial
                 self.findings[:] = [
                     item for item in self.findings if item.code not in SPEED_CODES
                 ] + common
@@ -507,14 +507,14 @@ class Runner:
         self.findings += exchanged_trials(on_belt)
 
     def _measure_belt(self, knowledge: Knowledge) -> None:
-        """Find the length of a belt that nobody measured from speeds and passages, and give it to all roads."""
+        """Estimate the unknown length of the belt from speeds and obstacle passages, and set it for all roads."""
         met = []
         for item in self.loaded.values():
             road, speed = item.trial.road, item.trial.speed
             if road is None or speed is None or road.is_course():
                 continue
             trial = self.fit_trial(item, knowledge)
-            with suppress(JounceError):  # said where the trial is placed
+            with suppress(JounceError):  # reported when the trial is aligned
                 passages = find_passages(
                     item.measured, trial.rig, road, speed, sensors=trial.sensors, name=trial.name
                 )
@@ -534,10 +534,10 @@ class Runner:
                 self.loaded[number] = replace(item, trial=item.trial.with_fields(road=road))
 
     def decide_datums(self, knowledge: Knowledge) -> None:
-        """Decide where the zeros of all channels lie, once for all updates and comparisons, and check their signs."""
+        """Determine the zero of every channel once for all updates and comparisons, and check the signs."""
         trials, starts = dict[int, FitTrial](), dict[str, dict[str, QuietStart]]()
         for number, item in self.loaded.items():
-            with suppress(Exception):  # said where the trial is used
+            with suppress(Exception):  # reported when the trial is used
                 trial = self.fit_trial(item, knowledge)
                 starts[trial.name] = quiet_starts(trial)
                 trials[number] = trial
@@ -549,7 +549,7 @@ class Runner:
     def update_all(
         self, start: Knowledge, chosen: Sequence[str] | None = None
     ) -> list[StrategyResult]:
-        """Run all updates, or those of some names."""
+        """Run all updates, or only those with the given names."""
         done: dict[str, StrategyResult] = {}
         for k, entry in enumerate(self.campaign.update, 1):
             if chosen is not None and entry.name not in chosen:
@@ -572,7 +572,7 @@ class Runner:
     def set_up(
         self, entry: UpdateEntry, start: Knowledge, done: Mapping[str, StrategyResult]
     ) -> tuple[Knowledge, list[_Loaded], list[FitTrial], UpdateSettings]:
-        """What is known before an update, the trials it is fitted on, and its settings."""
+        """Return the knowledge before an update, the trials to fit, and the settings."""
         knowledge = start
         if entry.start_from is not None:
             if entry.start_from not in done:
@@ -623,7 +623,7 @@ class Runner:
         )
 
     def _before(self, entry: UpdateEntry, done: dict[str, StrategyResult]) -> list[StrategyResult]:
-        """Give the updates that one builds on, the first of them first."""
+        """Return the updates that an update builds on, in order of execution."""
         if entry.start_from is None:
             return []
         earlier = next(update for update in self.campaign.update if update.name == entry.start_from)
@@ -638,7 +638,7 @@ class Runner:
         return [self.loaded[number] for number in entry.trials]
 
     def compare_strategies(self, strategies: list[StrategyResult]) -> list[StrategyResult]:
-        """Compare every update with all trials, before and after it."""
+        """Compare the model with all trials before and after every update."""
         compared = []
         for k, strategy in enumerate(strategies, 1):
             self.progress(
@@ -669,7 +669,7 @@ class Runner:
         return replace(strategy, trials=tuple(trials))
 
     def compare_all(self, start: Knowledge, strategies: list[StrategyResult]) -> list[TrialResult]:
-        """Compare every trial with the characterised model and with that of the last update."""
+        """Compare every trial with the characterised model and with the model after the last update."""
         final = strategies[-1].knowledge if strategies else start
         lags = {name: lag for strategy in strategies for name, lag in strategy.update.lags.items()}
         offsets = {
@@ -686,7 +686,7 @@ class Runner:
     def exchanged_conditions(
         self, knowledge: Knowledge, trials: Sequence[TrialResult]
     ) -> list[Finding]:
-        """Name pairs of records that each other's conditions explain better."""
+        """Find pairs of records that are better explained by each other's conditions."""
         known = {item.place for item in self.findings if item.code == "campaign.trials_exchanged"}
         left = {
             trial.entry.number: min(channel.r2 for channel in trial.after.channels.values())
@@ -701,7 +701,7 @@ class Runner:
             trial = set_up.trial.with_fields(duration=own.trial.duration)
             if (
                 trial.road is not None and trial.road.recurrence is not None
-            ):  # its speed is that of the record
+            ):  # the speed belongs to the record
                 trial = trial.with_fields(speed=own.trial.speed)
             item = replace(set_up, trial=trial, measured=own.measured)
             held = self.fit_trial(item, knowledge)
@@ -713,7 +713,7 @@ class Runner:
         return [item for item in exchanges if item.place not in known]
 
     def compare_with_lumped(self, knowledge: Knowledge) -> ModelComparison | None:
-        """Compare a 3-D rig with the quarter car equivalent to it; None for a lumped rig."""
+        """Compare a 3-D rig with its equivalent quarter car; None for a lumped rig."""
         if not isinstance(knowledge.rig, Corner) or knowledge.rig.guide == "fixed":
             return None
         self.progress("compare: lumped model")
@@ -728,7 +728,7 @@ class Runner:
         return replace(comparison, peaks=tuple(peaks))
 
     def poses(self, trials: list[TrialResult]) -> dict[float | None, xr.Dataset]:
-        """Poses over the travel of all trials at each strut angle; none for a lumped rig or if it cannot reach them."""
+        """Compute poses over the travel of all trials at each strut angle; none for lumped rigs."""
         sweeps: dict[float | None, xr.Dataset] = {}
         for angle in dict.fromkeys(trial.entry.strut_angle for trial in trials):
             motions = [
@@ -793,9 +793,9 @@ class Runner:
         lag: float | None,
         offset: Mapping[str, float] | None = None,
     ) -> _Compared:
-        """Compare a trial with a model; what has been compared is not run again. A failure is a finding.
+        """Compare a trial with a model; results are cached, and a failure is reported as a finding.
 
-        ``offset`` is how far from equilibrium the trial begins, where that was found.
+        ``offset`` is the estimated deviation from equilibrium at the start of the trial.
         """
         trial = self.fit_trial(item, knowledge)
         trial = trial.in_motion(offset) if offset else trial
@@ -812,7 +812,7 @@ class Runner:
 
 
 def _conditions(entry: TrialEntry) -> dict[str, Any]:
-    """What was set up for a trial: not its record, nor how that is read."""
+    """Return the conditions of a trial, without its record and reading options."""
     names = (
         "road",
         "excitation",
@@ -827,12 +827,12 @@ def _conditions(entry: TrialEntry) -> dict[str, Any]:
 
 
 def _without_repeats(notes: list[Finding]) -> list[Finding]:
-    """Name notes of ratings by their channel only: those about the sample rate are the same for all trials."""
+    """Reduce the location of notes to their channel: notes about the sample rate are the same for all trials."""
     return [at_place(n.place.split(", ")[-1], n) if n.severity == "note" else n for n in notes]
 
 
 def _unique(findings: list[Finding]) -> list[Finding]:
-    """Each finding once, in order; the same sentence about many places becomes one."""
+    """Remove duplicate findings, keeping their order."""
     seen: dict[tuple[str, str], Finding] = {}
     for item in findings:
         seen.setdefault((item.place, item.message), item)

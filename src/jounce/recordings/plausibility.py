@@ -1,4 +1,4 @@
-"""Whether numbers of a record can come from a suspension, and which unit was likely meant if they cannot."""
+"""Plausibility checks: whether the values of a record can come from a suspension, and otherwise the likely unit."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from jounce.recordings.schema import channel_unit, place_of, quantity_of
 
 @dataclass(frozen=True)
 class Reach:
-    """Range of a quantity on suspensions, from a kart's corner to a truck's, in SI.
+    """Range of a quantity on suspensions, from kart to truck, in SI.
 
-    ``most`` is beyond all of them; ``usual`` covers nearly all, so the likely unit is the one that brings the number
-    there. The limits are wide: they are to find wrong units, which err by a factor of 10 or more.
+    No suspension exceeds ``most``; ``usual`` covers nearly all, so the likely unit is the one that brings the value
+    into this range. The limits are wide because they only detect wrong units, which err by a factor of 10 or more.
     """
 
-    number: str  # of "mean", "r.m.s.", "peak", "range", "rate"
+    number: str  # "mean", "r.m.s.", "peak", "range" or "rate"
     most: float
     usual: tuple[float, float]
     least: float = 0.0  # a smaller value other than 0 is suspicious
@@ -78,9 +78,9 @@ _UNITS = {
     "N*m": ("N*m", "kN*m", "N*mm"),
 }
 _BODY = ("body", "sprung", "seat", "chassis")
-_FASTEST_STEP = 1.05e-5  # s: a shorter one is below 10 us, faster than any logger of suspensions (5 % for rounding)
+_FASTEST_STEP = 1.05e-5  # s: no logger of suspensions is faster than 10 us (5 % for rounding)
 _FAST_STEP, _SHORT, _SOME = 1.05e-4, 0.3, 100
-"""Step (s) that is suspicious in a record shorter than the next number (s) with more samples than the last."""
+"""A step (s) that is suspicious if the record is shorter than ``_SHORT`` (s) and has more than ``_SOME`` samples."""
 SLOWEST_STEP = 0.2  # s; bounce is about 1 Hz, which needs five samples a period
 MOST_POWER = 2e4  # W; peak of the largest dampers
 MOST_WORK = 8e3  # J a cycle
@@ -94,14 +94,14 @@ def implausible(
     written: Mapping[str, str] | None = None,
     headers: Mapping[str, str] | None = None,
 ) -> list[Finding]:
-    """Report numbers that no suspension reaches.
+    """Report values that no suspension reaches.
 
     Parameters
     ----------
     channels : mapping of str to ndarray of shape (n,)
         Signals in SI by channel name, at constant steps.
     step : float or None
-        Time from sample to sample in s; None for columns that are no signals over time.
+        Time step in s; None for columns that are not signals over time.
     where : str
         File named in the findings.
     written : mapping of str to str, optional
@@ -112,10 +112,10 @@ def implausible(
     Returns
     -------
     list of Finding
-        A problem for each channel beyond ``REACHES``, with the unit that was likely meant; for steps at which no
-        suspension moves; for a force that does more work over its stroke than any damper; for a velocity that is not
-        the rate of the displacement at its place, or its absolute value. Where ``written`` is given, also a warning
-        for tiny signals (strokes below 0.1 mm, forces below 10 N) and for a mean of 1 m/s^2 (gravity?).
+        A problem for each channel beyond ``REACHES``, with the likely unit; for implausible time steps; for a force
+        that does more work over its stroke than any damper; and for a velocity that is not the rate of the displacement
+        of the same part, or is its absolute value. If ``written`` is given, also a warning for tiny signals (strokes
+        below 0.1 mm, forces below 10 N) and for a mean of 1 m/s^2 (gravity?).
 
     Examples
     --------
@@ -205,7 +205,7 @@ def _of_channel(
                 advice=advice,
             )
             return
-        # Still smaller is a channel at rest, not one in another unit.
+        # Even smaller values come from a channel at rest, not from a wrong unit.
         if is_read and 1e-2 * reach.least < number < reach.least:
             advice = _advice(number, reach, unit, si, header)
             yield finding(
@@ -223,7 +223,7 @@ def _of_channel(
         and step is not None
         and values.size * step >= 1.0
         and abs(_number("mean", values, step) - 1.0)
-        < 0.02  # of g: for zeros of sensors, and mounting angles up to 11 deg
+        < 0.02  # allows for sensor offsets, and mounting angles up to 11 deg
     ):
         yield finding(
             "recordings.mean_of_gravity", at, values.mean(), mean=values.mean(), unit=unit
@@ -231,14 +231,14 @@ def _of_channel(
 
 
 def _advice(number: float, reach: Reach, unit: str, si: str, header: str) -> Finding:
-    """Ask for the one or two units in which the number would be most usual."""
+    """Suggest the one or two units in which the value would be most usual."""
     likely: list[tuple[float, str]] = []
     middle = math.sqrt(reach.usual[0] * reach.usual[1])
     try:
         raw = number / conversion_factor(unit, si)
         for other in _UNITS.get(si, ()):
             factor = conversion_factor(other, si)
-            if reach.usual[0] <= raw * factor <= reach.usual[1]:  # the number as read lies outside
+            if reach.usual[0] <= raw * factor <= reach.usual[1]:  # the value as read is outside
                 likely.append((abs(math.log(raw * factor / middle)), other))
     except DescriptionError:
         likely.clear()
@@ -257,7 +257,7 @@ def _advice(number: float, reach: Reach, unit: str, si: str, header: str) -> Fin
 def _beside(
     channels: Mapping[str, Array], first: tuple[str, ...], second: tuple[str, ...]
 ) -> Iterator[tuple[str, str]]:
-    """Channels of the same place, the first with a quantity of one kind, the second of the other."""
+    """Yield pairs of channels of the same part, the first with a quantity of ``first``, the other of ``second``."""
     for name in channels:
         if name.rpartition(".")[2] in first:
             for other in channels:
@@ -286,8 +286,8 @@ def _of_work(channels: Mapping[str, Array], step: float, where: str) -> Iterator
             )
 
 
-_ROUNDING = 1e-12  # range of a constant channel, as a share of its size
-_SAME = 0.95  # correlation above which two signals are the same but for noise
+_ROUNDING = 1e-12  # range of a constant channel, relative to its magnitude
+_SAME = 0.95  # correlation above which two signals are equal apart from noise
 
 
 def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterator[Finding]:
@@ -306,7 +306,7 @@ def _of_rates(channels: Mapping[str, Array], step: float, where: str) -> Iterato
             for v in (channels[name], np.cumsum(channels[rate] - channels[rate].mean()) * step)
         )
         sizes = float(first.std()), float(second.std())
-        # A choice: offsets and filters change the size by less, another unit (mm, deg, g) by about ten or more.
+        # Offsets and filters change the ratio by less than this, wrong units (mm, deg, g) by about ten or more.
         if min(sizes) > 0.0 and not 0.1 < sizes[1] / sizes[0] < 10.0:
             yield finding(
                 "recordings.rates_disagree",
@@ -324,9 +324,9 @@ def _without_line(values: Array) -> Array:
 
 
 def _of_sign(values: Array, rate: Array, name: str, at: str) -> Iterator[Finding]:
-    """Report a rate with the opposite sign, or without the sign, of the steps of a signal that moves both ways."""
+    """Report a rate with inverted or lost sign, for a signal that both rises and falls."""
     steps = np.gradient(values)
-    # A signal that only rises has no rate of the other sign, by which one that lost its sign would show.
+    # A lost sign cannot be detected if the signal only rises or only falls.
     if np.ptp(rate) == 0.0 or min(np.max(steps), -np.min(steps)) < 0.1 * np.max(np.abs(steps)):
         return
     if np.min(rate) >= 0.0 and _correlation(np.abs(steps), rate) > _SAME:
@@ -336,6 +336,6 @@ def _of_sign(values: Array, rate: Array, name: str, at: str) -> Iterator[Finding
 
 
 def _correlation(first: Array, second: Array) -> float:
-    """Correlation coefficient of two signals; NaN if one of them is constant."""
+    """Return the correlation coefficient of two signals; NaN if either is constant."""
     with np.errstate(invalid="ignore", divide="ignore"):
         return float(np.corrcoef(first, second)[0, 1])

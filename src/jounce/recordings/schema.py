@@ -1,4 +1,4 @@
-"""Schema of a recording: channels on a common time, each with its unit, its label and its place."""
+"""Schema of a recording: channels on a common time axis, each with unit, label and place (part of the rig)."""
 
 from __future__ import annotations
 
@@ -92,16 +92,16 @@ def is_channel(channel: str, name: str) -> bool:
 
 
 def channels_of(name: str, names: Sequence[str]) -> list[str]:
-    """Channels of that name: the channel itself, or else the channel of every corner that ends with it."""
+    """Return the channels of a name: the channel itself, otherwise the matching channel of every corner."""
     return [name] if name in names else [channel for channel in names if is_channel(channel, name)]
 
 
 def extremes(
     time: Array, channels: Mapping[str, tuple[Array, str, str]]
 ) -> dict[str, dict[str, str | float]]:
-    """First, least and greatest value of every channel in its unit, with the times (s) of the extremes.
+    """Return the first value, minimum and maximum of every channel in its unit, with the times (s) of the extremes.
 
-    The channels are those that :func:`recording` takes.
+    ``channels`` has the form that :func:`recording` accepts.
     """
     table: dict[str, dict[str, str | float]] = {}
     for name, (values, unit, _) in channels.items():
@@ -123,7 +123,7 @@ _OF_BALL_JOINTS = dict.fromkeys(("e0", "e1", "e2", "e3"), "1") | dict.fromkeys(
 
 
 def quantity_of(name: str) -> str:
-    """Return the known quantity that a channel measures, or an empty text.
+    """Return the known quantity of a channel, or an empty string.
 
     Examples
     --------
@@ -161,7 +161,7 @@ def state_unit(name: str) -> str:
 
 
 def channel_unit(name: str) -> str:
-    """Return the SI unit that a channel must have, by the last word of its name.
+    """Return the SI unit that a channel must have according to the last word of its name.
 
     Parameters
     ----------
@@ -171,12 +171,12 @@ def channel_unit(name: str) -> str:
     Returns
     -------
     str
-        SI unit; ``"1"`` for a plain number.
+        SI unit; ``"1"`` for a dimensionless quantity.
 
     Raises
     ------
     RecordingError
-        If the last word is no known quantity.
+        If the last word is not a known quantity.
 
     Examples
     --------
@@ -209,7 +209,7 @@ def recording_of(
     channels: Mapping[str, tuple[ArrayLike, str, str]],
     attributes: Mapping[str, object] | None = None,
 ) -> xr.Dataset:
-    """Make a recording of arrays; arguments as for :func:`jounce.recording`."""
+    """Create a recording from arrays; arguments as for :func:`jounce.recording`."""
     import xarray as xr
 
     instants = as_samples(time, "s", where="time")
@@ -243,11 +243,11 @@ def _time_axis(instants: Array) -> xr.Dataset:
 
 
 _lasting_time_axis = once_per_object(_time_axis)
-"""The same for read-only instants: one index serves all runs on them."""
+"""Cached time axis for read-only instants: all runs on them share one index."""
 
 
 def is_spelling(unit: object, si: str) -> bool:
-    """Whether a unit is the SI unit in another program's spelling.
+    """Whether a unit is the SI unit in a different spelling.
 
     >>> is_spelling("m/s**2", "m/s^2"), is_spelling("m s-2", "m/s^2"), is_spelling("mm/s^2", "m/s^2")
     (True, True, False)
@@ -266,13 +266,13 @@ def check_recording(dataset: xr.Dataset, *, where: str = "recording") -> None:
     dataset : xarray.Dataset
         Any Dataset; it is not changed.
     where : str
-        Place named in the errors.
+        Location named in errors.
 
     Raises
     ------
     RecordingError
-        If ``time`` in s is missing or does not ascend; if a channel is on another axis, has no unit or another unit
-        than the SI unit of its quantity, or values that are not finite.
+        If ``time`` in s is missing or not increasing; if a channel is on a different axis, has no unit or a unit other
+        than the SI unit of its quantity, or has values that are not finite.
 
     Examples
     --------
@@ -321,7 +321,7 @@ def _check_channel(name: str, variable: xr.DataArray, where: str) -> None:
     quantity = quantity_of(name)
     if quantity not in ("", "command") and not is_spelling(
         unit, channel_unit(name)
-    ):  # a command has its actuator's
+    ):  # a command has the unit of its actuator
         raise RecordingError(
             "the channel has another unit", where=at, found=unit, allowed=channel_unit(name)
         )

@@ -1,4 +1,4 @@
-"""Write recordings in several formats that ``read_recording`` reads back completely."""
+"""Writers for recordings in several formats, which ``read_recording`` reads back without loss."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ from jounce.core.writing import Formats, working_folder
 if TYPE_CHECKING:
     import xarray as xr
 
-_NUMBERS = "fiub"  # kinds of arrays
+_NUMBERS = "fiub"  # numeric dtype kinds
 _LONGEST_NAME = 63  # characters of a variable in MATLAB (namelengthmax)
 ABOUT = "jounce"
-"""Key of the recording's attributes, as JSON, in files of other formats."""
+"""Key under which other formats store the recording's attributes as JSON."""
 
 
 def netcdf_of(dataset: xr.Dataset) -> bytes:
-    """Content of a netCDF-4 file, made in memory: a disk that fills up while HDF5 writes would end the process."""
+    """Return the content of a netCDF-4 file, built in memory: HDF5 would crash the process on a full disk."""
     for name in dataset.variables:
         _check_name(str(name), "/", ".csv or .parquet")
     return bytes(_storable(dataset).to_netcdf(None, engine="h5netcdf"))
 
 
 def _storable(dataset: xr.Dataset) -> xr.Dataset:
-    """The same dataset with attributes that a file can hold: JSON text in place of other objects."""
+    """Return the dataset with attributes that a file can store; other objects become JSON text."""
     copy = dataset.copy(deep=False)
     copy.attrs = {
         str(key): _characters(_storable_attribute(value)) for key, value in dataset.attrs.items()
@@ -49,7 +49,7 @@ def _storable(dataset: xr.Dataset) -> xr.Dataset:
 
 
 def _characters(value: object) -> object:
-    """ASCII text as netCDF characters, as the netCDF library writes it: few other programs read strings."""
+    """Encode ASCII text as netCDF characters, as the netCDF library does: only a few programs read strings."""
     return (
         np.bytes_(value.encode()) if isinstance(value, str) and value and value.isascii() else value
     )
@@ -64,7 +64,7 @@ def _storable_attribute(value: object) -> object:
 
 
 def _signals(dataset: xr.Dataset) -> dict[str, xr.DataArray]:
-    """Time and its channels by name; refuse a dataset with anything else, which would be lost."""
+    """Return time and channels by name; refuse a dataset with other variables, which would be lost."""
     for name, channel in dataset.data_vars.items():
         if channel.dims != ("time",) or channel.dtype.kind not in _NUMBERS:
             shape = f"{channel.dtype.name} over ({', '.join(map(str, channel.dims))})"
@@ -82,7 +82,7 @@ def _signals(dataset: xr.Dataset) -> dict[str, xr.DataArray]:
 
 
 def _check_name(name: str, signs: str, instead: str) -> None:
-    """Refuse a name that a format cannot hold: empty, only dots, or with some signs or a line break."""
+    """Refuse a name that a format cannot store: empty, only dots, or with a line break or one of ``signs``."""
     if not name.strip(" .") or any(sign in name for sign in (*signs, "\n", "\r")):
         words = " ".join(repr(sign) for sign in signs)
         hint = Phrase("Rename the channel, or write {instead}.", instead=instead)
@@ -96,9 +96,9 @@ def _check_name(name: str, signs: str, instead: str) -> None:
 
 
 def _check_texts(dataset: xr.Dataset, *, attributes: bool) -> None:
-    """Refuse texts that a file cannot hold, and units with control characters; libraries name neither in their errors.
+    """Refuse texts that a file cannot store, and units with control characters; errors of libraries name neither.
 
-    ``attributes`` of the recording are not checked for formats that store them as JSON in ASCII.
+    Without ``attributes``, attributes of the recording are not checked: the format stores them as JSON in ASCII.
     """
     holders: dict[str, Any] = {"": dataset} if attributes else {}
     holders |= {str(name): variable for name, variable in dataset.variables.items()}
@@ -126,7 +126,7 @@ def _is_unicode(text: str) -> bool:
         text.encode()
     except (
         UnicodeEncodeError
-    ):  # half of a surrogate pair: Python's form of a file name that is not UTF-8
+    ):  # a lone surrogate, by which Python represents file names that are not UTF-8
         return False
     return True
 
@@ -136,13 +136,13 @@ def _unit(signal: xr.DataArray) -> str:
 
 
 def _about(dataset: xr.Dataset) -> str:
-    """Attributes of a recording as JSON text."""
+    """Return the attributes of a recording as JSON text."""
     plain = {str(key): to_plain(_storable_attribute(value)) for key, value in dataset.attrs.items()}
     return json.dumps({ABOUT: plain}, ensure_ascii=False)
 
 
 def attributes_in(text: object) -> dict[str, object]:
-    """Attributes written by ``_about``; none for other texts.
+    """Parse attributes written by ``_about``; empty for other texts.
 
     >>> attributes_in('{"jounce": {"method": "exact"}}'), attributes_in("made by hand")
     ({'method': 'exact'}, {})
@@ -167,7 +167,7 @@ def _csv_of(dataset: xr.Dataset) -> bytes:
 
 
 def matlab_name(name: str) -> str:
-    """A channel's name as MATLAB allows it.
+    """Convert a channel's name to a valid MATLAB name.
 
     >>> matlab_name("front_left.sprung.az")
     'front_left_sprung_az'
@@ -177,7 +177,7 @@ def matlab_name(name: str) -> str:
 
 
 def _mat_of(dataset: xr.Dataset) -> bytes:
-    """Flat vectors, and structs of their ``names``, ``units`` and ``long_names``; attributes as JSON text."""
+    """Write vectors, and structs of their ``names``, ``units`` and ``long_names``; attributes as JSON text."""
     from scipy.io import savemat
 
     signals = _signals(dataset)
@@ -209,7 +209,7 @@ def _mat_of(dataset: xr.Dataset) -> bytes:
 
 
 def _mdf_of(dataset: xr.Dataset) -> bytes:
-    """One group of channels over time, each with its unit and, as its comment, its long name."""
+    """Write one group of channels over time, each with its unit, and its long name as a comment."""
     asammdf = require("asammdf", "io")
     signals = _signals(dataset)
     for name in signals:
@@ -233,13 +233,13 @@ def _mdf_of(dataset: xr.Dataset) -> bytes:
             file.header.description = _about(dataset)
             file.save(buffer, compression=2)
         finally:
-            with suppress(OSError):  # its temporary file goes with the folder
+            with suppress(OSError):  # its temporary file is removed with the folder
                 file.close()
     return buffer.getvalue()
 
 
 def _parquet_of(dataset: xr.Dataset) -> bytes:
-    """One column for each channel, with ``units`` and ``long_name`` in its metadata."""
+    """Write one column per channel, with ``units`` and ``long_name`` in its metadata."""
     arrow, parquet = require("pyarrow", "io"), require("pyarrow.parquet", "io")
     signals = _signals(dataset)
     fields = [
@@ -260,11 +260,11 @@ def _parquet_of(dataset: xr.Dataset) -> bytes:
 
 
 EXCEL = "recording", "channels", "attributes"
-"""Sheets of a workbook: rows of numbers under ``name [unit]``, names of the channels, attributes as JSON texts."""
+"""Sheets of a workbook: columns headed ``name [unit]``, names of the channels, and attributes as JSON text."""
 
 
 def _xlsx_of(dataset: xr.Dataset) -> bytes:
-    """One column for each channel; a sheet of their names, units and labels, and a sheet of the attributes."""
+    """Write one column per channel, a sheet of their names, units and labels, and a sheet of attributes."""
     signals = _signals(dataset)
     for name, signal in signals.items():
         _check_name(name, "".join(CONTROL.findall(name)), ".nc")
@@ -332,4 +332,4 @@ RECORDING_FILES = Formats(
         ".xlsx": _writer(_xlsx_of, attributes=False),
     },
 )
-"""File formats that recordings are written in."""
+"""File formats in which recordings can be written."""
