@@ -158,7 +158,7 @@ def test_a_third_damper_is_added_to_the_law_of_the_damper():
     hysteretic = {
         "strut.damper": {"kind": "tanh", "coefficient": 100.0, "force": 20.0, "slope": "30 s/m"}
     }
-    with pytest.raises(DescriptionError, match="no lumped law"):
+    with pytest.raises(DescriptionError, match="no lumped equivalent"):
         _damper(rig.with_changes(hysteretic), found)
 
 
@@ -266,7 +266,7 @@ def test_friction_stops_and_damper_keep_their_laws():
 @pytest.mark.parametrize(
     ("rig", "message"),
     [
-        (jn.load("kart-quarter-car"), "lumped already"),
+        (jn.load("kart-quarter-car"), "already lumped"),
         (KART.with_changes({"guide": "fixed"}), "fixed body"),
     ],
 )

@@ -128,7 +128,7 @@ def test_a_front_over_a_spread(car):
         ({"cases": {"rough": {"road": "C", "sped": 3.0}}}, "unknown key"),
         ({"cases": {"rough": {"travel": [-0.01, 0.01]}}}, "quantity"),
         ({"objective": "smooth: sprung.az"}, "unknown case"),
-        ({"objective": "rough: p95 sprung.az", "spread": None}, "percentile of one design"),
+        ({"objective": "rough: p95 sprung.az", "spread": None}, "percentile needs a spread"),
         ({"samples": 1}, "not a number of samples"),
         ({"spread": {"sprung.mas": "5 %"}}, "no such parameter"),
         (
