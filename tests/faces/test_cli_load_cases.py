@@ -68,7 +68,7 @@ def test_usual_cases_are_shown_and_what_the_spring_cannot_carry_is_told(cli) -> 
     for text in (
         "static",
         "cornering 1 g",
-        "Sizes of forces at hardpoints",
+        "Magnitudes of forces at hardpoints",
         "cannot carry it within 100 mm",
     ):
         assert text in outcome.out

@@ -1,8 +1,8 @@
-"""Documents: pages of text, tables and figures as one HTML file each, with their figures and data beside it.
+"""Documents: pages of text, tables and figures, each one HTML file with optional figure and data files.
 
 :func:`write_campaign` reports a bench campaign, :func:`write_protocol` the test of a car's shock absorbers; any other
-page is put together from :class:`Page` and :class:`Section` and written by :func:`write_page`. Nothing here computes a
-physical number. The names are those of ``__init__.pyi``; each is loaded on first use.
+page is assembled from :class:`Page` and :class:`Section` and written by :func:`write_page`. No physical quantities
+are computed here. The names are those of ``__init__.pyi``; each is loaded on first use.
 """
 
 import lazy_loader

@@ -1,4 +1,4 @@
-"""Adjustments as a page: the wheel before and after, what each setting does, and quantities over travel."""
+"""Page of adjustments: wheel alignment before and after, effect of each setting, and quantities over travel."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
     from jounce.design.adjustments import AdjustReport, WheelState
 
 _NOTHING = 1e-6
-"""Changes per mm, degree or N below which rounding is left of nothing."""
+"""Changes per mm, degree or N below which a value is rounding error."""
 
 
 def adjustment_page(adjustment: Adjustment, *, title: str) -> Page:
-    """Put what adjustments do to a rig on a page."""
+    """Create a page of the effect of adjustments on a rig."""
     report, is_changed = adjustment.report, bool(adjustment.report.settings)
     states = (
         {"before": report.before, "after": report.after}
@@ -60,7 +60,7 @@ def _states(states: dict[str, WheelState]) -> PageTable:
 
 
 def _effects(report: AdjustReport) -> PageTable:
-    """Write what each setting changes at both ends of its range, and per mm, degree or N."""
+    """Return a table of the effect of each setting at the limits of its range, and per mm, degree or N."""
     units = {name: display_unit(si) for name, si in QUANTITIES.items()}
     rows: list[tuple[str, ...]] = []
     for effect in report.effects:
@@ -85,13 +85,13 @@ def _effects(report: AdjustReport) -> PageTable:
 
 
 def _slope(value: float | None, factor: float) -> str:
-    """Write a change per unit; what rounding leaves of nothing is nothing."""
+    """Format a change per unit, with values at rounding level as zero."""
     shown_value = None if value is None else value * factor
     return number(0.0 if shown_value is not None and abs(shown_value) < _NOTHING else shown_value)
 
 
 def _over_travel(report: AdjustReport, *, is_changed: bool) -> PageTable:
-    """Write quantities over travel, each before and after."""
+    """Return a table of quantities over travel, each before and after."""
     quantities, along = report.over_travel, display_unit("m")
     when = ("before", "after") if is_changed else ("",)
     rows = tuple(row for name in quantities.before for row in _rows(report, name, when))

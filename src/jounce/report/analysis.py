@@ -150,7 +150,12 @@ def spectra_page(spectra: RecordSpectra, *, title: str) -> Page:
             )
             for row, peak in peaks
         )
-        header = ("channel", "frequency [Hz]", "r.m.s. of the peak", "above the neighbouring valley")
+        header = (
+            "channel",
+            "frequency [Hz]",
+            "r.m.s. of the peak",
+            "above the neighbouring valley",
+        )
         blocks.append(PageTable("Peaks", header, cells, "lrrr"))
     return answer_page(title, blocks, _stretch(spectra.begin, spectra.end, spectra.sample_rate))
 

@@ -1,4 +1,4 @@
-"""A 3-D rig in motion: a page in which it is turned and played, or a film."""
+"""Animation of a 3-D rig: an interactive page, or a film."""
 
 from __future__ import annotations
 
@@ -52,32 +52,32 @@ def animate(
     force: bool = False,
     progress: Callable[[str], None] = lambda _text: None,
 ) -> Path:
-    """Show a sweep or a run of a 3-D rig in motion; the suffix chooses how.
+    """Animate a sweep or a run of a 3-D rig; the suffix of the file selects the format.
 
     Parameters
     ----------
     rig : Corner
-        What moves.
+        Rig to animate.
     poses : xarray.Dataset
         A sweep (``jn.sweep_travel(rig, ..., points=True)``) or a run (``jn.simulate(rig, trial, detail=True)``).
     path : Path or str
-        ``.html`` (one page that opens anywhere without a network: turn, play, read values), ``.gif``, or ``.mp4``
-        (through ffmpeg).
+        ``.html`` (a self-contained page to rotate, play and read values, usable offline), ``.gif``, or ``.mp4``
+        (requires ffmpeg).
     trial : Trial, optional
-        What the run was driven over: its road then passes under the wheel; otherwise a plate lifts the wheel.
+        Trial of the run, whose road passes under the wheel; by default a plate moves the wheel.
     between : tuple, optional
-        First and last travel (m) or time (s), or texts with units, to show only a part.
+        First and last travel (m) or time (s), or texts with units, to show only this range.
     slow : float
-        How many times slower than in reality a run is played [1].
+        Slow-motion factor of a run [1].
     frames : int, optional
-        The most poses to show; by default 1000 in a page and 300 in a film. A film of a run takes no more than it needs
-        for 25 pictures a second.
+        Maximum number of poses; by default 1000 in a page and 300 in a film. A film of a run uses at most 25 poses
+        per second.
     title : str
         Heading; model and side by default.
     force : bool
         Overwrite an existing file.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with a one-line message at each stage.
 
     Returns
     -------
@@ -87,11 +87,11 @@ def animate(
     Raises
     ------
     OutputError
-        For an existing file without ``force``, a missing folder, or another suffix.
+        For an existing file without ``force``, a missing folder, or an unsupported suffix.
     MissingPackageError
         For ``.mp4`` without ffmpeg.
     DescriptionError
-        When the poses are not of this trial, or for a part that they do not reach.
+        If the poses do not belong to this trial, or do not cover the requested range.
     RecordingError
         For poses without hardpoints.
 
@@ -118,7 +118,7 @@ def animate(
 
 
 def check_animation(path: Path | str, *, force: bool = False) -> Path:
-    """Refuse, before the work, a file that could not be written: its suffix, its folder, what stands there, ffmpeg."""
+    """Check in advance that a file can be written: suffix, folder, existing file, ffmpeg."""
     file = ANIMATIONS.check(path, force=force)
     if file.suffix.lower() == ".mp4":
         ffmpeg()
@@ -126,7 +126,7 @@ def check_animation(path: Path | str, *, force: bool = False) -> Path:
 
 
 def _page(motion: Animation, rig: Corner, poses: xr.Dataset, trial: Trial | None) -> Page:
-    """The mechanism at large, beside the curves that it moves with."""
+    """Return a page with a large view of the mechanism next to its curves."""
     shown = motion.poses
     (dimension,) = map(str, poses["wheel_centre.z"].dims)
     over = shown.words.replace(" ", "_")
@@ -151,4 +151,4 @@ def _page(motion: Animation, rig: Corner, poses: xr.Dataset, trial: Trial | None
 
 
 ANIMATIONS = Formats("animations", {".html": REPORTS.writers[".html"], **FILMS.writers})
-"""How a motion is written: a page, or a film."""
+"""Writers of an animation: a page, or a film."""

@@ -1,4 +1,4 @@
-"""The laboratory bench as pages: belt speed, drive, similitude, and choice of a spring."""
+"""Pages of the laboratory bench: belt speed, drive, similitude, and choice of a spring."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def belt_speed_page(speeds: BeltSpeeds, *, title: str) -> Page:
-    """Put the belt speed, from the inverter and from the photo-sensor, on a page."""
+    """Create a page of the belt speed from the inverter and from the photo-sensor."""
     blocks: list[Block] = []
     if speeds.inverter is not None:
         drive = speeds.inverter
@@ -57,7 +57,7 @@ def belt_speed_page(speeds: BeltSpeeds, *, title: str) -> Page:
 
 
 def drive_page(assessment: DriveAssessment, *, title: str) -> Page:
-    """Put the margin of the drive and the attainable speed on a page."""
+    """Create a page of the margin of the drive and the attainable speed."""
     blocks: list[Block] = []
     if assessment.margin is not None:
         margin = assessment.margin
@@ -105,7 +105,7 @@ def drive_page(assessment: DriveAssessment, *, title: str) -> Page:
 
 
 def similitude_page(report: SimilitudeReport, *, title: str) -> Page:
-    """Put the masses, the scale factors and the violations of a prototype on a page."""
+    """Create a page of the masses, scale factors and similitude violations of a prototype."""
     rows = [
         ("mass by Eq. 1, same density", report.mass_same_density, "kg"),
         ("mass by Eq. 1, density of the prototype", report.mass_prototype_density, "kg"),
@@ -128,7 +128,7 @@ def similitude_page(report: SimilitudeReport, *, title: str) -> Page:
 
 
 def spring_choice_page(comparison: SpringComparison, *, title: str) -> Page:
-    """Put candidate springs side by side on a page, with the recommended one."""
+    """Create a page that compares candidate springs and marks the recommended one."""
     rows = comparison.rows
     columns = (
         TableColumn("", [row.name for row in rows]),

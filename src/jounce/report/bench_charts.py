@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 def stiffness_panels(
     fit: StiffnessResult, trials: Sequence[ForceDeflectionTrial], title: str
 ) -> tuple[Panel, ...]:
-    """Force against deflection with the fitted law, and the stiffness of each trial with its interval."""
+    """Plot force against deflection with the fitted law, and the stiffness of each trial with its interval."""
     series, reach, motion = [], 0.0, MOTIONS[fit.motion]
     across, up = display_unit(motion.deflection), display_unit(motion.force)
     for k, trial in enumerate(number_namesakes(list(trials))):
@@ -42,7 +42,7 @@ def stiffness_panels(
         )
         reach = max(reach, float(seated.deflection.max()))
     low, high = fit.fitted_range
-    dropped = 0.0  # force that the fit has and the law for the model has not
+    dropped = 0.0  # intercept force of the fit that the model's law omits
     if fit.law == "linear" and fit.intercept_choice == "drop" and fit.intercept is not None:
         dropped = fit.intercept.value
     inside, whole = np.linspace(low, high, 60), np.linspace(0.0, max(high, reach), 60)
@@ -88,7 +88,7 @@ def _each_trial(fit: StiffnessResult) -> Panel:
 
 
 def pressure_panel(law: PressureStiffness) -> Panel:
-    """Stiffness against inflation pressure with intervals."""
+    """Plot stiffness against inflation pressure with intervals."""
     stiffness, pressure = display_unit("N/m"), display_unit("Pa")
     x = [value * pressure.factor for value in law.pressures]
     y = [estimate.value * stiffness.factor for estimate in law.stiffnesses]
@@ -113,7 +113,7 @@ def pressure_panel(law: PressureStiffness) -> Panel:
 
 
 def decay_panels(decay: DecayResult, time: Array, record: Array, title: str) -> tuple[Panel, ...]:
-    """Free decay over time with the fitted response; turning points; damping ratios of single decrements."""
+    """Plot a free decay over time with the fitted response, turning points, and damping ratios of single decrements."""
     motion, order = motion_of(decay.quantity), order_of(decay.quantity)
     unit = display_unit(motion.units[order])
     begin, end = decay.window
@@ -178,7 +178,7 @@ def _ratios(decay: DecayResult) -> Panel:
 
 
 def road_panels(roads: Mapping[str, Road]) -> tuple[Panel, ...]:
-    """Height of each road against distance, all over the same distance."""
+    """Plot the height of each road against distance, over a common range."""
     reach = 1.08 * max(*(road.end() for road in roads.values()), 1e-3)
     begin = min(road.start for road in roads.values())
     shown = (max(0.0, begin - 0.08 * (reach - begin)), reach)

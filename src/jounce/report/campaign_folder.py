@@ -1,4 +1,4 @@
-"""A campaign run into a folder: report, rigs and results, and the figures and tables that are asked for."""
+"""A campaign run into a folder: report, rigs and results, and the requested figures and tables."""
 
 from __future__ import annotations
 
@@ -43,18 +43,18 @@ REPORTS = Texts(
 
 @dataclass(frozen=True)
 class ReportedCampaign(Shown):
-    """A campaign that was run and written into a folder.
+    """A completed campaign, written into a folder.
 
     Attributes
     ----------
     result : CampaignResult
         Measured values, updates and trials, SI.
     out : Path
-        The folder.
+        Output folder.
     figures : tuple of str
-        Figures that were written into it beside the report, by their names there.
+        Names of the figure files written into the folder.
     missing : tuple of Finding
-        What could not be drawn; everything else is written.
+        Figures that could not be drawn; all other files are written.
     """
 
     result: CampaignResult
@@ -67,11 +67,11 @@ class ReportedCampaign(Shown):
 
     @property
     def is_met(self) -> bool:
-        """Whether nothing failed."""
+        """Whether the campaign completed without failures."""
         return self.result.is_complete
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the results as plain data, SI, with the folder and the figures that were written."""
+        """Return the results as plain data in SI units, with the folder and the figures written."""
         drawn = {"figures": list(self.figures)} if self.figures else {}
         return {**self.result.to_dict(), "is_complete": self.is_met, "out": str(self.out), **drawn}
 
@@ -110,28 +110,28 @@ def report_campaign(
     out : Path or str
         Folder for ``report.html``, ``results.json`` and the rigs of each update.
     figures : sequence of {"svg", "png", "paper"}
-        What else is drawn into the folder ``figures``: every figure of the report in a format, or the figures of the
+        Additional figures in the folder ``figures``: all figures of the report in a format, or those of the
         quarter-car prototype paper.
     tables : sequence of {"csv", "xlsx"}
         Formats of the tables of the report: into the folder ``tables``, or as one workbook.
     reports : sequence of {"html", "pdf"}
-        Forms of the report; the page is always there.
+        Formats of the report; the HTML page is always written.
     force : bool
-        Replace files of the same names in an existing folder; others stay.
+        Replace files of the same names in an existing folder; other files are kept.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with a one-line message at each stage.
 
     Returns
     -------
     ReportedCampaign
-        What :func:`jounce.run_campaign` gives, and what was written.
+        Result of :func:`jounce.run_campaign`, and the files written.
 
     Raises
     ------
     DescriptionError
-        When the campaign, rig or road tables cannot be understood.
+        If the campaign, rig or road tables are invalid.
     OutputError
-        For a folder that is not empty, without ``force``; nothing is computed then.
+        If the folder is not empty and ``force`` is not given; nothing is computed then.
 
     Examples
     --------
@@ -155,7 +155,7 @@ def report_campaign(
 def check_forms(
     *, figures: Sequence[str] = (), tables: Sequence[str] = (), reports: Sequence[str] = ()
 ) -> None:
-    """Refuse forms that do not exist, and those that need packages that are not installed."""
+    """Raise an error for formats that are unknown or require packages that are not installed."""
     for where, forms in (("figures", figures), ("tables", tables), ("reports", reports)):
         for form in forms:
             if form not in _FORMS[where]:
@@ -177,7 +177,7 @@ def write_reported(
     reports: Sequence[str] = (),
     force: bool = False,
 ) -> ReportedCampaign:
-    """Write everything that a campaign gave; what cannot be drawn is noted, and the rest is written."""
+    """Write all results of a campaign; figures that cannot be drawn are reported and skipped."""
     from jounce.report.campaign import write_campaign
 
     folder, formats = Path(out), tuple(dict.fromkeys(form for form in figures if form != "paper"))
@@ -207,7 +207,7 @@ def write_reported(
 def _paper_figures(
     result: CampaignResult, out: Path, *, force: bool
 ) -> tuple[list[str], list[Finding]]:
-    """Write the paper's figures below ``out`` as SVG and PNG; give their names, and what could not be drawn."""
+    """Write the paper's figures below ``out`` as SVG and PNG; return their names, and those that could not be drawn."""
     from jounce.plots import add_note, paper_figures, render_figure
     from jounce.report.campaign import SYNTHETIC_NOTE
 
@@ -218,13 +218,13 @@ def _paper_figures(
             drawn = render_figure(figure, (".svg", ".png"))
             files |= {f"figures/paper-{name}{suffix}": content for suffix, content in drawn.items()}
         write_files(out, files, force=force)
-    except Exception as error:  # noqa: BLE001 - whatever it is, the results are answered
+    except Exception as error:  # noqa: BLE001 - the results are returned in any case
         return [], [not_drawn("figures of the paper", error)]
     return list(files), []
 
 
 def reported_page(reported: ReportedCampaign, *, title: str) -> Page:
-    """Put on a page what a campaign gave, without its figures; title and report stand in the folder."""
+    """Create a page of the results of a campaign without figures; the full report is in the folder."""
     from jounce.report.campaign import campaign_summary
 
     summary = replace(campaign_summary(reported.result), title=title)

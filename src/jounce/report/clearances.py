@@ -1,4 +1,4 @@
-"""Clearances of a corner as a page: the least distance of each pair of bodies, and lengths of links."""
+"""Page of a corner's clearances: minimum distance of each pair of bodies, and lengths of links."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def clearances_page(study: ClearanceStudy, *, title: str) -> Page:
-    """Put least distances and lengths of links on a page."""
+    """Create a page of minimum distances and lengths of links."""
     least, blocks = study.least, list[Block]()
     if least:
         columns = {

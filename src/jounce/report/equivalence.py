@@ -1,4 +1,4 @@
-"""Three tests of the same car as a page: where they reject sound dampers or pass worn ones, then over what varies."""
+"""Page that compares three tests of the same car: sound dampers rejected, worn dampers passed, and influences."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ if TYPE_CHECKING:
 
 
 def equivalence_page(study: Equivalence, *, title: str) -> Page:
-    """Put a comparison of adhesion, phase angle and THETA on a page.
+    """Create a page that compares adhesion, phase angle and THETA.
 
     Parameters
     ----------
     study : Equivalence
-        As :func:`jounce.inspection.equivalence.compare_tests` gives it.
+        Result of :func:`jounce.inspection.equivalence.compare_tests`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     from jounce.inspection.equivalence import SOUND, WORN
 
@@ -48,11 +48,12 @@ def equivalence_page(study: Equivalence, *, title: str) -> Page:
         f"A sound damper has lost up to {percent(SOUND, 0)} of its damping, a worn one {percent(WORN, 0)} or more "
         f"(estimated). {study.tests} simulated tests, limits {study.limits}."
     )
-    words = "Wear from which each method rejects, over each quantity that varies; dots at the top: never rejected."
+    words = "Wear above which each method rejects, against each varied quantity; dots at the top: never rejected."
     table = PageTable("Where the tests disagree with the damper", header, rows)
     answer: tuple[Block, ...] = (table, Paragraph(about, "muted"))
     curves = Section(
-        "Over what varies", (Picture(lambda: equivalence(study), "equivalence", words, words),)
+        "Influence of varied quantities",
+        (Picture(lambda: equivalence(study), "equivalence", words, words),),
     )
     return Page(
         title,

@@ -1,4 +1,4 @@
-"""What was written for other programs, as a page: what it holds, and what it cannot represent."""
+"""Pages of exports to other programs: their content, and what the format cannot represent."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def fmu_page(export: FmuExport, *, title: str) -> Page:
-    """Put the export of an FMU on a page."""
+    """Create a page of an FMU export."""
     binaries = f"for {', '.join(export.platforms)}" if export.platforms else "as sources only"
     facts = (
         Fact("inputs", ", ".join(export.inputs) or "none"),
@@ -32,7 +32,7 @@ def fmu_page(export: FmuExport, *, title: str) -> Page:
 
 
 def equations_page(equations: Equations, *, title: str) -> Page:
-    """Put the names in equations of motion on a page."""
+    """Create a page of the names in equations of motion."""
     words = ("coordinates", "speeds", "inputs", "modes", "constraints")
     facts = tuple(Fact(word, ", ".join(getattr(equations, word)) or "none") for word in words)
     text = Paragraph("M a = Q + G^T lambda, G a + gamma = 0, dq/dt = dq; SI")
@@ -40,7 +40,7 @@ def equations_page(equations: Equations, *, title: str) -> Page:
 
 
 def hardpoint_export_page(export: HardpointExport, *, title: str) -> Page:
-    """Say how many hardpoints were written."""
+    """Create a page with the number of hardpoints written."""
     text = Paragraph(
         f"{len(export.hardpoints)} hardpoints in mm: x forward, y left, z up from the road"
     )
@@ -48,7 +48,7 @@ def hardpoint_export_page(export: HardpointExport, *, title: str) -> Page:
 
 
 def chrono_export_page(export: ChronoExport, *, title: str) -> Page:
-    """Say which template of Project Chrono was written."""
+    """Create a page with the Project Chrono template that was written."""
     text = Paragraph(
         f"{export.template} of Project Chrono, left side; heights count from the wheel centre"
     )
@@ -56,7 +56,7 @@ def chrono_export_page(export: ChronoExport, *, title: str) -> Page:
 
 
 def mjcf_export_page(export: MjcfExport, *, title: str) -> Page:
-    """Say what a model of MuJoCo consists of."""
+    """Create a page of the contents of a MuJoCo model."""
     parts = f"{export.bodies} bodies, {export.joints} joints, {export.loops} loops"
     return _page(
         title, "MuJoCo", [Paragraph(f"{parts}; SI, all frames as at design")], export.findings
@@ -64,13 +64,13 @@ def mjcf_export_page(export: MjcfExport, *, title: str) -> Page:
 
 
 def road_export_page(export: RoadExport, *, title: str) -> Page:
-    """Say how many points of a road were written."""
+    """Create a page with the number of road points written."""
     text = Paragraph(f"{export.points} points over {export.length:g} m")
     return _page(title, "Road", [text], export.findings)
 
 
 def imported_rig_page(found: ImportedRig, *, title: str) -> Page:
-    """Say what a file of another program was read as, and what had to be estimated."""
+    """Create a page of an imported file: what it was read as, and which values were estimated."""
     what = f"{getattr(found.rig, 'model', '')}, {found.rig.source}"
     estimated = f"estimated: {', '.join(found.rig.estimated) or 'nothing'}"
     return _page(title, what, [Paragraph(estimated)], found.advice())

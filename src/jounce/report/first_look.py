@@ -1,4 +1,4 @@
-"""The report of a campaign, records: spectra and transfer functions beside the model, modes, statistics of channels."""
+"""Records section of a campaign report: spectra and transfer functions with the model, modes, channel statistics."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 def records(look: FirstLook) -> Section:
-    """Spectra and transfer functions at each pressure, modes of decays and trials, statistics of every channel."""
+    """Return spectra and transfer functions per pressure, modes of decays and trials, and channel statistics."""
     blocks: list[Block] = []
     names = unique_slugs(
         [f"spectra {setting_text(spectra.pressure, 'Pa')}" for spectra in look.spectra]
@@ -65,7 +65,7 @@ def _spectra(spectra: ComparedSpectra, name: str) -> Chart:
     )
     caption = (
         f"{_trials(spectra.trials).capitalize()}{f' ({settings})' if settings else ''}: {words[0].lower()}{words[1:]}. "
-        "The model's readings in the same trials are analysed alike."
+        "The model's signals in the same trials are analysed in the same way."
     )
     return Chart(tuple(panels), name, caption, f"{words}, measured and of the model.")
 
@@ -145,14 +145,12 @@ def _modes(modes: Sequence[ComparedMode]) -> PageTable:
         *model,
     )
     note = (
-        "± half of the 95 % interval of what noise does. Undamped natural frequencies of free motion: decays, and "
-        "trials after their last obstacle. The linear model is without dry friction, and so is the damping of decays; "
-        "in trials friction counts as damping. Same fit: to the model's readings in these trials, friction included; – "
-        "where they show no such mode."
+        "± half of the 95 % interval due to noise. Undamped natural frequencies of free motion: decays, and "
+        "trials after their last obstacle. The linear model and the damping of decays exclude dry friction; "
+        "in trials friction counts as damping. Same fit: to the model's signals in these trials, with friction; – "
+        "if they show no such mode."
     )
-    return PageTable(
-        "Modes of the records beside those of the model", header, tuple(rows), "lrrrrrr", note
-    )
+    return PageTable("Modes of the records and of the model", header, tuple(rows), "lrrrrrr", note)
 
 
 def _statistics(statistics: Sequence[TrialStatistics]) -> PageTable:
@@ -183,13 +181,13 @@ def _statistics(statistics: Sequence[TrialStatistics]) -> PageTable:
         "clipped",
     )
     note = (
-        "Before the fit takes zeros off; behind AC coupling the mean is off already. Clipped: share of the samples "
-        "that lie at the channel's limits."
+        "Before the fit removes zero offsets; AC coupling has already removed the mean. Clipped: share of the samples "
+        "at the channel's limits."
     )
     return PageTable("Statistics of the channels", header, tuple(rows), "llrrrrrr", note)
 
 
-_ROUNDING = 1e-9  # of the r.m.s.: what is left of a mean that the conditioning took off
+_ROUNDING = 1e-9  # of the r.m.s.: residual of a mean that the conditioning removed
 
 
 def _trials(numbers: Sequence[int]) -> str:

@@ -1,4 +1,4 @@
-"""What a bench measurement gave as a page: stiffness, a free decay, a damper."""
+"""Pages of fits to bench measurements: stiffness, free decay, damper, hardpoints."""
 
 from __future__ import annotations
 
@@ -38,17 +38,17 @@ if TYPE_CHECKING:
 
 
 def measured_stiffness_page(measured: MeasuredStiffness, *, title: str) -> Page:
-    """Put a stiffness with its trials on a page."""
+    """Create a page of a stiffness with its trials."""
     return stiffness_page(measured.fit, measured.measured.trials, measured.findings, title=title)
 
 
 def measured_decays_page(measured: MeasuredDecays, *, title: str) -> Page:
-    """Put the damping of free decays on a page."""
+    """Create a page of the damping from free decays."""
     return decay_page(measured.fit, measured.decays, measured.findings, title=title)
 
 
 def measured_damper_page(measured: MeasuredDamper, *, title: str) -> Page:
-    """Put a damper law with its record on a page."""
+    """Create a page of a damper law with its record."""
     return damper_page(measured.fit, measured.curve, measured.findings, title=title)
 
 
@@ -59,23 +59,23 @@ def stiffness_page(
     *,
     title: str,
 ) -> Page:
-    """Put a fitted stiffness on a page, with the points that it was fitted to.
+    """Create a page of a fitted stiffness with its measured points.
 
     Parameters
     ----------
     fit : StiffnessResult
-        As :func:`jounce.fit_stiffness` gives it.
+        Result of :func:`jounce.fit_stiffness`.
     trials : sequence of ForceDeflectionTrial
-        What was measured.
+        Measured trials.
     findings : sequence of Finding
-        What weakens the numbers.
+        Findings that limit the reliability of the results.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     first, *others = stiffness_blocks(fit, trials, title, "stiffness")
     return answer_page(
@@ -90,23 +90,23 @@ def decay_page(
     *,
     title: str,
 ) -> Page:
-    """Put the damping of one or several free decays on a page.
+    """Create a page of the damping from one or several free decays.
 
     Parameters
     ----------
     fit : DecayResult or CombinedDecay
-        As :func:`jounce.fit_decay` or :func:`jounce.combine_decays` gives it.
+        Result of :func:`jounce.fit_decay` or :func:`jounce.combine_decays`.
     decays : mapping of str to (DecayResult, ndarray, ndarray)
-        Each of them by name, with its time (s) and what was recorded (SI), shape (n,).
+        Individual decays by name, each with its time (s) and record (SI), shape (n,).
     findings : sequence of Finding
-        What weakens the numbers.
+        Findings that limit the reliability of the results.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     several = len(decays) > 1
     caption = (
@@ -135,23 +135,23 @@ def damper_page(
     *,
     title: str,
 ) -> Page:
-    """Put a fitted damper law on a page, with the loops that it was fitted to.
+    """Create a page of a fitted damper law with its measured loops.
 
     Parameters
     ----------
     fit : DamperResult
-        As :func:`jounce.fit_damper` gives it.
+        Result of :func:`jounce.fit_damper`.
     curve : DamperCurve
         Measured and fitted force side by side.
     findings : sequence of Finding
-        What weakens the numbers.
+        Findings that limit the reliability of the results.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     parameters = fields_of(fit, "parameters")
     names = ("nrmse", "rms_residual", "r2", "energy_per_cycle", "fitted_energy_per_cycle")
@@ -173,7 +173,7 @@ def damper_page(
 
 
 def _toml(table: dict[str, Any]) -> str:
-    """Write a table on one line as a rig file takes it."""
+    """Format a table on one line in the syntax of a rig file."""
     import tomlkit
 
     inline = tomlkit.inline_table()
@@ -187,19 +187,19 @@ def _toml(table: dict[str, Any]) -> str:
 
 
 def hardpoints_page(fit: HardpointFit, *, title: str) -> Page:
-    """Put hardpoints that give measured poses on a page, with what is left of each measured quantity.
+    """Create a page of hardpoints fitted to measured poses, with the residual of each measured quantity.
 
     Parameters
     ----------
     fit : HardpointFit
-        As :func:`jounce.fit_hardpoints` gives it.
+        Result of :func:`jounce.fit_hardpoints`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     rows = [
         _change_row(label, estimate, "m" if "hardpoints." in label else "1", fit.before[label])
@@ -210,16 +210,16 @@ def hardpoints_page(fit: HardpointFit, *, title: str) -> Page:
         for name, estimate in fit.offsets.items()
     ]
     header = ("number", "before", "found", "by", "95 % interval of the change", "unit")
-    note = f"{fit.agreed} of {fit.starts} starts ended there; {len(fit.wheel_travel)} poses."
+    note = f"{fit.agreed} of {fit.starts} starts converged to this result; {len(fit.wheel_travel)} poses."
     points = PageTable("Points", header, tuple(rows), "lrrrrl", note)
-    left = as_table(group_table("What is left, root mean square", fit.quantities))
+    left = as_table(group_table("Residual, root mean square", fit.quantities))
     return answer_page(
         title, [points, left, *findings_blocks(fit.findings)], "Hardpoints from measured poses"
     )
 
 
 def _change_row(label: str, estimate: Estimate, si: str, before: float) -> tuple[str, ...]:
-    """Row of a number before and after; its change has the interval."""
+    """Return a row with a value before and after, and the interval of its change."""
     ends = estimate.interval and (estimate.interval[0] - before, estimate.interval[1] - before)
     change = Estimate(estimate.value - before, estimate.standard_error, ends)
     unit = display_unit(si)

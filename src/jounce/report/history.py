@@ -1,4 +1,4 @@
-"""What the tests of one vehicle over the years found, as a page."""
+"""Page of the test results of one vehicle over the years."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ _TONES: dict[str, Tone] = {"pass": "good", "fail": "bad"}
 
 
 def history_page(visits: Sequence[WheelVisit], trends: Sequence[Trend], *, title: str) -> Page:
-    """Put the history of one vehicle on a page: how its values change, then every visit.
+    """Create a page of the history of one vehicle: trends of its values, then all visits.
 
     Parameters
     ----------
     visits : sequence of WheelVisit
-        As :func:`jounce.inspection.archive.history.history_of` gives them.
+        Result of :func:`jounce.inspection.archive.history.history_of`.
     trends : sequence of Trend
-        As :func:`jounce.inspection.archive.history.trends_of` gives them.
+        Result of :func:`jounce.inspection.archive.history.trends_of`.
     title : str
         Number plate and vehicle.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
 
     Examples
     --------
@@ -42,7 +42,7 @@ def history_page(visits: Sequence[WheelVisit], trends: Sequence[Trend], *, title
     >>> [section.title for section in history_page([visit], [], title="B-AB 123").sections]
     ['Answer', 'Visits']
     """
-    words = "Adhesion, least phase angle and damping ratio of every wheel against the date."
+    words = "Adhesion, minimum phase angle and damping ratio of every wheel against the date."
     answer: list[Block] = [Picture(lambda: vehicle_history(visits), "history", words, words)]
     if trends:
         rows = tuple(

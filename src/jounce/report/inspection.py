@@ -1,4 +1,4 @@
-"""Tests of shock absorbers as pages: wheels beside each other, and one wheel over the wear of its damper."""
+"""Pages of shock absorber tests: wheels side by side, and one wheel over the wear of its damper."""
 
 from __future__ import annotations
 
@@ -29,23 +29,23 @@ if TYPE_CHECKING:
     from jounce.inspection.rig_inspection import InspectedRig
 
 TONES: dict[str, Tone] = {"pass": "good", "advise": "fair", "fail": "bad"}
-"""What the verdicts mean."""
+"""Meaning of the verdicts."""
 
 
 def inspection_page(vehicle: VehicleGrade, *, title: str) -> Page:
-    """Put the graded axles of a vehicle on a page: values of the wheels, reasons, findings.
+    """Create a page of the graded axles of a vehicle: values of the wheels, reasons, findings.
 
     Parameters
     ----------
     vehicle : VehicleGrade
-        As :func:`jounce.inspection.grading.grade_vehicle` gives it.
+        Result of :func:`jounce.inspection.grading.grade_vehicle`.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     sections = [Section(graded.axle or "axle", axle_blocks(graded)) for graded in vehicle.axles]
     if len(vehicle.axles) > 1:
@@ -54,7 +54,7 @@ def inspection_page(vehicle: VehicleGrade, *, title: str) -> Page:
 
 
 def axle_blocks(graded: GradedInspection) -> tuple[Block, ...]:
-    """What a graded axle has to say, its values first."""
+    """Return the blocks of a graded axle, values first."""
     decides = ", ".join(graded.deciding)
     title = f"{graded.axle or 'axle'}: {graded.verdict} (deciding: {decides}; limits: {graded.limits.label})"
     reasons = [
@@ -76,19 +76,19 @@ def axle_blocks(graded: GradedInspection) -> tuple[Block, ...]:
 
 
 def wheel_page(wheel: WheelResult, *, title: str) -> Page:
-    """Put the test of one wheel on a page.
+    """Create a page of the test of one wheel.
 
     Parameters
     ----------
     wheel : WheelResult
-        What the test says of it, graded.
+        Graded result of the test.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     blocks = (
         as_table(wheel_table(f"{wheel.wheel} wheel", [wheel])),
@@ -100,21 +100,21 @@ def wheel_page(wheel: WheelResult, *, title: str) -> Page:
 
 
 def wear_page(wear: Sequence[float], wheels: Sequence[WheelResult], *, title: str) -> Page:
-    """Put the tests of one wheel over the wear of its damper on a page.
+    """Create a page of the tests of one wheel over the wear of its damper.
 
     Parameters
     ----------
     wear : sequence of float
-        Share of the damping that is lost [1], of each test.
+        Fraction of damping lost [1], for each test.
     wheels : sequence of WheelResult
-        What the tests say.
+        Results of the tests.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     shown = [
         quantity
@@ -135,7 +135,7 @@ def wear_page(wear: Sequence[float], wheels: Sequence[WheelResult], *, title: st
 
 
 def inspected_rig_page(found: InspectedRig, *, title: str) -> Page:
-    """Put the simulated test of a rig on a page: one wheel, one over wear, or both wheels of an axle."""
+    """Create a page of a simulated test: one wheel, one wheel over damper wear, or the two wheels of an axle."""
     from jounce.inspection.grading import grade_vehicle
 
     if found.axle is not None:

@@ -1,4 +1,4 @@
-"""Forces in an axle's links, joints and pickup points in load cases of the car, as a page."""
+"""Page of the forces in an axle's links, joints and pickup points in load cases of the car."""
 
 from __future__ import annotations
 
@@ -24,23 +24,23 @@ if TYPE_CHECKING:
 def load_cases_page(
     rig: Corner, loads: xr.Dataset, findings: Sequence[Finding], *, title: str
 ) -> Page:
-    """Put load cases on a page: every force by case and wheel, then each case drawn.
+    """Create a page of load cases: forces by case and wheel, then a figure of each case.
 
     Parameters
     ----------
     rig : Corner
-        The corner that the cases are of.
+        Corner to which the cases apply.
     loads : xarray.Dataset
-        As :func:`jounce.load_cases` gives it.
+        Result of :func:`jounce.load_cases`.
     findings : sequence of Finding
-        What weakens the numbers.
+        Findings that limit the reliability of the results.
     title : str
-        Head of the page.
+        Heading of the page.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
 
     Examples
     --------
@@ -68,7 +68,7 @@ def load_cases_page(
         name.replace("_", " ").replace(".", ", "): (loads[name].to_numpy(), str(loads[name].attrs["units"]))
         for name in names if name.endswith((".axial_force", ".force", ".torque"))
     })  # fmt: skip
-    pickups = _table("Sizes of forces at hardpoints", cases, loads, {
+    pickups = _table("Magnitudes of forces at hardpoints", cases, loads, {
         point.replace("_", " "): (values, "N") for point, values in sizes.items()
     })  # fmt: skip
     answer: list[Block] = [Findings(tuple(findings))] if findings else []
@@ -78,7 +78,7 @@ def load_cases_page(
 
 
 def axle_loads_page(axle_loads: AxleLoads, *, title: str) -> Page:
-    """Put the loads of an axle on a page, as :func:`load_cases_page` does."""
+    """Create a page of the loads of an axle, as :func:`load_cases_page` does."""
     return load_cases_page(axle_loads.rig, axle_loads.data, axle_loads.findings, title=title)
 
 
@@ -95,7 +95,7 @@ def _draw_case(rig: Corner, loads: xr.Dataset, case: str) -> Subsection:
 def _table(
     caption: str, cases: Sequence[str], loads: xr.Dataset, values: dict[str, tuple[np.ndarray, str]]
 ) -> PageTable:
-    """A row for each quantity and wheel, a column for each case."""
+    """Return a table with a row per quantity and wheel and a column per case."""
     rows = []
     for words, (numbers, si) in values.items():
         unit = display_unit(si, float(np.nanmax(np.abs(numbers), initial=0.0)))

@@ -1,4 +1,4 @@
-"""Rides and comparisons of controllers as pages: what they amount to first, then all curves, then spectra."""
+"""Pages of rides and comparisons of controllers: results, then all curves, then spectra."""
 
 from __future__ import annotations
 
@@ -33,26 +33,26 @@ if TYPE_CHECKING:
     from jounce.ride.study import RideStudy
 
 _FIRST = (("road.z",), ("body.az", "sprung.az"), ("strut.deflection",), ("tyre.force",))
-"""What is shown first: of each the first that the rides hold, in any place."""
-_SHOWN = 10.0  # s, of a long ride at first
+"""Quantities shown initially: for each group the first that the rides contain, at any position."""
+_SHOWN = 10.0  # s of a long ride shown initially
 
 
 def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
-    """Put the rides of one rig over one trial on a page.
+    """Create a page of the rides of one rig over one trial.
 
     Parameters
     ----------
     study : RideStudy
-        One ride or several controllers, as :func:`jounce.compare_rides` gives them.
+        One ride or several controllers, from :func:`jounce.compare_rides`.
     title : str
         Vehicle, road and speed.
     rig : Rig, optional
-        A 3-D corner, which moves with the first ride; by default that of the study.
+        3-D corner animated with the first ride; by default that of the study.
 
     Returns
     -------
     Page
-        To be written with :data:`jounce.report.REPORTS`.
+        Page to be written with :data:`jounce.report.REPORTS`.
     """
     several = len(study.rides) > 1
     lasting = study.rides[0].duration if study.rides else 0.0
@@ -65,7 +65,7 @@ def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
         texts = (f"{name} was not run: {reason}." for name, reason in study.failed.items())
         answer += [Paragraph(text, "bad") for text in texts]
     if not study.rides:
-        return Page(title, (Section("Answer", (*answer, Paragraph("No ride reached its end."))),))
+        return Page(title, (Section("Answer", (*answer, Paragraph("No ride was completed."))),))
     findings = _findings(study)
     answer += findings_blocks(findings)
     moving = study.rig if rig is None else rig
@@ -74,7 +74,7 @@ def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
     )
     sections = [Section("Answer", tuple(answer)), curves, spectra]
     if several:
-        words = "Comfort against road holding of every controller; the area of a point shows the travel."
+        words = "Comfort against road holding of every controller; the area of a point represents the travel."
         sections.insert(1, Section("Trade-off", (picture_of(study, "trade-off", words),)))
         sections.append(Section("Every metric", lambda: (_metrics(_metrics_by_name(study)),)))
     against = _stationary(study)
@@ -87,7 +87,7 @@ def ride_page(study: RideStudy, *, title: str, rig: Rig | None = None) -> Page:
 
 
 def measured_ride_page(ride: MeasuredRide, *, title: str) -> Page:
-    """Put the metrics of a recorded ride on a page."""
+    """Create a page of the metrics of a recorded ride."""
     answer: list[Block] = [_metrics({"value": ride.metrics})]
     answer += [Paragraph(f"{place}: {words}") for place, words in ride.metrics.comfort.items()]
     answer += findings_blocks(ride.findings)
@@ -95,7 +95,7 @@ def measured_ride_page(ride: MeasuredRide, *, title: str) -> Page:
 
 
 def _merits(study: RideStudy) -> PageTable:
-    """Every controller by comfort, travel and road holding; the best of each column stands out."""
+    """Return a table of controllers by comfort, travel and road holding, with the best of each column marked."""
     shown = [merit for merit in MERITS if any(merit.name in ride.merits for ride in study.rides)]
     units = {merit.name: display_unit(merit.unit) for merit in shown}
     rows = tuple(
@@ -137,7 +137,7 @@ def _facts(study: RideStudy) -> Facts:
 
 
 def _metrics(rides: Mapping[str, RideMetrics]) -> PageTable:
-    """Every metric at every place, a column for each ride."""
+    """Return a table of all metrics at all positions, with a column per ride."""
     values = {
         name: {(row.metric, row.place): row for row in ride.values} for name, ride in rides.items()
     }
@@ -160,13 +160,13 @@ def _metrics(rides: Mapping[str, RideMetrics]) -> PageTable:
 
 
 def _metrics_by_name(study: RideStudy) -> dict[str, RideMetrics]:
-    """Metrics by controller; those of a single ride are the value."""
+    """Return metrics by controller; for a single ride the column is named "value"."""
     several = len(study.rides) > 1
     return {ride.control if several else "value": ride.metrics for ride in study.rides}
 
 
 def _stationary(study: RideStudy) -> list[Block]:
-    """Simulated beside stationary standard deviations, of the rig as it is."""
+    """Return a comparison of simulated and stationary standard deviations of the passive rig."""
     passive = next((ride for ride in study.rides if ride.control == "passive"), None)
     if study.stationary is None or passive is None:
         return []
@@ -186,11 +186,11 @@ def _stationary(study: RideStudy) -> list[Block]:
         )
     return [
         PageTable(
-            "Standard deviations of the passive ride, and of the linear model over endless time",
+            "Standard deviations of the passive ride, and of the linear model over infinite time",
             ("channel", "unit", "simulated", "linear model", "by chance"),
             tuple(rows),
             "llrrr",
-            "By chance: 95 % of rides as long as this one differ by no more from an endless one.",
+            "By chance: 95 % of rides of this length differ by no more from an infinitely long one.",
         )
     ]
 
@@ -220,7 +220,7 @@ def _curves(study: RideStudy, title: str, rig: Rig | None) -> tuple[Block, ...]:
 
 
 def _names(study: RideStudy) -> list[str]:
-    """Channels that every ride holds."""
+    """Return the channels that all rides contain."""
     held = [set(map(str, ride.run.data_vars)) for ride in study.rides]
     return [
         str(name) for name in study.rides[0].run.data_vars if all(name in others for others in held)

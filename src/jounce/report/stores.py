@@ -1,4 +1,4 @@
-"""What a store of records answers, as pages."""
+"""Pages of the results of queries to a store of records."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
 
 def vehicle_history_page(history: VehicleHistory, *, title: str) -> Page:
-    """Put the history of a vehicle on a page."""
+    """Create a page of the history of a vehicle."""
     return history_page(history.visits, history.trends, title=title)
 
 
 def record_search_page(search: FoundRecords, *, title: str) -> Page:
-    """List records with their verdicts."""
+    """Create a page that lists records with their verdicts."""
     from jounce.inspection.archive.questions import COLUMNS
 
     records = search.to_dict()["records"]
@@ -38,19 +38,19 @@ def record_search_page(search: FoundRecords, *, title: str) -> Page:
 
 
 def exported_records_page(export: ExportedRecords, *, title: str) -> Page:
-    """Say how many records and rows were written."""
+    """Create a page with the number of records and rows written."""
     return _page(title, "Table", [Paragraph(f"{export.records} records, {export.rows} rows")])
 
 
 def verified_store_page(verified: VerifiedStore, *, title: str) -> Page:
-    """Say that a store is sound."""
+    """Create a page that confirms the integrity of a store."""
     return _page(
         title, "Verified", [Paragraph(f"{verified.store}: sound, {verified.records} records")]
     )
 
 
 def reevaluated_store_page(reevaluated: ReevaluatedStore, *, title: str) -> Page:
-    """Say how many gradings were added, and which verdicts changed."""
+    """Create a page with the number of gradings added and the verdicts that changed."""
     result = reevaluated.result
     counts = f"{result.added} gradings added, {result.unchanged} unchanged"
     text = Paragraph(f"{result.records} records under limits {reevaluated.limits}: {counts}")
@@ -64,7 +64,7 @@ def reevaluated_store_page(reevaluated: ReevaluatedStore, *, title: str) -> Page
 
 
 def imported_records_page(found: ImportedRecords, *, title: str) -> Page:
-    """Count the records that were put into a store."""
+    """Create a page with the number of records added to a store."""
     new = [record for record in found.records if record.is_new]
     ungraded = sum(bool(record.problem) for record in new)
     parts = [f"{len(new)} new", f"{len(found.records) - len(new)} already known"]

@@ -1,4 +1,4 @@
-"""The report of a campaign, update by update: what each of them explains of body and wheel, on every trial."""
+"""Updates section of a campaign report: how well each update explains body and wheel motion in all trials."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ _METRICS: tuple[tuple[str, str, Callable[[ChannelComparison], float]], ...] = (
 
 
 def progress(result: CampaignResult) -> Subsection:
-    """Every update on every trial: the parts of the objective, and the ratings of each channel."""
+    """Return all updates on all trials: contributions to the objective, and ratings of each channel."""
     blocks: list[Block] = [
         Paragraph(
-            "Each update is held against every trial, before and after it: those that it was fitted on (marked •) and "
+            "Each update is compared with every trial, before and after: those it was fitted on (marked •) and "
             "all others. Before: the model that the update started from."
         ),
         _parts(result),

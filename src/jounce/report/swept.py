@@ -1,4 +1,4 @@
-"""A sweep as a page: extremes and curves, then every quantity at some poses."""
+"""Page of a sweep: extremes and curves, then all quantities at selected poses."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     from jounce.kinematics.swept import Swept
 
 _SHOWN = 7
-"""Poses of the table: as many as fit beside each other."""
+"""Number of poses in the table: as many as fit side by side."""
 
 
 def swept_page(sweep: Swept, *, title: str) -> Page:
-    """Put a sweep on a page."""
+    """Create a page of a sweep."""
 
     def blocks(number: int) -> tuple[Block, ...]:
         from jounce.report.recordings import recordings_page
@@ -33,7 +33,7 @@ def swept_page(sweep: Swept, *, title: str) -> Page:
 
 
 def poses_table(sweep: Swept) -> tuple[Block, ...]:
-    """Every quantity at some poses, a quantity a row; of a grid at the pose nearest to design of the other axis."""
+    """Return a table of all quantities at selected poses; for a grid, the other axis is nearest to design."""
     along, *others = map(str, sweep.data.dims)
     shown = sweep.data.sel(dict.fromkeys(others, 0.0), method="nearest") if others else sweep.data
     count = shown.sizes[along]
@@ -65,5 +65,5 @@ def poses_table(sweep: Swept) -> tuple[Block, ...]:
 
 
 def effort_page(sweep: Swept, *, title: str) -> Page:
-    """Put the steering effort over a sweep on a page."""
+    """Create a page of the steering effort over a sweep."""
     return Page(title, (Section("Poses", poses_table(sweep)),), "Steering effort")

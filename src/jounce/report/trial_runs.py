@@ -1,4 +1,4 @@
-"""A run over a trial as a page: the extremes of its channels, then all curves with the mechanism."""
+"""Page of a simulated trial: extremes of its channels, then all curves with the mechanism."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def trial_run_page(trial_run: TrialRun, *, title: str) -> Page:
-    """Put a run on a page."""
+    """Create a page of a run."""
     rows = []
     for name, channel in trial_run.extremes().items():
         unit, least, most = channel["unit"], channel["minimum"], channel["maximum"]
@@ -37,7 +37,7 @@ def trial_run_page(trial_run: TrialRun, *, title: str) -> Page:
 
 
 def _words(trial_run: TrialRun) -> str:
-    """How the run went, in words."""
+    """Return a summary of the integration as text."""
     went = trial_run.run.attributes
     events = "event" if went["events"] == 1 else "events"
     return (

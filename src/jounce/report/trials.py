@@ -1,4 +1,4 @@
-"""Curves of a campaign's trials, for the viewer and as figures that do not move."""
+"""Curves of a campaign's trials, for the viewer and as static figures."""
 
 from __future__ import annotations
 
@@ -27,22 +27,22 @@ if TYPE_CHECKING:
 
 _MEASURED, _BEFORE, _AFTER = "measured", "before", "after"
 _MORE = ("tyre.force", "strut.force", "strut.deflection", "sprung.z", "unsprung.z", "road.z")
-"""Outputs of the model that can be shown beside what was measured."""
+"""Outputs of the model that can be shown with the measurements."""
 _USES = {"fit": "fitted", "hold-out": "held out"}
 _MOST_OTHERS = 6
 MOST_SCENES = 64
-"""More trials than these would make the page too large to be opened with ease."""
+"""Maximum number of trials; more would make the page slow to open."""
 
 
 def scene_name(number: int) -> str:
-    """Name of a trial's scene and of its figure."""
+    """Return the name of a trial's scene and figure."""
     return f"trial-{number:02d}"
 
 
 def trials_viewer(
     result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone]]
 ) -> Viewer | None:
-    """Put all trials that have signals into one viewer; ``verdicts`` has word and tone of each by number."""
+    """Show all trials with signals in one viewer; ``verdicts`` contains text and tone by trial number."""
     others = result.strategies[:-1][-_MOST_OTHERS:]
     mechanisms = _mechanisms(result)
     shown = select_trials(result, verdicts)
@@ -71,7 +71,7 @@ def trials_viewer(
 def select_trials(
     result: CampaignResult, verdicts: Mapping[int, tuple[str, Tone]]
 ) -> list[TrialResult]:
-    """Trials with signals; of very many the fitted ones and those predicted worst, in their order."""
+    """Return trials with signals, in order; if there are too many, the fitted and the worst-predicted ones."""
     drawn = [trial for trial in result.trials if trial.signals or trial.signals_before]
     order = {"bad": 0, "fair": 1}
     ranked = sorted(
@@ -85,7 +85,7 @@ def select_trials(
 
 
 def trial_label(trial: TrialResult) -> str:
-    """What a trial is, in a line."""
+    """Return a one-line description of a trial."""
     entry = trial.entry
     parts = [f"{entry.number}", _USES[entry.use]]
     if entry.speed is not None:
@@ -100,13 +100,13 @@ def trial_label(trial: TrialResult) -> str:
 
 
 def trial_chart(scene: ViewerScene, trial: TrialResult) -> Chart:
-    """Draw the section of a trial with most motion: measured, before and after updating."""
+    """Plot the part of a trial with the largest motion: measured, before and after updating."""
     channels = trial.after.channels if trial.after is not None else {}
     words = "; ".join(f"{name}: rating {c.iso18571:.2f}, {c.grade}" for name, c in channels.items())
     return Chart(
         scene_panels(scene, "time", "s", (_MEASURED, _BEFORE, _AFTER)),
         scene.name,
-        "The lively part of the record; shaded: wheel on the obstacle.",
+        "The part of the record with the largest motion; shaded: wheel on the obstacle.",
         f"Measured and simulated signals of trial {trial.entry.number}, before and after updating. {words}.",
         columns=1,
     )
@@ -188,7 +188,7 @@ def _words(name: str) -> str:
 
 
 def obstacle_pass(trial: TrialResult) -> tuple[float, float] | None:
-    """First and last time (s) at which the wheel is on the obstacle; None where the whole record is the excitation."""
+    """Return the first and last time (s) of the wheel on the obstacle; ``None`` if the whole record is excited."""
     if trial.motion is None or trial.motion.trial.road is None or trial.motion.trial.speed is None:
         return None
     drive, last = trial.motion.trial, float(trial.motion.time[-1])
@@ -198,7 +198,7 @@ def obstacle_pass(trial: TrialResult) -> tuple[float, float] | None:
         if drive.road is not None and drive.road.start > 0.0 and len(edges) > 2
         else 0.0
     )
-    loops = 0.0  # a record that begins on a running belt
+    loops = 0.0  # a record that starts on a running belt
     if drive.road is not None and drive.road.recurrence is not None and drive.speed is not None:
         period = drive.road.recurrence / drive.speed
         loops = math.ceil((float(trial.motion.time[0]) - begin) / period - 1e-9) * period

@@ -1,4 +1,4 @@
-"""Documents set by typst: the same bytes for the same content, with the fonts of matplotlib, as long as they do."""
+"""Typesetting with typst: reproducible output, using the fonts of matplotlib wherever they suffice."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from jounce.core.optional import require
 from jounce.plots.figures import library
 
 TYPESETTER = ("typst", "pdf")
-"""The package that sets documents and draws SVG, and the extra that it comes with."""
+"""Package that typesets documents and renders SVG, and the extra that installs it."""
 _LONGEST_WORD, _PIECE = 24, 12
 
 
 def typeset(files: Mapping[str, bytes], form: str, **options: Any) -> Any:
-    """Let typst set a document: PDF as bytes, pictures as a list of pages.
+    """Typeset a document with typst: PDF as bytes, images as a list of pages.
 
-    Fonts of the computer are used for nothing but letters that those of matplotlib do not have, such as Chinese ones.
+    System fonts are used only for characters missing in those of matplotlib, such as Chinese ones.
     """
     typst = require(*TYPESETTER)
     texts = (
@@ -27,14 +27,14 @@ def typeset(files: Mapping[str, bytes], form: str, **options: Any) -> Any:
         if name.endswith((".json", ".svg"))
     )
     is_covered = not any(missing_letters(text) for text in texts)
-    compile_files: Any = typst.compile  # its types do not know files by name
+    compile_files: Any = typst.compile  # its type stubs lack files by name
     fonts = {"font_paths": [str(_fonts())], "ignore_system_fonts": is_covered}
     made = compile_files(dict(files), format=form, **fonts, **options)
     return [made] if form == "png" and isinstance(made, bytes) else made
 
 
 def missing_letters(text: str) -> str:
-    """Letters of a text that the fonts of matplotlib do not have, each once.
+    """Return the distinct characters of a text that are missing in the fonts of matplotlib.
 
     Examples
     --------
@@ -66,7 +66,7 @@ def _fonts() -> Path:
 
 
 def breakable(value: Any) -> Any:
-    """Let words that are longer than any column be broken."""
+    """Allow breaks in words that are longer than any column."""
     if isinstance(value, Mapping):
         return {key: item if key == "figure" else breakable(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):

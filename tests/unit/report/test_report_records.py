@@ -85,7 +85,7 @@ def test_the_report_has_few_pictures_of_it(result: CampaignResult) -> None:
     assert [len(block.panels) for block in blocks if isinstance(block, Chart)] == [4]
     captions = [block.caption for block in blocks if isinstance(block, PageTable)]
     assert captions == [
-        "Modes of the records beside those of the model",
+        "Modes of the records and of the model",
         "Statistics of the channels",
     ]
 
