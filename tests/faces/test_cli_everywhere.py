@@ -322,7 +322,7 @@ def test_a_decimal_comma_is_named(words, cli, bump: Path) -> None:
     outcome = cli(*words)
     assert outcome.exit_code == 2
     assert "a comma in a number" in outcome.err
-    assert "Decimals have a point, thousands no sign: '" in outcome.err
+    assert "Use a decimal point and no thousands separator: '" in outcome.err
 
 
 def test_time_passed_and_time_left() -> None:

@@ -81,7 +81,7 @@ def test_one_array_larger_than_the_machine_is_the_question_s_own_fault():
     with pytest.raises(MemoryError) as caught:
         np.empty(1 << 58)
     assert not is_of_system(caught.value)
-    assert reason(caught.value).startswith("this takes more memory than there is")
+    assert reason(caught.value).startswith("not enough memory for this")
 
 
 @errors

@@ -13,7 +13,7 @@ from jounce.core.processes import NO_THREAD, NoWorkersError, starting_workers
 
 COMMAND = [sys.executable, "-m", "jounce"]
 SWEEP = [*COMMAND, *small_study.COMMAND]
-GOES_ON = "One process needs none. This process works alone."
+GOES_ON = "A single process needs no workers. This process works alone."
 OTHER = 54_321  # a user without an entry, whom limits of processes bind
 CAPABILITIES = "+dac_override,+dac_read_search"  # to read the interpreter, wherever it lies
 

@@ -146,7 +146,7 @@ def test_paths_that_lead_nowhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     (tmp_path / "loop").symlink_to("loop")
     for folder in ("loop", "loop/x", "~no-such-user/x"):
         assert main(["campaign", "synthesise", folder]) == 2
-        assert capsys.readouterr().err.startswith(f"jounce: {folder}: no such path can be")
+        assert capsys.readouterr().err.startswith(f"jounce: {folder}: the path is invalid")
     assert main(["campaign", "new", "loop"]) == 2
     assert main(["check", "loop"]) == 2
     assert "internal" not in capsys.readouterr().err

@@ -1,4 +1,4 @@
-"""Arguments of public functions: a failing call names the argument of the wrong kind."""
+"""Check arguments of public functions: if a call fails, the error names the argument of the wrong type."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _KINDS = {
     "Road": ("a road", "Make one, e.g. jn.HalfSine(...), or read it: jn.load_road(...)."),
     "Dataset": (
         "a recording (xarray.Dataset)",
-        "jn.read_recording(...) gives one with its findings, jn.recording(...) makes one of arrays.",
+        "jn.read_recording(...) gives one with its findings, jn.recording(...) makes one from arrays.",
     ),
     "FitTrial": ("a measured trial", "Make one: jn.FitTrial(name, rig, trial, measured)."),
     "Tester": ("a tester", "jn.load_tester(...) reads one from a file or the library."),
@@ -44,15 +44,15 @@ _KINDS = {
     "ndarray": ("an array of numbers", ""),
     "Numbers": ("an array of numbers", ""),
 }
-"""Common name of a class, and how to get an instance; other classes keep their names."""
+"""Common name of a class, and how to get an instance; other classes are shown by their own names."""
 
 
 def guard_arguments(function: Function, name: str) -> Function:
-    """Return a public function whose failures name the argument that does not fit its annotation.
+    """Wrap a public function so that its failures name the argument that does not match its annotation.
 
-    A call that succeeds, an error of jounce and an error with fitting arguments are not changed, so nothing that
-    works is refused; only options that are neither True nor False are refused before. The function appears as one of
-    the package ``jounce``, where others find it.
+    Successful calls, errors of jounce and errors with matching arguments are not changed. Arguments are checked only
+    after a failure, except for switches, which must be True or False. The wrapped function reports ``jounce`` as its
+    module.
 
     >>> def halve(length: float) -> float:
     ...     return length / 2.0
@@ -67,7 +67,9 @@ def guard_arguments(function: Function, name: str) -> Function:
     @wraps(function)
     def call(*arguments: Any, **options: Any) -> Any:
         if not all(fits(options[key], bool) for key in flags & options.keys()):
-            error = misfit(function, arguments, options)  # "no" would be true, and overwrite files
+            error = misfit(
+                function, arguments, options
+            )  # the text "no" would count as True, and overwrite files
             if error is not None:
                 raise error
         try:
@@ -87,7 +89,7 @@ def guard_arguments(function: Function, name: str) -> Function:
 def misfit(
     function: Callable[..., Any], arguments: tuple[Any, ...], options: Mapping[str, Any]
 ) -> DescriptionError | None:
-    """The error about the first argument that does not fit its annotation; None if all fit."""
+    """Return the error for the first argument that does not match its annotation; None if all match."""
     signature = inspect.signature(function)
     try:
         given = signature.bind(*arguments, **options).arguments
@@ -131,7 +133,7 @@ def _hints(function: Callable[..., Any]) -> dict[str, Any]:
 
 
 class _ModuleNames(dict[str, Any]):
-    """Names of a module, and those it imports for type checkers only: they are in another module of jounce."""
+    """Names of a module, including those it imports for type checkers only, found in other modules of jounce."""
 
     def __missing__(self, name: str) -> Any:
         if name in ("pd", "xr"):
@@ -143,7 +145,7 @@ class _ModuleNames(dict[str, Any]):
 
 
 def _misfits(value: Any, hint: Any, place: str) -> Iterator[tuple[str, Any, Any]]:
-    """Mismatches of a value, or of values in it: place, value, and expected type."""
+    """Yield mismatches of a value, or of the values in it: path, value, and expected type."""
     if fits(value, hint):
         if is_dataclass(value) and not isinstance(value, type):
             hints = _hints(type(value))
@@ -216,7 +218,7 @@ def _is_series(origin: Any) -> bool:
 
 
 def _is_for(value: Any, hint: Any) -> bool:
-    """Whether a value is of a class that a hint names: a rig, a road, a recording."""
+    """Whether a value is an instance of a class in the annotation: a rig, a road, a recording."""
     return any(
         isinstance(option, type) and bool(_words(option)[0][1]) and fits(value, option)
         for option in _options(hint)
@@ -224,7 +226,7 @@ def _is_for(value: Any, hint: Any) -> bool:
 
 
 def fits(value: Any, hint: Any) -> bool:
-    """Whether a value fits an annotation; undecidable cases fit."""
+    """Whether a value matches an annotation; True if this cannot be decided."""
     options = _options(hint)
     if len(options) > 1:
         return any(fits(value, option) for option in options)
@@ -272,7 +274,7 @@ def _is_series_of(value: Any, kind: type, parts: tuple[Any, ...]) -> bool:
 
 
 def _is_number(value: Any, kind: type) -> bool:
-    """Whether a value is one number, or for arrays, numbers; a text is no number, though NumPy reads it."""
+    """Whether a value is a number, or an array of numbers; text is not a number, although NumPy converts it."""
     import numpy as np
 
     if value is None or (
@@ -283,13 +285,13 @@ def _is_number(value: Any, kind: type) -> bool:
         if kind is int:
             return abs(operator.index(value)) < 2**63
         _ = float(value) if kind is float else np.asarray(value, dtype=float)
-    except Exception:  # noqa: BLE001 - whatever a foreign object does when it is made a number
+    except Exception:  # noqa: BLE001 - conversion of a foreign object may raise anything
         return False
     return True
 
 
 def _dimensions(value: Any, usual: int = 1) -> int:
-    """Dimensions of an array; ``usual`` for anything else."""
+    """Number of dimensions of an array; ``usual`` for any other value."""
     dimensions = getattr(value, "ndim", usual)
     return dimensions if isinstance(dimensions, int) else usual
 

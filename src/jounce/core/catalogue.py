@@ -1,8 +1,8 @@
-"""Texts of findings, in English and German: one ``findings.toml`` for each package, beside its code.
+"""Texts of findings, in English and German: one ``findings.toml`` in the folder of each package.
 
-A row has a severity and a sentence of each language; ``{name}`` is a number or a text that a finding carries. Numbers
-are SI: ``{travel:.3g mm}`` writes 0.0123 as ``12.3 mm``, ``{low:.3g ~mm}`` as ``12.3``. Words that are
-filled in (``bump``, ``left``) have their German in the table ``words``. A file is read when a code of it is used.
+A row has a severity and a sentence in each language; ``{name}`` is replaced by a number or text of the finding. Numbers
+are SI: ``{travel:.3g mm}`` writes 0.0123 as ``12.3 mm``, ``{low:.3g ~mm}`` as ``12.3``. The table ``words`` has the
+German of inserted words (``bump``, ``left``). A file is read when one of its codes is first used.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ FACTORS = {
     "mm": 1e3, "mm/s": 1e3, "%": 100.0, "deg": 180.0 / math.pi, "ms": 1e3, "N/mm": 1e-3, "kN": 1e-3, "kHz": 1e-3,
     "kJ": 1e-3, "kW": 1e-3, "MPa": 1e-6, "bar": 1e-5, "cm": 1e2, "km/h": 3.6,
 }  # fmt: skip
-"""Shown value of one SI unit, by the unit that may stand behind a format; what stands beside the field is SI."""
+"""Display value of one SI unit, by the unit after a format; without a unit after the format, values stay SI."""
 _PACKAGES = Path(__file__).parent.parent
 
 
@@ -47,7 +47,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Catalogue:
-    """Rows of a package by their names, and German of the words that are filled in."""
+    """Rows of a package by name, and the German of inserted words."""
 
     rows: Mapping[str, Row]
     words: Mapping[str, str]
@@ -69,7 +69,7 @@ def row_of(code: str) -> Row | None:
 
 
 def _package(code: str) -> str:
-    """Package of a code; those of inspection carry none, as archives hold them."""
+    """Package of a code; codes of inspection have no package prefix, because archives contain them so."""
     package = code.rpartition(".")[0]
     return package if package.isidentifier() else "inspection"
 
@@ -77,7 +77,7 @@ def _package(code: str) -> str:
 def sentence(
     code: str, numbers: Mapping[str, Any], language: Language = "en", *, decimal: str = "."
 ) -> str:
-    """Fill the sentence of a code with its numbers.
+    """Return the sentence of a code with its numbers inserted.
 
     Examples
     --------
@@ -91,7 +91,7 @@ def sentence(
 
 
 class _Filled(string.Formatter):
-    """Writes numbers in the unit after their format, and words in the language of the sentence."""
+    """Formatter that writes numbers in the unit after their format, and words in the language of the sentence."""
 
     def __init__(self, package: str, language: Language, decimal: str) -> None:
         self.words = catalogue_of(package).words if language == "de" else {}

@@ -1,4 +1,4 @@
-"""Child processes: started with pipes or forked, watched, limited and ended."""
+"""Start child processes with pipes or by a fork; monitor, limit and end them."""
 
 from __future__ import annotations
 
@@ -23,15 +23,16 @@ class ChildProcess:
     Parameters
     ----------
     command : sequence of str
-        What is run.
+        Command to run.
     purpose : str
-        What it is for, as the error says it where the system starts none ("a process to read files in").
+        Description of the process for the error raised if it cannot be started ("a process to read files in").
     environment : mapping, optional
         Variables that differ from those of this process.
     folder : Path, optional
-        Where it works; here by default.
+        Working directory; by default that of this process.
     is_own_session : bool
-        Whether signals to its process group do not reach this one, and it is ended with all that it has started.
+        Whether it gets its own session: signals to its process group do not reach this process, and ending it also
+        ends all processes it has started.
     """
 
     def __init__(
@@ -57,13 +58,13 @@ class ChildProcess:
         self._stdin, self._stdout = self.process.stdin, self.process.stdout
 
     def send(self, content: bytes) -> None:
-        """Write to its standard input; OSError if it has ended."""
+        """Write to its standard input; raise OSError if it has ended."""
         self._stdin.write(content)
 
     def read(self, count: int, patience: float | None = None) -> bytes:
-        """Read some bytes of its answer; EOFError if it has ended, TimeoutError if none arrives in time.
+        """Read ``count`` bytes of its answer; raise EOFError if it has ended, TimeoutError if they arrive too late.
 
-        Windows cannot wait for a pipe: there it has all the time.
+        Windows cannot wait for a pipe with a timeout: there is no limit.
         """
         if (
             patience
@@ -74,7 +75,7 @@ class ChildProcess:
         return bytes(self.fill(bytearray(count)))
 
     def fill(self, room: Any) -> Any:
-        """Read its answer into a buffer; EOFError if it ends before the buffer is full."""
+        """Read its answer into a buffer; raise EOFError if it ends before the buffer is full."""
         view, got = memoryview(room), 0
         while got < len(view):
             count = self._stdout.readinto(view[got:])  # type: ignore[attr-defined]
@@ -84,7 +85,7 @@ class ChildProcess:
         return room
 
     def kill(self) -> None:
-        """End it at once, with all processes that it started in its session."""
+        """Kill it, with all processes that it started in its session."""
         with contextlib.suppress(OSError):
             if self._is_own_session and os.name == "posix":
                 os.killpg(self.process.pid, signal.SIGKILL)
@@ -92,7 +93,7 @@ class ChildProcess:
                 self.process.kill()
 
     def end(self, patience: float = 0.0) -> None:
-        """Close its pipes, wait some time (s) for it to end by itself, and kill it otherwise."""
+        """Close its pipes, wait up to ``patience`` (s) for it to end, and kill it otherwise."""
         for pipe in (self._stdin, self._stdout):
             with contextlib.suppress(OSError):
                 pipe.close()
@@ -104,12 +105,12 @@ class ChildProcess:
 
 
 LIMITS_MEMORY = sys.platform.startswith("linux")
-"""Whether the system holds a process to the memory that it may take; elsewhere a watch looks at it from outside."""
-_BETWEEN_LOOKS = 0.25  # s: a process may take too much for so long
+"""Whether the system enforces the memory limit of a process; otherwise its parent monitors it."""
+_BETWEEN_LOOKS = 0.25  # s: a process may exceed its memory for this time
 
 
 class ProcessWatch(threading.Thread):
-    """Ends a child that exceeds its time or, on systems that report but do not limit memory, its memory."""
+    """Thread that ends a child if it exceeds its time or, on systems that do not enforce a limit, its memory."""
 
     def __init__(self, process: subprocess.Popen[bytes], seconds: float, memory: float) -> None:
         super().__init__(daemon=True)
@@ -118,7 +119,7 @@ class ProcessWatch(threading.Thread):
         self.is_late = self.is_too_large = False
 
     def run(self) -> None:
-        """Watch it until it has answered."""
+        """Monitor it until it has answered."""
         while (left := self.end - time.monotonic()) > 0.0:
             if self.over.wait(left if LIMITS_MEMORY else min(left, _BETWEEN_LOOKS)):
                 return
@@ -131,7 +132,7 @@ class ProcessWatch(threading.Thread):
 
 
 def _memory_of(process: subprocess.Popen[bytes]) -> float:
-    """Bytes that another process takes, as Windows or the system's ``ps`` says; 0 where nobody tells."""
+    """Memory (bytes) of another process, as Windows or the system's ``ps`` reports it; 0 if unknown."""
     try:
         if sys.platform == "win32":
             return _memory_on_windows(int(process._handle))  # type: ignore[attr-defined,unused-ignore]
@@ -144,7 +145,7 @@ def _memory_of(process: subprocess.Popen[bytes]) -> float:
 
 
 def _memory_on_windows(handle: int) -> float:
-    """Bytes that the process of a handle keeps for itself; 0 where Windows does not tell."""
+    """Private memory (bytes) of the process with a handle; 0 if Windows does not report it."""
     import ctypes
 
     sizes = (
@@ -175,14 +176,14 @@ def _memory_on_windows(handle: int) -> float:
     )
 
 
-# limits that a process holds itself to -------------------------------------------------------------------------------
+# limits that a process sets for itself -------------------------------------------------------------------------------
 
 
 def limit(memory: float, seconds: float) -> None:
-    """Limit memory and computing time from now on, if the system can."""
+    """Limit memory and computing time of this process, if the system supports it."""
     try:
         import resource
-    except ImportError:  # Windows: the clock of the parent alone
+    except ImportError:  # Windows: only the parent's clock limits it
         return
     own = resource.getrusage(resource.RUSAGE_SELF)
     for kind, most in (
@@ -210,7 +211,7 @@ def has_less_than(memory: float) -> bool:
 
 
 def _used_memory() -> float:
-    """Bytes of data that this process may use, which the limit counts; 0 where the system does not tell."""
+    """Memory (bytes) of this process that counts towards the limit; 0 if the system does not report it."""
     return _memory_told(5)
 
 
@@ -227,7 +228,7 @@ def _memory_told(column: int) -> float:
     return float(pages * os.sysconf("SC_PAGE_SIZE"))
 
 
-# split off, without pipes to it ------------------------------------------------------------------------------------
+# forked processes, without pipes -----------------------------------------------------------------------------------
 
 _PIECE = 1 << 20
 
@@ -237,7 +238,7 @@ def bytes_from_fork(
 ) -> bytes | None:
     """Return the result of ``make`` in a fork of this process; None if it raises, crashes or exceeds its time (s).
 
-    The process splits while ``lock`` is held, which the child needs free.
+    The process forks while it holds ``lock``: no other thread can hold it in the child.
     """
     reading, writing = os.pipe()
     with lock:
@@ -251,18 +252,16 @@ def bytes_from_fork(
     finally:
         os.close(reading)
         if content is None:
-            os.kill(child, signal.SIGKILL)  # not waited for yet: it is still this one
+            os.kill(child, signal.SIGKILL)  # not reaped yet: the number is still valid
         status = os.waitpid(child, 0)[1]
     return None if status else content
 
 
 def _do(make: Callable[[], bytes], writing: int) -> None:
-    """In the child: make it, hand it over, end without what a process does at its end."""
+    """In the child: make the result, write it to the pipe, and end without cleanup handlers."""
     code = 1
     try:
-        os.closerange(
-            3, writing
-        )  # connections of the server, which must not live on with this child
+        os.closerange(3, writing)  # connections of the server must not stay open in this child
         os.closerange(writing + 1, os.sysconf("SC_OPEN_MAX"))
         content = make()
         with os.fdopen(writing, "wb") as stream:
@@ -273,7 +272,7 @@ def _do(make: Callable[[], bytes], writing: int) -> None:
 
 
 def _all_of(reading: int, longest: float) -> bytes | None:
-    """All bytes of a pipe until its other end closes; None where that takes too long."""
+    """Read all bytes of a pipe until its other end closes; None if that takes too long."""
     pieces: list[bytes] = []
     end = time.monotonic() + longest
     while select.select([reading], [], [], max(0.0, end - time.monotonic()))[0]:

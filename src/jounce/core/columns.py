@@ -1,4 +1,4 @@
-"""Number columns from text files: ``name [unit]`` headers, errors that name file, line and column."""
+"""Read number columns from text files with ``name [unit]`` headers; errors name file, line and column."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ from jounce.core.units import LARGEST, conversion_factor, is_unit
 
 _DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
 _SEPARATOR_NAMES = {",": "comma", ";": "semicolon", "\t": "tab", " ": "blank"}
-_LONGEST_CELL = 1000  # characters: longer cells are no names or numbers
-_BLANK = "no cell of the column is filled"
+_LONGEST_CELL = 1000  # characters: longer cells are neither names nor numbers
+_BLANK = "all cells of the column are empty"
 _MISSING = frozenset(
     (
         "",
@@ -58,11 +58,11 @@ _SINGLE_LETTERS = set("msNgGVAWJK%°")
 
 @dataclass(frozen=True, eq=False)
 class Column:
-    """One column of a file: numbers as written, all finite, in the ``unit`` of the header (empty for none).
+    """One column of a file: finite numbers as written, in the ``unit`` of the header (empty without one).
 
-    A column with cells that are not finite numbers has no values, and a ``fault`` that is raised when it is used.
-    ``written`` is the header's cell if it differs from ``label``: ``Force (N)``. ``part`` are the rows (from 0) with a
-    number, and those numbers, where the others hold nothing: a channel of another rate, or with gaps.
+    A column with cells that are not finite numbers has no values but a ``fault``, which is raised when it is used.
+    ``written`` is the header's cell if it differs from ``label``: ``Force (N)``. ``part`` has the rows (from 0) with a
+    number, and these numbers, if the other rows are empty: a channel with a different rate, or with gaps.
     """
 
     name: str
@@ -75,7 +75,7 @@ class Column:
 
     @property
     def label(self) -> str:
-        """Header in one spelling: ``name [unit]``, or the bare name without a unit."""
+        """Header in its standard form: ``name [unit]``, or only the name without a unit."""
         return f"{self.name} [{self.unit}]" if self.unit else self.name
 
     @property
@@ -97,7 +97,7 @@ class Column:
         return self
 
     def in_si(self, si: str) -> Array:
-        """Return the values in ``si`` (e.g. ``"m"``; ``"1"`` for plain numbers); refuse a missing or unfitting unit."""
+        """Return the values in ``si`` (e.g. ``"m"``; ``"1"``: plain numbers); refuse a missing or incompatible unit."""
         self.readable()
         if not self.unit and si != "1":
             raise RecordingError(
@@ -114,7 +114,7 @@ class Column:
         with np.errstate(over="ignore"):
             values = np.asarray(self.readable().values * factor, dtype=float)
             most = float(np.fmax.reduce(np.abs(values), initial=0.0))
-        if LARGEST < most < math.inf:  # what is no number is refused by its row
+        if LARGEST < most < math.inf:  # NaN and infinities are refused by their row
             size = f"{most / abs(factor):g} {self.unit}".rstrip()
             raise RecordingError("an impossible size", where=self.where, found=size)
         return values
@@ -122,11 +122,11 @@ class Column:
 
 @dataclass(frozen=True, eq=False)
 class ColumnTable:
-    """Columns of one file in their order, found by position or by name: all of the same length, at least one row.
+    """Columns of one file in order, accessed by position or name; all have the same length of at least one row.
 
-    ``comments`` are the lines before the header that start with ``#``, without it; ``lines`` the line of each row
-    in a text file, from 1, ``place`` what such a line is called; ``remarks`` say what was understood that need not
-    have been meant. A column that cannot be read raises only when it is used.
+    ``comments`` are the lines before the header that start with ``#``, without the ``#``. ``lines`` has the line number
+    of each row in a text file, from 1; ``place`` is the word for such a line. ``remarks`` list interpretations that may
+    be wrong. A column that cannot be read raises an error only when it is used.
     """
 
     columns: tuple[Column, ...]
@@ -165,7 +165,7 @@ class ColumnTable:
             found=", ".join(column.label for column in self.columns),
             hint=next(
                 (
-                    f"R has put points for signs; map the column with its unit: {key} = '{name} [UNIT]'."
+                    f"R replaced signs by points; map the column with its unit: {key} = '{name} [UNIT]'."
                     for name in self.names
                     if name.startswith(f"{key}..")
                 ),
@@ -179,7 +179,7 @@ class ColumnTable:
         return tuple(column.name for column in self.columns)
 
     def name_row(self, row: int) -> str:
-        """Name a row (from 0) for error messages: by its line (or ``place``) if known."""
+        """Return the name of a row (from 0) for error messages: its line (or ``place``) if known."""
         return f"{self.place} {self.lines[row]}" if self.lines else f"row {row + 1}"
 
 
@@ -187,14 +187,14 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
     r"""Read a text file of number columns separated by commas, semicolons, tabs or blanks.
 
     The first line that is neither empty nor a ``#`` comment is the header: one ``name [unit]`` per column, or
-    ``name (unit)``, ``name / unit``, ``name in unit`` where that is a unit; the units may also stand in a line of their
-    own below the names. Text that a logger writes before it (make, date, settings) is skipped, with a remark.
-    Trailing separators are accepted. Where commas do not separate, they may be decimal commas, if the file has no
-    decimal points; it is remarked.
+    ``name (unit)``, ``name / unit``, ``name in unit`` if that is a known unit. The units may also be in a separate line
+    below the names. Text that a logger writes before the header (make, date, settings) is skipped, with a remark.
+    Trailing separators are accepted. If commas are not the separator and the file has no decimal points, they are read
+    as decimal commas, with a remark.
 
-    Gives raw numbers (not converted), all finite, and the comments before the header. A column with text, a blank or
-    NaN is kept with its fault, which whoever asks for the column gets. A RecordingError with the line refuses a
-    missing, empty or binary file, a missing header, rows of different lengths, and decimal commas that separate.
+    Returns raw numbers (not converted), all finite, and the comments before the header. A column with text, a blank or
+    NaN keeps its fault, which is raised when the column is used. Raises RecordingError with the line for a missing,
+    empty or binary file, a missing header, rows of different lengths, and decimal commas that are also separators.
 
     >>> import tempfile, pathlib
     >>> file = pathlib.Path(tempfile.mkdtemp()) / "spring.csv"
@@ -207,9 +207,9 @@ def read_columns_csv(path: Path | str) -> ColumnTable:
 
 
 def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
-    r"""Read number columns of a text as :func:`read_columns_csv` does; ``file`` is where it comes from.
+    r"""Read number columns of a text as :func:`read_columns_csv` does; ``file`` is its origin, for messages.
 
-    Where ``named`` columns get their names elsewhere, the text may have no header.
+    If the names of ``named`` columns are given separately, the text may have no header.
 
     >>> columns_in("time [s]\tforce [N]\n0.0\t200.0\n", Path("run.xlsx"))["force"].values.tolist()
     [200.0]
@@ -242,7 +242,7 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
             and all(row.startswith('"') for row in rows)
             and len(_cells(rows[0], separator)) == len(header) + 1
         ):
-            header = ["", *header]  # a table of R, whose rows have names
+            header = ["", *header]  # a table written by R, with row names
         units = _units_below(rows, header, separator)
         if units:
             rows, numbers = rows[1:], numbers[1:]
@@ -262,7 +262,7 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
 
 
 def read_comments_csv(path: Path | str) -> tuple[str, ...]:
-    r"""Read the ``#`` lines before the header of a text file, without the ``#``; the rest may be anything.
+    r"""Read the ``#`` lines before the header of a text file, without the ``#``; the rest of the file is not checked.
 
     Examples
     --------
@@ -290,7 +290,7 @@ _MEMORY_A_BYTE = 25  # bytes of memory for each byte of a text file while it is 
 
 
 def _check_memory(size: int, file: Path) -> None:
-    """Refuse a text that does not fit into memory, if known: it would end the process, or the machine."""
+    """Refuse a text that does not fit into memory, if its size is known: it would crash the process or the machine."""
     try:
         meminfo = Path("/proc/meminfo").read_text(encoding="ascii")
         free = 1024 * int(meminfo.partition("MemAvailable:")[2].split()[0])
@@ -307,11 +307,11 @@ def _check_memory(size: int, file: Path) -> None:
 
 
 _DOS_END, _SECTOR = b"\x1a", 512
-"""End mark of DOS after the last line, repeated up to a multiple of this many bytes."""
+"""DOS end-of-file mark after the last line, repeated up to a multiple of this many bytes."""
 
 
 def text_of(file: Path) -> str:
-    """Text of a file of columns; refuse binary or missing files and those larger than the memory."""
+    """Return the text of a file of columns; refuse binary or missing files and files larger than the memory."""
     _check_memory(existing_file(file, RecordingError).stat().st_size, file)
     with reading(file, RecordingError):
         content = file.read_bytes()
@@ -342,11 +342,11 @@ def text_of(file: Path) -> str:
 
 
 _SIGN_IN_A_WORD = re.compile(r"[A-Za-z][¹³¿£¥ª¯][A-Za-z]")
-"""Signs of the Western code page inside a word: letters as Polish has in the Central European one (k¹t, ko³o)."""
+"""Western code-page signs within a word: Polish letters of the Central European code page (k¹t, ko³o)."""
 
 
 def _is_cut_off(rows: Sequence[str], separator: str) -> bool:
-    """Whether the last number of the last row is shorter than in all other rows, and there are others."""
+    """Whether there are other rows, and the last number of the last row is shorter than in all of them."""
     *lengths, last = (len(row) - row.rfind(separator) for row in rows)
     return len(lengths) > 9 and last < min(lengths)
 
@@ -363,7 +363,7 @@ def _leading_comments(lines: list[str]) -> tuple[tuple[str, ...], int]:
 
 
 def _names_in_comment(lines: list[str], first: int) -> tuple[int, str] | None:
-    """The last comment and its line, if it names the columns of the following numbers, as NumPy writes it."""
+    """Line and text of the last comment, if it names the columns of the following numbers, as written by NumPy."""
     places = [i for i in range(first) if lines[i].lstrip().startswith("#")]
     if not places or not _BEGINS_WITH_NUMBER.match(lines[first].lstrip()):
         return None
@@ -381,7 +381,7 @@ _MOST_COLUMNS = 10_000  # each header is searched for a unit
 
 
 def _check_width(lines: list[str], file: Path, first: int) -> None:
-    """Refuse a table of too many columns before each of their headers is searched for a unit."""
+    """Refuse a table with too many columns before its headers are searched for units."""
     for number, line in enumerate(lines, first):
         cells = max(len(line.split()), *(line.count(mark) + 1 for mark in ",;\t"))
         if cells > _MOST_COLUMNS:
@@ -396,7 +396,7 @@ def _check_width(lines: list[str], file: Path, first: int) -> None:
 
 
 def _separator_of_numbers(line: str, count: int) -> str:
-    """Separator of a line of ``count`` numbers; empty for other lines."""
+    """Return the separator of a line of ``count`` numbers; empty for other lines."""
     if not count:
         return ""
     rows = ((mark, _row(line.strip(), mark)) for mark in ("\t", ";", ",", " "))
@@ -406,9 +406,9 @@ def _separator_of_numbers(line: str, count: int) -> str:
 
 
 def _header_line(lines: list[str], first: int) -> int:
-    """Index of the header: names with a unit, or right above the first row of nothing but numbers; or the first line.
+    """Index of the header: names with units, or names directly above the first row of numbers; else the first line.
 
-    Settings of a logger are no header, even with as many cells as columns (``Rate;1000``).
+    Settings of a logger are not a header, even if they have as many cells as there are columns (``Rate;1000``).
     """
     filled = [
         i
@@ -439,7 +439,7 @@ def _header_line(lines: list[str], first: int) -> int:
 
 
 def _row(line: str, separator: str, width: int | None = None) -> list[str]:
-    """Cells of a line without an empty one at its end; none if there are not ``width``."""
+    """Cells of a line without an empty last cell; no cells if their number is not ``width``."""
     try:
         cells = _header_cells(line, separator)
     except csv.Error:
@@ -454,7 +454,7 @@ def _has_number(cell: str) -> bool:
 
 
 def _are_names(cells: list[str]) -> bool:
-    """Whether cells can name columns: letters in all of them, none a number, all but times different."""
+    """Whether cells can name columns: all have letters, none is a number, and all except times differ."""
     worded = all(any(map(str.isalpha, cell)) and not _has_number(cell) for cell in cells)
     names = [cell for cell in cells if not names_time(name_and_unit(cell)[0])]
     return bool(cells) and worded and len(set(names)) == len(names)
@@ -467,7 +467,7 @@ _TIME_WORDS = re.compile(
 
 
 def names_time(name: str) -> bool:
-    """Whether a column's name begins with a word for time: one of several clocks of a file may be called so.
+    """Whether a column's name begins with a word for time, as the names of several clocks in a file do.
 
     >>> [names_time(name) for name in ("time", "Zeit 2", "Time_100Hz", "t", "Time - AI 1", "lap time", "tyre.force")]
     [True, True, True, True, True, False, False]
@@ -480,7 +480,7 @@ def _is_missing(cell: str) -> bool:
 
 
 def _are_units(cells: list[str]) -> bool:
-    """Whether cells are a row of units: no number, and more than half of what is filled are units that are known."""
+    """Whether cells are a row of units: no cell is a number, and most of the non-empty cells are known units."""
     filled = [bare for cell in cells if (bare := cell.strip("[]() ")) not in _NO_UNIT]
     known = sum(map(_is_plain_unit, filled))
     return 2 * known > len(filled) and not any(
@@ -492,7 +492,7 @@ _NO_UNIT = ("", "-", "#")
 
 
 def _is_plain_unit(cell: str) -> bool:
-    """Whether a cell is a unit; no foreign number (``1.5d+00``: days?) is, nor ``ch1`` or ``V2``."""
+    """Whether a cell is a unit; foreign number formats (``1.5d+00``: days?), ``ch1`` and ``V2`` are not."""
     if _NUMBERED_NAME.fullmatch(cell):
         return False
     return is_unit(cell) and (
@@ -502,7 +502,7 @@ def _is_plain_unit(cell: str) -> bool:
 
 _BEGINS_WITH_NUMBER = re.compile(r"[-+]?\d")
 _NUMBERED_NAME = re.compile(r"(?!(?:[cm]?m|in|ft|s)[23]$)[A-Za-z]+\d+")
-"""Names of channels that read as powers of units: chains, volts, ares; areas, volumes and s2 are units."""
+"""Channel names that would parse as powers of units: chains, volts, ares; areas, volumes and s2 are units."""
 
 
 def _separator(header: str) -> str:
@@ -511,7 +511,7 @@ def _separator(header: str) -> str:
 
 
 def _separator_of(header: str, row: str) -> str:
-    """Separator of a table: blanks if the header has no other and the row has several numbers."""
+    """Separator of a table: blanks if the header has no other separator and the row has several numbers."""
     separator = _separator(header)
     outside = re.sub(r"\[[^\[\]]*\]|\([^()]*\)|\"[^\"]*\"", "", header)
     if separator != "," or "," in outside or '"' in outside:
@@ -564,7 +564,7 @@ def name_and_unit(cell: str) -> tuple[str, str]:
 
 
 def _of_r(text: str) -> tuple[str, str]:
-    """Name and unit of a header in which R has put points for signs (``make.names``); no unit where two could be meant.
+    """Name and unit of a header in which R replaced signs by points (``make.names``); no unit if it is ambiguous.
 
     >>> [_of_r(text) for text in ("sprung.az..m.s.2.", "strut.force..N.", "rate..N.mm.")]
     [('sprung.az', 'm/s^2'), ('strut.force', 'N'), ('rate..N.mm.', '')]
@@ -585,11 +585,11 @@ _USUAL = (
     "1/m,N s/m,N s/mm,kN s/m,Ns/m,Ns/mm,Nm,kNm,Nm/rad,Nm/deg,N m/rad,N m/deg,N m s/rad"
 )
 _UNITS_OF_R = {re.sub("[^A-Za-z0-9]", ".", unit): unit for unit in _USUAL.split(",")}
-"""Units by their spelling in R, if unique (not ``N/mm`` and ``N mm``)."""
+"""Units by their spelling in R, if it is unique (unlike that of ``N/mm`` and ``N mm``)."""
 
 
 def _is_loose_unit(text: str) -> bool:
-    """Whether a text that is not in square brackets can only be a unit."""
+    """Whether a text outside square brackets can only be a unit."""
     return bool(text) and (text in _SINGLE_LETTERS if len(text) == 1 else is_unit(text))
 
 
@@ -628,7 +628,7 @@ def _check_header(header: list[str], file: Path, line: int, separator: str, name
 
 
 def _units_below(rows: Sequence[str], header: list[str], separator: str) -> list[str]:
-    """Units of the columns if the first row has them (and the header none); otherwise empty."""
+    """Units of the columns if they are in the first row (and not in the header); otherwise empty."""
     if not rows or any(name_and_unit(cell)[1] for cell in header):
         return []
     cells = [cell.removeprefix("[").removesuffix("]").removeprefix("(").removesuffix(")").strip() for cell in
@@ -639,7 +639,7 @@ def _units_below(rows: Sequence[str], header: list[str], separator: str) -> list
 
 
 def _without_blank_lines(lines: list[str], first: int) -> tuple[list[str], Sequence[int]]:
-    """Lines with something on them, and their numbers; ``first`` is the number of the first line."""
+    """Non-blank lines, and their numbers; ``first`` is the number of the first line."""
     filled = [bool(line.strip(" \r\ufeff")) for line in lines]
     if all(filled):
         return lines, range(first, first + len(lines))
@@ -647,7 +647,7 @@ def _without_blank_lines(lines: list[str], first: int) -> tuple[list[str], Seque
 
 
 def _plain_numbers(lines: list[str], width: int, separator: str) -> Array | None:
-    """Rows of finite numbers without quotes or faults; None for others, which are read cell by cell."""
+    """Parse rows of finite numbers without quotes or faults; None for other rows, which are read cell by cell."""
     try:
         values = np.loadtxt(
             lines, delimiter=None if separator == " " else separator, comments=None, ndmin=2
@@ -665,7 +665,7 @@ def _columns(
     file: Path,
     separator: str,
 ) -> tuple[tuple[Column, ...], tuple[Finding, ...]]:
-    """Columns of all rows, and what was understood; rows of another length than the header are refused."""
+    """Columns of all rows, and remarks on their interpretation; refuse rows whose length differs from the header."""
     heads = header[:-1] if header[-1] == "" else header
     values, comma = _plain_numbers(rows, len(heads), separator), False
     if values is None and separator != "," and not any("." in row for row in rows):
@@ -712,7 +712,7 @@ def _columns(
     )
     if (
         are_grouped and separator == ","
-    ):  # in quotes: those who separate by commas seldom write decimals with them
+    ):  # in quotes: files separated by commas seldom have decimal commas
         some = [_cells(line, separator) for line in rows[:_FEW]]
         marked = {i for i in range(len(heads)) if any("," in row[i] for row in some)}
         fault = _either(repr(cells[0]), str(file))
@@ -762,10 +762,10 @@ _DAY = 86400.0
 
 
 def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
-    """Seconds since the first of clock times, and the interpretation; None for other cells.
+    """Convert clock times to seconds since the first, with a description of the interpretation; None for other cells.
 
-    Times of day (``23:59:59.75``) go on past midnight, durations may have days (``0 days 00:00:01``); instants of ISO
-    8601 are compared in UTC where they have a zone.
+    Times of day (``23:59:59.75``) may pass midnight, durations may include days (``0 days 00:00:01``), and ISO 8601
+    instants with a time zone are compared in UTC.
 
     >>> seconds_of(["23:59:59.75", "00:00:00.25"])
     (array([0. , 0.5]), 's since 23:59:59.75, past midnight')
@@ -813,13 +813,13 @@ def seconds_of(cells: Sequence[str]) -> tuple[Array, str] | None:
     return elapsed, f"s since {cells[0]}"
 
 
-_FEWEST_THOUSANDS = 10  # such numbers, so that three decimals are no coincidence
-_FEW = 1000  # rows examined for their separators of digits
+_FEWEST_THOUSANDS = 10  # that many numbers with three decimals are no coincidence
+_FEW = 1000  # rows examined for digit separators
 _GROUPED = re.compile(r"[+-]?[1-9]\d{0,2}[.,]\d{3}")
 
 
 def _may_have_thousands(numbers: Array) -> bool:
-    """Whether numbers look like 999, 1.000, 1.001: integers up to 999, and others from 1 with three decimals."""
+    """Whether numbers look like 999, 1.000, 1.001: integers up to 999, and numbers from 1 with three decimals."""
     size = np.abs(numbers)
     if not size.size or float(size.max()) > 999.9995 or float(size.max()) < 100.0:
         return False
@@ -831,21 +831,21 @@ def _may_have_thousands(numbers: Array) -> bool:
 
 
 def _thousands(cells: Sequence[str], lines: Sequence[int], where: str) -> RecordingError | None:
-    """Error for numbers whose marks all separate three digits, next to integers below a thousand."""
+    """Error for numbers whose marks all precede three digits, in a column with integers below a thousand."""
     marked = [
         (cell, line) for cell, line in zip(cells, lines, strict=True) if "." in cell or "," in cell
     ]
     if not marked or not all(_GROUPED.fullmatch(cell) for cell, _ in marked):
         return None
     cell, line = marked[0]
-    return _either(f"{cell!r} (line {line})", where, ", and whole numbers stand beside them")
+    return _either(f"{cell!r} (line {line})", where, ", and other cells are whole numbers")
 
 
 def _either(cell: str, where: str, more: str = "") -> RecordingError:
     return RecordingError(
         "thousands separators, or decimals?",
         where=where,
-        found=f"{cell}: all marks have three digits behind them{more}",
+        found=f"{cell}: all marks are followed by three digits{more}",
         allowed="numbers without thousands separators",
         hint="Export the file without them, or with decimals in all numbers.",
     )
@@ -875,14 +875,14 @@ def _mark_of(cell: str) -> str:
 
 
 def _decimal_mark(cells: list[str]) -> str:
-    """Decimal mark of a column of numbers, ``,.`` where it has both; empty without one, or for text."""
+    """Decimal mark of a column of numbers, ``,.`` if it has both; empty without one, or for text."""
     return "".join(sorted(set(map(_mark_of, cells))))
 
 
 def _mixed_marks(
     table: list[list[str]], lines: Sequence[int], heads: list[str], file: Path
 ) -> RecordingError:
-    """The error for a file that has decimal commas and decimal points, which may also separate thousands."""
+    """Error for a file with decimal commas and decimal points, either of which may be thousands separators."""
     first: dict[str, str] = {}
     for head, cells in zip(heads, table, strict=True):
         for cell, line in zip(cells, lines, strict=True):
@@ -900,7 +900,7 @@ def _mixed_marks(
 def _numbers(
     cells: list[str], lines: Sequence[int], column: str, file: Path, comma: bool
 ) -> tuple[Array | RecordingError, tuple[NDArray[np.intp], Array] | None]:
-    """Finite numbers of a column, or its first fault with the line, and the rows with numbers."""
+    """Finite numbers of a column, or the error for its first fault with the line; and the rows with numbers."""
     texts = (
         [cell.replace(",", ".") if _DECIMAL_COMMA.fullmatch(cell) else cell for cell in cells]
         if comma
@@ -958,7 +958,7 @@ def _ragged_row_error(
 
 def _bad_cell(cell: str, where: str, *, no_numbers: bool) -> RecordingError:
     if cell == "":
-        hint = "Fill it or remove the row; of signals over time resample (--resample) bridges the gap and says so."
+        hint = "Fill it or remove the row; for signals over time, resample (--resample) bridges the gap and reports it."
         return RecordingError("the cell is blank", where=where, allowed="a number", hint=hint)
     if _DECIMAL_COMMA.fullmatch(cell):
         return RecordingError(

@@ -1,4 +1,4 @@
-"""Commands to copy, as the shell of this system takes them."""
+"""Command lines to copy, quoted for the shell of this system."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ _PLAIN = re.compile(r"[\w./\\:=+-]+", re.ASCII)
 
 
 def command_line(words: Iterable[str]) -> str:
-    """Words as one line to paste: for a POSIX shell, or on Windows for PowerShell and its older command prompt.
+    """Join words to one line to paste: for a POSIX shell, or on Windows for PowerShell and the command prompt.
 
-    Both take double quotes there, and PowerShell takes ``$`` and backticks in them for its own. A word that has one is
-    put in single quotes, for PowerShell alone.
+    On Windows both accept double quotes, but PowerShell interprets ``$`` and backticks inside them. A word that
+    contains one is put in single quotes, which only PowerShell understands.
 
     >>> command_line(["jounce", "check", "front axle.toml"]).replace('"', "'")
     "jounce check 'front axle.toml'"
@@ -26,7 +26,7 @@ def command_line(words: Iterable[str]) -> str:
 
 
 def words_of(line: str) -> list[str]:
-    """Words of a line made by ``command_line`` on this system.
+    """Split a line made by ``command_line`` on this system into its words.
 
     >>> words_of(command_line(["jounce", "check", "front axle.toml"]))
     ['jounce', 'check', 'front axle.toml']

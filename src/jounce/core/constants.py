@@ -1,6 +1,6 @@
-"""Numbers that several packages share."""
+"""Constants shared by several packages."""
 
 GRAVITY = 9.81
-"""m/s^2; default of every description."""
+"""Gravity, m/s^2; default of every description."""
 NORMAL_95 = 1.959964
 """Half width of a 95 % interval in standard deviations (1), where the errors are normal."""

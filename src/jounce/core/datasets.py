@@ -1,7 +1,7 @@
-"""Build datasets without xarray's copies and alignment, which take longer than a short run.
+"""Build datasets without xarray's copying and alignment, which take longer than a short run.
 
-What is made is `identical` to what the public constructor makes. It relies on xarray's inside, so that is tried out
-once a process; where it is another one, the public constructor is used.
+The result is `identical` to that of the public constructor. This relies on xarray's internals, which are tested once
+per process; if the test fails, the public constructor is used.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def dataset(
 ) -> xr.Dataset:
     """Put variables on the axes of a Dataset without variables, with other coordinates in ``beside``.
 
-    The variables are not copied; nothing else may hold them. The axes may serve many Datasets.
+    The variables are not copied; the caller must not use them afterwards. Many Datasets may share the same axes.
 
     >>> import xarray as xr
     >>> axes = xr.Dataset(coords={"time": [0.0, 1.0]})
@@ -88,10 +88,10 @@ def _direct(
 
 @cache
 def _inside_is_known() -> bool:
-    """Whether what is put together directly is what the public constructor makes.
+    """Whether direct construction gives the same result as the public constructor.
 
-    Here xarray loads what it leaves for the first use (dask, where that is installed). Threads that load a package at
-    once may see it half loaded, so one of them goes first.
+    The test makes xarray load its lazy imports (dask, if installed). Concurrent threads may see a partially loaded
+    package, so only one thread runs it at a time.
     """
     with turn(_inside_is_known):
         return _matches_public()
@@ -133,5 +133,5 @@ def _matches_public() -> bool:
             and list(direct.xindexes) == list(expected.xindexes)
             and direct.sel(along=1.0).identical(expected.sel(along=1.0))
         )
-    except Exception:  # noqa: BLE001 - whatever it is that another version does
+    except Exception:  # noqa: BLE001 - other versions may fail in any way
         return False

@@ -39,9 +39,9 @@ from jounce.core.text import qualify
 
 D = TypeVar("D", bound="Description")
 Whole = Annotated[int, Strict()]
-"""A whole number of a description; neither ``true`` nor ``"1"`` is one."""
+"""An integer field of a description; ``true`` and ``"1"`` are not accepted."""
 Seed = Annotated[Whole, Field(ge=0, lt=2**63)]
-"""Seed of random numbers."""
+"""Seed of a random number generator."""
 
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ else:
 
 
 class _DescriptionType(ModelMetaclass):
-    """Raises jounce errors at the outermost construction only, so that nested parts keep their path."""
+    """Converts errors to jounce errors only at the outermost construction, which preserves the path of nested parts."""
 
     def __call__(cls, *arguments: Any, **fields: Any) -> Any:  # noqa: N805
         if arguments:
@@ -66,7 +66,7 @@ class _DescriptionType(ModelMetaclass):
 
 
 class Description(Shown, BaseModel, metaclass=_DescriptionType):
-    """Base of all nouns: frozen, refuses unknown keys, reads physical values with units."""
+    """Base class of descriptions: frozen, refuses unknown keys, reads physical values with units."""
 
     model_config = ConfigDict(
         frozen=True,
@@ -74,7 +74,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         populate_by_name=True,
         protected_namespaces=(),
         defer_build=True,
-    )  # validators of a kind are built on first use: there are hundreds, a process uses few
+    )  # validators are built on first use: there are hundreds, and a process uses only a few
 
     kinds: ClassVar[Kinds | None] = None  # set by the base of a family of descriptions
 
@@ -96,7 +96,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         return handler(schema) if family is None else {FILE_REF: family.schema}
 
     def __setattr__(self, name: str, value: Any) -> None:
-        if not name.startswith("_"):  # what pydantic keeps for itself
+        if not name.startswith("_"):  # pydantic's own attributes
             raise self._frozen(name, value)
         super().__setattr__(name, value)
 
@@ -113,7 +113,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
             hint = Phrase("Make a changed copy: with_changes({{{change}}}).", change=change)
         else:
             hint = Phrase(
-                "Make a changed copy: model_copy(update={{{change}}}), or of a whole rig: rig.with_changes(...).",
+                "Make a changed copy: model_copy(update={{{change}}}), or for a whole rig: rig.with_changes(...).",
                 change=change,
             )
         return DescriptionError(
@@ -121,7 +121,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         )
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-        """Return a copy; unknown fields and values of another kind are treated as those of a new description."""
+        """Return a copy; unknown fields and values of a wrong type are handled as in a new description."""
         kinds = type(self).model_fields
         if all(
             name in kinds and fits(value, kinds[name].annotation)
@@ -131,7 +131,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         return self.with_fields(**(update or {}))
 
     def with_fields(self, **fields: Any) -> Self:
-        """Return a copy with other values, checked as a whole; defaults that were not set stay unset."""
+        """Return a copy with changed values, validated as a whole; defaults that were not set stay unset."""
         own = {
             name: getattr(self, name)
             for name in type(self).model_fields
@@ -142,7 +142,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
     changed: ClassVar[Any] = old_method("Description.changed", "with_fields")
 
     def __getstate__(self) -> dict[Any, Any]:
-        """State with the same pickled bytes in every process: nothing derived, and no set of texts."""
+        """Return a state that pickles to the same bytes in every process: no derived values, and no set of strings."""
         fields = type(self).model_fields
         state = super().__getstate__()
         own = {name: value for name, value in state["__dict__"].items() if name in fields}
@@ -165,7 +165,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
         text: str = "",
         path: tuple[str | int, ...] = (),
     ) -> Self:
-        """Build from a TOML table; ``where``, ``text`` (the file's content) and ``path`` (in it) place the errors."""
+        """Build from a TOML table; ``where``, ``text`` (the file's content) and ``path`` in it locate errors."""
         try:
             return cls.model_validate(table)
         except ValidationError as error:
@@ -176,9 +176,9 @@ _LARGEST = 5_000_000  # bytes: larger than any description
 
 
 def description_text(path: Path | str) -> str:
-    """Text of a file of at most the size of a description; UnicodeDecodeError if it is not text.
+    """Return the text of a file not larger than a description; raise UnicodeDecodeError if it is not text.
 
-    It is in UTF-8, or has the mark of UTF-16 in front, as what PowerShell and editors of Windows write.
+    The encoding is UTF-8, or UTF-16 with a byte order mark, as PowerShell and Windows editors write it.
     """
     file = existing_file(path)
     if file.stat().st_size > _LARGEST:
@@ -213,8 +213,8 @@ def read_toml(path: Path | str) -> tuple[dict[str, Any], str]:
 
 
 def toml_table(text: str) -> dict[str, Any]:
-    """Parse TOML; all errors, also excessive nesting and numbers, are a TOMLDecodeError."""
-    # Before it is parsed, which takes seconds for tens of thousands, and the square of a key's length.
+    """Parse TOML; raise TOMLDecodeError for all errors, including excessive nesting and integers."""
+    # Checked before parsing, which takes seconds for tens of thousands, and quadratic time in the length of a key.
     if text.count("\n[") > _MOST_TABLES or text.count("=") > _MOST_KEYS:
         raise tomllib.TOMLDecodeError(f"more than {_MOST_TABLES} tables or {_MOST_KEYS} keys")
     if _LONG_KEY.search(text):
@@ -236,11 +236,11 @@ _PLACE_IN_TOML = re.compile(
     r"(?P<what>.*?) \(at (?:line (?P<line>\d+), column (?P<column>\d+)|end of document)\)",
     re.DOTALL,
 )
-"""What Python's parser says; until Python 3.14 it tells the place in its text only."""
+"""Message of Python's parser; before Python 3.14 it has the position in its text only."""
 
 
 def toml_error(error: tomllib.TOMLDecodeError, where: str) -> DescriptionError:
-    """Return the error of a text that is not TOML, with its line."""
+    """Return the error for a text that is not valid TOML, with its line."""
     parts = _PLACE_IN_TOML.fullmatch(str(error))
     if parts is None:
         reason: str = Phrase(str(error))
@@ -256,7 +256,7 @@ def toml_error(error: tomllib.TOMLDecodeError, where: str) -> DescriptionError:
     return refusal
 
 
-_DEEPEST = 30  # tables within each other: deeper than any description
+_DEEPEST = 30  # nested tables: more than in any description
 _MOST_TABLES, _MOST_KEYS = 10_000, 100_000
 _LONG_KEY = re.compile(
     rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_DEEPEST}}}"""
@@ -287,7 +287,7 @@ _SCHEMA = re.compile(r"""^[ \t]*(["']?)schema\1[ \t]*=[ \t]*(["'])(?P<name>.*?)\
 
 
 def schema_named_in(path: Path) -> str:
-    """Return the schema that a file of TOML names, empty without one; also of invalid files."""
+    """Return the schema named in a TOML file, even if the file is invalid; empty without one."""
     if path.suffix != ".toml" or not path.is_file():
         return ""
     result = _SCHEMA.search(path.read_text(encoding="utf-8", errors="replace"))
@@ -295,12 +295,12 @@ def schema_named_in(path: Path) -> str:
 
 
 def check_schema(table: dict[str, Any], expected: tuple[str, ...], where: str) -> str:
-    """Return the kind and version of a file; refuse others than the expected ones."""
+    """Return the schema name of a file; refuse unexpected ones."""
     schema = table.get("schema")
     if schema in expected:
         return str(schema)
     raise DescriptionError(
-        "the schema line is missing or another one",
+        "the schema line is missing or wrong",
         where=where,
         found=schema,
         allowed=" or ".join(f'schema = "{name}"' for name in expected),
@@ -312,7 +312,7 @@ Described = TypeVar("Described", bound=Description)
 
 
 def read_description(kind: type[Described], path: Path | str, schema: str) -> tuple[Described, str]:
-    """Read a file with this schema line as its kind of description; return that and the file's text."""
+    """Read a file with this schema line as a description; return the description and the file's text."""
     table, text = read_toml(path)
     check_schema(table, (schema,), str(path))
     return kind.from_table(table, where=str(path), text=text), text
@@ -351,7 +351,7 @@ def line_of(text: str, path: tuple[str | int, ...]) -> int | None:
 
 
 def _lines_before(entry: int, text: str) -> int:
-    """How many lines after the start of ``key = [...]`` an entry of the list is written; 0 if it is not found."""
+    """Number of lines from the start of ``key = [...]`` to an entry of the list; 0 if it is not found."""
     key = _KEY.match(text)
     depth = commas = 0
     for token in _TOKEN.finditer(text, key.end() if key else len(text)):
@@ -374,7 +374,7 @@ def _split_key(text: str) -> tuple[str, ...]:
 def _path_with_entries(
     names: tuple[str, ...], seen: dict[tuple[str, ...], int]
 ) -> tuple[str | int, ...]:
-    """Path of a table with the number of the array entry it belongs to."""
+    """Path of a table, with the index of the array entry it belongs to."""
     path: list[str | int] = []
     for depth, name in enumerate(names, 1):
         path.append(name)
@@ -402,9 +402,9 @@ def description_error(
     text: str = "",
     path: tuple[str | int, ...] = (),
 ) -> DescriptionError:
-    """Turn pydantic's report into one jounce message, at most five lines; ``path`` is the place of ``kind``."""
+    """Convert pydantic's report to one jounce error of at most five lines; ``path`` is the location of ``kind``."""
     every = error.errors()
-    items = every[:_MOST_PROBLEMS]  # names are compared with names: the square of their number
+    items = every[:_MOST_PROBLEMS]  # names are compared in pairs: quadratic time
     misspelt = [item for item in items if item["type"] == "extra_forbidden"]
     items = [
         item for item in items if not (item["type"] == "missing" and _is_misspelt(item, misspelt))
@@ -429,14 +429,14 @@ _MOST_PROBLEMS = 200
 
 
 def _is_misspelt(item: Any, unknown_keys: list[Any]) -> bool:
-    """Whether a missing key is in the same table under a similar name, whose own message suffices."""
+    """Whether the same table has a similar unknown key, whose own message suffices."""
     *table, name = item["loc"]
     beside = [str(other["loc"][-1]) for other in unknown_keys if list(other["loc"][:-1]) == table]
     return isinstance(name, str) and bool(nearest(name, beside))
 
 
 def _is_within(whole: Any, items: list[Any]) -> bool:
-    """Whether a list lacks entries only because each has a mistake of its own."""
+    """Whether a list is too short only because some of its entries are invalid."""
     depth = len(whole["loc"])
     return any(item["loc"][:depth] == whole["loc"] and len(item["loc"]) > depth for item in items)
 
@@ -444,7 +444,7 @@ def _is_within(whole: Any, items: list[Any]) -> bool:
 def _problem(
     item: Any, kind: type[BaseModel], where: str, text: str, above: tuple[str | int, ...]
 ) -> DescriptionError:
-    """One problem, at its place."""
+    """Convert one problem to an error with its location."""
     within, models = _user_path(
         kind, item["loc"][:-1] if item["type"] == "extra_forbidden" else item["loc"]
     )
@@ -459,7 +459,7 @@ def _problem(
 
 
 def _parts(item: Any, path: tuple[str | int, ...], models: list[type[BaseModel]]) -> dict[str, Any]:
-    """What is wrong, what was found, what is allowed and what to do, of a problem that pydantic reports."""
+    """Parts of the error for a problem that pydantic reports: what, found, allowed and hint."""
     context = item.get("ctx", {})
     match item["type"]:
         case "extra_forbidden":
@@ -481,7 +481,8 @@ def _parts(item: Any, path: tuple[str | int, ...], models: list[type[BaseModel]]
         case "union_tag_not_found":
             return {
                 "what": Phrase(
-                    "the key {key} is missing; it says what this is", key=context["discriminator"]
+                    "the key {key}, which selects the kind, is missing",
+                    key=context["discriminator"],
                 )
             }
         case "misplaced":
@@ -497,7 +498,7 @@ def _parts(item: Any, path: tuple[str | int, ...], models: list[type[BaseModel]]
 
 
 def _of_pydantic(item: Any) -> str:
-    """What pydantic says in words of its own, which are not translated but for the commonest."""
+    """Message in pydantic's own words; only the most common ones are translated."""
     message = item["msg"].removeprefix("Value error, ")
     return f"{message[0].lower()}{message[1:]}"
 

@@ -1,4 +1,4 @@
-"""Display units of SI values: one system at a time, metric or imperial, for all faces.
+"""Display units of SI values: metric or imperial, one system at a time for all interfaces.
 
 Files, recordings and JSON stay SI, and inputs carry their units.
 """
@@ -25,16 +25,16 @@ class DisplayUnit:
     Attributes
     ----------
     name : str
-        As printed, e.g. ``"mm"``; empty for plain numbers.
+        Printed name, e.g. ``"mm"``; empty for plain numbers.
     factor : float
-        Shown value for one SI unit [1].
+        Displayed value of one SI unit [1].
     """
 
     name: str
     factor: float
 
     def label(self, words: str) -> str:
-        """Return an axis label such as ``displacement [mm]``; plain numbers carry ``[–]``."""
+        """Return an axis label such as ``displacement [mm]``; plain numbers have ``[–]``."""
         return f"{words} [{self.name or '–'}]"
 
     def behind(self, number: str) -> str:
@@ -108,33 +108,33 @@ _LARGE: dict[System, dict[str, tuple[float, DisplayUnit]]] = {
         "m/s": (4.0, DisplayUnit("mph", 3600.0 / (5280.0 * _FOOT))),
     },
 }
-"""From this size on (SI), another unit is the usual one: roads are in feet, vehicles drive miles per hour."""
+"""Size (SI) from which a different unit is usual: roads are measured in feet, vehicle speeds in miles per hour."""
 _chosen: System = "metric"
 
 
 def current_units() -> System:
-    """Name the system in which values are shown."""
+    """Return the name of the current system of units."""
     return _chosen
 
 
 def use_units(system: System) -> None:
-    """Show values in this system from now on, in tables, figures, reports and notebooks.
+    """Select the system of units for tables, figures, reports and notebooks.
 
     Parameters
     ----------
     system : {"metric", "imperial"}
         ``metric``: mm, N/mm, N·s/m, MPa, the default. ``imperial``: in, lbf/in, lbf·s/in, psi, lb, lbf,
-        and mph and ft where speeds and lengths are large. Angles are in degrees with both.
+        and mph and ft for large speeds and lengths. Angles are in degrees in both systems.
 
     Raises
     ------
     DescriptionError
-        For another name.
+        For an unknown system.
 
     Notes
     -----
-    Only what is shown changes. Results, recordings and JSON stay SI, and files that are read say their units. Sentences
-    of findings and errors stay metric.
+    Only displayed values change. Results, recordings and JSON stay SI, and input files state their units. Findings and
+    error messages stay metric.
 
     Examples
     --------
@@ -146,7 +146,7 @@ def use_units(system: System) -> None:
     >>> jn.plots.quantity(22730.0, "N/m")
     '22.73 N/mm'
     """
-    global _chosen  # noqa: PLW0603 - what people want to see is one thing a process
+    global _chosen  # noqa: PLW0603 - one choice for the whole process
     if system not in SYSTEMS:
         raise unknown(str(system), SYSTEMS, what="system of units", where="use_units")
     _chosen = system
@@ -154,7 +154,7 @@ def use_units(system: System) -> None:
 
 @contextmanager
 def local_units(system: System) -> Iterator[None]:
-    """Show values in a system within a block."""
+    """Select the system of units within a block."""
     before = _chosen
     use_units(system)
     try:
@@ -171,13 +171,13 @@ def display_unit(si: str, largest: float = 0.0) -> DisplayUnit:
     si : str
         SI unit as written in recordings, e.g. ``"m/s^2"``.
     largest : float
-        Largest absolute value to be shown, in that SI unit; forces above 20 000 N are shown in kN, and in imperial
+        Largest absolute value to display, in that SI unit; forces above 20 000 N are shown in kN, and in imperial
         units speeds from 4 m/s on in mph, lengths from 10 m on in ft.
 
     Returns
     -------
     DisplayUnit
-        The SI unit itself if no other is common.
+        The SI unit itself if no other unit is common.
 
     Examples
     --------
@@ -193,21 +193,21 @@ def display_unit(si: str, largest: float = 0.0) -> DisplayUnit:
 
 
 def display_unit_for(unit: str, words: str = "", largest: float = 0.0) -> DisplayUnit:
-    """Unit of the chosen system for values in a metric unit, and the factor.
+    """Return the unit, in the current system, for values in a metric unit, and the factor.
 
     Parameters
     ----------
     unit : str
         Metric unit of the values, SI or not: ``"N/m"``, ``"mm"``, ``"N·s/m"``.
     words : str
-        Quantity: speeds are in mph, whatever their size.
+        Quantity in words: speeds are in mph, regardless of their size.
     largest : float
         Largest absolute value, in ``unit``.
 
     Returns
     -------
     DisplayUnit
-        ``unit`` itself, with the factor 1, in the metric system and where the imperial one has no other.
+        ``unit`` itself, with the factor 1, in the metric system and if it has no imperial counterpart.
 
     Examples
     --------
@@ -228,7 +228,7 @@ def display_unit_for(unit: str, words: str = "", largest: float = 0.0) -> Displa
 
 
 def size(value: float, unit: str, words: str = "") -> str:
-    """A value in a metric unit, written in the chosen system with its unit; ``words`` as in `display_unit_for`.
+    """Write a value in a metric unit, with its unit in the current system; ``words`` as in `display_unit_for`.
 
     >>> with local_units("imperial"):
     ...     size(20.0, "m/s"), size(0.35, "m"), size(2.0, "s")
@@ -259,4 +259,4 @@ def _si_of(unit: str) -> tuple[str, float] | None:
 
 
 _KEPT = frozenset({"g", "%", "°", "deg", "s", "ms", "Hz", "–", "SI"})
-"""Units of both systems; ``g`` is that of gravity."""
+"""Units of both systems; ``g`` is standard gravity."""

@@ -1,4 +1,4 @@
-"""Error classes. Every message says where, what was found, what is allowed and what to do next."""
+"""Error classes. Every message states the location, the value found, the allowed values and the next step."""
 
 from __future__ import annotations
 
@@ -14,36 +14,37 @@ from jounce.core.phrases import Phrase, Phrases, german_of, in_german
 from jounce.core.text import shorten
 
 _LONGEST, _LONGEST_PLACE, _LONGEST_VALUE = 4000, 1000, 300
-"""Characters: a file's content may be long, a message must not."""
+"""Maximum length of a quoted value in characters: file contents may be long, messages must not."""
 
 
 class JounceError(Exception):
-    """A mistake in the user's input, or an outcome the user must know.
+    """An error in the user's input, or an outcome the user must know about.
 
     Parameters
     ----------
     what : str
-        What is wrong, as one sentence without a full stop.
+        Description of the problem, one sentence without a full stop.
     where : str
         File and line, path inside a description, or channel.
     found : object
-        The offending value with its unit; left out of the text when None.
+        The offending value with its unit; omitted from the text if None.
     allowed : str
-        What would have been accepted.
+        Accepted values.
     hint : str
         The next step for the reader.
 
     Notes
     -----
-    Parts that are a `Phrase` keep the fields of their templates: `message` knows its German, ``str(error)`` is plain.
+    Parts that are a `Phrase` keep the fields of their templates: `message` can be translated to German,
+    ``str(error)`` is plain English text.
     """
 
     path: tuple[str | int, ...] = ()
-    """Keys of the value that it is about, in a description."""
+    """Keys of the offending value in a description."""
     line: int | None = None
-    """Line of a file on which that value is written."""
+    """Line of that value in a file."""
     problems: Sequence[JounceError] = ()
-    """Errors that this one lists, where it is about several."""
+    """Individual errors, if this one lists several."""
 
     def __init__(
         self, what: str, *, where: str = "", found: object = None, allowed: str = "", hint: str = ""
@@ -58,7 +59,7 @@ class JounceError(Exception):
         super().__init__(str(self.message()))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle as text and facts, whatever arguments the constructor of a subclass takes."""
+        """Pickle as text and attributes, independently of the constructor's arguments in a subclass."""
         plain = (
             self.found
             if isinstance(self.found, (str, int, float, type(None)))
@@ -67,7 +68,7 @@ class JounceError(Exception):
         return copyreg.__newobj__, (type(self), *self.args), {**vars(self), "found": plain}  # type: ignore[attr-defined]
 
     def message(self, *, placed: bool = True, within: str = "") -> Phrase:
-        """Give its parts as one sentence, with its place if ``placed``; a place ``within`` is left out."""
+        """Return its parts as one sentence, with the location if ``placed``; omit the prefix ``within`` from that."""
         found = None if self.found is None else show_value(self.found)
         where = self.where if placed and self.where != within else ""
         if within and where.startswith(f"{within}: "):
@@ -104,7 +105,7 @@ class Message(Phrase):
         return _message, self._parts
 
     def german(self) -> str | None:
-        """The same in German; None without a German text."""
+        """German text; None if there is no translation."""
         where, what, value, allowed, hint = self._parts
         wrong = german_of(what)
         if wrong is None:
@@ -139,7 +140,7 @@ class Clause(Phrase):
     _whole: str
 
     def __new__(cls, message: str, /) -> Clause:
-        """Take the full stop away."""
+        """Remove the full stop."""
         clause = str.__new__(cls, message.removesuffix("."))
         clause._whole = message
         return clause
@@ -148,7 +149,7 @@ class Clause(Phrase):
         return Clause, (self._whole,)
 
     def german(self) -> str | None:
-        """The same in German; None if the message has none."""
+        """German text; None if the message has no translation."""
         german = german_of(self._whole)
         return None if german is None else german.removesuffix(".")
 
@@ -158,7 +159,7 @@ def _message(where: str, what: str, value: str | None, allowed: str, hint: str) 
 
 
 class DescriptionError(JounceError):
-    """A description (rig, road, trial, campaign) that cannot be understood."""
+    """A description (rig, road, trial, campaign) that is invalid."""
 
 
 class RecordingError(JounceError):
@@ -166,7 +167,7 @@ class RecordingError(JounceError):
 
 
 class AssemblyError(JounceError):
-    """A model that cannot be put together."""
+    """A model that cannot be assembled."""
 
 
 class SimulationError(JounceError):
@@ -174,15 +175,15 @@ class SimulationError(JounceError):
 
 
 class FitError(JounceError):
-    """An estimate that cannot be made from the data given."""
+    """An estimate that cannot be computed from the given data."""
 
 
 class OutputError(JounceError):
-    """A file that cannot be written without losing something."""
+    """A file that cannot be written, or not without losing data."""
 
 
 class ResourceError(JounceError):
-    """A resource that is missing or fails, such as memory; it says nothing about the processed file."""
+    """A resource that is missing or fails, such as memory, independently of the processed file."""
 
 
 class DiskError(ResourceError, OutputError):
@@ -190,7 +191,7 @@ class DiskError(ResourceError, OutputError):
 
 
 NO_THREAD = "can't start new thread"
-"""Python's message if the system allows no more threads."""
+"""Python's message if the system does not allow more threads."""
 _MEMORY = ("out of memory", "End other programs, or raise the limit of memory (ulimit -v).")
 _PROCESSES = (
     "no more processes or threads can be started",
@@ -201,16 +202,16 @@ _FILES = (
     "End other programs, or raise the limit of open files (ulimit -n).",
 )
 _SIZE = (
-    "a file may not grow as large as that",
+    "the file exceeds the size limit of this process",
     "Raise the limit of the size of files (ulimit -f).",
 )
 _LIBRARY = (
     "a library cannot be loaded",
-    "Is the installation whole, and is there memory for it (ulimit -v)?",
+    "Is the installation complete, and is there enough memory for it (ulimit -v)?",
 )
 WHERE_WRITTEN = "Check the path, the permissions and the space on the disk."
 """Advice if the system refuses to write."""
-_DISK = ("the disk is full or fails", WHERE_WRITTEN)
+_DISK = ("the disk is full or faulty", WHERE_WRITTEN)
 _LACKING = {
     "ENOMEM": _MEMORY,
     "EAGAIN": _PROCESSES,
@@ -219,7 +220,7 @@ _LACKING = {
     "EFBIG": _SIZE,
     **dict.fromkeys(("ENOSPC", "EDQUOT", "EIO", "EROFS", "ESTALE"), _DISK),
 }
-"""Missing resource and advice, by the name of the system's error."""
+"""Missing resource and advice, by the name of the system error."""
 _BY_NUMBER = {getattr(errno, name, -1): told for name, told in _LACKING.items()}
 
 
@@ -242,13 +243,13 @@ def _lacking(error: BaseException) -> tuple[str, str] | None:
         return _PROCESSES
     if isinstance(error, ImportError) or (
         isinstance(error, OSError) and "shared object" in str(error)
-    ):  # of llvmlite
+    ):  # raised by llvmlite
         return _LIBRARY
     return None
 
 
 def _is_larger_than_memory(error: MemoryError) -> bool:
-    """Whether one array alone exceeds this machine's memory, by NumPy's message."""
+    """Whether a single array exceeds this machine's memory, according to NumPy's message."""
     try:
         asked = error.dtype.itemsize * math.prod(error.shape)  # type: ignore[attr-defined]
         return bool(asked > os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"))
@@ -257,7 +258,7 @@ def _is_larger_than_memory(error: MemoryError) -> bool:
 
 
 def resource_error(error: BaseException, where: str = "") -> ResourceError:
-    """Error for a missing resource, with advice.
+    """Return the error for a missing resource, with advice.
 
     >>> str(resource_error(OSError(errno.EMFILE, "Too many open files")))
     'too many open files. End other programs, or raise the limit of open files (ulimit -n).'
@@ -273,12 +274,12 @@ def resource_error(error: BaseException, where: str = "") -> ResourceError:
 
 
 def reason(error: Exception, within: str = "") -> str:
-    """Reason why a file, trial or variant is skipped while work continues with the others; ``within`` is its place.
+    """Return the reason why a file, trial or variant is skipped; the prefix ``within`` is omitted from its location.
 
     Raises
     ------
     ResourceError
-        If a resource is missing: that affects all others as well, and is no reason to skip this one.
+        If a resource is missing: this affects all other items as well, and does not justify skipping one of them.
     """
     if is_of_system(error):
         raise resource_error(error) from error
@@ -288,10 +289,10 @@ def reason(error: Exception, within: str = "") -> str:
 def unforeseen(
     error: Exception, where: str = "", kind: type[JounceError] = JounceError
 ) -> JounceError:
-    """The error itself if it is one of jounce, otherwise the report of it when work continues without the file.
+    """Return an error of jounce unchanged; otherwise wrap it to report an unexpected error of a skipped file.
 
     >>> str(unforeseen(KeyError("x"), "a.mat"))
-    "a.mat: this cannot be used, for a reason that was not foreseen (KeyError: 'x'). Please report it with the file."
+    "a.mat: this cannot be used, for an unexpected reason (KeyError: 'x'). Please report it with the file."
     """
     if isinstance(error, JounceError):
         return error
@@ -299,33 +300,31 @@ def unforeseen(
         return resource_error(error, where)
     if isinstance(error, MemoryError):
         message = " ".join(str(error).split())
-        return kind("this takes more memory than there is", where=where, found=message or None)
+        return kind("not enough memory for this", where=where, found=message or None)
     text = shorten(
         f"{type(error).__name__}: {' '.join(str(error).split())}".removesuffix(": "), _LONGEST_VALUE
     )
     hint = "Please report it with the file."
-    return kind(
-        f"this cannot be used, for a reason that was not foreseen ({text})", where=where, hint=hint
-    )
+    return kind(f"this cannot be used, for an unexpected reason ({text})", where=where, hint=hint)
 
 
 def show_value(value: object) -> str:
-    """A value as messages show it: text in quotes, and all values cut to a readable length.
+    """Write a value for messages: text in quotes, and all values shortened to a readable length.
 
     >>> show_value("5 mm"), show_value([0.1, 0.2])
     ("'5 mm'", '[0.1, 0.2]')
     """
-    if isinstance(value, Phrase):  # words of jounce, not a text of the user's
+    if isinstance(value, Phrase):  # text of jounce, not of the user
         return value
     try:
         text = repr(value) if isinstance(value, str) else str(value)
-    except ValueError:  # Python does not write integers of more than some thousand digits
+    except ValueError:  # Python does not convert integers of more than a few thousand digits
         text = "an integer of thousands of digits"
     return shorten(text, _LONGEST_VALUE)
 
 
 def as_found(value: object) -> str:
-    """A value of a file as stored in errors: its text, quoted in messages if the value was text.
+    """Convert a value of a file for storage in errors: its text, quoted in messages if the value was text.
 
     >>> as_found("5 mm"), show_value(as_found("5 mm")), show_value(as_found(5))
     ('5 mm', "'5 mm'", '5')
@@ -338,7 +337,7 @@ def as_found(value: object) -> str:
 
 
 def value_or_kind(value: object) -> str:
-    """Name of a value in messages: plain values themselves, others by their kind.
+    """Describe a value in messages: plain values as they are, others by their type.
 
     >>> value_or_kind("5 mm"), value_or_kind(3), value_or_kind([1, 2]), value_or_kind(KeyError())
     ("'5 mm'", '3', 'a list', 'a KeyError')
@@ -356,7 +355,7 @@ def nearest(name: str, options: Iterable[str]) -> str:
 
 
 def nearest_name(name: str, options: Iterable[str]) -> str:
-    """Return the option that a name was probably meant for, or an empty text without a similar option."""
+    """Return the option most similar to a name, or an empty text without a similar option."""
     match = difflib.get_close_matches(name[:_LONGEST_VALUE], list(options), n=1, cutoff=0.6)
     return match[0] if match else ""
 
@@ -371,7 +370,7 @@ def unknown(name: str, options: Iterable[str], *, what: str, where: str = "") ->
 
 
 def at_line(file: object, line: int | None) -> str:
-    """Name a place of a file: the file, and the line where it is known.
+    """Write a location in a file: the file, and the line if it is known.
 
     >>> at_line("rig.toml", 3), at_line("rig.toml", None)
     ('rig.toml, line 3', 'rig.toml')
@@ -380,7 +379,7 @@ def at_line(file: object, line: int | None) -> str:
 
 
 def below(where: str, place: str) -> str:
-    """Name a place within another one; either may be empty.
+    """Join a location and a location within it; either may be empty.
 
     >>> below("rig.toml", "tyre.rate")
     'rig.toml: tyre.rate'

@@ -1,4 +1,4 @@
-"""Files to read: given by a path, or by the name of one that comes with jounce."""
+"""Find and read files given by a path, or by the name of a file shipped with jounce."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ _ALWAYS: dict[str, Path] = {}
 
 
 def always_below(folder: Path) -> None:
-    """Restrict reading to a folder from now on, in all threads of this process, which works for others."""
+    """Restrict reading to a folder permanently, in all threads of this process: for servers."""
     _ALWAYS["root"] = folder.resolve()
 
 
@@ -59,7 +59,7 @@ def only_below(folder: Path) -> Iterator[None]:
 def _lies_in(file: Path, root: Path) -> bool:
     try:
         place = file.resolve()
-    except (OSError, ValueError, RuntimeError):  # no name, or links in a circle
+    except (OSError, ValueError, RuntimeError):  # an invalid name, or circular links
         return False
     return place.is_relative_to(root) or place.is_relative_to(Path(str(resources.files("jounce"))))
 
@@ -75,7 +75,7 @@ def _is_file(file: Path) -> bool:
 
 
 def _is_put_back(file: Path) -> bool:
-    """Whether a file exists after completing or undoing an interrupted exchange of files."""
+    """Complete or undo an interrupted exchange of files; return whether the file exists then."""
     from jounce.core.writing import sweep_beside
 
     with suppress(JounceError, OSError, ValueError):
@@ -96,16 +96,16 @@ State = tuple[int, int, int, int]
 
 
 def state_of(file: Path) -> State:
-    """Identity of a file's content for caches: also differs for other content of the same size and date.
+    """Identify a file's content for caches; the state also differs for different content of the same size and date.
 
-    Dates of content can be set, and clocks stand still or jump; the system's own date of the last change, and which
-    file it is, tell what they do not.
+    Modification times can be set by programs, and clocks can stop or jump. The state therefore includes the inode and
+    the time of its last change.
     """
     state = file.stat()
     return state.st_ino, state.st_size, state.st_mtime_ns, state.st_ctime_ns
 
 
-_LARGEST = 1_000_000_000  # bytes: what fits into memory with its numbers
+_LARGEST = 1_000_000_000  # bytes: fits into memory together with its numbers
 
 
 def content_of(
@@ -113,7 +113,7 @@ def content_of(
 ) -> bytes:
     """Return the content of a regular file of at most ``most`` bytes.
 
-    It is opened before it is examined, so that a pipe cannot block.
+    It is opened without blocking and then examined, because a pipe could block.
     """
     file = existing_file(path, error)
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
@@ -135,7 +135,7 @@ def content_of(
 
 @contextmanager
 def reading(file: Path, error: type[JounceError]) -> Iterator[None]:
-    """Name the file in system errors while it is read."""
+    """Convert system errors within a block that reads a file to an ``error`` that names it."""
     try:
         yield
     except OSError as refused:
@@ -146,11 +146,11 @@ def reading(file: Path, error: type[JounceError]) -> Iterator[None]:
 
 
 _MISSING = "no such file"
-_LONGEST_NAME = 1000  # characters; systems take 255 bytes
+_LONGEST_NAME = 1000  # characters; systems allow 255 bytes
 
 
 def shipped_files(package: str, folder: str, suffix: str = ".toml") -> dict[str, Path]:
-    """Files that come with a package: name to file.
+    """Return the files shipped with a package, by name.
 
     >>> list(shipped_files("jounce.roads", "library", ".crg"))
     ['detrended_rms_course_1in']
@@ -166,7 +166,7 @@ def find_file(
     *,
     others: str = "a path to a .toml file",
 ) -> Path:
-    """Find the file that a user names: a path (recognised by its suffix, or because it exists), or a shipped file.
+    """Find a file by a path (recognised by its suffix, or because it exists), or by the name of a shipped file.
 
     >>> find_file("eusama", {"eusama": Path("library/eusama.toml")}, "tester").name
     'eusama.toml'
@@ -189,7 +189,7 @@ def find_file(
 
 
 def matching_files(names: Sequence[str], where: str) -> list[Path]:
-    """Return paths unchanged, and expand patterns that the shell has not expanded."""
+    """Return paths unchanged, and expand patterns that the shell did not expand."""
     matching: list[Path] = []
     for name in names:
         path = Path(name)
@@ -198,7 +198,7 @@ def matching_files(names: Sequence[str], where: str) -> list[Path]:
             continue
         try:
             matches = sorted(Path(path.anchor or ".").glob(str(path.relative_to(path.anchor))))
-        except ValueError:  # no pattern
+        except ValueError:  # not a pattern
             matches = []
         if not matches:
             raise RecordingError(

@@ -1,4 +1,4 @@
-"""Findings: advice as data, never a print."""
+"""Findings: advice as data, never printed directly."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ from jounce.core.text import shorten
 
 @dataclass(frozen=True)
 class Finding(Shown):
-    """One thing that the reader of a result should know.
+    """A note, warning or problem about a result.
 
     Attributes
     ----------
     place : str
-        File, path, channel or trial the finding is about.
+        File, path, channel or trial that the finding refers to.
     severity : {"note", "warning", "problem"}
-        ``note``: good to know; ``warning``: weakens a result; ``problem``: a result is missing or not to be trusted.
+        ``note``: for information; ``warning``: weakens a result; ``problem``: a result is missing or unreliable.
     message : str
-        One sentence that says what was found and what to do; without one, that of the code.
+        One sentence with the finding and advice; by default the sentence of the code.
     value : float or None
-        The number behind it, SI, where there is one.
+        The number it is based on, SI, if there is one.
     code : str
-        Its row of a catalogue, such as ``parts.steep_strut``; empty where the text is all there is.
+        Its row in a catalogue, such as ``parts.steep_strut``; empty if there is only the text.
     numbers : mapping
-        What the sentence is filled with: numbers in SI, names and words.
+        Values inserted into the sentence: numbers in SI, names and words.
     """
 
     place: str
@@ -43,7 +43,7 @@ class Finding(Shown):
     numbers: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        """Write the message of a code where none is given."""
+        """Set the message from the code if none is given."""
         if self.code and not self.message and row_of(self.code) is not None:
             object.__setattr__(self, "message", sentence(self.code, self.numbers))
 
@@ -86,7 +86,7 @@ def finding(
     severity: Severity | Any = None,
     **numbers: Any,
 ) -> Finding:
-    """Make a finding of a row of the catalogue of a package (see `jounce.core.catalogue`).
+    """Make a finding from a row in the catalogue of a package (see `jounce.core.catalogue`).
 
     Examples
     --------
@@ -108,18 +108,18 @@ def _text_of(error: Exception) -> str:
 
 
 def at_place(place: str, item: Finding) -> Finding:
-    """Return the same finding at another place."""
+    """Return a copy of a finding with a different place."""
     return replace(item, place=place)
 
 
 def finding_of(plain: Mapping[str, Any]) -> Finding:
-    """Give a finding back from plain data, as `to_dict` and ``--json`` write it; older ones have no code."""
+    """Restore a finding from plain data as written by `to_dict` and ``--json``; older data has no code."""
     names = ("place", "severity", "message", "value", "code", "numbers")
     return Finding(**{name: plain[name] for name in names if name in plain})
 
 
 def with_german(plain: Any) -> Any:
-    """Give plain data again in which findings with a code, and errors, have their German sentence, as ``german``.
+    """Return plain data in which findings with a code, and errors, also have their German sentence under ``german``.
 
     Examples
     --------
@@ -146,7 +146,7 @@ def with_german(plain: Any) -> Any:
 
 
 def translations(plain: Any) -> dict[str, str]:
-    """German of the single phrases in plain data, by their English.
+    """Return the German of the phrases in plain data, by their English text.
 
     >>> translations({"failed": {"a": Phrase("out of range"), "b": "b"}})
     {'out of range': 'außerhalb des Bereichs'}
@@ -168,17 +168,17 @@ def translations(plain: Any) -> dict[str, str]:
 
 
 def for_page(plain: Mapping[str, Any]) -> Any:
-    """Return an answer as a page needs it: with German for findings and errors, and by text in ``translations``."""
+    """Return an answer for a web page: with German for findings and errors, and for texts in ``translations``."""
     texts = translations({name: item for name, item in plain.items() if name != "error"})
     return with_german(plain) | ({"translations": texts} if texts else {})
 
 
 TEXTS, DATA = "findings", "finding_data"
-"""Attributes of recordings: findings as texts, and as JSON with their codes."""
+"""Attributes of recordings that store findings: as texts, and as JSON with their codes."""
 
 
 def finding_attributes(findings: Iterable[Finding]) -> dict[str, Any]:
-    """Give the attributes with which a recording carries findings: texts for people, and JSON for `findings_of`."""
+    """Return the attributes that store findings in a recording: texts for people, and JSON for `findings_of`."""
     from jounce.core.serialise import to_json
 
     items = list(findings)
@@ -186,7 +186,7 @@ def finding_attributes(findings: Iterable[Finding]) -> dict[str, Any]:
 
 
 def findings_of(attributes: Mapping[str, Any]) -> list[Finding]:
-    """Findings that a recording carries; those of files of older versions are texts, without codes.
+    """Return the findings stored in a recording; files of older versions have texts without codes.
 
     >>> found = findings_of({"findings": ["note: a.fmu: v: it has no unit: taken for m/s."]})
     >>> found == findings_of(finding_attributes(found)), str(found[0])
@@ -205,7 +205,7 @@ def findings_of(attributes: Mapping[str, Any]) -> list[Finding]:
 
 
 def not_drawn(place: str, error: Exception) -> Finding:
-    """A problem with drawing a picture or a page; the computed results are not affected."""
+    """Make the finding for a figure or page that could not be drawn; the computed results are not affected."""
     if isinstance(error, JounceError):
         return finding("core.not_drawn", place, error=Clause(error.message()))
     text = f"{type(error).__name__}: {shorten(str(error), 300)}"
@@ -213,12 +213,12 @@ def not_drawn(place: str, error: Exception) -> Finding:
 
 
 class DrawingError(OutputError):
-    """Pictures or pages that could not be drawn; what was computed is written all the same.
+    """Figures or pages that could not be drawn; the computed results are written anyway.
 
     Parameters
     ----------
     findings : iterable of Finding
-        What is missing, and why: one problem each.
+        One problem for each missing figure or page, with the reason.
     """
 
     def __init__(self, findings: Iterable[Finding]) -> None:

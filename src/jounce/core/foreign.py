@@ -1,7 +1,7 @@
 """Convert numbers and arrays of other libraries to floats and their unit.
 
-Libraries are known by what their objects offer (``__array__``, ``magnitude`` and ``units``, ``attrs``) and not
-imported.
+Libraries are recognised by attributes of their objects (``__array__``, ``magnitude`` and ``units``, ``attrs``) and are
+not imported.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from jounce.core.types import Array
 
 
 def plain_numbers(values: object, where: str, error: type[JounceError]) -> tuple[Array, str]:
-    """Floats and their unit, empty without one."""
+    """Convert values to floats and their unit; the unit is empty if they have none."""
     try:
         array, unit = _numbers(values)
         if array.dtype.kind not in "mM":
@@ -29,14 +29,14 @@ def plain_numbers(values: object, where: str, error: type[JounceError]) -> tuple
         _refuse(np.isnat(array), "is missing")
         if array.dtype.kind == "M":
             if not array.ndim:
-                raise _NoNumberError("an instant is no number")
+                raise _NoNumberError("an instant is not a number")
             array = array - array[:1]
         if np.datetime_data(array.dtype)[0] in ("generic", "Y", "M"):
             raise _NoNumberError("durations in months, years or no unit")
         return np.asarray(array / np.timedelta64(1, "s"), dtype=np.float64), "s"
     except _NoNumberError as fault:
         raise error(str(fault), where=where, allowed="real numbers") from None
-    except Exception as fault:  # noqa: BLE001 - of any library, e.g. of a tensor that lies on a graphics card
+    except Exception as fault:  # noqa: BLE001 - of any library, e.g. for a tensor in GPU memory
         text = " ".join(str(fault).split())
         raise error(
             f"not an array of numbers ({text})", where=where, found=type(values).__name__
@@ -44,11 +44,11 @@ def plain_numbers(values: object, where: str, error: type[JounceError]) -> tuple
 
 
 class _NoNumberError(Exception):
-    """Not a number; with the reason."""
+    """A value is not a number; the message is the reason."""
 
 
 def _numbers(values: Any) -> tuple[NDArray[Any], str]:
-    """Numbers, durations or instants as a plain array, and the unit that they carry."""
+    """Return numbers, durations or instants as a plain array, and their unit."""
     values, unit = _bare(values)
     if hasattr(values, "__dask_graph__"):
         values = values.compute()  # its own conversion loses masks
@@ -67,17 +67,17 @@ def _numbers(values: Any) -> tuple[NDArray[Any], str]:
         return array.real, unit
     if kind not in "biufmM" and (
         kind != "V" or array.dtype.type is np.void
-    ):  # bfloat16 is a kind of "V"
+    ):  # bfloat16 has the kind "V"
         raise _NoNumberError(
             "text, not numbers"
             if kind in "SUT"
-            else Phrase("{dtype} is no kind of number", dtype=array.dtype)
+            else Phrase("{dtype} is not a numeric type", dtype=array.dtype)
         )
     return array, unit
 
 
 def _bare(values: Any) -> tuple[Any, str]:
-    """Values without the unit that they carry, and that unit: ``"1"`` for a plain number, empty where there is none."""
+    """Separate values from their unit, which is ``"1"`` for a plain number and empty if there is none."""
     if hasattr(values, "magnitude") and hasattr(values, "units"):  # Pint
         return values.magnitude, _unit(format(values.units, "D"))
     if isinstance(values, np.ndarray):  # Astropy, unyt
@@ -93,9 +93,7 @@ def _bare(values: Any) -> tuple[Any, str]:
     if unit is None:
         unit = getattr(values, "units", getattr(getattr(values, "dtype", None), "units", None))
     unit = unit.decode() if isinstance(unit, bytes) else unit if isinstance(unit, str) else ""
-    if type(values).__module__.startswith(
-        "xarray."
-    ):  # its own conversion loses masks and units, too
+    if type(values).__module__.startswith("xarray."):  # its own conversion loses masks and units
         values, own = _bare(values.variable.data if hasattr(values, "variable") else values.data)
         return values, own or unit
     return values, unit
@@ -106,7 +104,7 @@ def _unit(text: str) -> str:
 
 
 def _stack(items: list[Any]) -> tuple[NDArray[Any], str]:
-    """Items as one array; they are of one kind and carry one unit."""
+    """Join items to one array; they must have the same type and unit."""
     kinds_of_items = {type(item) for item in items}
     if np.timedelta64 not in kinds_of_items and all(
         issubclass(kind, _REAL) for kind in kinds_of_items
@@ -128,7 +126,7 @@ def _stack(items: list[Any]) -> tuple[NDArray[Any], str]:
 
 
 def _scalar(value: Any) -> tuple[NDArray[Any], str]:
-    """A single object that NumPy has no type for."""
+    """Convert a single object for which NumPy has no type."""
     if isinstance(value, Real | Decimal):
         return np.array(float(value)), ""
     for convert in ("to_timedelta64", "to_datetime64"):  # pandas
@@ -147,7 +145,7 @@ def _scalar(value: Any) -> tuple[NDArray[Any], str]:
     raise _NoNumberError(Phrase("{value} is no number", value=show_value(value)))
 
 
-_REAL = (float, int, np.floating, np.integer)  # NumPy's durations count as integers, too
+_REAL = (float, int, np.floating, np.integer)  # NumPy's durations are integers, too
 _ZONED = "instants with a time zone"
 
 

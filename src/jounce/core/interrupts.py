@@ -1,4 +1,4 @@
-"""Ctrl-C and the system's request to end: before a command runs, and inside libraries that cannot handle it."""
+"""Handle Ctrl-C and termination requests before a command runs and inside libraries that cannot handle them."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def signal_of(error: BaseException) -> int:
 
 
 def handle_interrupts(handler: Callable[[int, FrameType | None], None]) -> None:
-    """Handle Ctrl-C, a closed terminal and a request to end, except those that this process was started to ignore."""
+    """Handle Ctrl-C, a closed terminal and termination requests, except signals this process was started to ignore."""
     for number in _SIGNALS:
         if signal.getsignal(number) in (
             signal.SIG_DFL,
@@ -47,10 +47,10 @@ def handle_interrupts(handler: Callable[[int, FrameType | None], None]) -> None:
 
 @contextmanager
 def interrupt_after() -> Iterator[None]:
-    """Delay an interrupt until the block ends; a second one passes.
+    """Delay an interrupt until the block ends; a second interrupt takes effect immediately.
 
-    CasADi turns an interrupt into an error of its own, or loses it. Nothing changes where somebody else handles the
-    signals, and in other threads, which never get them.
+    CasADi converts an interrupt to its own error, or loses it. Nothing changes if another handler is installed, or in
+    threads other than the main thread, which never receive signals.
     """
     if current_thread() is not main_thread():
         yield
@@ -79,7 +79,7 @@ def interrupt_after() -> Iterator[None]:
 
 @contextmanager
 def uncovering_interrupts() -> Iterator[None]:
-    """Raise the interrupt itself if a library, or a cleanup, turned it into another error.
+    """Raise the original interrupt if a library, or a cleanup, replaced it by a different error.
 
     >>> try:
     ...     with uncovering_interrupts():

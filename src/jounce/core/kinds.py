@@ -1,4 +1,4 @@
-"""Registries without a central list: rows added by modules, and families of descriptions that subclasses join."""
+"""Registries without a central list: rows added by modules, and families of descriptions registered by subclassing."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from pydantic_core import CoreSchema, core_schema
 
 Row = TypeVar("Row")
 FILE_REF = "$file"
-"""What stands for ``$ref`` to the schema of another file until the schemas are written: pydantic follows ``$ref``."""
+"""Placeholder for ``$ref`` to the schema of a different file until schemas are written: pydantic follows ``$ref``."""
 
 
 class Rows(Mapping[str, Row]):
-    """Rows of a registry by name: modules of a package add them, and all are imported before the first look.
+    """Rows of a registry by name, added by the modules of a package, which are all imported before the first access.
 
     Parameters
     ----------
@@ -37,14 +37,14 @@ class Rows(Mapping[str, Row]):
         self._rows[name] = row
 
     def _all(self) -> dict[str, Row]:
-        with self._lock:  # no other thread may look while modules are missing
+        with self._lock:  # no other thread may read it while modules are missing
             if not self._complete:
                 self._complete = True
                 for module in iter_modules(import_module(self.package).__path__):
                     import_module(f"{self.package}.{module.name}")
                 self._rows = dict(
                     sorted(self._rows.items(), key=self._order)
-                )  # however they came to be imported
+                )  # independent of the order of imports
         return self._rows
 
     def _order(self, item: tuple[str, Row]) -> Any:
@@ -61,19 +61,19 @@ class Rows(Mapping[str, Row]):
 
 
 class Kinds(Rows[type[Any]]):
-    """Classes of a family by their selecting word.
+    """Classes of a family, by the word that selects them.
 
-    The base of the family holds it as ``kinds``; each subclass whose field ``key`` has a default joins under that
-    default, so there is no list to keep.
+    The base class of the family has it as ``kinds``; each subclass whose field ``key`` has a default is registered
+    under that default, so no list has to be maintained.
 
     Parameters
     ----------
     key : str
-        Field whose text selects the class, e.g. ``"kind"``.
+        Field whose value selects the class, e.g. ``"kind"``.
     package : str
         Package whose modules define the classes.
     schema : str
-        File of the family's JSON schema, which those of other files refer to.
+        File of the family's JSON schema, to which other schemas refer.
     """
 
     def __init__(self, key: str, *, package: str, schema: str) -> None:
@@ -82,7 +82,7 @@ class Kinds(Rows[type[Any]]):
         self._adapter: tuple[int, TypeAdapter[Any]] | None = None
 
     def join(self, kind: type[BaseModel]) -> None:
-        """Add a class, if it defines its own selecting word."""
+        """Register a class, if it defines its own value of ``key``."""
         if self.key not in vars(kind).get("__annotations__", {}):
             return
         word = kind.model_fields[self.key].default
@@ -92,22 +92,22 @@ class Kinds(Rows[type[Any]]):
             kind.__qualname__,
         ):
             raise TypeError(
-                f"{kind.__name__}: the {self.key} {word!r} is that of {known.__name__} already"
+                f"{kind.__name__}: the {self.key} {word!r} is already used by {known.__name__}"
             )
         self.add(word, kind)
 
     def adapter(self) -> TypeAdapter[Any]:
-        """Reader of any member of the family, selected by ``key``."""
+        """Validator of any member of the family, selected by ``key``."""
         if self._adapter is None or self._adapter[0] != len(
             self
-        ):  # a class of the user's own may have joined
+        ):  # the user may have registered a class
             members: Any = reduce(or_, self._all().values())
             told_apart: Any = Annotated[members, Field(discriminator=self.key)]
             self._adapter = len(self), TypeAdapter(told_apart)
         return self._adapter[1]
 
     def core_schema(self, base: type[BaseModel]) -> CoreSchema:
-        """How a field of the base's type is read: a member unchanged, a table by its ``key``."""
+        """Schema of a field of the base type: a member is kept unchanged, a table is read by its ``key``."""
 
         def read(value: object) -> object:
             return value if isinstance(value, base) else self.adapter().validate_python(value)

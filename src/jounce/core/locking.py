@@ -1,4 +1,4 @@
-"""Locks on files and folders between processes; they end with the process that holds them."""
+"""Locks on files and folders between processes; a lock is released when its process ends."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from contextlib import contextmanager
 from hashlib import sha256
 from pathlib import Path
 
-_BETWEEN_TRIALS = 0.02  # s between attempts: unnoticed by people, cheap for the system
+_BETWEEN_TRIALS = 0.02  # s between attempts: imperceptible to people, cheap for the system
 
 
 def hold(place: Path, *, shared: bool = False) -> int | None:
     """Lock a file (created if missing) or a folder until ``os.close`` of the result; None if another process has it.
 
-    A ``shared`` lock allows other shared ones, except on Windows. A disk without locks grants all.
+    A ``shared`` lock allows other shared locks, except on Windows. On a disk without locks, locking always succeeds.
     """
     folder = place.is_dir()
     if sys.platform == "win32":
@@ -45,14 +45,14 @@ def hold(place: Path, *, shared: bool = False) -> int | None:
 
 def is_held(place: Path) -> bool:
     """Whether another process has locked a file or a folder."""
-    held = hold(place, shared=True)  # two tests at once do not see each other as a lock
+    held = hold(place, shared=True)  # concurrent tests do not block each other
     if held is not None:
         os.close(held)
     return held is None
 
 
 def _file_for(folder: Path) -> Path:
-    """A file to lock in place of a folder, which Windows does not lock: it serves the processes of one user."""
+    """File to lock instead of a folder, which Windows cannot lock; shared by the processes of one user."""
     name = os.path.normcase(folder.resolve())
     return (
         Path(tempfile.gettempdir())
@@ -62,7 +62,7 @@ def _file_for(folder: Path) -> Path:
 
 @contextmanager
 def holding(place: Path) -> Iterator[None]:
-    """Lock a file or a folder for a block, after waiting for other processes."""
+    """Lock a file or a folder within a block; wait for other processes to release it."""
     while (held := hold(place)) is None:
         time.sleep(_BETWEEN_TRIALS)
     try:

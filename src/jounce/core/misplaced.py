@@ -1,4 +1,4 @@
-"""Errors of the validators of descriptions: their parts are data, not a text."""
+"""Errors raised by validators of descriptions; their parts are kept as data, not joined to a text."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ def error_at(
     allowed: str = "",
     hint: str = "",
 ) -> PydanticCustomError:
-    """Build the error of a validator about the value at ``path`` below the description that is validated.
+    """Build a validator's error for the value at ``path`` below the description being validated.
 
-    The parts are those of an error (`JounceError`); ``found`` are words, or text of the user's.
+    The parts are those of a `JounceError`; ``found`` is a phrase, or text from the user.
     """
     parts = {"what": what, "found": found, "allowed": allowed, "hint": hint}
     text = Message(
@@ -31,7 +31,7 @@ def error_at(
 
 
 def misplaced_value(path: tuple[str | int, ...], error: JounceError) -> PydanticCustomError:
-    """Build the error of a validator of what is wrong with the value at ``path``."""
+    """Build a validator's error for the value at ``path`` from an error of jounce."""
     value = None if error.found is None else as_found(error.found)
     what = below(error.where, Phrase(error.what)) if error.where else error.what
     return error_at(path, what, found=value, allowed=error.allowed, hint=error.hint)

@@ -1,4 +1,4 @@
-"""How numbers, quantities and estimates are written for people: with sensible digits, in the chosen units."""
+"""Format numbers, quantities and estimates for people: with sensible digits, in the current system of units."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from jounce.core.display import DisplayUnit, display_unit
 
 
 class Estimated(Protocol):
-    """A number with its uncertainty: an estimate, or a parameter of an update."""
+    """Protocol of a number with its uncertainty: an estimate, or a parameter of an update."""
 
     @property
     def value(self) -> float:
@@ -17,15 +17,15 @@ class Estimated(Protocol):
 
     @property
     def standard_error(self) -> float | None:
-        """Its standard deviation, same unit."""
+        """Its standard error, in the same unit."""
 
     @property
     def interval(self) -> tuple[float, float] | None:
-        """Its 95 % interval, same unit."""
+        """Its 95 % interval, in the same unit."""
 
 
 def number(value: float | None, digits: int = 4) -> str:
-    """Write a number with significant digits, without an exponent where people read it more easily so.
+    """Write a number with significant digits, without an exponent if it is readable without one.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def number(value: float | None, digits: int = 4) -> str:
     Returns
     -------
     str
-        With a true minus sign.
+        The number, with a true minus sign.
 
     Examples
     --------
@@ -73,7 +73,7 @@ def quantity(value: float | None, si: str, digits: int = 4) -> str:
     Returns
     -------
     str
-        An en dash without a value.
+        The value with its unit; an en dash for None.
 
     Examples
     --------
@@ -87,7 +87,7 @@ def quantity(value: float | None, si: str, digits: int = 4) -> str:
 
 
 def digits_for(value: float, error: float | None, most: int = 7, default: int = 4) -> int:
-    """Significant digits of a value such that its error shows two; both in the same unit."""
+    """Number of significant digits of a value at which its error has two; both in the same unit."""
     if error is None or not error > 0.0 or not math.isfinite(error) or value == 0.0:
         return default
     return max(2, min(most, math.floor(math.log10(abs(value))) - math.floor(math.log10(error)) + 2))
@@ -98,7 +98,7 @@ def estimate_cells(
 ) -> tuple[str, str, str, str]:
     """Value, standard error, 95 % interval and unit of an estimate in the SI unit ``si``, as table cells.
 
-    ``shown`` is the unit to write it in, by default the usual one of its size.
+    ``shown`` is the display unit, by default the usual one for its size.
 
     Examples
     --------
@@ -131,7 +131,7 @@ def estimate_text(estimate: Estimated | None, si: str) -> str:
 
 
 def with_half(estimate: Estimated, factor: float = 1.0) -> str:
-    """Write an estimate times a factor with half of its interval: ``5.44 ± 0.03``."""
+    """Write an estimate times a factor, with half the width of its interval: ``5.44 ± 0.03``."""
     if estimate.interval is None:
         return number(estimate.value * factor)
     half = 0.5 * (estimate.interval[1] - estimate.interval[0]) * factor
@@ -140,7 +140,7 @@ def with_half(estimate: Estimated, factor: float = 1.0) -> str:
 
 
 def percent(share: float | None, digits: int = 1) -> str:
-    """Write a ratio [1] as percentage with decimals, e.g. ``−3.1 %``.
+    """Write a ratio [1] as a percentage with ``digits`` decimals, e.g. ``−3.1 %``.
 
     Examples
     --------

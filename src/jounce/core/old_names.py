@@ -1,4 +1,4 @@
-"""Renamed public names, methods and properties: the old ones still work, and warn what to write instead."""
+"""Renamed public names, methods and properties: the old names still work, with a warning that gives the new name."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def with_old_names(
 ) -> Callable[[str], Any]:
     """Return a module's ``__getattr__`` that resolves ``old`` names to new ones, with a warning.
 
-    ``load`` gives what else the module does not hold.
+    ``load`` resolves other names that the module loads lazily.
     """
 
     def get(name: str) -> Any:
@@ -48,7 +48,7 @@ def old_method(old: str, new: str) -> Any:
 
 
 def old_property(old: str, new: str) -> Any:
-    """Return a property that gives the attribute ``new`` of the same object, with a warning."""
+    """Return a property that returns the attribute ``new`` of the same object, with a warning."""
 
     def get(self: Any) -> Any:
         warnings.warn(f"{old} is called {new} now", DeprecationWarning, stacklevel=2)

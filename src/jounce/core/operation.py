@@ -1,7 +1,8 @@
-"""Operations: public functions whose signature and docstring describe their command, their job and their form.
+"""Operations: public functions whose signature and docstring define their command, their job and their form.
 
-Types say what Python takes. A mark beside a type says how people give the value: the unit of a typed number, how pairs
-are written, which options make a rig. The function itself stays as it is; `jounce.operations` derives the faces::
+Type annotations define the values in Python. A mark in an annotation defines how users enter the value: the unit of a
+number, the syntax of pairs, the options from which a rig is built. The function itself is not changed;
+`jounce.operations` derives the interfaces::
 
     @operation("design pareto", named={"constraints": "limit"}, offers=("figure", "report"))
     def pareto(rig: AnyRig, free: Annotated[Mapping[str, Bounds], Ranges()], *, points: int = 25) -> ParetoFront: ...
@@ -30,35 +31,35 @@ Offer = Literal[
     "folder",
     "report",
 ]
-"""What a result can be written as: see `jounce.cli.outputs`."""
+"""Kinds of output of a result: see `jounce.cli.outputs`."""
 
 
 @dataclass(frozen=True)
 class Mark:
-    """How people give a parameter: as text, unless a subclass says otherwise.
+    """How users enter a parameter: as text, unless a subclass overrides it.
 
     Attributes
     ----------
     help : str
-        Help of the option; the docstring of the function has it where this is empty.
+        Help of the option; if empty, it is taken from the docstring of the function.
     metavar : str
-        Word for the value in the help of a command.
+        Placeholder of the value in the help of a command.
     """
 
     help: str = ""
     metavar: str = ""
     is_repeated: ClassVar[bool] = False
 
-    def read(self, given: Any, where: str) -> Any:  # noqa: ARG002 - of those that convert
-        """Convert the given values to those that the function takes; errors name the option ``where``."""
+    def read(self, given: Any, where: str) -> Any:  # noqa: ARG002 - used by subclasses
+        """Convert the given values to arguments of the function; errors name the option ``where``."""
         return given
 
     def texts(self, given: Any) -> list[str]:
-        """Write the given values as values of the option, one for each repetition."""
+        """Write the given values as option values, one for each repetition of the option."""
         return [str(given)]
 
     def python(self, given: Any, where: str) -> str:
-        """Write the given values as Python."""
+        """Write the given values as Python code."""
         return repr(self.read(given, where))
 
 
@@ -68,7 +69,7 @@ class Number(Mark):
 
     unit: str = "1"
     is_positive: bool = False
-    most: float | None = None  # of bare numbers, SI: a larger one lacks its unit
+    most: float | None = None  # of bare numbers, SI: for a larger one the unit is required
 
     def read(self, given: Any, where: str) -> float:
         """Convert the number to SI."""
@@ -81,13 +82,13 @@ class Number(Mark):
 
 @dataclass(frozen=True)
 class Field(Mark):
-    """A field of a description, which converts its values itself; a bare number must be plausible in SI."""
+    """A field of a description, which converts its value itself; a bare number must be plausible in SI."""
 
     unit: str = ""
     most: float | None = None
 
     def read(self, given: Any, where: str) -> str | float:
-        """Refuse a bare number that is implausible."""
+        """Return the value; refuse an implausible bare number."""
         from jounce.core.typed import bare_number
         from jounce.core.units import bare_si
 
@@ -98,7 +99,7 @@ class Field(Mark):
 
 @dataclass(frozen=True)
 class File(Mark):
-    """A file; a shell completes names of the library of these packages, too."""
+    """A file; shell completion also offers the files shipped with the given packages."""
 
     shipped: tuple[str, ...] = ()
 
@@ -110,13 +111,13 @@ class Texts(Mark):
     is_repeated: ClassVar[bool] = True
 
     def texts(self, given: Any) -> list[str]:
-        """Write each."""
+        """Write each text as an option value."""
         return [str(text) for text in given]
 
 
 @dataclass(frozen=True)
 class Count(Mark):
-    """A whole number; forms show the bounds, the function refuses what lies outside of them."""
+    """A whole number; forms show the bounds, and the function checks them."""
 
     least: int | None = None
     most: int | None = None
@@ -129,7 +130,7 @@ class Switch(Mark):
 
 @dataclass(frozen=True)
 class Pairs(Mark):
-    """A mapping, given as repeated ``NAME=VALUE``."""
+    """A mapping, given as a repeated ``NAME=VALUE``."""
 
     example: str = ""
     is_repeated: ClassVar[bool] = True
@@ -171,17 +172,17 @@ class Described(Pairs):
         )
 
     def python(self, given: Any, where: str) -> str:
-        """Write the description by its fields."""
+        """Write the description as Python code with its fields."""
         fields = ", ".join(f"{name}={text!r}" for name, text in super().read(given, where).items())
         return f"jn.{self.of.partition(':')[2]}({fields})"
 
 
 @dataclass(frozen=True)
 class Columns(Pairs):
-    """Columns by quantity, one or several pairs in each text; or all names of a file without a header in one text."""
+    """Columns by quantity, one or more pairs in each text; or all names of a file without a header in one text."""
 
     def read(self, given: Any, where: str) -> Any:
-        """Split the pairs; names in order stay one text."""
+        """Split the pairs; an ordered list of names is kept as one text."""
         if isinstance(given, Mapping):
             return dict(given)
         if len(given) == 1 and "=" not in given[0] and "[" in given[0]:
@@ -192,7 +193,7 @@ class Columns(Pairs):
 
 @dataclass(frozen=True)
 class Names(Pairs):
-    """Names of another program, each with the name that it has here: repeated ``THEIRS=OURS``."""
+    """Names in a different program with their names in jounce: a repeated ``THEIRS=OURS``."""
 
     def read(self, given: Any, where: str) -> dict[str, str]:
         """Split the pairs at their last equals sign."""
@@ -211,7 +212,7 @@ class Names(Pairs):
 
 @dataclass(frozen=True)
 class Ranges(Pairs):
-    """Pairs of a name and ``LOW..HIGH UNIT``, or any other value that the function takes."""
+    """Pairs of a name and ``LOW..HIGH UNIT``, or any other value that the function accepts."""
 
     def value(self, text: str) -> Any:
         """Convert a range to a pair."""
@@ -222,10 +223,10 @@ class Ranges(Pairs):
 
 @dataclass(frozen=True)
 class Settings(Pairs):
-    """Pairs of a path and a value as TOML writes it."""
+    """Pairs of a path and a value in TOML syntax."""
 
     def value(self, text: str) -> Any:
-        """Convert the value as a TOML file would."""
+        """Convert the value as in a TOML file."""
         from jounce.core.typed import toml_value
 
         return toml_value(text)
@@ -233,7 +234,7 @@ class Settings(Pairs):
 
 @dataclass(frozen=True)
 class Band(Mark):
-    """``LOW..HIGH``, or a word that the function knows."""
+    """``LOW..HIGH``, or a word that the function accepts."""
 
     unit: str = "1"
     words: tuple[str, ...] = ()
@@ -271,13 +272,13 @@ MARKS: Mapping[str, type[Mark]] = {kind.__name__: kind for kind in _KINDS}
 
 @dataclass(frozen=True)
 class MadeBy:
-    """A value built from several options: the parameters of its maker.
+    """A value built from several options, which are the parameters of its maker.
 
     Attributes
     ----------
     maker, python : str
-        ``module:function``: the one makes the value of the options, the other writes that as Python; where it is
-        empty, Python has the value itself. The maker may be a description: its fields are the options then.
+        ``module:function``: ``maker`` builds the value from the options, ``python`` writes this as Python code; if
+        ``python`` is empty, the value itself is written. The maker may be a description, whose fields are the options.
     """
 
     maker: str
@@ -315,36 +316,36 @@ _F = TypeVar("_F", bound=Callable[..., Any])
 
 
 def operation(command: str, **more: Any) -> Callable[[_F], _F]:
-    """Register a public function as an operation, and leave it as it is.
+    """Register a public function as an operation, without changing it.
 
     Parameters
     ----------
     command : str
         Words of its command, such as ``"design pareto"``.
     **more
-        ``named``: parameters whose option has another name. ``faces``: defaults of options that differ from those of
-        the function. ``python_only``: parameters without an option. ``arguments``: how many of its first parameters a
-        command takes without a name. ``echo``: keys of ``--json`` that repeat an option, or several by their names.
-        ``offers``: what the result can be written as; ``required``: those of them that must be asked for;
-        ``names_files``: whether ``--json`` names these files.
-        ``check``: ``module:function`` that refuses options before the work; it takes all of them, by name, as given.
-        ``python``: ``module:function`` that Python is offered instead, where it gives another form of the result.
-        ``page``: ``module:function`` that puts the result on a page; ``terminal``: that puts on a page what a terminal
-        shows, where this is less. ``figure``: ``module:function`` that draws it, where this is not the figure of its
-        type. ``title``, ``comment``: head of the page and first line of a rig file, with options and ``result`` in
-        braces. ``doing``: what is shown while it runs.
-        ``example``: a command line. ``note``: what the help of the command says below its first line.
+        ``named``: options whose name differs from that of the parameter. ``faces``: defaults of options that differ
+        from those of the function. ``python_only``: parameters without an option. ``arguments``: number of leading
+        parameters that are positional in the command. ``echo``: keys of ``--json`` that repeat one option, or several
+        by name. ``offers``: outputs that the result can be written to; ``required``: outputs that must be given;
+        ``names_files``: whether ``--json`` lists these files. ``check``: ``module:function`` that validates options
+        before the work; it receives all of them by name, as given. ``python``: ``module:function`` shown in Python code
+        instead, if it returns a different form of the result. ``page``: ``module:function`` that puts the result on a
+        page; ``terminal``: the same for a terminal, if that shows less. ``figure``: ``module:function`` that draws the
+        result, if it is not the figure of its type. ``title``, ``comment``: heading of the page and first line of a rig
+        file, with options and ``result`` in braces. ``doing``: text shown while it runs. ``example``: a command line.
+        ``note``: help of the command below its first line.
 
     Notes
     -----
-    A parameter ``progress`` is no option: faces pass a function that shows a text. Nor is ``each``: it shows a part
-    of the result as soon as that is done, or a text that says what is wrong with it. The result has ``to_dict``.
-    Where it is not whole, ``stopped`` says why, and ``problems`` what is wrong, one by one (exit code 2); where
-    that was shown already, ``is_whole`` is false. ``remark`` is what else to say on stderr; where it is not what
-    was wanted, ``is_met`` is false (exit code 1). ``missing`` are findings about what could not be drawn.
-    ``when_interrupted`` is what to say where writing it is interrupted. ``printed`` is text that a terminal gets in
-    place of the page where no file is written; warnings among the findings go to stderr.
-    What it can be written as asks for more: ``rig``, ``rig_text``, ``recording()``, ``rows()``, ``data``, ``table()``.
+    The parameters ``progress`` and ``each`` are not options. Interfaces pass functions: ``progress`` shows a text,
+    ``each`` shows a part of the result as soon as it is complete, or a text with its error.
+
+    The result has ``to_dict``. If it is incomplete, ``stopped`` is the reason and ``problems`` lists the errors (exit
+    code 2); if they were already shown, ``is_whole`` is false. ``remark`` is further text for stderr. If the goal was
+    not reached, ``is_met`` is false (exit code 1). ``missing`` has findings about figures that could not be drawn.
+    ``when_interrupted`` is the message if writing is interrupted. ``printed`` is text for the terminal instead of the
+    page if no file is written; warnings among the findings go to stderr. Some outputs need further attributes:
+    ``rig``, ``rig_text``, ``recording()``, ``rows()``, ``data``, ``table()``.
     """
 
     def register(function: _F) -> _F:

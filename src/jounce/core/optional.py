@@ -1,4 +1,4 @@
-"""Packages of optional extras: import them, or say what to install."""
+"""Import packages of optional extras, or report what to install."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class MissingPackageError(JounceError):
 
 
 def require(module: str, extra: str) -> ModuleType:
-    """Import a package of an optional extra; raise MissingPackageError with the command to install it if it is missing.
+    """Import a package of an optional extra; raise MissingPackageError with the install command if it is missing.
 
     >>> require("json", "io").dumps([1])
     '[1]'
@@ -34,9 +34,9 @@ def require(module: str, extra: str) -> ModuleType:
 
 
 def how_to_install(extra: str) -> str:
-    """Return the command that installs an extra: from the folder jounce was installed from, else package by package.
+    """Return the command that installs an extra: from the source folder of jounce if known, else package by package.
 
-    A package index may lack jounce, or have another project of that name.
+    A package index may not have jounce, or may have a different project of that name.
     """
     from importlib import metadata
     from urllib.parse import urlsplit

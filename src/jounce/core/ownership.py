@@ -1,8 +1,8 @@
-"""Refuse files to be executed that another user could have written.
+"""Refuse to execute files that a different user could have written.
 
-A checksum tells damage, not purpose: whoever can write a file of code has it run by whoever uses jounce. Trusted are
-the user, root, and whoever may write jounce itself; nobody else may be able to write the file, its folder, or any
-folder or link on the way to it.
+A checksum detects damage, not malice: anyone who can write a code file can run code as the user of jounce. The user,
+root, and users who can write jounce itself are trusted; nobody else may be able to write the file, its folder, or any
+folder or link in its path.
 """
 
 from __future__ import annotations
@@ -16,21 +16,21 @@ _MOST_LINKS = 40
 
 
 class ForeignError(OSError):
-    """Another user could have written the file; ``filename`` is the part of its path that is open to others."""
+    """A different user could have written the file; ``filename`` is the part of its path that others can write."""
 
 
 def read_own(file: Path) -> bytes:
-    """Return the content of a file.
+    """Return the content of a file that only trusted users can write.
 
     Raises
     ------
     ForeignError
-        If another user could have written it.
+        If a different user could have written it.
     OSError
         If there is no such regular file that can be read.
     """
     place = _check_path(file)
-    # Opened first, then examined, so that both are the same file. A pipe must not block.
+    # Opened first and then examined, to be sure that it is the same file. A pipe must not block.
     flags = (
         os.O_RDONLY
         | getattr(os, "O_NONBLOCK", 0)
@@ -46,27 +46,27 @@ def read_own(file: Path) -> bytes:
 
 
 def own_folder(folder: Path) -> Path:
-    """Make a folder with its parents, and return its path; nobody else can write there.
+    """Create a folder with its parents in which nobody else can write, and return its path.
 
     Raises
     ------
     ForeignError
-        If somebody else can.
+        If a different user can write there.
     OSError
-        If it cannot be made.
+        If it cannot be created.
     """
     for path in (*reversed(folder.parents), folder):
-        path.mkdir(mode=0o755, exist_ok=True)  # whatever the mask is
+        path.mkdir(mode=0o755, exist_ok=True)  # independent of the umask
     return _check_path(folder / "file").parent
 
 
 def _check_path(file: Path) -> Path:
-    """Path of a file without links; every folder and link on the way is checked.
+    """Resolve the path of a file; check every folder and link in it.
 
-    From the root downwards: what lies in a folder that only trusted people can write stays what it is after it was
-    looked at. In a folder with the sticky bit, as /tmp, this holds for what they own.
+    The check starts at the root: entries of a folder that only trusted users can write cannot change after the check.
+    In a folder with the sticky bit, such as /tmp, this is true for entries they own.
     """
-    if os.name != "posix":  # owners and modes say nothing there
+    if os.name != "posix":  # owners and modes have no meaning there
         return file
     waiting, here, links = list(reversed(file.absolute().parts[1:])), Path("/"), 0
     while waiting:
@@ -95,7 +95,7 @@ def _check_path(file: Path) -> Path:
 def _check_folder(folder: Path, *, last: bool) -> None:
     """Refuse a folder in which others can replace the path; for the ``last`` one also if they can add files."""
     if folder in Path(__file__).resolve().parents:
-        return  # who can write there can also write jounce
+        return  # users who can write there can also write jounce
     status = folder.lstat()
     if not stat.S_ISDIR(status.st_mode):
         raise NotADirectoryError(folder)

@@ -1,8 +1,8 @@
-"""Phrases: parts of messages with their German, which is looked up by the English and never made from a sentence.
+"""Phrases: parts of messages with their German, which is looked up by the English template.
 
-English stands in the code. Its German stands beside it, in the ``phrases.toml`` of the package: one row for each
-template, ``"unknown {kind} {name}" = "{kind} {name} ist nicht bekannt"``. What is filled in is translated where it is a
-phrase itself; names of the user's are not. A message without German is shown in English, and marked as such.
+English texts are in the code. Their German is in the ``phrases.toml`` of the package: one row for each template,
+``"unknown {kind} {name}" = "{kind} {name} ist nicht bekannt"``. Inserted values are translated if they are phrases
+themselves; names from the user are not. A message without German is shown in English, and marked as such.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ _PACKAGES = Path(__file__).parent.parent
 class Phrase(str):
     """A text that keeps its template and fields.
 
-    The template is English, with fields in braces as of `str.format`; it is the key of the German. Fields are given by
-    their names: numbers, texts, other phrases. A text without fields may have any braces.
+    The template is English, with fields in braces as in `str.format`; it is the key of the German. Fields are given by
+    name: numbers, texts, other phrases. A text without fields may contain any braces.
 
     Examples
     --------
@@ -43,7 +43,7 @@ class Phrase(str):
         return _phrase, (self._template, self._fields)
 
     def german(self) -> str | None:
-        """The same in German; None if no row has its template."""
+        """German text; None if no row has its template."""
         template = _rows().get(self._template)
         if template is None or not self._fields:
             return template
@@ -51,7 +51,7 @@ class Phrase(str):
 
 
 class Phrases(Phrase):
-    """Several phrases in a row; in German if any of them has German.
+    """A sequence of phrases; in German if any of them has German.
 
     Examples
     --------
@@ -74,14 +74,14 @@ class Phrases(Phrase):
         return Phrases, (self._mark, self._items)
 
     def german(self) -> str | None:
-        """The same in German; None if none of them has German."""
+        """German text; None if none of the phrases has German."""
         if not any(isinstance(item, Phrase) and item.german() for item in self._items):
             return None
         return self._mark.join(map(in_german, self._items))
 
 
 class Translated(Phrase):
-    """A text whose German is known, as that of a message of another process."""
+    """A text with its German already known, such as a message from a different process."""
 
     __slots__ = ("_german",)
     _german: str | None
@@ -96,12 +96,12 @@ class Translated(Phrase):
         return Translated, (str(self), self._german)
 
     def german(self) -> str | None:
-        """The German that was given."""
+        """The given German text."""
         return self._german
 
 
 def german_of(text: str) -> str | None:
-    """German of a text; None if there is none.
+    """Return the German of a text; None if there is none.
 
     >>> german_of("out of range"), german_of("front_left")
     ('außerhalb des Bereichs', None)
@@ -110,7 +110,7 @@ def german_of(text: str) -> str | None:
 
 
 def in_german(part: Any) -> Any:
-    """German of a phrase; everything else as it is: numbers, names, and phrases without German."""
+    """Return the German of a phrase; numbers, names and phrases without German are returned unchanged."""
     return (part.german() or part) if isinstance(part, Phrase) else part
 
 

@@ -1,6 +1,6 @@
-"""Settings of the whole process that are changed for a moment: by one thread at a time.
+"""Temporary changes of process-wide settings, by one thread at a time.
 
-Two threads that save and restore such a setting in turns would leave it changed for ever.
+If two threads saved and restored such a setting in an interleaved order, it would stay changed.
 """
 
 from __future__ import annotations
@@ -13,10 +13,12 @@ from threading import RLock
 from typing import Any
 
 PROCESS_SETTINGS: Any = RLock()
-"""Held while filters of warnings, levels of logging, or matplotlib's style are other ones."""
+"""Lock held while warning filters, logging levels or matplotlib's style are changed."""
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=PROCESS_SETTINGS._at_fork_reinit)  # its thread stayed behind
+    os.register_at_fork(
+        after_in_child=PROCESS_SETTINGS._at_fork_reinit
+    )  # the thread that held it is not in the child
 
 
 @contextmanager

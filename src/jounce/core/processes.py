@@ -1,4 +1,4 @@
-"""Whether this process may start others that import its main script, as workers do on every system."""
+"""Check whether this process can start workers, which import its main script on every system."""
 
 from __future__ import annotations
 
@@ -17,47 +17,47 @@ from jounce.core.interrupts import interrupt_after
 
 
 def refusal() -> JounceError | None:
-    """Reason why workers cannot be started here; None if they can.
+    """Return the reason why workers cannot be started here; None if they can.
 
-    A worker imports the script that asked for it. Where that comes to the same call again, no worker ever begins.
+    A worker imports the script that started it. If the import reaches the same call again, no worker ever begins.
     """
     if multiprocessing.current_process().daemon:
         return JounceError(
             "a worker of a pool cannot start workers of its own",
             where="workers",
-            allowed="1 inside of it",
-            hint="The pool around it shares the work already.",
+            allowed="1 in a worker",
+            hint="The surrounding pool already distributes the work.",
         )
     line = _unguarded_line()
     if not line:
         return None
     return JounceError(
-        "the script has no main guard: each worker would import it, and come to this call again",
+        "the script has no main guard: each worker would import it and reach this call again",
         where=f"workers: {line}",
         allowed='the call inside `if __name__ == "__main__":`, or workers=1',
     )
 
 
 def check_workers() -> None:
-    """Refuse to start workers where they cannot be started."""
+    """Raise an error if workers cannot be started here."""
     error = refusal()
     if error is not None:
         raise error
 
 
 class NoWorkersError(JounceError):
-    """Processes that the system does not start."""
+    """The system refused to start processes."""
 
 
 @contextmanager
 def starting_workers() -> Iterator[None]:
-    """Start worker processes in a block; if the system refuses, the error says what is missing.
+    """Start worker processes in a block; if the system refuses, the error names the missing resource.
 
-    The workers never hear Ctrl-C or a closed terminal, not even while they load: the first process tells them when to
-    stop. Nor does the process in which Python counts semaphores, whose successor would print a traceback.
+    The workers ignore Ctrl-C and a closed terminal, even while they load: the main process stops them. So does Python's
+    resource tracker, whose replacement would otherwise print a traceback.
 
-    This process is interrupted when the block ends: another thread may receive the signal that this one blocks, and a
-    worker whose parent stops before it has sent the first message would print a traceback.
+    Interrupts of this process are delayed until the block ends: a different thread may receive the signal that this one
+    blocks, and a worker whose parent stops before its first message would print a traceback.
     """
     with interrupt_after():
         block = getattr(signal, "pthread_sigmask", None)
@@ -72,7 +72,7 @@ def starting_workers() -> Iterator[None]:
                 "no worker processes can be started",
                 where=_lacking(error),
                 found=refused,
-                hint="One process needs none.",
+                hint="A single process needs no workers.",
             ) from error
         finally:
             if block:
@@ -80,7 +80,7 @@ def starting_workers() -> Iterator[None]:
 
 
 def _lacking(error: Exception) -> str:
-    """Where the system keeps what workers need and was refused: their semaphores lie in shared memory."""
+    """Return the resource that workers lack: their semaphores are in shared memory."""
     number = getattr(error, "errno", None)
     if sys.platform == "linux" and number in (
         errno.EROFS,
@@ -97,7 +97,7 @@ def _lacking(error: Exception) -> str:
 
 
 def _unguarded_line() -> str:
-    """File and line of the main script that is running now, if workers would run it, too; otherwise nothing."""
+    """File and line of the main script, if workers would run this line as well; otherwise an empty text."""
     main = sys.modules.get("__main__")
     name = getattr(getattr(main, "__spec__", None), "name", "")
     if (
@@ -106,7 +106,7 @@ def _unguarded_line() -> str:
         return ""
     if getattr(
         sys, "frozen", False
-    ):  # the application itself is started again, and its script has no source there
+    ):  # a frozen application starts itself again, and its script has no source file
         return ""
     frame: FrameType | None = sys._getframe()
     while frame is not None and not (

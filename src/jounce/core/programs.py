@@ -1,4 +1,4 @@
-"""External programs that jounce runs: from the folders of PATH, never from the current folder."""
+"""Find external programs in the folders of PATH, never in the current folder."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from pathlib import Path
 
 
 def program_on_path(name: str) -> str | None:
-    """Find a program in the folders that PATH names in full; None if it is missing.
+    """Find a program in the absolute folders of PATH; None if it is missing.
 
-    Unlike ``shutil.which`` it looks neither in the current folder, as Windows does first, nor in those that PATH names
-    relative to it: an archive may have brought a program of that name.
+    Unlike ``shutil.which`` it searches neither the current folder, which Windows searches first, nor relative folders
+    in PATH: an unpacked archive may contain a program of that name.
 
     Examples
     --------

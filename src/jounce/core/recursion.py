@@ -12,7 +12,7 @@ _BLOCK = 64
 
 
 def first_order(drive: NDArray[Number], factor: complex, rest: complex = 0.0) -> NDArray[Number]:
-    """States ``w[i+1] = factor w[i] + drive[i]`` after each step, from ``w[0] = rest``; any unit.
+    """Compute the states ``w[i+1] = factor w[i] + drive[i]`` after each step, from ``w[0] = rest``; any unit.
 
     Blocks of samples are solved by one matrix product, and the last state of each is carried into the next.
     """

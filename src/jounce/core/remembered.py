@@ -1,4 +1,4 @@
-"""Caches: of results beside the frozen object they derive from, or by a key."""
+"""Caches of results, by the frozen object they are derived from, or by a key."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _NOTHING: Any = object()
 
 
 def once_per_object(function: Callable[[Thing], Found]) -> Callable[[Thing], Found]:
-    """Call a function once for each object; the result is cached beside the object, not in it.
+    """Decorate a function to be called once for each object; results are cached outside the object.
 
-    The object must never change, and what the function gives is shared by all who ask: it must not change either, and
-    must not hold the object, which would then never be freed. Objects are compared by identity, not by equality.
-    Concurrent threads get the same result: one of them calls, the others wait.
+    The object must never change. The result is shared by all callers: it must not change either, and must not refer to
+    the object, which would then never be freed. Objects are compared by identity, not by equality. Concurrent threads
+    get the same result: one of them calls the function, the others wait.
 
     >>> @once_per_object
     ... def size(description):
@@ -58,10 +58,10 @@ def once_per_object(function: Callable[[Thing], Found]) -> Callable[[Thing], Fou
 
 
 class Recent(Generic[Found]):
-    """Objects made on first request, by their keys. All are kept, or only the most recent ones.
+    """Cache of objects by key, created on first request. All are kept, or only the most recently used ones.
 
-    A command meets a few models; a server that runs for weeks meets every one that is drawn in it, and sets ``most``
-    for all that is entry so. ``own`` is a bound of one of them, however many the process may keep.
+    A command uses only a few models, but a server that runs for weeks uses many. It sets ``most``, the limit of every
+    such cache. ``own`` is the limit of this cache alone; the smaller of both applies.
 
     >>> squares = Recent()
     >>> squares.of(3, lambda: 9), squares.of(3, lambda: print("not asked"))
@@ -69,13 +69,13 @@ class Recent(Generic[Found]):
     """
 
     most: ClassVar[int] = sys.maxsize
-    _lock: ClassVar[Any] = RLock()  # held for moments only, never while something is made
+    _lock: ClassVar[Any] = RLock()  # held briefly, never while an object is created
 
     def __init__(self, own: int = sys.maxsize) -> None:
         self._own, self._kept = own, OrderedDict[Hashable, Found]()
 
     def of(self, key: Hashable, make: Callable[[], Found]) -> Found:
-        """Return the object of a key; among several threads the first makes it and the others wait."""
+        """Return the object of a key; the first of several threads creates it, the others wait."""
         value = self._recall(key)
         if value is _NOTHING:
             with turn((id(self), key)):
@@ -100,7 +100,7 @@ class Recent(Generic[Found]):
                 self._kept.popitem(last=False)
 
     def clear(self) -> None:
-        """Release all."""
+        """Remove all objects."""
         with self._lock:
             self._kept.clear()
 

@@ -1,11 +1,11 @@
-"""Fields of results: label and unit, declared once beside the type.
+"""Fields of results: label and unit, declared once in the type annotation.
 
     @dataclass(frozen=True)
     class Fit(Shown):
         rate: Annotated[Estimate, Shows("spring rate", "N/m")]
         nrmse: Annotated[float, Shows("residual, of the force range", "%")]
 
-Terminal, page, notebook and ``print`` show these fields by :func:`fields_of` and :func:`tables_of`.
+Terminal, page, notebook and ``print`` show these fields through :func:`fields_of` and :func:`tables_of`.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ ESTIMATE = ("quantity", "value", "standard error", "95 % interval", "unit")
 
 @dataclass(frozen=True)
 class Shows:
-    """Mark of a field: its label and the SI unit of its value, as text or as a function of the result.
+    """Annotation of a field: its label and the SI unit of its value, as text or as a function of the result.
 
-    The unit ``%`` shows a share as percentage; an empty one belongs to texts and counts. Estimates by name have a unit
-    each.
+    The unit ``%`` shows a ratio as a percentage; texts and counts have an empty unit. A mapping of estimates has one
+    unit for each name.
     """
 
     label: str | Callable[[Any], str]
@@ -40,7 +40,7 @@ class Shows:
 
 
 def own_unit(result: Any) -> str:
-    """Return the unit in a result's ``unit``, for :class:`Shows`."""
+    """Return the attribute ``unit`` of a result, for :class:`Shows`."""
     return str(result.unit) or "1"
 
 
@@ -62,7 +62,7 @@ class ResultField:
         return max((abs(end) for end in ends if isinstance(end, float)), default=0.0)
 
     def cells(self, shown: DisplayUnit | None = None) -> tuple[str, str, str, str]:
-        """Write value, standard error, 95 % interval and unit, in the usual unit or in one that is given."""
+        """Write value, standard error, 95 % interval and unit, in the usual display unit or in a given one."""
         if self.unit == "%":
             return (
                 number(None if self.value is None else 100.0 * self.value, self.digits),
@@ -87,7 +87,7 @@ class ResultField:
         return _words(self.value), "", "", ""
 
     def in_words(self) -> str:
-        """Write the value with its unit, as in a sentence."""
+        """Write the value with its unit, for use in a sentence."""
         value, _, _, unit = self.cells()
         return f"{value} {unit}".strip()
 
@@ -106,7 +106,7 @@ def _words(value: Any) -> str:
 
 
 def marks_of(kind: Any) -> Mapping[str, Shows]:
-    """Return the marks of a class and of those it inherits from: of its fields, then of its properties."""
+    """Return the marks of a class and its base classes: those of fields, then those of properties."""
     return _marks(kind)
 
 
@@ -132,7 +132,7 @@ def _of_properties(kind: type) -> Iterator[tuple[str, Any]]:
 
 
 def _metadata(annotation: Any, module: str) -> tuple[Any, ...]:
-    """Metadata of an annotation; one without a mark is not evaluated."""
+    """Metadata of an annotation; annotations without a mark are not evaluated."""
     if isinstance(annotation, str):
         if "Shows(" not in annotation:
             return ()
@@ -142,7 +142,7 @@ def _metadata(annotation: Any, module: str) -> tuple[Any, ...]:
 
 
 class _AnnotationNames(dict[str, Any]):
-    """Names of a module; a name that is imported for type checkers only stands for any type."""
+    """Names of a module; names imported for type checkers only are replaced by a dummy type."""
 
     def __missing__(self, name: str) -> Any:
         return getattr(builtins, name, _Unknown)
@@ -159,11 +159,11 @@ class _Unknowns(type):
 
 
 class _Unknown(metaclass=_Unknowns):
-    """A type that only type checkers know."""
+    """Dummy for a type that is imported for type checkers only."""
 
 
 def fields_of(result: Any, *names: str) -> list[ResultField]:
-    """Return the marked fields of a result, or those that are named, with their values.
+    """Return the marked fields of a result, or only the named ones, with their values.
 
     Examples
     --------
@@ -183,12 +183,12 @@ def _fields(name: str, mark: Shows, result: Any) -> Iterator[ResultField]:
         yield ResultField(name, str(label), unit, value, mark.digits)
         return
     for key, estimate in value.items():
-        words = key if "." in key else key.replace("_", " ")  # a path is a name
+        words = key if "." in key else key.replace("_", " ")  # a path is shown as it is
         yield ResultField(key, f"{words}{label}", unit[key] or "1", estimate)
 
 
 def tables_of(result: Any) -> Iterator[TextTable]:
-    """Write a result as tables: its single values, then its lists with a row for each item."""
+    """Write a result as tables: one of its single values, then one for each list, with a row for each item."""
     fields = fields_of(result)
     single = [field for field in fields if not _is_group(field.value)]
     yield fields_table(type(result).__name__, single)
@@ -198,7 +198,7 @@ def tables_of(result: Any) -> Iterator[TextTable]:
 
 
 def fields_table(title: str, fields: Sequence[ResultField]) -> TextTable:
-    """Write fields that have a value as rows, with columns for their uncertainty if there is one."""
+    """Write fields that have a value as rows, with columns for their uncertainty if any field has one."""
     known = [field for field in fields if field.value is not None]
     rows = [(field.label, *field.cells()) for field in known]
     if any(hasattr(field.value, "interval") for field in known):
@@ -212,7 +212,7 @@ def _is_shown(value: Any) -> bool:
 
 
 def _is_group(value: Any) -> bool:
-    """Whether a value is several results, or none of them."""
+    """Whether a value is a list or mapping of results, possibly empty."""
     if not isinstance(value, Mapping | tuple | list):
         return False
     items = list(value.values()) if isinstance(value, Mapping) else list(value)
@@ -220,7 +220,7 @@ def _is_group(value: Any) -> bool:
 
 
 def group_table(title: str, group: Mapping[str, Any] | Sequence[Any]) -> TextTable:
-    """Write several results of one class as a table: a row for each, named by its key or its first field."""
+    """Write several results of one class as a table: one row for each, named by its key or its first field."""
     items = list(group.values()) if isinstance(group, Mapping) else list(group)
     columns = [list(column) for column in zip(*map(fields_of, items), strict=False)]
     columns = [column for column in columns if any(_is_shown(field.value) for field in column)]
@@ -237,7 +237,7 @@ def group_table(title: str, group: Mapping[str, Any] | Sequence[Any]) -> TextTab
 
 
 def _column(fields: Sequence[ResultField], units: Sequence[DisplayUnit]) -> list[str]:
-    """Write one field of several results: its header, and a cell for each, in a unit of its own or in that of all."""
+    """Write one field of several results: its header, and one cell for each result, in a common unit or its own."""
     first = fields[0]
     if units:
         return [first.label, *(field.text(unit) for field, unit in zip(fields, units, strict=True))]
@@ -255,6 +255,6 @@ def _is_text(field: ResultField) -> bool:
 
 
 def _largest_unit(fields: Sequence[ResultField]) -> DisplayUnit:
-    """Unit in which the largest of some numbers is usually shown."""
+    """Usual display unit of the largest of several values."""
     largest = max(fields, key=lambda field: field.size)
     return display_unit(largest.unit, largest.size)

@@ -1,4 +1,4 @@
-"""Numbers and arrays of Python users as floats in SI: one border for all functions that take them."""
+"""Convert numbers and arrays passed by Python users to floats in SI, in the same way for all functions."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from jounce.core.units import conversion_factor, to_si
 def as_samples(
     values: object, si: str = "", *, where: str, error: type[JounceError] = RecordingError
 ) -> Array:
-    """Return numbers of any library as an array of floats in ``si``; without it, in the unit that they have.
+    """Return numbers of any library as an array of floats in ``si``, or in their own unit if ``si`` is empty.
 
-    Bare numbers are in ``si``. A unit that the values carry is converted: that of a quantity (Pint, Astropy), or the
-    attribute ``units`` (xarray, netCDF). Durations become seconds, instants seconds since the first one. An ``error``
-    at the place ``where`` refuses text, masked or missing samples and imaginary parts; NaN is for the caller to judge.
-    Arrays of floats are given back without a copy.
+    Bare numbers are taken to be in ``si``. Values with a unit are converted: quantities (Pint, Astropy), or arrays with
+    an attribute ``units`` (xarray, netCDF). Durations become seconds, instants seconds since the first one. Text,
+    masked or missing samples and imaginary parts raise an ``error`` at ``where``; NaN is left to the caller. Arrays of
+    floats are returned without a copy.
 
     >>> as_samples(np.array([0, 500], "m8[ms]"), "s", where="time").tolist()
     [0.0, 0.5]
@@ -42,7 +42,7 @@ def as_samples(
 
 
 def as_values(values: object, si: str, *, where: str) -> Array:
-    """Return values in ``si``, shape (n,) for n of them: an array as above, or numbers and texts with units in a list.
+    """Return values in ``si``, shape (n,): from an array as above, or from a list of numbers and texts with units.
 
     >>> as_values(["-4 cm", 0.0, "40 mm"], "m", where="travel").tolist()
     [-0.04, 0.0, 0.04]
@@ -63,7 +63,7 @@ def as_values(values: object, si: str, *, where: str) -> Array:
 
 
 def as_list(values: object) -> object:
-    """Return an array or column of any library as a list of numbers, or texts with its unit; other objects unchanged.
+    """Return an array of any library as a list of numbers, or of texts with its unit; return other objects unchanged.
 
     >>> as_list(np.array([0, 500], "m8[ms]"))
     ['0.0 s', '0.5 s']
@@ -72,7 +72,7 @@ def as_list(values: object) -> object:
         return values
     try:
         array, unit = plain_numbers(values, "", DescriptionError)
-    except DescriptionError:  # each is refused at its place
+    except DescriptionError:  # each value is refused individually later
         return list(values) if isinstance(values, Iterable) else values
     if not unit:
         return array.tolist()
@@ -81,7 +81,7 @@ def as_list(values: object) -> object:
 
 
 Listed = BeforeValidator(as_list)
-"""Pydantic annotation of a field of several numbers, which then also accepts arrays and columns."""
+"""Pydantic annotation that makes a field of several numbers also accept arrays and columns."""
 
 
 def _dimensions(values: object) -> int:

@@ -1,4 +1,4 @@
-"""Integers from users: counts, and seeds of random numbers."""
+"""Check integers from users: counts, and seeds of random numbers."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from jounce.core.errors import DescriptionError, JounceError
 
 
 def is_whole(number: object) -> bool:
-    """Whether it is an integer of Python or NumPy."""
+    """Whether a value is an integer of Python or NumPy."""
     return isinstance(number, int | np.integer) and not isinstance(number, bool)
 
 

@@ -1,7 +1,7 @@
-"""Signals as a chain of closed-form pieces, so that integrators can land on every edge.
+"""Signals as a chain of closed-form pieces, whose edges integrators can step to exactly.
 
-A road against distance and a base motion against time are both ``Segments``. This module holds the slow, readable
-evaluation; the kernel holds the compiled one.
+A road over distance and a base motion over time are both ``Segments``. This module has the slow, readable
+evaluation; the kernel has the compiled one.
 """
 
 from __future__ import annotations
@@ -30,13 +30,13 @@ class Segments:
     Attributes
     ----------
     edges : ndarray, shape (n + 1,)
-        Ascending piece borders; the first and the last piece go on beyond them.
+        Ascending edges of the pieces; the first and the last piece extend beyond the outer edges.
     kind : ndarray of int64, shape (n,)
         Kind of each piece.
     coefficients : ndarray, shape (n, 4)
         ``c0 .. c3`` of each piece, SI.
     rate : float
-        Metres of local coordinate for one unit of ``x``: 1 against distance, the speed in m/s against time.
+        Metres of local coordinate for one unit of ``x``: 1 over distance, the speed in m/s over time.
     """
 
     edges: Array
@@ -46,7 +46,7 @@ class Segments:
 
     @cached_property
     def extent(self) -> float:
-        """Difference of the highest and the lowest value, at the ends and in the middle of the pieces, m."""
+        """Maximum minus minimum height, evaluated at the ends and midpoints of the pieces, m."""
         if self.is_made_of_lines:
             begin = self.coefficients[:, 0]
             end = begin + self.rate * np.diff(self.edges) * self.coefficients[:, 1]
@@ -57,22 +57,22 @@ class Segments:
 
     @cached_property
     def is_made_of_lines(self) -> bool:
-        """Whether all pieces are straight; roads have thousands of them."""
+        """Whether all pieces are straight lines; roads can have thousands of them."""
         return not self.kind.any() and not self.coefficients[:, 2:].any()
 
     @cached_property
     def fastest_wave(self) -> float:
-        """Fastest sine, radians per unit of ``x``; 0 without one."""
+        """Highest angular frequency of the sines, radians per unit of ``x``; 0 without sines."""
         return float(
             np.max(np.abs(self.coefficients[self.kind == SINE, 2]) * self.rate, initial=0.0)
         )
 
     def in_time(self, speed: float) -> Segments:
-        """Return the same heights against time for a constant ``speed`` in m/s."""
+        """Return the same heights as a function of time for a constant ``speed`` in m/s."""
         return replace(self, edges=self.edges / speed, rate=self.rate * speed)
 
     def split_at(self, x: Array) -> Segments:
-        """Return the same signal with more edges at ``x`` (the unit of ``edges``); those outside are left out.
+        """Return the same signal with additional edges at ``x`` (unit of ``edges``); values outside are ignored.
 
         Examples
         --------
@@ -106,7 +106,7 @@ class Segments:
         )
 
     def stretch_to(self, edges: Array) -> Segments:
-        """Return the same pieces between other edges, each stretched to fit.
+        """Return the same pieces between new edges, each stretched to fit.
 
         Examples
         --------
@@ -125,7 +125,7 @@ class Segments:
         return replace(self, edges=edges, coefficients=table)
 
     def in_time_along(self, time: Array, distance: Array) -> Segments:
-        """Return the same heights against time where a distance has been travelled at each time (s, m; both ascend)."""
+        """Return the same heights over time, for the distance (m) travelled at each time (s); both must ascend."""
         split = self.split_at(distance)
         return split.stretch_to(np.interp(split.edges, distance, time))
 
@@ -141,16 +141,16 @@ class Segments:
         return replace(self, coefficients=table)
 
     def evaluate(self, x: Array) -> tuple[Array, Array]:
-        """Height (m) and its derivative (m per unit of ``x``) at ``x``; at an edge the right-hand piece counts."""
+        """Height (m) and its derivative (m per unit of ``x``) at ``x``; at an edge, those of the right-hand piece."""
         x = np.asarray(x, dtype=float)
         return self.on_pieces(self.piece_at(x), x)
 
     def piece_at(self, x: Array) -> NDArray[np.int64]:
-        """Number of the piece at ``x`` (the unit of ``edges``); at an edge the right-hand one."""
+        """Index of the piece at ``x`` (unit of ``edges``); at an edge, that of the right-hand piece."""
         return (self.edges.searchsorted(x, side="right") - 1).clip(0, len(self.kind) - 1)
 
     def on_pieces(self, piece: NDArray[np.int64], x: Array) -> tuple[Array, Array]:
-        """Height (m) and derivative at ``x`` (the unit of ``edges``) of the given pieces, inside or outside of them."""
+        """Height (m) and derivative of the given pieces at ``x`` (unit of ``edges``), inside or outside the pieces."""
         s = self.rate * (x - self.edges[piece])
         coefficients, kind = self.coefficients.T[:, piece], self.kind[piece]
         height, slope = _polynomial(s, *coefficients)
@@ -162,7 +162,7 @@ class Segments:
 
     @cached_property
     def jumps(self) -> Array:
-        """How far the height jumps at each inner edge, up positive, shape (n - 1,), m."""
+        """Height of the jump at each inner edge, positive upwards, shape (n - 1,), m."""
         inner, pieces = self.edges[1:-1], np.arange(len(self.kind))
         if self.is_made_of_lines:
             before = (
@@ -175,10 +175,10 @@ class Segments:
         )
 
     def with_ramps(self, shortest: float) -> Segments:
-        """Return the same signal with a ramp just before each jump, no shorter than ``shortest`` (the unit of ``x``).
+        """Return the same signal with a ramp just before each jump, at least ``shortest`` long (unit of ``x``).
 
-        A quantity that follows the rate of the signal, such as a tyre's damper, gets the impulse of the jump from it,
-        over 1e-5 of its height.
+        The ramp, over 1e-5 of the jump's height, gives the impulse of the jump to forces that depend on the rate of
+        the signal, such as that of a tyre's damper.
         """
         (at,) = np.nonzero(np.abs(self.jumps) > JUMP)
         if not len(at):
@@ -198,10 +198,9 @@ class Segments:
         )
 
     def with_finite_slopes(self) -> Segments:
-        """Return the same signal with a short chord wherever a circle begins or ends upright.
+        """Return the same signal with a short chord wherever a circle begins or ends with a vertical tangent.
 
-        The slope of a circle is infinite there; a damper gets the same impulse from the chord, over
-        1e-5 of the radius.
+        The slope of a circle is infinite there; the chord, over 1e-5 of the radius, gives a damper the same impulse.
         """
         if not np.any(self.kind == CIRCLE):
             return self
@@ -225,11 +224,11 @@ _CHORD = (
     1e-5  # of the radius, or of the height of a jump: far shorter than a step, longer than rounding
 )
 JUMP = 1e-6
-"""Difference at an edge from which on a height jumps there, m."""
+"""Minimum difference of heights at an edge that counts as a jump, m."""
 
 
 def _split(kind: int, c: Array, length: float) -> list[tuple[float | None, int, Array]]:
-    """End (local coordinate in m; None: that of the whole piece), kind and coefficients of the parts of one piece."""
+    """Parts of one piece: end (local coordinate in m; None: end of the piece), kind and coefficients of each."""
     short = _CHORD * c[1]
     if kind != CIRCLE or length <= 2.0 * short:
         return [(None, kind, c)]

@@ -1,4 +1,4 @@
-"""Results as plain data and strict JSON."""
+"""Convert results to plain data and strict JSON."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from jounce.core.shown import Shown
 
 
 class Plain(Shown):
-    """Mix-in of results (dataclasses): ``to_dict`` returns their fields as plain data.
+    """Mix-in for results (dataclasses): ``to_dict`` returns their fields as plain data.
 
-    A class lists omitted fields in ``left_out`` and additional properties in
-    ``also``; what has another shape overrides ``to_dict`` (see `plain_table`).
+    A class lists omitted fields in ``left_out`` and additional properties in ``also``; classes with a different layout
+    override ``to_dict`` (see `plain_table`).
 
     Examples
     --------
@@ -41,7 +41,7 @@ class Plain(Shown):
 
 
 def plain_table(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Turn each of the values into plain data: dicts, lists, text, finite numbers and None, ready for strict JSON.
+    """Convert values to plain data: dicts, lists, text, finite numbers and None, ready for strict JSON.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def plain_table(values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def to_plain(value: Any) -> Any:
-    """Turn a result into dicts, lists, text, finite numbers and None (for NaN and infinities)."""
+    """Convert a result to dicts, lists, text, finite numbers and None (for NaN and infinities)."""
     if isinstance(value, Plain):
         return value.to_dict()
     if dataclasses.is_dataclass(value) and not isinstance(value, type):

@@ -1,4 +1,4 @@
-"""How a notebook shows results and descriptions: a short table with units, and where to find the rest."""
+"""Notebook display of results and descriptions: a short table with units, and a hint at the remaining content."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ _STYLE = (
     ".jounce .n{text-align:right;font-variant-numeric:tabular-nums}.jounce small{opacity:.7}</style>"
 )
 
-Row = tuple[str, str, str]  # name, value, unit or what it is
+Row = tuple[str, str, str]  # name, value, unit or description
 
 
 class Shown:
-    """Mix-in of objects that a notebook shows as a table; text is never taken as markup."""
+    """Mix-in for objects that a notebook shows as a table; text is never interpreted as markup."""
 
     __slots__ = ()
 
@@ -64,7 +64,7 @@ def html_table(
     *,
     longest: int = _LONGEST,
 ) -> str:
-    """A table with its title, of at most ``longest`` characters; it counts omitted rows and says where they are.
+    """Write a table with a title, of at most ``longest`` characters; a note counts omitted rows and how to get them.
 
     Examples
     --------
@@ -89,7 +89,7 @@ def html_table(
 
 def _cells(row: Sequence[str], *, right: bool) -> Iterator[str]:
     for k, cell in enumerate(row):
-        if k == 1 and row[2:] == ("",):  # words have the room of the unit, too
+        if k == 1 and row[2:] == ("",):  # texts span the column of the unit, too
             yield f'<td colspan="2">{_text(cell)}</td>'
             return
         is_number = right and k > 0 and re.match(r"−?\d", cell)
@@ -109,20 +109,20 @@ def _more(value: Any) -> str:
 
 @cache
 def _summary(kind: Any) -> str:
-    """First sentence of what the class says of itself."""
+    """First sentence of the docstring of a class."""
     text = " ".join((inspect.getdoc(kind) or "").partition("\n\n")[0].split())
     return re.sub(r"``?|:\w+:", "", text)
 
 
 @cache
 def _words(kind: Any) -> dict[str, str]:
-    """What the class says of each of its attributes, with the unit."""
+    """Description of each attribute from the docstring of a class, with the unit."""
     lines = (inspect.getdoc(kind) or "").partition("Attributes\n----------\n")[2].split("\n")
     texts: dict[str, list[str]] = {}
     names: list[str] = []
     for line in lines:
         if line and not line.startswith(" "):
-            if set(line) <= {"-"}:  # the next part
+            if set(line) <= {"-"}:  # the next section
                 break
             names = [name.strip() for name in line.partition(" :")[0].split(",")]
             texts |= {name: [] for name in names}
@@ -132,7 +132,7 @@ def _words(kind: Any) -> dict[str, str]:
 
 
 def _rows(value: Any) -> Iterator[Row]:
-    """Fields with what they are; numbers of a description by their path, in the units that are chosen."""
+    """Yield fields with their descriptions; numbers of a description by path, in the current system of units."""
     fields = getattr(type(value), "model_fields", None)
     if fields is not None:
         for name, field in fields.items():
@@ -202,7 +202,7 @@ def _series(values: Sequence[float]) -> str:
 
 
 def _brief(value: Any) -> str:
-    """A value in a few words."""
+    """Summarise a value in a few words."""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if value is None:
@@ -242,7 +242,7 @@ def _join_names(names: list[str]) -> str:
 
 
 def dataset_html(data: Any) -> str:
-    """A recording or a sweep as a table of its channels with unit and extremes; others as their library shows them."""
+    """Write a recording or a sweep as a table of channels with unit and extremes; other data as xarray shows them."""
     import numpy as np
 
     names = list(data.data_vars)

@@ -1,4 +1,4 @@
-"""Other words of the field for public names, so that a wrong name leads to the right one."""
+"""Synonyms of public names used in the field, to suggest the right name for a wrong one."""
 
 from __future__ import annotations
 
@@ -44,11 +44,11 @@ SYNONYMS: dict[str, tuple[str, ...]] = {
     "welch": ("power_spectrum",),
     "write": ("write_recording", "save"),
 }
-"""Names in other programs and books, in lower case, with the names in jounce."""
+"""Names in other programs and books, in lower case, with the corresponding names in jounce."""
 
 
 def suggestion(name: str, options: Iterable[str]) -> str:
-    """Return the sentence ``Did you mean 'x' or 'y'?``; an empty text when nothing is near.
+    """Return the sentence ``Did you mean 'x' or 'y'?``; an empty text without a similar name.
 
     >>> suggestion("psd", ["power_spectrum", "road_psd", "Rig"]), suggestion("RIG", ["Rig", "load"])
     ("Did you mean 'power_spectrum' or 'road_psd'?", "Did you mean 'Rig'?")

@@ -1,4 +1,4 @@
-"""Tables as text that fit into a number of columns: no number is broken; columns without room follow below."""
+"""Write tables as text of a given width: numbers are never broken; columns that do not fit follow below."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _GAP = "  "
 
 @dataclass(frozen=True)
 class TextTable:
-    """A table whose columns are fitted to a width.
+    """A text table that is fitted to a width.
 
     Attributes
     ----------
@@ -23,7 +23,7 @@ class TextTable:
     header : sequence of str
         Name of each column.
     rows : sequence of sequence of str
-        Cells; the first column names the row and is repeated for columns that follow below, as is the column "unit".
+        Cells; the first column names the row and is repeated with columns that follow below, as is the column "unit".
     texts : sequence of int
         Columns of text: flush left, with line breaks between words.
 
@@ -57,7 +57,7 @@ class TextTable:
                     yield from self._row_lines(row, widths)
 
     def parts(self, width: int) -> list[dict[int, int]]:
-        """Choose columns and their widths for each part.
+        """Choose the columns of each part, and their widths.
 
         >>> table = TextTable("", ("name", "first", "second"), [("a b", "1.5", "100.25")])
         >>> table.parts(80), table.parts(14)
@@ -82,7 +82,7 @@ class TextTable:
     def _share_width(
         self, columns: Sequence[int], least: Sequence[int], width: int
     ) -> dict[int, int]:
-        """Share the remaining width among the columns that can use it; without any, shorten the names of rows."""
+        """Distribute the remaining width among the columns that can use it; if none remains, shorten the row names."""
         wanted = [self._width(k, is_least=False) - least[k] for k in columns]
         left = width - _sum([least[k] for k in columns])
         share = min(1.0, max(0, left) / max(1, sum(wanted)))
@@ -90,7 +90,7 @@ class TextTable:
         return widths | {columns[0]: max(1, widths[columns[0]] + min(0, left))}
 
     def _width(self, column: int, *, is_least: bool) -> int:
-        """Width of a column: that of its longest cell, or the least that breaks no word and no number."""
+        """Width of a column: that of its longest cell, or the minimum that breaks no word and no number."""
         cells = [row[column] for row in self.rows]
         if is_least and column in self.texts:
             cells = [word for text in cells for word in text.split()]
@@ -102,7 +102,7 @@ class TextTable:
     def _row_lines(
         self, cells: Sequence[str], widths: dict[int, int], *, is_head: bool = False
     ) -> Iterator[str]:
-        """Write one row; a head ends at its line, other rows begin together."""
+        """Write one row; cells of the header are aligned at the bottom, those of other rows at the top."""
         columns = {k: _wrap(cells[k], wide) for k, wide in widths.items()}
         height = max(map(len, columns.values()))
         for k, lines in columns.items():
@@ -118,7 +118,7 @@ class TextTable:
 
 
 def width_of(text: str) -> int:
-    """Count the characters of a terminal that a text takes.
+    """Return the number of terminal columns that a text occupies.
 
     >>> width_of("22.7 N/mm"), width_of("車輪")
     (9, 4)

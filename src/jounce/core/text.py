@@ -1,4 +1,4 @@
-"""Tables as text, and text of unknown origin made safe for a terminal."""
+"""Write tables as text, and make text of unknown origin safe for a terminal."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from json import dumps as json_text
 from typing import Any
 from unicodedata import category, normalize
 
-# Control characters but tab and new line, those of 8-bit terminals, separators of lines, and what turns the direction.
+# Control characters except tab and new line, those of 8-bit terminals, line separators, and direction marks.
 _UNSEEN = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
 )
 
 
 def visible(text: str, *, json: bool = False) -> str:
-    r"""The same text with characters that steer a terminal written out, so that none reaches it from a file.
+    r"""Escape characters that control a terminal, to keep those in files from reaching it.
 
-    They are written as Python does, or as ``json`` does where the text is that.
+    They are escaped as in Python, or as in JSON if the text is ``json``.
 
     >>> visible("spring\x1b[2J 22 N/mm")
     'spring\\x1b[2J 22 N/mm'
@@ -30,11 +30,11 @@ def visible(text: str, *, json: bool = False) -> str:
 
 
 ESCAPES = "jounce-escapes"
-"""How a stream that is not Unicode shows what it cannot encode: name of the error handler."""
+"""Name of the error handler for characters that a non-Unicode stream cannot encode."""
 
 
 def _escape(error: UnicodeError) -> tuple[str, int]:
-    """Letters and digits, which make names, as Python writes them, or two files would look like one; signs as ``?``."""
+    """Escape letters and digits as in Python, because they distinguish names of files; replace signs by ``?``."""
     assert isinstance(error, UnicodeEncodeError)
     text = error.object[error.start : error.end]
     written = (letter.encode("ascii", "backslashreplace").decode() for letter in text)
@@ -47,7 +47,7 @@ codecs.register_error(ESCAPES, _escape)
 
 
 def encodable(text: str, encoding: str) -> str:
-    """A text as a stream of an encoding shows it; bytes of a file's name that Python could not read are UTF-8."""
+    """Return a text as a stream with an encoding shows it; undecodable bytes of file names are taken as UTF-8."""
     if text.isascii():
         return text
     with contextlib.suppress(UnicodeError):
@@ -56,7 +56,7 @@ def encodable(text: str, encoding: str) -> str:
 
 
 def quote(text: str) -> str:
-    r"""Any text as a string valid in TOML and JSON; halves of characters become ``\ufffd``.
+    r"""Write any text as a string literal valid in TOML and JSON; lone surrogates become ``\ufffd``.
 
     >>> quote('2" spring\x7f'), quote("µ \ud800")
     ('"2\\" spring\\u007f"', '"µ \ufffd"')
@@ -66,7 +66,7 @@ def quote(text: str) -> str:
 
 
 def in_one_line(text: str) -> str:
-    r"""A text as a comment of TOML or a single line: white space becomes one blank, invisible characters are shown.
+    r"""Convert a text to a single line, e.g. a TOML comment: white space becomes one blank, control characters escapes.
 
     >>> in_one_line("2 springs\n  of\x7f steel")
     '2 springs of\\x7f steel'
@@ -75,7 +75,7 @@ def in_one_line(text: str) -> str:
 
 
 def shorten(text: str, most: int) -> str:
-    """The text, or its beginning with the number of characters if it has more than ``most``.
+    """Return the text, or if it has more than ``most`` characters, its beginning and their number.
 
     >>> shorten("x" * 9, 9), shorten("x" * 5000, 3)
     ('xxxxxxxxx', 'xxx... (5000 characters)')
@@ -87,17 +87,17 @@ _FORMULA = re.compile(r"'*[=+\-@\t\r\n]")
 
 
 def qualify(place: str, name: str) -> str:
-    """Write a name with its place in front, ``front_left.wheel.az``; the name alone without a place."""
+    """Prefix a name with its place, ``front_left.wheel.az``; return the name alone without a place."""
     return f"{place}.{name}" if place else name
 
 
 def place_in(where: str, place: str) -> str:
-    """Write the place of an error or finding with its file, ``run.csv: time``; alone if the file is unknown."""
+    """Prefix the location of an error or finding with its file, ``run.csv: time``, if the file is known."""
     return f"{where}: {place}" if where else place
 
 
 def guard_formula(text: str) -> str:
-    """A text as a cell of CSV, with a ``'`` in front if a spreadsheet would run it as a formula.
+    """Return a text as a CSV cell, with a leading ``'`` if a spreadsheet would evaluate it as a formula.
 
     >>> guard_formula("=1+1"), guard_formula("-5 kg"), guard_formula("'=1+1"), guard_formula("front")
     ("'=1+1", "'-5 kg", "''=1+1", 'front')
@@ -106,7 +106,7 @@ def guard_formula(text: str) -> str:
 
 
 def unguard_formula(text: str) -> str:
-    """The text before `guard_formula`; others unchanged.
+    """Undo `guard_formula`; return other texts unchanged.
 
     >>> unguard_formula(guard_formula("'=1+1"))
     "'=1+1"
@@ -115,14 +115,14 @@ def unguard_formula(text: str) -> str:
 
 
 def guard_row(row: Iterable[Any]) -> list[Any]:
-    r"""Cells of a row of CSV, those that are texts guarded; ``\r``, which is not quoted, would end the row."""
+    r"""Return the cells of a CSV row with texts guarded; an unquoted ``\r`` would end the row."""
     return [
         guard_formula(cell).replace("\r", "\n") if isinstance(cell, str) else cell for cell in row
     ]
 
 
 def align_columns(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
-    """Lines of a table: the first ``left`` columns flush left, the others flush right.
+    """Return the lines of a table: the first ``left`` columns are left-aligned, the others right-aligned.
 
     >>> align_columns([["", "N/m"], ["spring", "22730"], ["tyre", "9.1"]])
     ['          N/m', 'spring  22730', 'tyre      9.1']
@@ -138,7 +138,7 @@ def align_columns(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
 
 
 def slug(text: str) -> str:
-    """Turn a name into a file name: ASCII letters, digits and hyphens, at most 80 of them.
+    """Convert a name to a file name of at most 80 ASCII letters, digits and hyphens.
 
     Examples
     --------
@@ -153,7 +153,7 @@ _MOST_PLACES = 6
 
 
 def listed_places(places: list[str]) -> str:
-    """List the places that a sentence is about; of very many the first.
+    """List the places that a sentence refers to; if there are very many, only the first ones.
 
     >>> listed_places(["trial 1", "trial 2"]), listed_places([f"trial {n}" for n in range(1, 17)])
     ('trial 1, trial 2', 'trial 1, trial 2, trial 3, trial 4, trial 5, trial 6 and 10 more')

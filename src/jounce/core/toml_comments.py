@@ -1,4 +1,4 @@
-"""Comments in TOML documents: written on the lines of values, and dropped together with them."""
+"""Comments in TOML documents: written on the lines of values, and removed together with them."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from jounce.core.text import in_one_line
 
 
 def annotate(document: tomlkit.TOMLDocument, path: Sequence[str | int], words: str) -> None:
-    """Write a comment on the line of the value at a path, replacing the one there and those just above.
+    """Write a comment on the line of the value at a path, replacing an existing one and those directly above.
 
-    A line that holds other values, too, keeps its comment. A value that the file does not write gets none.
+    A line with several values keeps its comment. A value that is not in the file gets no comment.
     """
     way = _way_to(document, path)
     if not way:
@@ -24,7 +24,7 @@ def annotate(document: tomlkit.TOMLDocument, path: Sequence[str | int], words: s
     if not isinstance(item, Table):
         for container, place in reversed(
             way
-        ):  # the comments above `strut.angle = ...` stand above `strut`
+        ):  # the comments above `strut.angle = ...` are stored above `strut`
             key = container.body[place][0]
             if (container, place) != way[-1] and not (key is not None and key.is_dotted()):
                 break
@@ -34,13 +34,13 @@ def annotate(document: tomlkit.TOMLDocument, path: Sequence[str | int], words: s
         comment, words = item.trivia.comment.removeprefix("#").strip(), f"{path[-1]} {words}"
     gap = item.trivia.comment_ws or "  "
     item.comment(in_one_line(f"{comment}; {words}" if comment else words))
-    item.trivia.comment_ws = gap  # which the comment made one blank
+    item.trivia.comment_ws = gap  # the comment reduced it to one blank
 
 
 def _way_to(container: Container, parts: Sequence[str | int]) -> list[tuple[Container, int]]:
-    """Give what holds each part of a path and its place there, as far as the file writes it.
+    """Return the container of each part of a path and the index in it, as far as the file contains the path.
 
-    A table written with dotted keys (`strut.angle = ...`) stands in several places; the one that leads furthest counts.
+    A table written with dotted keys (`strut.angle = ...`) occurs several times; the longest match is used.
     """
     ways: list[list[tuple[Container, int]]] = []
     for place, (key, item) in enumerate(container.body):
@@ -57,7 +57,7 @@ def _drop_comments_above(container: Container, place: int) -> None:
 
 
 def without_head(text: str) -> str:
-    """Drop the comments at the beginning of a file."""
+    """Remove the comments at the beginning of a file."""
     lines = text.split("\n")
     first = next(
         (i for i, line in enumerate(lines) if line.strip() and not line.startswith("#")), 0

@@ -1,4 +1,4 @@
-"""Whether foreign programs (FMUs) may run in this process, by the user's choice."""
+"""The user's choice whether foreign programs (FMUs) may run in this process."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _SAID: ContextVar[bool | None] = ContextVar("trust", default=None)
 
 
 def trust_said() -> bool | None:
-    """The user's choice; None without one, as in Python: then the description decides.
+    """Return the user's choice; None without one, as in Python: then the description decides.
 
     >>> with trusting(False):
     ...     trust_said()
@@ -22,9 +22,9 @@ def trust_said() -> bool | None:
 
 @contextmanager
 def trusting(whether: bool | None) -> Iterator[None]:
-    """Trust foreign programs in a block, or not, whatever their descriptions say; None leaves it to the descriptions.
+    """Trust foreign programs in a block, or not, overriding their descriptions; None leaves the choice to them.
 
-    Processes that are begun within do not know of it: who begins them tells them (`trust_said`).
+    Processes started in the block do not inherit the choice: the caller has to pass it to them (`trust_said`).
     """
     token = _SAID.set(whether)
     try:

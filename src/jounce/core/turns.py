@@ -1,4 +1,4 @@
-"""Concurrent requests for one object: the first thread makes it, the others wait and share it."""
+"""Concurrent requests for one object: the first thread creates it, the others wait and share it."""
 
 from __future__ import annotations
 
@@ -16,14 +16,16 @@ _MISSING: Any = object()
 
 
 class _Turns:
-    """One lock for each object in the making, for as long as a thread makes it or waits for it."""
+    """One lock for each object, kept while a thread creates the object or waits for it."""
 
     def __init__(self) -> None:
         self.forget()
 
     def forget(self) -> None:
         self._lock = RLock()
-        self._turns: dict[Hashable, list[Any]] = {}  # lock, number of threads with it or waiting
+        self._turns: dict[
+            Hashable, list[Any]
+        ] = {}  # lock, number of threads that hold it or wait for it
 
     @contextmanager
     def of(self, key: Hashable) -> Iterator[None]:
@@ -42,16 +44,18 @@ class _Turns:
 
 _turns = _Turns()
 turn = _turns.of
-"""``with turn(key):`` runs for one thread at a time; a thread that has the turn of a key may take it again."""
+"""Lock by key: ``with turn(key):`` runs for one thread at a time, and may be nested in the same thread."""
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_turns.forget)  # the threads that held them stayed behind
+    os.register_at_fork(
+        after_in_child=_turns.forget
+    )  # the threads that held them are not in the child
 
 
 class once(cached_property[Value]):  # noqa: N801 - used as a decorator, like `cached_property`
-    """A ``cached_property`` that one thread computes while others wait (from Python 3.12 on, it has no lock).
+    """A ``cached_property`` that one thread computes while others wait (since Python 3.12, that has no lock).
 
-    For expensive properties, or if all threads need the same object.
+    Use it for expensive properties, or if all threads need the same object.
 
     >>> class Rig:
     ...     @once
@@ -71,7 +75,7 @@ class once(cached_property[Value]):  # noqa: N801 - used as a decorator, like `c
     def __get__(self, thing: object, owner: type[Any] | None = None) -> Value: ...
 
     def __get__(self, thing: object, owner: type[Any] | None = None) -> Any:
-        """Compute the value at the first access; later ones find it in the object's ``__dict__``."""
+        """Compute the value at the first access; later accesses find it in the object's ``__dict__``."""
         if thing is None:
             return self
         name = str(self.attrname)

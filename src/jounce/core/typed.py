@@ -1,4 +1,4 @@
-"""Values that people type: numbers with units, ranges, pairs, and values of TOML."""
+"""Parse values that users type: numbers with units, ranges, pairs, and TOML values."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
     from pydantic import BaseModel
 
 LONGEST = 10.0
-"""Length (m) above which a bare number is taken for millimetres: no part of a suspension is longer."""
+"""Length (m) above which a bare number is refused as probably millimetres: no part of a suspension is longer."""
 
 
 def quantity(text: str, unit: str, where: str, *, most: float | None = None) -> float:
-    """Read a number with its unit into SI; a bare number is SI, as in the files, unless that is implausible.
+    """Convert a number with its unit to SI; a bare number is SI, as in files, and refused if that is implausible.
 
-    ``most`` bounds bare numbers more closely than their unit does.
+    ``most`` is a tighter limit of bare numbers than that of their unit.
     """
     from jounce.core.units import to_si
 
@@ -41,7 +41,7 @@ def _plausible(text: str, unit: str, where: str, most: float | None) -> str | fl
 
 
 def bare_number(text: str) -> str | float:
-    """Return the number when the text is one, otherwise the text."""
+    """Return the number if the text is one, otherwise the text."""
     try:
         return float(text)
     except ValueError:
@@ -65,7 +65,7 @@ def ends(text: str) -> tuple[str | float, str | float] | None:
 
 
 def unreadable_band(text: object, where: str, words: Sequence[str]) -> DescriptionError:
-    """Refuse anything but a band of spatial frequencies."""
+    """Return the error for a text that is not a band of spatial frequencies."""
     allowed = ", ".join([*words, "LOW..HIGH"])
     return DescriptionError(
         "not a band of spatial frequencies", where=where, found=text, allowed=allowed
@@ -94,7 +94,7 @@ def pairs(texts: Sequence[str] | None, where: str, example: str) -> dict[str, st
 
 
 def toml_value(text: str) -> Any:
-    """Read anything that TOML writes on one line; what is no TOML is text."""
+    """Read a TOML value on one line; a text that is not valid TOML is returned as it is."""
     from jounce.core.description import toml_table
 
     try:
@@ -110,9 +110,9 @@ def toml_value(text: str) -> Any:
 def bare_numbers(
     kind: type[BaseModel], texts: dict[str, str], option: Callable[[str], str]
 ) -> dict[str, str | float]:
-    """Values of the fields of a description as it takes them; numbers without a unit are refused as in `quantity`.
+    """Convert texts to field values of a description; implausible bare numbers are refused as in `quantity`.
 
-    ``option`` names the place of a field.
+    ``option`` returns the name of a field's option for errors.
     """
     from jounce.core.units import Unit, bare_si
 

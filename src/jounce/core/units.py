@@ -1,4 +1,4 @@
-"""Units at the border: text with a unit in, SI floats inside."""
+"""Convert input with units to SI floats, which all other code uses."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ _UNIT_HINT = "Check spelling and case, e.g. 'mm', 'N/mm', 'N*s/m', 'MPa', 'deg',
 
 
 def _registry() -> Any:
-    """The library's registry: one for all threads, since units of two registries do not mix."""
+    """Return pint's registry: one for all threads, because units of two registries cannot be mixed."""
 
     def make() -> Any:
         import pint
 
-        # No cache: pint unpickles files in its folder, which others may be able to write.
+        # No cache: pint unpickles files in its cache folder, which other users may be able to write.
         return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
 
     return _registries.of("pint", make)
@@ -52,10 +52,10 @@ _WORDS = {
     "kmph": "km/h", "ips": "in/s", "fps": "ft/s", "Sek": "s", "sek": "s", "Grad": "deg", "grad": "deg",
     "Mpa": "MPa", "Kpa": "kPa", "KPa": "kPa", "Bar": "bar", "PSI": "psi", "Kg": "kg", "KG": "kg",
 }  # fmt: skip
-"""Units of test benches that pint does not know, or takes for another unit (Nm: a textile number)."""
+"""Units of test benches that pint does not know, or interprets differently (Nm: a textile unit)."""
 _WHOLE = {"U/min": "rpm", "1/min": "rpm", "min^-1": "rpm", "lb-ft": "lbf*ft", "ft-lb": "lbf*ft", "ft-lbs": "lbf*ft",
           "ft*lb": "lbf*ft", "lb*ft": "lbf*ft", "lb-in": "lbf*in", "in-lb": "lbf*in"}  # fmt: skip
-"""Units with another meaning in a column of rotation or torque."""
+"""Units with a different meaning in a column of rotation or torque."""
 _GRAVITY = {
     **dict.fromkeys(("g", "G", "gn", "g_n", "g0", "g_0", "gs", "g's", "g-force"), 1.0),
     **dict.fromkeys(
@@ -63,11 +63,11 @@ _GRAVITY = {
     ),
     **dict.fromkeys(("µg", "ug", "micro-g", "microg", "micro g"), 1e-6),
 }
-"""Standard gravities that one unit of an acceleration is: the library reads g as gram."""
+"""Acceleration units in multiples of standard gravity: pint reads g as gram."""
 
 
 def _plain_spelling(unit: str) -> str:
-    """The unit as the library writes it: ``m/s2`` as ``m/s^2``, ``N.m`` and ``N-m`` as ``N*m``.
+    """Convert a unit to pint's spelling: ``m/s2`` to ``m/s^2``, ``N.m`` and ``N-m`` to ``N*m``.
 
     >>> [_plain_spelling(text) for text in ("m/s2", "N·s/mm", "m s-2", "kNm/deg", "°/s²", "%")]
     ['m/s^2', 'N*s/mm', 'm s^-2', 'kN*m/deg', '°/s^2', 'percent']
@@ -81,7 +81,7 @@ def _plain_spelling(unit: str) -> str:
 
 @lru_cache(maxsize=512)
 def _parse_unit(unit: str) -> Any:
-    """The library's unit of a text; ValueError if it is none, or far too long or raised too high."""
+    """Return pint's unit for a text; raise ValueError if it is not a unit, far too long, or has too high a power."""
     plain = _plain_spelling(unit) if len(unit) <= _LONGEST_UNIT else "^"
     if (
         not plain
@@ -97,9 +97,9 @@ def _parse_unit(unit: str) -> Any:
     return result
 
 
-@lru_cache(maxsize=20_000)  # the library takes half a millisecond to find that a word is no unit
+@lru_cache(maxsize=20_000)  # pint takes half a millisecond to reject a word
 def is_unit(text: str) -> bool:
-    """Whether a text is a unit of anything.
+    """Whether a text is any unit.
 
     >>> [is_unit(text) for text in ("N", "m/s2", "milli-g", "front", ":,1", "m^9**9**9")]
     [True, True, True, False, False, False]
@@ -141,13 +141,13 @@ _EVERYDAY: dict[str, dict[str, float]] = {
     "rad": {"deg": math.pi / 180.0},
     "s": {"ms": 1e-3},
 }
-"""Units of nearly every description, so that most commands do not load pint: a test compares them with it."""
+"""Units in nearly every description; with them most commands need not load pint. A test compares them with it."""
 _KNOWN = {unit for si, others in _EVERYDAY.items() for unit in (si, *others)} - {"1"}
 
 
 @lru_cache(maxsize=512)
 def _factor(unit: str, si: str) -> float:
-    """Return what one ``unit`` is in ``si``; raise ValueError with the reason if it is none."""
+    """Return the value of one ``unit`` in ``si``; raise ValueError with the reason if it does not convert."""
     if unit == si or (si in _DIMENSIONLESS and unit in _DIMENSIONLESS):
         return 1.0
     if si == "m/s^2" and unit in _GRAVITY:
@@ -157,7 +157,7 @@ def _factor(unit: str, si: str) -> float:
 
 
 def _factor_of_library(unit: str, si: str) -> float:
-    """The same for any unit, from the library of units."""
+    """Return the same for any unit, computed by pint."""
     registry = _registry()
     target = registry.Unit(si if si not in _DIMENSIONLESS else "dimensionless")
     turning = si in ("Hz", "rad/s", "N*m", "N*m/rad")
@@ -187,24 +187,23 @@ def _factor_of_library(unit: str, si: str) -> float:
 def _angles(unit: Any) -> float:
     """Exponent of the angle in a unit: 1 for rad/s and rpm, 0 for Hz.
 
-    pint treats radians as plain numbers: it would read 60 rpm as 6.28 Hz, and a count as 1 rad.
+    pint treats radians as plain numbers: it would convert 60 rpm to 6.28 Hz, and a count to 1 rad.
     """
     root = _registry().Quantity(1.0, unit).to_root_units().units
     return float(root._units.get("radian", 0.0))
 
 
 def _has_dimensions(unit: Any) -> bool:
-    """Whether a unit is more than a count or a share: mm/m may be an angle and 1/s a rotation; % and bits are not."""
+    """Whether a unit is not just a count or a fraction: mm/m may be an angle and 1/s a rotation, but not % or bits."""
     return any(_registry().Unit(name).dimensionality for name in unit._units)
 
 
 def conversion_factor(unit: str, si: str, *, where: str = "") -> float:
     """Return the SI value of one ``unit``, in ``si`` (``"1"``: a plain number).
 
-    The unit is as the user writes it, e.g. ``"mm"``, ``"N*s/m"``, or ``"g"`` for standard gravity where ``si`` is
-    m/s^2 (``"mg"`` and ``"milli-g"``: a thousandth of it). Spellings of test benches are also read: ``m/s2``, ``Nm``,
-    ``N.s/m``, ``U/min``. A DescriptionError at the place ``where`` refuses units that are unknown or measure something
-    else.
+    The unit is as users write it, e.g. ``"mm"``, ``"N*s/m"``, or ``"g"`` for standard gravity if ``si`` is m/s^2
+    (``"mg"`` and ``"milli-g"``: a thousandth of it). Spellings of test benches are also accepted: ``m/s2``, ``Nm``,
+    ``N.s/m``, ``U/min``. Unknown units and units of a different quantity raise a DescriptionError at ``where``.
 
     >>> conversion_factor("mg", "m/s^2"), conversion_factor("mg", "kg"), round(conversion_factor("rpm", "Hz"), 9)
     (0.00980665, 1e-06, 0.016666667)
@@ -222,11 +221,11 @@ def conversion_factor(unit: str, si: str, *, where: str = "") -> float:
 
 
 _VOLTAGE = re.compile("[kmuµμ]?V|[Vv]olts?")
-_VOLTAGE_HINT = "A voltage is what a sensor gives: divide by its sensitivity (e.g. mV/g) and write the unit of that."
+_VOLTAGE_HINT = "A voltage is the raw signal of a sensor: divide by its sensitivity (e.g. mV/g) and write the resulting unit."
 
 
 def base_units(si: str) -> dict[str, int]:
-    """Powers of the base units (kg, m, s, A, K, rad) that an SI unit is made of; none for a plain number.
+    """Powers of the base units (kg, m, s, A, K, rad) of an SI unit; empty for a plain number.
 
     >>> base_units("N*s/m"), base_units("1")
     ({'kg': 1, 's': -1}, {})
@@ -246,9 +245,9 @@ def base_units(si: str) -> dict[str, int]:
 
 
 def as_number(value: object, si: str, *, where: str = "") -> float:
-    """Return a number of any library, or a text with its unit, as a float in ``si``; NaN is for the caller to judge.
+    """Return a number of any library, or a text with its unit, as a float in ``si``; NaN is left to the caller.
 
-    Anything else raises a DescriptionError at the place ``where``.
+    Any other value raises a DescriptionError at ``where``.
 
     >>> import numpy as np
     >>> as_number(np.timedelta64(500, "ms"), "s"), as_number("500 ms", "s"), as_number(0.5, "s")
@@ -281,12 +280,12 @@ def as_number(value: object, si: str, *, where: str = "") -> float:
 def to_si(value: object, si: str, *, where: str = "") -> float:
     """Read one physical value in ``si``: text with its unit (``"22.73 N/mm"``), or a bare number that is already SI.
 
-    Numbers of other libraries are also read, those with a unit (a quantity of Pint, a duration) by it.
-    A DescriptionError at the place ``where`` refuses a missing or wrong unit, and what is not a finite number.
+    Numbers of other libraries are also accepted; those with a unit (a Pint quantity, a duration) are converted. A
+    missing or wrong unit, and a value that is not a finite number, raise a DescriptionError at ``where``.
     """
     if (
         type(value) is float and -LARGEST <= value <= LARGEST
-    ):  # most are: descriptions made from others
+    ):  # the most common case: descriptions made from others
         return value
     if not isinstance(value, str) and (
         type(value) is bool or not isinstance(value, Real) or hasattr(value, "dtype")
@@ -309,7 +308,7 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
                 hint=""
                 if comma is None
                 else Phrase(
-                    "Decimals have a point, thousands no sign: '{whole}.{decimals}'.",
+                    "Use a decimal point and no thousands separator: '{whole}.{decimals}'.",
                     whole=comma[1],
                     decimals=comma[2],
                 ),
@@ -332,7 +331,7 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
         raise DescriptionError(
             "not a finite number", where=where, found=value, allowed="a finite number"
         )
-    is_written = isinstance(value, str)  # what rounding leaves of a zero is no mistake
+    is_written = isinstance(value, str)  # a zero with rounding error is valid
     if abs(number) > LARGEST or (is_written and 0.0 < abs(number) < _SMALLEST):
         sizes = Phrase("0, and sizes from {least:g} to {most:g}", least=_SMALLEST, most=LARGEST)
         allowed = sizes if si == "1" else Phrases(" ", [sizes, si])
@@ -341,9 +340,9 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
 
 
 LARGEST = 1e30
-"""Size in SI beyond any value of a vehicle; products of a few such values overflow."""
+"""Magnitude in SI beyond any value of a vehicle; products of several such values overflow."""
 _SMALLEST = 1e-100
-"""Size in texts below which quotients overflow."""
+"""Magnitude in texts below which quotients overflow."""
 
 
 _MEANT = {
@@ -360,13 +359,13 @@ _MEANT = {
     "s": (0.0, 1e6, "ms"),
     "m": (0.0, 1e6, "mm"),
 }
-"""Sizes (SI) that a number without a unit may have, 0 or from the first up to the second, and what else is usual."""
+"""Magnitudes (SI) allowed for a bare number, 0 or from the first to the second, and the usual other unit."""
 
 
 def bare_si(number: float, si: str, *, where: str, most: float | None = None) -> float:
-    """Read a number without a unit as one in ``si``, unless implausible.
+    """Return a number without a unit as a value in ``si``; refuse implausible magnitudes.
 
-    ``most`` is a closer bound than that of the unit; where the unit is written, any size is taken.
+    ``most`` is a tighter limit than that of the unit; with an explicit unit, any magnitude is accepted.
 
     >>> bare_si(1.95, "m/s", where="--speed")
     1.95
@@ -386,7 +385,7 @@ def bare_si(number: float, si: str, *, where: str, most: float | None = None) ->
         where=where,
         found=f"{number:g}",
         hint=Phrase(
-            "Write the unit: {other}'{number:g} {si}' where it is.",
+            "Write the unit: {other}'{number:g} {si}' if it is correct.",
             other=other,
             number=number,
             si=si,
@@ -395,7 +394,7 @@ def bare_si(number: float, si: str, *, where: str, most: float | None = None) ->
 
 
 def positive_si(value: object, si: str, *, where: str, zero: bool = False) -> float:
-    """Read one physical value as :func:`to_si` does, and refuse those below 0 and (but with ``zero``) 0 itself."""
+    """Read one physical value as :func:`to_si` does, and refuse values below 0 and (unless ``zero``) 0 itself."""
     number = to_si(value, si, where=where)
     if number < 0.0 or (number == 0.0 and not zero):
         limits = Unit(si, at_least=0.0) if zero else Unit(si, above=0.0)
@@ -411,10 +410,10 @@ class Unit:
     above: float | None = None
     at_least: float | None = None
     at_most: float | None = None
-    meant: float | None = None  # larger ones are legal, and questioned
+    meant: float | None = None  # larger values are accepted with a warning
 
     def mistaken_for(self, value: float) -> str:
-        """Unit that was probably meant for a size (SI) beyond any suspension; empty for plausible sizes.
+        """Unit that was probably meant for a magnitude (SI) implausible for a suspension; empty if it is plausible.
 
         >>> Unit("N/m").mistaken_for(22.73), Unit("m", meant=1.0).mistaken_for(0.01)
         ('N/mm', '')
@@ -442,7 +441,7 @@ class Unit:
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Least and greatest size (SI), infinite without one; the least itself may be excluded (``above``)."""
+        """Minimum and maximum (SI), infinite without a limit; the minimum itself may be excluded (``above``)."""
         least = max(
             (bound for bound in (self.above, self.at_least) if bound is not None), default=-math.inf
         )
@@ -450,7 +449,7 @@ class Unit:
 
     @property
     def range_text(self) -> str:
-        """The limits in words, with their unit; empty without limits."""
+        """Limits in words, with their unit; empty without limits."""
         bounds = [
             ("above {bound:g}", self.above),
             ("at least {bound:g}", self.at_least),
@@ -483,7 +482,7 @@ class Unit:
 
 
 _ASKED = ("kg", "m/s", "N/m", "Pa")
-"""Units whose bounds apply to all descriptions, not only to options of commands."""
+"""Units whose limits apply to all descriptions, not only to command options."""
 
 Length = Annotated[float, Unit("m")]
 Height = Annotated[float, Unit("m", meant=1.0)]

@@ -1,7 +1,7 @@
 """Progress messages for slow work, such as compiling.
 
-A face that shows progress listens (`heard_by`); otherwise the logger ``jounce`` warns, which Python prints on
-stderr unless it is reported otherwise: ``logging.getLogger("jounce").setLevel("ERROR")`` keeps it silent.
+An interface that shows progress registers a listener (`heard_by`). Otherwise the logger ``jounce`` emits warnings,
+which Python prints on stderr by default: ``logging.getLogger("jounce").setLevel("ERROR")`` silences it.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ from jounce.core.phrases import Phrase
 
 
 class Stage(Phrase):
-    """The current work, and its completed share.
+    """The current work, and its completed fraction.
 
-    The template is one of `Phrase`; what stands before its first colon is the phase. Of that, ``share`` is
-    done, 0 to 1.
+    The template is that of a `Phrase`; the text before its first colon is the phase, of which the fraction ``share``
+    (0 to 1) is complete.
 
     Examples
     --------
@@ -44,7 +44,7 @@ class Stage(Phrase):
 
 
 def progress_through(template: str, which: int, count: int, /, **fields: Any) -> Stage:
-    """Progress through several items: ``{which}`` of ``{count}``; the named item is not finished yet.
+    """Make a stage of work on several items: ``{which}`` of ``{count}``; the named item is not finished yet.
 
     >>> print(progress := progress_through("fitting {which} of {count}: {name}", 4, 10, name="a.csv"), progress.share)
     fitting 4 of 10: a.csv 0.3
@@ -53,20 +53,20 @@ def progress_through(template: str, which: int, count: int, /, **fields: Any) ->
 
 
 class Waiting(Phrase):
-    """The current work, ``what``, and how long it has taken."""
+    """The current work, ``what``, and its duration so far."""
 
     __slots__ = ("what",)
     what: str
 
     def __new__(cls, what: str, seconds: float, /) -> Waiting:
-        """Put the time behind the work."""
+        """Append the time to the text."""
         waiting = super().__new__(cls, "{what}, {seconds:.0f} s", what=what, seconds=seconds)
         assert isinstance(waiting, Waiting)
         waiting.what = what
         return waiting
 
 
-LOGGED_EVERY, SHOWN_EVERY = 2.0, 0.5  # s: a log shall stay short, a display alive
+LOGGED_EVERY, SHOWN_EVERY = 2.0, 0.5  # s: keeps a log short, and a display responsive
 LOGGED_LATEST = 30.0
 """Longest interval (s) between log lines: it grows with the duration of the work."""
 _LOOKS = 4  # checks of the reporting thread within the shorter interval
@@ -79,7 +79,7 @@ class _Here(threading.local):
 
 
 _here = _Here()
-"""Blocks of :func:`told` in this thread; nested ones are not reported separately."""
+"""Blocks of :func:`report_work` in this thread; nested ones are not reported separately."""
 
 
 class _Wait(NamedTuple):
@@ -89,9 +89,9 @@ class _Wait(NamedTuple):
 
 
 class _Teller:
-    """Thread that reports the most recent wait; it survives between waits in close succession.
+    """Thread that reports the most recent wait; it is reused for waits in close succession.
 
-    A thread for each would take longer to start than many a thing that is waited for.
+    Starting a thread for each wait would take longer than many of the waits.
     """
 
     _lock: threading.RLock
@@ -145,14 +145,15 @@ _teller = _Teller()
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(
         after_in_child=_teller.forget
-    )  # the thread stayed behind, with the lock perhaps
+    )  # the thread is not in the child, and may hold the lock
 
 
 @contextmanager
 def report_work(what: str | Callable[[], str]) -> Iterator[None]:
-    """Report the current work and its duration until it is done.
+    """Report the current work and its duration until the block ends.
 
-    A function returns the text for each report, such as the progress; it is called from another thread.
+    ``what`` may be a function that returns the text for each report, such as the progress; it is called from a
+    different thread.
 
     >>> with report_work("compiling the model (once on this machine)"):
     ...     pass   # done at once: nothing is reported
@@ -175,9 +176,9 @@ def report_work(what: str | Callable[[], str]) -> Iterator[None]:
 
 @contextmanager
 def heard_by(listener: Callable[[str | None], None]) -> Iterator[None]:
-    """Call a function twice a second with the text of the current wait, and with None when it is over.
+    """Call a function twice a second with the text of the current wait, and with None when the wait ends.
 
-    It is called from another thread.
+    It is called from a different thread.
     """
     _listeners.append(listener)
     try:
@@ -190,7 +191,7 @@ _watchers: list[Callable[[Mapping[str, Any]], None]] = []
 
 
 def report_progress(numbers: Callable[[], Mapping[str, Any]]) -> None:
-    """Report the progress of a search to a listener; the numbers are computed only for one."""
+    """Report the progress of a search to a watcher; the numbers are computed only if there is one."""
     for watcher in _watchers:
         watcher(numbers())
 

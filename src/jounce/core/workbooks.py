@@ -1,4 +1,4 @@
-"""Excel workbooks: texts stay texts, numbers keep all digits, and equal content gives equal bytes.
+"""Read and write Excel workbooks: texts stay texts, numbers keep all digits, equal content gives equal bytes.
 
 The size declared in a file is not trusted: it may claim billions of cells.
 """
@@ -16,13 +16,13 @@ from jounce.core.errors import JounceError
 from jounce.core.optional import require
 
 CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
-"""Characters that XML, and so a cell or picture, cannot contain."""
+"""Characters that are invalid in XML, and therefore in a cell or figure."""
 MOST_ROWS, MOST_COLUMNS, LONGEST_TEXT = 1_048_576, 16_384, 32_767
 """Rows and columns of a sheet, and characters of a cell: the limits of Excel."""
 
 
 def workbook_of(sheets: Mapping[str, Iterable[Sequence[float | str]]]) -> bytes:
-    """Write rows of numbers and texts, sheet by sheet; numbers come back to the last bit."""
+    """Write rows of numbers and texts, sheet by sheet; numbers are restored exactly when read."""
     openpyxl = require("openpyxl", "io")
     book = openpyxl.Workbook(write_only=True)
     for name, rows in sheets.items():
@@ -39,7 +39,7 @@ def _cell(openpyxl: Any, sheet: Any, value: float | str) -> Any:
     cell = openpyxl.cell.WriteOnlyCell(sheet, value if is_text else repr(float(value)))
     cell.data_type = (
         "s" if is_text else "n"
-    )  # no formula, and all digits: of a number 16 would be written
+    )  # not a formula, and with all digits: openpyxl writes only 16
     return cell
 
 
@@ -53,10 +53,10 @@ def split_text(text: str) -> list[str]:
 
 
 def workbook_bytes(book: Any) -> bytes:
-    """Return a workbook as bytes, without creation times; paths are relative.
+    """Return a workbook as bytes, without creation times and with relative paths.
 
-    All of it is made in memory: openpyxl itself writes sheets into files in ``TMPDIR``, does not notice some errors of
-    a full disk there, and leaves them where the process is killed.
+    It is built in memory: openpyxl writes sheets to files in ``TMPDIR``, misses some errors of a full disk there, and
+    leaves the files if the process is killed.
     """
     excel = require("openpyxl.writer.excel", "io")
 
@@ -100,10 +100,10 @@ def sheets_of(
     most_rows: int = MOST_ROWS,
     most_columns: int | None = None,
 ) -> Iterator[tuple[str, Iterator[tuple[int, list[Any]]]]]:
-    """Return the sheets of a workbook by name, each as its rows with their numbers; ``error`` refuses larger ones.
+    """Return the sheets of a workbook by name, each as rows with their numbers; raise ``error`` for larger ones.
 
-    Rows are as long as what is in them, or all ``most_columns``. Whatever openpyxl raises over a damaged file goes
-    through.
+    Rows have the length of their content, or ``most_columns`` if given. Exceptions of openpyxl about a damaged file are
+    passed on.
     """
     openpyxl = require("openpyxl", "io")
     with zipfile.ZipFile(file) as archive:

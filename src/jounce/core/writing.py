@@ -1,4 +1,4 @@
-"""Write files completely or not at all, without ever losing an existing one."""
+"""Write files completely or not at all, and never lose an existing file."""
 
 from __future__ import annotations
 
@@ -23,18 +23,16 @@ from jounce.core.locking import holding
 from jounce.core.optional import require
 
 ALLOW_OVERWRITING = "Choose another name or allow it with --force."
-"""Advice where something would be overwritten."""
+"""Advice if an existing file would be overwritten."""
 
 
 def check_writable(
     path: Path | str, *, what: str = "files", suffixes: Sequence[str] = (), force: bool = False
 ) -> Path:
-    """Return the path of an output; refuse another suffix, an existing file (without ``force``), a missing folder."""
+    """Return the path of an output; refuse a wrong suffix, an existing file (unless ``force``), a missing folder."""
     file = Path(path)
     if file.exists() and not file.is_file() and not file.is_dir():
-        hint = (
-            "Write a file and read it from there; what a command prints with --json goes to pipes."
-        )
+        hint = "Write to a file and read that; only the output of --json can go to a pipe."
         raise OutputError(
             "a pipe or a device, which no file can replace", where=str(file), hint=hint
         )
@@ -43,7 +41,7 @@ def check_writable(
         raise OutputError(problem, where=str(file), found=file.suffix, allowed=allowed)
     if file.is_dir():
         raise OutputError(
-            "a folder stands where the file should be", where=str(file), hint="Choose another name."
+            "a folder has the name of the file", where=str(file), hint="Choose another name."
         )
     if file.exists() and not force:
         raise OutputError("the output exists", where=str(file), hint=ALLOW_OVERWRITING)
@@ -57,7 +55,7 @@ def check_writable(
 
 
 def write_atomically(path: Path | str, content: bytes | str, *, force: bool = False) -> Path:
-    """Write a file through a temporary one and a rename, so that it is never seen incomplete."""
+    """Write a file through a temporary file and a rename: it is never visible in an incomplete state."""
     file = check_writable(path, force=force)
     with replacing(file, force=force) as temporary:
         temporary.write_bytes(content.encode() if isinstance(content, str) else content)
@@ -66,16 +64,16 @@ def write_atomically(path: Path | str, content: bytes | str, *, force: bool = Fa
 
 @dataclass(frozen=True)
 class Formats:
-    """File formats that one kind of result can be written in.
+    """File formats for one kind of result.
 
     Attributes
     ----------
     what : str
-        The kind of result, as messages name it, e.g. ``"recordings"``.
+        Name of the kind of result in messages, e.g. ``"recordings"``.
     writers : mapping of str to callable
-        By suffix in small letters: takes the result and the path of a file to fill.
+        By lower-case suffix: function of the result and the path of the file to write.
     needs : mapping of str to tuple of str
-        By suffix, what a writer needs that may be missing: package and extra.
+        By suffix: optional package that a writer needs, and its extra.
     """
 
     what: str
@@ -83,14 +81,14 @@ class Formats:
     needs: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
     def check(self, path: Path | str, *, force: bool = False) -> Path:
-        """Refuse, before the work, a file that could not be written after it; return the path."""
+        """Check before the work that a file can be written afterwards; return the path."""
         file = check_writable(path, what=self.what, suffixes=tuple(self.writers), force=force)
         if file.suffix.lower() in self.needs:
             require(*self.needs[file.suffix.lower()])
         return file
 
     def write(self, result: Any, path: Path | str, *, force: bool = False) -> Path:
-        """Write a result in the format that the suffix names; return the path."""
+        """Write a result in the format given by the suffix; return the path."""
         file = self.check(path, force=force)
         with replacing(file, force=force) as temporary:
             self.writers[file.suffix.lower()](result, temporary)
@@ -101,11 +99,11 @@ class Formats:
 def replacing(
     file: Path, *, force: bool = True, most: int = 0o777, lasting: bool = True
 ) -> Iterator[Path]:
-    """Return a temporary file beside ``file`` that takes its place when the block ends well, and is removed otherwise.
+    """Return a temporary file next to ``file`` that replaces it if the block succeeds, and is removed otherwise.
 
-    Without ``force`` a file that another process has written there meanwhile stays, and is an error.
-    A file that is replaced keeps its mode, without what ``most`` does not allow. A ``lasting`` one is on the disk
-    before it gets its name: where the power fails, the old or the new is there, whole.
+    Without ``force``, a file written there by a different process in the meantime is kept, and an error is raised. A
+    replaced file keeps its mode, limited to the bits in ``most``. A ``lasting`` file is flushed to the disk before it
+    is renamed: after a power failure either the old or the new file is complete.
     """
     with _as_output_error(file, "the file cannot be written"):
         temporary = temporary_beside(file, most=most)
@@ -124,7 +122,7 @@ def replacing(
 
 
 def _write_through(file: Path) -> None:
-    """Put the content of a file on the disk: some learn only here that it is full."""
+    """Flush the content of a file to the disk: some file systems report only here that it is full."""
     handle = os.open(file, os.O_RDWR)
     try:
         os.fsync(handle)
@@ -133,26 +131,26 @@ def _write_through(file: Path) -> None:
 
 
 def _put(temporary: Path, file: Path) -> None:
-    """Name a file unless the name exists, which only a link tests safely."""
+    """Rename a file unless the name exists, which only a hard link can test safely."""
     try:
         os.link(temporary, file)
     except FileExistsError:
         check_writable(file)
         raise
-    except OSError:  # a disk without links
+    except OSError:  # a disk without hard links
         temporary.replace(check_writable(file))
     else:
         with contextlib.suppress(
             OSError
-        ):  # the file is there, whole; the next process takes what is left
+        ):  # the file is complete; the next process removes the temporary one
             temporary.unlink()
 
 
 def temporary_beside(file: Path, *, most: int = 0o777) -> Path:
-    """Make an empty temporary file of this process beside a file; those of killed processes are removed.
+    """Create an empty temporary file of this process next to a file; remove those of killed processes.
 
-    The system itself applies the user's mask as it makes the file: to read the mask, it would have to be set, which
-    other threads would see. The file is never open to more people than the one whose place it takes.
+    The system applies the user's umask when it creates the file: reading the umask requires setting it, which would
+    affect other threads. The file never has wider permissions than the file it replaces.
     """
     with _as_output_error(file, "the file cannot be written"):
         _sweep(file.parent)
@@ -176,24 +174,24 @@ def _copy_mode(file: Path, copy: Path, most: int = 0o777) -> None:
     """Copy the mode of the replaced file, if there is one."""
     mode = _mode_of(file)
     if mode is not None:
-        with contextlib.suppress(OSError):  # a disk without modes
+        with contextlib.suppress(OSError):  # a disk without permissions
             copy.chmod(mode & most)
 
 
 def sweep_beside(file: Path) -> None:
-    """Remove temporary files of killed processes of this user beside a file."""
+    """Remove temporary files of this user's killed processes next to a file."""
     _sweep(file.parent)
 
 
 def write_files(
     folder: Path | str, contents: Mapping[str, bytes | str], *, force: bool = False
 ) -> list[Path]:
-    """Write files below a folder, which is created: all of them, or none.
+    """Write files below a folder, which is created if missing: all of them, or none.
 
-    They are written into another folder first. That takes its place where there is none yet. Otherwise files of the
-    same names are moved out and the new ones in, whole each and never some of both; what else the folder holds stays.
-    If this process is killed in between, the next one that writes there moves the old ones back, or the rest of the
-    new ones in.
+    They are written to a temporary folder first. If the folder does not exist, the temporary folder is renamed to it.
+    Otherwise existing files of the same names are moved out and the new ones in; other files are not touched. If this
+    process is killed in between, the next process that writes there either restores the old files or completes the
+    exchange.
 
     Parameters
     ----------
@@ -212,8 +210,8 @@ def write_files(
     Raises
     ------
     OutputError
-        If one of the files exists, without ``force``; for a file where a folder is to be and the reverse; for a name
-        that leads out of the folder; for a disk that is full or refuses. Then nothing is changed.
+        If one of the files exists (without ``force``), a file is in the way of a folder or the reverse, a name leads
+        out of the folder, or the disk is full or read-only. Nothing is changed then.
 
     Examples
     --------
@@ -226,12 +224,10 @@ def write_files(
     _check_room(root, files, force=force)
     with _as_output_error(root, "the folder cannot be written"):
         is_there = root.is_dir()
-        # Beside what is to be moved: in a folder that is there, which may be a disk of its own.
+        # Next to the files to be moved: an existing folder may be on a disk of its own.
         place = root if is_there else root.parent
         place.mkdir(parents=True, exist_ok=True)
-        _sweep(
-            root.parent
-        )  # where a process stood that was killed just after it had put the folder in its place
+        _sweep(root.parent)  # left by a process killed just after it had renamed the folder
         _sweep(place)
         aside = Path(tempfile.mkdtemp(dir=place, prefix=_own_prefix()))
         try:
@@ -245,37 +241,39 @@ def write_files(
             built.mkdir(exist_ok=True)  # also without files
             if is_there:
                 with holding(root):
-                    _check_room(root, files, force=force)  # another process may have been here
+                    _check_room(
+                        root, files, force=force
+                    )  # a different process may have written here
                     _exchange(root, aside, list(contents))
             elif not _move_into_place(built, root):
                 return write_files(
                     folder, contents, force=force
-                )  # another process has put a folder there meanwhile
+                )  # a different process has created the folder in the meantime
         finally:
             _remove(aside)
     return [Path(folder) / name for name in contents]
 
 
 def resolve_path(path: Path | str, *, home: bool = False) -> Path:
-    """Return a path in full, without links; with ``home`` its ``~`` is that of a user. Refuse invalid paths."""
+    """Return an absolute path without links; expand ``~`` if ``home``. Refuse invalid paths."""
     try:
         place = (Path(path).expanduser() if home else Path(path)).resolve()
-        # Python 3.13 leaves it, older ones raise; a name that is too long is no link.
+        # Python 3.13 returns it unchanged, older versions raise; a name that is too long is not a link.
         if any(os.path.islink(each) for each in (place, *place.parents)):  # noqa: PTH114
             raise RuntimeError("a link that leads to itself")
         return place
     except (
         RuntimeError,
         ValueError,
-    ) as error:  # links that lead to themselves, users that are none, NUL
+    ) as error:  # circular links, unknown users, NUL
         hint = "Choose another name."
         raise OutputError(
-            "no such path can be", where=str(path), found=str(error), hint=hint
+            "the path is invalid", where=str(path), found=str(error), hint=hint
         ) from None
 
 
 def check_folder(out: Path | str, *, force: bool = False) -> Path:
-    """Return the path of a folder; refuse one that is not empty (without ``force``), or a file of that name."""
+    """Return the path of a folder; refuse a folder that is not empty (unless ``force``), or a file of that name."""
     folder = resolve_path(out, home=True)
     with _as_output_error(folder, "the folder cannot be written"):
         if folder.exists() and not folder.is_dir():
@@ -297,12 +295,12 @@ def check_folder(out: Path | str, *, force: bool = False) -> Path:
 def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
     if root.exists() and not root.is_dir():
         raise OutputError(
-            "a file stands where the folder should be", where=str(root), hint="Choose another name."
+            "a file has the name of the folder", where=str(root), hint="Choose another name."
         )
     for file in files:
         if not resolve_path(file).is_relative_to(root):
             raise OutputError(
-                "the file would lie outside the folder", where=str(root), found=str(file)
+                "the file would be outside the folder", where=str(root), found=str(file)
             )
         if file.is_dir():
             raise OutputError("a file cannot be written where a folder is", where=str(file))
@@ -313,7 +311,7 @@ def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
 
 
 def _move_into_place(built: Path, root: Path) -> bool:
-    """Move a folder to its place; return whether it was free, or taken by another process meanwhile."""
+    """Rename a folder; return whether the name was free, or False if a different process has taken it."""
     try:
         built.rename(root)
     except OSError:
@@ -324,13 +322,13 @@ def _move_into_place(built: Path, root: Path) -> bool:
 
 
 _NEW, _READY, _OLD = "jounce-new", "jounce-ready", "jounce-old"
-"""Subfolders of the one beside: new files, new files once all old ones are moved out, and old files."""
+"""Subfolders of the temporary folder: new files, new files after all old ones are moved out, and old files."""
 
 
 def _exchange(root: Path, aside: Path, names: Sequence[str]) -> None:
-    """Move files of a folder out, and then new ones in, so that they are never a mixture; all of them, or none.
+    """Move the old files out of a folder and then the new ones in: all of them, or none.
 
-    After an interrupt :func:`_settle` continues: with the new files once they are ready, else with the old.
+    After an interrupt, :func:`_settle` continues: with the new files if they were complete, else with the old ones.
     """
     try:
         _move([name for name in names if os.path.lexists(root / name)], root, aside / _OLD)
@@ -353,9 +351,9 @@ def _move(names: Iterable[str], source: Path, target: Path) -> None:
 
 
 def _settle(aside: Path) -> bool:
-    """Finish an interrupted exchange, or undo it; return whether every file is in its place.
+    """Complete or undo an interrupted exchange; return whether all files are in their final location.
 
-    A folder that came with an archive may hold links: nothing is moved out of another folder, or into one.
+    A folder from an archive may contain links: files are never moved out of or into a linked folder.
     """
     source = aside / (_READY if _is_folder(aside / _READY) else _OLD)
     files = (
@@ -368,27 +366,27 @@ def _settle(aside: Path) -> bool:
             is_inside = resolve_path(target.parent).is_relative_to(root)
             if is_inside and not os.path.lexists(
                 target
-            ):  # a file may have been written there since
+            ):  # a file may have been written there in the meantime
                 target.parent.mkdir(parents=True, exist_ok=True)
                 file.rename(target)
     return all(map(os.path.lexists, targets))
 
 
 def _is_folder(path: Path) -> bool:
-    """Whether a path is a folder itself, and no link to one."""
+    """Whether a path is a folder, and not a link to one."""
     return path.is_dir() and not path.is_symlink()
 
 
 def _remove(aside: Path) -> None:
-    """Remove a folder beside others, unless it holds the only copy of a file."""
+    """Remove a temporary folder, unless it contains the only copy of a file."""
     if _settle(aside):
-        shutil.rmtree(aside / _OLD, ignore_errors=True)  # first: new files are valid until then
+        shutil.rmtree(aside / _OLD, ignore_errors=True)  # first: until then the new files are valid
         shutil.rmtree(aside, ignore_errors=True)
 
 
 @contextmanager
 def _as_output_error(where: Path, what: str) -> Iterator[None]:
-    """Turn what the system refuses into the product's own error."""
+    """Convert system errors within a block to an OutputError."""
     try:
         yield
     except OSError as error:
@@ -400,14 +398,14 @@ def _as_output_error(where: Path, what: str) -> Iterator[None]:
 
 
 def is_empty(folder: Path) -> bool:
-    """Whether a folder is empty, after removing files of killed processes."""
+    """Whether a folder is empty, after temporary files of killed processes are removed."""
     _sweep(folder)
     return not any(folder.iterdir())
 
 
 @contextmanager
 def working_folder() -> Iterator[Path]:
-    """Return a folder for this process alone, removed when the block ends, as are those of killed processes."""
+    """Return a temporary folder of this process, removed when the block ends; remove those of killed processes."""
     folder = lasting_folder()
     try:
         yield folder
@@ -421,7 +419,7 @@ def working_folder() -> Iterator[Path]:
 
 
 def lasting_folder() -> Path:
-    """Return a folder for files that other programs open; it outlasts this process, and the next user removes it.
+    """Return a folder for files that other programs open; it outlives this process, and the next call removes it.
 
     >>> lasting_folder().name.startswith(".jounce-")
     True
@@ -438,13 +436,13 @@ _THIS_RUN = os.urandom(3).hex()
 
 
 def _own_prefix() -> str:
-    """Begin of the names of this process's temporary files, from which another one sees whether it still runs."""
+    """Prefix of this process's temporary files, from which others can determine whether it is still running."""
     return f".jounce-{_machine()}-{os.getpid()}-{_THIS_RUN}-"
 
 
 @cache
 def _machine() -> str:
-    """Scope of process numbers: the machine and, on Linux, the container."""
+    """Scope in which process numbers are unique: the machine and, on Linux, the container."""
     inside = 0
     with contextlib.suppress(OSError):
         inside = Path("/proc/self/ns/pid").stat().st_ino
@@ -455,7 +453,7 @@ def _machine() -> str:
 def _sweep(folder: Path) -> None:
     """Remove temporary files of killed processes of this user: of this machine at once, of others after a day."""
     for left in folder.glob(".jounce-*-*-*"):
-        # Names that others gave, files that are gone, folders in each other that no process of ours makes.
+        # Foreign names, files that are gone, and nested folders that jounce does not create.
         with contextlib.suppress(OSError, ValueError, OverflowError, RecursionError):
             _, machine, process, rest = left.name.split("-", 3)
             status = left.lstat()
@@ -463,7 +461,7 @@ def _sweep(folder: Path) -> None:
                 continue
             if (
                 machine != _machine() or os.name != "posix"
-            ):  # clocks may jump: what runs here is not judged by them
+            ):  # clocks may jump: do not use them for processes of this machine
                 ended = time.time() - status.st_mtime > _DAY
             elif int(process) == os.getpid():
                 ended = not rest.startswith(_THIS_RUN)
@@ -474,11 +472,11 @@ def _sweep(folder: Path) -> None:
 
 
 def _runs(process: int) -> bool:
-    """Whether a process of this machine still runs."""
+    """Whether a process is still running on this machine."""
     try:
         os.kill(process, 0)
     except ProcessLookupError:
         return False
-    except OSError:  # somebody else's
+    except OSError:  # a process of a different user
         return True
     return True

@@ -86,7 +86,7 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
             Phrase("{given} is no recording", given=value_or_kind(given)),
             where=where,
             allowed="an xarray.Dataset, or a table with columns 'name [unit]' and one of them 'time [s]'",
-            hint="jn.read_recording(...) gives one with its findings, jn.recording(...) makes one of arrays.",
+            hint="jn.read_recording(...) gives one with its findings, jn.recording(...) makes one from arrays.",
         )
     columns = table_columns(given, where)
     if "time" not in columns:

@@ -216,7 +216,7 @@ def test_a_trailing_separator_everywhere_is_accepted(tmp_path: Path) -> None:
         ("x [m],x [m]\n0,1\n", None, "2 columns are named 'x'"),
         ("x [m],two\n0,1\n1,two\n", 3, "text in a number column; found 'two'"),
         ("x [m],two\n0,one\n1,two\n", 2, "No cell of the column is a number"),
-        ("x [m],none\n0,\n1,\n", None, "no cell of the column is filled"),
+        ("x [m],none\n0,\n1,\n", None, "all cells of the column are empty"),
         (f"x [m],{'y' * 2000} [m]\n0,1\n", 1, "a cell of the header is too long"),
         (f"x [m],{'y' * 200_000} [m]\n0,1\n", None, "not a table (field larger than field limit"),
         (b"x [m]\n\0\1\2", None, "not a text file"),

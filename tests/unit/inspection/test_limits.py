@@ -112,7 +112,7 @@ def test_conditions_and_differences_of_egea() -> None:
         ('version = "1"', 'versoin = "1"', "Did you mean 'version'?"),
         ("from = 0.13", "from = nan", "not a finite number"),
         ("from = 0.13", "from = true", "not a physical value"),
-        ("jounce.limits/1", "jounce.rig/1", "the schema line is missing or another one"),
+        ("jounce.limits/1", "jounce.rig/1", "the schema line is missing or wrong"),
     ],
 )
 def test_wrong_files_are_refused_with_one_message(

@@ -139,7 +139,7 @@ def test_what_nobody_calculated_is_no_number(tmp_path: Path) -> None:
     """Formulas that were written by a program, and never seen by Excel, have no values."""
     rows = [["time [s]", "tyre.force [N]"], *([t, f"=2*{f}"] for t, f in SAMPLES)]
     with pytest.raises(
-        RecordingError, match=r"column 'tyre\.force \[N\]': no cell of the column is filled"
+        RecordingError, match=r"column 'tyre\.force \[N\]': all cells of the column are empty"
     ):
         jn.read_recording(book(tmp_path / "a.xlsx", run=rows), columns={"tyre.force": "tyre.force"})
 
