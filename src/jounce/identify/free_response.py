@@ -134,7 +134,7 @@ class _Shape:
         return -2.0 * self.ratio * omega * self.derivative(2) - omega**2 * self.derivative(1)
 
     def by_ratio(self, order: int) -> Array:
-        """Return the slope of a time derivative of order 0 to 2 by the damping ratio, at the same time since the turn."""
+        """Return the slope of a time derivative of order 0 to 2 by the damping ratio, at fixed time since the turn."""
         omega, ratio, root, sine = self.omega, self.ratio, self.root, self.sine
         turn = self.phase * ratio / root
         bent = turn * ratio / root * self.cosine

@@ -413,9 +413,10 @@ def _repeated_meetings(onset: Array, score: Array, at: int, length: int) -> np.n
 def _another_obstacle(
     onset: Array, power: Array, at: np.ndarray, expected: _Expected, names: Sequence[str]
 ) -> int:
-    """Return the samples from the start of an obstacle to a further one that every loop contains; 0: none.
+    """Return the samples from an obstacle's start to a further one, not of the road, that every loop contains.
 
-    The continued oscillation of wheel and body resembles an obstacle to some degree, which the model's loop shows.
+    The result is 0 without such an obstacle. The continued oscillation of wheel and body resembles an obstacle to some
+    degree, which the model's own loop shows.
     """
     loop = expected.window(names, len(next(iter(expected.signals.values()))))
     own, _ = _likeness(np.hstack([loop, loop]), expected.window(names, expected.onset), 0)

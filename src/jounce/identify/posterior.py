@@ -1,10 +1,10 @@
-"""Posterior of updated parameters: Gaussian, profile likelihood, samples, and what they predict for every trial.
+"""Posterior of updated parameters: Gaussian, profile likelihood, samples, and predictions for every trial.
 
-Two things can be counted. *Noise only*: the residuals are noise, autocorrelated and of changing level; the density of
-least squares is turned and stretched so that its curvature gives the covariance that an update reports (the curvature
-adjustment of composite likelihoods [ribatet2012]). *Model error*: all doubts are unknowns with priors, as in
-:mod:`jounce.identify.discrepancy`; nuisance parameters are integrated out around their best values for each
-value of the others (nested Laplace approximation [tierney1986]).
+There are two kinds of posterior. *Noise only*: the residuals are noise, autocorrelated and of changing level. The
+least-squares density is rotated and scaled to match the covariance that an update reports (the curvature adjustment of
+composite likelihoods [ribatet2012]). *Model error*: all doubts are unknowns with priors, as in
+:mod:`jounce.identify.discrepancy`; they are integrated out around their best values for each value of the parameters
+(nested Laplace approximation [tierney1986]).
 """
 
 from __future__ import annotations
@@ -59,40 +59,40 @@ _FEWEST, _MOST = (
     10_000_000,
 )  # draws: 25 lie beyond each end of a 95 % interval; 80 MB for each parameter
 HALF_DROP = 1.920729410347062
-"""Of the log likelihood at the ends of a 95 % interval: chi^2 of one freedom over two."""
+"""Drop of the log likelihood at the ends of a 95 % interval: half of chi^2 with one degree of freedom."""
 MOST_R_HAT, FEWEST_DRAWS = 1.01, 400.0
-"""Of draws that have converged: largest R-hat (1), fewest effective draws [vehtari2021]."""
+"""Limits for converged draws: maximum R-hat (1), minimum number of effective draws [vehtari2021]."""
 _TOLERANCE = 1e-6  # with model error: a log density moves by some thousandths, and simulations take half the time
 MOST_ERROR = 0.5
-"""Error of the log density from which on it is reported: it moves weights of draws by a factor of 1.6."""
+"""Error of the log density above which it is reported: it changes weights of draws by a factor of 1.6."""
 
 Progress = Callable[[str], None]
 
 
 def _silent(_text: str) -> None:
-    """Say nothing."""
+    """Ignore progress messages."""
 
 
 @dataclass(frozen=True)
 class PosteriorParameter(Shown):
-    """Knowledge of one parameter, SI.
+    """Posterior of one parameter, SI.
 
     Attributes
     ----------
     unit : str
         SI unit.
     value : float
-        Where the density is greatest (noise only), or the middle of the interval (model error counted).
+        Maximum of the density (noise only), or middle of the interval (model error included).
     mean, standard_deviation : float
-        Of the draws, in SI; with model error counted of what a test machine gives of the part.
+        Mean and standard deviation of the draws, in SI; with model error those of the component value.
     interval : tuple of float
-        95 % of the draws: of the parameter (noise only), or the hull of those of what a test machine gives of the part
-        and of the model's law over the ride (model error counted), as :class:`jounce.Discrepancy` has it.
+        95 % interval of the draws: of the parameter (noise only), or the hull of the intervals of component and
+        effective value (model error included), as in :class:`jounce.Discrepancy`.
     gaussian : tuple of float or None
         95 % interval of the Gaussian approximation, in SI.
     likelihood : tuple of float or None
-        95 % interval of the profile likelihood, in SI; None where it does not end within the bounds. With model error
-        counted it is that of the parameter of the richer model.
+        95 % interval of the profile likelihood, in SI; None if it extends beyond the bounds. With model error it is
+        that of the extended model's parameter.
     convergence : Convergence
         Rank-normalised R-hat and effective numbers of draws (1).
     """
@@ -119,19 +119,19 @@ class PosteriorParameter(Shown):
 
 @dataclass(frozen=True)
 class LikelihoodProfile(Shown):
-    """Log likelihood over one parameter with all others at their best fit, 0 at its maximum.
+    """Profile log likelihood: one parameter varies, all others are at their best fit; 0 at its maximum.
 
     Attributes
     ----------
     values, log_likelihood : ndarray, shape (points,)
-        Values of the parameter (SI) and logarithm of the likelihood over its greatest value (1).
+        Values of the parameter (SI) and log likelihood relative to its maximum (1).
     """
 
     values: Array
     log_likelihood: Array
 
     def interval(self) -> tuple[float, float] | None:
-        """Ends where the log likelihood has fallen by 1.92 (95 %); None if it does not fall that far."""
+        """Return the ends at which the log likelihood has dropped by 1.92 (95 %); None if it does not drop that far."""
         top = int(np.argmax(self.log_likelihood))
         ends = []
         for side in (range(top, -1, -1), range(top, len(self.values))):
@@ -149,45 +149,45 @@ class LikelihoodProfile(Shown):
 
 @dataclass(frozen=True)
 class Posterior(Plain, Shown):
-    """A fit's knowledge of its parameters.
+    """Posterior of the parameters of a fit.
 
     Attributes
     ----------
     name : str
-        As the update is named.
+        Name of the update.
     counted : str
         ``"noise only"`` or ``"model error"``.
     parameters : dict
-        Path to ``PosteriorParameter``.
+        Mapping from path to ``PosteriorParameter``.
     correlation : tuple
         Correlation matrix (1) of the draws, in the order of ``parameters``.
     profiles : dict
-        Path to ``Profile``.
+        Mapping from path to ``LikelihoodProfile``.
     predictions : dict
-        Trial, then channel to ``Band``: what the posterior predicts there, beside what was measured.
+        Mapping from trial to channel to ``PredictionBand``: prediction and measurement.
     draws, chains : int
-        Numbers of draws, and of the chains they belong to.
+        Number of draws and number of chains.
     accepted : float
         Share of accepted steps (1).
     evaluations : int
-        Exact evaluations of the density (each simulates all fitted trials).
+        Number of exact evaluations of the density (each simulates all fitted trials).
     density_error : float
-        Standard deviation (1) of the error of the log density that was sampled, at draws that were evaluated exactly.
-        With model error counted the curvature of the doubts jumps where a wheel lifts off once more or less: its trend
-        over the parameters is sampled, and counts with the trend's standard error.
+        Standard deviation (1) of the error of the sampled log density, at draws that were evaluated exactly. With model
+        error the curvature of the doubts jumps where the number of wheel lift-offs changes: its trend over the
+        parameters is sampled, and the trend's standard error is included.
     seed : int
-        Of everything at random.
+        Seed of all random numbers.
     samples : xarray.Dataset
-        Draws on ``chain`` and ``draw``, SI. Noise only: of each parameter, by its path. With model error counted:
-        ``component of PATH`` and ``effective of PATH``, whose hull is the interval, see :class:`jounce.Discrepancy`;
-        ``richer value of PATH`` is what stands for the parameter in the richer model beside all doubts. It scatters
-        less than either and is the value of no part.
+        Draws with dimensions ``chain`` and ``draw``, SI. Noise only: each parameter, named by its path. With model
+        error: ``component of PATH`` and ``effective of PATH``, whose hull is the interval, see
+        :class:`jounce.Discrepancy`. ``richer value of PATH`` is the parameter of the extended model, beside all doubts;
+        it scatters less than component and effective value and is not the value of a part.
     update : UpdateResult or None
-        The update that it starts from.
+        The update that the posterior starts from.
     findings : tuple of Finding
-        What weakens the result.
+        Limitations of the result.
     basis : Basis or None
-        What it rests on, for :func:`next_trials`; None for other fits.
+        Input of :func:`next_trials`; None for other fits.
     """
 
     left_out = ("samples", "update", "basis")
@@ -216,7 +216,7 @@ class Posterior(Plain, Shown):
 
 @dataclass(frozen=True)
 class UpdatedDensity:
-    """An update with the density around it."""
+    """An update with the density around its estimate."""
 
     update: UpdateResult
     density: NoiseDensity | DoubtDensity
@@ -230,7 +230,7 @@ def update_with_density(
     settings: UpdateSettings,
     progress: Progress,
 ) -> UpdatedDensity:
-    """Update a model, and return the density of its parameters with its basis."""
+    """Update a model, and return the density of its parameters and its basis."""
     name, doubt = settings.name, settings.doubts
     progress(Phrase("{name}: update", name=name))
     bounds_ = bounds_and_priors(trials[0].rig_without, free, name)[0] if trials else {}
@@ -290,16 +290,16 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     predicted_with: int = 50,
     progress: Progress = _silent,
 ) -> Posterior:
-    """Update a model and report all information about its parameters: draws, intervals, predictions.
+    """Update a model and return the posterior of its parameters: draws, intervals, predictions.
 
     Parameters
     ----------
     trials : FitTrial or sequence of FitTrial
-        What was run and measured, as for :func:`update_model`.
+        Set-up and recording of each trial, as for :func:`update_model`.
     free : dict
-        Path to bounds (SI or text with a unit), with ``doubt`` also to bounds and prior, as for :func:`update_model`.
-        Within its bounds every value is as likely beforehand; with ``doubt`` bounds only steer the update, and values
-        below zero are impossible where the lower bound is none.
+        Mapping from path to bounds (SI or text with a unit), with ``doubt`` also to bounds and prior, as for
+        :func:`update_model`. The prior is uniform within the bounds. With ``doubt`` the bounds only guide the update,
+        and negative values are impossible unless the lower bound is negative.
     name, method, channels, align, starts
         As for :func:`update_model`.
     weights : {"printed", "normalised"} or dict
@@ -307,37 +307,37 @@ def posterior(  # noqa: PLR0913 - each is a choice of its own
     bench : dict, optional
         As for :func:`update_model` (SI).
     doubt : Doubt or dict, optional
-        How far model and measurements may be off: then draws count what the model lacks, from three trials on. Without
-        it they count noise only.
+        Uncertainty of model and measurements: with at least three trials the draws then include model error. Without it
+        they include noise only.
     draws : int
         Number of draws, at least: 1000 to 10 million.
     seed : int
-        Of everything at random.
+        Seed of all random numbers.
     predict : sequence of FitTrial, optional
-        Trials for which bands are predicted, the fitted ones by default; an empty sequence for none.
+        Trials to predict bands for, by default the fitted ones; an empty sequence for none.
     predicted_with : int
-        Draws that are simulated exactly for each of them: 2 to 10 000. A band is as unsure as a standard deviation of
-        so many: 10 % with 50.
+        Number of draws that are simulated exactly for each of these trials: 2 to 10 000. The width of a band is as
+        uncertain as a standard deviation of so many draws: 10 % with 50.
     progress : callable
-        Is told in one line of text what is being done.
+        Function that receives progress messages, each one line of text.
 
     Returns
     -------
     Posterior
-        SI.
+        Draws, intervals and predictions, SI.
 
     Raises
     ------
     FitError
-        As :func:`update_model`, for numbers of draws that are none, two trials of one name, and where the data are
-        insensitive to a parameter.
+        As :func:`update_model`, and for an invalid number of draws, two trials with the same name, or data insensitive
+        to a parameter.
     MissingPackageError
         Without the packages of the extra ``posterior``.
 
     Notes
     -----
     The log density is a polynomial through exact values and slopes of the model at some tens of points, sampled by
-    emcee and held against exact values at fresh draws (``density_error``). Diagnostics are those of ArviZ.
+    emcee and compared with exact values at new draws (``density_error``). ArviZ computes the diagnostics.
 
     Examples
     --------
@@ -366,7 +366,7 @@ def posterior_with(
     trials: Sequence[FitTrial], free: Mapping[str, Any], settings: UpdateSettings, *, draws: int, seed: int,
     predict: Sequence[FitTrial] | None, progress: Progress, predicted_with: int = 50,
 ) -> Posterior:  # fmt: skip
-    """Give the posterior of an update with these settings, as :func:`posterior` does."""
+    """Return the posterior of an update with these settings, as :func:`posterior` does."""
     _check_counts(draws, predicted_with, seed)
     _check_names(trials, "trials")
     _check_names(predict or (), "predict")
@@ -401,31 +401,32 @@ def posterior_of(
     draws: int = 20_000,
     seed: int = 1,
 ) -> Posterior:
-    """Posterior of the parameters of any least-squares fit, noise only.
+    """Compute the posterior of the parameters of any least-squares fit, noise only.
 
     Parameters
     ----------
     residuals : callable
-        Gives residuals (n,) and their derivatives (n, parameters) for values (parameters,), in any one unit.
+        Function that returns residuals (n,) and their derivatives (n, parameters) for values (parameters,); all
+        residuals have the same unit.
     free : dict
-        Name to estimate, lower and upper bound, each in the unit of the parameter (SI or any other); the estimate is
-        where the sum of squares is least.
+        Mapping from name to estimate, lower and upper bound, in the unit of the parameter (SI or any other); the
+        estimate minimises the sum of squares.
     name : str
-        Names the result.
+        Name of the result.
     draws : int
         Number of draws, at least: 1000 to 10 million.
     seed : int
-        Of everything at random.
+        Seed of all random numbers.
 
     Returns
     -------
     Posterior
-        Without predictions.
+        The posterior, without predictions.
 
     Raises
     ------
     FitError
-        As :func:`posterior`, and for an estimate outside of its bounds.
+        As :func:`posterior`, and for an estimate outside its bounds.
 
     Examples
     --------
@@ -463,13 +464,13 @@ def posterior_of(
 
 @dataclass(frozen=True)
 class _Given:
-    """Residuals of a function of values."""
+    """Residuals given by a function of the values."""
 
     function: Callable[[Array], tuple[Array, Array]]
     free: tuple[FreeParameter, ...]
 
     def residuals(self, scaled: Array) -> Residuals:
-        """Residuals with their derivatives by scaled unknowns."""
+        """Return residuals with their derivatives by scaled unknowns."""
         values = np.array([item.value(s) for item, s in zip(self.free, scaled, strict=True)])
         try:
             vector, jacobian = (np.asarray(part, dtype=float) for part in self.function(values))
@@ -501,7 +502,7 @@ def _check_counts(draws: int, predicted_with: int, seed: int) -> None:
 
 
 def _check_names(trials: Sequence[FitTrial], where: str) -> None:
-    """Refuse two trials of one name: predictions and lags are reported by it."""
+    """Raise an error for two trials with the same name, which identifies predictions and lags."""
     names = [trial.name for trial in trials]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
@@ -517,7 +518,7 @@ def _noise_level(channel: Channel, residual: Array) -> float:
 def _levels_of(
     problem: UpdateProblem, best: Array, power: Callable[[Channel, Array], float]
 ) -> dict[str, float]:
-    """Standard deviation (SI) by channel, from a power of the residuals."""
+    """Return the standard deviation (SI) by channel, from a power of the residuals."""
     powers: dict[str, list[float]] = {}
     residuals = problem.residuals(best)
     channels = [channel for trial in problem.trials for channel in trial.channels]
@@ -533,7 +534,7 @@ def _sample_and_describe(
     name: str, density: NoiseDensity | DoubtDensity, table: LogDensity, free: Sequence[FreeParameter],
     units: Mapping[str, str], draws: int, seed: int, update: UpdateResult | None,
 ) -> Posterior:  # fmt: skip
-    """Sample and describe a density."""
+    """Sample a density and summarise the draws."""
     import xarray as xr
 
     u, accepted = sample(table, draws, seed)
@@ -594,9 +595,10 @@ def _sample_and_describe(
 def _readings(
     density: DoubtDensity, x: Array, free: Sequence[FreeParameter], seed: int
 ) -> dict[str, Array]:
-    """Draws of what a test machine gives of each part, and of the model's law over the ride, SI.
+    """Return draws of component and effective value of each parameter, SI.
 
-    The unexplained rest is known from as many trials only: deviations have the tails of Student's t distribution.
+    The unexplained residual is known from the fitted trials only: deviations have the tails of Student's t
+    distribution.
     """
     from scipy.stats import chi2
 
@@ -657,7 +659,7 @@ def _weak(
 def _missed_predictions(
     posterior: Posterior, predictions: Mapping[str, Mapping[str, PredictionBand]]
 ) -> list[Finding]:
-    """Say where much lies outside of what was predicted."""
+    """Report channels whose recording is largely outside the predicted band."""
     every = [
         (band.inside, f"{t}, {c}")
         for t, channels in predictions.items()

@@ -1,4 +1,4 @@
-"""What a posterior predicts for trials: bands over the measured curves, each draw simulated exactly."""
+"""Predictions of a posterior for trials: bands with the measured curves, each draw simulated exactly."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 RICHER = "richer value of "
-"""Draws of a parameter as it stands in the richer model, before its path."""
+"""Prefix of the path for draws of a parameter of the extended model."""
 _TOLERANCE = 1e-6  # of displacements, far below what draws differ by
 _TWO_SIDED = 1.959963984540054  # standard deviations to either side of a 95 % interval
 _APART = 0.02  # s by which the lag of a draw may differ from that of their mean
@@ -36,13 +36,13 @@ class PredictionBand(Shown):
     Attributes
     ----------
     time : ndarray, shape (samples,)
-        s.
+        Time, s.
     measured, mean : ndarray, shape (samples,)
         Recording, and mean of the draws, in the channel's unit.
     parameters : ndarray, shape (samples,)
-        Standard deviation that parameters (and doubts) bring in, same unit.
+        Standard deviation due to parameters (and doubts), same unit.
     whole : ndarray, shape (samples,)
-        Standard deviation with noise and, where model error is counted, what nothing explains, same unit.
+        Standard deviation including noise and, with model error, the unexplained residual, same unit.
     inside : float
         Share (1) of the recording within the 95 % band of ``whole``.
     is_fitted : bool
@@ -61,7 +61,7 @@ class PredictionBand(Shown):
     unit: str
 
     def ends(self, *, whole: bool = True) -> tuple[Array, Array]:
-        """Lower and upper end of the 95 % band, of all or of the parameters only."""
+        """Return lower and upper end of the 95 % band, total or due to the parameters only."""
         half = _TWO_SIDED * (self.whole if whole else self.parameters)
         return self.mean - half, self.mean + half
 
@@ -70,7 +70,7 @@ def bands_of(
     density: NoiseDensity | DoubtDensity, basis: Basis, samples: xr.Dataset, trials: Sequence[FitTrial],
     count: int, seed: int,
 ) -> dict[str, dict[str, PredictionBand]]:  # fmt: skip
-    """Predict every channel of some trials, with ``count`` draws each."""
+    """Predict every channel of the given trials, with ``count`` draws each."""
     free = basis.free
     by = RICHER if isinstance(density, DoubtDensity) else ""
     law = np.column_stack([samples[f"{by}{item.path}"].to_numpy().ravel() for item in free])
@@ -102,7 +102,7 @@ def bands_of(
 
 
 _Curves = list[tuple[Channel, Array, str]]
-"""Channels, what was simulated of each for every draw (draws, samples), and units."""
+"""Channels, their simulated readings for every draw (draws, samples), and units."""
 
 
 def _plain(
@@ -135,7 +135,7 @@ def _richer(
     seed: int,
     settings: UpdateSettings,
 ) -> list[_Curves]:
-    """The same with what may be wrong of model and measurement drawn, too."""
+    """Simulate a trial for each draw, with random model and measurement errors."""
     doubts = density.doubts(scaled, seed)
     curves: list[_Curves] = []
     for run in extended_runs(density.fit, trials):
@@ -154,7 +154,7 @@ def _lay_over_recording(
     channels: Sequence[Channel], tables: Mapping[str, list[Array]], units: Mapping[str, str], rate: float, *,
     align: bool,
 ) -> _Curves:  # fmt: skip
-    """Lay draws over a recording, each with the lag that fits it best where lags are fitted: as the update does."""
+    """Align draws with a recording, each with its best-fitting lag if lags are fitted, as in the update."""
     laid = {channel.name: np.array(tables[channel.name]) for channel in channels}
     if align:
         most = max(channels, key=lambda channel: float(np.std(channel.measured)))
@@ -182,7 +182,7 @@ def _lay_over_recording(
 def _levels(
     basis: Basis, density: NoiseDensity | DoubtDensity
 ) -> tuple[Mapping[str, float], dict[str, float]]:
-    """Noise of each channel (SI), and what nothing explains as a share (1) of the power of the signal."""
+    """Return the noise of each channel (SI), and the unexplained part as a share (1) of the signal's power."""
     if not isinstance(density, DoubtDensity):
         return basis.noise, {}
     fit = density.fit
@@ -190,7 +190,7 @@ def _levels(
 
 
 def _moving(signal: Array, time: Array) -> Array:
-    """Root mean square of a signal around each instant; near its ends of what there is."""
+    """Return the root mean square of a signal around each instant; over a shorter window near its ends."""
     width = max(1, min(round(_AROUND / max(float(np.median(np.diff(time))), 1e-9)), len(signal)))
     total, count = (
         np.convolve(values, np.ones(width), mode="same")

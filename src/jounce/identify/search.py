@@ -1,4 +1,4 @@
-"""Search for the parameters with which a model fits best, from one start or from several."""
+"""Search for the best-fitting parameters of a model, from one or several starts."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from jounce.core.types import Array
 from jounce.identify.fit_problem import UpdateProblem
 
 SAME_PLACE = 0.1
-"""Share of half the range: searches that end closer together have found the same place."""
+"""Distance, as a share of half the range, below which two searches have found the same optimum."""
 _BOUND = 1.0 - 1e-6  # of half the range: SciPy's search begins strictly inside its bounds
 AT_BOUND = 1.0 - 1e-5
-"""Scaled value from which on a parameter lies at its bound: searches end somewhat nearer to it."""
+"""Scaled value from which a parameter counts as at its bound; searches end slightly closer to it."""
 _SMALL_GAIN, _PERFECT = 1e-6, 1e-12
-"""Share of the objective that another step could still gain, and of the records' energy: less is an optimum.
+"""Gain of a further step, as a share of the objective and of the records' energy, below which a point is optimal.
 
-At the first, the step that is left is a thousandth of a standard error times the root of the number of samples.
+At the first limit, the remaining step is a thousandth of a standard error times the root of the number of samples.
 """
 
 
 @dataclass(frozen=True)
 class Optimum:
-    """Where an optimiser ended."""
+    """Final point of an optimiser."""
 
     scaled: Array
     objective: float
@@ -36,7 +36,7 @@ class Optimum:
 
 @dataclass(frozen=True)
 class SearchOutcome:
-    """The best point, others by their residual, the number of starts, and whether two starts led to the best."""
+    """The best point, the others sorted by residual, the number of starts, and whether two starts led to the best."""
 
     best: Optimum
     others: tuple[Optimum, ...]
@@ -49,8 +49,8 @@ def search_from_starts(
 ) -> SearchOutcome:
     """Search from ``start`` (scaled) and from Latin-hypercube points within the bounds.
 
-    ``starts`` is their total number. By default searches go on until two have led to the best place, at least
-    `_FEWEST` and at most `_MOST` of them. All but the first are coarse; one that may be better is then completed.
+    ``starts`` is their total number. By default searches continue until two have led to the best optimum, with at least
+    `_FEWEST` and at most `_MOST` starts. All but the first are coarse; one that may be better is then completed.
     """
     if starts == 1:
         return SearchOutcome(minimise(problem, start, method), (), 1, is_confirmed=True)
@@ -73,9 +73,9 @@ _MANY, _FINISHED = (
     4,
 )  # starts from which on they are sifted, and how many of the best are searched to their end
 _FEWEST, _MOST = 4, 8
-"""Starts of a search that ends by itself.
+"""Minimum and maximum number of starts of an adaptive search.
 
-A start that two thirds of all would not share with the truth is noticed by one of three others in 19 of 20 cases.
+If two thirds of all starts lead to a different optimum than the first, one of three others finds it in 19 of 20 cases.
 """
 _AS_GOOD = 1.05  # times the objective of the best, both roughly: a search that ends there has found as good a place
 _COARSE, _LOOSE = (
@@ -110,7 +110,7 @@ def _until_two_agree(problem: UpdateProblem, start: Array, method: str, seed: in
 
 
 def _spread(size: int, count: int, seed: int) -> list[Array]:
-    """Latin-hypercube points between -1 and +1."""
+    """Return Latin-hypercube points between -1 and +1."""
     from scipy.stats import qmc
 
     return list(2.0 * qmc.LatinHypercube(size, seed=seed).random(count) - 1.0)
@@ -121,7 +121,7 @@ def _is_near(first: Optimum, other: Optimum) -> bool:
 
 
 def _each_once(ends: list[Optimum]) -> list[Optimum]:
-    """The first of those that ended in the same place."""
+    """Return distinct optima, keeping the first of those at the same point."""
     apart: list[Optimum] = []
     for end in ends:
         if not any(_is_near(end, other) for other in apart):
@@ -156,9 +156,9 @@ def is_stationary(problem: UpdateProblem, x: Array) -> bool:
 def _rough_ends(
     problem: UpdateProblem, points: list[Array]
 ) -> Iterator[tuple[UpdateProblem, Optimum]]:
-    """Go down from each point with simulations of little effort: the problem that is simulated so, and where it ends.
+    """Descend from each point with coarse simulations; return the coarse problem and the end points.
 
-    A point that cannot be simulated is none.
+    Points that cannot be simulated are skipped.
     """
     from scipy.optimize import least_squares
 
@@ -224,7 +224,7 @@ def _least_squares(problem: UpdateProblem, start: Array) -> tuple[Array, int]:
     count = len(problem.residuals(inside).vector)
 
     def vector(x: Array) -> Array:
-        """Residuals; infinite where a step cannot be simulated, which makes the search try a shorter one."""
+        """Return residuals; infinite if a step cannot be simulated, which makes the search try a shorter one."""
         try:
             return problem.residuals(x).vector
         except SimulationError:

@@ -1,4 +1,4 @@
-"""Settings of an update: what is compared, how the search runs, and which inputs are uncertain."""
+"""Settings of an update: compared channels, search options, and uncertain inputs."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ class UpdateSettings:
     name, method, weights, channels, align, lag_bound, starts, seed, tolerance, doubt, nuisances, bench
         As for :func:`jounce.update_model`.
     doubts : Doubt or None
-        ``doubt``, read where it was given as a table.
+        ``doubt``, converted if it was given as a table.
 
     Raises
     ------
     FitError
-        For a method, an alignment, a number of starts or a largest lag that is none.
+        For an invalid method, alignment, number of starts or largest lag.
     DescriptionError
-        For doubts that are none.
+        For invalid doubts.
     SimulationError
         For a tolerance out of range.
     """
@@ -74,5 +74,5 @@ class UpdateSettings:
 
     @property
     def fits_lags(self) -> bool:
-        """Whether the lag of each recording is estimated, too."""
+        """Whether the lag of each recording is estimated as well."""
         return self.align == "lag"

@@ -10,9 +10,9 @@ from jounce.core.types import Array
 
 
 def noise_of(signal: Array) -> float:
-    """Standard deviation of the white noise in a smooth signal, unit of the signal.
+    """Estimate the standard deviation of the white noise in a smooth signal, in its unit.
 
-    Third differences remove the motion; their median absolute value is not disturbed by single jumps.
+    Third differences remove the motion; their median absolute value is robust to single jumps.
 
     >>> noise_of(np.sin(np.linspace(0.0, 6.0, 2000))) < 1e-6
     True
@@ -21,7 +21,7 @@ def noise_of(signal: Array) -> float:
 
 
 def quantum_of(x: Array) -> float:
-    """Step of the values of a signal, its unit; 0 where they are not quantised."""
+    """Return the quantisation step of a signal, in its unit; 0 if it is not quantised."""
     values = np.unique(x)
     gaps = np.diff(values[np.append(True, np.diff(values) > 1e-9 * max(float(np.ptp(x)), 1e-300))])
     if len(gaps) < 2 or len(gaps) > 0.5 * len(
@@ -34,7 +34,7 @@ def quantum_of(x: Array) -> float:
 
 
 def zigzag(signal: Array, threshold: float) -> list[int]:
-    """Indices of the first sample and of the turning points that the signal leaves by more than ``threshold``.
+    """Return indices of the first sample and of the turning points followed by a swing larger than ``threshold``.
 
     >>> zigzag(np.array([0.0, 3.0, 2.9, 3.1, 0.0, 1.0]), 0.5)
     [0, 3, 4]
@@ -54,9 +54,10 @@ def zigzag(signal: Array, threshold: float) -> list[int]:
 
 
 def count_lost_samples(time: Array, signal: Array) -> int:
-    """Count places where a smooth signal jumps as if samples were missing, although the time advances evenly.
+    """Count gaps where a smooth signal jumps as if samples were missing, although the time steps are even.
 
-    There one step is larger by half and more than two on either side, which are alike and far above the noise.
+    At a gap one step is at least 1.5 times as large as the two on either side, which are similar and far above the
+    noise.
 
     >>> t = np.arange(400) * 1e-3
     >>> count_lost_samples(t, np.sin(20.0 * t)), count_lost_samples(t, np.sin(20.0 * np.append(t[:9], t[9:] + 2e-3)))

@@ -1,8 +1,8 @@
 """Sign conventions of a test machine for stroke and force, stated or detected; jounce takes compression as positive.
 
-Physics decides what it can: a damper dissipates, so the product of both signs is known; the gas behind its piston
-pushes outwards, so a force that stays at rest in mid-stroke tells the sign of the force. A turned stroke (or both
-columns turned) swaps bump and rebound, which nothing else in the record would show.
+Physics determines part of them. A damper dissipates, so the product of stroke and force sign is known. Its gas pressure
+pushes outwards, so a static force in mid-stroke shows the sign of the force. A reversed stroke, alone or together with
+the force, swaps bump and rebound, which nothing else in the record shows.
 """
 
 from __future__ import annotations
@@ -43,17 +43,17 @@ class Signs:
 
     @property
     def stroke_positive(self) -> StrokePositive:
-        """In words."""
+        """Positive direction of the stroke, in words."""
         return "compression" if self.stroke > 0 else "extension"
 
     @property
     def force_positive(self) -> ForcePositive:
-        """In words."""
+        """Positive direction of the force, in words."""
         return "compression" if self.force > 0 else "tension"
 
 
 def sign_of(positive: str | None, kind: Literal["stroke", "force"], *, where: str = "") -> int:
-    """Read "compression" (or nothing) as +1, "extension" of a stroke or "tension" of a force as -1.
+    """Convert "compression" (or None) to +1, "extension" of a stroke or "tension" of a force to -1.
 
     >>> sign_of("extension", "stroke"), sign_of(None, "force")
     (-1, 1)
@@ -85,7 +85,7 @@ def compression_positive(
 
 
 def check_stroke(channel: str, stroke_positive: StrokePositive | None, *, where: str) -> None:
-    """Refuse a stroke sign stated for a channel that is not a stroke (a height is positive upwards)."""
+    """Raise an error for a stroke sign stated for a channel that is not a stroke (a height is positive upwards)."""
     if stroke_positive is not None and quantity_of(channel) not in _STROKES:
         raise DescriptionError(
             "the channel is no stroke, whose sign could be stated",
@@ -97,7 +97,7 @@ def check_stroke(channel: str, stroke_positive: StrokePositive | None, *, where:
 
 
 def likeness(measured: Array, simulated: Array, most: int) -> float:
-    """Correlation of two signals at the shift up to ``most`` samples where they are most alike, or most opposite [1].
+    """Return the correlation of two signals with the largest magnitude over shifts up to ``most`` samples [1].
 
     >>> round(likeness(np.sin(np.arange(99.0)), -np.sin(np.arange(99.0)), 2), 3)
     -1.0
@@ -117,9 +117,9 @@ def turned_channel(name: str, like: float, trials: list[str]) -> Finding:
 
 
 def closed_part(stroke: Array) -> slice:
-    """Samples from the first pass of mid-stroke to the last, of whole cycles where there is one.
+    """Return the samples from the first to the last crossing of mid-stroke, as complete cycles if there are any.
 
-    Gas and springs do no work there, however the record begins and ends.
+    Over these samples gas and springs do no net work, regardless of the start and end of the record.
 
     >>> closed_part(np.array([0.0, 2.0, 0.0, -2.0, 1.0, 2.0, 1.0]))
     slice(0, 4, None)
@@ -144,9 +144,9 @@ def damper_signs(
 ) -> Signs:
     """Find the signs of a damper record from statements and physics; findings name a reversed column.
 
-    ``velocity`` is the derivative of the ``stroke`` as recorded. A statement is trusted as far as the damper
-    dissipates. Without one compression is taken as positive, and a finding of severity "warning" says when the record
-    contradicts that, or when bump and rebound differ and nothing in the record could confirm it.
+    ``velocity`` is the derivative of the ``stroke`` as recorded. Stated signs are used if the damper then dissipates.
+    By default compression is positive, and a finding of severity "warning" reports if the record contradicts this, or
+    if bump and rebound differ and the record cannot confirm it.
     """
     stated = Signs(
         sign_of(stroke_positive, "stroke", where=name),
@@ -174,7 +174,7 @@ def damper_signs(
 
 @dataclass(frozen=True)
 class _Choice:
-    """What is known where the signs are decided; ``gas`` is the sign of the force at rest as stated, 0 where none."""
+    """Information for the choice of signs; ``gas`` is the sign of the static force as stated, 0 without one."""
 
     stated: Signs
     stroke_is_stated: bool
@@ -184,7 +184,7 @@ class _Choice:
     unlike: bool  # or the gas pulls
 
     def dissipating(self, add: Callable[..., None]) -> Signs:
-        """Stroke and force agree: both signs are right, or both are reversed."""
+        """Choose signs if stroke and force agree: both are correct, or both are reversed."""
         stated = self.stroke_is_stated or self.force_is_stated
         if not self.unlike or self.gas > 0 or (stated and not self.gas):
             return self.stated
@@ -196,7 +196,7 @@ class _Choice:
         return self.stated
 
     def reverse_one(self, add: Callable[..., None]) -> Signs:
-        """Stroke and force contradict each other: exactly one column is reversed, and the gas force tells which."""
+        """Choose signs if stroke and force contradict each other: one is reversed, and the gas force shows which."""
         both = self.stroke_is_stated and self.force_is_stated
         if self.stroke_is_stated != self.force_is_stated:
             column = "force" if self.stroke_is_stated else "stroke"
@@ -227,7 +227,7 @@ class _Choice:
 
 
 def static_force(stroke: Array, velocity: Array, force: Array) -> Estimate:
-    """Force at rest in mid-stroke (N), from slow motion, without damping, friction and spring."""
+    """Estimate the static force in mid-stroke (N) from slow motion, without damping, friction and spring."""
     peak = float(np.abs(velocity).max())
     for share in (_SLOW, 2.0 * _SLOW, 1.0):
         slow = np.abs(velocity) <= share * peak
@@ -247,7 +247,7 @@ def static_force(stroke: Array, velocity: Array, force: Array) -> Estimate:
 
 
 def _sign(rest: Estimate, force: Array) -> int:
-    """Sign of a force at rest, 0 where it may be none."""
+    """Return the sign of a static force, 0 if it is not significant."""
     if abs(rest.value) < _SMALL * float(np.ptp(force)) or (
         rest.interval is not None and rest.has(0.0)
     ):
@@ -256,7 +256,7 @@ def _sign(rest: Estimate, force: Array) -> int:
 
 
 def _unlike(velocity: Array, force: Array, rest: float) -> bool:
-    """Whether bump and rebound differ so that swapping them matters."""
+    """Whether bump and rebound differ enough for a swap to matter."""
     bump, rebound = velocity > 0.0, velocity < 0.0
     if not bump.any() or not rebound.any():
         return False

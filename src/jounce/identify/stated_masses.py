@@ -1,4 +1,4 @@
-"""Compare stated masses with trials: recorded motion determines their ratios, but not their scale."""
+"""Compare stated masses with trials: recorded motion determines the ratios of masses, but not their scale."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _BY_MASS = (
 
 
 def stated_masses(rig: Rig, free: Sequence[str]) -> dict[str, float]:
-    """Masses (kg) of the equations that are not fitted, by path."""
+    """Return the masses (kg) of the equations that are not fitted, by path."""
     used = compile_rig(rig).facts.parameters
     values = rig.parameters()
     return {
@@ -43,7 +43,7 @@ def stated_masses(rig: Rig, free: Sequence[str]) -> dict[str, float]:
 
 
 def static_load(rig: Rig, numbers: Mapping[str, float]) -> float:
-    """Wheel load (N) at rest of a rig of one wheel: it carries all masses, since guides take no vertical force."""
+    """Compute the static wheel load (N) of a one-wheel rig, which carries all masses: guides take no vertical force."""
     used = compile_rig(rig).facts.parameters
     return numbers["gravity"] * sum(
         value for path, value in numbers.items() if path.endswith("mass") and path in used
@@ -51,7 +51,7 @@ def static_load(rig: Rig, numbers: Mapping[str, float]) -> float:
 
 
 def loads_held_against_masses(trials: Sequence[FitTrial]) -> list[Finding]:
-    """Name the trials whose measured wheel load at rest is not that of the stated masses; refuse whole vehicles."""
+    """Report trials whose measured static wheel load contradicts the stated masses; raise an error for vehicles."""
     findings = []
     for trial in trials:
         if trial.wheel_load is None:
@@ -83,10 +83,10 @@ _WEIGHED = 0.02  # of a load: as far as masses of lumped rigs are doubted
 
 
 def preferred_masses(problem: UpdateProblem, scaled: Array) -> list[Finding]:
-    """Report if other masses would halve the residual, and the mass ratio that the data prefer.
+    """Report if different masses would halve the residual, and the mass ratio that fits best.
 
-    ``scaled`` is the optimum of ``problem`` with the masses as stated. Their common scale is nothing that the data
-    know: the sum stays as stated.
+    ``scaled`` is the optimum of ``problem`` with the stated masses. The data do not determine their common scale, so
+    the stated sum is kept.
     """
     rig = problem.trials[0].source.rig
     masses = stated_masses(rig, [item.path for item in problem.free])
@@ -139,10 +139,10 @@ def scale_of_masses(
     *,
     is_weighed: bool = False,
 ) -> list[Finding]:
-    """Report that, without a measured force, the stated masses set the scale of all rates.
+    """Report that, without a measured force, the stated masses determine the scale of all rates.
 
-    ``doubt`` is how far the masses may be off (1, 95 %), ``known`` the parameters that have a value of their own
-    beforehand; ``is_weighed`` tells that the wheel load at rest was measured.
+    ``doubt`` is the uncertainty of the masses (1, 95 %), ``known`` are the parameters with independent prior values;
+    ``is_weighed`` is true if the static wheel load was measured.
     """
     if is_weighed:
         return []
@@ -166,10 +166,10 @@ def off_together(
     contradicted: Collection[str],
     angle: float,
 ) -> list[Finding]:
-    """Report the masses or strut angle that would explain rates that all differ from their bench values by one factor.
+    """Report masses or a strut angle that would explain rates that all differ from bench values by one factor.
 
-    ``updated`` are values of the update by path, ``bench`` those of component tests (both SI), ``contradicted`` the
-    paths for which the two disagree; ``angle`` is the stated strut angle in rad.
+    ``updated`` are values of the update by path, ``bench`` those of component tests (SI), ``contradicted`` the paths
+    for which they disagree; ``angle`` is the stated strut angle in rad.
     """
     tested = [
         path

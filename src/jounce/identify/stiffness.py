@@ -1,4 +1,4 @@
-"""Stiffness from several force-deflection trials, with its uncertainty and its limits; tyres at several pressures."""
+"""Stiffness from several force-deflection trials, with uncertainty and limits; tyres at several pressures."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ LAWS: tuple[Law, ...] = ("linear", "polynomial", "power", "monotone-spline")
 
 @dataclass(frozen=True)
 class FittedCurve:
-    """A force-deflection law as plain numbers that can be evaluated.
+    """A force-deflection law with numeric parameters.
 
     Attributes
     ----------
@@ -55,13 +55,13 @@ class FittedCurve:
         ``polynomial``: F = preload + sum of coefficients[i] * x^(i+1); ``power``: F = a x^b with coefficients (a, b);
         ``table``: monotone cubic (PCHIP) through ``deflection`` and ``force``.
     coefficients : tuple of float
-        N/m, N/m^2, ...; or (a [N/m^b], b [1]); empty for a table.
+        Coefficients in N/m, N/m^2, ...; or (a [N/m^b], b [1]); empty for a table.
     deflection, force : tuple of float
         Knots of a table [m], [N]; empty otherwise.
     preload : float
         Force at x = 0 [N]; only with ``intercept="keep"``.
     origin : float
-        Deflection of the trials at which x = 0 [m]; not zero only with ``intercept="shift"``.
+        Deflection of the trials at which x = 0 [m]; zero except with ``intercept="shift"``.
     """
 
     kind: Literal["polynomial", "power", "table"]
@@ -72,7 +72,7 @@ class FittedCurve:
     origin: float = 0.0
 
     def __call__(self, deflection: ArrayLike) -> Array:
-        """Give the force [N] at deflections of the trials [m], same shape."""
+        """Return the force [N] at deflections of the trials [m], same shape."""
         x = as_samples(deflection, "m", where="deflection") - self.origin
         if self.kind == "polynomial":
             return np.asarray(
@@ -84,7 +84,7 @@ class FittedCurve:
         return np.asarray(self._spline()(x))
 
     def tangent(self, deflection: ArrayLike) -> Array:
-        """Give dF/dx [N/m] at deflections of the trials [m], same shape."""
+        """Return dF/dx [N/m] at deflections of the trials [m], same shape."""
         x = as_samples(deflection, "m", where="deflection") - self.origin
         if self.kind == "polynomial":
             powers = np.arange(1, len(self.coefficients) + 1)
@@ -102,7 +102,7 @@ class FittedCurve:
         return PchipInterpolator(self.deflection, self.force, extrapolate=True)
 
     def deflection_at(self, force: float, limit: float) -> float | None:
-        """Find the deflection [m] in 0...``limit`` at which the curve reaches ``force`` [N]; None when it does not."""
+        """Find the deflection [m] in 0...``limit`` at which the curve reaches ``force`` [N]; None if it does not."""
         grid = np.linspace(self.origin, max(limit, self.origin + 1e-9), 2001)
         values = self(grid)
         above = np.flatnonzero(values >= force)
@@ -114,9 +114,9 @@ class FittedCurve:
         return float(np.interp(force, values[index - 1 : index + 1], grid[index - 1 : index + 1]))
 
     def to_table(self, limit: float) -> dict[str, Any]:
-        """Give the curve as it is written in a rig file, SI, from x = 0 on; a power law as a table up to ``limit`` [m].
+        """Return the curve in the form of a rig file, SI, from x = 0 on; a power law as a table up to ``limit`` [m].
 
-        A preload is not part of it: it has its own key in the rig.
+        It excludes a preload, which has its own key in the rig.
         """
         if self.kind == "polynomial":
             return {"kind": "polynomial", "coefficients": list(self.coefficients)}
@@ -132,7 +132,7 @@ class FittedCurve:
 
 @dataclass(frozen=True)
 class CurveFit:
-    """One fit of a law to points: parameters in the law's order, with the intercept last where there is one."""
+    """One fit of a law to points: parameters in the law's order, followed by the intercept if there is one."""
 
     curve: FittedCurve
     parameters: Array
@@ -143,7 +143,7 @@ class CurveFit:
 def fit_curve(
     deflection: Array, force: Array, *, law: Law, degree: int, intercept: str, where: str
 ) -> CurveFit:
-    """Fit one law to one set of points (deflection, force, both (n,), SI); ``where`` names it in errors."""
+    """Fit a law to a set of points (deflection and force, each (n,), SI); errors mention ``where``."""
     needed = {"linear": 2, "polynomial": degree, "power": 2, "monotone-spline": 4}[law]
     if len(np.unique(deflection)) <= needed:
         raise FitError(
@@ -245,7 +245,7 @@ def _monotone(deflection: Array, force: Array) -> CurveFit:
 
 
 def _end_force(deflection: Array, force: Array) -> float:
-    """Force at the largest deflection, from a line through the last tenth of the range."""
+    """Return the force at the largest deflection, from a line through the last tenth of the range."""
     near = deflection >= 0.9 * deflection.max()
     if np.ptp(deflection[near]) == 0.0:
         return float(force[near].mean())
@@ -253,7 +253,7 @@ def _end_force(deflection: Array, force: Array) -> float:
 
 
 def _increasing(values: Array, weights: Array) -> Array:
-    """Nearest non-decreasing sequence in weighted least squares (pool adjacent violators)."""
+    """Return the nearest non-decreasing sequence in weighted least squares (pool adjacent violators)."""
     blocks: list[list[float]] = []
     for value, weight in zip(values, weights, strict=True):
         blocks.append([float(value), float(weight), 1.0])
@@ -281,12 +281,12 @@ _RATE, _FORCE, _DEFLECTION = in_motion("stiffness"), in_motion("force"), in_moti
 
 @dataclass(frozen=True)
 class TrialStiffness(Plain):
-    """Result of one trial alone: ``stiffness`` [N/m] as in :class:`StiffnessResult`, from this trial alone.
+    """Result of a single trial: ``stiffness`` [N/m] as in :class:`StiffnessResult`, from this trial alone.
 
-    ``intercept`` [N] is the force of the fitted line at zero deflection, None for laws without one; ``loss_factor`` [1]
-    is energy lost / (2 pi work of loading), None without an unloading branch, as is the ``hysteresis_energy`` of the
-    cycle [J]; ``rms_residual`` [N] is that of measured minus fitted force over the ``points`` used. ``motion`` is that
-    of the result.
+    ``intercept`` [N] is the force of the fitted line at zero deflection, None for laws without one. ``loss_factor`` [1]
+    is energy lost / (2 pi work of loading); it and the ``hysteresis_energy`` of the cycle [J] are None without an
+    unloading branch. ``rms_residual`` [N] is that of measured minus fitted force over the ``points`` used. ``motion``
+    is that of the result.
     """
 
     name: Annotated[str, Shows("trial")]
@@ -303,31 +303,31 @@ class TrialStiffness(Plain):
 
 @dataclass(frozen=True)
 class StiffnessResult(Shown):
-    """Stiffness of a spring, a tyre, or a part that is twisted.
+    """Stiffness of a spring, a tyre, or a part in torsion.
 
     Attributes
     ----------
     motion : {"translation", "rotation"}
-        Along a line or about an axis. For a rotation read angle [rad] for deflection, torque [N m] for force, and
-        N m/rad for N/m below.
+        Along a line or about an axis. For a rotation read angle [rad] instead of deflection, torque [N m] instead of
+        force, and N m/rad instead of N/m below.
     law : str
         Force law that was fitted.
     stiffness : Estimate
-        Linear law: the slope. Other laws: the tangent at ``operating_force``, or at the middle of the fitted range when
-        no operating force was given [N/m]. The interval treats the trials as the replicates; of a polynomial or power
-        law it also counts how far polynomials of one and two more degrees lie from it there.
+        Linear law: the slope. Other laws: the tangent at ``operating_force``, or at the middle of the fitted range
+        without an operating force [N/m]. The interval treats the trials as replicates. For a polynomial or power law it
+        includes the difference from polynomials of one and two higher degrees.
     intercept : Estimate or None
         Force of the fitted line at zero deflection [N]; None for laws that pass through the origin.
     intercept_choice : {"drop", "shift", "keep"}
-        What ``curve`` does with it.
+        Treatment of the intercept in ``curve``.
     zero : {"first-contact", "none"}
-        Where deflections and forces of the trials begin.
+        Zero of deflections and forces of the trials.
     branch : {"loading", "unloading", "both"}
-        Which part of each trial was fitted.
+        Part of each trial that was fitted.
     coefficients : tuple of Estimate
         Parameters of the law: slope [N/m]; a_i [N/m^i]; a [N/m^b] and b [1]; forces at the knots [N].
     curve : FittedCurve
-        The law as numbers; ``curve.to_table(limit)`` writes it as a rig file does.
+        The fitted law; ``curve.to_table(limit)`` returns it in the form of a rig file.
     fitted_range : (float, float)
         Smallest and largest deflection used [m].
     force_range : (float, float)
@@ -341,11 +341,11 @@ class StiffnessResult(Shown):
     operating_deflection : float or None
         Deflection at which the trials reach ``operating_force`` [m].
     tangent_stiffness : Estimate or None
-        Slope of the *measured* loading branches around that deflection, discarded points included [N/m].
+        Slope of the *measured* loading branches around ``operating_deflection``, discarded points included [N/m].
     trials : tuple of TrialStiffness
         One entry per trial.
     findings : tuple of Finding
-        What weakens the result.
+        Limitations of the result.
     """
 
     motion: MotionName
@@ -377,7 +377,7 @@ class StiffnessResult(Shown):
 
     @property
     def coefficient_units(self) -> tuple[str, ...]:
-        """SI unit of each of the coefficients."""
+        """SI unit of each coefficient."""
         force, deflection = _FORCE(self), _DEFLECTION(self)
         if self.law == "monotone-spline":
             return (force,) * len(self.coefficients)
@@ -388,7 +388,7 @@ class StiffnessResult(Shown):
 
     @property
     def of_branch(self) -> str:
-        """Suffix of the fit in a legend: ``", loading"`` where the trials were unloaded as well, else nothing."""
+        """Suffix of the fit in a legend: ``", loading"`` if the trials include unloading, otherwise empty."""
         return f", {self.branch}" if self.branch != "both" and self.loss_factor is not None else ""
 
 
@@ -405,8 +405,8 @@ def fit_stiffness(
 ) -> StiffnessResult:
     """Fit a force law to repeated force-deflection trials.
 
-    The points of all trials are fitted together; the uncertainty comes from the scatter *between* trials, because the
-    points of one trial repeat each other's errors. A single trial is judged by its residuals, with a finding.
+    The points of all trials are fitted together. The uncertainty comes from the scatter *between* trials, because the
+    points of one trial share their errors. For a single trial it comes from the residuals, with a finding.
 
     Parameters
     ----------
@@ -419,16 +419,16 @@ def fit_stiffness(
     degree : int
         Degree of the polynomial law [1], 1 to 9.
     discard_below : float
-        Points with a smaller deflection after the zero correction are not fitted [m or rad], e.g. 0.002 for a tyre
-        that first settles on its support.
+        Points with a smaller deflection after the zero correction are not fitted [m or rad], e.g. 0.002 for a tyre that
+        settles on its support.
     intercept : {"drop", "shift", "keep"}
-        Linear law only: k and b are always both fitted. ``drop``: the curve is F = k x, only the slope goes on into a
-        model. ``shift``: the curve is F = k (x - x0) with x0 = -b/k, deflection is counted from there.
-        ``keep``: the curve is F = b + k x, b being a preload.
+        Linear law only; k and b are always fitted. ``drop``: the curve is F = k x, a model receives the slope only.
+        ``shift``: the curve is F = k (x - x0) with x0 = -b/k, and deflection is measured from x0. ``keep``: the curve
+        is F = b + k x with the preload b.
     branch : {"loading", "unloading", "both"}
-        Which part of each trial is fitted; loading ends at the largest deflection.
+        Part of each trial to fit; loading ends at the largest deflection.
     operating_force : float or None
-        Static force the part will carry [N or N m]; a finding tells when that point lies outside the fitted range.
+        Static force on the part in use [N or N m]; a finding reports an operating point outside the fitted range.
     zero : {"first-contact", "none"}
         See :func:`jounce.identify.force_deflection.seat`.
 
@@ -440,8 +440,8 @@ def fit_stiffness(
     Raises
     ------
     FitError
-        No trials, trials of forces and of torques, fewer points than the law needs, NaN, unequal lengths,
-        ``discard_below`` beyond the data, a force that does not grow, rows from the largest deflection to the zero.
+        No trials, a mixture of forces and torques, fewer points than the law needs, NaN, unequal lengths,
+        ``discard_below`` beyond the data, a force that does not increase, rows from the largest deflection to the zero.
     DescriptionError
         An unknown law, branch or intercept.
 
@@ -541,7 +541,7 @@ def fit_stiffness(
 
 
 def _motion_of(trials: Sequence[ForceDeflectionTrial]) -> MeasuredMotion:
-    """What all trials are of: forces over deflections, or torques over angles."""
+    """Return the common motion of all trials: translation (force, deflection) or rotation (torque, angle)."""
     if not trials:
         raise FitError("no trials to fit", allowed="at least one force-deflection trial")
     for trial in trials:
@@ -595,7 +595,7 @@ _AT_ZERO = 0.02  # of the stroke: a trial that reaches no farther beyond its zer
 
 
 def _copies(trials: Sequence[SeatedTrial]) -> list[Finding]:
-    """Tell which trials hold the very numbers of another one: such are no repetition."""
+    """Report trials with the same data as a different trial, which are not repetitions."""
     first: dict[tuple[bytes, bytes], str] = {}
     findings = []
     for trial in trials:
@@ -608,7 +608,7 @@ def _copies(trials: Sequence[SeatedTrial]) -> list[Finding]:
 def _points_to_fit(
     trial: SeatedTrial, branch: Branch, discard_below: float, law: Law, findings: list[Finding]
 ) -> tuple[Array, Array]:
-    """Points to fit: both sides of a trial that goes into tension, where the law has two."""
+    """Return the points to fit; for laws that include tension, those of both sides of a two-sided trial."""
     deflection, force = trial.branch(branch)
     has_both = trial.is_two_sided() and law in ("linear", "polynomial")
     use = (np.abs(deflection) if has_both else deflection) >= discard_below
@@ -641,7 +641,7 @@ def _points_to_fit(
 
 
 def _stiffness(fit: CurveFit, at: float) -> Estimate:
-    """Tangent at deflection ``at`` [m] with its residual-based uncertainty."""
+    """Return the tangent at deflection ``at`` [m] with its residual-based uncertainty."""
     value = float(fit.curve.tangent(at + fit.curve.origin if fit.curve.origin else at))
     if fit.uncertainty is None:
         return Estimate(value)
@@ -649,16 +649,16 @@ def _stiffness(fit: CurveFit, at: float) -> Estimate:
 
 
 _DEGREES: dict[Law, int] = {"polynomial": 0, "power": 2}
-"""Laws whose shape is a choice, with the degree of the polynomial that is as free (0: its own)."""
+"""Laws with an assumed shape, with the degree of the equally flexible polynomial (0: the degree of the law)."""
 
 
 def _with_law(
     stiffness: Estimate, x: Array, force: Array, at: float, degree: int, motion: MeasuredMotion
 ) -> tuple[Estimate, list[Finding]]:
-    """The tangent at ``at`` (SI) with an interval that counts the choice of the law, and findings about it.
+    """Return the tangent at ``at`` (SI) with an interval that includes the choice of the law, and findings about it.
 
-    All trials share the error of the law, so their scatter does not show it. Polynomials of one and two more degrees
-    have less of it: the larger difference of their tangents is added to the half width by squares.
+    All trials share the error of the law, so their scatter does not show it. Polynomials of one and two higher degrees
+    have a smaller error: the larger difference of their tangents is added in quadrature to the half width.
     """
     others = []
     for more in (1, 2):
@@ -716,7 +716,7 @@ def _operating_point(
     motion: MeasuredMotion,
     findings: list[Finding],
 ) -> tuple[float | None, Estimate | None]:
-    """Deflection at which the trials carry ``force``, and the slope measured there."""
+    """Return the deflection at which the trials carry ``force``, and the measured slope there."""
     (low, reach), rate = fitted, unit_in_words(motion.stiffness)
     deflections, slopes = [], []
     for trial in trials:
@@ -758,7 +758,7 @@ def _operating_point(
 
 
 def _slope_at(x: Array, force: Array, width: float) -> float | None:
-    """Slope [N/m] at x = 0 of a parabola (a line when points are few) through the points within ``width`` [m]."""
+    """Return the slope [N/m] at x = 0 of a parabola (for only a few points a line) through points within ``width``."""
     near = np.abs(x) <= width
     degree = 2 if len(np.unique(x[near])) >= 5 else 1
     if len(np.unique(x[near])) < 2:
@@ -778,7 +778,7 @@ def _advice(
     rows: Sequence[TrialStiffness],
     motion: MeasuredMotion,
 ) -> list[Finding]:
-    """Findings about the fit; ``preload`` is the intercept where it is kept."""
+    """Return findings about the fit; ``preload`` is the intercept if it is kept."""
     findings: list[Finding] = []
     rate = unit_in_words(motion.stiffness)
 
@@ -837,7 +837,7 @@ _SPRINGS: dict[str, tuple[float, float, str]] = {
     "translation": (100.0, 5e6, "spring, tyre or bush of a vehicle"),
     "rotation": (1.0, 1e7, "bar, bush or frame of a vehicle"),
 }
-"""Softer and stiffer (SI) is none; the stiffest frames are twisted by 1 degree with 50 kN m, which is 3e6 N m/rad."""
+"""Plausible range (SI); the stiffest frames twist by 1 degree under 50 kN m, which is 3e6 N m/rad."""
 
 
 def _no_spring(rate: float, motion: MeasuredMotion) -> list[Finding]:
@@ -895,11 +895,11 @@ class PressureStiffness(Shown):
     slope : float or None
         dk/dp of the line through all points [N/m/Pa]; None for one pressure.
     at_zero_pressure : float or None
-        Stiffness that line gives at no pressure: the carcass [N/m].
+        Stiffness of that line at zero pressure: the carcass stiffness [N/m].
     exponent : float or None
-        n of the power law k ~ p^n through all points [1]. Not 1: stiffness is not proportional to pressure.
+        n of the power law k ~ p^n through all points [1]; usually not 1, as stiffness is not proportional to pressure.
     findings : tuple of Finding
-        E.g. a stiffness that falls with the pressure.
+        Findings, e.g. a stiffness that decreases with pressure.
     """
 
     pressures: tuple[float, ...]
@@ -912,8 +912,8 @@ class PressureStiffness(Shown):
     def at(self, pressure: float) -> tuple[Estimate, list[Finding]]:
         """Interpolate the stiffness [N/m] linearly between measured pressures [Pa].
 
-        The interval combines those of the two neighbouring pressures. Outside the measured pressures the nearest two
-        are extended, with a warning; a single one is returned unchanged. Pressures that are not positive are refused.
+        The interval combines those of the two neighbouring pressures. Outside the measured range the nearest two are
+        extrapolated, with a warning; a single measurement is returned unchanged. Pressures must be positive.
         """
         if not (math.isfinite(pressure) and pressure > 0.0):
             raise FitError(
@@ -959,9 +959,9 @@ def _blend(low: Estimate, high: Estimate, share: float) -> Estimate:
 
 
 def stiffness_against_pressure(points: Sequence[tuple[float, Estimate]]) -> PressureStiffness:
-    """Collect the radial stiffnesses of one tyre at several pressures [Pa], in any order, each pressure once.
+    """Collect the radial stiffness of a tyre at several pressures [Pa], in any order, each pressure once.
 
-    Refused are no points, a pressure that is not positive or given twice, and a stiffness that is not positive.
+    No points, a pressure that is not positive or given twice, or a stiffness that is not positive raise an error.
 
     >>> tyre = stiffness_against_pressure([(0.25e6, Estimate(125800.0)), (0.31e6, Estimate(138468.0))])
     >>> round(tyre.slope, 5), round(tyre.exponent, 3), round(tyre.at(0.28e6)[0].value)

@@ -1,6 +1,6 @@
-"""Compare the residuals of a fit with possible faults of records and trials: filters, speed, height, reference.
+"""Test the residuals of a fit for possible faults of records and trials: filters, speed, height, reference.
 
-Each suspect is tried as a change of the readings, or as one more unknown, after one step of what was fitted.
+Each suspect is modelled as a change of the readings or as a further unknown, after one step of the fitted values.
 """
 
 from __future__ import annotations
@@ -38,10 +38,10 @@ _MATTERS = 1e-4  # of the energy of the records: less is not worth a word
 
 @dataclass(frozen=True)
 class WeightedResiduals:
-    """Weighted residuals of all trials at the optimum, and their derivatives by all fitted values, a column each.
+    """Weighted residuals of all trials at the optimum, and their derivatives by all fitted values, one column each.
 
-    ``readings`` are rows, weight, simulated reading, sample rate (Hz) of a channel in each trial, with whether a
-    constant of it is free.
+    ``readings`` contains, for each channel in each trial, its rows, weight, simulated reading and sample rate (Hz), and
+    whether its offset is free.
     """
 
     vector: Array
@@ -51,17 +51,17 @@ class WeightedResiduals:
 
     @property
     def size(self) -> float:
-        """Sum of squares."""
+        """Sum of squares of the residuals."""
         return float(self.vector @ self.vector)
 
     def rate_of(self, channel: str) -> float:
-        """Lowest sample rate of a channel, Hz."""
+        """Return the lowest sample rate of a channel, Hz."""
         return min(reading[3] for reading in self.readings[channel])
 
     def explained_by(self, slope: Array) -> tuple[float, float]:
-        """Value of one more unknown, and the share of the residual that it would explain (1).
+        """Return the value of a further unknown, and the share of the residual that it would explain (1).
 
-        ``slope`` is the derivative of the residuals by it.
+        ``slope`` is the derivative of the residuals by this unknown.
         """
         if self.size < _MATTERS * self.energy:
             return 0.0, 0.0
@@ -76,12 +76,12 @@ class WeightedResiduals:
 
     @cached_property
     def fitted_space(self) -> Array:
-        """Orthonormal directions of the residuals that the fitted values can change."""
+        """Orthonormal basis of the residual changes that the fitted values can produce."""
         directions, sizes, _ = np.linalg.svd(self.jacobian, full_matrices=False)
         return np.asarray(directions[:, sizes > _SEEN * sizes.max(initial=0.0)])
 
     def after(self, changes: Sequence[tuple[slice, Array, Array]] = ()) -> float:
-        """Sum of squares after one step of the fitted values, with other residuals and derivatives in some rows."""
+        """Return the sum of squares after one step of the fitted values, with some rows of the problem replaced."""
         gram, pull, size = self._products
         gram, pull = gram.copy(), pull.copy()
         for rows, vector, jacobian in changes:
@@ -98,7 +98,7 @@ class WeightedResiduals:
 
 
 def low_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] | None:
-    """Corner (Hz) of a low-pass filter that would explain most of a channel's residual, better than a delay does."""
+    """Find a low-pass corner (Hz) that would explain most of a channel's residual, and more than a delay."""
     if rest.size < _MATTERS * rest.energy:
         return None
     rate = rest.rate_of(channel)
@@ -125,7 +125,7 @@ def low_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] 
 
 
 def high_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding] | None:
-    """The corner (Hz) of a high-pass filter that would explain most of a channel's residual."""
+    """Find a high-pass corner (Hz) that would explain most of a channel's residual."""
     if rest.size < _MATTERS * rest.energy:
         return None
     corner, after = _best_corner(rest, channel, "high_pass", np.geomspace(*_COUPLED, _CORNERS))
@@ -138,7 +138,7 @@ def high_pass_in(rest: WeightedResiduals, channel: str) -> tuple[float, Finding]
 def _best_corner(
     rest: WeightedResiduals, channel: str, kind: str, corners: Array
 ) -> tuple[float, float]:
-    """Corner (Hz) of a filter of this kind that leaves least, and what it leaves."""
+    """Return the corner (Hz) of a filter of this kind with the smallest residual, and that residual."""
 
     def residual_with(corner: float) -> float:
         sensor = Sensor.model_validate({kind: float(corner)})
@@ -159,7 +159,7 @@ def _best_corner(
 
 
 def late_share(rest: WeightedResiduals) -> float:
-    """Share of the residual that a common delay of all records explains; other causes must explain more."""
+    """Return the share of the residual explained by a common delay of all records; other causes must explain more."""
     rate = min(reading[3] for channel in rest.readings.values() for reading in channel)
 
     def residual_with(samples: float) -> float:
@@ -176,7 +176,7 @@ def late_share(rest: WeightedResiduals) -> float:
 
 
 def _residual_after_change(rest: WeightedResiduals, channels: Iterable[str], change: Any) -> float:
-    """What is left when the readings of channels are changed by a linear map, after a step of what was fitted."""
+    """Return the residual if a linear map changes the readings of channels, after a step of the fitted values."""
     changes = []
     for rows, weight, reading, rate, is_free in (
         entry for channel in channels for entry in rest.readings[channel]
@@ -197,7 +197,7 @@ def _residual_after_delay(rest: WeightedResiduals, channel: str, delay: float) -
 
 
 def speed_in(rest: WeightedResiduals, slope: Array) -> tuple[float, Finding] | None:
-    """The error of the speed that would explain most of the residual; ``slope`` is its derivative by the log speed."""
+    """Find a speed error that would explain most of the residual; ``slope`` is the derivative by the log speed."""
     error, share = rest.explained_by(slope)
     if share < _EXPLAINS or abs(error) < _SLIGHT:
         return None
@@ -205,9 +205,9 @@ def speed_in(rest: WeightedResiduals, slope: Array) -> tuple[float, Finding] | N
 
 
 def start_in(rest: WeightedResiduals, slopes: Array) -> tuple[float, Finding] | None:
-    """Whether records that begin in motion would explain most of the residual.
+    """Test whether records that begin in motion would explain most of the residual.
 
-    ``slopes`` are those by the amplitude of each natural vibration of each trial (m).
+    ``slopes`` are derivatives by the start amplitude of each natural vibration of each trial (m).
     """
     if not slopes.size or rest.size < _MATTERS * rest.energy:
         return None
@@ -232,7 +232,7 @@ def start_in(rest: WeightedResiduals, slopes: Array) -> tuple[float, Finding] | 
 
 
 def _start_slopes(problem: UpdateProblem, scaled: Array) -> Array:
-    """Derivatives of the residuals by the amplitudes of the vibrations that trials may begin with, a column each."""
+    """Return derivatives of the residuals by the start amplitudes of the trials' vibrations, one column each."""
     columns = []
     for trial in problem.trials:
         source = trial.source
@@ -255,16 +255,16 @@ def _start_slopes(problem: UpdateProblem, scaled: Array) -> Array:
 
 
 _SHIFTED = 1e-5
-"""Amplitude (m) to either side for slopes by the start of a record: small beside the motion, large beside rounding."""
+"""Amplitude step (m) for start slopes: small compared with the motion, large compared with rounding."""
 _EXPLAINS_FREELY = 0.6
-"""Share of what is left from which on a start in motion is named: with four amplitudes a trial, more than one number of
-all trials is asked for (`_EXPLAINS`)."""
+"""Explained share of the residual above which a start in motion is reported: it has four amplitudes per trial, so the
+limit is higher than for a single unknown of all trials (`_EXPLAINS`)."""
 
 
 def road_in(
     rest: WeightedResiduals, channel: str, roads: Sequence[tuple[slice, Array]]
 ) -> tuple[float, Finding] | None:
-    """Whether a channel is measured from the road instead of the ground; ``roads`` are heights (m) in its rows."""
+    """Test whether a channel is measured from the road, not the ground; ``roads`` are heights (m) in its rows."""
     best, at = (0.0, 0.0), 0.0
     rate = rest.rate_of(channel)
     weights = [entry[1] for entry in rest.readings[channel]]
@@ -287,9 +287,9 @@ def road_in(
 def suspects(
     problem: UpdateProblem, residuals: Residuals, scaled: Array, whole: Array, loud: Sequence[str]
 ) -> list[tuple[float, Finding]]:
-    """Faults of sensors and trials that explain most of the residual, with their share of it.
+    """Report faults of sensors and trials that explain most of the residual, with their share.
 
-    ``loud`` are the channels of which more is left than noise: without one there is nothing to explain.
+    ``loud`` are the channels with residuals above their noise: without one there is nothing to explain.
     """
     if not loud:
         return []
@@ -328,7 +328,7 @@ def suspects(
 
 
 def _roads(problem: UpdateProblem, residuals: Residuals, channel: str) -> list[tuple[slice, Array]]:
-    """Rows of a channel and the height of the road (m) there, for each trial."""
+    """Return the rows of a channel and the height of the road (m) there, for each trial."""
     both = [(trial, recorded) for trial in problem.trials for recorded in trial.channels]
     heights = []
     for (trial, recorded), rows in zip(both, residuals.blocks, strict=True):
@@ -342,7 +342,7 @@ def _roads(problem: UpdateProblem, residuals: Residuals, channel: str) -> list[t
 
 
 HEIGHT = ".z"
-"""Last letters of a channel that counts from the ground."""
+"""Suffix of channels that are measured from the ground."""
 _AS_LIKELY = 0.1  # of what is left: a fault that explains less than the best by more is not told
 CLEARLY = (
     0.6  # of what is left: a fault that explains so much leaves no question for the other channels

@@ -1,4 +1,4 @@
-"""Compare the trials of one update: one that disagrees with the others, or has its channels exchanged."""
+"""Compare the trials of an update: find trials that disagree with the others, and exchanged channels."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ _SWAPPED = 0.5  # by which the correlations of two exchanged channels are larger
 def disagreeing(
     problem: UpdateProblem, residuals: Residuals, scaled: Array, free: NDArray[np.bool_]
 ) -> list[Finding]:
-    """Name the trial without which the others agree much better, and how far it moves the values.
+    """Report the trial without which the others agree much better, and its effect on the values.
 
-    ``residuals`` are those at the optimum ``scaled``; ``free`` tells which unknowns lie inside their bounds.
+    ``residuals`` are those at the optimum ``scaled``; ``free`` marks the unknowns inside their bounds.
     """
     rows, jacobian = residuals.groups, residuals.jacobian[:, free]
     if len(rows) < _FEWEST or not free.any():
@@ -92,7 +92,7 @@ def disagreeing(
 
 
 def unlike(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
-    """Name trials whose residuals in the updated model are far larger than those of the others, noise aside."""
+    """Report trials with much larger residuals, apart from noise, than the others in the updated model."""
     shares = dict[str, list[float]]()
     for parts in left.values():
         for part in parts:
@@ -110,7 +110,7 @@ def unlike(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
 
 
 def exchanged_channels(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
-    """Name pairs of channels of one unit whose records resemble each other's reading more than their own."""
+    """Report pairs of channels with equal units whose records match each other's readings better than their own."""
     findings = []
     for first, other in combinations(left, 2):
         if channel_unit(first) != channel_unit(other):

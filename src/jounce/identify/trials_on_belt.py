@@ -1,4 +1,4 @@
-"""Trials on a belt that has been running: the averaged loop, one loop, or the record as it is."""
+"""Trials on a belt that is already running: the averaged loop, one loop, or the whole record."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from jounce.identify.passages import Passages
 def select_loop(
     passages: Passages, measured: xr.Dataset, number: int, *, channels: Sequence[str], name: str
 ) -> Passages:
-    """Give the same passages with the loop of one of them (counted from 1) in place of the average.
+    """Return the passages with a single loop (counted from 1) instead of the average.
 
     Raises
     ------
     FitError
-        Where the loop of this passage is not whole.
+        If the loop of this passage is incomplete.
     """
     time = np.asarray(measured["time"].to_numpy(), dtype=float)
     period = passages.period or float(time[-1] - time[0])
@@ -44,7 +44,7 @@ def select_loop(
 
 
 def averaged_trial(trial: FitTrial, passages: Passages) -> FitTrial:
-    """Give the trial with the averaged loop in place of the record: the belt has been running, at their speed."""
+    """Return the trial with the averaged loop as its record, on a belt running at the speed of the passages."""
     road = trial.trial.road
     if passages.loop is None or road is None or road.recurrence is None:
         raise FitError("no loop of a belt was found", where=trial.name)
@@ -56,9 +56,9 @@ def averaged_trial(trial: FitTrial, passages: Passages) -> FitTrial:
 
 
 def trial_on_running_belt(trial: FitTrial, passages: Passages) -> FitTrial:
-    """Give the trial with its record as it is, on a belt that has been running, at their speed.
+    """Return the trial with its whole record, on a belt running at the speed of the passages.
 
-    For records that hold no loop in full: the model meets the obstacle when the record does for the first time.
+    For records without a complete loop: the model meets the obstacle at its first passage in the record.
     """
     road = trial.trial.road
     assert road is not None

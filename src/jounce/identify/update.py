@@ -1,4 +1,4 @@
-"""Model updating: find the parameters with which the model reproduces the measurements."""
+"""Model updating: fit parameters of a model to measurements."""
 
 from __future__ import annotations
 
@@ -59,10 +59,10 @@ _ALIKE = 0.98  # correlation: with the other parameter known, the interval would
 class Identifiability:
     """Sensitivity of the data to each unknown, at the start values; arrays in the order of ``parameters``.
 
-    ``sensitivity`` is the r.m.s. change of the weighted residuals for one scaled unit of each unknown;
-    ``singular_values`` are those of the scaled sensitivity matrix, descending, ``condition`` the largest over the
-    smallest, and ``rank`` the number of directions the data can tell apart. ``correlation`` is that of the estimates
-    that the data allow. Findings name parameters without influence and pairs that act alike.
+    ``sensitivity`` is the r.m.s. change of the weighted residuals for one scaled unit of each unknown.
+    ``singular_values`` are those of the scaled sensitivity matrix, descending, ``condition`` is the ratio of largest to
+    smallest, and ``rank`` the number of distinguishable directions. ``correlation`` is the expected correlation of the
+    estimates. Findings report parameters without influence and pairs with similar effects.
     """
 
     parameters: tuple[str, ...]
@@ -75,7 +75,7 @@ class Identifiability:
 
 
 def identifiability(jacobian: Array, names: tuple[str, ...]) -> Identifiability:
-    """Judge the derivatives of the residuals with respect to the scaled unknowns."""
+    """Assess identifiability from the derivatives of the residuals by the scaled unknowns."""
     norms = np.linalg.norm(jacobian, axis=0)
     singular = np.linalg.svd(np.linalg.qr(jacobian, mode="r"), compute_uv=False)
     rank = int(np.sum(singular > _WEAK * singular[0])) if singular[0] > 0.0 else 0
@@ -115,13 +115,13 @@ _REACH = 3  # times the lag at which the residuals stop resembling each other
 
 
 def robust_covariance(vector: Array, jacobian: Array, blocks: tuple[slice, ...]) -> Array:
-    """Covariance of least-squares estimates under autocorrelated noise of changing level.
+    """Compute the covariance of least-squares estimates under autocorrelated noise of changing level.
 
-    Sandwich ``(J'J)^-1 (J' G J) (J'J)^-1``: ``G`` is the covariance of the residuals, from their level (moving r.m.s.)
-    and their autocorrelation as far as it is significant, tapered by Bartlett weights [newey1987]. For white residuals
+    It is the sandwich ``(J'J)^-1 (J' G J) (J'J)^-1``, where ``G`` is the covariance of the residuals, from their level
+    (moving r.m.s.) and their significant autocorrelation, tapered by Bartlett weights [newey1987]. For white residuals
     of constant level this is the classical covariance. The autocorrelation is that of the residuals, not of the scores
-    ``J r``: those sum to zero at the optimum, which makes intervals from them too short. ``blocks`` are the rows of
-    each channel of each trial; residuals of different blocks are taken as independent.
+    ``J r``: the scores sum to zero at the optimum, which would make intervals too short. ``blocks`` are the rows of
+    each channel of each trial; residuals of different blocks are assumed to be independent.
     """
     from scipy.signal import oaconvolve
 
@@ -145,7 +145,7 @@ def robust_covariance(vector: Array, jacobian: Array, blocks: tuple[slice, ...])
 
 
 def _level(residuals: Array) -> Array:
-    """Root mean square of the residuals around each sample."""
+    """Return the root mean square of the residuals around each sample."""
     width = min(max(_FEWEST, len(residuals) // _SHARE), len(residuals))
     summed = np.concatenate([[0.0], np.cumsum(residuals**2)])
     first = np.clip(np.arange(len(residuals)) - width // 2, 0, len(residuals) - width)
@@ -153,7 +153,7 @@ def _level(residuals: Array) -> Array:
 
 
 def _correlation(residuals: Array) -> Array:
-    """Tapered autocorrelation from lag 1 on; empty where the residuals are white."""
+    """Return the tapered autocorrelation from lag 1 on; empty if the residuals are white."""
     count = len(residuals)
     energy = float(residuals @ residuals)
     longest = count // 4
@@ -180,17 +180,17 @@ class UpdatedParameter(Shown):
     initial, value : float
         Start value and estimate, in SI.
     standard_error : float or None
-        In SI, of the noise only: how far the estimate would scatter if the trials were run again. What the model lacks
-        shifts it each time by the same amount and is not in it; see ``UpdateResult.discrepancy``. None where the
-        estimate lies on a bound or the data do not react to the parameter.
+        Standard error due to noise only, in SI: the scatter of the estimate over repeated trials. It excludes model
+        error, which shifts the estimate by the same amount each time; see ``UpdateResult.discrepancy``. None if the
+        estimate is at a bound or the data are insensitive to the parameter.
     interval : tuple of float or None
-        95 % interval of the noise only, in SI.
+        95 % interval due to noise only, in SI.
     lower, upper : float
         Bounds, in SI.
     at_bound : bool
-        Whether the estimate lies on a bound.
+        Whether the estimate is at a bound.
     unit : str
-        SI unit of all of these.
+        SI unit of all these values.
     """
 
     initial: Annotated[float, Shows("start", own_unit, 5)]
@@ -214,30 +214,30 @@ class UpdateResult(Shown):
     Attributes
     ----------
     name, method : str
-        As asked for.
+        Name and method as requested.
     objective_before, objective_after, reduction_percent : float
         Sum of squares at the start and at the optimum, in the squared units of the (weighted) channels, and
         ``100 (before - after) / before``.
     iterations, evaluations : int
-        Of the optimiser that found the optimum, and simulations of the whole set of trials in all.
+        Iterations of the optimiser that found the optimum, and total number of simulations of the set of trials.
     parameters : dict
-        Path to ``UpdatedParameter``.
+        Mapping from path to ``UpdatedParameter``.
     correlation : tuple
         Correlation matrix (1) of the estimates, in the order of ``parameters`` (then nuisances, then lags).
     lags : dict
-        Trial to lag of its recording behind the simulation, s; empty when not aligned.
+        Mapping from trial to lag of its recording behind the simulation, s; empty if not aligned.
     identifiability : Identifiability
-        What the data could tell before the fit.
+        Identifiability of the parameters at the start values.
     findings : tuple of Finding
-        What weakens the result.
+        Limitations of the result.
     discrepancy : Discrepancy or None
-        The parameters again with intervals that count what the model lacks; None where that was not asked for or fewer
-        than three trials were fitted.
+        The parameters with intervals that include model error; None if this was not requested or fewer than three
+        trials were fitted.
     nuisances : dict
-        What was found beside the rig's parameters (speed in m/s, corners of low passes in Hz, amplitudes at the start
-        in m) to ``UpdatedParameter``.
+        Mapping from nuisance (speed in m/s, corners of low passes in Hz, amplitudes at the start in m) to
+        ``UpdatedParameter``.
     offsets : dict
-        Trial to how far from equilibrium it begins, SI by state; of trials whose start was found.
+        Mapping from trial to its estimated initial distance from equilibrium, SI by state.
     """
 
     name: Annotated[str, Shows("update")]
@@ -260,7 +260,7 @@ class UpdateResult(Shown):
 
     @property
     def parts(self) -> Annotated[dict[str, Estimate], Shows(", as the part has it", _units)]:
-        """Path to the component value whose interval includes model error, SI; empty without one."""
+        """Component values by path, with intervals that include model error, SI; empty without a discrepancy."""
         laws = {} if self.discrepancy is None else self.discrepancy.parameters
         return {
             path: Estimate(law.value, 0.5 * law.half_width, law.interval)
@@ -294,16 +294,16 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     Parameters
     ----------
     trials : FitTrial or sequence of FitTrial
-        What was run and measured; each carries its rig with start values. A free parameter whose start value differs
-        between trials (tyre stiffness at two pressures) gets one common factor; values are those of the first trial.
-        Where a channel's zero lies is the ``datum`` of its sensor, by default found from the quiet start of the record,
-        with a finding.
+        Set-up and recording of each trial; its rig contains the start values. A free parameter whose start value
+        differs between trials (tyre stiffness at two pressures) gets one common factor; values are those of the first
+        trial. The zero of a channel is the ``datum`` of its sensor, by default determined from the quiet start of the
+        record, with a finding.
     free : dict
-        Path to bounds: ``"10 %"`` of the start value to either side, or ``[lower, upper]`` with units. With ``doubt``
-        also ``{"bounds": "10 %", "prior": ["22.7 N/mm", "0.1 N/mm"]}``: mean and standard deviation of what is known
-        beforehand, which counts where the interval counts what the model lacks.
+        Mapping from path to bounds: ``"10 %"`` of the start value to either side, or ``[lower, upper]`` with units.
+        With ``doubt`` also ``{"bounds": "10 %", "prior": ["22.7 N/mm", "0.1 N/mm"]}``, with mean and standard deviation
+        of prior knowledge, which is used for intervals that include model error.
     name : str
-        Names the result.
+        Name of the result.
     method : {"least-squares", "bfgs"}
         Trust-region least squares, or the paper's BFGS with bounds; both with exact gradients.
     weights : {"printed", "normalised"} or dict
@@ -316,23 +316,23 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
     lag_bound : float
         Largest lag to either side, s.
     starts : int, optional
-        Number of start points: the start values, then points spread over the bounds. By default one; with ``doubt`` the
-        search begins elsewhere, too, until the best place has been found twice.
+        Number of start points: the start values, then points spread over the bounds. The default is one; with ``doubt``
+        the search continues from further points until the best optimum has been found twice.
     seed : int
-        Of the start points.
+        Seed of the start points.
     tolerance : float
         Relative error of the simulated displacements.
     doubt : Doubt or dict, optional
-        How far model and measurements may be off; then the result has intervals that count it (``discrepancy``), from
-        three trials on. ``jn.Doubt()`` has the defaults.
+        Uncertainty of model and measurements; with at least three trials the result then has intervals that include it
+        (``discrepancy``). ``jn.Doubt()`` contains the defaults.
     nuisances : dict, optional
-        What is found with the parameters and is none of the rig: ``{"speed": "5 %"}`` (one common factor on the stated
+        Unknowns outside the rig, estimated with the parameters: ``{"speed": "5 %"}`` (one common factor on the stated
         speeds), ``{"sprung.az.low_pass": ["20 Hz", "400 Hz"]}`` (corner of an undeclared second-order low pass of a
-        channel, in all trials), ``{"start": "2 mm"}`` (how far each natural vibration of each trial goes to either side
-        of equilibrium when its record begins: something passed before). Intervals of ``doubt`` find them again with all
-        that is doubted.
+        channel, in all trials), ``{"start": "2 mm"}`` (maximum amplitude of each natural vibration at the start of each
+        trial's record, due to earlier excitation). The intervals of ``doubt`` estimate them again together with all
+        uncertain inputs.
     bench : dict, optional
-        Path to what a component test gave (SI): where the update contradicts it, a finding says so.
+        Mapping from path to the estimate of a component test (SI); a finding reports contradictions with the update.
 
     Returns
     -------
@@ -380,7 +380,7 @@ def update_model(  # noqa: PLR0913 - each is a choice of its own
 def run_update(
     trials: Sequence[FitTrial], free: Mapping[str, Any], settings: UpdateSettings
 ) -> tuple[UpdateResult, ModelErrorFit | None]:
-    """Like :func:`update_model`, but also return the final state of the extended model if model error is included."""
+    """Update a model like :func:`update_model`; also return the final extended model if model error is included."""
     name, doubt, align = settings.name, settings.doubts, settings.fits_lags
     if not trials:
         raise FitError(
@@ -540,7 +540,7 @@ def run_update(
 def _beside(
     nuisance: SearchedNuisance | SearchedStart, scaled: float, variance: float, is_bound: bool
 ) -> UpdatedParameter:
-    """Estimate of a nuisance as reported: its value, and its interval in its unit."""
+    """Return the reported estimate of a nuisance: value and interval in its unit."""
     free, value = nuisance.free, float(nuisance.free.value(scaled))
     error = None if is_bound or variance <= 0.0 else float(np.sqrt(variance)) * free.half_range
     ends = None if error is None else (value - 1.96 * error, value + 1.96 * error)
@@ -556,7 +556,7 @@ def _beside(
 
 
 def _of_nuisances(nuisances: Mapping[str, UpdatedParameter]) -> list[Finding]:
-    """What was found beside the rig's values, and that it belongs into the description of trials and sensors."""
+    """Report the estimated nuisances, which should be added to the description of trials and sensors."""
     findings = []
     starts = {name: parameter for name, parameter in nuisances.items() if f": {START}, " in name}
     if starts:
@@ -605,7 +605,7 @@ _FAR = 0.05  # of a mass that was weighed
 
 
 def _correlated_pairs(names: Sequence[str], correlation: Array) -> list[Finding]:
-    """Pairs of estimates of which the data know a combination rather than each."""
+    """Report pairs of estimates of which the data determine a combination rather than each value."""
     findings = []
     for i, name in enumerate(names):
         for j in range(i):
@@ -624,7 +624,7 @@ def _correlated_pairs(names: Sequence[str], correlation: Array) -> list[Finding]
 
 
 def _far_masses(rig: Rig, parameters: Mapping[str, UpdatedParameter]) -> list[Finding]:
-    """Masses that end far from what the scale says."""
+    """Report masses that differ much from their weighed values."""
     findings = []
     for path, parameter in parameters.items():
         if not path.endswith("mass") or rig.is_estimated(path) or parameter.initial <= 0.0:
@@ -638,7 +638,7 @@ def _far_masses(rig: Rig, parameters: Mapping[str, UpdatedParameter]) -> list[Fi
 def bounds_and_priors(
     rig: Rig, free: Mapping[str, Any], name: str
 ) -> tuple[dict[str, Any], dict[str, tuple[float, float]]]:
-    """Bounds, and mean and standard deviation (SI) of the parameters that have a prior."""
+    """Return bounds, and mean and standard deviation (SI) of the parameters with a prior."""
     ranges, priors = {}, {}
     for path, given in free.items():
         ranges[path] = given
@@ -679,7 +679,7 @@ def _with_doubt(
     priors: Mapping[str, tuple[float, float]],
     found_beside: Mapping[str, float],
 ) -> tuple[ModelErrorFit | None, list[Finding]]:
-    """Where the extended model ended, or why there is no such thing."""
+    """Fit the extended model; return its final state, or the reason why it cannot be fitted."""
     if len(trials) < FEWEST_TRIALS:
         return None, [
             finding(
@@ -700,7 +700,7 @@ def _with_doubt(
 
 
 def _whole(problem: UpdateProblem, scaled: Array) -> Array:
-    """Derivatives of the residuals by all that was estimated: scaled parameters, then lags over their bound."""
+    """Return derivatives of the residuals by all estimates: scaled parameters, then lags relative to their bound."""
     residuals = problem.residuals(scaled)
     return residuals.with_lags(problem.lag_bound) if problem.align else residuals.direct
 
@@ -718,7 +718,7 @@ def _stall(name: str, optimum: Optimum, before: float) -> list[Finding]:
 
 
 def _other_minima(name: str, problem: UpdateProblem, search: SearchOutcome) -> list[Finding]:
-    """Say where else the search ended, and that it nearly was the answer where it fits nearly as well."""
+    """Report other optima of the search, with a warning for those that fit nearly as well."""
     best, findings = search.best, []
     if not search.is_confirmed:
         findings.append(
@@ -763,9 +763,9 @@ def _other_minima(name: str, problem: UpdateProblem, search: SearchOutcome) -> l
 
 
 _NEARLY = 1.5
-"""Times the least sum of squares: a second minimum that leaves less may be the true one when the model is not quite.
+"""Ratio to the minimum sum of squares below which a second minimum may be the true one, as the model is not exact.
 
-What a model lacks moves the sums of two minima against each other by tens of per cent (foreign benches).
+Model error changes the ratio of the sums of two minima by tens of per cent (foreign benches).
 """
 
 
@@ -773,7 +773,7 @@ _EXPLAINED = 0.5  # of the variance of a channel: a fit that leaves more than th
 
 
 def _unexplained_channels(problem: UpdateProblem, residuals: Residuals) -> list[Finding]:
-    """Name the channels of which the updated model explains little: nothing that was fitted to them holds."""
+    """Report channels of which the updated model explains little: values fitted to them are not valid."""
     both = [(trial, channel) for trial in problem.trials for channel in trial.channels]
     poor = dict[str, dict[str, float]]()
     for (trial, channel), block in zip(both, residuals.blocks, strict=True):
@@ -795,7 +795,7 @@ def _unexplained_channels(problem: UpdateProblem, residuals: Residuals) -> list[
 def _residuals_by_channel(
     problem: UpdateProblem, residuals: Residuals
 ) -> dict[str, list[LeftOver]]:
-    """Residuals of each channel that counts, by trial, with the recordings shifted by their lags."""
+    """Return the residuals of each weighted channel, by trial, with the recordings shifted by their lags."""
     both = [(trial, channel) for trial in problem.trials for channel in trial.channels]
     left = dict[str, list[LeftOver]]()
     for (trial, channel), block in zip(both, residuals.blocks, strict=True):
@@ -807,7 +807,7 @@ def _residuals_by_channel(
 
 
 def _beyond_noise(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
-    """Say that intervals of the noise are not those of the values, where something else is left of a record."""
+    """Report that intervals due to noise understate the uncertainty if residuals exceed the noise."""
     loud = {
         name: times for name, parts in left.items() if (times := beyond_noise(parts)) is not None
     }
@@ -818,7 +818,7 @@ def _beyond_noise(left: Mapping[str, Sequence[LeftOver]]) -> list[Finding]:
 
 
 def _copies(problem: UpdateProblem) -> list[Finding]:
-    """Name trials whose recording is that of another one: they tell nothing more."""
+    """Report trials with the same recording as a different trial, which add no information."""
     first, findings = dict[tuple[bytes, ...], str](), []
     for trial in problem.trials:
         record = tuple(channel.measured.tobytes() for channel in trial.channels)
@@ -831,7 +831,7 @@ def _copies(problem: UpdateProblem) -> list[Finding]:
 
 
 def _frozen(problem: UpdateProblem) -> list[Finding]:
-    """Name the channels of which stretches are left out, because they show a single number while the rig moves."""
+    """Report channels of which parts are left out because the record is stuck at one value while the rig moves."""
     trials = dict[str, list[str]]()
     for trial in problem.trials:
         for channel in trial.channels:

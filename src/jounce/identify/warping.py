@@ -1,11 +1,11 @@
 """Dynamic time warping of two signals on a narrow band, in little memory.
 
-Cells (i, j) of the cost table are computed along anti-diagonals ``s = i + j``, where they do not depend on each other.
-With ``k = i - j``, cells of an even ``s`` live at ``k = 2 m`` in one array and cells of an odd ``s`` at ``k = 2 m + 1``
-in another; both are overwritten in place. Every ``block`` anti-diagonals they are stored, and the path back is found
-block by block from these stores, near the path only: little memory is touched where the table would be gigabytes. A
-narrower band gives some path first; where every cell at an end of the band costs more than that path, it is left out.
-The same with thinned signals, in a hundredth of the time, says beforehand whether enough is left out to pay for it.
+Cells (i, j) of the cost table are computed along anti-diagonals ``s = i + j``, on which they are independent. With
+``k = i - j``, cells of an even ``s`` are stored at ``k = 2 m`` in one array, those of an odd ``s`` at ``k = 2 m + 1``
+in a second one; the two arrays are overwritten in place. Every ``block`` anti-diagonals they are saved, and the path is
+traced back block by block from these copies, near the path only. This needs little memory, whereas the full table would
+need gigabytes. A narrower band first gives an upper bound of the cost; cells at the ends of the band with a higher cost
+are skipped. The same search with thinned signals takes a hundredth of the time and predicts whether skipping pays off.
 """
 
 from __future__ import annotations
@@ -38,10 +38,10 @@ def warping_path(
 ) -> tuple[Indices, Indices]:
     """Find the cheapest alignment of two signals of the same length: pairs of samples from (0, 0) to (n - 1, n - 1).
 
-    The sum of squared differences over the pairs is least; among equal paths the one that advances ``compared`` alone
-    wins, then the one that advances ``reference`` alone. Only pairs with ``|i - j| <= radius`` are allowed
-    (Sakoe-Chiba). ``narrow`` is the radius of a band that is searched first (negative: none), a sixteenth where that
-    saves time: it changes nothing but the time.
+    The path minimises the sum of squared differences over the pairs. Among equal paths the one that advances
+    ``compared`` alone is preferred, then the one that advances ``reference`` alone. Only pairs with
+    ``|i - j| <= radius`` are allowed (Sakoe-Chiba). ``narrow`` is the radius of a band that is searched first
+    (negative: none), by default a sixteenth if that saves time; it affects the run time only.
 
     >>> i, j = warping_path(np.array([0.0, 0.0, 1.0, 2.0]), np.array([0.0, 1.0, 2.0, 2.0]), 2)
     >>> list(zip(i.tolist(), j.tolist(), strict=True))
@@ -69,7 +69,7 @@ def warping_path(
 def _follow(
     x: Array, backwards: Array, band: int, narrow: int, block: int, unused: float | None = None
 ) -> tuple[Indices, Array]:
-    """Path, a column for each pair, and the stored costs; ``unused`` where a cell was not in use."""
+    """Return the path, one column per pair, and the stored costs; ``unused`` marks cells that were skipped."""
     n = x.size
     path = np.empty((2, 2 * n - 1), dtype=np.int64)
     width = 2 * (band // 2 + 2) + 1
@@ -86,9 +86,9 @@ def _follow(
 
 
 def _fresh(shape: tuple[int, int, int]) -> Array:
-    """Memory that is filled once (half a gigabyte for long signals), in pages of the usual size where there are such.
+    """Allocate memory that is filled once (half a gigabyte for long signals), in pages of the usual size if possible.
 
-    NumPy asks Linux for huge ones: to find and clear them may take longer than to compute what is stored.
+    NumPy requests huge pages from Linux; finding and clearing them may take longer than computing their content.
     """
     with contextlib.suppress(AttributeError, OSError, ValueError):  # Windows; no memory; no size
         pages = mmap.mmap(-1, 8 * math.prod(shape), flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
@@ -97,7 +97,7 @@ def _fresh(shape: tuple[int, int, int]) -> Array:
 
 
 def _pays(x: Array, backwards: Array, band: int) -> bool:
-    """Whether a path from a narrower band would save time, by how much of the band thinned signals use."""
+    """Whether a path from a narrower band would save time, judged by the share of the band that thinned signals use."""
     spare = x.size % _THIN
     first, second = x[: x.size - spare], backwards[spare:]
     thin = [
