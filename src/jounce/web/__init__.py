@@ -1,7 +1,7 @@
-"""The workbench: a page in the browser over a folder of rigs, records and results, and the interface underneath it.
+"""The workbench: a browser page for a folder of rigs, records and results, and its HTTP interface.
 
-:func:`serve` opens it on this machine only. The page computes nothing: it asks an interface (``/openapi.json``) that
-scripts may use, too, and that calls the functions and commands which everybody else calls.
+:func:`serve` opens it on this machine only. The page computes nothing: it uses an HTTP interface (``/openapi.json``)
+that is also available to scripts and calls the same public functions and commands.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Campaigns as the page shows them: what was measured, what is to be updated, and measured files entered into them."""
+"""Campaigns for the page: measurements, planned updates, and adding measured files."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from jounce.core.files import only_below
 from jounce.web.project import Project
 
 _READ = ("columns", "variable", "sample_time", "stroke_positive", "force_positive")
-"""Keys that say how all files of a table are read."""
+"""Keys that define how all files of a table are read."""
 Use = Literal["spring", "tyre", "decay", "trial"]
 
 
 def overview(project: Project, path: str) -> dict[str, Any]:
-    """Give what a campaign consists of, in the words of its file, with the files that its patterns find."""
+    """Return the contents of a campaign as in its file, with the files that match its patterns."""
     from jounce.campaign.description import load_campaign
 
     file = project.inside(path)
@@ -50,7 +50,7 @@ def overview(project: Project, path: str) -> dict[str, Any]:
 
 
 def title_of(project: Project, path: str) -> str:
-    """Give the title that a campaign's file has; its name where it cannot be read, of which the job tells then."""
+    """Return the title of a campaign, or its file name if it is unreadable, which the job then reports."""
     try:
         title = tomlkit.parse(project.read(path).text).get("title", "")
     except (DescriptionError, tomlkit.exceptions.TOMLKitError):
@@ -59,9 +59,9 @@ def title_of(project: Project, path: str) -> str:
 
 
 def enter_file(project: Project, path: str, use: Use, fields: Mapping[str, Any]) -> dict[str, Any]:
-    """Write a measured file into a campaign: a table of its bench, or one more trial. Comments of the file are kept.
+    """Add a measured file to a campaign, as a bench table or a new trial. Comments of the file are kept.
 
-    A campaign that could not be read afterwards is not written.
+    The change is not written if it would make the campaign invalid.
     """
     from jounce.campaign.description import Campaign
     from jounce.core.description import toml_table
@@ -77,7 +77,7 @@ def enter_file(project: Project, path: str, use: Use, fields: Mapping[str, Any])
         KeyError,
         AttributeError,
         RecursionError,
-    ) as error:  # of fields, or what is there
+    ) as error:  # wrong fields, or incompatible content
         cause = f"{type(error).__name__}: {error}"
         raise DescriptionError(
             "this cannot be entered into the campaign", where=path, found=cause
@@ -87,7 +87,7 @@ def enter_file(project: Project, path: str, use: Use, fields: Mapping[str, Any])
 
 
 def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping[str, Any]) -> str:
-    """Give the text of a campaign with a measured file in it."""
+    """Return the text of a campaign with a measured file added."""
     file = project.inside(path)
     plain = {key: value for key, value in fields.items() if value not in ("", None, {}, [])}
     pressure, replace = str(plain.pop("pressure", "")), bool(plain.pop("replace", False))
@@ -141,7 +141,7 @@ def _item(value: Any) -> Any:
 
 
 def _relative(project: Project, campaign: Path, value: Any) -> Any:
-    """Names of files of the project as the campaign beside them writes them."""
+    """Return file names of the project relative to the campaign in the same folder."""
     if isinstance(value, list):
         return [_relative(project, campaign, item) for item in value]
     if isinstance(value, Mapping):
@@ -165,14 +165,14 @@ def _matching_files(project: Project, folder: Path, patterns: list[str]) -> list
             NotImplementedError,
             OSError,
             RecursionError,
-        ):  # no pattern, or it leads nowhere
+        ):  # not a pattern, or no match
             continue
         matches += [file.resolve() for file in files if file.resolve().is_relative_to(project.root)]
     return [file.relative_to(project.root).as_posix() for file in dict.fromkeys(matches)]
 
 
 def _place(project: Project, folder: Path, trial: Mapping[str, Any]) -> dict[str, Any]:
-    """A trial, and where its recording lies in the project."""
+    """Return a trial with the path of its recording in the project."""
     named = (
         _matching_files(project, folder, [str(trial.get("recording", ""))])
         if trial.get("recording")
@@ -182,7 +182,7 @@ def _place(project: Project, folder: Path, trial: Mapping[str, Any]) -> dict[str
 
 
 def _mass(project: Project, rig: str, file: Path) -> str:
-    """The mass that decays, as a text with its unit; nothing where the rig does not say."""
+    """Return the oscillating mass as text with its unit; empty if the rig does not define it."""
     from jounce.parts import load
     from jounce.parts.files import rig_named_in
 

@@ -1,7 +1,7 @@
-"""Curves and tables that a page of the workbench shows, as files: pictures, documents and tables.
+"""Export of the curves and tables on a workbench page as images, documents and tables.
 
-The browser sends what is on its screen as blocks of a page, and the writers of reports write it: a figure on a slide,
-a document and a workbook show the same numbers as the page.
+The browser sends its displayed content as blocks of a page, and the report writers format it. Exported figures,
+documents and workbooks therefore show the same numbers as the page.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ KINDS: dict[Form, str] = {
     "xlsx": "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
 }
 _MOST_PANELS, _MOST_BLOCKS = 120, 200
-_WIDE, _NARROW = (880, 230), (430, 210)  # pixels of a panel in one column, and side by side
+_WIDE, _NARROW = (880, 230), (430, 210)  # panel size in pixels: single column, and side by side
 
 
 def _read_values(given: Any) -> Array:
@@ -52,7 +52,7 @@ Values = Annotated[
     PlainValidator(_read_values),
     WithJsonSchema({"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "null"}]}}),
 ]
-"""Numbers in the unit that a page shows; null where nothing is known."""
+"""Numbers in the displayed unit; null for missing values."""
 
 
 class _Sent(BaseModel):
@@ -76,7 +76,7 @@ class SentPanel(_Sent):
 
 
 class SentChart(_Sent):
-    """Panels over one axis; ``window`` is the part of it that is shown."""
+    """Panels over a common axis; ``window`` is its visible part."""
 
     kind: Literal["chart"]
     caption: str
@@ -98,7 +98,7 @@ class SentChart(_Sent):
 
 
 class SentTable(_Sent):
-    """A table as it is read; ``numbers`` are the columns that are aligned on the right."""
+    """A table as displayed; ``numbers`` are the right-aligned columns."""
 
     kind: Literal["table"]
     caption: str
@@ -117,7 +117,7 @@ class SentTable(_Sent):
 
 
 class SentText(_Sent):
-    """A paragraph, or the heading of what follows."""
+    """A paragraph, or the heading of the following blocks."""
 
     kind: Literal["text", "heading"]
     text: str
@@ -127,7 +127,7 @@ Sent: TypeAlias = Annotated[SentChart | SentTable | SentText, Field(discriminato
 
 
 class Exported(_Sent):
-    """What is shown, and the file that is wanted; ``scale`` is the resolution of a PNG against that of the screen."""
+    """Displayed content and requested file; ``scale`` is the resolution of a PNG relative to the screen."""
 
     title: str
     subtitle: str = ""
@@ -137,12 +137,12 @@ class Exported(_Sent):
 
 
 def exported(asked: Exported) -> bytes:
-    """Write what a page shows as a file of the form that is asked for.
+    """Write the content of a page as a file in the requested format.
 
     Raises
     ------
     JounceError
-        For a picture of something that is no figure, and a CSV file of several figures or tables.
+        If an image is requested of content that is not a figure, or a CSV file of several figures or tables.
     MissingPackageError
         Without typst (PNG and PDF, extra ``pdf``) or openpyxl (XLSX, extra ``io``).
     """
@@ -150,7 +150,7 @@ def exported(asked: Exported) -> bytes:
 
 
 def file_name(asked: Exported) -> str:
-    """Name of the file that a browser saves."""
+    """Return the name of the file that a browser saves."""
     return f"{slug(asked.title)}.{asked.form}"
 
 
@@ -184,7 +184,7 @@ def _csv(asked: Exported) -> bytes:
         raise JounceError("a CSV file holds one figure or table", found=len(data), hint=hint)
     (block,) = data
     text = table_csv(table_of(block)) if isinstance(block, SentTable) else _columns_csv(block)
-    return b"\xef\xbb\xbf" + text.encode()  # by these bytes a spreadsheet knows the encoding
+    return b"\xef\xbb\xbf" + text.encode()  # spreadsheets detect the encoding by these bytes
 
 
 def _columns_csv(chart: SentChart) -> str:
@@ -202,7 +202,7 @@ def _written(value: float) -> str:
 
 
 def _headers(chart: SentChart) -> list[str]:
-    """Head the columns with the axis, then with each curve and its unit."""
+    """Return the column headers: the axis, then each curve with its unit."""
     names = [chart.x_label]
     for panel in chart.panels:
         for curve in panel.curves:
@@ -212,7 +212,7 @@ def _headers(chart: SentChart) -> list[str]:
 
 
 def _columns(chart: SentChart) -> list[list[float]]:
-    """Give the axis and all curves within the part that is shown."""
+    """Return the axis and all curves within the visible part."""
     columns = [chart.x, *(curve.y for panel in chart.panels for curve in panel.curves)]
     low, high = chart.window or (-np.inf, np.inf)
     shown = (chart.x >= low) & (chart.x <= high)
@@ -227,7 +227,7 @@ def _xlsx(asked: Exported) -> bytes:
 
 
 def numbers_of(chart: SentChart) -> PageTable:
-    """Give the numbers of a figure as a table, as many digits as a workbook shows."""
+    """Return the numbers of a figure as a table, with the number of digits that a workbook shows."""
     columns = [
         [_written(value).replace("-", "−") for value in column] for column in _columns(chart)
     ]
@@ -236,7 +236,7 @@ def numbers_of(chart: SentChart) -> PageTable:
 
 
 def table_of(table: SentTable) -> PageTable:
-    """Give a table as that of a report."""
+    """Convert a table to that of a report."""
     align = "".join("r" if k in table.numbers else "l" for k in range(len(table.header)))
     return PageTable(
         table.caption, tuple(table.header), tuple(tuple(row) for row in table.rows), align
@@ -244,7 +244,7 @@ def table_of(table: SentTable) -> PageTable:
 
 
 def chart_of(chart: SentChart, name: str) -> Chart:
-    """Give a figure as that of a report; panels below each other have one axis, below the last."""
+    """Convert a figure to that of a report; stacked panels share the axis below the last one."""
     width, height = _WIDE if chart.columns == 1 else _NARROW
     panels = []
     for k, panel in enumerate(chart.panels):
@@ -279,7 +279,7 @@ _STYLES: dict[str, Style] = {"before": "dashed"}
 def page_of(
     asked: Exported, as_table: Callable[[SentChart], Iterable[Block]] | None = None
 ) -> Page:
-    """Give all blocks as a page of a report, a section for each heading; ``as_table`` makes tables of figures."""
+    """Return all blocks as a page of a report, a section per heading; ``as_table`` converts figures to tables."""
     sections: list[Section] = []
     title, blocks = "", list[Block]()
 

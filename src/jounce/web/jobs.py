@@ -1,8 +1,8 @@
-"""Long work in processes of its own, which goes on when the page is closed or the server ends.
+"""Long-running jobs in separate processes, which continue when the page is closed or the server stops.
 
-All that is known of a job lies in a folder ``.jounce/jobs/ID`` of the project (see `jounce.web.worker`); the server
-only begins jobs, reads how they are, and asks them to stop. A folder from elsewhere may bring jobs along: one that
-cannot be read, or is none, is left out. Jobs are numbered, and their durations are those of a clock that does not jump.
+All data of a job are stored in the folder ``.jounce/jobs/ID`` of the project (see `jounce.web.worker`). The server
+only starts jobs, reads their state, and requests cancellation. A copied project may contain jobs: unreadable or
+invalid ones are skipped. Jobs are numbered, and their durations use a monotonic clock.
 """
 
 from __future__ import annotations
@@ -41,19 +41,19 @@ _MOST_RUNNING, _MOST_KEPT, _MOST_LOOKED_AT = 8, 200, 1000
 _NAME, _GREATEST = (
     re.compile(r"[0-9]{1,8}(-[0-9a-f]{1,16}){1,3}"),
     99_999_999,
-)  # its number, and what tells it apart
-_JUST_BEGUN = 15.0  # s in which a process has locked what says that it lives
+)  # number, and a unique suffix
+_JUST_BEGUN = 15.0  # s within which a new process must have locked its file ``alive``
 _LONGEST, _LONGEST_RESULT = (
     2_000_000,
     20_000_000,
-)  # bytes of what is said of a job, and of what came of it
-_FREE = 50  # looks at a file that nobody holds
-_BEHIND = 5  # by which a job is nicer than the page
-_LOOKED = 0.1  # s for which what was read of all jobs is new
+)  # maximum bytes of a job's state, and of its result
+_FREE = 50  # number of checks that find the file unlocked
+_BEHIND = 5  # niceness of a job relative to the page
+_LOOKED = 0.1  # s for which the list of all jobs is considered current
 
 
 class _Job(BaseModel):
-    """What a job is, as its folder says."""
+    """Description of a job, read from its folder."""
 
     kind: str | None = None
     asked: dict[str, Any] | None = None
@@ -68,7 +68,7 @@ class _Job(BaseModel):
 
 
 class _End(BaseModel):
-    """How it ended: when (s since 1970), and by the clock that does not jump."""
+    """End of a job: exit code, time (s since 1970), and monotonic time."""
 
     code: int
     ended: FiniteFloat
@@ -76,7 +76,7 @@ class _End(BaseModel):
 
 
 class _Progress(BaseModel):
-    """How far it was, and when."""
+    """Progress of a job, with its time."""
 
     at: FiniteFloat | None = None
     clock: FiniteFloat | None = None
@@ -95,20 +95,20 @@ class Jobs:
 
     def __init__(self, project: Project) -> None:
         self.project = project
-        self.begun: dict[str, float] = {}  # by the clock that does not jump: what this server began
+        self.begun: dict[str, float] = {}  # monotonic start times of jobs started by this server
         self.processes: dict[str, subprocess.Popen[bytes]] = {}
         self.ended: dict[str, dict[str, Any]] = {}
         self.ready: subprocess.Popen[bytes] | None = None
-        self.closing = threading.Event()  # the server ends: nobody hears an answer any more
+        self.closing = threading.Event()  # the server is stopping: no client receives answers
         self.lock, self.read, self.known = threading.Lock(), 0.0, []  # type: tuple[Any, float, list[dict[str, Any]]]
 
     @property
     def folder(self) -> Path:
-        """Where they lie."""
+        """Return the folder of the jobs."""
         return self.project.own(PLACE)
 
     def begin(self, task: AnyTask) -> dict[str, Any]:
-        """Begin a job; give its state."""
+        """Start a job; return its state."""
         doing = doing_of(task, self.project)
         with self.lock:
             running = [job for job in self._all() if job["state"] == "running"]
@@ -132,7 +132,7 @@ class Jobs:
             return self.state(name)
 
     def ask(self, doing: Doing) -> dict[str, Any]:
-        """Do something that does not last, in a process of its own with limits, and wait for what comes of it."""
+        """Run a short task in a separate process with limits, and wait for its result."""
         with tempfile.TemporaryDirectory(prefix="jounce-") as place:
             folder = self._write_job(Path(place) / "asked", doing, None)
             if doing.light:
@@ -152,13 +152,13 @@ class Jobs:
             return {"result": _result(folder), "page": text, **ways(doing)}
 
     def prepare(self) -> None:
-        """Have a process ready from which others split off for what a page asks: what takes long is its start."""
+        """Start a process that forks workers for the page's requests, because starting a process is slow."""
         with self.lock:
             if SPLITS and (self.ready is None or self.ready.poll() is not None):
                 self.ready = _waiting()
 
     def _apart(self, folder: Path) -> None:
-        """Have a process work on a folder."""
+        """Start a process that works on a folder."""
         self.prepare()
         with self.lock:
             is_begun = self._split(folder, 0)
@@ -166,37 +166,37 @@ class Jobs:
             _start_process(folder, waited=True)
 
     def _has_loaded(self) -> bool:
-        """Whether the process that is ready has loaded everything, as it says by a line; none is before a page is."""
+        """Whether the standby process has reported that it is loaded; it starts after the first page."""
         said = None if self.ready is None else self.ready.stdout
         return said is not None and bool(select.select([said], [], [], 0.0)[0])
 
     def _split(self, folder: Path, behind: int) -> bool:
-        """Have the process that is ready split for a folder, so much behind others; False where none is."""
+        """Fork the standby process for a folder, with a niceness increment; ``False`` without such a process."""
         if self.ready is None or self.ready.stdin is None or self.ready.poll() is not None:
             return False
         try:
             self.ready.stdin.write(f"{behind} {folder}\n".encode())
             self.ready.stdin.flush()
-        except OSError:  # it has ended
+        except OSError:  # it has exited
             return False
         return True
 
     def end(self) -> None:
-        """End what waits; jobs go on."""
+        """Stop the standby process; jobs continue."""
         self.closing.set()
         if self.ready is not None:
             with self.ready:
                 self.ready.kill()
 
     def all(self) -> list[dict[str, Any]]:
-        """How every job is, the newest first."""
+        """Return the state of all jobs, newest first."""
         with self.lock:
             if time.monotonic() - self.read > _LOOKED:
                 self.known, self.read = self._all(), time.monotonic()
             return self.known
 
     def state(self, name: str) -> dict[str, Any]:
-        """How a job is."""
+        """Return the state of a job."""
         if name in self.ended:
             return self.ended[name]
         folder = self._place(name)
@@ -218,7 +218,7 @@ class Jobs:
             return answer | {"state": "cancelling" if is_cancelled else "running", "lasted": lasted}
         end = end or _read_model(
             _End, folder / END
-        )  # which it may have written between the two looks
+        )  # it may have been written between the two reads
         outcome = _outcome(folder, end.code if end else None)
         state = outcome["state"] if not is_cancelled or outcome["state"] == "done" else "cancelled"
         here, error = f"{self.project.root}{os.sep}", outcome["error"] or {}
@@ -231,23 +231,23 @@ class Jobs:
             )
         if (
             end is None
-        ):  # it is asked again: where it was begun just now by another server, it lives in a moment
+        ):  # checked again: a job just started by another server may take a moment to lock its file
             return answer | {"error": _LOST, "german": german_of(_LOST)}
         self.ended[name] = answer
         return answer
 
     def result(self, name: str) -> Any:
-        """What the command of a job printed."""
+        """Return the output of a job's command."""
         return _result(self._place(name))
 
     def cancel(self, name: str) -> dict[str, Any]:
-        """Ask a job to stop; what it has finished stays."""
+        """Request a job to stop; finished results are kept."""
         mark(self._place(name) / CANCEL)
         self.read = 0.0
         return self.state(name)
 
     def again(self, name: str) -> AnyTask:
-        """What a job was asked to do, to be done once more: a sweep goes on where it was stopped."""
+        """Return the request of a job, to run it again: a sweep resumes where it stopped."""
         from jounce.web.tasks import task_of
 
         task = task_of(self._job(name).asked or {})
@@ -256,7 +256,7 @@ class Jobs:
         return task.model_copy(update={"force": True}) if hasattr(task, "force") else task
 
     def forget(self, name: str) -> None:
-        """Take a job that has ended off the list; what it wrote into the project stays."""
+        """Remove a finished job from the list; files it wrote into the project are kept."""
         if self.state(name)["state"] in ("running", "cancelling"):
             raise OutputError("the job runs", where=name, hint="Cancel it first.")
         _remove(self._place(name))
@@ -264,7 +264,7 @@ class Jobs:
         self.read = 0.0
 
     def page(self, name: str) -> Path | None:
-        """The report that a job wrote, where it is one."""
+        """Return the report that a job wrote, if any."""
         own = self._place(name) / "report.html"
         if is_regular(own):
             return own
@@ -275,18 +275,18 @@ class Jobs:
     def _all(self) -> list[dict[str, Any]]:
         states: list[dict[str, Any]] = []
         for name in self._names()[:_MOST_LOOKED_AT]:
-            with contextlib.suppress(DescriptionError, OutputError):  # none of ours
+            with contextlib.suppress(DescriptionError, OutputError):  # not created by jounce
                 states.append(self.state(name))
             if len(states) == _MOST_KEPT:
                 break
         return states
 
     def _names(self) -> list[str]:
-        """Names of folders that may be jobs, the last number first."""
+        """Return the names of potential job folders, highest number first."""
         try:
             with os.scandir(self.folder) as entries:
                 names = [entry.name for entry in entries if _NAME.fullmatch(entry.name)]
-        except (OSError, OutputError):  # nothing was begun yet, or it is no folder
+        except (OSError, OutputError):  # no job was started yet, or it is not a folder
             return []
         return sorted(names, key=lambda name: (_number(name), name), reverse=True)
 
@@ -313,14 +313,14 @@ class Jobs:
         if process is not None:
             if process.poll() is None:
                 return True
-            self.processes.pop(name, None)  # another question may have done so just now
+            self.processes.pop(name, None)  # a concurrent request may have removed it
             return False
         if is_regular(folder / ALIVE):
             return is_held(folder / ALIVE)
         return time.monotonic() - self.begun.get(name, -_JUST_BEGUN) < _JUST_BEGUN
 
     def _write_job(self, folder: Path, doing: Doing, task: AnyTask | None) -> Path:
-        """Write down what is to be done, and with which words."""
+        """Write the task of a job and the words of its command."""
         folder.mkdir(parents=True, mode=0o700)
         own = [word.replace("{folder}", str(folder)) for word in doing.own]
         about: dict[str, Any] = {
@@ -347,26 +347,26 @@ _LOST = "The process that worked on it was ended, or the computer was."
 
 
 class Refused(JounceError):
-    """What a command in another process said was wrong, in its own words."""
+    """Error reported by a command in another process, with its original text."""
 
     def __init__(self, error: Mapping[str, Any]) -> None:
         self.text = Translated(str(error["text"]), error.get("german"))
         words = {name: str(error.get(name) or "") for name in ("where", "allowed", "hint")}
         super().__init__(str(error.get("what") or self.text), found=error.get("found"), **words)
 
-    def message(self, *, placed: bool = True, within: str = "") -> Phrase:  # noqa: ARG002 - it is one text
-        """What was said."""
+    def message(self, *, placed: bool = True, within: str = "") -> Phrase:  # noqa: ARG002 - the text is fixed
+        """Return the original text."""
         return self.text
 
 
 def ways(doing: Doing) -> dict[str, Any]:
-    """The same in Python and on the command line."""
+    """Return equivalent Python code and command."""
     return {"python": doing.python, "command": command_line(["jounce", *doing.words]) if doing.words else doing.command,
             "files": doing.files}  # fmt: skip
 
 
 def _start_process(folder: Path, *, waited: bool = False) -> subprocess.Popen[bytes]:
-    """A process that works on what a folder says, and outlives this one; the page goes before it unless it waits."""
+    """Start a process for the job of a folder, which outlives this one; it yields to the page unless the page waits."""
     with (folder / RESULT).open("wb") as out, (folder / PROBLEMS).open("wb") as problems:
         apart: dict[str, Any] = {"start_new_session": True}
         if sys.platform == "win32":
@@ -380,14 +380,12 @@ def _start_process(folder: Path, *, waited: bool = False) -> subprocess.Popen[by
         except OSError as error:
             what = f"no process to work in could be started ({error.strerror or error})"
             raise OutputError(what, where="jobs", hint="Close other programs.") from None
-    threading.Thread(
-        target=process.wait, daemon=True
-    ).start()  # it is noticed when it ends, whoever looks
+    threading.Thread(target=process.wait, daemon=True).start()  # its exit is always collected
     return process
 
 
 def _waiting() -> subprocess.Popen[bytes]:
-    """A process that loads what commands need, and then splits for every folder that it is told."""
+    """Start a process that imports the modules of commands and then forks for each folder it receives."""
     threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
     return subprocess.Popen(
         [sys.executable, "-P", "-c", _WAITING, json.dumps(sys.path)],
@@ -400,13 +398,13 @@ def _waiting() -> subprocess.Popen[bytes]:
 
 
 def _is_over(folder: Path, patience: float, closing: threading.Event) -> bool:
-    """Wait until the work on a folder has ended, however that was; False where it goes on, or nobody waits."""
+    """Wait until the work on a folder has ended; ``False`` if it continues or the client has gone."""
     end, free = time.monotonic() + patience, 0
     while time.monotonic() < end:
         if (folder / END).exists():
             return True
         free = free + 1 if (folder / ALIVE).exists() and not is_held(folder / ALIVE) else 0
-        if free > _FREE:  # longer than one that begins leaves it
+        if free > _FREE:  # longer than a starting process leaves it unlocked
             return True
         if closing.wait(_LOOKED / 5.0):
             break
@@ -425,7 +423,7 @@ sys.exit(work(pathlib.Path(sys.argv[2])))"""
 
 
 def _outcome(folder: Path, code: int | None) -> dict[str, Any]:
-    """What the end of a command means, and its error as it was said."""
+    """Return the outcome of a command from its exit code, and its error text."""
     try:
         said = content(folder / PROBLEMS, _LONGEST_RESULT).decode(errors="replace")
     except (OSError, ValueError):
@@ -438,7 +436,7 @@ def _outcome(folder: Path, code: int | None) -> dict[str, Any]:
         return {
             "state": "done",
             "error": None,
-        }  # with another code than 0 something in it failed, which it says
+        }  # with a nonzero exit code, the result contains what failed
     if isinstance(own, Mapping):
         return {
             "state": "failed",
@@ -459,7 +457,7 @@ _ADVICE = {
 
 
 def without_options(error: Mapping[str, Any]) -> dict[str, Any]:
-    """The text of an error whose hint names an option, which no page has; empty for others."""
+    """Return a hint for the page in place of one that names a command-line option; otherwise empty."""
     if error.get("hint") != ALLOW_OVERWRITING:
         return {}
     what = error["what"]
@@ -482,10 +480,10 @@ def _remove(folder: Path) -> None:
 
 
 def _read_model(kind: type[_Said], file: Path) -> _Said | None:
-    """What a file of a job says; None where there is none, or it says something else."""
+    """Read a file of a job; ``None`` if it is missing or invalid."""
     try:
         return kind.model_validate(plain_json(content(file, _LONGEST)))
-    except (OSError, ValueError):  # pydantic's are of these
+    except (OSError, ValueError):  # includes pydantic's errors
         return None
 
 

@@ -1,7 +1,7 @@
-"""Long records seen at once: a child reads a file once and keeps its channels with the extremes of every 256 samples.
+"""Display of long records: a child process reads a file once and stores channels with extremes of 256 samples.
 
-What is seen of a record is then as many columns as a screen has, each with its least and greatest value, from single
-samples where there are few of them: no peak is lost at any zoom.
+A record is displayed as one column per screen pixel, each with minimum and maximum, computed from single samples at
+high zoom. No peak is lost at any zoom.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ BLOCK = 256
 _PIECE, _UNEVEN = (
     50_000,
     1e-3,
-)  # samples; shares of a step by which evenly spaced instants may be off
+)  # samples; tolerance of evenly spaced instants as a fraction of a step
 ABOUT = "about.json"
 _MOST_CHANNELS = 200
 
 
 def write_levels(file: Path, folder: Path) -> dict[str, Any]:
-    """Read a record as it is written, and keep its channels in a folder; give what is known of it."""
+    """Read a record without conversion, store its channels in a folder, and return its summary."""
     from jounce.recordings.reader import ReaderOptions
     from jounce.recordings.readers import reader_of
 
@@ -82,7 +82,7 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
 
 
 def _is_even(time: Array, step: float, where: str) -> bool:
-    """Whether instants are evenly spaced; refuse those that do not ascend. Piece by piece, as a memory is fast."""
+    """Whether instants are evenly spaced, checked in cache-sized chunks; an error if they do not ascend."""
     even = True
     for start in range(0, len(time) - 1, _PIECE):
         part = time[start : start + _PIECE + 1]
@@ -95,13 +95,13 @@ def _is_even(time: Array, step: float, where: str) -> bool:
 
 @dataclass(frozen=True)
 class Levels:
-    """A record that was read: its channels, and extremes of every 256 samples."""
+    """A stored record: its channels, and the extremes of every 256 samples."""
 
     folder: Path
     about: dict[str, Any]
 
     def viewer(self, names: Sequence[str], low: float, high: float, columns: int) -> Viewer:
-        """Give some channels from ``low`` to ``high`` (in the unit of its time) in so many columns."""
+        """Return some channels from ``low`` to ``high`` (in the unit of its time) in a number of columns."""
         from jounce.report.live import Curve, Pane, Viewer, ViewerScene
 
         known = {channel["name"]: k for k, channel in enumerate(self.about["channels"])}
@@ -166,5 +166,5 @@ class Levels:
 
 
 def _twice(edges: Any) -> Any:
-    """Two places a column: at its begin, and in its middle."""
+    """Return two positions per column: at its start and at its middle."""
     return np.stack([edges[:-1], 0.5 * (edges[:-1] + edges[1:])], axis=1).ravel()

@@ -1,4 +1,4 @@
-"""The folder that a workbench is opened on: what lies in it, and files read and written without ever leaving it."""
+"""The project folder of a workbench: listing, and reading and writing of files strictly within it."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from jounce.core.locking import holding
 from jounce.core.writing import write_atomically
 from jounce.web.untrusted import content
 
-_DEEPEST, _MOST = 6, 2000  # folders below each other, and files, that are listed
+_DEEPEST, _MOST = 6, 2000  # maximum folder depth and number of files listed
 _OWN, _MOST_OWN = (
     ".jounce",
     100_000,
-)  # where the workbench keeps what it needs; files of a sweep that are counted
-_HEAD = 4096  # bytes in which a description says what it is
+)  # folder for the workbench's own files; maximum number of sweep files counted
+_HEAD = 4096  # bytes within which a description declares its kind
 _SCHEMA = re.compile(rb"""^\s*schema\s*=\s*["']jounce\.([a-z-]+)/1["']""", re.MULTILINE)
 _ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
 _ROW = re.compile(rb"^\s*[-+]?[\d.][\d.,eE+-]*[\s;,]+[-+]?\.?\d", re.MULTILINE)
@@ -33,20 +33,23 @@ RECORDS = (
     ".nc", ".nc4", ".csv", ".tsv", ".txt", ".dat", ".mat", ".mf4", ".mdf", ".parquet", ".pq", ".xlsx", ".xlsm",
     ".tdms", ".lvm", ".uff", ".uf", ".unv",
 )  # fmt: skip
-"""Suffixes of files that were measured, or simulated: those of all readers."""
+"""Suffixes of measured or simulated files: those of all readers."""
 _PAGES, _RESULTS, _STORES = (".html", ".pdf"), ("results.json",), (".sqlite",)
-LONGEST, _LONGEST_READ = 2_000_000, 20_000_000  # bytes of a description, and of what may be one
+LONGEST, _LONGEST_READ = (
+    2_000_000,
+    20_000_000,
+)  # maximum bytes of a description written, and of one read
 _SWEPT = "sweep.json"
 _VERSIONS, _MOST_VERSIONS = "versions", 50
-_VERSION = re.compile(r"\d{10,15}-[0-9a-f]{8}")  # ms since 1970, and the digest's begin
+_VERSION = re.compile(r"\d{10,15}-[0-9a-f]{8}")  # ms since 1970, and the start of the digest
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One file of a project: its place in the folder, what it is, and when it was written (s since 1970).
+    """One file of a project: path in the folder, kind, and modification time (s since 1970).
 
-    A sweep is one entry: its folder, with the shards that are ``finished`` and the ``count`` of all. A rig that
-    ``has_hardpoints`` has kinematics.
+    A sweep is one entry: its folder, with the number of ``finished`` shards and the total ``count``. A rig with
+    ``has_hardpoints`` supports kinematic sweeps.
     """
 
     path: str
@@ -60,7 +63,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Text:
-    """Content of a description, and its digest, by which a later change by somebody else is noticed."""
+    """Content of a description, and its digest, used to detect changes by others."""
 
     path: str
     text: str
@@ -69,20 +72,20 @@ class Text:
 
 @dataclass(frozen=True)
 class Version:
-    """What a description was: its name, ``path@version``, and when it was replaced (s since 1970)."""
+    """An earlier version of a description: its name, ``path@version``, and time of replacement (s since 1970)."""
 
     name: str
     replaced: float
 
 
 class Project:
-    """A folder and what is below it; nothing else can be reached, also through links."""
+    """A folder and its content; nothing outside it is accessible, not even through links."""
 
     def __init__(self, folder: Path | str) -> None:
         self.root = Path(folder).resolve(strict=True)
 
     def inside(self, path: str) -> Path:
-        """Give the file of a path with slashes, relative to the folder; refuse what lies, or leads, elsewhere."""
+        """Resolve a path with slashes relative to the folder; an error if it leads outside."""
         allowed = "a file below the project's folder, by its path relative to it"
         try:
             file = (self.root / path).resolve()
@@ -91,7 +94,7 @@ class Project:
                 and file.is_relative_to(self.root)
                 and file != self.root
             )
-        except (OSError, ValueError, RuntimeError):  # a name that is none, links in a circle
+        except (OSError, ValueError, RuntimeError):  # an invalid name, or circular links
             plain = False
         if not plain:
             raise DescriptionError(
@@ -100,7 +103,7 @@ class Project:
         return file
 
     def own(self, *parts: str) -> Path:
-        """Give a place of the workbench's own; a link that a foreign folder has on the way there is not followed."""
+        """Return a path for the workbench's own files, without following links in the project."""
         place = self.root
         for part in (_OWN, *parts):
             place /= part
@@ -113,7 +116,7 @@ class Project:
         return place
 
     def entries(self) -> list[Entry]:
-        """List what is here, folder by folder; what a sweep wrote is one entry, its pages beside it."""
+        """List the files, folder by folder; the output of a sweep is one entry, its pages are separate entries."""
         entries: list[Entry] = []
         files = list(self._files())
         swept = {
@@ -125,7 +128,7 @@ class Project:
             if file.name == _SWEPT and file.parent in swept:
                 entries.append(swept[file.parent])
                 continue
-            with contextlib.suppress(OSError):  # gone meanwhile, or nobody may look at it
+            with contextlib.suppress(OSError):  # deleted meanwhile, or not readable
                 kind = _kind(file)
                 if kind and not (kind == "results" and file.parent in swept):
                     state = file.stat()
@@ -139,7 +142,7 @@ class Project:
         return entries
 
     def _swept(self, manifest: Path) -> Entry | None:
-        """Give the folder of a sweep, with how far it is where that can be read; none for the project itself."""
+        """Return the folder of a sweep, with its progress if readable; ``None`` for the project itself."""
         folder = manifest.parent
         if folder == self.root:
             return None
@@ -151,7 +154,7 @@ class Project:
             sweep = read_kept(folder)
             finished, count = len(sweep.names()), len(sweep.spans)
         except (OSError, ValueError, JounceError):
-            pass  # opened, it says why
+            pass  # the reason is reported when it is opened
         size, modified = _extent(folder)
         return Entry(
             folder.relative_to(self.root).as_posix(), "swept", size, modified, finished, count
@@ -173,7 +176,7 @@ class Project:
             ) from None
 
     def write(self, path: str, text: str, was: str = "") -> Text:
-        """Write a description; ``was`` is the digest of what it replaces, and nothing for a new file."""
+        """Write a description; ``was`` is the digest of the replaced content, empty for a new file."""
         file = self.inside(path)
         if file.suffix.lower() != ".toml":
             raise OutputError(
@@ -188,7 +191,7 @@ class Project:
             )
         with holding(
             self.root
-        ):  # of two who save at once, also from two servers, the second sees the first
+        ):  # of two concurrent saves, even from two servers, the second detects the first
             before = content_of(file, most=_LONGEST_READ) if file.exists() else None
             if before is not None and _digest(before) != was:
                 hint = (
@@ -203,18 +206,18 @@ class Project:
         return Text(path, text, _digest(written))
 
     def versions(self, path: str) -> list[Version]:
-        """What a description was before it was written anew from here, the newest first."""
+        """Return earlier versions of a description that were replaced here, newest first."""
         return [
             Version(f"{path}@{name}", float(name.partition("-")[0]) / 1000.0)
             for name in reversed(_versions(self._versions_of(self.inside(path))))
         ]
 
     def version(self, name: str) -> tuple[str, str]:
-        """Give path and text of an earlier version by its name, ``path@version``."""
+        """Return path and text of an earlier version by its name, ``path@version``."""
         path, _, version = name.rpartition("@")
         place = self._versions_of(self.inside(path))
         if _VERSION.fullmatch(version):
-            with contextlib.suppress(OSError, ValueError):  # gone, or none of ours
+            with contextlib.suppress(OSError, ValueError):  # deleted, or not created by jounce
                 return path, content(place / f"{version}.toml", LONGEST).decode()
         known = [version.name for version in self.versions(path)]
         raise DescriptionError(
@@ -225,13 +228,13 @@ class Project:
         return self.own(_VERSIONS, *file.relative_to(self.root).parts)
 
     def _keep(self, file: Path, written: bytes) -> None:
-        """Keep what a description was before it is written anew, as the newest, whatever the clock says."""
+        """Store the present version of a description as the newest, regardless of the clock, before it is replaced."""
         folder = self._versions_of(file)
         folder.mkdir(parents=True, exist_ok=True)
         known = _versions(folder)
         with contextlib.suppress(OSError, ValueError):
             if known and content(folder / f"{known[-1]}.toml", _LONGEST_READ) == written:
-                return  # a save that failed had come so far
+                return  # already stored by a save that failed later
         newest = int(known[-1].partition("-")[0]) if known else 0
         name = f"{max(time.time_ns() // 1_000_000, newest + 1)}-{_digest(written)[:8]}"
         write_atomically(folder / f"{name}.toml", written, force=True)
@@ -239,13 +242,13 @@ class Project:
             (folder / f"{old}.toml").unlink(missing_ok=True)
 
     def _files(self) -> Iterator[Path]:
-        """Regular files, without hidden ones and without following links, in the order of their names."""
+        """Yield regular files sorted by name, without hidden files and without following links."""
         for folder, folders, files in os.walk(self.root):
             here = Path(folder)
             depth = len(here.relative_to(self.root).parts)
             own = (
                 here != self.root and _SWEPT in files
-            )  # shards, and the arrays of a Zarr group, are no files of anybody
+            )  # shards, and the arrays of a Zarr group, are not user files
             folders[:] = sorted(
                 name
                 for name in folders
@@ -255,7 +258,7 @@ class Project:
                 and not (own and (name == "shards" or (here / name / ".zarray").is_file()))
             )
             for name in sorted(files):
-                with contextlib.suppress(OSError):  # nobody may look at it
+                with contextlib.suppress(OSError):  # not readable
                     if (
                         _is_text(name)
                         and not name.startswith(".")
@@ -265,12 +268,12 @@ class Project:
 
 
 def _extent(folder: Path) -> tuple[int, float]:
-    """Give the bytes of all files in a folder, and when the last of them was written (s since 1970)."""
+    """Return the total bytes of the files in a folder, and the latest modification time (s since 1970)."""
     waiting, size, modified = [folder], 0, 0.0
     for _ in range(_MOST_OWN):
         if not waiting:
             break
-        with contextlib.suppress(OSError):  # a sweep that runs renames what it has written
+        with contextlib.suppress(OSError):  # a running sweep renames its files
             path = waiting.pop()
             state = path.lstat()
             modified = max(modified, state.st_mtime)
@@ -282,13 +285,13 @@ def _extent(folder: Path) -> tuple[int, float]:
 
 
 def _versions(folder: Path) -> list[str]:
-    """Names of the versions in a folder, the oldest first."""
+    """Return the names of the versions in a folder, oldest first."""
     names = (file.stem for file in folder.glob("*.toml") if _VERSION.fullmatch(file.stem))
     return sorted(names, key=lambda name: int(name.partition("-")[0]))
 
 
 def unusable(error: OSError, where: str) -> OutputError:
-    """Say of a full disk, a name that is too long or a missing permission what it is."""
+    """Convert system errors (full disk, name too long, missing permission) into clear messages."""
     hint = "Check the path, the permissions and the space on the disk."
     return OutputError(
         "cannot be read or written", where=where, found=error.strerror or str(error), hint=hint
@@ -296,7 +299,7 @@ def unusable(error: OSError, where: str) -> OutputError:
 
 
 def _is_text(name: str) -> bool:
-    """Whether a name can be told: systems take names that are no UTF-8."""
+    """Whether a name is valid UTF-8: file systems also accept other names."""
     try:
         name.encode()
     except UnicodeEncodeError:
@@ -335,7 +338,7 @@ def _kind(file: Path) -> str:
 
 @lru_cache(256)
 def _has_hardpoints(file: Path, state: State) -> bool:
-    """Whether the text of a rig has them, as it is in that state."""
+    """Whether the text of a rig contains hardpoints, in the given state of the file."""
     try:
         return state[1] <= LONGEST and "hardpoints" in tomllib.loads(
             file.read_text(encoding="utf-8-sig")
@@ -345,7 +348,7 @@ def _has_hardpoints(file: Path, state: State) -> bool:
 
 
 def _is_table(file: Path) -> bool:
-    """Whether a text holds rows of numbers, as measurements do, and a file that asks to be read does not."""
+    """Whether a text contains rows of numbers, as measurements do, unlike a read-me file."""
     try:
         with file.open("rb") as stream:
             head = stream.read(_HEAD)
@@ -355,6 +358,6 @@ def _is_table(file: Path) -> bool:
 
 
 def _is_written(file: Path) -> bool:
-    """Whether a sweep, a campaign or a search wrote it: what it found, and nothing to begin with."""
+    """Whether a file was written by a sweep, a campaign or a search: results, not inputs."""
     folder = file.parent.parent if file.parent.name == "shards" else file.parent
     return any((folder / name).is_file() for name in (*_RESULTS, _SWEPT))

@@ -1,4 +1,4 @@
-"""What no command answers, but the page asks: what would be read of a file, rides over each other."""
+"""Requests of the page without an equivalent command: preview of a file, and overlay of rides."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _MOST_COLUMNS, _MOST_POINTS = 200, 2000
 
 
 def answer(question: Mapping[str, Any]) -> int:
-    """Print the answer as one JSON object; give the exit code."""
+    """Print the answer as one JSON object; return the exit code."""
     try:
         if question["kind"] == "levels":
             from jounce.web.levels import write_levels
@@ -37,7 +37,7 @@ def answer(question: Mapping[str, Any]) -> int:
         else:
             reply = preview(question)
         sys.stdout.write(to_json(for_page(to_plain(reply))))
-    except Exception as error:  # noqa: BLE001 - whatever a file does, it is told
+    except Exception as error:  # noqa: BLE001 - any failure on a file is reported
         known = unusable(error, "") if isinstance(error, OSError) else unforeseen(error)
         plain = {
             "message": known.message(),
@@ -51,9 +51,9 @@ def answer(question: Mapping[str, Any]) -> int:
 
 
 def preview(asked: Mapping[str, Any]) -> dict[str, Any]:
-    """Give the columns of a file as they are written, and what is read of them with the names and signs given.
+    """Return the columns of a file as written, and the data read from them with the given names and signs.
 
-    Where they cannot be read so, the reason stands in ``problem``, beside the columns that there are.
+    If they cannot be read, ``problem`` contains the reason, along with the available columns.
     """
     from jounce.recordings.reader import ReaderOptions
     from jounce.recordings.readers import read_signals
@@ -126,7 +126,7 @@ def _force_deflection(file: Path, asked: Mapping[str, Any]) -> tuple[dict[str, A
 
 
 def _ends(values: Array) -> dict[str, float | int | None]:
-    """Least and greatest of a column, where it holds numbers."""
+    """Return minimum and maximum of a numeric column."""
     array = np.asarray(values)
     if array.dtype.kind not in "fiub" or not array.size:
         return {"count": int(array.size), "least": None, "greatest": None}

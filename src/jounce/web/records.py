@@ -1,6 +1,6 @@
-"""The long records that a project has seen, each read once in a process of its own.
+"""Cache of the long records of a project, each read once in a separate process.
 
-What was read lies in a folder of this server alone: what a project's folder brings along could show another record.
+Cached data are stored in a folder of this server: a cache inside the project's folder could show a different record.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ from jounce.web.project import Project
 from jounce.web.tasks import Doing
 
 _MOST_KEPT = 6
-_MEMORY, _SECONDS = 6e9, 120.0  # that reading a record may take
+_MEMORY, _SECONDS = 6e9, 120.0  # limits for reading a record
 _PIECES, _PIECE = (
     64,
     1 << 16,
-)  # of a file's content, by which it is recognised: all of it up to 4 MB
+)  # of a file's content, to identify it: the whole file up to 4 MB
 
 
 class Records:
-    """The records of a project that were looked at; the last few stay as they were read, until the server ends."""
+    """Records of a project that were viewed; the most recent ones are cached until the server stops."""
 
     def __init__(self, project: Project, jobs: Jobs) -> None:
         self.project, self.jobs = project, jobs
@@ -42,7 +42,7 @@ class Records:
         self.known: OrderedDict[str, Levels] = OrderedDict()
 
     def open(self, path: str) -> Levels:
-        """Read a record, in a process of its own, unless that was done."""
+        """Read a record in a separate process, unless it is cached."""
         file = self.project.inside(path)
         if not file.is_file():
             raise DescriptionError(
@@ -50,7 +50,7 @@ class Records:
             )
         with (
             self.lock
-        ):  # a page that is loaded anew asks again: what is being read is not written twice
+        ):  # a reloaded page repeats the request: a record being read is not written twice
             key = _fingerprint(file)
             if key not in self.known:
                 self.known[key] = self._read(path, file, key)
@@ -61,12 +61,12 @@ class Records:
             return self.known[key]
 
     def end(self) -> None:
-        """Take away what was read."""
+        """Delete the cached data."""
         if self.folder is not None:
             shutil.rmtree(self.folder, ignore_errors=True)
 
     def ways(self, path: str, about: Mapping[str, Any], channels: Sequence[str]) -> dict[str, Any]:
-        """The same in Python and on the command line, which read known channels with a unit of theirs only."""
+        """Return equivalent Python code and command, which read only known channels with a matching unit."""
         every = {channel["name"]: channel["unit"] for channel in about["channels"]}
         read = [name for name in channels if _is_known(name) and _is_of(name, every[name])]
         wrong = [
@@ -87,7 +87,7 @@ class Records:
     def _read(self, path: str, file: Path, key: str) -> Levels:
         self.folder = self.folder or lasting_folder()
         folder = self.folder / key
-        shutil.rmtree(folder, ignore_errors=True)  # half of it, where the disk was full
+        shutil.rmtree(folder, ignore_errors=True)  # incomplete, if the disk was full
         question = {"kind": "levels", "file": str(file), "folder": str(folder)}
         limits = (_MEMORY, _SECONDS)
         try:
@@ -108,10 +108,10 @@ class Records:
 
 
 def _fingerprint(file: Path) -> str:
-    """What a record is recognised by.
+    """Return the fingerprint that identifies a record.
 
-    Dates and sizes can be set, as ``cp -p`` does, and some disks do not tell which file it is or when that was changed:
-    so pieces of the content count, too, evenly spread from the first byte to the last.
+    Dates can be set, as ``cp -p`` does, and some file systems report neither a file identity nor the time of change.
+    The fingerprint therefore includes pieces of the content, evenly spaced from the first byte to the last.
     """
     state = state_of(file)
     digest, last = (
@@ -132,7 +132,7 @@ def _is_known(name: str) -> bool:
 
 
 def _is_of(name: str, unit: str) -> bool:
-    """Whether a unit is one of the known channel of that name."""
+    """Whether a unit is compatible with the known channel of that name."""
     from jounce.core.units import conversion_factor
     from jounce.recordings.schema import channel_unit
 

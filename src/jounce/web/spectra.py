@@ -1,4 +1,4 @@
-"""Spectra of runs and recordings side by side, each at its own rate, as curves over frequency."""
+"""Spectra of several runs and recordings, each at its own sampling rate, as curves over frequency."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from jounce.core.errors import JounceError
 if TYPE_CHECKING:
     import xarray as xr
 
-_HIGHEST = 60.0  # Hz: of what a car does, all is below
+_HIGHEST = 60.0  # Hz: vehicle motion is below this frequency
 
 
 def spectra_of(
     runs: Mapping[str, xr.Dataset], *, shortest: float | None = None
 ) -> dict[str, xr.Dataset]:
-    """Give the root of each channel's power spectral density, unit/√Hz in the units that are shown.
+    """Return the square root of each channel's power spectral density, unit/√Hz in display units.
 
-    It is that of one piece as long as the run; with the ``shortest`` (s) piece that is wanted, of an eighth of the run,
-    as long as that at least, and half of the run at most.
+    By default one segment covers the whole run. With ``shortest`` (s), segments are an eighth of the run, but at
+    least ``shortest`` and at most half of the run.
     """
     return {label: _spectra(run, shortest) for label, run in runs.items()}
 
@@ -47,7 +47,7 @@ def _spectra(run: xr.Dataset, shortest: float | None) -> xr.Dataset:
         signal = np.interp(even, time, values.to_numpy())
         try:
             spectrum = power_spectrum(signal, rate, segment=segment)
-        except JounceError:  # a channel with gaps has none
+        except JounceError:  # a channel with gaps has no spectrum
             continue
         inside = spectrum.frequency <= _HIGHEST
         frequency = spectrum.frequency[inside]

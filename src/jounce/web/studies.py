@@ -1,4 +1,4 @@
-"""Sweeps as the page shows them: a study written from a form, and the variants of one as columns of numbers."""
+"""Sweeps for the page: writing a study from a form, and returning its variants as columns of numbers."""
 
 from __future__ import annotations
 
@@ -17,28 +17,28 @@ from jounce.core.files import content_of, only_below
 from jounce.core.writing import temporary_beside
 from jounce.web.project import Project, Text
 
-_MOST_ROWS = 2000  # variants that a page draws
+_MOST_ROWS = 2000  # maximum number of variants drawn on a page
 _SIMPLE = {"kind", "height", "depth", "length", "start"}
 
 
 def write_study(
     project: Project, path: str, study: Mapping[str, Any], was: str = ""
 ) -> dict[str, Any]:
-    """Write a study of the schema ``jounce.sweep/1`` and read it again: its text, and how many variants it has.
+    """Write a study of the schema ``jounce.sweep/1``, read it back, and return its text and number of variants.
 
-    What cannot be read is not written.
+    An invalid study is not written.
     """
     from jounce.variants.study import read_sweep
 
     file, rig = project.inside(path), str(study["rig"])
-    if rig.endswith(".toml"):  # a study names it from where it lies itself
+    if rig.endswith(".toml"):  # a study refers to it relative to its own folder
         rig = Path(os.path.relpath(project.inside(rig), file.parent)).as_posix()
     try:
         text = tomlkit.dumps({"schema": "jounce.sweep/1", **study, "rig": rig})
     except (
         ValueError,
         TypeError,
-    ) as error:  # tomlkit's are of these: nothing stands for nothing in TOML
+    ) as error:  # includes tomlkit's errors: TOML cannot represent None
         raise DescriptionError(
             "this cannot be written as a study", where=path, found=str(error)
         ) from None
@@ -47,7 +47,7 @@ def write_study(
             "only descriptions are written here", where=path, allowed="a name that ends in .toml"
         )
     file.parent.mkdir(parents=True, exist_ok=True)
-    trial = temporary_beside(file)  # where the files that it names are looked for
+    trial = temporary_beside(file)  # in the folder relative to which its files are resolved
     try:
         trial.write_text(text, encoding="utf-8")
         with only_below(project.root):
@@ -64,7 +64,7 @@ def write_study(
 
 
 def swept(project: Project, folder: str) -> dict[str, Any]:
-    """Give the variants of a sweep that are finished, its statistics, and what each variant is as a run."""
+    """Return the finished variants of a sweep, its statistics, and each variant's parameters as a run."""
     from jounce.core.display import display_unit
     from jounce.core.serialise import to_plain
     from jounce.variants.sensitivity import metrics_of, numbers_of
@@ -75,7 +75,7 @@ def swept(project: Project, folder: str) -> dict[str, Any]:
     sweep = read_kept(place)
     try:
         data = load_sweep(place, channels=False)
-    except Exception as error:  # noqa: BLE001 - whatever a foreign file does, it is told
+    except Exception as error:  # noqa: BLE001 - any failure on a foreign file is reported
         raise unforeseen(error, folder) from None
     if "variant" not in data.dims:
         return {
@@ -117,7 +117,7 @@ def swept(project: Project, folder: str) -> dict[str, Any]:
 
 
 def _run(project: Project, place: Path, command: str) -> dict[str, Any] | None:
-    """What a variant is driven over, as the page of trials takes it; None where it cannot show that."""
+    """Return the trial of a variant in the form of the trials page; ``None`` if that page cannot show it."""
     words = words_of(command) if command.startswith("jounce sweep ") else []
     named = next((word for word in words[2:] if word.endswith(".toml")), None)
     try:

@@ -1,4 +1,4 @@
-"""What others send, or left in a project's folder: regular files of bounded size, and JSON that is plain throughout."""
+"""Reading of untrusted input: regular files of bounded size, and plain JSON."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from typing import Any
 
 from pydantic_core import from_json
 
-_DEEPEST = 64  # lists and objects within each other
+_DEEPEST = 64  # maximum nesting of lists and objects
 _GREATEST = 1 << 63
 
 
 def content(file: Path, most: int) -> bytes:
-    """Give what a file holds.
+    """Return the content of a file.
 
     Raises
     ------
     OSError
-        Where it cannot be read, or is a link, a pipe, a device or a folder.
+        If it cannot be read, or is a link, a pipe, a device or a folder.
     ValueError
-        Where it holds more than ``most`` bytes.
+        If it contains more than ``most`` bytes.
     """
-    # Opened, then looked at: what is looked at is what is read. A pipe must not keep us waiting.
+    # Opened before it is examined, so the examined file is the one read. A pipe must not block.
     flags = (
         os.O_RDONLY
         | getattr(os, "O_NONBLOCK", 0)
@@ -41,7 +41,7 @@ def content(file: Path, most: int) -> bytes:
 
 
 def is_regular(file: Path) -> bool:
-    """Whether it is a file itself, not a link to one."""
+    """Whether a path is a regular file, not a link to one."""
     try:
         return stat.S_ISREG(file.lstat().st_mode)
     except OSError:
@@ -49,13 +49,13 @@ def is_regular(file: Path) -> bool:
 
 
 def mark(file: Path) -> None:
-    """Make an empty file, unless something has its name: a link there leads nobody astray."""
+    """Create an empty file unless the name exists, without following a link of that name."""
     if not os.path.lexists(file):
         os.close(os.open(file, os.O_CREAT | os.O_EXCL | os.O_WRONLY))
 
 
 def plain_json(text: bytes | str) -> Any:
-    """Read JSON that is not deep, of finite numbers and of texts that can be written as UTF-8; else ValueError."""
+    """Parse JSON of limited depth with finite numbers and valid UTF-8 text; otherwise raise ValueError."""
     plain = from_json(text, allow_inf_nan=False)
     waiting = [(plain, 0)]
     while waiting:

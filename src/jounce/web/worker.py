@@ -1,8 +1,8 @@
-"""The process that does one job: it runs a command, and keeps on the disk how far it is and what came of it.
+"""The process of one job: it runs a command and stores its progress and result on disk.
 
-It does what ``job.json`` in the folder of the job says. While it lives it holds the lock on
-``alive``, which goes with it however it ends: a server that was started again since knows the job by that, and by the
-files beside it. It stops where a file ``cancel`` appears, as a command does at Ctrl-C.
+The job is described by ``job.json`` in its folder. While the process runs it holds the lock on ``alive``, which the
+system releases however it ends. A restarted server identifies running jobs by this lock and the other files in the
+folder. The process stops when a file ``cancel`` appears, as a command does on Ctrl-C.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ JOB, PROGRESS, RESULT, PROBLEMS, END, ALIVE, CANCEL = (
 _BETWEEN, _LOOKS = (
     0.2,
     0.2,
-)  # s between two states on the disk, and between two looks for the wish to stop
-_PATIENCE = 10.0  # s in which a command that is to stop does so, before it is ended
+)  # s between two writes of the state, and between two checks for cancellation
+_PATIENCE = 10.0  # s within which a cancelled command must stop before it is killed
 _TRIALS = 50
-_MOST_STEPS = 400  # of a search that are kept
+_MOST_STEPS = 400  # maximum number of search steps kept
 
 
 def _hold(file: Path) -> bool:
-    """Hold a file until this process ends, as soon as whoever asks whether it is held has let it go."""
+    """Lock a file until this process ends, waiting while another process tests the lock."""
     for _ in range(_TRIALS):
         if hold(file) is not None:
             return True
@@ -46,7 +46,7 @@ def _hold(file: Path) -> bool:
 
 
 def put(file: Path, plain: Mapping[str, Any]) -> None:
-    """Write plain data so that a reader finds the old or the new, whole."""
+    """Write plain data atomically: a reader finds either the old or the new version."""
     temporary = file.with_name(f".{file.name}.{os.getpid()}")
     temporary.write_text(to_json(plain, indent=None), encoding="utf-8")
     temporary.replace(file)
@@ -57,7 +57,7 @@ def _end_record(code: int) -> dict[str, Any]:
 
 
 class _Told:
-    """How far the work is, written to the disk now and then."""
+    """Progress of the work, written to disk periodically."""
 
     def __init__(self, file: Path) -> None:
         self.file, self.written = file, 0.0
@@ -67,12 +67,12 @@ class _Told:
         self.lock = threading.Lock()
 
     def follow(self, line: Any) -> None:
-        """Take what the command says that it does."""
+        """Store the current activity reported by the command."""
         self.line = line
         self.write()
 
     def watch(self, numbers: Mapping[str, Any]) -> None:
-        """Take a step of a search: a new one begins where another thing is done, or other numbers are free."""
+        """Store a step of a search; a new search starts if the activity or the free parameters change."""
         search = f"{self.line.said if self.line else ''} {list(numbers['parameters'])}"
         if search != self.search:
             self.search = search
@@ -81,7 +81,7 @@ class _Told:
         self.write()
 
     def write(self, *, last: bool = False) -> None:
-        """Write the state, unless that was done just now."""
+        """Write the state, unless it was written recently."""
         with self.lock:
             if not last and time.monotonic() - self.written < _BETWEEN:
                 return
@@ -104,7 +104,7 @@ class _Told:
 
 
 def _stop_when_wanted(folder: Path) -> None:
-    """Stop the command as Ctrl-C does; where it does not listen, end this process and what it has started."""
+    """Stop the command as Ctrl-C does; if it does not respond, end this process and its children."""
     while not (folder / CANCEL).exists():
         time.sleep(_LOOKS)
     signal.raise_signal(signal.SIGINT) if sys.platform == "win32" else os.kill(
@@ -118,13 +118,13 @@ def _stop_when_wanted(folder: Path) -> None:
 
 
 def work(folder: Path) -> int:
-    """Do the job of a folder; give the exit code of its command."""
-    if not _hold(folder / ALIVE):  # another process does it
+    """Run the job of a folder; return the exit code of its command."""
+    if not _hold(folder / ALIVE):  # another process runs it
         return 2
     job = json.loads((folder / JOB).read_text(encoding="utf-8"))
     signal.signal(
         signal.SIGINT, signal.default_int_handler
-    )  # which a shell may have told to ignore it
+    )  # a shell may have set it to be ignored
     threading.Thread(target=_stop_when_wanted, args=(folder,), daemon=True).start()
     os.chdir(job["root"])
     progress = _Told(folder / PROGRESS)
@@ -146,7 +146,7 @@ def work(folder: Path) -> int:
             from jounce.cli.reply import followed_by
             from jounce.core.waiting import watched_by
 
-            sys.argv = ["jounce", *job["words"]]  # which results keep
+            sys.argv = ["jounce", *job["words"]]  # results store it
             with followed_by(progress.follow), watched_by(progress.watch):
                 code = main([*job["words"], *job["own"], "--json"])
     except KeyboardInterrupt:
@@ -170,9 +170,9 @@ _USUAL = (
 
 
 def split_when_told() -> None:
-    """Load what most commands need, and say so; then do the job of each folder that standard input names.
+    """Import common modules, report readiness, then run the job of each folder named on standard input.
 
-    Each is done in a child of its own; before its folder stands by how much that is nicer than others.
+    Each job runs in its own child process; the folder is preceded by the child's niceness increment.
     """
     from jounce.cli import main  # noqa: F401
 
@@ -186,7 +186,7 @@ def split_when_told() -> None:
         *_USUAL,
     ):
         import_module(name)
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody asks how they ended but by their files
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # their outcome is read only from their files
     sys.stdout.write("loaded\n")
     sys.stdout.flush()
     while line := sys.stdin.readline().strip():
@@ -204,7 +204,7 @@ def split_when_told() -> None:
                     stream,
                 )
             code = work(Path(folder))
-        except Exception:  # noqa: BLE001 - its last line is the reason that the page shows
+        except Exception:  # noqa: BLE001 - the page shows its last line as the reason
             traceback.print_exc()
         finally:
             sys.stderr.flush()

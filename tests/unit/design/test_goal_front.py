@@ -86,7 +86,11 @@ def test_mixtures_are_spread_evenly_and_sum_up():
     [
         ('"rough: tyre.force", "rough: strut.deflection"]', "]", "front"),
         ('"rough: tyre.force"', '"rough: sprung.az"', "different metrics"),
-        ("points = 4", 'points = 4\nshown = "rough: unsprung.az"', "additional metric of a front of two"),
+        (
+            "points = 4",
+            'points = 4\nshown = "rough: unsprung.az"',
+            "additional metric of a front of two",
+        ),
         ('"rough: tyre.force"', '"rough: tyre.forze"', "tyre.force"),
     ],
 )
