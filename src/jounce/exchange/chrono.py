@@ -1,4 +1,4 @@
-"""3-D corners as suspension files of Project Chrono: the inverse of what ``jounce import chrono`` reads."""
+"""Export of 3-D corners as Project Chrono suspension files, the inverse of ``jounce import chrono``."""
 
 from __future__ import annotations
 
@@ -35,16 +35,16 @@ from jounce.parts.importers.chrono import (
 from jounce.parts.leverage import force_at
 from jounce.parts.options import AnyRig
 
-_RADIUS = {"Spindle": 0.1, "Upright": 0.025}  # m, of bodies in Chrono's graphics; others 0.02 m
+_RADIUS = {"Spindle": 0.1, "Upright": 0.025}  # m, body radii in Chrono's graphics; default 0.02 m
 _SPINDLE_SHARE, _SPINDLE_SIZE = (
     0.05,
     0.05,
-)  # of the upright's mass, m: for a rig without a separate wheel
-_ARM_SHARE, _ARM_SIZE = 0.05, 0.02  # of the upright's mass, m: of the arm that links 1 and 2 make
-_AXLE_INERTIA = 0.4  # kg m^2: of the half shaft, which Chrono requires
-_CURVE = np.linspace(-0.1, 0.25, 71)  # m: where curves that are no tables are sampled
+)  # fraction of the upright's mass, m: spindle of a rig without a separate wheel
+_ARM_SHARE, _ARM_SIZE = 0.05, 0.02  # fraction of the upright's mass, m: arm formed by links 1 and 2
+_AXLE_INERTIA = 0.4  # kg m^2: half shaft, required by Chrono
+_CURVE = np.linspace(-0.1, 0.25, 71)  # m: sampling points of curves that are not tables
 _EXACT_PRODUCTS = ("DoubleWishbone",)  # templates of Chrono that read products of inertia
-_LOST = 1e-4  # share of the largest moment below which a product of inertia is zero
+_LOST = 1e-4  # products of inertia below this fraction of the largest moment count as zero
 
 
 @dataclass(frozen=True)
@@ -54,9 +54,9 @@ class ChronoExport(Plain):
     Attributes
     ----------
     path : Path
-        The file.
+        The file written.
     template : str
-        Of Chrono: ``DoubleWishbone``, ``MacPhersonStrut`` or ``MultiLink``.
+        Chrono template: ``DoubleWishbone``, ``MacPhersonStrut`` or ``MultiLink``.
     findings : tuple of Finding
         Parts of the rig that the file omits or represents differently.
     """
@@ -78,12 +78,12 @@ class ChronoExport(Plain):
 )
 def write_chrono(
     rig: AnyRig,
-    path: Annotated[Path | str, File("Suspension file of Project Chrono to write.", "FILE.json")],
+    path: Annotated[Path | str, File("Project Chrono suspension file to write.", "FILE.json")],
     *,
     wheel_mass: Annotated[
         float | str,
         Number(
-            "Rim and tyre, which are in other files there: taken out of the wheel. Default: nothing.",
+            "Mass of rim and tyre, which Chrono keeps in other files: subtracted from the wheel. Default: 0.",
             "MASS",
             "kg",
             is_positive=True,
@@ -93,31 +93,31 @@ def write_chrono(
 ) -> ChronoExport:
     """Write a 3-D rig as a suspension of Project Chrono: double wishbone, McPherson strut, multi-link.
 
-    Double wishbones, McPherson struts and five links of which two are an arm. Heights are relative to the wheel centre,
-    as Chrono places a suspension relative to its axle; the left side is written, for ``jounce import chrono``, too.
+    Supports double wishbones, McPherson struts, and five links of which two form an arm. Heights are relative to the
+    wheel centre, because Chrono positions a suspension relative to its axle. The file describes the left side, as
+    ``jounce import chrono`` expects.
 
     Parameters
     ----------
     rig : Rig, str or Path
-        3-D corner of a car, its file or its name.
+        3-D corner of a car, its file, or its name in the library.
     path : Path or str
         File to write.
     wheel_mass : float
-        Rim and tyre [kg], which Chrono has in files of their own: it is taken out of the spindle, with the inertia of a
-        common wheel. 0: the spindle is the whole wheel.
+        Mass of rim and tyre [kg], which Chrono keeps in separate files. It is subtracted from the spindle, with the
+        inertia of a typical wheel. 0: the spindle is the whole wheel.
     force : bool
         Overwrite an existing file.
 
     Returns
     -------
     ChronoExport
-        The file and findings.
+        The file written, and findings.
 
     Raises
     ------
     OutputError
-        For a rig that none of these templates describes, a wheel mass that the wheel does not have, and an existing
-        file.
+        For a rig that fits none of these templates, a wheel mass above that of the wheel, or an existing file.
 
     Examples
     --------
@@ -141,13 +141,13 @@ def write_chrono(
 
 def _left_corner(rig: Rig) -> Corner:
     allowed = "3-D corners: double-wishbone, mcpherson, five-link"
-    corner = corner_of(rig, "the rig is no suspension of Chrono", allowed)
+    corner = corner_of(rig, "Chrono has no template for this rig", allowed)
     require_parts(corner, what="a suspension of Chrono")
     return corner if corner.side == "left" else corner.mirrored()
 
 
 def _plain(value: Any) -> Any:
-    """Lists of numbers without the dust of their last digits."""
+    """Convert arrays to lists and round numbers to 12 digits."""
     if isinstance(value, Mapping):
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, np.ndarray | list | tuple):
@@ -157,7 +157,7 @@ def _plain(value: Any) -> Any:
 
 @dataclass
 class _ChronoWriter:
-    """A rig while it becomes a file."""
+    """Builds the file of a rig, and collects findings."""
 
     rig: Corner
     wheel_mass: float
@@ -176,7 +176,7 @@ class _ChronoWriter:
                 self.points.setdefault(f"{element}_{end}", self.points[f"strut_{end}"])
 
     def table(self) -> dict[str, Any]:
-        """The file."""
+        """Return the content of the file."""
         ways: dict[type[Corner], tuple[str, Callable[[], dict[str, Any]]]] = {
             DoubleWishbone: ("DoubleWishbone", self._double_wishbone),
             McPherson: ("MacPhersonStrut", self._mcpherson),
@@ -184,9 +184,9 @@ class _ChronoWriter:
         }
         rig = self.rig
         if type(rig) not in ways:
-            raise self._refusal(f"no template of Chrono is a {getattr(rig, 'model', '')}")
+            raise self._refusal(f"Chrono has no template for a {getattr(rig, 'model', '')}")
         if rig.strut.on == "rocker":
-            raise self._refusal("a push rod and a rocker are in no template of Chrono's files")
+            raise self._refusal("Chrono's templates have no push rod and rocker")
         self.template, bodies = ways[type(rig)]
         wheel = rig.wheel
         head = {
@@ -207,7 +207,7 @@ class _ChronoWriter:
         return OutputError(
             what,
             where="rig",
-            allowed="arms with the strut on the lower one, or equations and MJCF",
+            allowed="a strut on the lower arm; or export equations or MJCF",
             **more,
         )
 
@@ -215,7 +215,7 @@ class _ChronoWriter:
         self.findings.append(finding(code, place, value, **numbers))
 
     def _place_points(self, parts: dict[str, dict[str, Any]]) -> None:
-        """Every point under its section and key."""
+        """Write each point to its section and key."""
         names, _ = TEMPLATES[self.template]
         for name, (section, key) in names.items():
             if name in self.points:
@@ -224,7 +224,7 @@ class _ChronoWriter:
     # --- bodies
 
     def _part(self, name: str, section: str, body: RigidBody, frame: Array) -> dict[str, Any]:
-        """Mass properties in Chrono's frame of a body."""
+        """Return mass properties in Chrono's frame of a body."""
         tensor = frame.T @ body.inertia.tensor @ frame
         products = [tensor[0, 1], tensor[0, 2], tensor[1, 2]]
         whole = {
@@ -257,7 +257,7 @@ class _ChronoWriter:
         return self._part(name, section, body, arm_frame(front, rear, ball, name))
 
     def _carrier(self) -> dict[str, dict[str, Any]]:
-        """Spindle and upright."""
+        """Return spindle and upright."""
         upright, wheel = self._body("upright"), self._body("wheel")
         assert upright is not None
         at = np.array(self.rig.hardpoints.wheel_centre)
@@ -265,7 +265,7 @@ class _ChronoWriter:
             mass = _SPINDLE_SHARE * upright.mass
             if self.wheel_mass:
                 raise OutputError(
-                    "the rig has no body of the wheel to take rim and tyre out of", where="wheel_mass",
+                    "the rig has no wheel body from which to subtract rim and tyre", where="wheel_mass",
                     found=f"{self.wheel_mass:g} kg", allowed="0 kg",
                 )  # fmt: skip
             spindle = _ball(mass, at, _SPINDLE_SIZE)
@@ -289,7 +289,7 @@ class _ChronoWriter:
         }
 
     def _rod(self, name: str) -> dict[str, Any]:
-        """A tie rod; a body if it has mass."""
+        """Return the tie rod as a body if it has mass, else an empty table."""
         body = self._body(name)
         if body is None:
             return {}
@@ -330,7 +330,7 @@ class _ChronoWriter:
         points, bodies = self.points, self.rig.body_masses()
         if np.linalg.norm(points["link_1_outer"] - points["link_2_outer"]) > SAME_POINT:
             raise self._refusal(
-                "links 1 and 2 share no outer point: Chrono's multi-link has an upper arm there"
+                "links 1 and 2 have different outer points, but are one upper arm in Chrono's multi-link"
             )
         if self.rig.strut.on != "link_4":
             raise self._refusal(
@@ -339,12 +339,13 @@ class _ChronoWriter:
         missing = [name for name in ("link_3", "link_4") if name not in bodies]
         if missing:
             raise self._refusal(
-                "links without mass, which Chrono's multi-link has", found=", ".join(missing)
+                "massless links, but Chrono's multi-link needs their masses",
+                found=", ".join(missing),
             )
         heavy = [name for name in ("link_1", "link_2") if name in bodies]
         if heavy:
             raise self._refusal(
-                "links 1 and 2 are bodies of their own, and one arm in Chrono",
+                "links 1 and 2 are separate bodies, but one arm in Chrono",
                 found=", ".join(heavy),
             )
         carrier = bodies["upright"]
@@ -430,14 +431,12 @@ class _ChronoWriter:
             return {"Deformation": np.array(damper.length), "Map Data": rows}
         points = damper.points(beyond=10.0)
         if points is None:
-            raise self._refusal(
-                "a damper with hysteresis is in no file of Chrono", found=damper.kind
-            )
+            raise self._refusal("Chrono's files have no damper with hysteresis", found=damper.kind)
         velocity, force = points
         return {"Curve Data": np.column_stack([-velocity[::-1], -force[::-1]])}
 
     def _note_rest(self) -> None:
-        """Findings on parts of the rig that the file omits."""
+        """Add findings on parts of the rig that the file omits."""
         rig = self.rig
         parts = ("anti_roll_bar", "torsion_bar", "third_spring", "guide_friction")
         left = [name for name in parts if getattr(rig, name, None) is not None]
@@ -465,11 +464,11 @@ def _body(mass: float, centre: Array, tensor: Array) -> RigidBody:
 
 
 def _less(whole: RigidBody, part: RigidBody, *, with_inertia: bool = True) -> RigidBody:
-    """A body without one of its parts; refuse a part that is not in it."""
+    """Subtract a part from a body; refuse a part heavier than the body."""
     mass = whole.mass - part.mass
     if mass <= 0.0:
         raise OutputError(
-            "more than the body has",
+            "more than the mass of the body",
             where="wheel_mass",
             found=f"{part.mass:g} kg",
             allowed=Phrase("below {mass:g} kg", mass=whole.mass),
@@ -486,6 +485,6 @@ def _less(whole: RigidBody, part: RigidBody, *, with_inertia: bool = True) -> Ri
             "the rest of the body has an impossible inertia",
             where="wheel_mass",
             found=f"{part.mass:g} kg of {whole.mass:g} kg",
-            hint="Take less out.",
+            hint="Reduce it.",
         )
     return _body(mass, centre, tensor)

@@ -1,4 +1,4 @@
-"""The kind of rig that mechanism files can represent: a 3-D corner with a spring about its strut."""
+"""Checks of rigs for export as mechanisms: 3-D corners with a spring on the strut."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from jounce.parts import Corner, Rig
 def corner_of(
     rig: Rig, what: str, allowed: str = "3-D corners such as kart-double-wishbone"
 ) -> Corner:
-    """Return the rig if it is a 3-D corner; the error names the file ``what``."""
+    """Return the rig if it is a 3-D corner, else raise an error with the text ``what``."""
     if not isinstance(rig, Corner):
         raise OutputError(
             what, where="rig", found=getattr(rig, "model", type(rig).__name__), allowed=allowed
@@ -18,9 +18,10 @@ def corner_of(
 
 
 def require_parts(rig: Corner, *parts: str, what: str) -> None:
-    """Refuse a corner without parts that the file ``what`` needs, or with a torsion bar for its spring."""
+    """Refuse a corner that lacks parts required by the file ``what``, or has a torsion bar instead of its spring."""
     rig.require("bodies", "spring", "damper", *parts, what=what)
     if "spring" in rig.without:
         raise OutputError(
-            "a torsion bar in place of the strut's spring is not written", where="torsion_bar"
+            "export of a torsion bar instead of the strut's spring is not supported",
+            where="torsion_bar",
         )

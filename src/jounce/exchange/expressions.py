@@ -1,4 +1,4 @@
-"""Graphs of CasADi written out as text: LaTeX to read, Python to reuse with SymPy."""
+"""Conversion of CasADi graphs to text: LaTeX, or Python for SymPy."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _OPERATIONS = {
 
 @dataclass(frozen=True)
 class _Node:
-    """One operation on earlier nodes; leaves have a text instead."""
+    """Operation on earlier nodes, or a leaf with a text."""
 
     kind: str
     operands: tuple[int, ...] = ()
@@ -44,7 +44,7 @@ class Language:
 
 @dataclass(frozen=True)
 class Written:
-    """Definitions of repeated expressions, in their order, and the elements of each result, column by column."""
+    """Definitions of repeated expressions in order, and the elements of each result by column."""
 
     definitions: tuple[tuple[str, str], ...]
     results: tuple[tuple[str, ...], ...]
@@ -53,7 +53,7 @@ class Written:
 def write_expressions(
     function: ca.Function, names: Sequence[Sequence[str]], language: Language
 ) -> Written:
-    """Write a function out; ``names`` are those of the elements of each argument."""
+    """Convert a function to text; ``names`` are the names of the elements of each argument."""
     nodes, results = _nodes(function, names, language.number)
     uses = [0] * len(nodes)
     for node in nodes:
@@ -83,9 +83,9 @@ def write_expressions(
 def _nodes(
     function: ca.Function, names: Sequence[Sequence[str]], number: Callable[[float], str]
 ) -> tuple[list[_Node], list[list[int]]]:
-    """Operations, each once, and the indices of the results' elements; -1 for zero."""
+    """Return unique operations, and the node index of each element of the results; -1 for zero."""
     nodes: list[_Node] = []
-    at: dict[int, int] = {}  # place of work to the node that was written there last
+    at: dict[int, int] = {}  # work vector index to the node stored there last
     results = [[-1] * function.numel_out(i) for i in range(function.n_out())]
     for k in range(function.n_instructions()):
         kind, left, right = (
@@ -115,7 +115,7 @@ def _nodes(
 
 
 def _in_brackets(part: Part, least: int) -> str:
-    """A part, in brackets if its precedence requires them."""
+    """Return a part, in brackets if its precedence requires them."""
     return part[0] if part[1] >= least else f"({part[0]})"
 
 
@@ -222,7 +222,7 @@ LATEX = Language(_latex, _latex_number, lambda i: f"w_{{{i}}}")
 
 
 def latex_name(name: str) -> str:
-    r"""A name of a rig as a symbol.
+    r"""Return a LaTeX symbol for a name of the rig.
 
     >>> print(latex_name("upper_arm.angle rate"))
     \mathrm{upper\_arm.angle\ rate}
@@ -232,7 +232,7 @@ def latex_name(name: str) -> str:
 
 
 def identifiers(names: Sequence[str], prefix: str = "") -> list[str]:
-    """Unique Python names for names of a rig; refuse a collision.
+    """Convert names of a rig to Python identifiers; refuse a collision.
 
     >>> identifiers(["tyre.force", "mode of tyre"])
     ['tyre_force', 'mode_of_tyre']

@@ -1,4 +1,4 @@
-"""3-D corners as MJCF, the files of MuJoCo: bodies as a tree, loops by equality constraints, springs as tendons."""
+"""Export of 3-D corners as MuJoCo models (MJCF): bodies as a tree, loops as constraints, springs as tendons."""
 
 from __future__ import annotations
 
@@ -25,12 +25,14 @@ from jounce.parts.elements import BumpStop, Curve
 from jounce.parts.leverage import force_at
 from jounce.parts.options import AnyRig
 
-STEP = 1e-4  # s: closing loops are springs whose time constant is two steps; longer ones let hardpoints part
-_STIFF = 2.0  # steps, time constant of closing loops: MuJoCo's lower limit
-_SMALL = 1e-3  # m: either side of the design length, for the rate of a curve
-_SLOW = 0.05  # m/s: either side of rest, for the coefficient of a nonlinear damper
-_ROUNDING = 1e-6  # of a moment of inertia: written numbers of a thin plate would break the triangle inequality
-_FAR = 1e3  # m: a length that no strut has
+STEP = 1e-4  # s: loop closures are springs with a time constant of two steps; longer ones let hardpoints separate
+_STIFF = 2.0  # time constant of loop closures in steps: MuJoCo's lower limit
+_SMALL = 1e-3  # m: finite difference about the design length for the rate of a curve
+_SLOW = 0.05  # m/s: speed at which a nonlinear damper's coefficient is evaluated
+_ROUNDING = (
+    1e-6  # relative margin of inertia: rounding must not violate a thin plate's triangle inequality
+)
+_FAR = 1e3  # m: longer than any strut
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class MjcfExport(Plain):
     Attributes
     ----------
     path : Path
-        The file.
+        The file written.
     bodies, joints, loops : int
         Counts; loops are equality constraints.
     findings : tuple of Finding
@@ -65,21 +67,21 @@ class MjcfExport(Plain):
 )
 def write_mjcf(
     rig: AnyRig,
-    path: Annotated[Path | str, File("Model of MuJoCo to write.", "FILE.xml")],
+    path: Annotated[Path | str, File("MuJoCo model to write.", "FILE.xml")],
     *,
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
 ) -> MjcfExport:
-    """Write a 3-D rig on its road as a model of MuJoCo (MJCF): loops by equality constraints.
+    """Write a 3-D rig on its road as a MuJoCo model (MJCF), with loops as equality constraints.
 
-    All frames coincide in the design pose, so that every place is that of the rig: SI, x forward, y left, z up. Loops
-    are closed by equality constraints, rods are tendons of fixed length; spring, damper, stops and friction are
-    tendons, the tyre is an actuator between ``road`` (a mocap body that can be moved) and the wheel centre; its control
-    is the rate of the road's height (m/s), used by a tyre with damping. Sites are named like the hardpoints.
+    All frames coincide in the design pose, so positions are those of the rig: SI, x forward, y left, z up. Equality
+    constraints close loops, rods are tendons of fixed length, and spring, damper, stops and friction are tendons. The
+    tyre is an actuator between ``road`` (a movable mocap body) and the wheel centre. Its control is the rate of the
+    road's height (m/s), used by tyres with damping. Sites have the names of hardpoints.
 
     Parameters
     ----------
     rig : Rig, str or Path
-        3-D corner of a car, its file or its name.
+        3-D corner of a car, its file, or its name in the library.
     path : Path or str
         File to write.
     force : bool
@@ -88,13 +90,13 @@ def write_mjcf(
     Returns
     -------
     MjcfExport
-        The file, with findings: curves become straight lines about design, bushings joints.
+        The file written, and findings. Curves are replaced by tangents at design, bushings by ideal joints.
 
     Raises
     ------
     OutputError
-        For a rig without hardpoints, a torsion bar in place of the spring, a rack that is moved, a curve that does not
-        rise at design, a damper with hysteresis, and an existing file.
+        For a rig without hardpoints, a torsion bar instead of the spring, nonzero rack travel, a curve without positive
+        slope at design, a damper with hysteresis, or an existing file.
 
     Examples
     --------
@@ -106,13 +108,13 @@ def write_mjcf(
     """
     file = check_writable(path, what="models of MuJoCo", suffixes=(".xml",), force=force)
     rig = as_rig(rig)
-    corner = corner_of(rig, "the rig is no mechanism in space")
+    corner = corner_of(rig, "the rig is not a 3-D mechanism")
     require_parts(corner, "tyre", what="a model of MuJoCo")
     rack = rig.parameters().get("steering.rack_travel", 0.0)
     if rack:
         raise OutputError(
-            "a rack that is moved at design", where="steering.rack_travel", found=f"{rack:g} m",
-            allowed="0 m: MuJoCo takes lengths and joints as they are at design",
+            "nonzero rack travel at design", where="steering.rack_travel", found=f"{rack:g} m",
+            allowed="0 m: MuJoCo uses the lengths and joints of the design position",
         )  # fmt: skip
     writing = _MjcfWriter(corner)
     root = writing.root()
@@ -138,7 +140,7 @@ def _add(parent: ET.Element, tag: str, *given: Mapping[str, str], **more: str) -
 
 @dataclass
 class _MjcfWriter:
-    """A rig while it becomes a file."""
+    """Builds the model of a rig, and collects findings."""
 
     rig: Corner
     findings: list[Finding] = field(default_factory=list)
@@ -148,7 +150,7 @@ class _MjcfWriter:
     _sensor: ET.Element = field(default_factory=lambda: ET.Element("sensor"))
 
     def root(self) -> ET.Element:
-        """The file."""
+        """Return the root element of the file."""
         self._without_bushings()
         mechanism = Mechanism()
         mechanism.gravity = mechanism.parameter("gravity")
@@ -177,7 +179,7 @@ class _MjcfWriter:
             carrier = linkage.owners[name].name if name in linkage.owners else linkage.chassis.name
             axis = (
                 {"zaxis": _text(self._axle())} if name == "wheel_centre" else {}
-            )  # a site has place and direction
+            )  # only the wheel centre's site has a direction
             _add(bodies[carrier], "site", axis, name=name, pos=_text(point))
         root.extend([self._tendon, self._equality, self._actuator, self._sensor])
         self._close(listed, bodies)
@@ -191,7 +193,7 @@ class _MjcfWriter:
         self.findings.append(finding(code, place, **numbers))
 
     def _axle(self) -> tuple[float, float, float]:
-        """Direction of the wheel's axis, outboard."""
+        """Return the direction of the wheel's axis, outboard."""
         camber, toe = self.rig.wheel.camber, self.rig.wheel.toe
         return (
             np.sin(toe) * np.cos(camber),
@@ -209,7 +211,7 @@ class _MjcfWriter:
     # --- bodies and joints
 
     def _tree(self, world: ET.Element, listed: dict[str, Any]) -> dict[str, ET.Element]:
-        """Bodies by name; the joint that carries each hangs it on another."""
+        """Create bodies by name; each is the child of the body at the other side of its joint."""
         masses = {body["name"]: body for body in listed["bodies"]}
         bodies = {"ground": world}
         for joint in listed["joints"]:
@@ -246,26 +248,26 @@ class _MjcfWriter:
         elif kind == "free":
             ET.SubElement(body, "freejoint", name=name)
         elif kind not in ("fixed", "driven"):
-            raise OutputError("no joint of MuJoCo", where=name, found=kind)
+            raise OutputError("MuJoCo has no such joint", where=name, found=kind)
 
     @staticmethod
     def _inertial(body: ET.Element, given: dict[str, Any]) -> None:
         xx, yy, zz, xy, xz, yz = (
             given["inertia"][name] for name in ("xx", "yy", "zz", "xy", "xz", "yz")
         )
-        moments = {"diaginertia": "1 1 1"}  # of a body that only heaves
+        moments = {"diaginertia": "1 1 1"}  # for a body that only heaves
         if xx + yy + zz > 0.0:
             low, middle, high = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
             more = max(
                 0.0, high - (low + middle) * (1.0 - _ROUNDING)
-            )  # thin plates: MuJoCo has no room for rounding
+            )  # thin plates: MuJoCo has no rounding tolerance
             moments = {"fullinertia": _text((xx + more, yy + more, zz + more, xy, xz, yz))}
         _add(
             body, "inertial", moments, pos=_text(given["centre_of_mass"]), mass=_text(given["mass"])
         )
 
     def _close(self, listed: dict[str, Any], bodies: dict[str, ET.Element]) -> None:
-        """Loops: points that stay together, rods, and a point on a line by a slider of next to no mass."""
+        """Close loops: coincident points, rods, and points on a line through a slider of negligible mass."""
         soft = {"solref": f"{_text(_STIFF * STEP)} 1", "solimp": "0.9999 0.9999 0.001"}
         for loop in listed["closures"]:
             name, kind = loop["name"], loop["kind"]
@@ -288,7 +290,7 @@ class _MjcfWriter:
                 _add(self._equality, "connect", ends, soft, name=name, anchor=_text(loop["point"]))
                 self._say("exchange.sliding_body", name)
             else:
-                raise OutputError("no constraint of MuJoCo", where=name, found=kind)
+                raise OutputError("MuJoCo has no such constraint", where=name, found=kind)
 
     @staticmethod
     def _body(name: str) -> str:
@@ -297,7 +299,7 @@ class _MjcfWriter:
     def _rod(
         self, name: str, loop: dict[str, Any], bodies: dict[str, ET.Element], soft: dict[str, str]
     ) -> None:
-        """A tendon of constant length as at design."""
+        """Add a tendon whose length stays at its design value."""
         tendon = ET.SubElement(self._tendon, "spatial", name=name)
         for end, body, place in (
             ("first", loop["first"], loop["at"]),
@@ -311,7 +313,7 @@ class _MjcfWriter:
     # --- springs, dampers, tyre
 
     def _line(self, name: str, element: str, **laws: str) -> None:
-        """A tendon along an element of the strut."""
+        """Add a tendon along an element of the strut."""
         given = self.rig.hardpoints.given()
         tendon = _add(self._tendon, "spatial", laws, name=name)
         for end in ("bottom", "top"):
@@ -341,7 +343,7 @@ class _MjcfWriter:
                 self._say("exchange.no_progression", f"strut.{name}")
 
     def _spring_at_design(self) -> tuple[float, float]:
-        """Rate and force of the spring at design, N/m and N."""
+        """Return rate (N/m) and force (N) of the spring at design."""
         spring = self.rig.strut.spring
         compressed = (
             0.0
@@ -355,7 +357,7 @@ class _MjcfWriter:
         return rate, force + (spring.preload or 0.0)
 
     def _tangent(self, curve: Curve, x: float, where: str) -> tuple[float, float]:
-        """Rate and force of a curve at a deflection (m), N/m and N; refuse one that does not rise there."""
+        """Return rate (N/m) and force (N) of a curve at a deflection (m); refuse curves without a positive rate."""
         low, force, high = (force_at(curve, x + side * _SMALL) for side in (-1.0, 0.0, 1.0))
         rate = (high - low) / (2.0 * _SMALL)
         if not rate > 0.0:
@@ -369,13 +371,13 @@ class _MjcfWriter:
         return rate, force
 
     def _coefficient(self) -> float:
-        """Of the damper, N s/m."""
+        """Return the coefficient of the damper, N s/m."""
         damper = self.rig.strut.damper
         if isinstance(damper, LinearDamper):
             return damper.coefficient
         if damper.hysteretic:
             raise OutputError(
-                "a damper with hysteresis is in no file of MuJoCo", where="strut.damper", found=damper.kind,
+                "MuJoCo has no damper with hysteresis", where="strut.damper", found=damper.kind,
                 allowed="linear, bilinear, blow-off, table, map",
             )  # fmt: skip
         mean = damper.at_length(self.rig.hardpoints.length("damper")).mean_coefficient(_SLOW)
@@ -383,7 +385,7 @@ class _MjcfWriter:
         return mean
 
     def _tyre(self) -> None:
-        """A force between road and wheel centre that only pushes."""
+        """Add the tyre as a compressive force between road and wheel centre."""
         tyre, radius = self.rig.tyre, self.rig.undeformed_radius
         if tyre.stiffness is not None:
             stiffness = tyre.stiffness
@@ -413,7 +415,7 @@ class _MjcfWriter:
             ET.SubElement(self._sensor, "jointpos", name="sprung.z", joint="sprung")
 
     def _note_rest(self) -> None:
-        """Findings on parts of the rig that the file omits."""
+        """Add findings on parts of the rig that the file omits."""
         left = [
             name
             for name in ("anti_roll_bar", "torsion_bar", "third_spring")

@@ -1,4 +1,4 @@
-"""Hardpoints of a 3-D rig for other programs: a table, and a drawing for CAD."""
+"""Export of hardpoints of a 3-D rig as a table or a CAD drawing."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ _LINES = (
     ("arb_pivot", "arb_arm_end"),
     ("arb_arm_end", "arb_link_end"),
 )
-"""Lines between points in addition to the links."""
-_TEXT = 8.0  # mm: height of the names
+"""Lines drawn between points in addition to the links."""
+_TEXT = 8.0  # mm: text height
 
 
 @dataclass(frozen=True)
 class HardpointExport(Plain):
-    """Hardpoints that were written: each by its name, x forward, y left, z up from the road, m."""
+    """Exported hardpoints by name: x forward, y left, z up from the road, m."""
 
     hardpoints: Mapping[str, Triple]
 
@@ -58,7 +58,7 @@ def export_hardpoints(
 ) -> HardpointExport:
     """Write the hardpoints of a 3-D rig as a table, or as a drawing for CAD.
 
-    It is what :func:`jounce.write_hardpoints` does.
+    Same as :func:`jounce.write_hardpoints`.
     """
     chosen = as_rig(rig)
     write_hardpoints(chosen, path, force=force)
@@ -68,8 +68,8 @@ def export_hardpoints(
 def write_hardpoints(rig: Rig, path: Path | str, *, force: bool = False) -> Path:
     """Write the hardpoints of a 3-D rig as a table (``.csv``) or a drawing (``.dxf``), in mm.
 
-    The table has columns ``name``, ``x [mm]``, ``y [mm]``, ``z [mm]`` (x forward, y left, z up; z = 0 is the road) and
-    is read again by ``jounce import hardpoints``; the drawing holds points with their names, and lines along the links.
+    The table has columns ``name``, ``x [mm]``, ``y [mm]``, ``z [mm]`` (x forward, y left, z up; z = 0 is the road).
+    ``jounce import hardpoints`` reads it. The drawing contains points with their names, and lines along the links.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def write_hardpoints(rig: Rig, path: Path | str, *, force: bool = False) -> Path
     Raises
     ------
     OutputError
-        For a rig without hardpoints, another suffix, and an existing file.
+        For a rig without hardpoints, a different suffix, or an existing file.
 
     Examples
     --------
@@ -123,7 +123,7 @@ def _lines(rig: Corner) -> Iterator[tuple[Triple, Triple]]:
 
 
 def _drawing(rig: Corner, file: Path) -> None:
-    """The oldest dialect of DXF (R12), which every program reads."""
+    """Write DXF in its oldest version (R12), which all CAD programs read."""
     pairs: list[tuple[int, str]] = [
         (0, "SECTION"),
         (2, "HEADER"),

@@ -1,4 +1,4 @@
-"""Roads for other programs: OpenCRG, or a table."""
+"""Export of roads as OpenCRG or as a table."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from jounce.roads.road import Road
 STEP, WIDTH = (
     0.01,
     4.0,
-)  # m, choices: `exchange.height_lost` says where a step is too coarse; a car is narrower
-_MOST = 2_000_000  # points: limits the file
+)  # m, chosen: `exchange.height_lost` reports a step that is too coarse; cars are narrower than the width
+_MOST = 2_000_000  # maximum number of points: limits the file size
 
 
 @dataclass(frozen=True)
@@ -33,11 +33,11 @@ class RoadExport(Plain):
     Attributes
     ----------
     path : Path
-        The file.
+        The file written.
     points : int
-        Cross sections.
+        Number of cross sections.
     length, step : float
-        Of the course, and between its points, m.
+        Length of the road and distance between points, m.
     findings : tuple of Finding
         Properties of the road that points cannot represent.
     """
@@ -74,38 +74,45 @@ def write_road(
     ] = None,
     step: Annotated[
         float,
-        Number("Between points. Default: 10 mm.", "LENGTH", "m", is_positive=True, most=LONGEST),
+        Number(
+            "Distance between points. Default: 10 mm.",
+            "LENGTH",
+            "m",
+            is_positive=True,
+            most=LONGEST,
+        ),
     ] = STEP,
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
 ) -> RoadExport:
     """Write any road as OpenCRG, or as a table of distance and height.
 
-    OpenCRG (``.crg``) is straight and alike across 4 m; a table (``.csv``) has the columns x and z.
+    OpenCRG (``.crg``) describes a straight road, 4 m wide, with constant height across. A table (``.csv``) has columns
+    x and z.
 
     Parameters
     ----------
     road : Road, str or Path
-        Obstacle, waves, random or measured road; its file, or a name such as ``"iso:C"``.
+        Obstacle, waves, random or measured road, its file, or a name such as ``"iso:C"``.
     path : Path or str
         File to write.
     length : float, optional
-        From distance 0, m; by default to the road's end, plus half a metre after an obstacle.
+        Length from distance 0, m. By default to the end of the road, or half a metre past an obstacle.
     step : float
-        Between points, m; between them the road is a line.
+        Distance between points, m; the road is linear between them.
     force : bool
         Overwrite an existing file.
 
     Returns
     -------
     RoadExport
-        The file, with the largest error between the points as a finding.
+        The file written; a finding reports the maximum error between points.
 
     Raises
     ------
     DescriptionError
-        For a length or step that is not above 0, a course beyond the road's end, and too many points.
+        For a length or step that is not above 0, a length beyond the road's end, or too many points.
     OutputError
-        For another suffix, and an existing file.
+        For a different suffix, or an existing file.
 
     Examples
     --------
@@ -139,14 +146,14 @@ def write_road(
     if not 2 <= count <= _MOST:
         raise DescriptionError(
             "not a number of points", where="step", found=f"{count} points", allowed=Phrase("2 to {most}", most=_MOST),
-            hint="Give another step or length.",
+            hint="Change the step or the length.",
         )  # fmt: skip
     x = step * np.arange(count)
     height = road.height_at(np.minimum(x, known))
     fine = step * (np.arange(0, count - 1, max(1, count // 50_000)) + 0.5)
     lost = float(np.abs(road.height_at(np.minimum(fine, known)) - np.interp(fine, x, height)).max())
     findings: tuple[Finding, ...] = ()
-    if lost > 1e-6:  # m: less no tyre feels
+    if lost > 1e-6:  # m: smaller errors do not affect a tyre
         findings = (finding("exchange.height_lost", str(path), lost, lost=lost, step=step),)
     file = ROAD_FORMATS.write((x, height), path, force=force)
     return RoadExport(file, count, float(x[-1]), step, findings)

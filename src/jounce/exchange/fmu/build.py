@@ -1,4 +1,4 @@
-"""Compile the C of an FMU: zig (the extra ``fmu``) for every platform, or the system's compiler for its own."""
+"""Compilation of an FMU's C code: zig (the extra ``fmu``) for all platforms, or the system compiler for its own."""
 
 from __future__ import annotations
 
@@ -16,18 +16,16 @@ from jounce.core.programs import program_on_path
 from jounce.kernel.cache import cache_folder
 
 C = Path(__file__).parent / "c"
-_LARGE = (
-    1_000_000  # bytes of C: above it -O2 takes 1.5 times as long for branch-free code, without gain
-)
+_LARGE = 1_000_000  # bytes of C: above it, -O2 compiles 1.5 times as long without faster branch-free code
 _FLAGS = (
     "-std=c99", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=default", "-fPIC", "-shared",
-    "-fno-tree-slp-vectorize",  # states are stored one by one: GCC loads two as a vector, which waits for both stores
+    "-fno-tree-slp-vectorize",  # states are stored singly: a vector load by GCC would wait for both stores
 )  # fmt: skip
-_LONGEST = 600.0  # s: a compiler that takes longer hangs
+_LONGEST = 600.0  # s: time limit of a compiler
 
 
 def compiler_for(platforms: Sequence[str]) -> tuple[str, list[str]] | None:
-    """Find a compiler for all given platforms: its name and command; None without one."""
+    """Find a compiler for all given platforms; return its name and command, or None."""
     for name in platforms:
         if name not in PLATFORMS:
             raise unknown(name, PLATFORMS, what="platform", where="export")
@@ -44,7 +42,7 @@ def compiler_for(platforms: Sequence[str]) -> tuple[str, list[str]] | None:
 def compile_library(
     folder: Path, version: int, platform: str, compiler: tuple[str, list[str]]
 ) -> bytes:
-    """Compile ``model.c`` in ``folder`` with the face of an FMI version; return the shared library."""
+    """Compile ``model.c`` in ``folder`` with the interface of an FMI version; return the shared library."""
     name, command = compiler
     out, target = folder / f"{platform}{PLATFORMS[platform].suffix}", PLATFORMS[platform].target
     words = [
@@ -70,7 +68,7 @@ def compile_library(
     places = {
         **os.environ,
         **dict.fromkeys(("TMPDIR", "TMP", "TEMP"), str(folder)),
-    }  # which goes, however this ends
+    }  # temporary files are removed with the folder
     if name == "zig":
         places = {
             "ZIG_GLOBAL_CACHE_DIR": _zig_folder(folder),
@@ -85,13 +83,13 @@ def compile_library(
         if is_of_system(error):
             raise resource_error(error, f"{platform}, {name}") from None
         raise OutputError(
-            Phrase("the C of the FMU was not compiled: {error}", error=str(error)),
+            Phrase("compilation of the FMU's C code failed: {error}", error=str(error)),
             where=platform,
             hint=_HINT,
         ) from None
     if done.returncode:
         raise OutputError(
-            "the C of the FMU was not compiled",
+            "compilation of the FMU's C code failed",
             where=f"{platform}, {name}",
             found=done.stderr.strip()[-1000:],
             hint=_HINT,
@@ -100,11 +98,11 @@ def compile_library(
 
 
 def _zig_folder(folder: Path) -> str:
-    """Folder for zig's libraries of platforms, which take minutes to build: jounce's cache, or a temporary one."""
+    """Return the folder of zig's platform libraries, slow to build: jounce's cache or a temporary folder."""
     try:
         return str(cache_folder() / "zig")
     except RuntimeError:
         return str(folder / "zig")
 
 
-_HINT = "Give no platform (the sources alone), and compile on the target."
+_HINT = "Export sources only (no platform), and compile them on the target."

@@ -1,4 +1,4 @@
-"""Expression graphs as C: each number is a constant, equal operations of two parts are pairs (``c/pairs.h``)."""
+"""Conversion of expression graphs to C: one constant per value; equal operations on two parts form pairs."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ _NUMBERS = {
     )},
     **{name.upper(): f"{name}({{0}}, {{1}})" for name in ("pow", "fmin", "fmax", "copysign", "atan2", "hypot")},
 }  # fmt: skip
-"""C of each operation of numbers."""
+"""C expression of each scalar operation."""
 _PAIRS = {
     "ASSIGN": "{0}", "ADD": "plus({0}, {1})", "SUB": "minus({0}, {1})", "MUL": "times({0}, {1})",
     "DIV": "over({0}, {1})", "SQ": "times({0}, {0})", "TWICE": "plus({0}, {0})", "NEG": "negative({0})",
     "INV": "over(both(1.0, 1.0), {0})", "BOTH": "both({0}, {1})",
 }  # fmt: skip
-"""C of each operation on pairs; others are done number by number."""
+"""C expression of each operation on pairs; all others are scalar."""
 
-_LONG = 1_000_000  # characters of a function: above it GCC takes a minute to allocate registers
+_LONG = 1_000_000  # characters of a function: above it, GCC needs a minute to allocate registers
 
 
 class _Statements:
-    """Writes a function as statements: values are names and constants, or elements of arguments."""
+    """Converts a function to statements; values are names, constants, or elements of arguments."""
 
     def __init__(self, arguments: Sequence[str]) -> None:
         self._arguments = arguments
@@ -71,7 +71,7 @@ class _Statements:
         return self._made[-1][1]
 
     def lines(self) -> list[str]:
-        """The statements; a common divisor is inverted once, since a division takes as long as ten products."""
+        """Return the statements; a common divisor is inverted once because a division costs ten multiplications."""
         divisors = Counter(
             values[1] for _, _, operation, values in self._made if operation == "DIV"
         )
@@ -91,7 +91,7 @@ class _Statements:
 
 
 def function_text(name: str, packed: Packed, takes: Sequence[str], gives: Mapping[str, int]) -> str:
-    """C of a function with arguments ``takes`` and consecutive results ``gives`` with their sizes."""
+    """Return C code of a function with arguments ``takes``, and consecutive results ``gives`` with their sizes."""
     statements = _Statements(takes)
     emission = Emission(packed, statements)
     places = list(

@@ -1,4 +1,4 @@
-"""The XML and the page of an FMU, written from one list of variables."""
+"""XML files and documentation page of an FMU, generated from one list of variables."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ STEP = 1e-3  # s, suggested communication step: the output step of simulate
 
 @dataclass(frozen=True)
 class Head:
-    """Head of the description: name and text of the model, the tool, the token that identifies its code."""
+    """Header of the model description: name and text of the model, the tool, and the token that identifies its code."""
 
     name: str
     text: str
@@ -32,7 +32,7 @@ def _text(value: float | bool) -> str:
 
 
 def _attributes(variable: ModelVariable) -> dict[str, str]:
-    """Attributes common to both versions."""
+    """Return attributes common to FMI 2.0 and 3.0."""
     attributes = {"name": variable.name, "valueReference": str(variable.reference)}
     if variable.text:
         attributes["description"] = variable.text
@@ -43,7 +43,7 @@ def _attributes(variable: ModelVariable) -> dict[str, str]:
 
 
 def _number(variable: ModelVariable) -> dict[str, str]:
-    """Unit, range and start."""
+    """Return unit, range and start value."""
     number = {} if variable.is_boolean or not variable.unit else {"unit": variable.unit}
     for name, value in (("min", variable.least), ("max", variable.most), ("start", variable.start)):
         if value is not None:
@@ -52,7 +52,7 @@ def _number(variable: ModelVariable) -> dict[str, str]:
 
 
 def _units(variables: Variables) -> list[ET.Element]:
-    """Units with their powers; metres are shown in mm, angles in degrees."""
+    """Return units with their base powers; display units are mm and degrees."""
     units = []
     for name in sorted({v.unit for v in variables.everything if v.unit and not v.is_boolean}):
         element = ET.Element("Unit", name=name)
@@ -68,7 +68,7 @@ def _units(variables: Variables) -> list[ET.Element]:
 
 
 def _common(root: ET.Element, variables: Variables) -> ET.Element:
-    """Units, categories of messages, default experiment; return the table of the variables."""
+    """Add units, log categories and default experiment; return the element of the variables."""
     ET.SubElement(root, "UnitDefinitions").extend(_units(variables))
     categories = ET.SubElement(root, "LogCategories")
     for name in ("logStatusWarning", "logStatusError"):
@@ -85,7 +85,7 @@ def _common(root: ET.Element, variables: Variables) -> ET.Element:
 
 
 def description(version: int, variables: Variables, head: Head) -> bytes:
-    """Text of ``modelDescription.xml``."""
+    """Return the content of ``modelDescription.xml``."""
     return _to_xml((_fmi2 if version == 2 else _fmi3)(variables, head))
 
 
@@ -110,7 +110,7 @@ def _fmi3(variables: Variables, head: Head) -> ET.Element:
             {**_attributes(v), **more, **_number(v)},
         )
     structure = ET.SubElement(root, "ModelStructure")
-    # Some importers refuse unknowns without dependencies; at the start everything follows from what is set.
+    # Some importers refuse unknowns without dependencies; initially all depend on inputs and parameters.
     known = [
         v
         for v in variables.everything
@@ -172,12 +172,12 @@ def _fmi2(variables: Variables, head: Head) -> ET.Element:
 
 
 def sources(version: int) -> tuple[str, ...]:
-    """C files that make the binary."""
+    """Return the C files of the binary."""
     return "model.c", "core.c", f"fmi{version}.c"
 
 
 def build_description() -> bytes:
-    """Text of ``sources/buildDescription.xml``, the instructions of FMI 3.0 for compiling the sources."""
+    """Return the content of ``sources/buildDescription.xml``, the build instructions of FMI 3.0."""
     root = ET.Element("fmiBuildDescription", fmiVersion="3.0")
     configuration = ET.SubElement(root, "BuildConfiguration", modelIdentifier=FILE)
     files = ET.SubElement(configuration, "SourceFileSet", language="C99")
@@ -187,7 +187,7 @@ def build_description() -> bytes:
 
 
 def terminals(variables: Variables) -> bytes:
-    """Text of ``terminalsAndIcons.xml``: what belongs to one connection, such as a road with its rate."""
+    """Return the content of ``terminalsAndIcons.xml``: variables grouped by connection, e.g. a road and its rate."""
     root = ET.Element("fmiTerminalsAndIcons", fmiVersion="3.0")
     picture = ET.SubElement(root, "GraphicalRepresentation")
     corners = {"x1": "-100", "y1": "-100", "x2": "100", "y2": "100"}
@@ -209,7 +209,7 @@ def terminals(variables: Variables) -> bytes:
 
 
 def page(variables: Variables, head: Head, notes: str) -> bytes:
-    """Text of ``documentation/index.html``."""
+    """Return the content of ``documentation/index.html``."""
     groups = {
         "Inputs": [v for v in variables.everything if v.causality == "input"],
         "Outputs": list(variables.outputs),

@@ -1,4 +1,4 @@
-"""A rig as a Functional Mock-up Unit."""
+"""Export of a rig as a Functional Mock-up Unit."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from jounce.parts import Rig, as_rig
 from jounce.parts.testers import Tester, load_tester
 from jounce.simulation.controlled import AnyControl
 
-_OLDEST = (1980, 1, 1, 0, 0, 0)  # earliest date of archives: equal rigs give equal files
+_OLDEST = (1980, 1, 1, 0, 0, 0)  # earliest date of ZIP archives: equal rigs produce equal files
 _NAME = "jounce"
 _ICON = Path(__file__).parent / "icon" / "icon.png"
 
@@ -48,19 +48,19 @@ class FmuExport(Plain):
     Attributes
     ----------
     path : Path
-        The FMU.
+        The FMU written.
     version : int
-        Of FMI, 2 or 3.
+        Version of FMI, 2 or 3.
     platforms : tuple of str
         Platforms with a binary.
     compiler : str
-        ``zig``, ``cc``, or empty where only the sources are in the file.
+        ``zig``, ``cc``, or empty if the file contains only sources.
     inputs, outputs : tuple of str
         Names of the variables to connect.
     states, parameters, indicators : int
         Counts.
     findings : tuple of Finding
-        Information for the importer.
+        Notes for users of the FMU.
     """
 
     path: Path
@@ -81,15 +81,15 @@ _AXLES = ("front", "rear")
 def check_fmu(
     *, sources_only: bool, platform: Any, axle: str | None, tester: str | None, **_others: Any
 ) -> None:
-    """Refuse platforms for which nothing is compiled, and an axle without a tester."""
+    """Refuse platforms together with ``sources_only``, and an axle without a tester."""
     if sources_only and platform:
-        what = "--platform says for what is compiled, and --sources-only that nothing is"
-        raise DescriptionError(what, found=platform, hint="Leave one of them out.")
+        what = "--platform requires compilation, which --sources-only disables"
+        raise DescriptionError(what, found=platform, hint="Omit one of them.")
     if axle is not None and axle not in _AXLES:
         raise unknown(axle, _AXLES, what="axle", where="--axle")
     if axle is not None and tester is None:
         raise DescriptionError(
-            "only a tester takes one axle",
+            "--axle applies only to testers",
             where="--axle",
             found=axle,
             allowed="--axle with --tester",
@@ -119,78 +119,78 @@ def export_fmu(  # noqa: PLR0913 - each is an option of the command
     platforms: Annotated[
         Sequence[str] | None,
         Texts(
-            "Compile for x86_64-linux, aarch64-linux, x86_64-windows, x86_64-darwin or aarch64-darwin; repeat it. "
+            "Compile for x86_64-linux, aarch64-linux, x86_64-windows, x86_64-darwin or aarch64-darwin; repeatable. "
             "Default: this machine. Others need the extra fmu.",
             "PLATFORM",
         ),
     ] = None,
-    sources_only: Annotated[bool, Switch("Compile nothing: the FMU holds its C.")] = False,
+    sources_only: Annotated[bool, Switch("Do not compile: the FMU contains only C code.")] = False,
     control: Annotated[
         AnyControl | None,
-        Mark("Controller to put in: a name such as skyhook, or a file.", "CONTROL"),
+        Mark("Controller to include: a name such as skyhook, or a file.", "CONTROL"),
     ] = None,
     tester: Annotated[
         Tester | Path | str | None,
-        Mark("Put it on a tester of shock absorbers: a name such as eusama, or a file.", "TESTER"),
+        Mark("Put the rig on a shock absorber tester: a name such as eusama, or a file.", "TESTER"),
     ] = None,
     axle: Annotated[
         Literal["front", "rear"],
         Mark("Axle of a vehicle on the tester: front or rear. Default: front.", "AXLE"),
     ] = "front",
     controller_only: Annotated[
-        bool, Switch("Write the controller by itself, as it is tuned for the rig.")
+        bool, Switch("Write only the controller, tuned for the rig.")
     ] = False,
     adjoint: bool = True,
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
 ) -> FmuExport:
     """Write a rig or vehicle as a Functional Mock-up Unit: model exchange and co-simulation in one file.
 
-    The FMU holds the equations that :func:`jounce.simulate` integrates, as C and compiled. Its inputs are the heights
-    of the roads (m, up) with their rates and the loads of driving; its outputs the channels; every number of the rig
-    is a tunable parameter ``rig.<path>`` (SI). It starts in static equilibrium. The same rig gives the same bytes.
+    The FMU contains the equations that :func:`jounce.simulate` integrates, as C code and compiled. Its inputs are road
+    heights (m, up) with their rates, and driving loads; its outputs are the channels. All parameters of the rig are
+    tunable parameters ``rig.<path>`` (SI). It starts in static equilibrium. Equal rigs produce identical files.
 
     Parameters
     ----------
     rig : Rig, str, Path or Mechanism
-        Rig or vehicle, its file or its name; or a user's mechanism with a value for each parameter
-        (``mechanism.<path>``), which starts in its design pose.
+        Rig or vehicle, its file or its name; or a mechanism with a value for each parameter (``mechanism.<path>``),
+        which starts in its design pose.
     path : Path or str
         File to write, ``.fmu``.
     version : {2, 3}
-        Of FMI.
+        Version of FMI.
     platforms : sequence of str, optional
-        Platforms to compile for (see :data:`jounce.control.fmu.platforms.PLATFORMS`); this machine's by default. All
-        but this machine's need the extra ``fmu``; none (``()``) gives the sources alone.
+        Platforms to compile for (see :data:`jounce.control.fmu.platforms.PLATFORMS`); by default that of this
+        machine. Other platforms need the extra ``fmu``. Without platforms (``()``), the FMU contains only sources.
     sources_only : bool
-        Compile nothing, as with no platforms.
+        Do not compile, as without platforms.
     control : Controller, str, Path or callable, optional
-        Controls the struts, as in :func:`jounce.simulate`; it becomes a sampled part of the FMU.
+        Controller of the struts, as in :func:`jounce.simulate`; it becomes a sampled part of the FMU.
     tester : Tester, Path or str, optional
-        Put the rig on a tester of shock absorbers: inputs are the angles of the exciters (rad) with their rates; the
-        tester's numbers are parameters ``tester.<name>``.
+        Put the rig on a shock absorber tester. Inputs are exciter angles (rad) with their rates; parameters
+        are ``tester.<name>``.
     axle : {"front", "rear"}
         Axle of a vehicle on the tester.
     controller_only : bool
-        Write ``control`` alone, as tuned for the rig: its inputs are the channels that it measures, as
-        changes from static equilibrium, its outputs the commands.
+        Write only ``control``, tuned for the rig. Inputs are its measured channels, as changes from static equilibrium;
+        outputs are its commands.
     adjoint : bool
-        Add adjoint derivatives (FMI 3.0): larger code.
+        Add adjoint derivatives (FMI 3.0); this makes the code larger.
     force : bool
         Overwrite an existing file.
 
     Returns
     -------
     FmuExport
-        The file and findings.
+        The file written, and findings.
 
     Raises
     ------
     OutputError
-        If the file exists, when no compiler makes a platform that was asked for, and for names that collide.
+        If the file exists, if no compiler is available for a requested platform, or if names collide.
     SimulationError
-        If there is no equilibrium, for a controller that is a Python function, and what does not stand on a tester.
+        If there is no equilibrium, for a controller that is a Python function, or for a rig that no tester accepts.
     DescriptionError
-        For a mechanism or a rig on a tester with a controller.
+        For a controller together with a mechanism or a tester.
 
     Examples
     --------
@@ -278,7 +278,7 @@ def export_fmu(  # noqa: PLR0913 - each is an option of the command
         if model.reference is not None:
             files["extra/jounce/reference.csv"], note = reference(model.reference)
             notes += note
-    except SimulationError as error:  # it has an equilibrium, and other programs may run it
+    except SimulationError as error:  # the FMU is still valid: other programs may simulate it
         findings.append(finding("exchange.no_reference_run", str(file), error=error))
     files["documentation/index.html"] = page(variables, head, notes)
     write_atomically(file, _zip_files(files), force=force)
@@ -317,16 +317,14 @@ def _zip_files(files: dict[str, bytes]) -> bytes:
 
 _NOTES = """<h2>How to connect it</h2>
 <p>Connect the height of the road under each wheel (<code>road.z</code>, m, up) and its rate (<code>road.vz</code>).
-A rate that nobody gives, or that stays zero, is taken from the values: in co-simulation from the last two
+If a rate is not connected or stays zero, it is computed from the values: in co-simulation from the last two
 communication points, in model exchange from the last accepted step.</p>
-<p>The FMU starts in static equilibrium under its inputs and parameters at the start; with
-<code>settings.start_at_rest</code> off it starts from the states that are set. All values are SI; z is up,
+<p>The FMU starts in static equilibrium under its initial inputs and parameters; with
+<code>settings.start_at_rest</code> off it starts from the given states. All values are SI; z is up,
 deflections and forces are positive in compression.</p>
 """
 _LAW_NOTES = """<h2>How to connect it</h2>
-<p>Connect the channels that it measures, as changes from static equilibrium (SI; z is up, compression positive), and
-its commands.</p>
+<p>Connect the measured channels, as changes from static equilibrium (SI; z is up, compression positive), and the
+commands.</p>
 """
-_CONTROL_NOTE = (
-    "<p>The controller inside sees its channels and sets its commands {0:g} times a second.</p>\n"
-)
+_CONTROL_NOTE = "<p>The built-in controller reads its channels and sets its commands {0:g} times per second.</p>\n"

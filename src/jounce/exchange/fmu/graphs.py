@@ -1,4 +1,4 @@
-"""A model as C: its functions under the names declared in ``c/core.h``."""
+"""Functions of a model as C code, with the names declared in ``c/core.h``."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from jounce.mechanics.model import Model
 from jounce.mechanics.tangents import tangent
 from jounce.simulation.programs import Hoisted, labels_of, residual_first
 
-_ARGUMENTS = {  # C name to arguments and results, in the order of core.h
+_ARGUMENTS = {  # C name to (arguments, results), in the order of core.h
     "derived": ("p", "e"),
     "rate": ("x u e m", "dx"),
     "output": ("x u e m", "y"),
@@ -30,9 +30,9 @@ _ARGUMENTS = {  # C name to arguments and results, in the order of core.h
 
 @dataclass(frozen=True)
 class Graphs:
-    """The functions of a model by their names in C, with the size of each result.
+    """Functions of a model by their C names, with the size of each result.
 
-    ``extended`` counts the parameters with what depends on them.
+    ``extended`` is the number of parameters and of values derived from them.
     """
 
     model: Model
@@ -41,10 +41,10 @@ class Graphs:
 
 
 def graphs_of(model: Model, law: ca.Function | None = None, *, adjoint: bool = True) -> Graphs:
-    """Write a model out as functions; parts that depend on parameters only are computed once.
+    """Build the functions of a model; expressions that depend only on parameters are computed once.
 
-    ``law`` is a controller's function of (memory, measurements and time, numbers, nothing). ``adjoint`` adds the
-    transposed derivatives.
+    ``law`` is a controller's function of (memory, measurements and time, parameters, empty). ``adjoint`` adds the
+    adjoint derivatives.
     """
     generic, model = model.generic, model.generic.model if model.generic else model
     n, projects = model.x.shape[0], bool(model.projection.shape[0])
@@ -99,7 +99,7 @@ def graphs_of(model: Model, law: ca.Function | None = None, *, adjoint: bool = T
 
 
 def _in_pairs(model: Model) -> Parts:
-    """Similar parts in pairs: two numbers fit into the vectors of every 64-bit processor."""
+    """Group similar parts in pairs: vector registers of all 64-bit processors hold two doubles."""
     if not model.alike:
         return Parts((), ())
     prefixes, groups = model.alike
@@ -109,7 +109,7 @@ def _in_pairs(model: Model) -> Parts:
 
 
 def _plain(function: ca.Function) -> tuple[Packed, tuple[int, ...]]:
-    """A function without parts, of one result."""
+    """Pack a function without parts and with one result."""
     labels = (
         tuple((str(k), SHARED) for k in range(function.size1_in(i))) for i in range(function.n_in())
     )
@@ -120,7 +120,7 @@ def _plain(function: ca.Function) -> tuple[Packed, tuple[int, ...]]:
 
 
 def source(graphs: Graphs) -> str:
-    """Text of ``model.c``."""
+    """Return the content of ``model.c``."""
     texts = ['#include "core.h"', "#include <math.h>", '#include "pairs.h"', ""]
     for name, (packed, sizes) in graphs.functions.items():
         takes, gives = (text.split() for text in _ARGUMENTS[name])
@@ -138,9 +138,9 @@ def header(
     period: float,
     at_rest: bool,
 ) -> str:
-    """Text of ``model.h``: counts, start values (x0, u0, p0, ...), lists of numbers and of indices.
+    """Return the content of ``model.h``: counts, start values (x0, u0, p0, ...), arrays of numbers and indices.
 
-    ``period`` is that of the controller, s; ``at_rest`` is the default for a start in equilibrium.
+    ``period`` is the control period, s; ``at_rest`` is the default of ``settings.start_at_rest``.
     """
     model = graphs.model
     counts = {

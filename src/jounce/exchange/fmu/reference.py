@@ -1,4 +1,4 @@
-"""Reference results of an FMU: jounce's run on a smooth bump or motion, for comparison by its recipient."""
+"""Reference results of an FMU: a jounce simulation of a smooth bump or motion, for comparison by the user."""
 
 from __future__ import annotations
 
@@ -18,29 +18,29 @@ from jounce.simulation.problem import excitation
 from jounce.simulation.run import simulate
 from jounce.testers.rig import TesterRig
 
-TOLERANCE = 1e-8  # the reference has nine digits
+TOLERANCE = 1e-8  # the reference file has nine digits
 _BUMP = Trial(road=Versine(height=0.01, length=0.5, start=0.1), speed=5.0, duration=0.3)
 _SECONDS, _STEP, _TURNS = 0.3, 1e-3, 10.0  # s, s, Hz
 Given = Callable[[], tuple[Mapping[str, Array], str]]
-"""Columns by name with the time first, and what the run was."""
+"""Function that returns columns by name (time first), and a description of the run."""
 
 
 def of_rig(
     rig: Rig, facts: ModelFacts, control: AnyControl | None
 ) -> tuple[Mapping[str, Array], str]:
-    """A rig over a bump."""
+    """Simulate a rig over a bump."""
     run = simulate(rig, _BUMP, control=control, tolerance=TOLERANCE)
     time = run["time"].to_numpy()
     columns = {"time": time}
     for track, signal in zip(facts.tracks, excitation(facts, rig, _BUMP), strict=True):
-        if track.rpartition(".")[2] != "command":  # those the controller inside sets
+        if track.rpartition(".")[2] != "command":  # commands are set by the built-in controller
             columns[track], columns[speed_of(track)] = signal.evaluate(time)[:2]
     columns |= {str(name): run[name].to_numpy() for name in run.data_vars if name not in columns}
     return columns, "over a bump of 10 mm and 0.5 m at 5 m/s"
 
 
 def of_tester(on: TesterRig) -> tuple[Mapping[str, Array], str]:
-    """A rig on plates whose exciters turn at 10 Hz."""
+    """Simulate a rig on a tester with exciters at 10 Hz."""
     time = np.linspace(0.0, _SECONDS, round(_SECONDS / _STEP) + 1)
     rate = 2.0 * np.pi * _TURNS
     turning = constant_rate(rate)
@@ -55,7 +55,7 @@ def of_tester(on: TesterRig) -> tuple[Mapping[str, Array], str]:
 
 
 def of_mechanism(mechanism: Mechanism) -> tuple[Mapping[str, Array], str]:
-    """A mechanism released from its design pose, its tracks at zero."""
+    """Simulate a mechanism released from its design pose, with all inputs at zero."""
     still = constant(0.0)
     run = simulate_mechanism(
         mechanism,
@@ -73,15 +73,15 @@ def of_mechanism(mechanism: Mechanism) -> tuple[Mapping[str, Array], str]:
 
 
 def reference(given: Given) -> tuple[bytes, str]:
-    """The run as CSV, every 1 ms, SI to nine digits, under the names of the FMU; and a text about it."""
+    """Return the run as CSV (every 1 ms, SI, nine digits, names of the FMU), and a note for the documentation."""
     columns, what = given()
     rows = [",".join(map(structured_name, columns))]
     rows += [
         ",".join(f"{value + 0.0:.9g}" for value in row)
         for row in np.column_stack([*columns.values()])
     ]
-    note = f"""<h2>To test it</h2>
-<p><code>extra/jounce/reference.csv</code> in the archive holds a run of jounce {what}:
-the first columns are time (s) and inputs, the others outputs, all SI. Connect the inputs, compare the outputs.</p>
+    note = f"""<h2>How to test it</h2>
+<p><code>extra/jounce/reference.csv</code> in the archive contains a jounce simulation {what}.
+The first columns are time (s) and inputs, the others are outputs, all SI. Connect the inputs, compare the outputs.</p>
 """
     return ("\n".join(rows) + "\n").encode(), note

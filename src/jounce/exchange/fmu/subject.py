@@ -1,4 +1,4 @@
-"""Subjects of FMUs: a rig, a rig on a tester, a mechanism; each with its start values."""
+"""Content of FMUs: a rig, a rig on a tester, a controller or a mechanism, with start values."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ from jounce.simulation.prepare import dead_band
 from jounce.simulation.statics import find_equilibrium, state_scale
 from jounce.testers.rig import rig_on_tester, tester_numbers
 
-_MOTION = 0.01  # m, typical motion that sets the nominal values of the states
-_BAND = 10.0  # ratio of an importer's event band to jounce's: importers locate events less sharply
-_MECHANISM_BAND = 1e-12  # m, m/s: of switches of unknown size
+_MOTION = 0.01  # m, typical motion for the nominal values of the states
+_BAND = 10.0  # event band relative to jounce's: importers locate events less accurately
+_MECHANISM_BAND = 1e-12  # m, m/s: event band of switches of unknown scale
 _NOTHING: dict[str, Array] = {"g0": np.zeros(0), "memory0": np.zeros(0), "rest0": np.zeros(0)}
 
 
@@ -45,25 +45,25 @@ class Subject:
     name : str
         Name of the model.
     compiled : Compiled
-        Its equations.
+        Equations of the model.
     numbers : dict
-        Arrays that the C starts from.
+        Initial arrays of the C code.
     parameters : dict
-        Path of a parameter in the model to its name in the FMU.
+        Name in the FMU by path of the parameter.
     quantities : dict
-        Path to unit and range.
+        Unit and range by path.
     reference : Given or None
-        Makes the run that the receiver compares with.
+        Function that computes the reference run.
     at_rest : bool
-        Whether it starts in static equilibrium unless the importer says otherwise.
+        Whether it starts in static equilibrium by default.
     law, period, measured, commands
-        Of the controller inside: its function, s, places of the outputs it sees, names of the tracks it sets.
+        Built-in controller: function, control period (s), indices of the measured outputs, names of the inputs it sets.
     track_units : dict
-        SI units of tracks, where these do not define them.
+        SI units of inputs that do not define their unit.
     sampled : bool
-        Whether inputs are used only at the controller's instants, so that their rates are not needed.
+        Whether inputs are read only at control instants, without their rates.
     findings : list of Finding
-        Information for the importer.
+        Notes for users of the FMU.
     """
 
     name: str
@@ -83,11 +83,11 @@ class Subject:
 
     @property
     def command_tracks(self) -> list[int]:
-        """Places of the tracks that the controller sets."""
+        """Indices of the inputs that the controller sets."""
         return [self.compiled.facts.tracks.index(name) for name in self.commands]
 
     def variables(self) -> Variables:
-        """Variables for an importer."""
+        """List the variables of the FMU."""
         names = self.law.numbers if self.law else ()
         gains = dict(zip(names, map(float, self.numbers["g0"]), strict=True))
         start = {name: self.numbers[f"{name}0"] for name in "xup"}
@@ -112,7 +112,7 @@ def subject_of(
     *,
     controller_only: bool = False,
 ) -> Subject:
-    """Return the content of an FMU; refuse choices that exclude each other."""
+    """Return the content of an FMU; refuse incompatible options."""
     if isinstance(model, Mechanism):
         for word, given in (
             ("control", control),
@@ -128,7 +128,9 @@ def subject_of(
         return _of_mechanism(model)
     if controller_only and (tester is not None or control is None):
         raise DescriptionError(
-            "a controller alone needs one", where="control", allowed="a controller, and no tester"
+            "--controller-only needs a controller",
+            where="control",
+            allowed="a controller without a tester",
         )
     if controller_only:
         return _of_controller(model, control)
@@ -150,7 +152,7 @@ def _name(rig: Rig) -> str:
 
 
 def _quantities(rig: Rig, paths: Sequence[str]) -> dict[str, Unit]:
-    """Units and ranges; those of an actuator that the rig does not have are not known."""
+    """Return units and ranges by path; parameters of an actuator are dimensionless."""
     known = rig.parameters()
     return {path: quantity_at(rig, path) if path in known else Unit("1") for path in paths}
 
@@ -187,11 +189,11 @@ def _of_rig(rig: Rig, control: AnyControl | None) -> Subject:
 
 
 def _of_controller(rig: Rig, control: AnyControl | None) -> Subject:
-    """The controller of a rig alone: its channels are inputs, its commands outputs; it has no continuous states."""
+    """Return the controller of a rig alone: channels are inputs, commands are outputs, without continuous states."""
     loop = close_loop(rig, control)
     if loop is None:
         raise DescriptionError(
-            "no controller, which decides nothing",
+            "passive is not a controller",
             where="control",
             found="passive",
             allowed="a law",
@@ -258,16 +260,18 @@ def _on_tester(rig: Rig, tester: Tester) -> Subject:
 
 
 _TESTER = {"amplitude": Unit("m", at_least=0.0)}
-"""Quantities of a tester that are not fields of its description."""
+"""Units of tester parameters that are not fields of its description."""
 
 
 def _of_mechanism(mechanism: Mechanism) -> Subject:
-    """A mechanism starts in its design pose with its loops closed, where an importer may let it find its rest."""
+    """Return a mechanism in its design pose with closed loops; importers may request static equilibrium."""
     every = mechanism.with_values({})
     lacking = [name for name in mechanism.parameters if name not in every]
     if lacking:
         raise SimulationError(
-            "parameters without a value", where=", ".join(lacking), hint="Give them to the parts."
+            "parameters without a value",
+            where=", ".join(lacking),
+            hint="Set them in the parts of the mechanism.",
         )
     model = mechanism.model("refuse", values=every, inputs=dict.fromkeys(mechanism.tracks, 0.0))
     p = np.array([every[name] for name in model.parameters])
@@ -292,7 +296,7 @@ def _of_mechanism(mechanism: Mechanism) -> Subject:
 
 
 def _at_rest(compiled: Compiled, p: Array, u: Array) -> dict[str, Array]:
-    """Start values of a model in equilibrium, the size of its states and the bands of its switches."""
+    """Return start values of a model in equilibrium, the scale of its states and the bands of its switches."""
     rest = find_equilibrium(compiled, p, u)
     scale = state_scale(rest, *compiled.facts.counts, _MOTION)
     band = _BAND * dead_band(compiled, p, rest, scale, u)
@@ -304,7 +308,7 @@ def _law(loop: ControlLoop | None, findings: list[Finding]) -> tuple[Program | N
         return None, np.zeros(0)
     if isinstance(loop.first, CallbackController):
         raise SimulationError(
-            "a controller that is no formula (a function in Python, another FMU) cannot be part of an FMU",
+            "a controller without a formula (a Python function, a different FMU) cannot be part of an FMU",
             where="control",
             found=loop.first.name,
             allowed="a law of jounce, such as skyhook or lqr; or export the rig alone and connect the law outside",

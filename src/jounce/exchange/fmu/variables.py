@@ -1,4 +1,4 @@
-"""Variables of a model for importers: one list, in the order of the value references in ``c/core.h``."""
+"""Variables of an FMU in one list, in the order of the value references in ``c/core.h``."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LOAD_UNITS = {
     "lateral_acceleration": "m/s^2",
     "angle": "rad",
 }
-"""Units of tracks other than roads, by their last word; others are commands of unknown unit."""
+"""Units of inputs other than roads, by the last word of their name; all others are commands of unknown unit."""
 
 
 @dataclass(frozen=True)
@@ -32,15 +32,15 @@ class ModelVariable:
     reference : int
         Value reference.
     name, text : str
-        Structured name, and what it is.
+        Structured name, and description.
     causality, variability, initial, unit : str
-        As in FMI; the unit is SI, empty without one.
+        As in FMI; the unit is SI, or empty.
     start, least, most : float or bool, optional
-        Value before anyone sets it; range.
+        Start value and range.
     derivative : int, optional
-        Reference of the variable whose rate this is.
+        Reference of the variable of which this is the derivative.
     depends : tuple of int, optional
-        References of the states and inputs it depends on; None if not needed.
+        References of states and inputs on which it depends; None if not required.
     """
 
     reference: int
@@ -58,13 +58,13 @@ class ModelVariable:
 
     @property
     def is_boolean(self) -> bool:
-        """Whether it is true or false instead of a number."""
+        """Whether it is a Boolean."""
         return isinstance(self.start, bool) or self.name.startswith("mode.")
 
 
 @dataclass(frozen=True)
 class Variables:
-    """All variables, and those that the structure of the model lists."""
+    """All variables, and those listed in the model structure."""
 
     everything: tuple[ModelVariable, ...]
     derivatives: tuple[ModelVariable, ...]
@@ -74,12 +74,12 @@ class Variables:
     terminals: dict[str, tuple[ModelVariable, ...]]
 
     def reference(self, name: str) -> int:
-        """Value reference of a variable."""
+        """Return the value reference of a variable."""
         return next(variable.reference for variable in self.everything if variable.name == name)
 
 
 def structured_name(name: str) -> str:
-    """A name as the naming convention of FMI allows it: blanks and the like become underscores.
+    """Convert a name to FMI's structured naming convention: blanks and special characters become underscores.
 
     >>> structured_name("lower_arm.angle rate"), structured_name("control.F[0][1]")
     ('lower_arm.angle_rate', 'control.F[0,1]')
@@ -101,10 +101,10 @@ def list_variables(
 ) -> Variables:
     """List the variables of a model.
 
-    ``start`` holds start values of states, inputs and parameters (x, u, p); ``quantities`` unit and range of the
-    parameters by path, ``names`` their names here; ``commands`` are the tracks that a controller inside the FMU sets,
-    ``gains`` its numbers. ``at_rest``: whether it starts in equilibrium. ``units`` are those of some tracks (SI);
-    rates of ``sampled`` inputs are not listed.
+    ``start`` contains start values of states, inputs and parameters (x, u, p), ``quantities`` unit and range of
+    parameters by path, ``names`` their names in the FMU. ``commands`` are inputs set by a built-in controller,
+    ``gains`` its parameters. ``at_rest``: whether it starts in equilibrium. ``units`` are SI units of some inputs.
+    Rates of ``sampled`` inputs are not listed.
     """
     gains, order = gains or {}, model.track_order
     blocks = {
@@ -131,7 +131,7 @@ def list_variables(
     ins = [row for track in model.tracks for row in _inputs(track, order, known_units.get(track))]
     taken = {name for name, _, _ in ins} | set(
         outputs
-    )  # also rates that are not listed, so that names are unique
+    )  # includes unlisted rates: names must be unique
     own = [name if name in same or name not in taken else f"state.{name}" for name in model.states]
     state_units = [
         *model.units,
@@ -234,7 +234,7 @@ def list_variables(
 
 
 def _inputs(track: str, order: int, given: str | None = None) -> list[tuple[str, str, str]]:
-    """Name, unit and text of a track's value and its rates; the unit is ``given`` if known."""
+    """Return (name, unit, description) of an input and its rates; ``given`` is its unit if known."""
     unit = given or ("m" if is_road(track) else LOAD_UNITS.get(track.rpartition(".")[2], ""))
     rate = speed_of(track)
     second = re.sub(r"\.v(\w)$", r".a\1", rate) if is_road(track) else f"{rate}_rate"
@@ -252,7 +252,7 @@ def _inputs(track: str, order: int, given: str | None = None) -> list[tuple[str,
 
 
 def _per_second(unit: str) -> str:
-    """SI unit of a rate.
+    """Return the SI unit of a rate.
 
     >>> [_per_second(unit) for unit in ("m", "m/s", "m/s^2", "1", "N*m")]
     ['m/s', 'm/s^2', 'm/s^3', '1/s', 'N*m/s']
@@ -270,12 +270,12 @@ def _per_second(unit: str) -> str:
 
 
 def _at_least(quantity: Unit) -> float | None:
-    """Lower limit; FMI knows none that is excluded."""
+    """Return the lower limit; FMI has no exclusive limits."""
     return quantity.at_least if quantity.above is None else quantity.above
 
 
 def _dependencies(model: Model, first: Mapping[str, int]) -> dict[str, list[tuple[int, ...]]]:
-    """References of the states and inputs that each rate, output and indicator depends on."""
+    """Return the references of states and inputs on which each rate, output and indicator depends."""
     known = [first["x"] + i for i in range(model.x.shape[0])] + [
         first["u"] + i for i in range(model.u.shape[0])
     ]
@@ -304,6 +304,6 @@ def _refuse_collisions(everything: Sequence[ModelVariable], names: Sequence[str]
                 "two signals have the same name in an FMU",
                 where=variable.name,
                 found=", ".join(both),
-                hint="Rename one of them: blanks and signs become underscores there.",
+                hint="Rename one of them: blanks and special characters become underscores.",
             )
         seen.add(variable.name)
