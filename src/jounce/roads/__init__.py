@@ -1,6 +1,6 @@
-"""Obstacles, trains, rough roads, tables and measured courses: height and slope against distance, and their edges.
+"""Obstacles, trains, rough roads, tables and measured courses: height and slope over distance.
 
-The names are those of ``__init__.pyi``.
+The public names are listed in ``__init__.pyi``.
 """
 
 import lazy_loader

@@ -1,6 +1,6 @@
-"""Effective roads of a tyre of finite size: the equivalent height for a point follower.
+"""Effective roads for a tyre of finite size: the equivalent height for a point follower.
 
-The moving average, and the roll of a circle or of an elliptical cam, as closed-form pieces.
+Moving average, rolling circle, and rolling elliptical cams, as closed-form pieces.
 """
 
 from __future__ import annotations
@@ -36,20 +36,19 @@ _NEEDED = {
 class Enveloped(RoadOf):
     """Effective height of the road ``of`` under a tyre of finite size.
 
-    ``start`` and ``recurrence`` are those of ``of``. The effective height begins and ends beyond the obstacle, by up to
-    `reach`: a wheel that rolls over a step of height h as a circle of radius R begins to rise sqrt(2 R h - h^2) before
-    it.
+    ``start`` and ``recurrence`` are those of ``of``. The effective height extends beyond the obstacle by up to `reach`:
+    a rigid circle of radius R starts to rise sqrt(2 R h - h^2) before a step of height h.
 
     Attributes
     ----------
     of : Road
-        The road itself.
+        The original road.
     method : {"moving-average", "rigid-circle", "tandem-cam"}
-        Mean over the contact length; height of the centre of a rigid circle that rolls over the road, less its radius;
-        mean height of two elliptical cams, one behind the other.
+        Mean over the contact length; height of the centre of a rigid circle rolling over the road, minus its radius;
+        mean height of two elliptical cams in tandem.
     contact_length : float or None
-        Length in m of the contact patch, for the mean and for the distance of the cams; `contact_length` of a tyre
-        gives it from the load.
+        Length in m of the contact patch, for the mean and the distance of the cams; `contact_length` computes it from
+        the load.
     radius : float or None
         Undeformed radius of the tyre in m, for the circle and the cams.
     cam_length, cam_height : float
@@ -59,16 +58,16 @@ class Enveloped(RoadOf):
     cam_distance : float
         Distance of the cams over the contact length (1), 0.8335.
     step : float or None
-        Longest piece in m where there is no closed form; a twentieth of the contact length for the mean, an eighth
-        of the radius for circle and cams.
+        Maximum length in m of pieces without a closed form; by default a twentieth of the contact length for the mean,
+        an eighth of the radius for circle and cams.
     tolerance : float
-        How far in m the pieces may be off, 1 micrometre: longer ones are cut.
+        Maximum error of the pieces in m, 1 micrometre by default; pieces with larger errors are split.
 
     Notes
     -----
-    The mean is exact for roads of lines and parabolas. All else is cubics whose heights and slopes are exact at both
-    ends and which are cut where they would be off by more than ``tolerance``; kinks are found and kept. On a smooth
-    road the error falls with the fourth power of ``step``. Cams: Schmeitz (key schmeitz-2004).
+    The mean is exact for roads of lines and parabolas. Otherwise the pieces are cubics with exact heights and slopes at
+    both ends, split until their error is below ``tolerance``; kinks are detected and preserved. On a smooth road the
+    error is proportional to the fourth power of ``step``. Cams: Schmeitz (key schmeitz-2004).
 
     Examples
     --------
@@ -93,7 +92,7 @@ class Enveloped(RoadOf):
     tolerance: PositiveLength = 1e-6
 
     def check(self) -> None:
-        """Refuse missing and superfluous fields; take ``start`` and ``recurrence`` from the road inside."""
+        """Reject missing and superfluous fields; copy ``start`` and ``recurrence`` from the inner road."""
         for name in ("start", "recurrence"):
             if name in self.model_fields_set and getattr(self, name) != getattr(self.of, name):
                 raise ValueError(
@@ -121,10 +120,10 @@ class Enveloped(RoadOf):
     @model_validator(mode="after")
     def _check_fields(self) -> Self:
         self.check()
-        return self  # the loop is that of the road inside, which has checked it
+        return self  # the inner road has already checked the loop
 
     def reach(self) -> float:
-        """Distance in m ahead of and behind the wheel centre at which the road has an effect."""
+        """Return the distance in m ahead of and behind the wheel centre within which the road has an effect."""
         if self.method == "moving-average":
             return 0.5 * _require(self.contact_length)
         cam = self._cam()
@@ -139,14 +138,14 @@ class Enveloped(RoadOf):
         return Profile(felt.edges, felt.kind, felt.coefficients, inner.before, inner.after)
 
     def end(self) -> float:
-        """Distance in m at which the tyre has left the road inside for good."""
+        """Return the distance in m at which the tyre finally leaves the inner road."""
         return self.of.end() + self.reach()
 
     def effective_slope_at(self, x: ArrayLike) -> Array:
-        """Effective slope (1) of the road under the tyre at the distances ``x`` in m, any shape.
+        """Return the effective slope (1) of the road under the tyre at the distances ``x`` in m, any shape.
 
-        Of two cams it is the difference of their heights over their distance, not the derivative of the effective
-        height, which `slope_at` gives; of the other methods both are the same.
+        For tandem cams it is the difference of their heights divided by their distance, not the derivative of the
+        effective height (`slope_at`); for the other methods both are equal.
         """
         if self.method != "tandem-cam":
             return self.slope_at(x)
@@ -162,7 +161,7 @@ class Enveloped(RoadOf):
         return self._filter(self.of._between(low - margin, high + margin), low, high)
 
     def _filter(self, road: Segments, low: float, high: float) -> tuple[Segments, Segments]:
-        """Effective height and slope from ``low`` to ``high``; the road must extend beyond both by the reach."""
+        """Return effective height and slope from ``low`` to ``high``; the road must extend beyond by the reach."""
         method = (
             self.method,
             self.contact_length,
@@ -202,7 +201,7 @@ class Enveloped(RoadOf):
 def contact_length(
     load: float, stiffness: float, radius: float, *, linear: float = 0.733, root: float = 0.671
 ) -> float:
-    """Length of the contact patch of a tyre on a level road.
+    """Compute the length of a tyre's contact patch on a level road.
 
     Parameters
     ----------
@@ -213,7 +212,7 @@ def contact_length(
     radius : float
         Undeformed radius in m.
     linear, root : float
-        Coefficients (1) of the deflection over the radius and of its root.
+        Coefficients (1) of the relative deflection and of its square root.
 
     Returns
     -------
@@ -249,7 +248,7 @@ def _digest(road: Segments, *values: object) -> bytes:
 
 
 class _Results:
-    """Recent results, because a run uses the same road several times."""
+    """Cache of recent results, because a run uses the same road several times."""
 
     def __init__(self, most: int) -> None:
         self.most = most
@@ -273,15 +272,13 @@ Numbers = NDArray[np.int64]
 _SHARES = (
     0.2928932188134524,
     0.7071067811865476,
-)  # test points in a cubic: no wave vanishes at both
-SHORTEST = 1e-9  # m; closer borders coincide
-_STEEPEST = 50.0  # slope (89 degrees) that counts as a wall
+)  # test points in a cubic: no wave is zero at both
+SHORTEST = 1e-9  # m; borders closer than this are merged
+_STEEPEST = 50.0  # slope (89 degrees) above which an edge is a wall
 _GRADED = [side * 4.0**-k for k in (1, 2, 3) for side in (-1.0, 1.0)]
-"""Shares of a step at which there are borders beside a point of infinite curvature."""
-_SHARP = 0.02  # jump of the contact point, relative to a, that counts as an edge
-_BENT = (
-    0.03  # jump of the curvature times a^2 that a cam's height follows by more than a micrometre
-)
+"""Shares of a step at which borders are added near a point of infinite curvature."""
+_SHARP = 0.02  # jump of the contact point, relative to a, above which a border is an edge
+_BENT = 0.03  # jump of curvature times a^2 that changes a cam's height by more than a micrometre
 _PAIRS = 1_000_000  # nodes times pieces processed at once: 8 MB
 
 
@@ -302,19 +299,19 @@ class Cam:
     c: float = 2.0
 
     def drop(self, u: Array) -> Array:
-        """How far (m, negative) the outline at the offsets ``u`` in m is above the lowest point, times -1."""
+        """Return minus the height (m) of the outline above its lowest point at the offsets ``u`` in m."""
         share = np.minimum(np.abs(u) / self.a, 1.0) ** self.c
         return np.asarray(self.b * ((1.0 - share) ** (1.0 / self.c) - 1.0))
 
     def slope(self, u: Array) -> Array:
-        """Slope (1) of the road that touches the outline at the offsets ``u`` in m."""
+        """Return the slope (1) of a road that touches the outline at the offsets ``u`` in m."""
         share = np.minimum(np.abs(u) / self.a, 1.0) ** self.c
         with np.errstate(divide="ignore"):
             ratio = share / (1.0 - share)
         return np.asarray(np.sign(u) * (self.b / self.a) * ratio ** (1.0 - 1.0 / self.c))
 
     def offset(self, slope: Array) -> Array:
-        """Offset u in m at which a road of this slope (1) touches: the inverse of `slope`."""
+        """Return the offset u in m at which a road of this slope (1) touches: the inverse of `slope`."""
         steep = np.minimum(np.abs(slope), 1e9)
         ratio = (steep * self.a / self.b) ** (self.c / (self.c - 1.0))
         return np.asarray(np.sign(slope) * self.a * (ratio / (1.0 + ratio)) ** (1.0 / self.c))
@@ -323,10 +320,10 @@ class Cam:
 def average(
     road: Segments, half: float, window: tuple[float, float], step: float, tolerance: float
 ) -> Segments:
-    """Mean height over ``half`` metres to either side, over a window (m, m).
+    """Compute the mean height over ``half`` metres to either side, over a window (m, m).
 
-    Exact where the road is made of lines and parabolas; elsewhere cubics at most ``step`` metres long with exact
-    heights and slopes at their ends, shorter where they would be off by more than ``tolerance`` (m).
+    Exact for roads of lines and parabolas. Otherwise the pieces are cubics of at most ``step`` metres with exact
+    heights and slopes at their ends, split until their error is below ``tolerance`` (m).
     """
     upright = road.edges[:-1][road.kind == CIRCLE], road.edges[1:][road.kind == CIRCLE]
     near = [
@@ -341,7 +338,7 @@ def average(
     )
 
     def mean(x: Array) -> tuple[Array, Array]:
-        """Height and slope at one place of each interval between borders."""
+        """Return height and slope at one point of each interval between borders."""
         area = (
             whole[ahead]
             - whole[behind]
@@ -365,7 +362,7 @@ def average(
 
 
 def combine(road: Segments, apart: float, low: float, high: float) -> tuple[Segments, Segments]:
-    """Mean of the heights half of ``apart`` metres ahead and behind (m), and their difference over ``apart`` (1)."""
+    """Return the mean (m) of the heights ``apart / 2`` (m) ahead and behind, and the slope between them (1)."""
     half = 0.5 * apart
     borders = _borders([road.edges - half, road.edges + half], low, high)
     behind, ahead = _pieces(road, borders, -half), _pieces(road, borders, half)
@@ -384,11 +381,11 @@ def combine(road: Segments, apart: float, low: float, high: float) -> tuple[Segm
 def roll_cam(
     road: Segments, cam: Cam, window: tuple[float, float], step: float, tolerance: float
 ) -> Segments:
-    """Height in m of a cam that rests on the road, less its height on a level road, over a window (m, m).
+    """Compute the height in m of a cam resting on the road, minus its height on a level road, over a window (m, m).
 
-    Cubics at most ``step`` metres long with exact heights and slopes at their ends, shorter where they would be off by
-    more than ``tolerance`` (m); every place where two points of the road touch at once, and every place
-    where an edge begins or ceases to touch, is a border.
+    The pieces are cubics of at most ``step`` metres with exact heights and slopes at their ends, split until their
+    error is below ``tolerance`` (m). Borders are set wherever two points of the road touch at once, and where an edge
+    starts or ceases to touch.
     """
     parts = _Parts.of(road, cam)
     nodes = _subdivide(np.array(window), np.array([step]))
@@ -406,14 +403,14 @@ def roll_cam(
 
 @dataclass(frozen=True)
 class _Parts:
-    """The road cut into parts on each of which a cam touches at most once, and its corners."""
+    """The road split into parts that a cam touches at most once each, and the corners between them."""
 
     road: Segments
     cam: Cam
     border: Array  # (n + 1,), m
-    piece: Numbers  # (n,): piece of the road that a part belongs to
-    corner: Array  # (n + 1,): height of the borders in m, the higher one at a jump
-    offset: Array  # (2, n): where the cam touches the slopes at either end of a part, in m from its middle
+    piece: Numbers  # (n,): index of the road's piece that contains the part
+    corner: Array  # (n + 1,): height of the borders in m, the upper height at a jump
+    offset: Array  # (2, n): offset in m from the cam's centre at which it touches the slope at either end of a part
     edge: NDArray[np.bool_]  # (n - 1,): inner borders at which height, slope or curvature jump
 
     @classmethod
@@ -428,7 +425,7 @@ class _Parts:
         longest[arcs] = np.minimum(longest[arcs], road.coefficients[arcs, 1] / 16.0)
         border = _subdivide(road.edges, longest)
         piece = road.piece_at(0.5 * (border[:-1] + border[1:]))
-        nudge = 1e-7 * np.diff(border)  # an arc has no slope at its very foot
+        nudge = 1e-7 * np.diff(border)  # an arc has an infinite slope at its foot
         left, right = road.on_pieces(piece, border[:-1])[0], road.on_pieces(piece, border[1:])[0]
         slopes = [road.on_pieces(piece, x)[1] for x in (border[:-1] + nudge, border[1:] - nudge)]
         corner = np.maximum(np.append(left, right[-1]), np.insert(right, 0, left[0]))
@@ -443,14 +440,14 @@ class _Parts:
         return cls(road, cam, border, piece, corner, offset, edge)
 
     def transitions(self) -> Array:
-        """Places in m of the cam at which an edge may begin or cease to touch; smaller ones are found as errors."""
+        """Return cam positions in m at which a significant edge may start or cease to touch."""
         corner = self.border[1:-1][self.edge]
         return np.concatenate(
             [corner - self.offset[1, :-1][self.edge], corner - self.offset[0, 1:][self.edge]]
         )
 
     def contact(self, x: Array) -> tuple[Array, Array]:
-        """Height of the cam at its places ``x`` and the distance at which it touches, in m."""
+        """Return the height of the cam at the positions ``x`` and the distance of the contact point, in m."""
         first = np.searchsorted(self.border, x - self.cam.a, side="right") - 1
         last = np.searchsorted(self.border, x + self.cam.a, side="left")
         count = np.minimum(last, len(self.piece)) - np.maximum(first, 0) + 1
@@ -496,7 +493,7 @@ class _Parts:
         return np.asarray(best), np.asarray(at[chosen])
 
     def _inside(self, part: Numbers, x: Array) -> Array:
-        """Contact point inside a part: in closed form on a line, by bisection on a curve."""
+        """Return the contact point inside a part: in closed form on a line, by bisection on a curve."""
         low, high = (
             np.maximum(self.border[part], x - self.cam.a),
             np.minimum(self.border[part + 1], x + self.cam.a),
@@ -514,7 +511,7 @@ class _Parts:
 
 
 def _curvature(road: Segments, piece: Numbers, x: Array) -> Array:
-    """Second derivative in 1/m of pieces at ``x``; for arcs a large number that no neighbour has."""
+    """Return the second derivative in 1/m of pieces at ``x``; for arcs a large, distinct number."""
     s = x - road.edges[piece]
     _, c1, c2, c3 = np.moveaxis(road.coefficients[piece], -1, 0)
     kind = road.kind[piece]
@@ -536,12 +533,12 @@ def _add_kinks(
     for _ in range(6):
         apart = right[0, 1:] - right[0, :-1]
         jump = left[3, 1:] - right[3, :-1]
-        # At a kink the contact point jumps ahead, by more than the nodes are apart and than bisection leaves.
+        # At a kink the contact point jumps by more than the node spacing and the bisection's resolution.
         wide = np.flatnonzero((jump > 1.1 * apart + 1e-4 * parts.cam.a) & (apart > 4.0 * SHORTEST))
         before, after = _bisect_kink(parts, right[:, wide], left[:, wide + 1])
         kink = (
             after[3] - before[3] > 1e-4 * parts.cam.a
-        )  # otherwise the contact moves fast along a hollow
+        )  # otherwise the contact moves quickly along a hollow
         if not kink.any():
             break
         left = np.insert(left, wide[kink] + 1, before[:, kink], axis=1)
@@ -554,7 +551,7 @@ def _add_kinks(
 
 
 def _refine(parts: _Parts, left: Array, right: Array, tolerance: float) -> tuple[Array, Array]:
-    """Add nodes where a cubic is farther than the tolerance (m) from the cam's height inside it."""
+    """Add nodes where a cubic deviates from the cam's height by more than the tolerance (m)."""
     unsure = np.ones(left.shape[1] - 1, dtype=bool)
     for _ in range(8):
         which = np.flatnonzero(unsure)
@@ -573,7 +570,7 @@ def _refine(parts: _Parts, left: Array, right: Array, tolerance: float) -> tuple
 
 
 def _error(parts: _Parts, begin: Array, end: Array, share: float) -> tuple[Array, Array]:
-    """Nodes at a share of the intervals, and how far (m) the cubics over the intervals are off there."""
+    """Return nodes at a share of the intervals, and the errors (m) of the cubics there."""
     span = end[0] - begin[0]
     x = begin[0] + share * span
     height, at = parts.contact(x)
@@ -584,7 +581,7 @@ def _error(parts: _Parts, begin: Array, end: Array, share: float) -> tuple[Array
 def _cubic(
     span: Array, begin: tuple[Array, Array], end: tuple[Array, Array], share: float
 ) -> Array:
-    """Height in m at a share of intervals of a span (m), of the cubics with these heights and slopes at their ends."""
+    """Return heights in m at a share of intervals of a span (m), of cubics with these end heights and slopes."""
     rise = share**2 * (3.0 - 2.0 * share) * (end[0] - begin[0])
     lean = span * share * (1.0 - share) * ((1.0 - share) * begin[1] - share * end[1])
     return np.asarray(begin[0] + rise + lean)
@@ -618,7 +615,7 @@ def _move_to_crossing(begin: Array, end: Array) -> tuple[Array, Array]:
 
 
 def _borders(places: list[Array], low: float, high: float) -> Array:
-    """Ascending places (m) from ``low`` to ``high``, merged within a nanometre."""
+    """Return ascending positions (m) from ``low`` to ``high``, merged within a nanometre."""
     inner = np.concatenate(places)
     inner = np.unique(inner[(inner > low + SHORTEST) & (inner < high - SHORTEST)])
     distinct = inner[np.diff(inner, prepend=-np.inf) > SHORTEST]
@@ -626,7 +623,7 @@ def _borders(places: list[Array], low: float, high: float) -> Array:
 
 
 def _subdivide(borders: Array, longest: Array) -> Array:
-    """Cut the intervals between borders into equal parts of at most ``longest`` (m), one value or one for each."""
+    """Split the intervals between borders into equal parts of at most ``longest`` (m, scalar or per interval)."""
     span = np.diff(borders)
     count = np.maximum(np.ceil(span / np.broadcast_to(longest, span.shape) - 1e-9), 1.0).astype(
         np.int64
@@ -637,12 +634,12 @@ def _subdivide(borders: Array, longest: Array) -> Array:
 
 
 def _pieces(road: Segments, borders: Array, by: float) -> Numbers:
-    """Piece of the road ``by`` metres ahead of each interval between borders."""
+    """Return the road's piece ``by`` metres ahead of each interval between borders."""
     return road.piece_at(0.5 * (borders[:-1] + borders[1:]) + by)
 
 
 def _area(road: Segments, piece: Numbers, x: Array) -> Array:
-    """Integral in m^2 of pieces from their begin to ``x``."""
+    """Integrate pieces from their start to ``x``, in m^2."""
     s = x - road.edges[piece]
     c0, c1, c2, c3 = np.moveaxis(road.coefficients[piece], -1, 0)
     kind = road.kind[piece]
@@ -659,7 +656,7 @@ def _area(road: Segments, piece: Numbers, x: Array) -> Array:
 
 
 def _disc(t: Array, radius: Array) -> Array:
-    """Integral in m^2 of sqrt(radius^2 - t^2) from 0."""
+    """Integrate sqrt(radius^2 - t^2) from 0, in m^2."""
     share = np.clip(t / radius, -1.0, 1.0)
     return np.asarray(0.5 * radius**2 * (share * np.sqrt(1.0 - share**2) + np.arcsin(share)))
 
@@ -668,7 +665,7 @@ def _join(borders: Array, left: tuple[Array, Array], right: tuple[Array, Array])
     """Join cubics with these heights and slopes at the borders; collinear lines become one piece."""
     pieces = hermite_pieces(borders, left[0], right[0], left[1], right[1])
     c, span = pieces.coefficients, np.diff(borders)
-    # Less than 1e-13 m is rounding of heights.
+    # Values below 1e-13 m are rounding of heights.
     bend = np.maximum(np.abs(c[:, 2]) * span**2, np.abs(c[:, 3]) * span**3) > 1e-13
     c[~bend, 2:] = 0.0
     c[~bend, 1] = ((right[0] - left[0]) / span)[~bend]

@@ -1,4 +1,4 @@
-"""Road files and the roads of a campaign, with their names resolved; the shipped courses."""
+"""Loading of road files, of a campaign's named roads, and of the shipped courses."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _SUFFIXES = (".toml", ".crg", ".csv", ".txt", ".tsv")
 
 
 def road_library() -> dict[str, Path]:
-    """Return the shipped measured courses: name to file.
+    """Return the files of the shipped measured courses by name.
 
     Examples
     --------
@@ -48,7 +48,7 @@ def source_of_course(file: Path) -> str:
 
 
 def load_road(path: Path | str, *, length: float | None = None) -> Road:
-    """Read a road from a file, or a shipped course by its name, or make a rough road of a class.
+    """Load a road from a file, a shipped course by name, or generate a rough road of a class.
 
     Parameters
     ----------
@@ -57,17 +57,17 @@ def load_road(path: Path | str, *, length: float | None = None) -> Road:
         (``.csv``, ``.txt``, ``.tsv``) with the columns ``x`` and ``z``, or a name of `road_library`; or ``"iso:C"``,
         ``"iso:C:7"`` for a road of an ISO 8608 class (and seed, 0).
     length : float, optional
-        Length in m of a road made from a class, 1000 m; other roads are as long as they are.
+        Length in m of a road generated from a class, by default 1000 m; ignored for other roads.
 
     Returns
     -------
     Road
-        The frozen description.
+        Frozen description.
 
     Raises
     ------
     DescriptionError
-        With file, line and path when the description is wrong or the kind of file unknown.
+        With file, line and path: if the description is invalid or the file type unknown.
     RecordingError
         If a measured file is damaged or missing.
 
@@ -103,28 +103,28 @@ def read_roads(
     folder: Path | str = ".",
     path: tuple[str, ...] = ("roads",),
 ) -> dict[str, Road]:
-    """Build named roads; the ``of`` of a train or an enveloped road may name another of them, in any order.
+    """Build named roads; the ``of`` of a train or an enveloped road may refer to any other name.
 
     Parameters
     ----------
     tables : mapping of str to dict
-        Road tables by name; ``kind`` selects what each is.
+        Road tables by name; ``kind`` selects the type of road.
     where, text : str
-        File and its content, for the places in errors.
+        File name and content, for locations in errors.
     folder : Path or str
-        Folder that relative ``file`` entries start from.
+        Base folder of relative ``file`` entries.
     path : tuple of str
         Position of the tables in the file.
 
     Returns
     -------
     dict of str to Road
-        In the order of ``tables``.
+        Roads in the order of ``tables``.
 
     Raises
     ------
     DescriptionError
-        For wrong fields, unknown kinds and names (with the nearest match), and roads that contain themselves.
+        For invalid fields, unknown kinds and names (with the nearest match), and circular references.
 
     Examples
     --------
@@ -140,7 +140,7 @@ def read_roads(
 
 
 def class_and_seed(text: str) -> tuple[str, int | None]:
-    """Class and seed (None by default) of ``iso:CLASS`` or ``iso:CLASS:SEED``.
+    """Split ``iso:CLASS`` or ``iso:CLASS:SEED`` into class and seed (None if omitted).
 
     Examples
     --------
@@ -165,7 +165,7 @@ def is_class(text: object) -> bool:
 
 
 def _of_class(text: str, length: float | None) -> Iso8608:
-    """Road of ``iso:CLASS`` or ``iso:CLASS:SEED``."""
+    """Return the road of ``iso:CLASS`` or ``iso:CLASS:SEED``."""
     name, seed = class_and_seed(text)
     table = {"class": name, "length": 1000.0 if length is None else length, "seed": seed or 0}
     return Iso8608.from_table({"kind": "iso-8608", **table}, where=text)
@@ -184,7 +184,7 @@ def _without_schema(table: dict[str, Any], where: str) -> dict[str, Any]:
 
 
 class _Reader:
-    """Builds the roads of one file; remembers those already built."""
+    """Builder of the roads of one file, with a cache of those already built."""
 
     def __init__(
         self,
@@ -204,7 +204,7 @@ class _Reader:
         self.built: dict[str, Road] = {}
 
     def build_named(self, name: str, asked_by: tuple[str, ...]) -> Road:
-        """Build the road of that name; ``asked_by`` are the names being built now."""
+        """Build a road by name; ``asked_by`` lists the names under construction."""
         if name in asked_by:
             circle = " of ".join(repr(step) for step in (*asked_by[asked_by.index(name) :], name))
             raise DescriptionError(

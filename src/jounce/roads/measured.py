@@ -30,7 +30,7 @@ FEWEST = {"linear": 2, "cubic": 4}
 _JUMP, _STEEP = (
     1.0,
     10.0,
-)  # m and 1; a step from one row to the next that is higher and steeper is padding, no road
+)  # m and 1; a higher and steeper step between rows is padding
 
 
 Lengths = Annotated[tuple[Annotated[float, Unit("m")], ...], Listed]
@@ -41,14 +41,14 @@ Times = Annotated[tuple[Annotated[float, Unit("s")], ...], Listed]
 class Table(SampledRoad):
     """Heights at given points, with lines or a cubic spline between them.
 
-    The first height extends before the first point, the last one after the last (at `end`).
+    The first height continues before the first point, the last height after the last point (at `end`).
 
     Attributes
     ----------
     x, height : tuple of float
-        Points in m: distance from ``start``, strictly ascending, and height. Either these or ``file``.
+        Points in m: distance from ``start``, strictly ascending, and height. Mutually exclusive with ``file``.
     file : Path or None
-        Text file with the columns ``x`` and ``z``, each with its unit, e.g. ``x [m], z [mm]``.
+        Text file with columns ``x`` and ``z`` with units, e.g. ``x [m], z [mm]``.
     interpolation : {"linear", "cubic"}
         Lines, or a not-a-knot cubic spline (at least 4 points).
     start : float
@@ -69,19 +69,19 @@ class Table(SampledRoad):
     interpolation: Interpolation = "linear"
 
     def check(self) -> None:
-        """Refuse points that are missing, given twice, or do not ascend."""
+        """Reject points that are missing, given twice, or not ascending."""
         check_source(self.file, {"x": self.x, "height": self.height}, self.interpolation)
         if self.file is not None:
             self.profile()
 
     def profile(self) -> Profile:
-        """Pieces through the points."""
+        """Return pieces through the points."""
         if self.file is not None:
             return file_profile(self.file, {"x": "m", "z": "m"}, self.interpolation)
         return point_profile(self.x, self.height, self.interpolation)
 
     def points(self) -> tuple[Array, Array]:
-        """Points as given: distance from ``start`` and height, both in m, each of shape (n,)."""
+        """Return the given points: distance from ``start`` and height, each in m with shape (n,)."""
         if self.file is not None:
             return file_points(self.file, {"x": "m", "z": "m"}, FEWEST[self.interpolation])
         return np.asarray(self.x, dtype=float), np.asarray(self.height, dtype=float)
@@ -90,14 +90,14 @@ class Table(SampledRoad):
 class Crg(SampledRoad):
     """Measured course from an OpenCRG file, straight or curved, at one lateral offset.
 
-    The file's options determine the road before and after the course: usually its first and last height.
+    The file's options determine the road before and after the course; usually the end heights continue.
 
     Attributes
     ----------
     file : Path
         The ``.crg`` file.
     v : float
-        Lateral offset in m from the reference line, left positive.
+        Lateral offset in m from the reference line, positive to the left.
     start : float
         Distance in m at which the course begins; negative when the run begins inside it.
     """
@@ -115,7 +115,7 @@ class Crg(SampledRoad):
             )
 
     def profile(self) -> Profile:
-        """Lines between the cross sections."""
+        """Return lines between the cross sections."""
         return self._course().profile
 
     def segments(self, distance: float, behind: float = 0.0) -> Segments:
@@ -139,20 +139,20 @@ class Crg(SampledRoad):
         return super().segments(distance, behind)
 
     def end(self) -> float:
-        """Distance in m of the last cross section on the first pass."""
+        """Return the distance in m of the last cross section on the first pass."""
         return self.start + float(self._course().s[-1])
 
     def points(self) -> tuple[Array, Array]:
-        """Cross sections: distance from ``start`` along the path and height, both in m, each of shape (n,)."""
+        """Return the cross sections: distance from ``start`` along the path and height, each in m with shape (n,)."""
         course = self._course()
         return course.s.copy(), course.height.copy()
 
     def known_length(self) -> float:
-        """Distance in m of the last cross section; infinite where the course repeats."""
+        """Return the distance in m of the last cross section; infinite if the course repeats."""
         return math.inf if self.is_endless() else super().known_length()
 
     def is_endless(self) -> bool:
-        """Whether the file's options say that the course repeats."""
+        """Whether the course repeats according to the file's options."""
         return self._course().beyond in ("repeat", "reflect", "closed")
 
     def _course(self) -> CrgCourse:
@@ -169,7 +169,7 @@ class Crg(SampledRoad):
 def check_source(
     file: Path | None, points: dict[str, tuple[float, ...]], interpolation: str
 ) -> None:
-    """Refuse (ValueError) a mixture of file and points, lists of unequal length, too few points, x not ascending."""
+    """Raise ValueError for file and points together, unequal lengths, too few points, or x not ascending."""
     (x_name, x), (y_name, y) = points.items()
     if file is not None:
         if x or y:
@@ -219,7 +219,7 @@ def check_source(
 
 
 def point_profile(x: tuple[float, ...], height: tuple[float, ...], interpolation: str) -> Profile:
-    """Pieces through points that are known to ascend; ``x`` in m (or s), ``height`` in m."""
+    """Return pieces through points that are known to ascend; ``x`` in m (or s), ``height`` in m."""
     make = linear_profile if interpolation == "linear" else cubic_profile
     return make(np.asarray(x, dtype=float), np.asarray(height, dtype=float))
 
@@ -227,13 +227,13 @@ def point_profile(x: tuple[float, ...], height: tuple[float, ...], interpolation
 def file_profile(
     file: Path, columns: dict[str, str], interpolation: str, fewest: int = 2
 ) -> Profile:
-    """Pieces through the two columns (name to SI unit) of a text file with at least ``fewest`` rows."""
+    """Return pieces through the two columns (name to SI unit) of a text file with at least ``fewest`` rows."""
     key = _key(file, columns, max(fewest, FEWEST[interpolation]))
     return _file_profile(key, interpolation)
 
 
 def file_points(file: Path, columns: dict[str, str], fewest: int = 2) -> tuple[Array, Array]:
-    """Two columns (name to SI unit) of a text file with at least ``fewest`` rows, the first of which ascends."""
+    """Read two columns (name to SI unit) of a text file with at least ``fewest`` rows; the first must ascend."""
     x, height = _file_points(_key(file, columns, fewest))
     return x.copy(), height.copy()
 
@@ -242,7 +242,7 @@ _Key = tuple[str, tuple[tuple[str, str], ...], int, State]
 
 
 def _key(file: Path, columns: dict[str, str], fewest: int) -> _Key:
-    """Cache key of a file: its columns, and its last change."""
+    """Return the cache key of a file: its columns and modification time."""
     return str(file), tuple(columns.items()), fewest, state_of(existing_file(file, RecordingError))
 
 
@@ -292,7 +292,7 @@ def _file_points(key: _Key) -> tuple[Array, Array]:
 
 
 def _check_jumps(x: Array, height: Array, where: str) -> None:
-    """Refuse heights that jump like padding, e.g. -9999 for missing values."""
+    """Raise an error for jumps caused by padding, e.g. -9999 for missing values."""
     jumps = np.abs(np.diff(height))
     wild = np.flatnonzero((jumps > _JUMP) & (jumps > _STEEP * np.diff(x)))
     if len(wild):
@@ -311,9 +311,9 @@ def _check_jumps(x: Array, height: Array, where: str) -> None:
 
 Beyond = Literal["keep", "nothing", "repeat", "reflect", "closed"]
 _HARMLESS = re.compile(r"^unknown (keyword|data channel)|white space byte|header values used$")
-HIGHEST = 1e4  # m; above any road
-_SMALLEST = 1e-28  # m; rounding leaves larger numbers, a wrong byte order smaller ones
-_SPIKE = 1.0  # m; a single point that stands out by more is an error
+HIGHEST = 1e4  # m; higher than any road
+_SMALLEST = 1e-28  # m; rounding produces larger numbers, a wrong byte order smaller ones
+_SPIKE = 1.0  # m; a single point that deviates by more is an error
 _EDGE = 1e-9  # m; rounding of the lateral range
 _BEYOND: dict[int, Beyond] = {0: "nothing", 1: "keep", 2: "keep", 3: "repeat", 4: "reflect"}
 
@@ -327,10 +327,9 @@ class CrgCourse:
     s, height : ndarray, shape (n,)
         Distance driven along the path at that offset, from 0, and height, in m, at every cross section.
     profile : Profile
-        Pieces of one pass; also those of a smoothing at the ends, and of the link that closes a track.
+        Pieces of one pass, including smoothed ends and the link that closes a track.
     beyond : {"keep", "nothing", "repeat", "reflect", "closed"}
-        Continuation by the file's options: the level of the profile, no road at all, the same
-        road again, its mirror image, or the same track again.
+        Continuation according to the file's options: end level, no road, repetition, mirror image, or closed track.
     """
 
     s: Array
@@ -343,44 +342,44 @@ def read_crg_profile(path: Path | str, lateral_offset: float = 0.0) -> tuple[Arr
     """Read the heights of an OpenCRG road at one lateral offset.
 
     Heights are the sum of the reference line's elevation (its slope integrated), banking times offset and the grid,
-    linear between the long sections (bilinear together with straight lines along u). Cross sections without any value
-    at the end of a binary file are padding and left out. Modifiers in the file are applied.
+    linear between the long sections (bilinear together with straight lines along u). Empty cross sections at the end
+    of a binary file are padding and are omitted. Modifiers in the file are applied.
 
     Parameters
     ----------
     path : Path or str
         File of format KRBI, KDBI (binary), LRFI or LDFI (text), or one that refers to such a file.
     lateral_offset : float
-        Offset v in m from the reference line, left positive; inside the grid, or beyond it where the file's option
+        Offset v in m from the reference line, positive to the left; inside the grid, or outside it if the file's option
         BORDER_MODE_V defines the height there.
 
     Returns
     -------
     s : ndarray, shape (n,)
         Distance in m driven along the path at that offset, from 0 at the first cross section. On a straight line it
-        is the distance u along the reference line, on the inner side of a bend it is shorter: ds = (1 - v k) du with
-        the curvature k, positive to the left.
+        is the distance u along the reference line; on the inside of a bend it is shorter: ds = (1 - v k) du with the
+        curvature k, positive to the left.
     height : ndarray, shape (n,)
-        Height z in m, up positive, before any smoothing at the ends.
+        Height z in m, positive upwards, before any smoothing at the ends.
 
     Raises
     ------
     RecordingError
-        For a missing, damaged, truncated or contradictory file, an offset outside the grid or beyond the centre of a
-        bend, and heights that are missing at that offset.
+        For a missing, damaged, truncated or inconsistent file, an offset outside the grid or beyond the centre of a
+        bend, and missing heights at that offset.
 
     Notes
     -----
-    Format: ASAM OpenCRG 1.2. Between cross sections the reference line is straight, as the format defines it; the
-    corners of the path at an offset lie on the bisectors. Modifiers that OpenCRG tools would assume in a file without
-    any (gaps filled, start moved to the origin) are not applied.
+    Format: ASAM OpenCRG 1.2. As defined by the format, the reference line is straight between cross sections; corners
+    of the offset path are on the bisectors. The default modifiers of OpenCRG tools for files without modifiers (filling
+    gaps, moving the start to the origin) are not applied.
     """
     profile = read_course(path, lateral_offset)
     return profile.s.copy(), profile.height.copy()
 
 
 def read_course(path: Path | str, lateral_offset: float = 0.0) -> CrgCourse:
-    """Read the path at one lateral offset in m, with its ends as the options of the file define them."""
+    """Read the path at one lateral offset in m, with ends as defined by the file's options."""
     file = existing_file(path, RecordingError)
     return _course(str(file), float(lateral_offset), state_of(file))
 
@@ -406,11 +405,11 @@ def _course(file: str, offset: float, _state: State) -> CrgCourse:
 
 
 def _read(file: str) -> Any:
-    """Read and check a file; refuse it wherever the reader would have to guess."""
+    """Read and check a file; raise an error instead of guessing."""
     import pyopencrg
 
     try:
-        with np.errstate(all="ignore"), collect_warnings():  # damaged numbers overflow
+        with np.errstate(all="ignore"), collect_warnings():  # corrupt numbers overflow
             road = pyopencrg.read(file, check=False)
             problems = [*road.check().errors, *_overlong_rows(file)]
             if road.mods and not problems:
@@ -455,7 +454,7 @@ def _read(file: str) -> Any:
 
 
 def _is_misspelt(warning: str) -> bool:
-    """Whether an unknown keyword or channel is so near to a known one that its values are missing."""
+    """Whether an unknown keyword or channel is probably a misspelt known one, whose values are then missing."""
     from pyopencrg.keywords import MODIFIER_KEYWORDS, OPTION_DEFAULTS, ROAD_CRG_KEYWORDS
 
     name = (re.findall(r"'([^',]*)", warning) or [""])[0].strip().lower()
@@ -471,7 +470,7 @@ def _is_misspelt(warning: str) -> bool:
 
 
 def _overlong_rows(file: str) -> list[str]:
-    """Text rows with more values than the header defines (pyopencrg ignores the rest)."""
+    """Report text rows with more values than the header defines (pyopencrg ignores them)."""
     from pyopencrg.io import read_ipl
 
     header = read_ipl(file, meta_only=True)
@@ -495,7 +494,7 @@ def _one_line(error: Exception, file: str) -> str:
 
 
 def _height(road: Any, offset: float, file: str) -> Array:
-    """Heights at the cross sections."""
+    """Return the heights at the cross sections."""
     v = np.asarray(road.v, dtype=float)
     if v[0] - _EDGE <= offset <= v[-1] + _EDGE:
         return np.asarray(_grid_height(road, offset) + road.zr + road.banking * offset)
@@ -521,7 +520,7 @@ def _height(road: Any, offset: float, file: str) -> Array:
 
 
 def _grid_height(road: Any, offset: float) -> Array:
-    """Grid heights at the offset, linear between the adjacent long sections."""
+    """Return grid heights at the offset, interpolated linearly between adjacent long sections."""
     v = np.asarray(road.v, dtype=float)
     right = int(np.clip(np.searchsorted(v, offset, side="right") - 1, 0, len(v) - 2))
     share = float(np.clip((offset - v[right]) / (v[right + 1] - v[right]), 0.0, 1.0))
@@ -532,7 +531,7 @@ def _grid_height(road: Any, offset: float) -> Array:
 
 
 def _check_heights(road: Any, height: Array, offset: float, file: str) -> None:
-    """Refuse gaps and implausible heights."""
+    """Raise an error for gaps and implausible heights."""
     grid = np.abs(np.asarray(road.z, dtype=float))
     damage = ""
     if max(np.nanmax(np.abs(height), initial=0.0), np.nanmax(grid, initial=0.0)) > HIGHEST:
@@ -568,7 +567,7 @@ def _check_heights(road: Any, height: Array, offset: float, file: str) -> None:
 
 
 def _steps(road: Any, offset: float, file: str) -> Array:
-    """Distances in m along the path from one cross section to the next."""
+    """Return the distances in m along the path between successive cross sections."""
     if road.is_straight or offset == 0.0:
         return np.diff(np.asarray(road.u, dtype=float))
     x, y = (np.asarray(value) for value in road.uv_to_xy(road.u, np.full(road.nu, offset)))
@@ -600,7 +599,7 @@ def _smooth(road: Any, s: Array, height: Array, file: str) -> Profile:
     marks = [mark for mark in (first, float(u[-1]) - last) if 0.0 < mark < u[-1]]
     nodes = np.unique(np.concatenate([u, marks]))
     level = np.interp(nodes, u, height)
-    pieces = np.zeros((len(nodes) - 1, 4))  # in the share of the piece that is driven
+    pieces = np.zeros((len(nodes) - 1, 4))  # polynomials in the normalised coordinate of the piece
     pieces[:, 0], pieces[:, 1] = level[:-1], np.diff(level)
     for zone, base, near in ((first, road.zr[0], nodes), (last, road.zr[-1], u[-1] - nodes)):
         if zone > 0.0:
@@ -618,7 +617,7 @@ def _smooth(road: Any, s: Array, height: Array, file: str) -> Profile:
 
 
 def _levels(road: Any, profile: Profile) -> tuple[float, float]:
-    """Heights in m before and after the course: those of its ends, zero, either with an offset, or smoothed ones."""
+    """Return heights in m before and after the course: end heights or zero, with offset or smoothing."""
     smooth = [float(road.get_option(f"border_smooth_{end}")) > 0.0 for end in ("ubeg", "uend")]
     keeps = int(road.get_option("border_mode_u")) != 1
     offset = float(road.get_option("border_offset_u"))
@@ -632,7 +631,7 @@ def _add_mirror(profile: Profile) -> Profile:
     span = np.diff(profile.edges)[::-1]
     c = profile.coefficients[::-1]
     powers = span[:, None] ** np.arange(4)
-    shifted = np.stack(  # the same polynomial in reverse, from its far end
+    shifted = np.stack(  # the same polynomial reversed, starting from its far end
         [
             (c * powers).sum(axis=1),
             -(c[:, 1:] * powers[:, :3] * np.arange(1, 4)).sum(axis=1),
@@ -649,7 +648,7 @@ def _add_mirror(profile: Profile) -> Profile:
 
 
 def _link(road: Any, offset: float, file: str) -> tuple[float, float] | None:
-    """Lengths in m of the straight lines after the end and before the start that close a track; None if it is open."""
+    """Return lengths in m of the lines after the end and before the start that close a track; None if it is open."""
     from pyopencrg.evaluate import closure
 
     begin, end, length = closure(road)
@@ -678,7 +677,7 @@ def _link(road: Any, offset: float, file: str) -> tuple[float, float] | None:
 
 
 def _close(profile: Profile, link: tuple[float, float], levels: tuple[float, float]) -> Profile:
-    """Add the link after the course: level at the height of its end, then of its start."""
+    """Add the closing link after the course: level at the end height, then at the start height."""
     lines = [
         (length, level)
         for length, level in zip(link, reversed(levels), strict=True)

@@ -1,6 +1,6 @@
 """Obstacles with a closed form, and trains of them.
 
-Heights are in m, up positive; a negative height is a hole of the same shape.
+Heights are in m, positive upwards; a negative height is a hole of the same shape.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ class Flat(Road):
     kind: Literal["flat"] = "flat"
 
     def profile(self) -> Profile:
-        """No piece: level throughout."""
+        """Return an empty profile: level throughout."""
         return profile()
 
 
 class HalfSine(Road):
-    """Half wave ``h sin(pi x / l)``, with a kink at either foot.
+    """Half wave ``h sin(pi x / l)`` with a kink at each foot.
 
     Attributes
     ----------
@@ -59,12 +59,12 @@ class HalfSine(Road):
     length: PositiveLength
 
     def profile(self) -> Profile:
-        """One sine piece."""
+        """Return one sine piece."""
         return profile((self.length, SINE, (0.0, self.height, math.pi / self.length, 0.0)))
 
 
 class Versine(Road):
-    """Full wave ``h/2 (1 - cos(2 pi x / l))``, with no kink at all.
+    """Full wave ``h/2 (1 - cos(2 pi x / l))`` without kinks.
 
     Attributes
     ----------
@@ -82,7 +82,7 @@ class Versine(Road):
     length: PositiveLength
 
     def profile(self) -> Profile:
-        """One sine piece around half the height."""
+        """Return one sine piece about half the height."""
         half = 0.5 * self.height
         return profile(
             (self.length, SINE, (half, half, 2.0 * math.pi / self.length, -0.5 * math.pi))
@@ -110,19 +110,19 @@ class Rectangle(Road):
     length: PositiveLength
 
     def profile(self) -> Profile:
-        """One raised piece between two jumps."""
+        """Return one raised piece between two jumps."""
         return profile(_line(self.length, self.height, 0.0))
 
 
 class Trapezoid(Road):
-    """Ramp up, plateau, ramp down, with straight ramps or half cosine waves; two ramps fit into the length.
+    """Ramp up, plateau and ramp down, with straight or half-cosine ramps.
 
     Attributes
     ----------
     height, length, ramp : float
-        Plateau height, total length and the length of each ramp, in m; twice the ramp fits into the length.
+        Plateau height, total length and length of each ramp, in m; the ramp is at most half the length.
     shape : {"linear", "cosine"}
-        Straight ramps, or half cosine waves ``h/2 (1 - cos(pi x / ramp))`` that have no kink.
+        Straight ramps, or half cosine waves ``h/2 (1 - cos(pi x / ramp))`` without kinks.
 
     Examples
     --------
@@ -137,14 +137,14 @@ class Trapezoid(Road):
     shape: Literal["linear", "cosine"] = "linear"
 
     def check(self) -> None:
-        """Refuse ramps that do not fit."""
+        """Reject ramps longer than half the length."""
         if 2.0 * self.ramp > self.length * (1.0 + 1e-9):
             text = "two ramps of {ramp:g} m do not fit into the length {length:g} m"
             most = Phrase("a ramp up to {most:g} m", most=0.5 * self.length)
             raise error_at((), Phrase(text, ramp=self.ramp, length=self.length), allowed=most)
 
     def profile(self) -> Profile:
-        """Ramp, plateau, ramp; no plateau when the ramps meet."""
+        """Return ramp, plateau, ramp; without a plateau if the ramps meet."""
         plateau = _line(max(self.length - 2.0 * self.ramp, 0.0), self.height, 0.0)
         if self.shape == "cosine":
             up, down = (_half_wave(self.ramp, self.height, side) for side in (-0.5, 0.5))
@@ -172,19 +172,19 @@ class Triangle(Road):
     length: PositiveLength
 
     def profile(self) -> Profile:
-        """Two lines."""
+        """Return two lines."""
         half = 0.5 * self.length
         slope = self.height / half
         return profile(_line(half, 0.0, slope), _line(half, self.height, -slope))
 
 
 class HalfCylinder(Road):
-    """Half-round bar ``sqrt(r^2 - (x - r)^2)`` across the road; its feet are vertical.
+    """Half-round bar ``sqrt(r^2 - (x - r)^2)`` across the road, with vertical feet.
 
     Attributes
     ----------
     radius : float
-        Radius in m: the height, and half the length.
+        Radius in m, equal to the height and half the length.
 
     Examples
     --------
@@ -196,12 +196,12 @@ class HalfCylinder(Road):
     radius: PositiveLength
 
     def profile(self) -> Profile:
-        """One arc of half a turn."""
+        """Return one semicircular arc."""
         return profile((2.0 * self.radius, CIRCLE, (0.0, self.radius, self.radius, 1.0)))
 
 
 class CircularSegment(Road):
-    """Arc of a cylinder through both feet and the crest, as a round-top speed hump.
+    """Cylinder arc through both feet and the crest, e.g. a round-top speed hump.
 
     Attributes
     ----------
@@ -220,14 +220,14 @@ class CircularSegment(Road):
     length: PositiveLength
 
     def check(self) -> None:
-        """Refuse more than half a cylinder."""
+        """Reject heights above half the length."""
         if abs(self.height) > 0.5 * self.length * (1.0 + 1e-9):
             text = "height {height:g} m is more than a half-cylinder of length {length:g} m has"
             most = Phrase("up to {most:g} m", most=0.5 * self.length)
             raise error_at((), Phrase(text, height=self.height, length=self.length), allowed=most)
 
     def profile(self) -> Profile:
-        """One arc through both feet and the crest."""
+        """Return one arc through both feet and the crest."""
         half, rise = 0.5 * self.length, abs(self.height)
         if rise == 0.0:
             return profile(_line(self.length, 0.0, 0.0))
@@ -256,19 +256,19 @@ class Step(Road):
     height: Height
 
     def profile(self) -> Profile:
-        """One jump, no piece."""
+        """Return one jump without pieces."""
         return profile(after=self.height)
 
 
 class Ramp(Road):
-    """Rise to a new level: ``h x / l``, or half a cosine wave ``h/2 (1 - cos(pi x / l))``; then it stays at h.
+    """Rise to a new level h: ``h x / l``, or half a cosine wave ``h/2 (1 - cos(pi x / l))``.
 
     Attributes
     ----------
     height, length : float
         Level after the ramp and length of the rise in m.
     shape : {"linear", "cosine"}
-        ``h x / l``, or ``h/2 (1 - cos(pi x / l))`` which has no kink.
+        ``h x / l``, or ``h/2 (1 - cos(pi x / l))`` without kinks.
 
     Examples
     --------
@@ -282,14 +282,14 @@ class Ramp(Road):
     shape: Literal["linear", "cosine"] = "linear"
 
     def profile(self) -> Profile:
-        """One line or one sine piece."""
+        """Return one line or one sine piece."""
         if self.shape == "linear":
             return profile(_line(self.length, 0.0, self.height / self.length), after=self.height)
         return profile(_half_wave(self.length, self.height, -0.5), after=self.height)
 
 
 class Kerb(Road):
-    """Step whose upper edge is a quarter of a circle: up to a new level, or down from one when the height is negative.
+    """Step with a quarter-circle upper edge, up to a new level or, with a negative height, down to one.
 
     Attributes
     ----------
@@ -309,24 +309,24 @@ class Kerb(Road):
     edge_radius: NonNegativeLength = 0.0
 
     def check(self) -> None:
-        """Refuse an edge radius above the height of the kerb."""
+        """Reject an edge radius larger than the kerb's height."""
         _check_edge(self.edge_radius, self.height, "height")
 
     def profile(self) -> Profile:
-        """A quarter of a circle, and the rest of the height as a jump."""
+        """Return a quarter circle, and the remaining height as a jump."""
         upper = max(self.height, 0.0)
         return profile(_edge(self.edge_radius, upper, down=self.height < 0.0), after=self.height)
 
 
 class Pothole(Road):
-    """Hole with upright walls whose upper edges may be rounded.
+    """Hole with vertical walls and optionally rounded upper edges.
 
     Attributes
     ----------
     depth, length : float
         Depth and length at the road's surface, in m, above 0.
     edge_radius : float
-        Radius in m of the upper edges, at most the depth and half the length; 0 for sharp ones.
+        Radius in m of the upper edges, at most the depth and half the length; 0 for sharp edges.
 
     Examples
     --------
@@ -340,7 +340,7 @@ class Pothole(Road):
     edge_radius: NonNegativeLength = 0.0
 
     def check(self) -> None:
-        """Refuse edge radii above the depth, or above half the length."""
+        """Reject edge radii above the depth or above half the length."""
         _check_edge(self.edge_radius, self.depth, "depth")
         if 2.0 * self.edge_radius > self.length * (1.0 + 1e-9):
             text = "two edges of radius {radius:g} m do not fit into the length {length:g} m"
@@ -350,26 +350,26 @@ class Pothole(Road):
             )
 
     def profile(self) -> Profile:
-        """Edge, bottom, edge."""
+        """Return edge, bottom, edge."""
         bottom = _line(max(self.length - 2.0 * self.edge_radius, 0.0), -self.depth, 0.0)
         radius = self.edge_radius
         return profile(_edge(radius, 0.0, down=True), bottom, _edge(radius, 0.0, down=False))
 
 
 class Train(RoadOf):
-    """The obstacle ``of``, ``count`` times, with a ``pitch`` from start to start.
+    """Repetition of the obstacle ``of``, ``count`` times, with a ``pitch`` from start to start.
 
-    Steps and ramps climb: each starts at the level at which the previous one ended. ``start`` and ``recurrence`` are
-    those of ``of`` unless the train has its own; the positions within the train do not depend on them.
+    Steps and ramps accumulate: each starts at the end level of the previous one. ``start`` and ``recurrence`` default
+    to those of ``of`` and do not affect the positions within the train.
 
     Attributes
     ----------
     of : Road
-        The obstacle; it may be a train itself.
+        Obstacle, which may itself be a train.
     count : int
-        How many.
+        Number of obstacles.
     pitch : float
-        Distance in m from the start of one to the start of the next, at least the obstacle's length.
+        Distance in m between the starts of successive obstacles, at least the obstacle's length.
 
     Examples
     --------
@@ -383,7 +383,7 @@ class Train(RoadOf):
     pitch: PositiveLength
 
     def check(self) -> None:
-        """Refuse overlaps; take ``start`` and ``recurrence`` from the obstacle."""
+        """Reject overlaps; copy ``start`` and ``recurrence`` from the obstacle."""
         for name in ("start", "recurrence"):
             if name not in self.model_fields_set:
                 object.__setattr__(self, name, getattr(self.of, name))
@@ -400,11 +400,11 @@ class Train(RoadOf):
             )
 
     def profile(self) -> Profile:
-        """Pieces of the whole train."""
+        """Return the pieces of the whole train."""
         return repeat(self.of.profile(), self.count, self.pitch)
 
     def known_length(self) -> float:
-        """Distance in m up to which it is known: infinite if that of the obstacle is."""
+        """Return the distance in m up to which the train is known; infinite if the obstacle's is."""
         return (
             math.inf
             if self.recurrence is not None or math.isinf(self.of.known_length())
@@ -413,13 +413,13 @@ class Train(RoadOf):
 
 
 def _half_wave(length: float, height: float, quarter: float) -> Piece:
-    """Half a cosine wave: up from 0 to ``height`` (quarter -0.5) or down to 0 (0.5)."""
+    """Return half a cosine wave: up from 0 to ``height`` (quarter -0.5) or down to 0 (0.5)."""
     half = 0.5 * height
     return length, SINE, (half, half, math.pi / length, quarter * math.pi)
 
 
 def _edge(radius: float, upper: float, *, down: bool) -> Piece:
-    """Quarter of a circle below the level ``upper``: from it down, or up to it."""
+    """Return a quarter circle below the level ``upper``, either down from it or up to it."""
     return radius, CIRCLE, (upper - radius, radius, 0.0 if down else radius, 1.0)
 
 

@@ -1,4 +1,4 @@
-"""Options of a trial: a road with speed and duration, or an excitation, and loads on the vehicle."""
+"""Options of a trial: road with speed and duration, or excitation, and loads on the vehicle."""
 
 from __future__ import annotations
 
@@ -49,12 +49,12 @@ def trial_of_options(
         Mark('Full cars: lateral acceleration to the left, "4 m/s^2@1 s".', "VALUE[@TIME]"),
     ] = None,
 ) -> Trial:
-    """Build the trial that the options describe.
+    """Build a trial from options.
 
     Raises
     ------
     DescriptionError
-        For neither or both of a road and an excitation, a road without speed or duration, and values out of range.
+        If road and excitation are both given or both missing, speed or duration is missing, or a value is out of range.
     """
     given = _check_options(road, speed, duration, excitation, right_road)
     loads = {
@@ -82,7 +82,7 @@ def _check_options(
     excitation: str | None,
     right_road: str | None,
 ) -> dict[str, Any]:
-    """Check that the options fit together; return those given of speed and duration."""
+    """Check the consistency of the options; return speed and duration if given."""
     if (road is None) == (excitation is None):
         raise DescriptionError(
             "either a road or an excitation is needed"
@@ -116,7 +116,7 @@ def _check_options(
 
 
 def _load(name: str, text: str) -> dict[str, float]:
-    """Read ``VALUE`` or ``VALUE@TIME``: from the start of the run, or from a time on."""
+    """Parse ``VALUE`` or ``VALUE@TIME``, a load from the start of the run or from a given time."""
     option = f"--{name.replace('_', '-')}"
     value, at, start = text.partition("@")
     load = {"value": quantity(value.strip(), "N*m" if name == "pitch_moment" else "m/s^2", option)}
@@ -130,7 +130,7 @@ def _load(name: str, text: str) -> dict[str, float]:
 
 
 def trial_in_python(**options: Any) -> str:
-    """Write the trial as Python.
+    """Return Python code that builds the trial.
 
     >>> trial_in_python(road="bump.toml", speed=1.95, duration=3.0)
     "jn.Trial(road=jn.load_road('bump.toml', length=5.85), speed=1.95, duration=3.0)"
@@ -151,7 +151,7 @@ def trial_in_python(**options: Any) -> str:
 
 
 def _road_in_python(road: str | Mapping[str, Any], length: float) -> str:
-    """Write a road as Python: its file or name, or the keys of an obstacle."""
+    """Return Python code of a road from its file, name or obstacle keys."""
     if isinstance(road, str):
         return f"jn.load_road({road!r}, length={length:.10g})"
     keys = ", ".join(f"{key}={value!r}" for key, value in road.items() if key != "kind")

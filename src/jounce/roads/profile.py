@@ -1,4 +1,4 @@
-"""Closed-form profiles of one obstacle, and how they are laid along a road."""
+"""Closed-form profiles of single obstacles, and their layout along a road."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from jounce.core.segments import CIRCLE, POLYNOMIAL, SINE, Segments
 from jounce.core.types import Array
 
 Piece = tuple[float, int, tuple[float, float, float, float]]
-SHORTEST = 1e-12  # pieces below this length (relative to 1 m, or to the coordinate) are rounding
+SHORTEST = 1e-12  # pieces shorter than this (relative to 1 m, or to the coordinate) are rounding
 
 
 @dataclass(frozen=True)
 class Profile:
-    """Pieces of one obstacle over its own coordinate, and the levels it joins.
+    """Pieces of one obstacle over its own coordinate, and the levels on either side.
 
     Attributes
     ----------
     edges : ndarray, shape (n + 1,)
-        Ascending borders in m (or s); one edge and no piece for a bare step.
+        Ascending borders in m (or s); a bare step has one edge and no piece.
     kind : ndarray of int64, shape (n,)
         Piece kinds of `jounce.core.segments`.
     coefficients : ndarray, shape (n, 4)
@@ -45,7 +45,7 @@ class Profile:
 
 
 def profile(*pieces: Piece, after: float = 0.0) -> Profile:
-    """Profile that starts at 0 from level 0; a piece is (length in m, kind, coefficients), empty ones are left out."""
+    """Return a profile from x = 0 and level 0; pieces are (length in m, kind, coefficients), empty ones are skipped."""
     long_pieces = [piece for piece in pieces if piece[0] > SHORTEST]
     lengths = [piece[0] for piece in long_pieces]
     return Profile(
@@ -59,7 +59,7 @@ def profile(*pieces: Piece, after: float = 0.0) -> Profile:
 
 
 def linear_profile(x: Array, height: Array) -> Profile:
-    """Straight lines through the points (``x`` strictly ascending, m or s; heights in m), joined where they go on."""
+    """Return lines through points (``x`` strictly ascending, m or s; heights in m); collinear lines are merged."""
     slope = np.diff(height) / np.diff(x)
     bends = np.concatenate([[True], np.diff(slope) != 0.0])
     coefficients = np.zeros((int(bends.sum()), 4))
@@ -71,7 +71,7 @@ def linear_profile(x: Array, height: Array) -> Profile:
 
 
 def cubic_profile(x: Array, height: Array) -> Profile:
-    """Cubic spline (not-a-knot) through the points; ``x`` strictly ascending, m or s; heights in m."""
+    """Return a cubic spline (not-a-knot) through points; ``x`` strictly ascending, m or s; heights in m."""
     from scipy.interpolate import CubicSpline
 
     coefficients = np.ascontiguousarray(CubicSpline(x, height).c[::-1].T)
@@ -82,14 +82,14 @@ def cubic_profile(x: Array, height: Array) -> Profile:
 
 
 def hermite_profile(x: Array, height: Array, slope: Array) -> Profile:
-    """Cubics through points (``x`` strictly ascending, m or s; heights in m) with the given slopes there."""
+    """Return cubics through points (``x`` strictly ascending, m or s; heights in m) with given slopes."""
     return hermite_pieces(x, height[:-1], height[1:], slope[:-1], slope[1:])
 
 
 def hermite_pieces(
     x: Array, left: Array, right: Array, left_slope: Array, right_slope: Array
 ) -> Profile:
-    """Cubics between edges ``x`` (m or s), each with its own heights in m and slopes at both ends; jumps are kept."""
+    """Return cubics between edges ``x`` (m or s), each with own end heights (m) and slopes; jumps are preserved."""
     span = np.diff(x)
     mean = (right - left) / span
     coefficients = np.empty((len(span), 4))
@@ -104,7 +104,7 @@ def hermite_pieces(
 
 
 def repeat(profile: Profile, count: int, pitch: float) -> Profile:
-    """Repeat a profile with ``pitch`` in m from start to start, each at the level where the last one ended."""
+    """Repeat a profile with ``pitch`` in m from start to start, each at the end level of the previous one."""
     if count == 1:
         return profile
     rise = profile.after - profile.before
@@ -122,8 +122,8 @@ def lay_out(
 ) -> Segments:
     """Lay a profile at ascending ``places``; return the heights over [``low``, ``high``] (m or s).
 
-    A place is the position of the profile's coordinate 0, and its rise in m. Level pieces fill the gaps; the
-    level before the first place is the profile's own.
+    A place is the position of the profile's origin and its height offset in m. Level pieces fill the gaps; the level
+    before the first place is that of the profile.
     """
     starts: list[Array] = []
     kinds: list[NDArray[np.int64]] = []
@@ -133,7 +133,7 @@ def lay_out(
     def fill(until: float) -> None:
         if until - cursor > _rounding(until) or (
             until == high and not starts
-        ):  # a course may be shorter than that
+        ):  # a course may be shorter
             starts.append(np.array([cursor]))
             kinds.append(np.array([POLYNOMIAL]))
             coefficients.append(np.array([[level, 0.0, 0.0, 0.0]]))
@@ -169,7 +169,7 @@ def _rounding(x: float) -> float:
 def _cut(
     starts: Array, kind: NDArray[np.int64], coefficients: Array, low: float, high: float
 ) -> Segments:
-    """Cut the pieces to [low, high]; a piece cut at its front keeps its heights."""
+    """Cut the pieces to [low, high] without changing their heights."""
     first = max(int(np.searchsorted(starts, low + _rounding(low), side="right")) - 1, 0)
     last = max(int(np.searchsorted(starts, high - _rounding(high), side="left")), first + 1)
     starts, kind, coefficients = starts[first:last], kind[first:last], coefficients[first:last]
@@ -180,7 +180,7 @@ def _cut(
 
 
 def _advance(kind: int, c: Array, by: float) -> Array:
-    """Move the zero of a piece's local coordinate forward by ``by``; return the coefficients of the same curve."""
+    """Shift the origin of a piece's local coordinate by ``by``; return the coefficients of the same curve."""
     if kind == SINE:
         return np.array([c[0], c[1], c[2], c[3] + c[2] * by])
     if kind == CIRCLE:
@@ -196,7 +196,7 @@ def _advance(kind: int, c: Array, by: float) -> Array:
 
 
 def passes(first: float, recurrence: float | None, high: float) -> Iterable[tuple[float, float]]:
-    """Places of an obstacle that starts at ``first`` and comes again every ``recurrence`` metres, up to ``high``."""
+    """Return the places up to ``high`` of an obstacle that starts at ``first`` and recurs every ``recurrence`` (m)."""
     if recurrence is None:
         return [(first, 0.0)]
     count = max(1, math.ceil((high - first) / recurrence) + 1)
@@ -206,6 +206,6 @@ def passes(first: float, recurrence: float | None, high: float) -> Iterable[tupl
 def periodic_places(
     start: float, period: float, low: float, high: float
 ) -> list[tuple[float, float]]:
-    """Places (m) at which periods that go on forever to both sides begin, over the window from ``low`` to ``high``."""
+    """Return the places (m) at which the periods of an infinite periodic road start, from ``low`` to ``high``."""
     first, last = math.floor((low - start) / period) - 1, math.ceil((high - start) / period) + 1
     return [(start + k * period, 0.0) for k in range(first, last)]

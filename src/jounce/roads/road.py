@@ -21,14 +21,14 @@ from jounce.core.types import Array
 from jounce.core.units import NonNegativeLength, PositiveLength, as_number
 from jounce.roads.profile import SHORTEST, Profile, lay_out, passes
 
-LEVEL = 1e-6  # m; the ends of a closed belt loop agree within it
+LEVEL = 1e-6  # m; tolerance of the end heights of a closed belt loop
 
 
 class Road(Description, ABC):
     """Height against driven distance for one wheel: an obstacle on a level road.
 
-    The wheel is at distance 0 at time 0. The height is z of the road in m, up positive, 0 at nominal road
-    level. The first height of the obstacle extends before it, the last one behind it.
+    The wheel is at distance 0 at time 0. The height is z of the road in m, positive upwards, 0 at nominal road level.
+    The first height of the obstacle continues before it, the last height after it.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class Road(Description, ABC):
     start : float
         Distance driven before the obstacle begins, in m.
     recurrence : float or None
-        Length of the belt loop in m: the obstacle returns each time this distance has been driven.
+        Length of the belt loop in m, after which the obstacle recurs.
     """
 
     kinds: ClassVar[Kinds] = Kinds("kind", package="jounce.roads", schema="road.schema.json")
@@ -46,7 +46,7 @@ class Road(Description, ABC):
 
     @abstractmethod
     def profile(self) -> Profile:
-        """Closed-form pieces of one pass, in m from ``start``."""
+        """Return the closed-form pieces of one pass, in m from ``start``."""
 
     def check(self) -> None:
         """Raise ValueError when the fields contradict each other."""
@@ -66,7 +66,7 @@ class Road(Description, ABC):
         distance : float
             Driven distance in m, above 0.
         behind : float
-            Distance of the wheel behind the one at distance 0, m: it meets everything that much later.
+            Distance in m by which the wheel trails the wheel at distance 0.
 
         Returns
         -------
@@ -77,7 +77,7 @@ class Road(Description, ABC):
         Raises
         ------
         DescriptionError
-            When ``distance`` is not a finite length above 0, or is lost in the digits of ``behind``.
+            If ``distance`` is not finite and positive, or negligible compared with ``behind``.
 
         Examples
         --------
@@ -107,7 +107,7 @@ class Road(Description, ABC):
         return replace(pieces, edges=pieces.edges + behind) if behind else pieces
 
     def height_at(self, x: ArrayLike) -> Array:
-        """Height of the road in m (up positive) at the distances ``x`` in m, any shape.
+        """Return the height of the road in m (positive upwards) at the distances ``x`` in m, any shape.
 
         Examples
         --------
@@ -118,9 +118,9 @@ class Road(Description, ABC):
         return self._evaluate(x)[0]
 
     def slope_at(self, x: ArrayLike) -> Array:
-        """Slope dh/dx (1) at the distances ``x`` in m, any shape; at an edge, that of the piece behind it.
+        """Return the slope dh/dx (1) at the distances ``x`` in m, any shape; at an edge, that of the following piece.
 
-        A jump of height has no slope: it is an edge of `segments`.
+        A jump in height has no slope; it is an edge of `segments`.
 
         Examples
         --------
@@ -131,7 +131,7 @@ class Road(Description, ABC):
         return self._evaluate(x)[1]
 
     def end(self) -> float:
-        """Distance in m at which the obstacle (of a train, the last one) ends on its first pass.
+        """Return the distance in m at which the obstacle, or the last one of a train, ends on its first pass.
 
         A bare step ends at its position; a table or a measured course at its last height.
 
@@ -144,14 +144,14 @@ class Road(Description, ABC):
         return self.start + float(self.profile().edges[-1])
 
     def is_course(self) -> bool:
-        """Whether it is a course, measured or random, and no obstacle on a level road."""
+        """Whether the road is a measured or random course rather than an obstacle on a level road."""
         return False
 
     def known_length(self) -> float:
-        """Distance in m up to which the road is known.
+        """Return the distance in m up to which the road is known.
 
-        Obstacles on a level road are known to infinity, and so are repeating roads; a table, a measured
-        course or a random road is known up to its last point.
+        It is infinite for obstacles on a level road and for repeating roads. Tables, measured courses and random roads
+        are known up to their last point.
 
         Examples
         --------
@@ -164,18 +164,18 @@ class Road(Description, ABC):
         return math.inf
 
     def point_spacing(self) -> float | None:
-        """Usual distance in m between the points of a table, a measured course or a random road; None for obstacles."""
+        """Return the typical point spacing in m of a table, measured course or random road; None for obstacles."""
         return None
 
     def ends_level(self) -> bool:
-        """Whether it ends at the height at which it begins, as an obstacle does: a run may continue beyond it."""
+        """Whether the road ends at its start height, like an obstacle, so that a run may continue beyond it."""
         profile = self.profile()
         return abs(profile.after - profile.before) <= LEVEL
 
     def check_covers(
         self, distance: float, *, behind: float = 0.0, where: str = "", continue_level: bool = False
     ) -> None:
-        """Refuse a run that is longer than the road.
+        """Raise an error for a run that is longer than the road.
 
         Parameters
         ----------
@@ -184,14 +184,14 @@ class Road(Description, ABC):
         behind : float
             Distance of the first relevant wheel behind distance 0, m.
         where : str
-            Place that the error names.
+            Location named in the error.
         continue_level : bool
-            Accept a road that ends as high as it begins: it continues level.
+            Whether to accept a road that ends at its start height, as it continues level.
 
         Raises
         ------
         DescriptionError
-            If the road ends before the run does, or lies entirely before the start.
+            If the road ends before the run does, or is entirely behind the start.
 
         Examples
         --------
@@ -226,45 +226,45 @@ class Road(Description, ABC):
 
 
 class SampledRoad(Road):
-    """A road given by points: known up to the last of them, or to infinity if it repeats."""
+    """A road given by points, known up to the last point or, if it repeats, to infinity."""
 
     @abstractmethod
     def points(self) -> tuple[Array, Array]:
-        """Points of one pass: distance from ``start`` and height, both in m, each of shape (n,)."""
+        """Return the points of one pass: distance from ``start`` and height, both in m, each of shape (n,)."""
 
     def is_course(self) -> bool:
         """Always."""
         return True
 
     def known_length(self) -> float:
-        """Distance in m of the last point."""
+        """Return the distance in m of the last point."""
         return self.end() if self.recurrence is None else math.inf
 
     def point_spacing(self) -> float | None:
-        """Median distance in m between the points."""
+        """Return the median distance in m between the points."""
         return float(np.median(np.diff(self.points()[0])))
 
 
 class RoadOf(Road):
-    """A road made of another one, ``of``: it is a course, known and sampled, as that one is."""
+    """A road derived from an inner road ``of``, which determines course, known length and point spacing."""
 
     of: Road
 
     def is_course(self) -> bool:
-        """As the road inside."""
+        """Whether the inner road is a course."""
         return self.of.is_course()
 
     def known_length(self) -> float:
-        """Distance in m up to which the road inside is known."""
+        """Return the distance in m up to which the inner road is known."""
         return self.of.known_length()
 
     def point_spacing(self) -> float | None:
-        """Distance in m between the points of the road inside."""
+        """Return the point spacing in m of the inner road."""
         return self.of.point_spacing()
 
 
 ROADS = Road.kinds
-"""Every kind of road by its name in files."""
+"""All kinds of roads by their name in files."""
 
 
 def _check_recurrence(profile: Profile, recurrence: float) -> None:

@@ -1,4 +1,4 @@
-"""Rough roads: the classes of ISO 8608, random roads of them for both tracks, and a repeatable benchmark."""
+"""Rough roads: ISO 8608 classes, random roads with two tracks, and a deterministic benchmark."""
 
 from __future__ import annotations
 
@@ -30,31 +30,31 @@ from jounce.roads.road import Road, SampledRoad
 
 RoadClass = Literal["A", "B", "C", "D", "E", "F", "G", "H"]
 CLASSES: tuple[RoadClass, ...] = ("A", "B", "C", "D", "E", "F", "G", "H")
-REFERENCE = 0.1  # 1/m: n0 of ISO 8608, at which the degree of roughness is stated
-BAND = (0.011, 2.83)  # 1/m: the range that ISO 8608 recommends
-MEAN_A = 16e-6  # m^3: geometric mean of class A; each class has four times that of the class before
+REFERENCE = 0.1  # 1/m: n0 of ISO 8608, the reference of the degree of roughness
+BAND = (0.011, 2.83)  # 1/m: range recommended by ISO 8608
+MEAN_A = 16e-6  # m^3: geometric mean of class A; it increases by a factor of four per class
 SpatialFrequency = Annotated[float, Unit("1/m", above=0.0)]
 Roughness = Annotated[float, Unit("m^3", above=0.0)]
 Waviness = Annotated[float, Unit("1", above=0.0, at_most=5.0)]
 GOLDEN = 0.6180339887498949  # (sqrt(5) - 1) / 2
 MOST_POINTS = 20_000_000  # 160 MB
-_LINES = 10.0  # spectral lines at least up to twice the lowest frequency
+_LINES = 10.0  # minimum number of spectral lines up to twice the lowest frequency
 
 
 def class_roughness(name: str, *, where: str = "") -> float:
-    """Degree of roughness G_d(n0) in m^3 of a road class: its geometric mean at n0 = 0.1 1/m.
+    """Return the degree of roughness G_d(n0) in m^3 of a road class: its geometric mean at n0 = 0.1 1/m.
 
     Parameters
     ----------
     name : str
         "A" (very good) to "H"; lower case is accepted.
     where : str
-        Place that an error names.
+        Location named in errors.
 
     Returns
     -------
     float
-        16e-6 m^3 for A, four times as much for each class after it.
+        16e-6 m^3 for A, increasing by a factor of four per class.
 
     Raises
     ------
@@ -73,12 +73,12 @@ def class_roughness(name: str, *, where: str = "") -> float:
 
 
 def as_roughness(road: str | float, *, where: str = "") -> float:
-    """Degree of roughness in m^3 of a class by its name, or the number itself (m^3, above 0)."""
+    """Convert a class name to its degree of roughness in m^3; a number (m^3, above 0) is returned unchanged."""
     if isinstance(road, str):
         return class_roughness(road, where=where)
     try:
         roughness = as_number(road, "m^3", where=where)
-    except DescriptionError:  # a table, or an integer beyond all numbers
+    except DescriptionError:  # a table, or an integer too large for a float
         roughness = math.nan
     if not (math.isfinite(roughness) and roughness > 0.0):
         raise DescriptionError(
@@ -90,7 +90,7 @@ def as_roughness(road: str | float, *, where: str = "") -> float:
 def height_variance(
     roughness: float, low: ArrayLike, high: ArrayLike, waviness: float = 2.0
 ) -> Array:
-    """Integral of G_d from ``low`` to ``high`` (1/m), in m^2; ``roughness`` in m^3.
+    """Integrate G_d from ``low`` to ``high`` (1/m), in m^2; ``roughness`` in m^3.
 
     Examples
     --------
@@ -113,19 +113,20 @@ def track_coherence(
     decay: float = 5.7,
     waviness: float = 2.0,
 ) -> Array:
-    """Coherence gamma^2 between the heights under the left and the right wheels.
+    """Compute the coherence gamma^2 between the heights under the left and the right wheels.
 
     Parameters
     ----------
     n : array_like
         Spatial frequencies in 1/m, at least 0.
     track : float
-        Lateral distance of both tracks in m, or an array of them that goes with ``n``.
+        Lateral distance of the tracks in m; an array is broadcast with ``n``.
     model : {"isotropic", "exponential"}
         ``"isotropic"``: the surface has the same spectrum in every direction, gamma = 2 / Gamma(w/2) (y/2)^(w/2)
         K_(w/2)(y) with y = 2 pi n B (for w = 2 this is y K_1(y)); ``"exponential"``: gamma^2 = exp(-decay n B).
     decay : float
-        Decay (1) of the exponential model. The default reaches one half where the isotropic model with w = 2 does.
+        Decay (1) of the exponential model. By default it is one half at the same frequency as the isotropic model with
+        w = 2.
     waviness : float
         Exponent w (1) of the isotropic model.
 
@@ -150,7 +151,7 @@ def track_coherence(
 
 
 def _letter(value: object) -> object:
-    """Read a class as the user writes it; the error lists the classes."""
+    """Normalise a class name; the error lists the classes."""
     if isinstance(value, str):
         try:
             class_roughness(value)
@@ -183,45 +184,45 @@ class Iso8608(SampledRoad):
     """Random road of an ISO 8608 class; the same seed gives the same road.
 
     The height is a sum of cosines with equally spaced spatial frequencies, random phases and amplitudes
-    A = sqrt(2 G_d(n) dn), so every road has the level of its class exactly; its mean is zero. Over ``run_in`` at either
-    end it is faded in and out by half a cosine wave: it begins and ends level, without a jump or a kink. Roads of both
-    sides with the same seed are the two tracks of one road.
+    A = sqrt(2 G_d(n) dn), so every road matches the level of its class exactly; its mean is zero. It is faded in and
+    out over ``run_in`` by half a cosine wave, so both ends are level, without a jump or a kink. The left and right
+    roads of the same seed are the two tracks of one road.
 
     Attributes
     ----------
     class : {"A", ..., "H"}
-        Road class, its geometric mean; ``class_`` in Python. Either this or ``roughness``.
+        Road class with its geometric mean; ``class_`` in Python. Mutually exclusive with ``roughness``.
     roughness : float
         Degree of roughness G_d(n0) in m^3 at n0 = 0.1 1/m.
     length : float
-        Length in m; before and after it the road is level.
+        Length in m; the road is level before and after it.
     step : float
-        Spacing of the points in m, 5 cm; slightly smaller if the length is no multiple of it.
+        Spacing of the points in m, 5 cm; slightly reduced if the length is not a multiple of it.
     seed : int
-        Seed of the random phases: which of the roads of that class.
+        Seed of the random phases.
     waviness : float
         Exponent w (1) of the spectrum, 2.
     band : tuple of float
-        Lowest and highest spatial frequency in 1/m, 0.011 to 2.83; never more than half the rate of the points.
+        Lowest and highest spatial frequency in 1/m, 0.011 to 2.83; limited to half the sampling frequency.
     run_in : float or None
-        Length in m of the fades; 10 m, or a tenth of the length where that is less. Metrics may exclude it.
+        Length in m of the fades; by default 10 m or a tenth of the length, if that is less. Metrics may exclude it.
     side : {"left", "right"}
         Track.
     track : float
-        Lateral distance in m of the two tracks, 1.5 m.
+        Lateral distance in m between the two tracks, 1.5 m.
     coherence : {"isotropic", "exponential"}
-        How alike the tracks are, see `track_coherence`.
+        Coherence model of the tracks, see `track_coherence`.
     coherence_decay : float
         Decay (1) of the exponential coherence.
     interpolation : {"linear", "cubic"}
-        Lines between the points, or cubics with the exact slopes.
+        Lines between the points, or cubics with exact slopes.
     start : float
-        Distance in m at which the road begins; negative when the drive begins inside it.
+        Distance in m at which the road begins; negative if the run begins inside it.
 
     Notes
     -----
-    Spectrum: ISO 8608:2016 (key iso-8608). The fades take 5/8 of the power of 2 ``run_in``: -0.055 dB for a kilometre.
-    Lines weaken a wave of spatial frequency n by sinc^2(n step): 6 % in height at 2.83 1/m and 5 cm.
+    Spectrum: ISO 8608:2016 (key iso-8608). The fades remove 5/8 of the power of 2 ``run_in``: -0.055 dB per kilometre.
+    Linear interpolation attenuates a wave of spatial frequency n by sinc^2(n step): 6 % in height at 2.83 1/m and 5 cm.
 
     Examples
     --------
@@ -248,7 +249,7 @@ class Iso8608(SampledRoad):
     interpolation: Literal["linear", "cubic"] = "linear"
 
     def check(self) -> None:
-        """Refuse class and roughness together, fades that do not fit, and more points than memory holds."""
+        """Reject class and roughness together, overlapping fades, and too many points."""
         _one_roughness(self.class_, self.roughness)
         low, high = self.band
         if high <= low:
@@ -278,12 +279,12 @@ class Iso8608(SampledRoad):
 
     @property
     def degree_of_roughness(self) -> float:
-        """G_d(n0) in m^3 at n0 = 0.1 1/m, of the class or as given."""
+        """Return G_d(n0) in m^3 at n0 = 0.1 1/m, from the class or as given."""
         return _one_roughness(self.class_, self.roughness)
 
     @property
     def fade(self) -> float:
-        """Length in m over which the road is faded in and out."""
+        """Return the length in m over which the road is faded in and out."""
         return min(10.0, 0.1 * self.length) if self.run_in is None else self.run_in
 
     def other_track(self) -> Iso8608:
@@ -291,20 +292,20 @@ class Iso8608(SampledRoad):
         return self.model_copy(update={"side": "left" if self.side == "right" else "right"})
 
     def points(self) -> tuple[Array, Array]:
-        """Points of the road: distance from ``start`` and height, both in m, each of shape (n + 1,)."""
+        """Return the points of the road: distance from ``start`` and height, both in m, each of shape (n + 1,)."""
         x, height, _ = self._sample()
         return x, height
 
     def profile(self) -> Profile:
-        """Pieces between the points."""
+        """Return the pieces between the points."""
         return _iso_profile(*self._key())
 
     def end(self) -> float:
-        """Distance in m at which the road ends."""
+        """Return the distance in m at which the road ends."""
         return self.start + self.length
 
     def point_spacing(self) -> float:
-        """Distance in m between the points."""
+        """Return the distance in m between the points."""
         return self.length / _points(self.length, self.step)
 
     def _key(self) -> tuple[Any, ...]:
@@ -323,18 +324,18 @@ def _points(length: float, step: float) -> int:
 
 
 def _periods(length: float, low: float) -> int:
-    """How many lengths the period of the sum of cosines spans: short roads need lines between their own."""
+    """Return the period of the sum of cosines in road lengths; short roads need a finer frequency spacing."""
     return max(1, math.ceil(_LINES / (low * length) - 1e-9))
 
 
 def _phases(seed: int, stream: int, count: int) -> Array:
-    """Angles in rad, evenly distributed over [0, 2 pi): the bit stream of PCG64, which NumPy keeps forever."""
+    """Draw phases in rad, uniform over [0, 2 pi), from the bit stream of PCG64, which NumPy guarantees to keep."""
     bits = np.random.PCG64(np.random.SeedSequence((seed, stream))).random_raw(count)
     return np.asarray(bits >> np.uint64(11), dtype=float) * (2.0 * math.pi / 2**53)
 
 
 def _track_offset(spread: Array, seed: int) -> Array:
-    """Phase in rad by which the other track differs: normally distributed, so that its mean cosine is gamma."""
+    """Draw the phase difference in rad of the other track, from a normal distribution with mean cosine gamma."""
     from scipy.special import ndtri
 
     share = np.clip(_phases(seed, 1, len(spread)) / (2.0 * math.pi), 2.0**-54, 1.0 - 2.0**-53)
@@ -348,7 +349,7 @@ def _track_spread(
     step: float,
     coherence: tuple[float, str, float],
 ) -> Array:
-    """Standard deviation of the phase difference, the same for any seed."""
+    """Return the standard deviation of the phase difference, which does not depend on the seed."""
     track, model, decay = coherence
     _, n, _ = _amplitudes(spectrum, length, step)
     gamma = np.sqrt(track_coherence(n, track, model=model, decay=decay, waviness=spectrum[1]))
@@ -364,7 +365,7 @@ def _sample(
     coherence: tuple[float, str, float] | None,
     interpolation: str,
 ) -> tuple[Array, Array, Array | None]:
-    """Points of a road and, for cubics, its slopes there."""
+    """Return the points of a road and, for cubics, the slopes there."""
     count, periods = _points(length, step), _periods(length, spectrum[2][0])
     total = count * periods
     lines, n, size = _amplitudes(spectrum, length, step)
@@ -391,14 +392,14 @@ def _sample(
 def _amplitudes(
     spectrum: tuple[float, float, tuple[float, float]], length: float, step: float
 ) -> tuple[slice, Array, Array]:
-    """Waves of a road of any seed: their numbers, their frequencies (1/m) and their size, half of it on either side."""
+    """Return index, spatial frequency (1/m) and half amplitude of the waves, for any seed."""
     roughness, waviness, (low, high) = spectrum
     count, periods = _points(length, step), _periods(length, low)
     total, spacing = count * periods, 1.0 / (length * periods)
     high = min(high, 0.5 * count / length)
     first, last = max(1, round(low / spacing)), min(round(high / spacing), (total - 1) // 2)
     n: Array = np.asarray(np.arange(first, last + 1) * spacing, dtype=float)
-    # each line has the power of its bin, limited to the band for the first and the last one
+    # each line has the power of its bin; the first and last bins are limited to the band
     power = height_variance(
         roughness,
         np.clip(n - 0.5 * spacing, low, high),
@@ -409,13 +410,13 @@ def _amplitudes(
 
 
 def _over_length(waves: Array | NDArray[np.complex128], total: int, count: int) -> Array:
-    """Values at the first ``count + 1`` points of a period of ``total``."""
+    """Return values at the first ``count + 1`` points of a period of ``total`` points."""
     values = np.fft.irfft(waves, total)
     return np.append(values[:count], values[count % total])
 
 
 def _fade(x: Array, length: float, fade: float) -> tuple[Array, Array]:
-    """Share of the height that is left, and its derivative (1/m): half a cosine wave at either end."""
+    """Return the fade factor (1), half a cosine wave at each end, and its derivative (1/m)."""
     share, slope = np.ones_like(x), np.zeros_like(x)
     if fade == 0.0:
         return share, slope
@@ -435,29 +436,29 @@ def _iso_profile(*key: Any) -> Profile:
 
 
 class SineSum(Road):
-    """Rough road that is not random: cosines at multiples of one spatial frequency, phases from the golden ratio.
+    """Deterministic rough road: cosines at multiples of one spatial frequency with golden-ratio phases.
 
     z(x) = sum of A_i cos(2 pi n_i x + phi_i) with n_i = i ``spacing``, A_i = sqrt(2 G_d(n_i) spacing) and
-    phi_i = 2 pi frac(0.6180339887498949 i), for i from ``first`` to ``last``. It repeats after 1 / ``spacing`` and has
-    no end on either side, so that steady-state values can be taken over one period. The defaults are the benchmark of
-    class C on which controllers are compared. Their phases grow in proportion to i, so all waves meet in one sharp peak
-    per period: in effect a train of pulses. Mean squares are those of the class; peaks and lift-off are not those of a
-    random road (use `Iso8608` where they matter).
+    phi_i = 2 pi frac(0.6180339887498949 i), for i from ``first`` to ``last``. It repeats after 1 / ``spacing``
+    without ends, so steady-state values can be computed over one period. The defaults are the class C benchmark for the
+    comparison of controllers. The phases are proportional to i, so all waves coincide in one sharp peak per period: in
+    effect a train of pulses. Mean squares are those of the class; peaks and lift-off are not those of a random road
+    (use `Iso8608` where they matter).
 
     Attributes
     ----------
     class : {"A", ..., "H"}
-        Road class; ``class_`` in Python. Either this or ``roughness``; C without both.
+        Road class; ``class_`` in Python. Mutually exclusive with ``roughness``; by default C.
     roughness : float
         Degree of roughness G_d(n0) in m^3 at n0 = 0.1 1/m.
     spacing : float
         Spatial frequency n_1 in 1/m, 0.01.
     first, last : int
-        Numbers of the lowest and the highest cosine, 2 and 300.
+        Indices of the lowest and the highest cosine, 2 and 300.
     waviness : float
         Exponent w (1) of the spectrum, 2.
     step : float
-        Distance of the points in m, 2 cm; cubics with the exact slopes join them.
+        Spacing of the points in m, 2 cm; they are joined by cubics with exact slopes.
     start : float
         Distance in m of x = 0.
 
@@ -480,7 +481,7 @@ class SineSum(Road):
     step: PositiveLength = 0.02
 
     def check(self) -> None:
-        """Refuse an empty sum, two levels, a belt loop, and points too far apart for the shortest wave."""
+        """Reject an empty sum, class and roughness together, a recurrence, and a step too long for the waves."""
         if self.recurrence is not None:
             raise ValueError("the sum of sines repeats by itself; leave out recurrence")
         self._roughness()
@@ -489,9 +490,7 @@ class SineSum(Road):
                 Phrase("last = {last} is below first = {first}", last=self.last, first=self.first)
             )
         shortest = 1.0 / (self.last * self.spacing)
-        if (
-            self.step > 0.25 * shortest
-        ):  # a cubic over a quarter of a wave misses 1.6 % of its height
+        if self.step > 0.25 * shortest:  # a cubic over a quarter wave has a height error of 1.6 %
             raise ValueError(
                 Phrase(
                     "points every {step:g} m do not follow waves of {shortest:g} m; make step smaller",
@@ -508,7 +507,7 @@ class SineSum(Road):
             )
 
     def period(self) -> float:
-        """Distance in m after which the road repeats."""
+        """Return the distance in m after which the road repeats."""
         return 1.0 / self.spacing
 
     def is_course(self) -> bool:
@@ -516,7 +515,7 @@ class SineSum(Road):
         return True
 
     def profile(self) -> Profile:
-        """Pieces of one period."""
+        """Return the pieces of one period."""
         return _sum_profile(
             self._roughness(), self.spacing, self.first, self.last, self.waviness, self.step
         )

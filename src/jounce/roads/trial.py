@@ -1,4 +1,4 @@
-"""Trials: road, speed, duration and manoeuvre loads, and findings about them."""
+"""Trials: road, speed, duration and manoeuvre loads, with findings about them."""
 
 from __future__ import annotations
 
@@ -48,18 +48,18 @@ Moment = Annotated[float, Unit("N*m")]
 
 
 class Load(Description):
-    """A load that starts at ``start`` and stays, or follows straight lines through points.
+    """A load that is constant from ``start``, or piecewise linear through points.
 
-    A load that is on from the outset (``start`` 0, no ramp) is part of the equilibrium from which the run starts.
+    A load present from the outset (``start`` 0, no ramp) is part of the initial equilibrium of the run.
 
     Attributes
     ----------
     value : float or None
-        Its final value, in the unit of its kind (N m or m/s^2).
+        Final value, in the unit of the load (N m or m/s^2).
     start, ramp : float
         Start, and duration of a linear rise, s; 0 for a step.
     time, values : tuple of float
-        Instead: points at strictly ascending times, s; constant before the first and after the last.
+        Alternatively, points at strictly ascending times, s; constant before the first and after the last.
     """
 
     value: Number | None = None
@@ -97,7 +97,7 @@ class Load(Description):
         return self
 
     def segments(self, duration: float) -> Segments:
-        """Return the load over [0, ``duration``] (s) as pieces, in its unit."""
+        """Return the load over [0, ``duration``] (s) as pieces, in the unit of the load."""
         if self.value is not None:
             points = [(0.0, 0.0), (self.start, 0.0), (self.start + self.ramp, self.value)]
         else:
@@ -106,7 +106,7 @@ class Load(Description):
 
 
 def _lines(points: list[tuple[float, float]], duration: float) -> Segments:
-    """Lines through points up to ``duration``, level after the last; two points at one time are a jump."""
+    """Return lines through points up to ``duration``, constant after the last; points at equal times are a jump."""
     edges, pieces = [0.0], []
     for (t0, f0), (t1, f1) in pairwise(points):
         if t0 < min(t1, duration):
@@ -119,7 +119,7 @@ def _lines(points: list[tuple[float, float]], duration: float) -> Segments:
 
 
 class PitchMoment(Load):
-    """Moment of braking and driving on the body, N m, nose down positive."""
+    """Braking or driving moment on the body, N m, positive nose-down."""
 
     value: Moment | None = None
     values: Annotated[tuple[Moment, ...], Listed] = ()
@@ -133,38 +133,38 @@ class DrivingAcceleration(Load):
 
 
 LOADS = ("pitch_moment", "deceleration", "lateral_acceleration")
-"""Loads of a trial, by the names of the models' inputs."""
+"""Loads of a trial, by name of the model input."""
 
 
-FEWEST_SAMPLES = 4  # for the cubic between them
+FEWEST_SAMPLES = 4  # minimum for a cubic spline
 _TEXTS = (".csv", ".txt", ".tsv")
 _KEYS = set(RecordingFormat.model_fields)
 ExcitationDatum = Literal["undeformed", "rest"]
-"""Zero of the heights of an excitation."""
+"""Reference level of the heights of an excitation."""
 
 
 class Excitation(RecordingFormat):
-    """Height of the support under the tyre against time: a shaker, a test stand, a profile measured over time.
+    """Height of the support under the tyre over time: a shaker, a test stand, or a profile measured over time.
 
-    The first height holds before the first sample, the last one after the last. A file is any recording, read with the
-    keys of every recording.
+    The first height applies before the first sample, the last height after the last. A file may be any recording, read
+    with the same keys as other recordings.
 
     Attributes
     ----------
     time : tuple of float
         Samples in s, strictly ascending, at least 4; time 0 is the start of the trial. Arrays are accepted.
     height : tuple of float
-        Height in m at these times, up positive.
+        Height in m at these times, positive upwards.
     file : Path or None
-        Instead of both: a recording with ``time`` and ``road.z``, e.g. text with ``time [s], road.z [mm]``, whose times
-        may be uneven unless it is read with one of the next keys.
+        Alternatively, a recording with ``time`` and ``road.z``, e.g. text with ``time [s], road.z [mm]``. Its time
+        steps may vary unless one of the following keys is used.
     columns, variable, sample_time, resample, database
-        How the file is read, as in `read_recording`.
+        Options for reading the file, as in `read_recording`.
     interpolation : {"cubic", "linear"}
         Not-a-knot cubic spline (a smooth velocity), or lines.
     datum : {"undeformed", "rest"}
-        Where heights count from, as of a sensor: the level of the design (they stand as they are), or the first height,
-        for one that was not zeroed.
+        Zero level of the heights: the design level (unchanged heights), or the first height, for a sensor that was not
+        zeroed.
 
     Examples
     --------
@@ -205,7 +205,7 @@ class Excitation(RecordingFormat):
         return self
 
     def profile(self) -> Profile:
-        """Pieces through the samples: coordinate in s, heights in m from the datum."""
+        """Return pieces through the samples: coordinate in s, heights in m from the datum."""
         result = self._as_written()
         if self.datum == "undeformed":
             return result
@@ -223,7 +223,7 @@ class Excitation(RecordingFormat):
         return self._read_recording(self.file)[0]
 
     def findings(self) -> list[Finding]:
-        """Findings of the file's reader, and a start so far from zero that another zero is likely."""
+        """Return findings of the file's reader, and report a start height that suggests a wrong zero level."""
         if self.file is None:
             return []
         result = [] if self._is_plain() else list(self._read_recording(self.file)[1])
@@ -242,11 +242,11 @@ class Excitation(RecordingFormat):
         return result
 
     def _is_plain(self) -> bool:
-        """Whether its file is text given by name only."""
+        """Whether the file is a text file without further options."""
         return self.file is not None and self.file.suffix.lower() in _TEXTS and not self._keys()
 
     def _keys(self) -> list[str]:
-        """Options for reading its file."""
+        """Return the options for reading the file."""
         return sorted(name for name in _KEYS if getattr(self, name) not in ({}, "", None))
 
     def _read_recording(self, file: Path) -> tuple[Profile, tuple[Finding, ...]]:
@@ -254,7 +254,7 @@ class Excitation(RecordingFormat):
         return _read_recording(file, self.model_dump_json(include=_KEYS), self.interpolation, state)
 
     def end(self) -> float:
-        """Time of the last sample in s."""
+        """Return the time of the last sample in s."""
         return float(self.profile().edges[-1])
 
 
@@ -262,7 +262,7 @@ class Excitation(RecordingFormat):
 def _read_recording(
     file: Path, keys: str, interpolation: Interpolation, _state: State
 ) -> tuple[Profile, tuple[Finding, ...]]:
-    """Read the heights of a recording as pieces, with the findings of its reader."""
+    """Read the heights of a recording as pieces, with the reader's findings."""
     time, height, findings = RecordingFormat.model_validate_json(keys).signal(
         file, Path(), "road.z"
     )
@@ -277,16 +277,17 @@ def _read_recording(
 
 
 class ActuatorForce(Description):
-    """Force of an actuator beside spring and damper against time, as it was measured: a known input.
+    """Measured force over time of an actuator parallel to spring and damper, a known input.
 
-    The first force holds before the first sample and is part of the equilibrium, the last one holds after the last.
+    The first force applies before the first sample and is part of the equilibrium; the last force applies after the
+    last sample.
 
     Attributes
     ----------
     time : tuple of float
         Samples in s, strictly ascending, at least 4; time 0 is the start of the trial. Arrays are accepted.
     force : tuple of float
-        Force in N at these times, positive where it pushes body and wheel apart. Arrays are accepted.
+        Force in N at these times, positive if it pushes body and wheel apart. Arrays are accepted.
     interpolation : {"cubic", "linear"}
         Not-a-knot cubic spline, or lines (for steps).
 
@@ -324,18 +325,16 @@ def _from_file(value: object) -> object:
     return {"file": value} if isinstance(value, str | Path) else value
 
 
-_SAME_MEAN = (
-    1e-6  # share by which a speed that is stated, too, may differ from the mean of those over time
-)
+_SAME_MEAN = 1e-6  # relative tolerance of a given speed about the mean of the speeds over time
 
 
 class SpeedOverTime(Description):
-    """A speed that changes: straight lines through points.
+    """A varying speed: straight lines through points.
 
     Attributes
     ----------
     time : tuple of float
-        Strictly ascending times from 0, s; the last speed holds after the last.
+        Strictly ascending times from 0, s; the last speed applies after the last time.
     speed : tuple of float
         Speeds at these times, m/s, above 0.
 
@@ -375,7 +374,7 @@ class SpeedOverTime(Description):
     def distance_over_time(self, duration: float) -> tuple[Array, Array]:
         """Return times (s) up to ``duration`` and the distance (m) driven at each; between them the speed is constant.
 
-        Steps are so short that the speed changes by half a per cent in each.
+        The speed changes by half a per cent per step.
         """
         nodes = np.array([t for t in self.time if t < duration])
         nodes = np.append(nodes, duration)
@@ -392,34 +391,34 @@ class SpeedOverTime(Description):
     travelled: ClassVar[Any] = old_method("SpeedOverTime.travelled", "distance_over_time")
 
 
-_SPEED_STEP = 0.005  # share by which a speed changes while it counts as constant: 10 um of distance on a bench
+_SPEED_STEP = 0.005  # relative speed change per constant step: a distance error of 10 um on a bench
 
 
 class Trial(Description):
-    """One run: a road driven over at a speed, or an excitation in time; for vehicles also manoeuvre loads.
+    """One run: a road at a speed, or an excitation over time; for vehicles also manoeuvre loads.
 
     Attributes
     ----------
     road : Road or None
-        Road; with ``speed`` and ``duration``.
+        Road; requires ``speed`` and ``duration``.
     speed : float or None
-        Constant speed in m/s, above 0; the mean where ``speeds`` are given.
+        Constant speed in m/s, above 0; the mean if ``speeds`` are given.
     speeds : SpeedOverTime or None
-        Instead of it: a speed that changes, ``{time = [...], speed = [...]}``.
+        Varying speed in place of ``speed``, ``{time = [...], speed = [...]}``.
     excitation : Excitation or None
-        Instead of road and speed; a path is short for ``{file = path}``.
+        Excitation in place of road and speed; a path is short for ``{file = path}``.
     duration : float
-        Length of the run in s, above 0. Only with an excitation it may be left out: up to its last sample.
+        Length of the run in s, above 0. By default an excitation is run up to its last sample.
     right : Road or None
-        Road under the right wheels of a full car; by default they roll over the same road as the left ones.
+        Road under the right wheels of a full car; by default the same road as under the left wheels.
     pitch_moment : PitchMoment or None
-        Moment of braking on a vehicle's body, N m, nose down positive; ``"100 N*m"`` stands for a constant one.
+        Braking moment on a vehicle's body, N m, positive nose-down; ``"100 N*m"`` is a constant moment.
     deceleration : DrivingAcceleration or None
-        Braking, m/s^2: its moment is that of the body's mass at the height of its centre of gravity.
+        Braking deceleration, m/s^2; its moment follows from the body's mass and the height of its centre of gravity.
     lateral_acceleration : DrivingAcceleration or None
-        Of a full car, m/s^2, positive to the left.
+        Lateral acceleration of a full car, m/s^2, positive to the left.
     actuator_force : ActuatorForce or None
-        Measured force of an actuator beside spring and damper of a single corner, a known input.
+        Measured force of an actuator parallel to spring and damper of a single corner, a known input.
 
     Examples
     --------
@@ -433,7 +432,9 @@ class Trial(Description):
     speed: PositiveSpeed | None = None
     speeds: SpeedOverTime | None = None
     excitation: Annotated[Excitation | None, BeforeValidator(_from_file)] = None
-    duration: Annotated[float, Unit("s", above=0.0)] = 0.0  # replaced by the excitation's last time
+    duration: Annotated[float, Unit("s", above=0.0)] = (
+        0.0  # 0 is replaced by the excitation's last time
+    )
     right: Road | None = None
     pitch_moment: PitchMoment | None = None
     deceleration: DrivingAcceleration | None = None
@@ -521,15 +522,14 @@ class Trial(Description):
         Parameters
         ----------
         behind : float
-            Distance of the wheel behind the front axle, m: it meets the road later. An excitation moves all wheels
-            at once.
+            Distance of the wheel behind the front axle, m. An excitation moves all wheels simultaneously.
         side : int
             1 for the left road (the only one unless ``right`` is given), -1 for the right one.
 
         Returns
         -------
         Segments
-            Pieces against time in s; heights in m, up positive. Every jump of height or slope is an edge.
+            Pieces over time in s; heights in m, positive upwards. Every jump in height or slope is an edge.
         """
         cached = _pieces_of(self)
         if cached is None:
@@ -552,23 +552,23 @@ class Trial(Description):
         return lay_out(self.excitation.profile(), [(0.0, 0.0)], 0.0, self.duration)
 
     def load(self, name: str) -> Segments:
-        """Return one of the manoeuvre loads over [0, ``duration``] (s), zero where the trial has none."""
+        """Return a manoeuvre load over [0, ``duration``] (s); zero if the trial does not include it."""
         given: PitchMoment | DrivingAcceleration | None = getattr(self, name)
         return flat(self.duration) if given is None else given.segments(self.duration)
 
     @property
     def loads(self) -> tuple[str, ...]:
-        """Names of the manoeuvre loads that are given."""
+        """Return the names of the given manoeuvre loads."""
         return tuple(name for name in LOADS if getattr(self, name) is not None)
 
     def obstacle_end(self) -> float:
-        """Time in s at which the obstacle pass ends; 0 for courses and excitations, which have none."""
+        """Return the time in s at which the obstacle has been passed; 0 for courses and excitations."""
         if self.road is None or self.road.is_course():
             return 0.0
         return self.end()
 
     def end(self) -> float:
-        """Time in s at which the first pass of the last obstacle, or the excitation, ends (duration or not)."""
+        """Return the end time in s of the last obstacle's first pass or of the excitation, ignoring the duration."""
         if self.road is not None and self.speed is not None:
             if self.speeds is None:
                 return self.road.end() / self.speed
@@ -579,18 +579,18 @@ class Trial(Description):
         return self.excitation.end() if self.excitation is not None else 0.0
 
 
-_MOST_WHEELS = 16  # places whose roads are kept: those of four cars
+_MOST_WHEELS = 16  # wheels whose roads are cached: those of four cars
 
 
 @once_per_object
 def _pieces_of(trial: Trial) -> dict[tuple[float, int], Segments] | None:
-    """Heights under the wheels requested so far; None if they come from a file, which may change."""
+    """Return the cache of heights under the wheels; None for a road from a file, which may change."""
     return {} if is_lasting(trial) else None
 
 
 @runtime_checkable
 class HoldsTrial(Protocol):
-    """An object with a trial among other facts: a trial for ride studies, a measured one, a candidate."""
+    """Protocol of objects with a trial: a ride trial, a measured trial, or a candidate."""
 
     @property
     def trial(self) -> Trial:
@@ -605,7 +605,7 @@ def as_trial(given: Trial | HoldsTrial) -> Trial:
 
 @once_per_object
 def is_lasting(trial: Trial) -> bool:
-    """Whether a trial is complete in its description, without files, which may change."""
+    """Whether a trial's description is complete without files, which may change."""
     return not _names_a_file(trial)
 
 
@@ -616,11 +616,11 @@ def _names_a_file(value: object) -> bool:
 
 
 FASTEST = 15.0
-"""Hz that the points of a road should at least resolve: about where wheels hop."""
+"""Frequency (Hz) that the points of a road should resolve: typical wheel hop."""
 FEWEST_OUTPUTS = 4
-"""Samples of the result while an obstacle passes; with fewer its peaks are missed."""
+"""Minimum number of samples during an obstacle pass; with fewer, peaks are missed."""
 _AS_FAR = 0.05
-"""Share by which the tracks of a road may be narrower or wider than the wheels."""
+"""Relative tolerance between a road's track distance and the vehicle's track width."""
 _UPRIGHT = 100.0  # slope: within 0.6 degrees
 
 
@@ -640,14 +640,14 @@ def trial_findings(
     trial : Trial
         Trial.
     rig : Rig, optional
-        Its axles are examined as well.
+        Rig whose axles are checked as well.
     output_step : float, optional
-        Distance of the result's samples, s.
+        Time step of the result, s.
 
     Returns
     -------
     list of Finding
-        Empty when nothing looks wrong.
+        Findings; empty if no problem was found.
 
     Examples
     --------
@@ -680,7 +680,7 @@ def trial_findings(
 
 
 def _check_tracks(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
-    """Report road tracks whose distance differs from that of the wheels: their coherence determines roll."""
+    """Report a road track distance that differs from the vehicle's, because the coherence determines roll."""
     wide = track_width(rig)
     for name, road in (("road", trial.road), ("right", trial.right)):
         if not wide or not isinstance(road, Iso8608) or road.side != "right":
@@ -696,7 +696,7 @@ def _check_tracks(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
 
 
 def road_findings(road: Road, place: str = "") -> list[Finding]:
-    """Report implausible sizes of obstacles and waves; measured roads are not questioned."""
+    """Report implausible sizes of obstacles and waves; measured roads are not checked."""
     if isinstance(road, SampledRoad):
         return []
     start = f"{place}: " if place else ""
@@ -714,7 +714,7 @@ def road_findings(road: Road, place: str = "") -> list[Finding]:
 
 
 _STEEPEST = 1.0
-"""Height over length of a rounded obstacle, above which a wheel meets a step: one of the two has a slip in its unit."""
+"""Height-to-length ratio of a rounded obstacle above which a wrong unit is likely, because it acts like a step."""
 
 
 def _check_road(
@@ -775,7 +775,7 @@ def _check_loads(trial: Trial) -> Iterator[Finding]:
 
 
 def _check_blows(trial: Trial, rig: Rig | None) -> Iterator[Finding]:
-    """Report the impulse of a damped tyre on a road that rises vertically; where it falls, the tyre lifts off."""
+    """Report the impulse of a damped tyre on a vertical rise of the road; at a vertical drop the tyre lifts off."""
     numbers = {} if rig is None else rig.parameters()
     damping = max(
         (value for path, value in numbers.items() if path.endswith("tyre.damping_coefficient")),

@@ -1,4 +1,4 @@
-"""Waves: a sine, and sines that sweep through wavelengths along a road or through frequencies in time."""
+"""Waves: a sine, and sine sweeps over wavelength along a road or over frequency in time."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ from jounce.roads.road import Road
 from jounce.roads.trial import Excitation
 
 Law = Literal["linear", "logarithmic"]
-PER_WAVE = 64  # points on one wave: cubics between them err by 3e-7 of the amplitude
+PER_WAVE = 64  # points per wave: cubics between them have an error of 3e-7 of the amplitude
 MOST_WAVES = 20_000  # 1.3 million points
 
 
 class Sine(Road):
-    """Waves ``a sin(2 pi x / wavelength + phase)``; the road continues at the last height.
+    """Sine waves ``a sin(2 pi x / wavelength + phase)``; the road continues at the last height.
 
     Attributes
     ----------
     amplitude, wavelength : float
-        Half the height from trough to crest, and the distance from crest to crest, in m.
+        Half the trough-to-crest height, and the crest-to-crest distance, in m.
     length : float
         Length of the waves in m.
     phase : float
-        Phase in rad where the waves begin; the road before them has the height at that point.
+        Phase in rad at the start of the waves; the road before them has the height at that point.
 
     Examples
     --------
@@ -49,7 +49,7 @@ class Sine(Road):
     phase: Angle = 0.0
 
     def profile(self) -> Profile:
-        """One sine piece."""
+        """Return one sine piece."""
         rate = 2.0 * math.pi / self.wavelength
         height = [self.amplitude * math.sin(self.phase + rate * x) for x in (0.0, self.length)]
         return Profile(
@@ -62,7 +62,7 @@ class Sine(Road):
 
 
 class SineSweep(Road):
-    """Waves ``a sin(2 pi integral of n dx)`` whose wavelength 1/n changes along the road, at one amplitude.
+    """Sine sweep with constant amplitude whose wavelength 1/n changes along the road.
 
     The spatial frequency n = 1 / wavelength goes from the first to the last one linearly or logarithmically (equal
     ratios over equal distances); the height is ``a sin(2 pi integral of n dx)``.
@@ -70,13 +70,13 @@ class SineSweep(Road):
     Attributes
     ----------
     amplitude : float
-        Half the height from trough to crest, in m.
+        Half the trough-to-crest height, in m.
     first_wavelength, last_wavelength : float
         Wavelengths in m at the beginning and at the end.
     length : float
         Length of the sweep in m.
     law : {"logarithmic", "linear"}
-        How the spatial frequency changes with distance.
+        Change of the spatial frequency with distance.
 
     Examples
     --------
@@ -93,7 +93,7 @@ class SineSweep(Road):
     law: Law = "logarithmic"
 
     def check(self) -> None:
-        """Refuse more waves than can sensibly be driven over."""
+        """Reject sweeps with too many waves."""
         waves = _cycles(
             1.0 / self.first_wavelength, 1.0 / self.last_wavelength, self.length, self.law
         )
@@ -102,7 +102,7 @@ class SineSweep(Road):
             raise error_at((), Phrase("{waves:.0f} waves", waves=waves), allowed=most)
 
     def profile(self) -> Profile:
-        """Cubics with the exact slopes, 64 to a wave."""
+        """Return cubics with exact slopes, 64 per wave."""
         return _sweep_profile(
             self.amplitude,
             1.0 / self.first_wavelength,
@@ -120,7 +120,7 @@ def swept_sine(
     *,
     law: Law = "logarithmic",
 ) -> Excitation:
-    """Sine sweep of the support against time, as a shaker gives it.
+    """Create a sine sweep of the support over time, as produced by a shaker.
 
     Parameters
     ----------
@@ -131,17 +131,17 @@ def swept_sine(
     duration : str or float
         Length of the sweep, above 0 s, in s or with a unit.
     law : {"logarithmic", "linear"}
-        How the frequency changes with time.
+        Change of the frequency with time.
 
     Returns
     -------
     Excitation
-        Height in m against time in s, 64 samples to a wave with a cubic spline through them.
+        Height in m over time in s, a cubic spline with 64 samples per wave.
 
     Raises
     ------
     DescriptionError
-        For wrong units, frequencies and durations that are not above 0, and more than 20 000 waves.
+        For invalid units, frequencies or durations that are not positive, and more than 20 000 waves.
 
     Examples
     --------
@@ -170,14 +170,14 @@ def swept_sine(
 
 
 def _cycles(first: float, last: float, length: float, law: str) -> float:
-    """Waves in a sweep whose frequency (1/m or Hz) goes from ``first`` to ``last`` over ``length`` (m or s)."""
+    """Return the number of waves in a sweep from ``first`` to ``last`` (1/m or Hz) over ``length`` (m or s)."""
     if law == "linear" or math.isclose(first, last, rel_tol=1e-9):
         return 0.5 * (first + last) * length
     return length * (last - first) / math.log(last / first)
 
 
 def _swept(first: float, last: float, length: float, law: str) -> tuple[Array, Array, Array]:
-    """Coordinate (m or s), phase (rad) and frequency (1/m or Hz) at points evenly spaced in phase."""
+    """Return coordinate (m or s), phase (rad) and frequency (1/m or Hz) at points evenly spaced in phase."""
     total = _cycles(first, last, length, law)
     count = max(8, math.ceil(PER_WAVE * total))
     cycles = total * np.arange(count + 1) / count

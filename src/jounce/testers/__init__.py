@@ -1,1 +1,1 @@
-"""Simulated testers of shock absorbers: a rig on a plate, and the record that a tester writes."""
+"""Simulated shock absorber testers: a rig on a plate, and the record that a tester writes."""

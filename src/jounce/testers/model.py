@@ -1,8 +1,8 @@
 """Rigs on a shock absorber tester: quarter car, axle or 3-D corner on plates moved by exciters.
 
-Each plate is rigid on its exciter or stands on a spring over it. The exciter's angle is a track (whatever the drive
-wants) or, where the drive runs freely, a coordinate with the drive's inertia. At angle 0 the plate is at its mean
-height and rises.
+Each plate is fixed to its exciter or mounted on a spring above it. The exciter's angle is a track (prescribed by the
+drive) or, if the drive runs freely, a coordinate with the drive's inertia. At angle 0 the plate is at its mean height
+and moves upwards.
 """
 
 from __future__ import annotations
@@ -26,27 +26,27 @@ from jounce.parts.rig import Rig
 from jounce.parts.vehicles import FrontViewAxle, QuarterCar, Side
 
 ANGLE, MOTOR = "excenter.angle", "motor.on"
-"""Last words of the tracks: angle of the exciter (rad), and share of the motor's torque that is switched on."""
+"""Suffixes of the track names: exciter angle (rad), and applied share of the motor torque."""
 SIDES = {"left": 1.0, "right": -1.0}
-_CREEP = 0.5  # rad/s below which the drive's dry friction fades
-_BOTTOM = -0.5 * ca.pi  # where a free exciter rests
-_LIFTED = 0.02  # m: the search for equilibrium begins with the plate against the tyre
+_CREEP = 0.5  # rad/s: speed below which the drive's dry friction is smoothed
+_BOTTOM = -0.5 * ca.pi  # rest angle of a free exciter
+_LIFTED = 0.02  # m: the equilibrium search starts with the plate pressed against the tyre
 
 
 @dataclass(frozen=True)
 class PlateForm:
-    """How the plates are built; all that matters of a tester for the equations."""
+    """Design of the plates: everything about a tester that affects the structure of the equations."""
 
     sprung: bool = False  # whether there is a spring between exciter and plate
-    # places of the wheels (``""``, ``"left"``, ``"right"``) whose exciter the drive's inertia moves; else tracks
+    # wheels (``""``, ``"left"``, ``"right"``) whose exciter is moved by the drive's inertia; the others have tracks
     free: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Plate:
-    """A plate under a wheel: heights of plate and exciter (m), the exciter's angle (rad), beginning of its channels.
+    """A plate under a wheel: heights of plate and exciter (m), exciter angle (rad), and prefix of its channels.
 
-    ``pushed`` is the force of the spring on the plate (N, up), None on a rigid plate.
+    ``pushed`` is the spring force on the plate (N, upwards), None for a rigid plate.
     """
 
     height: ca.SX
@@ -57,10 +57,10 @@ class Plate:
 
 
 def tester_model(rig: Rig, form: PlateForm) -> Model:
-    """Write the equations of a rig on a tester; the values in ``rig`` matter only through its structure.
+    """Build the equations of a rig on a tester; only the structure of ``rig`` matters, not its values.
 
-    Tracks are ``[<side>.]excenter.angle`` (rad) where driven, ``[<side>.]motor.on`` where free; parameters are those of
-    the rig and, with ``tester.`` before them, those of the tester. Raises AssemblyError for a rig without a tyre.
+    Tracks are ``[<side>.]excenter.angle`` (rad) of driven and ``[<side>.]motor.on`` of free exciters. Parameters are
+    those of the rig and, prefixed with ``tester.``, those of the tester. Raises AssemblyError for a rig without a tyre.
     """
     builders: dict[type[Rig], Callable[[Rig, PlateForm], System]] = {
         QuarterCar: _quarter_car,
@@ -100,7 +100,7 @@ def _corner(rig: Rig, form: PlateForm) -> System:
 
 
 def _guide(linkage: Linkage) -> None:
-    """Friction of the body's guide, heights of body and wheel."""
+    """Add the friction of the body's guide and the heights of body and wheel."""
     mechanism, rig = linkage.mechanism, linkage.rig
     if rig.guide != "fixed":
         heave = mechanism.coordinate_named("sprung.distance")
@@ -141,14 +141,14 @@ def _front_view(rig: Rig, form: PlateForm) -> System:
 def _add_wheel(
     system: System, side: Side, height: ca.SX, plate: Plate, gravity: ca.SX
 ) -> tuple[ca.SX, ca.SX]:
-    """Wheel of one side under the body; return its height (m) and contact force (N)."""
+    """Add the wheel of one side under the body; return its height (m) and contact force (N)."""
     if isinstance(side.wheel, QuarterCar):
         return add_quarter_car(system, side.wheel, plate.height, sprung=height)
     return add_wheel(system, side.wheel, height, gravity, plate=plate.height)
 
 
 def _add_plate(system: System, form: PlateForm, place: str) -> Plate:
-    """Exciter and plate of one wheel, with all forces but the tyre's."""
+    """Add exciter and plate of one wheel, with all forces except the tyre's."""
     begin = f"{place}." if place else ""
     free = place in form.free
     if free:
@@ -176,7 +176,7 @@ def _add_plate(system: System, form: PlateForm, place: str) -> Plate:
 
 
 def _add_drive(system: System, angle: ca.SX, begin: str) -> None:
-    """Inertia and friction of a free drive, and the torque of its motor."""
+    """Add inertia and friction of a free drive, and the torque of its motor."""
     speed = system.rate_of(angle)
     system.point_mass(system.parameter("tester.drive.inertia"), angle)
     friction = system.parameter("tester.drive.friction_torque") * ca.tanh(speed / _CREEP)
@@ -190,7 +190,7 @@ def _add_drive(system: System, angle: ca.SX, begin: str) -> None:
 
 
 def _show_plate(system: System, plate: Plate, contact: ca.SX) -> None:
-    """Plate, exciter, force under the plate, and what the exciter takes: the plate is guided without friction."""
+    """Add outputs of plate, exciter, force under the plate, and drive torque; the plate is guided without friction."""
     begin, mass = plate.begin, system.parameter("tester.plate_mass")
     acceleration, speed = system.acceleration_of(plate.height), system.rate_of(plate.angle)
     under = contact + mass * acceleration

@@ -1,4 +1,4 @@
-"""Periodic steady states of a wheel on its plate, with everything that is not linear: lift-off, friction, stops."""
+"""Periodic steady states of a wheel on its plate, including nonlinearities: lift-off, friction, stops."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
 _BLOCK = 1.5  # s between two tests for periodicity
 _BLOCKS = 40  # a minute of motion
-_REPEATS = 1e-5  # of the amplitude: largest remaining change of periodic motion
-_ROUNDING = 1e-7  # changes below it are rounding and show no rate of decay
-_SAMPLES = 512  # a period: extremes of a sine fall between two of them by 2e-5 of it at most
+_REPEATS = 1e-5  # share of the amplitude: largest remaining change of periodic motion
+_ROUNDING = 1e-7  # smaller changes are rounding and have no decay rate
+_SAMPLES = 512  # per period: sampled extremes of a sine are off by at most a share of 2e-5
 _UNSETTLED = 8  # periods examined if the motion does not settle
-_STEP = 0.5  # Hz, of the first sweep
-_FINE = 0.01  # Hz, in steps of which a least value is found
+_STEP = 0.5  # Hz: step of the coarse sweep
+_FINE = 0.01  # Hz: resolution of minima
 
 
 @dataclass(frozen=True)
@@ -31,16 +31,16 @@ class Periodic:
     """A steady state at one frequency."""
 
     frequency: float  # Hz
-    settled: bool  # whether the motion repeats with every turn; otherwise the values are the least of several turns
-    force_min: float  # least contact force, N
-    force_max: float  # greatest contact force, N
-    # EGEA phase angle, rad: from the plate's top to the middle of the turn's low-force half; where the motion does
-    # not repeat, from the parts of plate and force that turn with the exciter
+    settled: bool  # whether the motion repeats every turn; otherwise the values are minima over several turns
+    force_min: float  # minimum contact force, N
+    force_max: float  # maximum contact force, N
+    # EGEA phase angle, rad: from the plate's top to the middle of the turn's low-force half; for nonperiodic motion
+    # from the components of plate height and force at the exciter frequency
     phase_angle: float
     values: Mapping[
         str, Array
-    ]  # outputs over one turn (512 samples), SI; the plate's mean height comes first
-    state: Mapping[str, float]  # at the turn's begin
+    ]  # outputs over one turn (512 samples), SI; starts at the plate's mean height
+    state: Mapping[str, float]  # at the start of the turn
 
 
 def periodic(
@@ -53,8 +53,8 @@ def periodic(
 ) -> Periodic:
     """Continue a run of a rig with driven exciters at one frequency (Hz) until it is periodic.
 
-    On an axle one ``wheel`` is excited and the other plate is at rest. The run begins with the state ``start``, such
-    as that at a frequency nearby, or with the linear model's steady state; its tolerance is that of all runs.
+    On an axle one ``wheel`` is excited and the other plate is at rest. The run starts from the state ``start``, e.g.
+    that of a nearby frequency, or from the linear model's steady state, with the default tolerance.
 
     Examples
     --------
@@ -101,7 +101,7 @@ def periodic(
 
 
 def _linear_start(linear: LinearTesterRig, frequency: float, place: str) -> dict[str, float]:
-    """State at angle 0 of the linear model's steady motion."""
+    """Return the state at angle 0 of the linear model's steady motion."""
     x = linear.on.rest.x + linear.states(frequency, place).imag
     return dict(zip(linear.on.compiled.facts.states, map(float, x), strict=True))
 
@@ -109,13 +109,13 @@ def _linear_start(linear: LinearTesterRig, frequency: float, place: str) -> dict
 def _carry_state(
     near: Periodic, linear: LinearTesterRig, frequency: float, place: str
 ) -> dict[str, float]:
-    """State at a nearby frequency, corrected by the change of the linear model."""
+    """Return the state of a nearby frequency, corrected by the linear model's change."""
     there, here = (_linear_start(linear, f, place) for f in (near.frequency, frequency))
     return {name: value + here[name] - there[name] for name, value in near.state.items()}
 
 
 def _remaining_change(ends: Array, scale: Array) -> float:
-    """Remaining change of the state at the end of a turn, relative to its scale."""
+    """Return the remaining change of the state at the end of a turn, relative to its scale."""
     changes = np.max(np.abs(np.diff(ends, axis=1)) / scale[:, None], axis=0)
     if changes[-1] < _ROUNDING:
         return float(changes[-1])
@@ -126,7 +126,7 @@ def _remaining_change(ends: Array, scale: Array) -> float:
 
 
 def _phase_angle(force: Array, static: float) -> float:
-    """Angle (rad of the turn) of the middle of the low-force half; the half around the least force."""
+    """Return the angle (rad) at the middle of the low-force half of the turn, around the minimum force."""
     low = int(np.argmin(force))
     turned = np.roll(force, -low) - static
     up = int(np.argmax(turned > 0.0))
@@ -137,7 +137,7 @@ def _phase_angle(force: Array, static: float) -> float:
 
 
 def _greatest_at(signal: Array, turns: int) -> float:
-    """Angle (rad) at which the part that turns with the exciter is greatest."""
+    """Return the angle (rad) at which the component at the exciter frequency is largest."""
     return float(-np.angle(np.fft.rfft(signal)[turns]))
 
 
@@ -145,19 +145,19 @@ def _greatest_at(signal: Array, turns: int) -> float:
 class SteadySweep:
     """Steady states of one wheel over the tester's frequencies."""
 
-    adhesion: float  # least over static contact force (1)
-    adhesion_frequency: float  # where, Hz, to 0.01 Hz
-    phase_angle: float  # least EGEA phase angle in the tester's band, rad
-    phase_frequency: float  # where, Hz
-    force_amplitude_25: float  # half of the force's range at 25 Hz, N
+    adhesion: float  # minimum over static contact force (1)
+    adhesion_frequency: float  # frequency of the minimum force, Hz, to 0.01 Hz
+    phase_angle: float  # minimum EGEA phase angle in the tester's band, rad
+    phase_frequency: float  # frequency of the minimum phase angle, Hz
+    force_amplitude_25: float  # half the force range at 25 Hz, N
     lift_off: bool  # whether the wheel leaves the plate
-    states: tuple[Periodic, ...]  # all that were computed, by frequency
+    states: tuple[Periodic, ...]  # all computed states, by frequency
 
 
 def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySweep:
-    """Sweep periodic steady states of a wheel from the highest frequency down, each from the one before.
+    """Compute periodic steady states of a wheel from the highest frequency downwards, each from the previous one.
 
-    The least adhesion (1) and the least phase angle (rad) in the tester's band are refined to 0.01 Hz.
+    Minimum adhesion (1) and minimum phase angle (rad) in the tester's band are refined to 0.01 Hz.
     """
     on, limits = rig_on_tester(rig, tester), tester.limits
     highest = max(tester.programme.start_frequency, tester.programme.end_frequency)
@@ -193,7 +193,7 @@ def steady_sweep(rig: Rig, tester: Tester, *, wheel: str = "left") -> SteadySwee
 
 
 def _refine_minimum(value: Callable[[float], float], grid: Array) -> tuple[float, float]:
-    """Least value, and where: the grid's least one refined to 0.01 Hz between its neighbours."""
+    """Return the minimum value and its frequency: the grid minimum refined to 0.01 Hz between its neighbours."""
     values = np.array([value(float(f)) for f in grid])
     best = int(np.argmin(values))
     low = round(float(grid[max(best - 1, 0)]) / _FINE)

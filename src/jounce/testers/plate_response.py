@@ -1,4 +1,4 @@
-"""Steady answer of a wheel to its plate, from the linear model: force response, adhesion, phase angle, wheel mode."""
+"""Steady response of a wheel to its plate from the linear model: contact force, adhesion, phase angle, wheel mode."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ from jounce.simulation.statics import for_small_motions
 from jounce.testers.plates import SteadyResponse, least, least_adhesion
 from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
-_ALIKE = 1.3  # ratio of frequencies below which two wheel modes of an axle are a pair
+_ALIKE = 1.3  # frequency ratio below which two wheel modes of an axle form a pair
 
 
 @dataclass(frozen=True)
 class LinearTesterRig:
-    """Small motions about rest: ``dx/dt = A x + B u``, ``y = C x + D u``; ``u``: angles and rates of exciters."""
+    """Linear model about rest, ``dx/dt = A x + B u``, ``y = C x + D u``; ``u`` are angles and rates of exciters."""
 
     on: TesterRig
-    A: Array  # inputs are for each track its value and its first derivatives
+    A: Array  # the inputs are the value and first derivatives of each track
     B: Array
     C: Array
     D: Array
 
     def transfer(self, frequency: ArrayLike, output: str, place: str = "") -> Complex:
-        """Complex amplitude of an output (SI) for 1 rad of an eccentric exciter's angle, at frequencies in Hz."""
+        """Return the complex amplitude of an output (SI) for 1 rad of the exciter's angle, at frequencies in Hz."""
         row, (first, last) = self._row(output), self._inputs(place)
         s = 2j * np.pi * np.atleast_1d(as_samples(frequency, "Hz", where="frequency"))
         if s.ndim > 1:
@@ -46,7 +46,7 @@ class LinearTesterRig:
         return np.asarray(states[:, :, 0] @ self.C[row] + drive @ self.D[row, first:last])
 
     def states(self, frequency: float, place: str = "") -> Complex:
-        """Complex amplitudes of all states for 1 rad of an eccentric exciter's angle."""
+        """Return the complex amplitudes of all states for 1 rad of an eccentric exciter's angle."""
         first, last = self._inputs(place)
         s = 2j * np.pi * frequency
         result = np.linalg.solve(
@@ -79,15 +79,14 @@ def linear_rig_on_tester(on: TesterRig) -> LinearTesterRig:
 def steady_response(
     rig: Rig, tester: Tester | str | Path, frequency: ArrayLike, *, wheel: str = "left"
 ) -> SteadyResponse:
-    """Steady response of a wheel to its plate, from the linear model in closed form.
+    """Compute the steady response of a wheel to its plate from the linear model, in closed form.
 
     Parameters
     ----------
     rig : QuarterCar, Corner or FrontViewAxle
-        Rig on the plates; laws of springs and dampers have their slope at rest, the mean of
-        both sides where they have two.
+        Rig on the plates; springs and dampers have their slope at rest, the mean of both sides at a kink.
     tester : Tester, str or Path
-        Stroke and plate; also by its name or file.
+        Tester that defines stroke and plate; also by name or file.
     frequency : array_like, shape (n,)
         Hz, above 0.
     wheel : {"left", "right"}
@@ -101,7 +100,7 @@ def steady_response(
     Raises
     ------
     SimulationError
-        If the rig does not fit on a tester.
+        If the rig cannot be placed on a tester.
     DescriptionError
         If a wheel is unknown.
 
@@ -134,17 +133,17 @@ def _steady(linear: LinearTesterRig, frequency: Array, wheel: str) -> SteadyResp
 
 
 def place_of(on: TesterRig, wheel: str) -> str:
-    """Place of a wheel in the model: its name on an axle, "" for a single wheel."""
+    """Return a wheel's name in the model: ``wheel`` on an axle, "" for a single wheel."""
     if wheel not in ("left", "right"):
         raise unknown(str(wheel), ("left", "right"), what="wheel", where="wheel")
     return wheel if len(on.places) > 1 else ""
 
 
 def closed_form_adhesion(rig: Rig, tester: Tester, *, wheel: str = "left") -> tuple[float, float]:
-    """Least adhesion of a slow sweep without lift-off, in closed form, and its frequency (Hz, to 0.01 Hz).
+    """Return the minimum adhesion of a slow sweep without lift-off, in closed form, and its frequency (to 0.01 Hz).
 
-    The band is from 0 to the programme's highest frequency, which counts. The adhesion (1) is negative where the linear
-    model asks for lift-off. ``wheel`` is one of an axle, ``left`` or ``right``.
+    The band is from 0 to the programme's highest frequency, inclusive. A negative adhesion (1) means that the linear
+    model predicts lift-off. ``wheel`` is a wheel of an axle, ``left`` or ``right``.
 
     Examples
     --------
@@ -160,7 +159,7 @@ def closed_form_adhesion(rig: Rig, tester: Tester, *, wheel: str = "left") -> tu
 
 
 def least_phase_angle(rig: Rig, tester: Tester, *, wheel: str = "left") -> tuple[float, float]:
-    """Least EGEA phase angle (rad) of steady states, and its frequency (Hz, to 0.01 Hz), in the tester's band."""
+    """Return the minimum EGEA phase angle (rad) in the tester's band, and its frequency (Hz, to 0.01 Hz)."""
     linear, limits = linear_rig_on_tester(rig_on_tester(rig, tester)), tester.limits
     return least(
         lambda f: _steady(linear, f, wheel).phase_angle, limits.frequency_min, limits.frequency_max
@@ -169,7 +168,7 @@ def least_phase_angle(rig: Rig, tester: Tester, *, wheel: str = "left") -> tuple
 
 @dataclass(frozen=True)
 class WheelMode:
-    """The wheel's mode: undamped natural frequency (Hz) and damping ratio (1)."""
+    """Mode of the wheel: undamped natural frequency (Hz) and damping ratio (1)."""
 
     frequency_hz: float
     damping_ratio: float
@@ -178,10 +177,10 @@ class WheelMode:
 def wheel_mode(
     rig: Rig, tester: Tester, *, wheel: str = "left", on: str = "road"
 ) -> WheelMode | None:
-    """Mode of the wheel from the poles of the linear model; None where the wheel does not oscillate.
+    """Return the wheel's mode from the poles of the linear model; None if the wheel does not oscillate.
 
-    ``on="road"`` blocks the plate, ``on="rig"`` leaves it free on its spring: only there does the tester matter. Of an
-    axle the ``wheel`` is ``left`` or ``right``.
+    ``on="road"`` fixes the plate, ``on="rig"`` leaves it free on its spring; only then does the tester matter. For an
+    axle, ``wheel`` is ``left`` or ``right``.
 
     Examples
     --------
@@ -200,7 +199,7 @@ def wheel_mode(
     is_wheel = (values.imag > 1e-9 * np.abs(values)) & (np.abs(unsprung) > np.abs(sprung))
     is_wheel &= (
         unsprung * plate.conj()
-    ).real >= 0.0  # opposite motion of plate and wheel is the plate's mode
+    ).real >= 0.0  # in the plate's mode plate and wheel move in opposite directions
     if not is_wheel.any():
         return None
     lowest = np.min(np.abs(values[is_wheel]))
@@ -215,7 +214,7 @@ _HEIGHTS = "unsprung.z", "sprung.z", "plate.z"
 
 
 def _shapes(linear: LinearTesterRig, output: str, vectors: Complex) -> Complex:
-    """Output in each mode; zero without such an output, as for a fixed body."""
+    """Return an output in each mode; zero if the output does not exist, as for a fixed body."""
     names = linear.on.compiled.output_names
     shapes = linear.C[names.index(output)] @ vectors if output in names else np.zeros(len(linear.A))
     return np.asarray(shapes, dtype=np.complex128)
@@ -230,9 +229,9 @@ def road_damping_ratio(
     plate_mass: float,
     plate_spring_rate: float,
 ) -> float:
-    """Convert a damping ratio of the wheel's mode on a sprung plate to the road, one degree of freedom assumed.
+    """Convert the wheel mode's damping ratio on a sprung plate to the road, assuming one degree of freedom.
 
-    Rates and stiffness in N/m, masses in kg; the model's poles are exact.
+    Rates and stiffness in N/m, masses in kg. An approximation; `wheel_mode` is exact.
 
     Examples
     --------

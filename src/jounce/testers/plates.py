@@ -1,4 +1,4 @@
-"""A wheel on a tester's plate in steady motion, by its linear response: adhesion, phase angle, tyre rigidity."""
+"""Steady motion of a wheel on a tester's plate from its linear response: adhesion, phase angle, tyre rigidity."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from jounce.core.types import Array, Complex
 _COARSE, _FINE = (
     0.1,
     0.01,
-)  # Hz: steps of the first look for a least value, and of the second around it
+)  # Hz: steps of the coarse search for a minimum and of the refinement
 RIGIDITY = 0.571, 46e3
 """EGEA: rigidity = 0.571 H25 / e_p + 46 N/mm."""
 RIGIDITY_FREQUENCY = 25.0
@@ -23,20 +23,20 @@ RIGIDITY_FREQUENCY = 25.0
 
 @dataclass(frozen=True)
 class SteadyResponse(Shown):
-    """Steady answer of one wheel to its tester, small motions.
+    """Steady response of one wheel on a tester for small motions.
 
     Attributes
     ----------
     frequency : ndarray, shape (n,)
         Hz.
     force_response : ndarray of complex, shape (n,)
-        Contact force for motion of the plate, N/m.
+        Contact force per plate displacement, N/m.
     plate_response : ndarray of complex, shape (n,)
-        Motion of the plate for motion of the exciter; 1 on a rigid plate.
+        Plate displacement per exciter displacement (1); 1 for a rigid plate.
     static_load : float
-        N.
+        Static wheel load, N.
     amplitude : float
-        Of the exciter, m.
+        Amplitude of the exciter, m.
     """
 
     frequency: Array
@@ -47,32 +47,32 @@ class SteadyResponse(Shown):
 
     @property
     def force_amplitude(self) -> Array:
-        """Of the contact force, N, shape (n,); above the static load the wheel lifts off, and this is not true."""
+        """Amplitude of the contact force, N, shape (n,); invalid above the static load, where the wheel lifts off."""
         return np.asarray(self.amplitude * np.abs(self.force_response * self.plate_response))
 
     @property
     def adhesion(self) -> Array:
-        """Least over static contact force (1), shape (n,); 0 where the wheel would lift off."""
+        """Minimum over static contact force (1), shape (n,); 0 where the wheel would lift off."""
         return np.maximum(1.0 - self.force_amplitude / self.static_load, 0.0)
 
     @property
     def phase_angle(self) -> Array:
-        """EGEA phase angle, rad between -pi/2 and 3/2 pi, shape (n,): 180 degrees less the argument of the response."""
+        """EGEA phase angle, rad between -pi/2 and 3/2 pi, shape (n,): pi minus the argument of the response."""
         return phase_angle(self.force_response)
 
 
 def wrap_phase(angle: ArrayLike) -> Array:
-    """Return angles (rad) between -pi/2 and 3/2 pi, where phase angles of testers are."""
+    """Wrap angles (rad) to -pi/2 to 3/2 pi, the range of testers' phase angles."""
     return np.asarray(1.5 * np.pi - np.mod(1.5 * np.pi - np.asarray(angle), 2.0 * np.pi))
 
 
 def phase_angle(response: ArrayLike) -> Array:
-    """EGEA phase angle (rad) of responses of the contact force to plate height (N/m): pi less their argument."""
+    """Compute the EGEA phase angle (rad) of contact-force responses to plate height (N/m): pi minus their argument."""
     return wrap_phase(np.pi - np.angle(np.asarray(response, dtype=complex)))
 
 
 def least_adhesion(at: Callable[[Array], SteadyResponse], highest: float) -> tuple[float, float]:
-    """Least adhesion (1, negative where the linear force is) up to a frequency (Hz), and where: Hz, to 0.01 Hz."""
+    """Return the minimum adhesion (1; may be negative) up to a frequency (Hz), and its frequency to 0.01 Hz."""
 
     def value(frequency: Array) -> Array:
         result = at(frequency)
@@ -82,7 +82,7 @@ def least_adhesion(at: Callable[[Array], SteadyResponse], highest: float) -> tup
 
 
 def least(value: Callable[[Array], Array], low: float, high: float) -> tuple[float, float]:
-    """Least value of a function of frequencies (Hz) on [low, high], ends included, and where: to 0.01 Hz."""
+    """Return the minimum of a function of frequency (Hz) on [low, high], and its frequency to 0.01 Hz."""
     coarse = np.linspace(low, high, int(np.ceil((high - low) / _COARSE)) + 1)
     about = float(coarse[np.argmin(value(coarse))])
     steps = np.arange(-_COARSE, _COARSE + 0.5 * _FINE, _FINE)
@@ -93,7 +93,7 @@ def least(value: Callable[[Array], Array], low: float, high: float) -> tuple[flo
 
 
 def tyre_rigidity(force_amplitude: float, amplitude: float) -> float:
-    """Tyre rigidity (N/m) by EGEA, from the force amplitude at 25 Hz (N) and the plate's amplitude (m).
+    """Compute the EGEA tyre rigidity (N/m) from the force amplitude at 25 Hz (N) and the plate's amplitude (m).
 
     Examples
     --------

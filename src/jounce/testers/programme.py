@@ -1,4 +1,4 @@
-"""A tester's programme: how the exciter turns over it, and the runs of a rig over it."""
+"""Test programme: exciter angle over time, and simulation of a rig over the programme."""
 
 from __future__ import annotations
 
@@ -20,16 +20,18 @@ from jounce.testers.model import ANGLE
 from jounce.testers.rig import TesterRig, channel, rig_on_tester
 
 _RUN_OUT = (
-    10.0  # Hz/s: deceleration of an eccentric exciter that still turns at the end of its sweep
+    10.0  # Hz/s: deceleration of an eccentric exciter that is still turning at the end of its sweep
 )
 
 
 @dataclass(frozen=True)
 class SweptAngle:
-    """Angle of an eccentric exciter over one controlled test: held, swept, stopped."""
+    """Angle of an eccentric exciter over one controlled test: hold, sweep, stop."""
 
-    edges: Array  # (4,): begin of hold, sweep, stop, and its end, s
-    coefficients: Array  # (3, 3): angle (rad), rate (rad/s) and half the acceleration (rad/s^2) at the begin of each
+    edges: Array  # (4,): start of hold, sweep and stop, and end of stop, s
+    coefficients: (
+        Array  # (3, 3): angle (rad), rate (rad/s) and half the acceleration (rad/s^2) at each start
+    )
 
     @property
     def end(self) -> float:
@@ -42,9 +44,9 @@ class SweptAngle:
 def swept_angle(
     programme: Programme, static_load: float, begin: float = 0.0, angle: float = 0.0
 ) -> SweptAngle:
-    """Return the exciter's angle over a programme, exact: quadratic in time while the frequency changes.
+    """Return the exact exciter angle over a programme: quadratic in time while the frequency changes.
 
-    The hold depends on the static load (N); it starts to turn at ``begin`` (s) from an angle in rad.
+    The hold depends on the static load (N); the exciter starts at ``begin`` (s) from an angle in rad.
 
     Examples
     --------
@@ -67,7 +69,7 @@ def swept_angle(
 
 
 def angle_of(tests: list[SweptAngle]) -> Segments:
-    """Join the tests of one exciter, which is at rest before, between and after them."""
+    """Join the tests of one exciter, with rest before, between and after them."""
     edges, rows = [-1.0], [[tests[0].coefficients[0, 0] if tests else 0.0, 0.0, 0.0]]
     for test in tests:
         edges += list(test.edges[:3])
@@ -94,21 +96,21 @@ class ProgrammeRun:
     """Arrays of a simulated test."""
 
     time: Array  # (n,): s
-    values: dict[str, Array]  # output of the model to its samples, SI, shape (n,)
-    static: dict[str, float]  # output to its value at rest
+    values: dict[str, Array]  # samples by model output, SI, shape (n,)
+    static: dict[str, float]  # value at rest by output
     outputs: tuple[Output, ...]  # names, units and labels
 
 
 def run_programme(
     rig: Rig, tester: Tester, *, wheel: Wheel = "both", other: Other = "still"
 ) -> ProgrammeRun:
-    """Run a tester's programme; arguments as for :func:`simulate_test`, without sensors and without a Dataset."""
+    """Run a tester's programme without sensors; arguments as for :func:`simulate_test`."""
     chosen = _choose_tests(rig, wheel, other)
     return (_free if tester.programme.run_down == "free" else _run_controlled)(rig, tester, chosen)
 
 
 def _choose_tests(rig: Rig, wheel: str, other: str) -> list[tuple[str, ...]]:
-    """Wheels that are excited together, test after test."""
+    """Return the wheels excited together in each test, in order."""
     for name, value, allowed in (
         ("wheel", wheel, ("left", "right", "both")),
         ("other", other, ("still", "excited")),
@@ -123,7 +125,7 @@ def _choose_tests(rig: Rig, wheel: str, other: str) -> list[tuple[str, ...]]:
 
 
 def _run_controlled(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRun:
-    """All tests in one run: the drive follows its programme exactly."""
+    """Simulate all tests in one run; the drive follows its programme exactly."""
     on, programme, begin = rig_on_tester(rig, tester), tester.programme, 0.0
     turns: dict[str, list[SweptAngle]] = {}
     for test in tests:
@@ -139,7 +141,7 @@ def _run_controlled(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> P
 
 
 def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRun:
-    """Test after test: brought to speed, then moved by the drive's inertia only."""
+    """Simulate one test after the other: spun up, then moved only by the drive's inertia."""
     programme, on = tester.programme, rig_on_tester(rig, tester)
     rate = 2.0 * np.pi * programme.start_frequency
     state: dict[str, float] = {}
@@ -180,7 +182,7 @@ def _free(rig: Rig, tester: Tester, tests: list[tuple[str, ...]]) -> ProgrammeRu
 def _phases(
     driven: TesterRig, free: TesterRig, hold: float, rest: float
 ) -> Iterator[tuple[TesterRig, str, float]]:
-    """Rig, what the exciters under test do, and length (s) of each part of one test."""
+    """Yield rig, exciter mode and duration (s) of each phase of one test."""
     motor = driven.tester.drive is not None and driven.tester.drive.motor is not None
     if hold > 0.0:
         yield (free, "motor on", hold) if motor else (driven, "driven", hold)
@@ -188,7 +190,7 @@ def _phases(
 
 
 def _track(kind: str, angle: float, rate: float, begin: float) -> Segments:
-    """Angle (rad) of an exciter at rest or driven (rad/s), or the share of its motor's torque."""
+    """Return the angle (rad) of an exciter at rest or driven (rad/s), or the share of its motor torque."""
     if kind == "driven":
         return Segments(
             np.array([begin, begin + 1.0]),
@@ -199,7 +201,7 @@ def _track(kind: str, angle: float, rate: float, begin: float) -> Segments:
 
 
 def _state(on: TesterRig, tracks: Mapping[str, Segments], x: Array, at: Array) -> dict[str, float]:
-    """States at the end of a part by name, the angles of driven exciters among them."""
+    """Return the states at the end of a phase by name, including angles of driven exciters."""
     state = dict(zip(on.compiled.facts.states, map(float, x), strict=True))
     for place, segments in tracks.items():
         name = channel(place, ANGLE)

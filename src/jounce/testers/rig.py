@@ -1,4 +1,4 @@
-"""A rig standing on a tester: native code, static equilibrium, runs with given exciter angles, linear response."""
+"""A rig on a tester: native code, static equilibrium, runs with given exciter angles, linear response."""
 
 from __future__ import annotations
 
@@ -25,28 +25,28 @@ from jounce.simulation.settings import RunSettings
 from jounce.simulation.statics import Equilibrium, state_scale
 from jounce.testers.model import ANGLE, MOTOR, PlateForm, tester_model
 
-_LONGEST = 0.8  # radians of the exciter in one step at a tolerance of 1e-5
+_LONGEST = 0.8  # rad of exciter rotation per step at a tolerance of 1e-5
 
 
 @dataclass(frozen=True)
 class TesterRig:
-    """A rig on a tester, ready to run."""
+    """A compiled rig on a tester."""
 
     rig: Rig
     tester: Tester
-    form: PlateForm  # how the plates are built
+    form: PlateForm  # design of the plates
     compiled: Compiled  # native code
-    prepared: PreparedRun  # a run laid out; only its numbers are used
+    prepared: PreparedRun  # prepared run, used for its numbers only
     rest: Equilibrium  # static equilibrium with exciters at angle 0
 
     @property
     def places(self) -> tuple[str, ...]:
-        """Wheels: ``("",)``, or left and right of an axle."""
+        """Names of the wheels: ``("",)``, or left and right of an axle."""
         return places_of(self.rig)
 
     @cached_property
     def static(self) -> dict[str, float]:
-        """Every output at rest, SI."""
+        """Values of all outputs at rest, SI."""
         rest, prepared = self.rest, self.prepared
         values = self.compiled.evaluate(
             "output", rest.x, prepared.still, prepared.problem.p, rest.modes
@@ -59,7 +59,7 @@ class TesterRig:
         return state_scale(self.rest, *self.compiled.facts.counts, self.tester.amplitude)
 
     def static_load(self, place: str = "") -> float:
-        """Contact force of a wheel at rest, N."""
+        """Return the contact force of a wheel at rest, N."""
         return self.static[channel(place, "tyre.force")]
 
     def run(
@@ -71,10 +71,10 @@ class TesterRig:
         fastest: float = 0.0,
         tolerance: float = RunSettings.tolerance,
     ) -> Solution:
-        """Run with given exciter angles (rad against s; of free exciters the motor's share), from rest or ``start``.
+        """Simulate with given exciter angles (rad over s; motor share of free exciters), from rest or ``start``.
 
-        Angles are by the place of the wheel; other exciters are at rest at mean height. Output times are in
-        s, states of ``start`` in SI; ``fastest`` is the greatest rate of the angles, rad/s.
+        Angles are keyed by wheel; other exciters are at rest at mean height. Output times are in s, states of ``start``
+        in SI; ``fastest`` is the maximum rate of the angles, rad/s.
         """
         prepared, facts = self.prepared, self.compiled.facts
         signals = [angles.get(_place_of(track), constant(0.0)) for track in facts.tracks]
@@ -118,11 +118,11 @@ class TesterRig:
 def rig_on_tester(
     rig: Rig, tester: Tester, free: tuple[str, ...] = (), *, blocked: bool = False
 ) -> TesterRig:
-    """Put a rig on a tester, ready to run.
+    """Compile a rig on a tester.
 
-    The exciters of the wheels in ``free`` (places ``""``, ``"left"``, ``"right"``) are moved by their drive's inertia;
-    ``blocked`` leaves out the springs of sprung plates, as on the road. Raises SimulationError for a rig that no tester
-    takes, or where there is no equilibrium.
+    The exciters of the wheels in ``free`` (``""``, ``"left"``, ``"right"``) are moved by their drive's inertia;
+    ``blocked`` omits the springs of sprung plates, as on the road. Raises SimulationError for a rig that cannot be
+    tested or has no equilibrium.
     """
     check_rig(rig)
     form = PlateForm(tester.kind == "sprung-plate" and not blocked, free)
@@ -137,7 +137,7 @@ def rig_on_tester(
 
 
 def tester_numbers(tester: Tester) -> dict[str, float]:
-    """Parameters of a tester's model by path, SI."""
+    """Return the parameters of a tester's model by path, SI."""
     drive = tester.drive
     motor = drive.motor if drive is not None else None
     return {
@@ -154,7 +154,7 @@ def tester_numbers(tester: Tester) -> dict[str, float]:
 
 
 def check_rig(rig: Rig) -> None:
-    """Refuse a rig that does not fit on a tester."""
+    """Raise an error for a rig that cannot be placed on a tester."""
     if isinstance(rig, (QuarterCar, FrontViewAxle, Corner)):
         return
     raise SimulationError(
@@ -167,12 +167,12 @@ def check_rig(rig: Rig) -> None:
 
 
 def places_of(rig: Rig) -> tuple[str, ...]:
-    """Wheels of a rig on a tester: ``("",)``, or left and right of an axle."""
+    """Return the wheels of a rig on a tester: ``("",)``, or left and right of an axle."""
     return ("left", "right") if isinstance(rig, FrontViewAxle) else ("",)
 
 
 def channel(place: str, name: str) -> str:
-    """Name of a channel with the place of its wheel before it."""
+    """Return a channel name prefixed with its wheel."""
     return qualify(place, name)
 
 

@@ -1,4 +1,4 @@
-"""Simulated tests of shock absorbers: records in the form of a tester's computer, with the truth."""
+"""Simulated shock absorber tests: records in the format of a tester, with true values."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ class Sensors:
     Attributes
     ----------
     displacement_noise : float
-        Standard deviation, m.
+        Standard deviation of the displacement noise, m.
     force_offset : float
-        Added to the force, N.
+        Offset added to the force, N.
     force_limit : float or None
-        Range of the force cells, N: what is beyond is clipped.
+        Range of the force cells, N; larger values are clipped.
     tacho : bool
         Whether the rotation of the exciter is recorded (``<wheel>.plate.frequency``, Hz).
     """
@@ -74,40 +74,40 @@ def simulate_test(
     truth: bool = True,
     about: Mapping[str, object] | None = None,
 ) -> xr.Dataset:
-    """Simulate the test of a wheel or an axle; the result is a record like a measured one.
+    """Simulate the test of a wheel or an axle and return a record like a measured one.
 
     Parameters
     ----------
     rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4DOF
-        Rig on the plates; of a vehicle the axle named in ``about``, by default the front one.
+        Rig on the plates; for a vehicle, the axle named in ``about``, by default the front axle.
     tester : Tester, str or Path
-        Plates, programme, sampling; also by its name or file.
+        Plates, programme and sampling; also by name or file.
     wheel : {"both", "left", "right"}
         Tested wheels of an axle, left first; for a single wheel its plate, left for ``"both"``.
     other : {"still", "excited"}
-        Motion of the other plate of an axle meanwhile.
+        Motion of the axle's other plate during the test.
     noise : float
-        Standard deviation of the force's noise, in shares of the static load (1).
+        Standard deviation of the force noise relative to the static load (1).
     seed : int
         Seed of the noise.
     sensors : Sensors, optional
         Other effects of the sensors.
     truth : bool
-        Whether to add quantities that testers cannot measure, as channels that begin with ``truth.``.
+        Whether to add quantities that testers cannot measure, as channels with the prefix ``truth.``.
     about : mapping, optional
-        Written into the record's attributes: ``axle`` (``"front"`` otherwise), ``vehicle``, ``date``, ...
+        Additional attributes of the record: ``axle`` (default ``"front"``), ``vehicle``, ``date``, ...
 
     Returns
     -------
     xarray.Dataset
         ``<wheel>.plate.z`` (m, up, zero at rest) and ``<wheel>.plate.force`` (N, compression positive) on ``time``
         (s). Attributes: ``<wheel>.static_load`` (N), ``<wheel>.plate_mass`` (kg), ``tester``, ``axle``,
-        ``wheel_order``, ``simulated`` (marked across the page of protocols), and the facts ``about`` it.
+        ``wheel_order``, ``simulated`` (printed across the page of reports), and the entries of ``about``.
 
     Raises
     ------
     SimulationError
-        If the rig does not fit on a tester, has no equilibrium, or the run stops before its end.
+        If the rig cannot be placed on a tester, has no equilibrium, or the run fails.
     DescriptionError
         For an unknown wheel.
 
@@ -124,7 +124,7 @@ def simulate_test(
     _refuse_below_zero("noise", noise, "of the static load")
     facts = {"axle": "front", **(about or {})}
     if isinstance(rig, (FullCar, HalfCar4DOF)):
-        rig = axle_of(rig, facts["axle"])  # type: ignore[arg-type]  # it refuses other names
+        rig = axle_of(rig, facts["axle"])  # type: ignore[arg-type]  # it rejects other names
     run = run_programme(rig, tester, wheel=wheel, other=other)
     single: str = "left" if wheel == "both" else wheel
     sides = {"left": "left", "right": "right"} if isinstance(rig, FrontViewAxle) else {single: ""}
@@ -161,7 +161,7 @@ def _measure(
     sensors: Sensors,
     noise: tuple[np.random.Generator, float],
 ) -> dict[str, tuple[Array, str, str]]:
-    """Readings of one side of the tester; ``noise`` is its generator and its size in shares of the static load."""
+    """Return the readings of one side; ``noise`` is the generator and its standard deviation over static load."""
     cell = "plate.force" if tester.force_cell == "under-plate" else "tyre.force"
     static = run.static[channel(place, "tyre.force")]
     height = run.values[channel(place, "plate.z")] - run.static[channel(place, "plate.z")]
@@ -195,7 +195,7 @@ def _noisy(values: Array, size: float, generator: np.random.Generator) -> Array:
 
 
 def _truth(run: ProgrammeRun, sides: Mapping[str, str]) -> dict[str, tuple[Array, str, str]]:
-    """Every output of the model, the wheel's side in its name."""
+    """Return all outputs of the model, with the wheel's side in the name."""
     single = next(iter(sides)) if "" in sides.values() else ""
     return {
         f"truth.{channel(single, output.name)}": (
@@ -208,16 +208,16 @@ def _truth(run: ProgrammeRun, sides: Mapping[str, str]) -> dict[str, tuple[Array
 
 
 def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> Path:
-    """Write a record as a test lane does: ``.csv`` with facts about the car before the columns, or ``.nc``.
+    """Write a record as a test lane does: ``.csv`` with a header about the car, or ``.nc``.
 
     Parameters
     ----------
     record : xarray.Dataset
-        From :func:`simulate_test`; plate heights are written in mm.
+        Record from :func:`simulate_test`; plate heights are written in mm.
     path : Path or str
         File with the suffix ``.csv`` or ``.nc``.
     force : bool
-        Overwrite an existing file.
+        Whether to overwrite an existing file.
 
     Returns
     -------
@@ -227,7 +227,7 @@ def write_test(record: xr.Dataset, path: Path | str, *, force: bool = False) -> 
     Raises
     ------
     OutputError
-        For an existing file without ``force``, a missing folder, or another suffix.
+        For an existing file without ``force``, a missing folder, or a different suffix.
     """
     if Path(path).suffix.lower() != ".csv":
         return write_recording(record, path, force=force)
@@ -252,7 +252,7 @@ def _quote(key: str, value: object) -> str:
 def findings_of_test(rig: Rig, tester: Tester) -> list[Finding]:
     """Report limitations of a test of this rig on this tester.
 
-    Wheel loads (N) out of range, sweeps that are too fast or short, sample rates that are too low.
+    Covers wheel loads (N) out of range, sweeps that are too fast or short, and sample rates that are too low.
     """
     on, limits, programme = rig_on_tester(rig, tester), tester.limits, tester.programme
     findings = []
