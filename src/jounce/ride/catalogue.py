@@ -1,4 +1,4 @@
-"""Every ride metric: one frozen row with name, unit, label, source, and what it is often confused with.
+"""Ride metrics: one frozen row each with name, unit, label, source, and common confusions.
 
 Integrals and means run from the end of the settling time to the end of the record. Deflections are positive in
 compression.
@@ -24,23 +24,23 @@ from jounce.ride.weighting import Start, check_duration, weight, weighting
 
 
 def mean(values: Array) -> float:
-    """Time mean in the unit of ``values``: trapezoids, so that both ends of a record count half."""
+    """Return the time mean in the unit of ``values``, by the trapezoidal rule."""
     return integral(values, 1.0) / duration_of(values, 1.0)
 
 
 def deviation(values: Array) -> float:
-    """Standard deviation about the time mean, in the unit of ``values``."""
+    """Return the standard deviation about the time mean, in the unit of ``values``."""
     centred = values - mean(values)
     return float(mean(centred * centred) ** 0.5)
 
 
 def peak_to_peak(values: Array) -> float:
-    """Largest minus smallest value, in the unit of ``values``."""
+    """Return maximum minus minimum, in the unit of ``values``."""
     return float(values.max() - values.min())
 
 
 def peak_use(deflection: Array, rebound: float, bump: float) -> float:
-    """Largest share (1) of the bump or rebound travel (m from the mean deflection) that a deflection (m) takes."""
+    """Return the maximum share (1) of bump or rebound travel (m from the mean deflection) used by a deflection (m)."""
     middle = mean(deflection)
     return max(
         (float(deflection.max()) - middle) / bump, (middle - float(deflection.min())) / rebound
@@ -48,33 +48,33 @@ def peak_use(deflection: Array, rebound: float, bump: float) -> float:
 
 
 def contacts(deflection: Array, gap: float) -> int:
-    """How often (1) a deflection (m) closes a stop's gap (m); closed at the start counts as well."""
+    """Count (1) how often a deflection (m) closes a stop's gap (m), including a gap closed at the start."""
     closed = deflection > gap
     return int(np.count_nonzero(closed[1:] & ~closed[:-1])) + int(closed[0])
 
 
 def share(condition: NDArray[np.bool_]) -> float:
-    """Share (1) of the time in which a condition holds."""
+    """Return the share (1) of time for which a condition is true."""
     return mean(condition.astype(float))
 
 
 def load_coefficient(load: Array) -> float:
-    """Standard deviation over mean (1) of a wheel load (N)."""
+    """Return the standard deviation over mean (1) of a wheel load (N)."""
     return deviation(load) / _static(load)
 
 
 def adhesion(load: Array) -> float:
-    """Smallest over mean wheel load (1); loads in N."""
+    """Return the minimum over mean wheel load (1); loads in N."""
     return smallest(load) / _static(load)
 
 
 def smallest(load: Array) -> float:
-    """Smallest wheel load (N)."""
+    """Return the minimum wheel load (N)."""
     return float(load.min()) + 0.0  # + 0.0 turns -0 into 0
 
 
 def stress_factor(load: Array) -> float:
-    """Mean fourth power of the wheel load (N) over the fourth power of its mean (1)."""
+    """Return the mean fourth power of the wheel load (N) over the fourth power of its mean (1)."""
     relative = load / _static(load)
     return mean(relative**4)
 
@@ -88,7 +88,7 @@ def _static(load: Array) -> float:
     return average
 
 
-# the part of a recording that a metric reads -------------------------------------------------------------------------
+# parts of a recording used by metrics --------------------------------------------------------------------------------
 
 
 Pair = tuple[float | None, float | None]
@@ -110,10 +110,10 @@ _NO_PASSENGER = {
 class Choices:
     """Options of the metrics, SI.
 
-    The first ``settling`` seconds are skipped; ``weighting`` overrides the usual weighting of a channel or an axis;
-    ``start`` is the assumption about the time before the record. ``travel`` and ``stop_gap`` give, for each corner,
-    rebound and bump travel from the mean deflection and the gaps of rebound and bump stop (m). ``exposure`` is the time
-    a day (s); a tyre counts as lifted off up to ``lift_off_load`` (N).
+    The first ``settling`` seconds are skipped; ``weighting`` overrides the default weighting of a channel or an axis;
+    ``start`` is the assumption about the time before the record. ``travel`` and ``stop_gap`` contain, for each corner,
+    rebound and bump travel from the mean deflection and the gaps of rebound and bump stop (m). ``exposure`` is the
+    daily duration (s); at wheel loads up to ``lift_off_load`` (N) a tyre is considered lifted off.
     """
 
     settling: float = 0.0
@@ -139,7 +139,7 @@ class Acceleration:
 
     @property
     def signal(self) -> Array:
-        """The evaluated part, unweighted."""
+        """Evaluated part, unweighted."""
         return self.values[self.first :]
 
     @property
@@ -149,7 +149,7 @@ class Acceleration:
         return by_name.get(self.channel, by_name.get(self.axis, USUAL_WEIGHTING[self.axis]))
 
     def filtered(self, name: str = "") -> Array:
-        """The evaluated part of the weighted record; refused if it is too short for the weighting."""
+        """Return the evaluated part of the weighted record; raise an error if it is too short for the weighting."""
         row = weighting(name or self.usual)
         if row.name not in self._weighted:
             check_duration(row.name, duration_of(self.signal, self.rate), where=self.channel)
@@ -160,7 +160,7 @@ class Acceleration:
 
 @dataclass(frozen=True)
 class Point:
-    """Accelerations along the axes (x, y, z) at one place of people or goods."""
+    """Accelerations along the axes (x, y, z) at one position of people or goods."""
 
     place: str
     motions: Mapping[str, Acceleration]
@@ -190,7 +190,7 @@ class CornerSignals:
         return self.choices.stop_gap.get(self.name, (None, None))
 
     def stop_gap(self, which: str) -> float:
-        """Gap of the ``"bump"`` or ``"rebound"`` stop in m."""
+        """Return the gap of the ``"bump"`` or ``"rebound"`` stop in m."""
         gap = self.stop_gaps[which == "bump"]
         if gap is None:
             raise RecordingError(
@@ -200,7 +200,7 @@ class CornerSignals:
 
     @property
     def travel(self) -> tuple[float, float]:
-        """Rebound and bump travel in m from the mean deflection: as given, or else up to the stops."""
+        """Return rebound and bump travel in m from the mean deflection: as given, or up to the stops."""
         rebound, bump = self.choices.travel.get(self.name, (None, None))
         if rebound is None or bump is None:
             deflection = self.signals["strut.deflection"]
@@ -221,7 +221,7 @@ class CornerSignals:
 
 
 def carries_passengers(place: str) -> bool:
-    """Whether a place lies on the sprung side, where comfort matters."""
+    """Whether a position is on the sprung mass, where comfort matters."""
     return place.rpartition(".")[2] not in _NO_PASSENGER
 
 
@@ -241,11 +241,11 @@ _STRUT, _TYRE = "strut.deflection", "tyre.force"
 class RideMetric:
     """One row of the catalogue.
 
-    ``formula`` computes the value from the part of a recording that ``scope`` names, in the SI ``unit`` ("1" for
-    ratios and counts). There is one value for each acceleration ("motion"), each rotational acceleration ("rotation"),
-    each acceleration of people or goods ("comfort"), all axes of such a place together ("point"), or each corner.
-    ``needs`` are suffixes of channel names: any of them (motions, points), or all of them (corners). ``source`` is a
-    standard or a definition, ``is_not`` what the metric is often confused with.
+    ``formula`` computes the value from the part of a recording named by ``scope``, in the SI ``unit`` ("1" for ratios
+    and counts). There is one value for each acceleration ("motion"), each rotational acceleration ("rotation"), each
+    acceleration of people or goods ("comfort"), all axes of such a position together ("point"), or each corner.
+    ``needs`` lists suffixes of channel names: any of them (motions, points), or all of them (corners). ``source`` is a
+    standard or a definition; ``is_not`` describes common confusions and limitations.
     """
 
     name: str
@@ -369,4 +369,4 @@ CATALOGUE: tuple[RideMetric, ...] = (
         "not proportional to the load once the wheel lifts off"),
 )
 # fmt: on
-"""Every ride metric, in the order of reports."""
+"""All ride metrics, in the order of reports."""

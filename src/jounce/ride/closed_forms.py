@@ -1,6 +1,6 @@
-"""Closed forms of the linear quarter car: variances on white-noise roads, best dampers, invariants, first designs.
+"""Closed forms for the linear quarter car: variances on white-noise roads, optimal damping, invariants, first designs.
 
-All formulas are those of the two-mass model with an undamped tyre; rates and coefficients are at the wheel.
+All formulas apply to the two-mass model with an undamped tyre; rates and coefficients are at the wheel.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class Variances:
 
 
 def white_noise_variances(corner: LumpedCorner, intensity: float) -> Variances:
-    """Variances of a damped quarter car on a white-noise road, in closed form.
+    """Compute the variances of a damped quarter car on a white-noise road, in closed form.
 
     ``intensity`` is W of the road's vertical velocity in m^2/s
     (:func:`jounce.roughness.spectra.white_noise_intensity`).
@@ -97,7 +97,7 @@ def _holding_term(m: float, u: float, k: float, kt: float) -> float:
 
 
 def comfort_damping(corner: LumpedCorner) -> float:
-    """Damping coefficient (N*s/m, at the wheel) of least body acceleration, ``k sqrt(M / k_t)``.
+    """Return the damping coefficient (N*s/m, at the wheel) that minimises body acceleration, ``k sqrt(M / k_t)``.
 
     Examples
     --------
@@ -108,13 +108,13 @@ def comfort_damping(corner: LumpedCorner) -> float:
 
 
 def least_acceleration_variance(corner: LumpedCorner, intensity: float) -> float:
-    """Variance ((m/s^2)^2) of the body's acceleration with `comfort_damping`; ``intensity`` in m^2/s."""
+    """Return the variance ((m/s^2)^2) of the body's acceleration with `comfort_damping`; ``intensity`` in m^2/s."""
     root = math.sqrt(corner.tyre_stiffness * corner.total_mass)
     return intensity * corner.wheel_rate * root / corner.sprung_mass**2
 
 
 def road_holding_damping(corner: LumpedCorner) -> float:
-    """Damping coefficient (N*s/m, at the wheel) of least wheel load variation.
+    """Return the damping coefficient (N*s/m, at the wheel) that minimises wheel load variation.
 
     Examples
     --------
@@ -126,7 +126,7 @@ def road_holding_damping(corner: LumpedCorner) -> float:
 
 
 def road_holding_rate(corner: LumpedCorner) -> float:
-    """Wheel rate (N/m) of least wheel load variation for any damper, ``k_t m_s m_u / M^2``.
+    """Return the wheel rate (N/m) that minimises wheel load variation for any damper, ``k_t m_s m_u / M^2``.
 
     Examples
     --------
@@ -137,7 +137,7 @@ def road_holding_rate(corner: LumpedCorner) -> float:
 
 
 def mean_dissipated_power(tyre_stiffness: float, intensity: float) -> float:
-    """Mean power (W) dissipated by the damper of one wheel, ``W k_t / 2``, for any masses, spring and damper.
+    """Return the mean power (W) dissipated by one wheel's damper, ``W k_t / 2``, for any masses, spring and damper.
 
     ``tyre_stiffness`` in N/m, ``intensity`` of the white-noise road in m^2/s.
     """
@@ -153,11 +153,11 @@ class Invariants:
     acceleration_frequency_hz : float
         Frequency at which the body's acceleration per road height is fixed, Hz.
     acceleration_ratio : float
-        Acceleration per road height there, ``k_t / m_s``, 1/s^2, in phase with the road.
+        Acceleration per road height at this frequency, ``k_t / m_s``, 1/s^2, in phase with the road.
     deflection_frequency_hz : float
         Frequency at which the suspension deflection per road height is fixed, Hz.
     deflection_ratio : float
-        Its magnitude there, ``M / m_s`` (1).
+        Magnitude of the deflection per road height at this frequency, ``M / m_s`` (1).
     """
 
     acceleration_frequency_hz: float
@@ -167,9 +167,9 @@ class Invariants:
 
 
 def invariants(sprung_mass: float, unsprung_mass: float, tyre_stiffness: float) -> Invariants:
-    """Invariant points of a quarter car with an undamped tyre, SI (key hedrick-butsuen-1990).
+    """Compute the invariant points of a quarter car with an undamped tyre, SI (key hedrick-butsuen-1990).
 
-    They hold for passive, semi-active and active suspensions alike.
+    They apply equally to passive, semi-active and active suspensions.
 
     Examples
     --------
@@ -187,7 +187,7 @@ def invariants(sprung_mass: float, unsprung_mass: float, tyre_stiffness: float) 
 
 
 def ride_rate(wheel_rate: float, tyre_stiffness: float | None) -> float:
-    """Wheel rate and tyre stiffness (N/m) in series, N/m; None is a rigid tyre."""
+    """Return wheel rate and tyre stiffness (N/m) in series, N/m; None means a rigid tyre."""
     return (
         wheel_rate
         if tyre_stiffness is None
@@ -196,7 +196,7 @@ def ride_rate(wheel_rate: float, tyre_stiffness: float | None) -> float:
 
 
 def approximate_frequencies(corner: LumpedCorner) -> tuple[float, float]:
-    """Body bounce and wheel hop (Hz) as if uncoupled: within about 1 % of the undamped ones of a car.
+    """Approximate body bounce and wheel hop (Hz) as uncoupled, within about 1 % of a car's undamped frequencies.
 
     Examples
     --------
@@ -209,14 +209,14 @@ def approximate_frequencies(corner: LumpedCorner) -> tuple[float, float]:
 
 
 def static_deflection(sprung_mass: float, wheel_rate: float, gravity: float = GRAVITY) -> float:
-    """Suspension deflection (m) under a mass (kg) with a wheel rate (N/m) and no preload; ``gravity`` in m/s^2."""
+    """Return the deflection (m) under a mass (kg) for a wheel rate (N/m) without preload; ``gravity`` in m/s^2."""
     return sprung_mass * gravity / wheel_rate
 
 
 def corner_masses(
     body_mass: float, front_distance: float, rear_distance: float
 ) -> tuple[float, float]:
-    """Sprung mass (kg) on one front and one rear wheel, by the lever rule; distances (m) from the centre of gravity.
+    """Return the sprung mass (kg) on one front and one rear wheel; axle distances (m) from the centre of gravity.
 
     >>> [round(mass, 2) for mass in corner_masses(1636.0, 1.29, 1.62)]
     [455.38, 362.62]
@@ -232,9 +232,9 @@ class SpringAndDamper(Shown):
     Attributes
     ----------
     spring_rate, damping_coefficient : float
-        At the strut, N/m and N*s/m.
+        Values at the strut, N/m and N*s/m.
     wheel_rate, wheel_damping_coefficient : float
-        At the wheel, N/m and N*s/m: those at the strut times the motion ratio squared.
+        Values at the wheel, N/m and N*s/m: the strut values times the motion ratio squared.
     ride_rate : float
         Wheel rate and tyre in series, N/m.
     frequency_hz : float
@@ -258,7 +258,7 @@ class SpringAndDamper(Shown):
     static_load: float
 
 
-_SOFTEST = 1e-9  # N/m: the sag under a softer spring overflows
+_SOFTEST = 1e-9  # N/m: the static deflection of a softer spring overflows
 
 
 def spring_and_damper(
@@ -270,7 +270,7 @@ def spring_and_damper(
     motion_ratio: float = 1.0,
     gravity: float = GRAVITY,
 ) -> SpringAndDamper:
-    """Spring and damper for a given natural frequency and damping ratio of a mass.
+    """Compute spring and damper for a given natural frequency and damping ratio of a mass.
 
     Parameters
     ----------
@@ -281,16 +281,16 @@ def spring_and_damper(
     damping_ratio : float
         Fraction of critical damping (1): ``c / (2 sqrt(k m))`` at the wheel, for a rigid tyre.
     tyre_stiffness : float or str, optional
-        N/m; the frequency then is that of spring and tyre in series. Default: a rigid tyre, as in first designs.
+        Tyre stiffness, N/m; the frequency is then that of spring and tyre in series. By default a rigid tyre.
     motion_ratio : float
-        Spring travel over wheel travel (1); of a lumped strut the cosine of its angle.
+        Spring travel over wheel travel (1); for a lumped strut, the cosine of its angle.
     gravity : float
-        m/s^2.
+        Gravitational acceleration, m/s^2.
 
     Returns
     -------
     SpringAndDamper
-        SI.
+        Spring, damper and derived values, SI.
 
     Raises
     ------
@@ -349,9 +349,9 @@ def as_built(
     motion_ratio: float = 1.0,
     gravity: float = GRAVITY,
 ) -> SpringAndDamper:
-    """Frequency and damping ratio of a given spring and damper, the inverse of :func:`spring_and_damper`.
+    """Compute frequency and damping ratio of a given spring and damper, the inverse of :func:`spring_and_damper`.
 
-    Masses in kg, rates in N/m and coefficients in N*s/m at the strut; None is a rigid tyre.
+    Masses in kg, rates in N/m and coefficients in N*s/m at the strut; None means a rigid tyre.
 
     >>> front = as_built(455.38, 28000.0, 3000.0)   # paper 2, table 2
     >>> round(front.frequency_hz, 3), round(front.damping_ratio, 2)

@@ -1,4 +1,4 @@
-"""Human exposure to vibration by ISO 2631-1: mean values, doses, advice, comfort, daily exposure.
+"""Human exposure to vibration according to ISO 2631-1: mean values, doses, advice, comfort, daily exposure.
 
 Signals are weighted accelerations (`jounce.ride.weighting`) at a constant rate; integrals over them are trapezoids.
 """
@@ -38,21 +38,21 @@ COMFORT_SCALE: tuple[tuple[float, float, str], ...] = (
     (1.25, 2.5, "very uncomfortable"),
     (2.0, math.inf, "extremely uncomfortable"),
 )
-"""Lower and upper end (m/s^2, vibration total value) and words of ISO 2631-1, C.2.3; neighbours overlap."""
+"""Lower and upper limit (m/s^2, vibration total value) and description of ISO 2631-1, C.2.3; ranges overlap."""
 
 
 def integral(values: Array, sample_rate: float) -> float:
-    """Integral over the record by trapezoids: unit of ``values`` times s, with ``sample_rate`` in Hz."""
+    """Integrate over the record by the trapezoidal rule: unit of ``values`` times s, with ``sample_rate`` in Hz."""
     return float(values.sum() - 0.5 * (values[0] + values[-1])) / sample_rate
 
 
 def duration_of(values: Array, sample_rate: float) -> float:
-    """Time from the first to the last sample, s (``values`` in any unit, ``sample_rate`` in Hz)."""
+    """Return the time from the first to the last sample, s (``values`` in any unit, ``sample_rate`` in Hz)."""
     return (values.size - 1) / sample_rate
 
 
 def rms(values: ArrayLike, sample_rate: float) -> float:
-    """Root of the mean square over the record, in the unit of ``values`` (rate in Hz)."""
+    """Return the root mean square over the record, in the unit of ``values`` (rate in Hz)."""
     signal, sample_rate = _check_signal(values, sample_rate)
     return math.sqrt(integral(signal * signal, sample_rate) / duration_of(signal, sample_rate))
 
@@ -64,10 +64,10 @@ def running_rms(
     averaging: Averaging = "linear",
     time_constant: float = TIME_CONSTANT,
 ) -> Array:
-    """Running root mean square of a weighted acceleration (m/s^2, rate in Hz), which is zero before the record.
+    """Compute the running r.m.s. of a weighted acceleration (m/s^2, rate in Hz), assumed zero before the record.
 
-    ``"linear"`` is the mean over the last ``time_constant`` seconds (1 s in the standard), ``"exponential"`` has a
-    weight that decays with it. Records shorter than that are refused.
+    ``"linear"`` averages over the last ``time_constant`` seconds (1 s in the standard); ``"exponential"`` uses weights
+    that decay with this time constant. Shorter records raise an error.
 
     Notes
     -----
@@ -104,31 +104,31 @@ def _decaying_mean(squares: Array, step: float) -> Array:
 
 
 def mtvv(values: ArrayLike, sample_rate: float, *, averaging: Averaging = "linear") -> float:
-    """Maximum transient vibration value, m/s^2: largest running r.m.s. over 1 s of a weighted signal (rate in Hz)."""
+    """Return the MTVV, m/s^2: maximum running r.m.s. over 1 s of a weighted signal (rate in Hz)."""
     return float(running_rms(values, sample_rate, averaging=averaging).max())
 
 
 def vdv(values: ArrayLike, sample_rate: float) -> float:
-    """Fourth power vibration dose value of a weighted acceleration (m/s^2) at a rate in Hz; m/s^1.75."""
+    """Return the fourth power vibration dose value of a weighted acceleration (m/s^2) at a rate in Hz; m/s^1.75."""
     signal, sample_rate = _check_signal(values, sample_rate)
     squares = signal * signal
     return float(integral(squares * squares, sample_rate) ** 0.25)
 
 
 def evdv(values: ArrayLike, sample_rate: float) -> float:
-    """Estimated vibration dose value, 1.4 times r.m.s. times fourth root of duration; m/s^2 and Hz in, m/s^1.75 out."""
+    """Return the estimated vibration dose value (m/s^1.75), 1.4 r.m.s. T^(1/4), of values in m/s^2 at a rate in Hz."""
     signal, sample_rate = _check_signal(values, sample_rate)
     return float(1.4 * rms(signal, sample_rate) * duration_of(signal, sample_rate) ** 0.25)
 
 
 def msdv(values: ArrayLike, sample_rate: float) -> float:
-    """Motion sickness dose value of an acceleration (m/s^2) weighted by Wf, at a rate in Hz; m/s^1.5."""
+    """Return the motion sickness dose value of an acceleration (m/s^2) weighted by Wf, at a rate in Hz; m/s^1.5."""
     signal, sample_rate = _check_signal(values, sample_rate)
     return math.sqrt(integral(signal * signal, sample_rate))
 
 
 def crest_factor(values: ArrayLike, sample_rate: float) -> float:
-    """Largest absolute value over r.m.s. (1) of a weighted acceleration (m/s^2) at a rate in Hz."""
+    """Return the largest absolute value over r.m.s. (1) of a weighted acceleration (m/s^2) at a rate in Hz."""
     signal, sample_rate = _check_signal(values, sample_rate)
     average = rms(signal, sample_rate)
     if not average > 0.0:
@@ -143,12 +143,12 @@ def crest_factor(values: ArrayLike, sample_rate: float) -> float:
 def total_value(
     values: Mapping[str, float], factors: Mapping[str, float] = COMFORT_FACTORS
 ) -> float:
-    """Vibration total value, m/s^2: root of the sum of squares of ``values`` by axis (m/s^2) times ``factors`` (1)."""
+    """Return the vibration total value, m/s^2: root sum of squares of axis ``values`` (m/s^2) times ``factors`` (1)."""
     return math.sqrt(sum((factors[axis] * value) ** 2 for axis, value in values.items()))
 
 
 def comfort_words(acceleration: float) -> str:
-    """Likely reaction in public transport to a vibration total value in m/s^2; several where the scale overlaps.
+    """Return likely reactions in public transport to a vibration total value in m/s^2; several if ranges overlap.
 
     >>> comfort_words(0.2), comfort_words(0.9)
     ('not uncomfortable', 'fairly uncomfortable to uncomfortable')
@@ -158,20 +158,20 @@ def comfort_words(acceleration: float) -> str:
 
 
 def daily_exposure(acceleration: float, exposure: float = WORKING_DAY) -> float:
-    """A(8) in m/s^2 of a health-weighted ``acceleration`` (m/s^2) that lasts for ``exposure`` s a day."""
+    """Return A(8) in m/s^2 of a health-weighted ``acceleration`` (m/s^2) with an ``exposure`` in s per day."""
     return acceleration * math.sqrt(exposure / WORKING_DAY)
 
 
 def time_to_reach(value: float, acceleration: float) -> float:
-    """Time in s a day after which A(8) reaches ``value`` (m/s^2) under a health-weighted ``acceleration`` (m/s^2)."""
+    """Return the daily exposure in s at which A(8) of a health-weighted ``acceleration`` (m/s^2) reaches ``value``."""
     return math.inf if acceleration <= 0.0 else WORKING_DAY * (value / acceleration) ** 2
 
 
 def advice(values: ArrayLike, sample_rate: float, *, place: str) -> tuple[Finding, ...]:
     """Report shocks in a weighted acceleration (m/s^2, rate in Hz) for which r.m.s. alone is not enough.
 
-    The basic method (r.m.s.) suffices up to a crest factor of 9 (ISO 2631-1, 6.2.1). MTVV and VDV should be
-    reported as well where MTVV / a_w exceeds 1.5 or VDV / (a_w T^(1/4)) exceeds 1.75 (6.3.3).
+    The basic method (r.m.s.) is sufficient up to a crest factor of 9 (ISO 2631-1, 6.2.1). MTVV and VDV should also be
+    reported if MTVV / a_w exceeds 1.5 or VDV / (a_w T^(1/4)) exceeds 1.75 (6.3.3).
     """
     signal, sample_rate = _check_signal(values, sample_rate)
     average, total = rms(signal, sample_rate), duration_of(signal, sample_rate)

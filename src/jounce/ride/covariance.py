@@ -1,7 +1,7 @@
-"""Covariances under white noise that reaches linear models at several times: exact, with exact slopes.
+"""Exact covariances, and their slopes, of linear models under white noise with delays between wheels.
 
-The heights of a road whose velocity is white noise wander without limit, so states are taken relative to the
-quasi-static response of the model: ``x_rel = x - E z`` with ``A E + B0 = 0``. Then ``dx_rel/dt = A x_rel +
+The height of a road with white-noise velocity is unbounded, so states are taken relative to the quasi-static
+response of the model: ``x_rel = x - E z`` with ``A E + B0 = 0``. Then ``dx_rel/dt = A x_rel +
 (B1 - E) dz/dt``, and an output is stationary exactly if the remainder of ``C E + D0`` sums to zero over the wheels
 that one noise drives. Wheel ``l`` follows wheel ``k`` by ``s``: their cross term is ``exp(A s) X`` with
 ``A X + X A' + b_k b_l' = 0``.
@@ -39,8 +39,8 @@ from jounce.ride.surface import Surface
 
 
 _NOTHING = 1e-9
-"""Share of the sizes of its terms below which a sum counts as zero: above rounding, below any real remainder."""
-_BEGINS = 1e-5  # the same for slopes, which may be differences
+"""Relative size below which a sum of terms is considered zero: above rounding, below any real remainder."""
+_BEGINS = 1e-5  # same tolerance for slopes, which may be finite differences
 WANDERS = "follows the height of the road, which wanders without limit under white noise"
 KICKED = "feels the road's vertical velocity directly, whose variance is infinite under white noise"
 
@@ -64,7 +64,7 @@ class Relative:
 
 
 def check_stable(values: Complex) -> None:
-    """Refuse models that are not asymptotically stable, by their eigenvalues (..., n) in 1/s."""
+    """Raise an error for models that are not asymptotically stable, by their eigenvalues (..., n) in 1/s."""
     grows = np.max(values.real, axis=-1) > -1e-9 * np.max(
         np.abs(values), axis=-1, initial=1e-300
     )  # above rounding
@@ -81,7 +81,7 @@ def check_stable(values: Complex) -> None:
 
 
 def relative(model: Matrices, values: Complex) -> Relative:
-    """Take the states relative to the quasi-static response; refuse models that depend on the road's acceleration.
+    """Transform states relative to the quasi-static response; reject models that depend on the road's acceleration.
 
     ``values`` are the eigenvalues of the models, 1/s.
     """
@@ -112,7 +112,7 @@ def relative_slopes(model: Matrices, whole: Relative, along: Matrices, sizes: Ar
 
 @dataclass(frozen=True)
 class WheelGroup:
-    """Wheels that one noise drives at the same time, and their delay after the first (s, of each member)."""
+    """Wheels driven by one noise at the same time, and their delay after the first (s, per member)."""
 
     delay: Array
     wheels: tuple[int, ...]
@@ -120,11 +120,11 @@ class WheelGroup:
 
 Number = TypeVar("Number", np.float64, np.complex128)
 Source = tuple[WheelGroup, ...]
-"""One noise: its groups of wheels, by rising delay."""
+"""One noise source: groups of wheels in order of increasing delay."""
 
 
 def sources_of(delays: Array, sides: Sequence[int], *, same: bool) -> tuple[Source, ...] | None:
-    """Group wheels by their noise: one noise for all (``same``), or one for each side (1 left, -1 right).
+    """Group wheels by noise source: one for all (``same``), or one per side (1 left, -1 right).
 
     ``delays`` (members, wheels) are in s. Returns None if members differ in the order of the wheels
     or in the wheels that share a delay.
@@ -144,7 +144,7 @@ def sources_of(delays: Array, sides: Sequence[int], *, same: bool) -> tuple[Sour
 
 
 def _sum_groups(table: Array, source: Source) -> Array:
-    """Sums of columns (..., wheels) over the wheels of each group: (..., groups)."""
+    """Sum columns (..., wheels) over the wheels of each group; shape (..., groups)."""
     return np.stack([table[..., list(group.wheels)].sum(axis=-1) for group in source], axis=-1)
 
 
@@ -205,7 +205,7 @@ class Flow:
         self.a, self.eigen = a, eigen
 
     def at(self, time: Array) -> Array:
-        """Flow over the time of each member, s."""
+        """Return the flow over the time of each member, s."""
         eigen = self.eigen
         exponentials = np.exp(eigen.values * time[:, None])
         flow = np.asarray(((eigen.vectors * exponentials[:, None, :]) @ eigen.inverse).real)
@@ -216,7 +216,7 @@ class Flow:
         return flow
 
     def slopes(self, time: Array, along: Array) -> Array:
-        """Slopes of the flow over the time of each member (s) along those of the matrices (members, numbers, n, n)."""
+        """Return slopes of the flow over each member's time (s), from matrix slopes (members, numbers, n, n)."""
         eigen = self.eigen
         scaled = eigen.values * time[:, None]
         first, second = scaled[:, :, None], scaled[:, None, :]
@@ -257,7 +257,7 @@ class Covariance:
         return Flow(self.model.A, self.eigen)
 
     def absent(self) -> dict[int, str]:
-        """Outputs that have no stationary variance in some member, with the reason."""
+        """Return outputs without a stationary variance in some member, with the reason."""
         model, reasons = self.model, {}
         size = np.abs(model.C) @ np.abs(model.b)
         for source in self.sources:
@@ -274,7 +274,7 @@ class Covariance:
         return reasons
 
     def variances(self) -> Array:
-        """Variance of each output (members, outputs) for unit noise; meaningless for absent outputs."""
+        """Return the variance of each output (members, outputs) for unit noise; meaningless for absent outputs."""
         total = np.zeros(self.model.C.shape[:-1])
         for i, source in enumerate(self.sources):
             total += np.einsum("sij,sjk,sik->si", self.model.C, self._states[i], self.model.C)
@@ -303,7 +303,7 @@ class Covariance:
         ]
 
     def _steps(self, source: Source, d: Array) -> list[tuple[Array, Array, Array]]:
-        """Intervals between delays: start, end (s), and the step of each output by then for a unit step of the road."""
+        """Return intervals between delays: start, end (s), and each output's step up to then for a unit road step."""
         intervals, reached = [], np.zeros(d.shape[:-1])
         for group, after in pairwise(source):
             reached = reached + d[..., list(group.wheels)].sum(axis=-1)
@@ -311,14 +311,14 @@ class Covariance:
         return intervals
 
     def _reach(self, time: Array) -> Array:
-        """Integral of the flow from 0 to a time."""
+        """Integrate the flow from 0 to a time."""
         a = self.model.A
         return np.asarray(
             np.linalg.solve(a, self._flows.at(time) - np.eye(a.shape[-1])), dtype=np.float64
         )
 
     def _offset(self, source: Source) -> Array:
-        """Variance added by heights that differ between wheels."""
+        """Return the variance due to height differences between wheels."""
         variance = np.zeros(self.model.C.shape[:-1])
         for begin, end, reached in self._steps(source, self.model.d):
             variance += reached**2 * (end - begin)[:, None]
@@ -331,10 +331,10 @@ class Covariance:
         return variance
 
     def slopes(self, along: Relative, later: Array) -> Array:
-        """Slopes (members, parameters, outputs) of the variances: ``along`` of the model, ``later`` of the delays, s.
+        """Return slopes (members, parameters, outputs) of the variances from those of model and delays (``later``, s).
 
-        ``later`` has the shape (members, parameters, wheels). The slope is NaN for an output that would
-        begin to follow the road's height if the parameter changed.
+        ``later`` has the shape (members, parameters, wheels). The slope is NaN for an output that would start to follow
+        the road's height if the parameter changed.
         """
         total = np.zeros(along.C.shape[:-1])
         for i, source in enumerate(self.sources):
@@ -352,7 +352,7 @@ class Covariance:
     def _moving(
         self, source: Source, along: Relative, later: Array
     ) -> list[tuple[Array, Array, Array, Array]]:
-        """Delay, drive, and the slopes of both for each group."""
+        """Yield delay and drive of each group, and their slopes."""
         return [
             (time, b, later[..., group.wheels[0]], along.b[..., list(group.wheels)].sum(axis=-1))
             for (time, b), group in zip(self._drives(source), source, strict=True)
@@ -436,7 +436,7 @@ def _sum(terms: Iterable[Array]) -> Array:
 def with_cut_off(model: Matrices, rate: float) -> Matrices:
     """Add the road heights under the wheels as states: ``dz/dt = -rate z + w``, ``rate`` in 1/s.
 
-    The noises ``w`` drive the result as height rates drive other models; it has no quasi-static response.
+    The noises ``w`` drive the resulting model as height rates drive other models. It has no quasi-static response.
     """
     b, d = (np.moveaxis(part, -3, 0) for part in (model.B, model.D))
     *stack, n, wheels = b.shape[1:]
@@ -467,20 +467,20 @@ def cut_off_slopes(along: Matrices, rate: float) -> Matrices:
 _PANELS = 12  # a decade
 _POINTS = 8  # Gauss-Legendre points of a panel
 _NEAR = np.array([0.4 * 2.5**k for k in range(9)])  # half widths of a resonance at which panels end
-_FAR = 0.3  # of its frequency, beyond which a resonance needs no panels of its own
-_PERIODS = 0.4  # most periods of the waves between front and rear in a panel
-_SMALL = 16_000  # terms of one product: BLAS keeps small ones on one core; several cores would only wait for each other
+_FAR = 0.3  # share of its frequency beyond which a resonance needs no additional panels
+_PERIODS = 0.4  # maximum number of wave periods between front and rear per panel
+_SMALL = 16_000  # terms per product: BLAS computes small products on one core, which is faster than several
 
 
 @cache
 def _gauss() -> tuple[Array, Array]:
-    """Points and weights of a panel on -1 to 1."""
+    """Return points and weights of a panel on -1 to 1."""
     points, weights = np.polynomial.legendre.leggauss(_POINTS)
     return points, weights
 
 
 def frequencies(low: float, high: float, values: Complex, delay: Array) -> tuple[Array, Array]:
-    """Nodes and weights (Hz) of a quadrature that resolves the models' resonances and longest delays (s).
+    """Return nodes and weights (Hz) of a quadrature that resolves the models' resonances and longest delays (s).
 
     The eigenvalues (members, n) are in 1/s; nodes and weights have the shape (members, nodes). Members that need fewer
     nodes get extra nodes of zero weight at the end of the band.
@@ -508,7 +508,7 @@ def frequencies(low: float, high: float, values: Complex, delay: Array) -> tuple
 
 
 def _subdivide(edges: Array, delay: Array) -> Array:
-    """Split panels until each holds few waves of the longest delay; members that need fewer repeat the last edge."""
+    """Split panels until each contains only a few waves of the longest delay; other members repeat the last edge."""
     lengths = np.diff(edges)
     parts = np.maximum(1, np.ceil(lengths * delay[:, None] / _PERIODS).astype(int))
     counts = parts.sum(axis=1)
@@ -566,11 +566,11 @@ class _VarianceSlopes:
 
 @dataclass(frozen=True)
 class RoadExcitation:
-    """Excitation of the wheels at some frequencies (members, f).
+    """Excitation of the wheels at given frequencies (members, f).
 
-    ``power`` is the density of the road's height times the weight of the node (m^2); ``gain`` the squared magnitude of
-    each output's weighting, shape (members, outputs, f), None for 1; ``coherence`` the root of the coherence of two
-    sources, left and right; None for independent sources.
+    ``power`` is the density of the road's height times the node weight (m^2). ``gain`` is the squared magnitude of each
+    output's weighting, shape (members, outputs, f), None for 1. ``coherence`` is the root of the coherence of the left
+    and right sources, None for independent sources.
     """
 
     frequency: Array
@@ -617,7 +617,7 @@ class BandVariance:
 
     @cached_property
     def _by_group(self) -> list[list[Complex]]:
-        """Response to unit height, each group at its time: shape (members, outputs, f)."""
+        """Response to unit height of each group: shape (members, outputs, f)."""
         responses = []
         for source, states, waves in zip(self.sources, self._states, self._waves, strict=True):
             d, f = _groups(self.model.d, source), _groups(self.model.f, source)
@@ -662,7 +662,7 @@ class BandVariance:
 
     @cached_property
     def _pulls(self) -> list[_VarianceSlopes]:
-        """Slopes of the variances by the parts of the models, for each source: computed once for all parameters."""
+        """Slopes of the variances by the parts of the models per source, computed once for all parameters."""
         modal = self._inverse.before(self.model.C)
         return [self._pull(i, modal) for i in range(len(self.sources))]
 
@@ -695,7 +695,7 @@ class BandVariance:
         )
 
     def slopes(self, along: Relative, later: Array, coherence: Array | None = None) -> Array:
-        """Slopes (members, parameters, outputs) of the variances, from those of models, delays and coherence.
+        """Return slopes (members, parameters, outputs) of the variances, from those of models, delays and coherence.
 
         ``later`` are those of the delays (members, parameters, wheels), s; ``coherence`` (members, parameters, f).
         """
@@ -715,12 +715,12 @@ class BandVariance:
 
 
 def _groups(table: Array, source: Source) -> list[Array]:
-    """Sums of columns over the wheels of each group, one array (members, ...) for each group."""
+    """Sum columns over the wheels of each group; one array (members, ...) per group."""
     return [table[..., list(group.wheels)].sum(axis=-1) for group in source]
 
 
 def _in_parts(left: Array | Complex, right: Complex) -> Complex:
-    """Product of matrices (..., i, j) and many columns (..., j, f), in blocks of columns."""
+    """Multiply matrices (..., i, j) by many columns (..., j, f), in blocks of columns."""
     rows, inner = left.shape[-2:]
     step = max(8, _SMALL // (rows * inner))
     if step >= right.shape[-1]:
@@ -732,7 +732,7 @@ def _in_parts(left: Array | Complex, right: Complex) -> Complex:
 
 
 def _summed_products(left: Complex, right: Complex) -> Array:
-    """Real part of the sums over f of left (..., i, f) times right (..., j, f): shape (..., i, j)."""
+    """Return the real part of the sums over f of left (..., i, f) times right (..., j, f): shape (..., i, j)."""
     total: Array = np.zeros((*left.shape[:-1], right.shape[-2]))
     step = max(8, _SMALL // (left.shape[-2] * right.shape[-2]))
     for first in range(0, left.shape[-1], step):
@@ -742,7 +742,7 @@ def _summed_products(left: Complex, right: Complex) -> Array:
 
 
 def longest_delay(sources: Sequence[Source]) -> Array:
-    """Longest delay (s) of each member between wheels that one source drives."""
+    """Return the longest delay (s) of each member between wheels driven by one source."""
     return np.asarray(np.max([source[-1].delay - source[0].delay for source in sources], axis=0))
 
 
@@ -751,15 +751,15 @@ def longest_delay(sources: Sequence[Source]) -> Array:
 
 Gain = Callable[[Array], Array]
 """Magnitude (1) of a weighting at frequencies (Hz)."""
-_TRACK_STEP = (
-    1e-4  # relative, of the difference that gives the slope of a coherence: 1e-8 of truncation
+_TRACK_STEP = 1e-4  # relative step of the finite difference for the slope of a coherence: truncation error 1e-8
+_AT_ONCE = (
+    256  # members times states times signals: larger blocks no longer fit the processor's cache
 )
-_AT_ONCE = 256  # members times states times signals: with more, the work no longer fits the processor's cache
 
 
 @dataclass(frozen=True)
 class Signal:
-    """A channel by its index among the outputs, and the weighting of its frequencies, if any."""
+    """A channel by its output index, with an optional frequency weighting."""
 
     output: int
     gain: Gain | None = None
@@ -790,7 +790,7 @@ class RandomVibration:
     signals: tuple[Signal, ...]
 
     def at(self, values: Array | None = None, *, slopes: bool = True) -> Moments:
-        """Variances at values (members, parameters; SI), by default those of the rigs."""
+        """Compute variances at values (members, parameters; SI), by default those of the rigs."""
         point = self.families.start if values is None else np.asarray(values, dtype=float)
         linear = self.families.at(point, slopes=slopes)
         step = max(1, _AT_ONCE // max(1, linear.model.A.shape[-1] * len(self.signals)))
@@ -810,7 +810,7 @@ class RandomVibration:
     def _members(
         self, linear: LinearModels, values: Array, group: slice
     ) -> list[tuple[Array, Array, dict[int, str]]]:
-        """Variances, their slopes and absent signals of some members: together, or one by one if they differ."""
+        """Compute variances, slopes and absent signals of some members, jointly or individually if they differ."""
         sources = self._sources(values, group)
         count = len(values[group])
         if count > 1 and (sources is None or has_neutral(linear.eigen.values[group])):
@@ -836,9 +836,9 @@ class RandomVibration:
         return sources_of(delays, sides, same=self.surface.sides == "same")
 
     def densities(self, frequency: Array) -> Array:
-        """One-sided densities of the signals, (signals, f), their SI units squared per Hz, at frequencies (f,) in Hz.
+        """Return one-sided densities (signals, f) in SI units squared per Hz, at frequencies (f,) in Hz.
 
-        They are those of the first member. The surface must have a band; the densities are 0 outside it.
+        The first member is used. The surface must have a band; the densities are 0 outside it.
         """
         values, first = self.families.start[:1], slice(0, 1)
         linear = Families(self.families.members[:1]).at(values, slopes=False)
@@ -863,7 +863,7 @@ class RandomVibration:
 
 @dataclass(frozen=True)
 class _Part:
-    """Some similar members of an analysis: their models without neutral motions, and their sources."""
+    """Similar members of an analysis: models without neutral motions, and sources."""
 
     analysis: RandomVibration
     model: Matrices
@@ -897,7 +897,7 @@ class _Part:
         return np.asarray(self.analysis.families.geometry_at(self.values)[self.group, -1:])
 
     def white(self) -> tuple[Array, Array, dict[int, str]]:
-        """Variances, slopes and absent signals on white noise."""
+        """Return variances, slopes and absent signals under white noise."""
         rate, intensity = self.analysis.surface.corner_rate, self.analysis.surface.intensity
         model, along, eigen = self.model, self.along, self.eigen
         if rate is not None:
@@ -914,7 +914,7 @@ class _Part:
         return intensity * covariance.variances(), slopes, covariance.absent()
 
     def over_band(self) -> tuple[Array, Array, dict[int, str]]:
-        """Variances and slopes over the road's spectrum; no signal is absent."""
+        """Return variances and slopes over the road's spectrum; no signal is absent."""
         relative_model, along = relative(self.model, self.eigen.values), self.along
         band = self._band()
         variance = BandVariance(relative_model, self.eigen, self.sources, band)

@@ -10,18 +10,18 @@ from jounce.core.findings import Finding, finding
 from jounce.core.types import Array, Complex
 
 _BODY, _WHEEL = ("sprung", "body", "chassis"), ("unsprung", "wheel")
-_SHORTEST = 10.0  # s; shorter records give too few averages of 8 s
-_EMPTY = 20.0  # dB below the strongest octave; simulated bodies of cars and karts lie at most 16 dB below it
+_SHORTEST = 10.0  # s; shorter records have too few averages of 8 s
+_EMPTY = 20.0  # dB below the strongest octave; simulated bodies of cars and karts are at most 16 dB below it
 _FALLING = 11.0  # dB from the octave above 8 Hz to the next; simulated bodies fall by at most 7
-_STEEP = 15.0  # dB from the octave below 1 Hz to that above; roads and suspensions make at most 14 of them
+_STEEP = 15.0  # dB from the octave below 1 Hz to that above; roads and suspensions cause at most 14
 _TRAVELS = {_BODY: (0.7, 0.06), _WHEEL: (4.0, 0.025)}
-"""Frequency (Hz) above which motion comes from suspension or tyre, and an r.m.s. motion (m) beyond any vehicle."""
+"""Frequency (Hz) above which suspension or tyre determines the motion, and an implausible r.m.s. motion (m)."""
 _STEPS = 0.02  # share of a signal's power that its resolution may add (step^2 / 12)
 _EXCHANGED = (
     2.0  # r.m.s. of body over wheel; a suspension isolates, so the ratio is well below 1 on a road
 )
 _RESPONSE = (0.7, 30.0)  # Hz: band in which the response of body to wheel is fitted
-_FEWEST_LINES = 20  # lines in that band: ten for each fitted number and more
+_FEWEST_LINES = 20  # lines in that band: at least ten per fitted parameter
 _COHERENT = 0.9  # median coherence (1) below which noise decides the fit
 _FAR, _CLOSE, _BETTER = 0.2, 0.12, 0.5  # 1
 """Residual without a filter, residual with one, and their ratio, from which a filter is reported."""
@@ -33,7 +33,7 @@ def doubts(accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]
     Parameters
     ----------
     accelerations : mapping of str to ndarray of shape (n,)
-        Signals in m/s^2 by channel name, those that end with ``az``.
+        Vertical accelerations in m/s^2 by channel name (suffix ``az``).
     rate : float
         Sample rate, Hz.
 
@@ -157,7 +157,7 @@ def _check_filter(
 
 
 def _transfer(given: Array, answer: Array, rate: float) -> tuple[Array, Complex, Array]:
-    """Frequencies (n,) in Hz, response (n,) of one signal to another (1) and their coherence (n,) (1)."""
+    """Return frequencies (n,) in Hz, response (n,) of one signal to another (1) and coherence (n,) (1)."""
     from scipy import signal
 
     length = min(round(4.0 * rate), given.size)

@@ -49,7 +49,7 @@ _OPTIONS: dict[str, Any] = {
 
 
 def check_single_recording(out: Path | None, control: Sequence[str] | None, **_: object) -> None:
-    """Refuse one file for the recordings of several rides."""
+    """Raise an error for a single output file if several rides are requested."""
     names = named_controls(control or ["passive"])
     if out is not None and len(names) > 1:
         listed = ", ".join(map(str, names))
@@ -106,7 +106,7 @@ def ride_road(
     speed : float or str
         m/s.
     controls : sequence of Controller, str, Path or callable, optional
-        Controllers as for :func:`jounce.compare_rides`; ``"all"`` stands for all built-in ones. Passive by default.
+        Controllers as for :func:`jounce.compare_rides`; ``"all"`` selects all built-in ones. Passive by default.
     duration : float or str, optional
         Time over the road, s; by default 60 s on ISO roads, otherwise until the last axle reaches the road's end.
     seed : int
@@ -213,7 +213,7 @@ def compare_controllers(
 
 
 def named_controls(given: Sequence[AnyControl]) -> list[AnyControl]:
-    """Return controllers in the order given, each once; texts may name several, ``all`` stands for all of them.
+    """Return controllers in the given order without duplicates; a text may name several, ``all`` selects all.
 
     >>> named_controls(["passive, skyhook", "passive"])
     ['passive', 'skyhook']

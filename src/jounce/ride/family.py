@@ -26,14 +26,16 @@ from jounce.simulation.statics import (
     rests_for_small_motions,
 )
 
-_STEP = 1e-3  # relative, of differences for mechanisms: fourth order, so 1e-12 of truncation beside 1e-13 of rounding
+_STEP = (
+    1e-3  # relative step for mechanisms: fourth order, so truncation is 1e-12 and rounding 1e-13
+)
 _ASIDE = (
     0.5,
     -0.5,
     1e-3,
     -1e-3,
 )  # relative steps for distances: these are affine, so any step is exact
-_DEPENDENT = 1e5  # condition of the eigenvectors: beyond it five digits are lost, and Lyapunov equations are solved
+_DEPENDENT = 1e5  # condition number of the eigenvectors (five lost digits) above which Lyapunov equations are solved
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,7 @@ class Matrices:
     static: Array
 
     def of_rows(self, rows: Sequence[int]) -> Matrices:
-        """Return the model with some of its outputs only."""
+        """Return the model with a subset of its outputs."""
         chosen = list(rows)
         return Matrices(
             self.A, self.B, self.C[..., chosen, :], self.D[..., chosen, :], self.static[..., chosen]
@@ -74,8 +76,8 @@ def side_by_side(models: Sequence[Matrices]) -> Matrices:
 class Eigen:
     """Eigenvalues (..., n) and eigenvectors of matrices (..., n, n) in 1/s.
 
-    ``is_sound`` is true for each matrix whose eigenvectors are independent enough to be used; unit vectors replace the
-    others.
+    ``is_sound`` is true for each matrix with sufficiently independent eigenvectors; the others are replaced by unit
+    vectors.
     """
 
     def __init__(self, a: Array) -> None:
@@ -96,7 +98,7 @@ class Eigen:
         )
 
     def of(self, members: slice) -> Eigen:
-        """Return those of some of the matrices."""
+        """Return the eigenvalues and eigenvectors of some matrices."""
         eigen = object.__new__(Eigen)
         eigen.values, eigen.is_sound = self.values[members], self.is_sound[members]
         eigen.vectors, eigen.inverse = self.vectors[members], self.inverse[members]
@@ -118,7 +120,7 @@ class LinearModels:
 
 @dataclass(frozen=True)
 class LinearFamily:
-    """Linear models of one rig as functions of the parameters ``paths``; the rig fixes all others."""
+    """Linear models of one rig as functions of the parameters ``paths``; all others are fixed by the rig."""
 
     rig: Rig
     paths: tuple[str, ...] = ()
@@ -169,7 +171,7 @@ class LinearFamily:
         return first, np.array(slopes).reshape(len(self.paths), len(first))
 
     def geometry_at(self, values: Array | None = None) -> Array:
-        """Distances of ``geometry`` (m) at values (SI) of the parameters."""
+        """Return the distances of ``geometry`` (m) at values (SI) of the parameters."""
         first, slopes = self.geometry
         return first if values is None else np.asarray(first + (values - self.start) @ slopes)
 
@@ -188,7 +190,7 @@ class LinearFamily:
         )
 
     def at(self, values: Array | None = None, *, slopes: bool = True) -> tuple[Matrices, Matrices]:
-        """Model at values (SI) of the parameters, by default those of the rig, and its slope along each of them."""
+        """Return the model at values (SI) of the parameters, by default those of the rig, and its slope along each."""
         point = self.start if values is None else np.asarray(values, dtype=float)
         models = Families((self,)).at(point[None], slopes=slopes)
         return models.model[0], models.along[0]
@@ -196,14 +198,14 @@ class LinearFamily:
 
 @dataclass(frozen=True)
 class Families:
-    """Stacked linear models of rigs that differ in parameter values only; all have the same free parameters."""
+    """Stacked linear models of rigs that differ only in parameter values and have the same free parameters."""
 
     members: tuple[LinearFamily, ...]
     _last: dict[str, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     @property
     def first(self) -> LinearFamily:
-        """The first member, for everything that all share."""
+        """First member, which represents the shared structure."""
         return self.members[0]
 
     def __len__(self) -> int:
@@ -215,7 +217,7 @@ class Families:
         return np.array([member.start for member in self.members])
 
     def geometry_at(self, values: Array) -> Array:
-        """Distances of :attr:`LinearFamily.geometry` (m) at values (members, parameters): (members, wheels + 1)."""
+        """Return :attr:`LinearFamily.geometry` distances (m), (members, wheels + 1), at values (members, parameters)."""
         first, slopes = self._geometry
         return np.asarray(first + np.einsum("sn,snw->sw", values - self.start, slopes))
 
@@ -232,12 +234,12 @@ class Families:
         return self._geometry[1]
 
     def at(self, values: Array, *, slopes: bool = True) -> LinearModels:
-        """Models at values (members, parameters), SI, and their slopes."""
+        """Return models at values (members, parameters), SI, and their slopes."""
         wanted = np.asarray(values, dtype=float)
         key = wanted.tobytes(), slopes
         last: tuple[object, LinearModels] | None = self._last.get(
             "models"
-        )  # one set serves several roads
+        )  # results are reused for several roads
         if last is None or last[0] != key:
             last = self._last["models"] = key, LinearModels(*self._at(wanted, slopes))
         return last[1]
@@ -285,7 +287,7 @@ class Families:
         push = graphs.push(*where, dp)[0].reshape(len(p), count, -1)
         inverse = np.linalg.pinv(
             model.A, rcond=len(model.A[0]) * np.finfo(float).eps
-        )  # neutral motions do not move
+        )  # neutral motions stay fixed
         dx = -np.einsum("sij,snj->sni", inverse, push).reshape(-1, x.shape[1])
         along = graphs.along(*where, dx, dp)
         return model, self._reshape(
@@ -329,8 +331,8 @@ class Families:
     ) -> tuple[Matrices, tuple[Array, NDArray[np.intp]]]:
         """Return the model about equilibrium in terms of some ``free`` speeds, that pose, and those speeds.
 
-        ``pose`` starts the search. Models that are compared need the same free speeds: the best
-        speeds differ between poses.
+        ``pose`` is the initial value of the search. Compared models need the same free speeds, because the best choice
+        differs between poses.
         """
         compiled = self.first.compiled
         u = compiled.inputs(0.0)
@@ -435,7 +437,7 @@ def _build_graphs(compiled: Compiled) -> _Graphs:
 class _Each:
     """A function of vectors, called for many rows (members, size) at once: results (members, rows, columns).
 
-    Each call takes a workspace of its own, so that threads do not share one, and returns it for the next call.
+    Each call uses its own workspace, so threads never share one, and releases it for the next call.
     """
 
     def __init__(self, name: str, given: list[Any], results: list[Any]) -> None:
@@ -477,12 +479,12 @@ class _Each:
 # models without motions that the road never excites -------------------------------------------------------------------
 
 
-_NEUTRAL = 1e-6  # of the largest eigenvalue: rounding of a double eigenvalue at zero is the root of 1e-16, times 100
-_UNREACHED = 1e-7  # of the road's input: above rounding, far below any force of a road
+_NEUTRAL = 1e-6  # share of the largest eigenvalue: rounding of a double zero eigenvalue (root of 1e-16), times 100
+_UNREACHED = 1e-7  # share of the road's input: above rounding, far below any road force
 
 
 def has_neutral(values: Complex) -> bool:
-    """Whether some motion of some model neither grows nor decays, by the eigenvalues (..., n)."""
+    """Whether any model has a motion that neither grows nor decays, by the eigenvalues (..., n)."""
     bound = -_NEUTRAL * np.max(np.abs(values), axis=-1, initial=0.0)
     return bool(values.shape[-1]) and bool(np.any(np.max(values.real, axis=-1) >= bound))
 
@@ -519,7 +521,7 @@ def _reduce(model: Matrices, reached: Array) -> Matrices:
 def _reduce_slope(
     model: Matrices, along: Matrices, form: Array, reached: Array, unreached: Array
 ) -> Matrices:
-    """Slope of the reduced model; the subspace turns with the parameter."""
+    """Return the slope of the reduced model, including the rotation of the subspace with the parameter."""
     from scipy.linalg import solve_sylvester
 
     count = reached.shape[1]

@@ -22,9 +22,9 @@ class MeasuredRide(Plain):
     Attributes
     ----------
     metrics : RideMetrics
-        SI.
+        Ride metrics, SI.
     findings : tuple of Finding
-        What reading the recording and the metrics found.
+        Findings of the reader and of the metrics.
     """
 
     metrics: RideMetrics
@@ -88,22 +88,22 @@ def measured_ride(
     Parameters
     ----------
     recording : tuple of xarray.Dataset and list of Finding
-        As :func:`jounce.read_recording` gives it.
+        Recording and findings as returned by :func:`jounce.read_recording`.
     rig : Rig, str or Path, optional
-        Rig or vehicle of the ride, for the gaps of its bump and rebound stops.
+        Rig or vehicle of the ride; supplies the gaps of bump and rebound stops.
     settling : float or str
-        Time at the start that does not count, s.
+        Time skipped at the start, s.
     start : {"rest", "first", "mean"}
-        What was before the record, as for :func:`jounce.ride_metrics`.
+        State before the record, as for :func:`jounce.ride_metrics`.
     exposure : float or str
         Daily duration of the vibration, s.
     lift_off_load : float or str
-        Wheel load up to which a tyre counts as lifted, N.
+        Wheel load up to which a tyre is considered lifted off, N.
 
     Returns
     -------
     MeasuredRide
-        SI.
+        Metrics in SI, with findings.
 
     Examples
     --------

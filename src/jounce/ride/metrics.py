@@ -1,4 +1,4 @@
-"""All ride metrics of one recording, with a reason for each metric that is not available."""
+"""All ride metrics of one recording, with a reason for each unavailable metric."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ _STOPS = ("rebound_stop.gap", "bump_stop.gap")
 
 
 def by_corner(given: Given, corners: Sequence[str], where: str) -> dict[str, Pair]:
-    """Rebound and bump lengths (m) of every corner, from one value or pair for all, or a mapping by corner or axle."""
+    """Return rebound and bump lengths (m) of every corner, from one value or pair, or a mapping by corner or axle."""
     if given is None:
         return {}
     if not isinstance(given, Mapping):
@@ -67,7 +67,7 @@ def by_corner(given: Given, corners: Sequence[str], where: str) -> dict[str, Pai
 
 
 def gaps_of(rig: Rig | None, corners: Sequence[str]) -> dict[str, Pair]:
-    """Gaps (m) of rebound and bump stop of every corner; None for a stop that the rig does not have."""
+    """Return the gaps (m) of rebound and bump stop of every corner; None for a missing stop."""
     if rig is None:
         return {}
     numbers = rig.parameters()
@@ -114,14 +114,14 @@ _PARTS = (
     "tyre.force",
     "tyre.deflection",
 )
-_OFFSET = 3.0  # standard deviations; a ride's mean acceleration is near zero, gravity is 5 or more on any road
+_OFFSET = 3.0  # standard deviations; a ride's mean acceleration is near zero, gravity at least 5
 
 
 @dataclass(frozen=True)
 class MetricValue:
     """Value of one metric at one place, in an SI unit.
 
-    The place is a channel (accelerations), a place (totals) or a corner (struts and tyres; "" for a quarter car).
+    ``place`` is a channel (accelerations), a position (totals) or a corner (struts and tyres; "" for a quarter car).
     """
 
     metric: str
@@ -147,19 +147,19 @@ class RideMetrics(Shown):
     Attributes
     ----------
     values : tuple of MetricValue
-        In the order of the catalogue, SI.
+        Values in the order of the catalogue, SI.
     absent : tuple of AbsentMetric
         Metrics that are not available, each with its reason.
     comfort : dict of str to str
-        Words of ISO 2631-1 for the vibration total value, by place.
+        ISO 2631-1 description of the vibration total value, by place.
     duration : float
         Evaluated time, s.
     settling : float
         Time skipped at the start, s.
     sample_rate : float
-        Hz.
+        Sample rate, Hz.
     findings : tuple of Finding
-        Warnings about the signals, and advice of the standard.
+        Warnings about the signals, and advice from the standard.
     """
 
     values: tuple[MetricValue, ...]
@@ -171,12 +171,12 @@ class RideMetrics(Shown):
     findings: tuple[Finding, ...] = ()
 
     def value(self, metric: str, place: str | None = None) -> float:
-        """Value of a metric in its SI unit; ``place`` may be omitted if there is only one.
+        """Return the value of a metric in its SI unit; ``place`` may be omitted if there is only one.
 
         Raises
         ------
         RecordingError
-            If the recording does not give it; the message has the reason.
+            If the metric is not available; the message contains the reason.
         DescriptionError
             If a name or place is unknown, or the place is ambiguous.
         """
@@ -224,7 +224,7 @@ def ride_metrics(
     lift_off_load: float | str = 0.0,
     metrics: Sequence[str] | None = None,
 ) -> RideMetrics:
-    """Ride comfort, suspension travel and road holding of a simulated or measured recording.
+    """Compute ride comfort, suspension travel and road holding of a simulated or measured recording.
 
     Parameters
     ----------
@@ -243,30 +243,31 @@ def ride_metrics(
     travel : pair of float or str, or mapping, optional
         Rebound and bump travel available from the mean deflection, m; for all corners, or by corner or axle.
     stop_gap : float or str, pair of them, or mapping, optional
-        Deflection at which the bump stop is met, or a pair for rebound and bump stop, m; for all, or by corner or axle.
+        Deflection at which the bump stop makes contact, or a pair for rebound and bump stop, m; for all corners, or by
+        corner or axle.
     exposure : float or str
         Daily duration of the vibration, s or text, for A(8).
     lift_off_load : float or str
-        Wheel load up to which a tyre counts as lifted off, N; 0 suits simulations.
+        Wheel load up to which a tyre is considered lifted off, N; 0 is suitable for simulations.
     metrics : sequence of str, optional
         Names from the catalogue; by default all. A named metric that is not available is an error.
 
     Returns
     -------
     RideMetrics
-        Values by metric and place, and the absent metrics with reasons.
+        Values by metric and place, and unavailable metrics with reasons.
 
     Raises
     ------
     RecordingError
-        If a Dataset is no recording, time is not uniform, or the settling time exceeds the record.
+        If a Dataset is not a recording, time is not uniform, or the settling time exceeds the record.
     DescriptionError
-        If a metric, weighting or corner is unknown, or a unit does not fit.
+        If a metric, weighting or corner is unknown, or a unit is incompatible.
 
     Notes
     -----
     Source: ISO 2631-1:1997 (``iso-2631-1``), ISO 8041-1:2017 (``iso-8041-1``); each row of
-    `jounce.ride.catalogue.CATALOGUE` names its own, and what the metric is often confused with.
+    `jounce.ride.catalogue.CATALOGUE` names its source and common confusions.
 
     Examples
     --------
@@ -307,7 +308,7 @@ def ride_metrics(
     values: list[MetricValue] = []
     absent: list[AbsentMetric] = []
     for row in wanted:
-        # accelerations are selected by their axis; places and corners have every row of their scope
+        # accelerations are selected by axis; points and corners use every row of their scope
         by_axis = row.scope not in ("point", "corner")
         parts = [
             (at, view)
@@ -357,7 +358,7 @@ def ride_metrics(
 
 
 def _time(run: xr.Dataset, settling: float | str) -> tuple[float, int, float]:
-    """Sample rate in Hz, index of the first evaluated sample, and skipped time in s."""
+    """Return sample rate in Hz, index of the first evaluated sample, and skipped time in s."""
     check_recording(run)
     time = np.asarray(run["time"].values, dtype=float)
     if check_time(time, where="recording")[1]:
@@ -402,7 +403,7 @@ def _views(
     first: int,
     choices: Choices,
 ) -> Views:
-    """Views of the recording by scope, each with its place."""
+    """Return views of the recording by scope, each with its place."""
     signals = {name: np.asarray(run[name].values, dtype=float) for name in names}
 
     def motions(axes: Mapping[str, str]) -> Iterator[Acceleration]:
@@ -465,14 +466,14 @@ def _about_signal(place: str, motion: Acceleration, rate: float) -> Iterator[Fin
     row = weighting(motion.usual)
     if (
         rate < 2.0 * row.limits[2] and rate >= row.slowest_rate
-    ):  # half the rate lies within the weighting's band
+    ):  # half the rate is within the weighting's band
         yield finding(
             "ride.sampled_slowly", place, rate, rate=rate, metric=row.name, highest=0.5 * rate
         )
 
 
 def _advice(place: str, motion: Acceleration) -> tuple[Finding, ...]:
-    """Advice of the standard; none for a record too short for the weighting, since the metric is absent then."""
+    """Return the standard's advice; empty if the record is too short for the weighting."""
     try:
         return comfort.advice(motion.filtered(), motion.rate, place=place)
     except RecordingError:
@@ -483,7 +484,7 @@ def _advice(place: str, motion: Acceleration) -> tuple[Finding, ...]:
 
 
 def _table(values: Sequence[MetricValue]) -> list[str]:
-    """Table with a row for each metric and a column for each place."""
+    """Format a table with a row per metric and a column per place."""
     places = list(dict.fromkeys(item.place for item in values))
     cells = {(item.metric, item.place): f"{item.value:.4g}" for item in values}
     names = {item.metric: item.unit for item in values}
@@ -496,7 +497,7 @@ def _table(values: Sequence[MetricValue]) -> list[str]:
 
 
 def _absences(absent: Iterable[AbsentMetric]) -> list[str]:
-    """One line for each reason, with all metrics that it concerns, and the places if only some lack them."""
+    """Format one line per reason, with all affected metrics, and the places if not all are affected."""
     names: dict[tuple[str, tuple[str, ...]], list[str]] = {}
     places: dict[tuple[str, str], list[str]] = {}
     for item in absent:

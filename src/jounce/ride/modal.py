@@ -1,4 +1,4 @@
-"""Modal analysis of a rig: its oscillating modes, its static equilibrium, and what the linear model leaves out."""
+"""Modal analysis of a rig: oscillatory modes, static equilibrium, and limitations of the linear model."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from jounce.simulation import Mode, equilibrium, modes
 
 @dataclass(frozen=True)
 class ModalAnalysis(Plain):
-    """Oscillating modes of a rig and its static equilibrium.
+    """Oscillatory modes of a rig and its static equilibrium.
 
     Attributes
     ----------
     modes : tuple of Mode
-        By rising natural frequency.
+        Modes in ascending order of natural frequency.
     equilibrium : dict
-        State or channel to its value at rest, SI.
+        Static value by state or channel, SI.
     findings : tuple of Finding
-        What the linear model leaves out.
+        Effects neglected by the linear model.
     """
 
     modes: tuple[Mode, ...]
@@ -57,7 +57,7 @@ class ModalAnalysis(Plain):
     example='jounce modes kart-quarter-car --set strut.angle="16 deg"',
 )
 def modal_analysis(rig: AnyRig) -> ModalAnalysis:
-    """List the oscillating modes of a rig or vehicle, and its static equilibrium.
+    """Compute the oscillatory modes of a rig or vehicle and its static equilibrium.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def modal_analysis(rig: AnyRig) -> ModalAnalysis:
     Returns
     -------
     ModalAnalysis
-        As :func:`jounce.modes` and :func:`jounce.equilibrium` give both, with what the linear model leaves out.
+        Results of :func:`jounce.modes` and :func:`jounce.equilibrium`, with effects neglected by the linear model.
 
     Examples
     --------
@@ -81,7 +81,7 @@ def modal_analysis(rig: AnyRig) -> ModalAnalysis:
 
 
 def _of_modes(finding: Finding) -> Finding:
-    """Modes leave dry friction out, where other linear models count its slope at rest."""
+    """Reword a friction finding: modes neglect dry friction, while other linear models include its slope at rest."""
     if not finding.place.endswith("friction.force"):
         return finding
     text = "dry friction is left out: it damps by no ratio, and holds what moves less than it gives way"

@@ -26,10 +26,8 @@ if TYPE_CHECKING:
 
 WINDOWS = {"hann": 1.5, "boxcar": 1.0}
 """Windows, each with its noise bandwidth (1) in frequency steps."""
-_USUAL_PARTS = (
-    8  # segments of a record by default: 15 averages with Hann, so a standard error of 27 %
-)
-_FEWEST_SAMPLES = 8  # a segment: fewer leave at most three frequencies between 0 and half the rate
+_USUAL_PARTS = 8  # default number of segments: 15 averages with Hann, a standard error of 27 %
+_FEWEST_SAMPLES = 8  # per segment: fewer give at most three frequencies between 0 and half the rate
 _HALF_BAND = 10.0**0.05  # edge over centre of a third-octave band, base ten (IEC 61260)
 
 
@@ -42,11 +40,11 @@ class Spectrum(Shown):
     frequency : ndarray, shape (n,)
         Hz, from 0 in constant steps.
     density : ndarray, shape (n,)
-        Unit of the signal squared per Hz; its integral over the frequency is the mean square.
+        Unit of the signal squared per Hz; its integral over frequency is the mean square.
     resolution : float
         Noise bandwidth of the window, Hz; narrower peaks are not resolved.
     averages : float
-        Number of independent spectra (1) in the mean; the relative standard error is one over its root.
+        Number of independent spectra (1) in the mean; the relative standard error is the reciprocal of its root.
     """
 
     frequency: Array
@@ -60,7 +58,7 @@ class Spectrum(Shown):
         return float(self.frequency[1] - self.frequency[0])
 
     def mean_square(self, low: float = 0.0, high: float = math.inf) -> float:
-        """Mean square between two frequencies (Hz), in the signal's unit squared; bins count by their share."""
+        """Return the mean square between two frequencies (Hz), in the signal's unit squared; bins may be partial."""
         below = np.maximum(self.frequency - 0.5 * self.step, 0.0)
         above = np.minimum(self.frequency + 0.5 * self.step, self.frequency[-1])
         inside = np.clip(np.minimum(above, high) - np.maximum(below, low), 0.0, None)
@@ -75,13 +73,13 @@ class Transfer(Shown):
     Attributes
     ----------
     frequency : ndarray, shape (n,)
-        Hz.
+        Frequencies, Hz.
     response : ndarray of complex, shape (n,)
-        Unit of the output over that of the input; a positive angle leads.
+        Unit of the output over that of the input; a positive angle means lead.
     coherence : ndarray, shape (n,)
         Share (1) of the output that the input explains linearly; 1 for a linear model.
     averages : float
-        Number of independent spectra (1) behind it; infinite for a linear model.
+        Number of independent spectra (1) averaged; infinite for a linear model.
     """
 
     frequency: Array
@@ -113,7 +111,7 @@ class Bands:
     rms: Array
 
     def weighted(self, name: str) -> float:
-        """Weighted r.m.s. in the unit of the signal: root of the summed squares of gain times band (ISO 2631-1)."""
+        """Return the weighted r.m.s. in the signal's unit: root sum of squares of gain times r.m.s. (ISO 2631-1)."""
         return float(np.sqrt(np.sum((abs(weighting_response(name, self.centre)) * self.rms) ** 2)))
 
 
@@ -124,17 +122,17 @@ def power_spectrum(
     segment: float | str | None = None,
     window: str = "hann",
 ) -> Spectrum:
-    """One-sided power spectral density by Welch's method.
+    """Compute the one-sided power spectral density by Welch's method.
 
     Parameters
     ----------
     values : array_like, shape (n,)
         Signal at a constant rate, in SI or any other unit (m/s^2, N, ...).
     sample_rate : float, optional
-        Samples per second, Hz; not needed for a channel of a recording, which carries its time.
+        Samples per second, Hz; not needed for a channel of a recording, which includes its time.
     segment : float or str, optional
-        Length of the segments that are averaged, s or text with a unit; by default an eighth of the record. Longer
-        segments resolve more and scatter more.
+        Length of the averaged segments, s or text with a unit; by default an eighth of the record. Longer segments
+        increase resolution and scatter.
     window : {"hann", "boxcar"}
         Hann segments overlap by half; boxcar segments do not.
 
@@ -180,19 +178,19 @@ def transfer_function(
     segment: float | str | None = None,
     window: str = "hann",
 ) -> Transfer:
-    """Transfer function with coherence from two signals over time (H1: unbiased when only the output is noisy).
+    """Estimate a transfer function with coherence from two signals (H1, unbiased if only the output is noisy).
 
     Parameters
     ----------
     given : array_like, shape (n,)
         Input signal at a constant rate, in SI or any other unit (m, m/s^2, ...).
     answer : array_like, shape (n,)
-        Output signal on the same instants, in SI or any other unit (m/s^2, N, ...).
+        Output signal at the same times, in SI or any other unit (m/s^2, N, ...).
     sample_rate : float, optional
-        Samples per second, Hz; not needed for channels of a recording, which carry their time.
+        Samples per second, Hz; not needed for channels of a recording, which include their time.
     segment : float or str, optional
-        Length of the segments that are averaged, s or text with a unit; by default an eighth of the record. It must
-        be longer than the system rings; otherwise the peaks are too low and the coherence drops.
+        Length of the averaged segments, s or text with a unit; by default an eighth of the record. It must exceed the
+        system's ringing time; otherwise the peaks are too low and the coherence drops.
     window : {"hann", "boxcar"}
         As in `power_spectrum`.
 
@@ -204,8 +202,8 @@ def transfer_function(
     Raises
     ------
     RecordingError
-        If the signals differ in length, are too short or not finite, or make fewer than two segments: the coherence
-        of a single segment is always 1.
+        If the signals differ in length, are too short or not finite, or contain fewer than two segments (the coherence
+        of a single segment is always 1).
 
     Examples
     --------
@@ -256,7 +254,7 @@ def channel_transfer(
     segment: float | str | None = None,
     settling: float = 0.0,
 ) -> Transfer:
-    """Transfer function (SI) between two channels of a recording on uniform time, see `transfer_function`.
+    """Estimate the transfer function (SI) between two channels of a recording on uniform time, see `transfer_function`.
 
     ``segment`` is the length of the segments (s or text with a unit); the first ``settling`` seconds are skipped.
     """
@@ -275,7 +273,7 @@ def channel_transfer(
             "time is not uniform", where="recording", hint="Resample the recording first."
         )
     rate = (time.size - 1) / float(time[-1] - time[0])
-    first = math.ceil(settling * rate - 1e-6)  # rounding must not skip one sample more
+    first = math.ceil(settling * rate - 1e-6)  # rounding must not skip an additional sample
     x, y = (np.asarray(run[name].values, dtype=float)[first:] for name in (given, output))
     return transfer_function(x, y, rate, segment=segment)
 
@@ -283,7 +281,7 @@ def channel_transfer(
 def model_transfer(
     model: LinearModel, frequency: ArrayLike, output: str, given: str = "road.z"
 ) -> Transfer:
-    """Transfer function (SI) of a linearised model at frequencies in Hz, comparable with `transfer_function`."""
+    """Compute a linearised model's transfer function (SI) at frequencies in Hz, comparable with `transfer_function`."""
     f = np.atleast_1d(as_samples(frequency, "Hz", where="frequency"))
     response = np.asarray(model.frequency_response(f, output, given), dtype=np.complex128)
     return Transfer(f, response, np.ones_like(f), math.inf)
@@ -296,11 +294,11 @@ def response_spectrum(
     output: str,
     tracks: str | Mapping[str, float] = "road.z",
 ) -> Array:
-    """One-sided density of a linear model's output on a random road: squared gain times the road's density.
+    """Return the one-sided density of a linear model's output on a random road: squared gain times road density.
 
-    At frequencies above 0 (Hz, shape (n,)) from the one-sided ``density`` of the road's height over time (m^2/Hz), in
-    the unit of the output squared per Hz. ``tracks`` is the input, or several that follow the same road, each with its
-    delay in s (rear wheels: wheelbase over speed).
+    Takes frequencies above 0 (Hz, shape (n,)) and the one-sided ``density`` of the road's height over time (m^2/Hz);
+    the result is in the unit of the output squared per Hz. ``tracks`` is one input, or several that follow the same
+    road, each with a delay in s (rear wheels: wheelbase over speed).
     """
     f = np.atleast_1d(as_samples(frequency, "Hz", where="frequency"))
     delays = {tracks: 0.0} if isinstance(tracks, str) else tracks
@@ -311,10 +309,10 @@ def response_spectrum(
 
 
 def third_octaves(spectrum: Spectrum) -> Bands:
-    """Root mean squares in third-octave bands with ideal edges, base ten.
+    """Compute root mean squares in third-octave bands with ideal edges, base ten.
 
-    Bands narrower than the spectrum's resolution or above half the sample rate are left out. A spectrum without any
-    band is refused.
+    Bands narrower than the spectrum's resolution or above half the sample rate are omitted. A spectrum without any
+    resolved band raises an error.
     """
     width = _HALF_BAND - 1.0 / _HALF_BAND
     lowest = math.ceil(
@@ -358,7 +356,7 @@ def _check_signal(values: ArrayLike, sample_rate: float, what: str) -> Array:
 def _segment_length(
     signal: Array, sample_rate: float, segment: float | str | None, window: str
 ) -> int:
-    """Number of samples of a segment."""
+    """Return the number of samples of a segment."""
     if window not in WINDOWS:
         raise unknown(str(window), WINDOWS, what="window", where="spectrum")
     if segment is None:
@@ -377,7 +375,7 @@ def _segment_length(
 
 
 def relative_error(coherence: Array, averages: float) -> Array:
-    """Relative standard error of a gain (H1, H2), and that of its phase in rad; infinite without coherence."""
+    """Return the relative error of a gain (H1, H2), also that of its phase in rad; infinite without coherence."""
     with np.errstate(divide="ignore"):
         return np.asarray(
             np.sqrt(np.clip(1.0 - coherence, 0.0, None) / (2.0 * averages * coherence))
@@ -387,7 +385,7 @@ def relative_error(coherence: Array, averages: float) -> Array:
 def cross_spectrum(
     x: Array, y: Array, sample_rate: float, count: int, window: str
 ) -> tuple[Array, NDArray[np.complex128]]:
-    """One-sided cross spectrum: frequencies in Hz, mean of conj(X) Y per Hz."""
+    """Return the one-sided cross spectrum: frequencies in Hz, mean of conj(X) Y per Hz."""
     from scipy import signal
 
     overlap = count // 2 if window == "hann" else 0
@@ -402,7 +400,7 @@ def cross_spectrum(
 
 
 def independent_segments(samples: int, count: int, window: str) -> float:
-    """Return the number of independent segments; a Hann segment that overlaps by half counts as 0.947."""
+    """Return the number of independent segments; a Hann segment with 50 % overlap counts as 0.947."""
     if window != "hann":
         return float(samples // count)
     pieces = (samples - count) // (count - count // 2) + 1

@@ -29,7 +29,7 @@ _ABSENT = {
     KICKED: f'{KICKED}; give band="iso"',
 }
 _LIFTS = 3.0  # standard deviations: a Gaussian signal exceeds them for 0.13 % of the time
-_TINY = 1e-12  # SI: rounding of zero
+_TINY = 1e-12  # SI: rounding level of zero
 _USUAL_SPEED = 0.3  # m/s, assumed without a channel; cars of the library have 0.22 to 0.25 r.m.s. on class C at 20 m/s
 _BENDS = 0.1  # relative error of a damper's slope that is reported; standard deviations change by about half of it
 
@@ -41,28 +41,28 @@ class StationaryResponse(Plain):
     Attributes
     ----------
     standard_deviation : dict
-        Channel to the standard deviation about its static value.
+        Standard deviation about the static value by channel.
     weighted : dict
-        The same, weighted, for the channels with a weighting.
+        Weighted standard deviation, for channels with a weighting.
     static : dict
-        Channel to the static value.
+        Static value by channel.
     absent : dict
-        Reason by channel, for those without a stationary variance.
+        Reason by channel, for channels without a stationary variance.
     units : dict
-        Channel to SI unit.
+        SI unit by channel.
     slopes : dict
-        Parameter path to channel to slope of the standard deviation, per SI unit of the parameter. Channels that would
-        follow the road's height if the parameter changed have none.
+        Slope of the standard deviation by parameter path and channel, per SI unit of the parameter. Channels that would
+        follow the road's height if the parameter changed are omitted.
     weighted_slopes : dict
-        The same for the weighted standard deviations.
+        Slopes of the weighted standard deviations.
     surface : Surface
         Road and speed.
     findings : tuple of Finding
-        Warnings where the linear model leaves the limits of the rig.
+        Warnings about motions outside the validity of the linear model.
     spectra : Mapping of str to ndarray
-        Channel to its one-sided density at ``frequency`` (Hz), SI unit squared per Hz; empty unless requested.
+        One-sided density by channel at ``frequency`` (Hz), SI unit squared per Hz; empty unless requested.
     frequency : ndarray or None
-        Hz.
+        Frequencies of the spectra, Hz.
     """
 
     also = ("load_coefficients",)
@@ -81,10 +81,10 @@ class StationaryResponse(Plain):
     frequency: Array | None = None
 
     def chance(self, channel: str, duration: float) -> float | None:
-        """Relative scatter (1) by chance of the standard deviation over a ``duration`` (s): half its 95 % interval.
+        """Return the relative sampling error (1) of a standard deviation over a ``duration`` (s), half a 95 % interval.
 
-        The variance of a Gaussian signal scatters by the integral of its squared density over the time. None if the
-        spectrum is unknown.
+        For a Gaussian signal, the variance of the estimate is proportional to the integral of the squared density over
+        the duration. None if the spectrum is unknown.
         """
         if self.frequency is None or channel not in self.spectra:
             return None
@@ -94,12 +94,12 @@ class StationaryResponse(Plain):
         return 0.5 * NORMAL_95 * scatter / variance if variance > 0.0 else None
 
     def __getitem__(self, channel: str) -> float:
-        """Standard deviation of a channel, SI.
+        """Return the standard deviation of a channel, SI.
 
         Raises
         ------
         DescriptionError
-            If a channel is unknown or absent; the message has the reason.
+            If a channel is unknown or absent; the message contains the reason.
         """
         if channel in self.standard_deviation:
             return self.standard_deviation[channel]
@@ -154,10 +154,10 @@ def stationary(
     weighting: Mapping[str, str | Gain] | None = None,
     parameters: Sequence[str] = (),
 ) -> StationaryResponse:
-    """Standard deviations of all channels on a random road, from the linear model about rest.
+    """Compute standard deviations of all channels on a random road, from the linear model about rest.
 
-    Without a band the road's vertical velocity is white noise, and Lyapunov equations give the exact covariance,
-    including the delay of the rear wheels. With a band it is an integral over the road's spectrum.
+    Without a band the road's vertical velocity is white noise, and the exact covariance, including the delay of the
+    rear wheels, follows from Lyapunov equations. With a band it is an integral over the road's spectrum.
 
     Parameters
     ----------
@@ -169,37 +169,38 @@ def stationary(
     speed : float or str
         m/s.
     band : tuple of float or "iso", optional
-        Lowest and highest spatial frequency in 1/m; "iso" is 0.011 to 2.83, the range that ISO 8608 recommends.
+        Lowest and highest spatial frequency in 1/m; "iso" is 0.011 to 2.83, the range recommended by ISO 8608.
     cut_off : float, optional
         Spatial frequency n00 in 1/m below which the road is flat: ``dz/dt = -2 pi n00 v z + w``.
     waviness : float
-        Exponent w of the spectrum (1); other than 2 needs a band.
+        Exponent w of the spectrum (1); values other than 2 require a band.
     sides : {"uncorrelated", "same", "isotropic", "exponential"}, optional
-        Relation of left and right wheels; the last two (:func:`jounce.roads.rough.track_coherence`) need a band.
+        Relation of left and right wheels; the last two (:func:`jounce.roads.rough.track_coherence`) require a band.
         By default uncorrelated without a band and isotropic with one.
     contact_length : float or str
-        Length over which the tyre averages the road, m; needs a band.
+        Length over which the tyre averages the road, m; requires a band.
     weighting : mapping, optional
-        Weighting by channel, or by the last words of a channel of all corners ("sprung.az"): a weighting of ISO 2631-1
-        ("Wk"), or a function that returns the magnitude at frequencies (Hz); needs a band.
+        Weighting by channel, or by channel suffix for all corners ("sprung.az"): an ISO 2631-1 weighting ("Wk") or a
+        function that returns the magnitude at frequencies (Hz); requires a band.
     parameters : sequence of str
         Paths of parameters whose slopes are computed.
 
     Returns
     -------
     StationaryResponse
-        SI. On white noise, channels that follow the road's height wander without limit and are absent.
+        Values in SI. Under white noise, channels that follow the road's height are unbounded and therefore absent.
 
     Raises
     ------
     DescriptionError
-        If a class, channel or path is unknown, or choices contradict each other.
+        If a class, channel or path is unknown, or options are inconsistent.
     SimulationError
         If there is no equilibrium, or the model about it is not asymptotically stable.
 
     Notes
     -----
-    Small motions about static equilibrium: lift-off, stops and friction are left out; findings say when they matter.
+    The model describes small motions about static equilibrium without lift-off, stops and friction; findings report
+    when these matter.
 
     Examples
     --------
@@ -298,7 +299,7 @@ def _gains(weighting: Mapping[str, str | Gain], names: Sequence[str]) -> dict[st
 def linear_findings(
     rig: Rig, sigma: Mapping[str, float], static: Mapping[str, float]
 ) -> list[Finding]:
-    """Report where the linear model leaves the limits of the rig, from standard deviations and static values (SI)."""
+    """Report motions outside the validity of the linear model, from standard deviations and static values (SI)."""
     findings = []
     for name, value in sigma.items():
         if is_channel(name, "tyre.force") and 0.0 < static[name] < _LIFTS * value:
@@ -324,7 +325,8 @@ def linear_findings(
 def _nonlinear_dampers(rig: Rig, sigma: Mapping[str, float]) -> Iterator[Finding]:
     """Report dampers whose slope at rest differs from their equivalent coefficient on this road.
 
-    Nothing here tells the velocity of a third damper, and the slope at rest of a law with a state is no damping.
+    Third dampers are skipped because their velocity is unknown, and laws with a state because their slope at rest is
+    not a damping coefficient.
     """
     for path, law in damper_laws(rig):
         if "third_spring" in path or law.remembers or isinstance(law, MapDamper):

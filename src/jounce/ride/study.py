@@ -1,4 +1,4 @@
-"""Ride studies: one rig or vehicle on one road with several controllers; comfort, travel and road holding compared."""
+"""Ride studies: comparison of comfort, travel and road holding of one rig on one road with several controllers."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 
 DEFAULT_DURATION = 60.0
-"""s, of a run over a synthetic road; a measured road is driven to its end."""
+"""Duration of a run over a synthetic road, s; a measured road is driven to its end."""
 _SAMPLE = 1e-3  # s: the output step of a run
 _RUN_IN = 10.0  # m over which a synthetic road fades in, and out after the end of the run
 
@@ -69,7 +69,7 @@ def iso_trial(
     seed: int = 0,
     step: float = 0.05,
 ) -> RideTrial:
-    """Drive over a random road of ISO 8608; full cars follow its two coherent tracks.
+    """Create a trial over a random ISO 8608 road; full cars follow its two coherent tracks.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def iso_trial(
     speed : float or str
         m/s, or text with a unit.
     duration : float or str
-        Time over the rough road, s; the fade-in comes in addition.
+        Time over the rough road, s, in addition to the fade-in.
     seed : int
         Seed of the random road.
     step : float
@@ -89,7 +89,7 @@ def iso_trial(
     Returns
     -------
     RideTrial
-        The trial; it is longer than ``duration`` by its settling time.
+        Trial, longer than ``duration`` by its settling time.
 
     Raises
     ------
@@ -123,7 +123,7 @@ def iso_trial(
 def road_trial(
     rig: Rig, road: Road, speed: float | str, *, duration: float | str | None = None
 ) -> RideTrial:
-    """Drive over a given road; a full car follows both tracks of a measured course with a width.
+    """Create a trial over a given road; a full car follows the two tracks of a measured course with a width.
 
     Parameters
     ----------
@@ -134,9 +134,9 @@ def road_trial(
     speed : float or str
         m/s, or text with a unit.
     duration : float or str, optional
-        s; by default, and at most, until the last axle reaches the road's end: the front axle is then one wheelbase
-        beyond it. If the road does not end at the height at which it begins, its continuation is unknown; the run then
-        ends when the front axle reaches the end.
+        Duration, s; by default, and at most, until the last axle reaches the road's end, with the front axle one
+        wheelbase beyond it. If start and end heights differ, the continuation is unknown, and the run ends when the
+        front axle reaches the end.
 
     Returns
     -------
@@ -146,7 +146,7 @@ def road_trial(
     Raises
     ------
     DescriptionError
-        If a number is out of range, the run longer than the road, or the points too far apart for the speed.
+        If a number is out of range, the run is longer than the road, or the points are too far apart for the speed.
 
     Examples
     --------
@@ -173,7 +173,7 @@ def road_trial(
 
 
 def _check_fine_enough(road: Road, speed: float) -> None:
-    """Refuse a road whose points are too far apart to excite wheel hop at this speed."""
+    """Raise an error if the road's points are too far apart to excite wheel hop at this speed."""
     spacing = road.point_spacing()
     if spacing is not None and speed / (2.0 * spacing) < FASTEST:
         raise DescriptionError(
@@ -190,7 +190,7 @@ def _check_fine_enough(road: Road, speed: float) -> None:
 
 
 def _whole_samples(time: float) -> float:
-    """Time (s) rounded up to whole output steps, so that signals are uniform to their end."""
+    """Round a time (s) up to whole output steps, for uniform signals up to the end."""
     return float(np.ceil(time / _SAMPLE - 1e-6) * _SAMPLE)
 
 
@@ -199,7 +199,7 @@ def _wheelbase(rig: Rig) -> float:
 
 
 def _tracks(rig: Rig, road: Road) -> tuple[Road, Road | None]:
-    """The roads under the left and the right wheels; None where both share one."""
+    """Return the roads under the left and the right wheels; the second is None if both sides share the first."""
     if isinstance(rig, FullCar | FullCar3D) and isinstance(road, Crg):
         half = 0.5 * track_width(rig)
         try:
@@ -232,7 +232,7 @@ _SEGMENT = 8.0  # s: a resolution of 0.2 Hz separates bounce and pitch of the bo
 
 @dataclass(frozen=True)
 class Merit:
-    """One column of the comparison: a metric at its place, or its worst corner (smaller is better)."""
+    """One column of the comparison: a metric at one place or at the worst corner (smaller is better)."""
 
     name: str
     unit: str
@@ -339,13 +339,13 @@ class RideStudy(Plain):
     trial : RideTrial
         Road, speed, duration, and the time skipped at the start.
     rides : tuple of Ride
-        One for each controller that reached the end.
+        One ride per controller that reached the end.
     failed : dict
-        Reason by controller, for those without a ride.
+        Reason by controller, for failed rides.
     stationary : StationaryResponse or None
         Response of the linear model, without simulation, for passive rides over ISO roads.
     rig : Rig or None
-        What was driven.
+        Rig or vehicle that was driven.
     """
 
     trial: RideTrial
@@ -356,9 +356,9 @@ class RideStudy(Plain):
 
     @property
     def by_chance(self) -> dict[str, float | None]:
-        """Relative scatter (1) by chance of the passive ride's standard deviations about the linear model's.
+        """Relative sampling error (1) of the passive ride's standard deviations about the linear model's.
 
-        Channel to half of the 95 % interval, None if the spectrum is unknown; empty without such a ride.
+        Half of the 95 % interval by channel, None if the spectrum is unknown; empty without such a ride.
         """
         passive = next((ride for ride in self.rides if ride.control == "passive"), None)
         if self.stationary is None or passive is None:
@@ -386,7 +386,7 @@ class RideStudy(Plain):
 
     @property
     def driven(self) -> str:
-        """The controller of a single ride, in commas; several have a legend."""
+        """Controller of a single ride, between commas; empty for several rides, which have a legend."""
         return f", {self.rides[0].control}," if len(self.rides) + len(self.failed) == 1 else ""
 
     @property
@@ -418,8 +418,8 @@ def drive(rig: Rig, trial: RideTrial | Trial, control: AnyControl | None = None)
     rig : Rig
         Rig or vehicle.
     trial : RideTrial or Trial
-        From :func:`jounce.ride.study.iso_trial` or ``road_trial``; of a plain trial, the time until the last axle
-        reaches the start of the road is skipped.
+        Trial from :func:`jounce.ride.study.iso_trial` or ``road_trial``. For a plain trial, the time until the last
+        axle reaches the start of the road is skipped.
     control : Controller, str, Path, callable or None
         As for :func:`jounce.simulate`; None keeps the rig passive.
 
@@ -431,7 +431,7 @@ def drive(rig: Rig, trial: RideTrial | Trial, control: AnyControl | None = None)
     Raises
     ------
     SimulationError
-        If the run stops before its end.
+        If the run stops early.
     RecordingError
         If the trial is too short for its settling time.
 
@@ -486,7 +486,7 @@ def compare_rides(
     DescriptionError
         If a controller is unknown.
     JounceError
-        If no controller reaches the end: the error of the first.
+        If no controller reaches the end; the error is that of the first.
 
     Examples
     --------
@@ -516,7 +516,7 @@ def compare_rides(
 
 
 def all_controls() -> tuple[str, ...]:
-    """Names of all built-in controllers, the passive rig first."""
+    """Return the names of all built-in controllers, starting with the passive rig."""
     return (PASSIVE, *(name for name in CONTROLS if name != PASSIVE))
 
 
@@ -532,7 +532,7 @@ def control_name(control: AnyControl | None) -> str:
 
 
 def _merits(metrics: RideMetrics) -> dict[str, float]:
-    """Columns of the comparison that a recording supports."""
+    """Return the columns of the comparison that a recording supports."""
     merits = {}
     for merit in MERITS:
         values = {item.place: item.value for item in metrics.values if item.metric == merit.metric}
@@ -546,7 +546,7 @@ def _merits(metrics: RideMetrics) -> dict[str, float]:
 
 
 def _stationary(rig: Rig, trial: RideTrial, names: Sequence[str]) -> StationaryResponse | None:
-    """Stationary response of the passive rig on an ISO road, None for others."""
+    """Return the stationary response of the passive rig on an ISO road; None for other roads."""
     road, speed = trial.trial.road, trial.trial.speed
     if PASSIVE not in names or not isinstance(road, Iso8608) or speed is None:
         return None

@@ -1,4 +1,4 @@
-"""The road under a linear model: its spectrum, the speed, and the coherence of left and right."""
+"""Random road for linear models: spectrum, speed, and coherence of left and right."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Surface(Plain):
     Attributes
     ----------
     roughness : float or None
-        G_d(n0), m^3; None for a spectrum given as a function.
+        Degree of roughness G_d(n0), m^3; None for a spectrum given as a function.
     density : callable or None
         One-sided density of the height (m^3) as a function of spatial frequency (1/m), in place of a roughness.
     speed : float
@@ -42,7 +42,7 @@ class Surface(Plain):
     sides : str
         Relation of left and right wheels.
     contact_length : float
-        Contact length of the tyre, m: shorter waves are averaged out.
+        Contact length of the tyre, m; shorter waves are averaged out.
     """
 
     left_out = ("density",)
@@ -68,7 +68,7 @@ class Surface(Plain):
         return None if self.cut_off is None else 2.0 * math.pi * self.cut_off * self.speed
 
     def heights(self, n: Array) -> Array:
-        """Density (m^3) of the height as averaged by the tyre, at spatial frequencies (1/m)."""
+        """Return the density (m^3) of the height averaged by the tyre, at spatial frequencies (1/m)."""
         if self.density is not None:
             density = np.asarray(self.density(n), dtype=float)
             if (
@@ -88,7 +88,7 @@ class Surface(Plain):
         return np.asarray(density * np.sinc(n * self.contact_length) ** 2)
 
     def root_coherence(self, n: Array, track: float | Array) -> Array | None:
-        """Root of the coherence (1) of left and right heights at distances (m); None for independent sides."""
+        """Return the root coherence (1) of left and right heights at distances (m); None for independent sides."""
         if self.sides not in ("isotropic", "exponential"):
             return None
         coherence = track_coherence(n, track, model=self.sides, waviness=self.waviness)
@@ -107,12 +107,13 @@ def surface(
 ) -> Surface:
     """Read a road, SI: a class ("C", "iso:C"), a roughness (m^3 or text with a unit) or a density function.
 
-    ``band`` is in 1/m ("iso" is that of ISO 8608). Default: all waves; for a density function that of ISO 8608.
+    ``band`` is in 1/m ("iso" is that of ISO 8608). By default all waves are included; for a density function, those of
+    the ISO 8608 band.
 
     Raises
     ------
     DescriptionError
-        If a value is out of range or choices contradict each other.
+        If a value is out of range or options are inconsistent.
     """
     velocity = to_si(speed, "m/s", where="speed")
     if velocity <= 0.0:
@@ -138,7 +139,7 @@ def surface(
 
 
 def read_roughness(road: str | float) -> float:
-    """Degree of roughness (m^3) of a class ("C", "iso:C"), a text with a unit, or a number in m^3."""
+    """Return the degree of roughness (m^3) of a class ("C", "iso:C"), a text with a unit, or a number in m^3."""
     if not isinstance(road, str):
         return as_roughness(road, where="road")
     text = road.strip()
@@ -167,7 +168,7 @@ def _band(band: tuple[float, float] | Literal["iso"] | None) -> tuple[float, flo
 
 
 def _check(surface: Surface) -> None:
-    # A choice; ISO 8608 describes roads by 2.
+    # Chosen limits; ISO 8608 uses 2.
     if not (math.isfinite(surface.waviness) and 0.0 < surface.waviness < 4.0):
         raise DescriptionError(
             "out of range", where="waviness", found=surface.waviness, allowed="above 0, below 4"

@@ -1,4 +1,4 @@
-"""Frequency weightings of ISO 2631-1 as ISO 8041-1 defines them, exact at every sample rate."""
+"""Frequency weightings of ISO 2631-1 as defined in ISO 8041-1, exact at every sample rate."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Start = Literal["rest", "first", "mean"]
 STARTS: tuple[Start, ...] = ("rest", "first", "mean")
 _Q = 1.0 / math.sqrt(2.0)  # Butterworth quality factor of both band limits: ISO 8041-1, 5.6
 _MEMORY = 26.0  # time constants after which a response has decayed to exp(-26) = 5e-12
-_GUARD = 4096  # samples beside each block for the ringing at half the sample rate
+_GUARD = 4096  # guard samples around each block for ringing at half the sample rate
 _FADE = 512  # samples over which the record fades out after its end
 _SMALLEST_BLOCK = 1 << 16  # samples: one FFT for most records
 _BLOCKS_AT_ONCE = 8  # limits memory; no effect on the result
@@ -32,9 +32,9 @@ class Weighting:
     Attributes
     ----------
     name : str
-        As the standard writes it.
+        Name in the standard.
     use : str
-        What it is for.
+        Application.
     f1, f2 : float
         Corner frequencies of high pass and low pass, Hz.
     f3, f4 : float
@@ -46,7 +46,7 @@ class Weighting:
     q5, q6 : float
         Quality factors (1) of the step.
     limits : tuple of float
-        The four frequencies (Hz) between which ISO 8041-1 changes its tolerance.
+        The four frequencies (Hz) at which the tolerance of ISO 8041-1 changes.
     """
 
     name: str
@@ -108,18 +108,18 @@ WEIGHTINGS: dict[str, Weighting] = {
         Weighting("We", "rotation, seat", 0.4, 100.0, 1.0, 1.0, 0.63),
     )
 }
-"""Every weighting by its name."""
+"""All weightings by name."""
 
 
 def weighting(name: str) -> Weighting:
-    """Return the row of a weighting; refuse an unknown name and suggest the nearest."""
+    """Return a weighting by name; an unknown name raises an error with a suggestion."""
     if name not in WEIGHTINGS:
         raise unknown(name, WEIGHTINGS, what="weighting")
     return WEIGHTINGS[name]
 
 
 def check_duration(name: str, duration: float, *, where: str) -> None:
-    """Refuse a record (duration in s) too short for a weighting: its result would say nothing about comfort."""
+    """Raise an error if a record (duration in s) is too short for a meaningful weighting."""
     row = weighting(name)
     if duration < row.shortest * (1.0 - 1e-9):
         raise RecordingError(
@@ -133,9 +133,9 @@ def check_duration(name: str, duration: float, *, where: str) -> None:
 
 
 def weighting_response(name: str, frequency: ArrayLike) -> NDArray[np.complex128]:
-    """Complex response (1) of a frequency weighting at frequencies in Hz; its angle is positive when the output leads.
+    """Return the complex response (1) of a weighting at frequencies in Hz; a positive angle means lead.
 
-    Names are ``Wk``, ``Wd``, ``Wf``, ``Wc`` and ``We``. It is the response of the standard's analog filter, not of a
+    Names are ``Wk``, ``Wd``, ``Wf``, ``Wc`` and ``We``. This is the response of the standard's analog filter, not of a
     seat or a body. Source: ISO 8041-1:2017, 5.6 and Annex B (``iso-8041-1``), with f1 = 0.4 Hz exactly.
 
     Examples
@@ -174,7 +174,7 @@ def _high_pass(s: NDArray[np.complex128], frequency: float) -> NDArray[np.comple
 
 
 def tolerance(name: str, frequency: ArrayLike) -> tuple[Array, Array]:
-    """Smallest and largest ratio (1) of a filter's gain to the design value allowed by ISO 8041-1, at Hz."""
+    """Return the minimum and maximum ratio (1) of gain to design value allowed by ISO 8041-1, at frequencies in Hz."""
     first, second, third, last = weighting(name).limits
     f = as_samples(frequency, "Hz", where="frequency", error=DescriptionError)
     outer, inner = (f <= first) | (f >= last), (f >= second) & (f <= third)
@@ -193,13 +193,13 @@ def weight(values: ArrayLike, sample_rate: float, name: str, *, start: Start = "
     values : array_like, shape (n,)
         Acceleration, m/s^2 (or any unit), at a constant rate.
     sample_rate : float
-        Samples per second, Hz. Made for 100 Hz to 10 kHz (Wf: from 2 Hz).
+        Samples per second, Hz. Intended for 100 Hz to 10 kHz (Wf: from 2 Hz).
     name : str
         ``"Wk"``, ``"Wd"``, ``"Wf"``, ``"Wc"`` or ``"We"``.
     start : {"rest", "first", "mean"}
-        State before the record: zero, so that an offset acts as a step; the first value, constant; or the mean of
-        the record, constant (e.g. gravity in the signal). The filter remembers the time before for some seconds (Wk
-        1 s, Wf 10 s): skip them in the evaluation unless the record begins at rest.
+        Constant state before the record: zero, in which case an offset acts as a step; the first value; or the mean of
+        the record (e.g. gravity in the signal). The initial state affects the first seconds (Wk 1 s, Wf 10 s); skip
+        them in the evaluation unless the record begins at rest.
 
     Returns
     -------
@@ -211,13 +211,13 @@ def weight(values: ArrayLike, sample_rate: float, name: str, *, start: Start = "
     DescriptionError
         If the weighting is unknown.
     RecordingError
-        If there are fewer than two samples or values that are not finite, or the rate is too low.
+        If there are fewer than two samples, a value is not finite, or the rate is too low.
 
     Notes
     -----
     Blocks of the signal are multiplied by `weighting_response` in the frequency domain, padded by more than the
-    filter's memory. After its end the record is continued by its mirror image and faded out, so that the end does not
-    ring.
+    filter's memory. The record is extended by its mirror image and faded out, which prevents ringing at
+    the end.
 
     Examples
     --------
@@ -263,7 +263,7 @@ def _check_signal(values: ArrayLike, sample_rate: float, row: Weighting, start: 
 
 
 def _continuation(signal: Array) -> Array:
-    """Mirror image of the end about its last point, fading to zero."""
+    """Return the mirror image of the end about its last point, faded to zero."""
     count = min(_FADE, signal.size - 1)
     image = 2.0 * signal[-1] - signal[-2 : -2 - count : -1]
     return np.asarray(
@@ -292,7 +292,7 @@ def _convolve(signal: Array, name: str, sample_rate: float, memory: int) -> Arra
 
 
 def _block_length(samples: int, margin: int) -> int:
-    """Power of two that holds the whole signal, or at least four times the margin beside each block."""
+    """Return a power of two that covers the whole signal, or at least four times the margin of each block."""
     whole = 1 << math.ceil(math.log2(samples + margin))
     usual = max(_SMALLEST_BLOCK, 1 << math.ceil(math.log2(4 * margin)))
     return min(whole, usual)

@@ -1,4 +1,4 @@
-"""Longitudinal profiles from files, and their international roughness index by the algorithm of its inventors."""
+"""Longitudinal profiles from files, and their international roughness index by the original algorithm."""
 
 from __future__ import annotations
 
@@ -35,19 +35,19 @@ TYRE, SPRING, DAMPER, MASS_RATIO = (
     6.0,
     0.15,
 )  # per sprung mass: 1/s^2, 1/s^2, 1/s; unsprung over sprung
-BASE = 0.25  # m, of a slope, and
-RUN_UP = 11.0  # m, whose mean slope starts the car: WTP-46
+BASE = 0.25  # m: base length of a slope
+RUN_UP = 11.0  # m: length whose mean slope initialises the car, WTP-46
 COARSEST, COARSE = (
     0.61,
     0.3,
-)  # m between samples: WTP-46 takes up to 0.61 m (2 ft); beyond BASE short waves are lost
+)  # m between samples: WTP-46 allows up to 0.61 m (2 ft); above BASE short waves are lost
 LARGEST_JITTER = (
-    0.01  # of the spacing: rows written with too few digits pass, a missing row (1) does not
+    0.01  # share of the spacing: tolerates rounded positions, but not a missing row (1)
 )
 SMOOTHEST, ROUGHEST, NO_ROAD = 0.1, 30.0, 300.0
-"""m/km. The scale of WTP-46 reaches from runways (0.25) to rough unpaved roads (20). Ten times ``ROUGHEST`` is refused:
-heights in mm read as m give a thousand times the index of a road."""
-_NEARLY = 1e-6  # of a sample interval, or m: rounding
+"""m/km. The scale of WTP-46 ranges from runways (0.25) to rough unpaved roads (20). Ten times ``ROUGHEST`` is rejected:
+heights in mm read as m increase the index by a factor of a thousand."""
+_NEARLY = 1e-6  # of a sample interval, or m: rounding tolerance
 _TEXT = (".csv", ".txt", ".tsv")
 
 
@@ -58,7 +58,7 @@ class RoughnessSegment:
     Attributes
     ----------
     start, end : float
-        Distance, m.
+        Start and end distance, m.
     iri_m_per_km : float
         Mean rectified slope of the golden car, m/km.
     partial : bool
@@ -82,15 +82,15 @@ class Roughness(Shown):
     start, end : float
         Start and end of the profile, m.
     spacing : float
-        Distance of its samples, m.
+        Sample spacing, m.
     base : float
-        Length over which slopes are taken, m: 0.25 m in whole samples.
+        Base length of the slopes, m: 0.25 m rounded to whole samples.
     segment : float
         Length of the segments, m.
     segments : tuple of RoughnessSegment
-        In their order. The car is not started anew at their borders.
+        Segments in order; the car's state is continuous at their borders.
     findings : tuple of Finding
-        Limitations of the numbers.
+        Limitations of the results.
     """
 
     iri_m_per_km: float
@@ -122,39 +122,39 @@ def iri(
     run_up: float | str = RUN_UP,
     place: str = "profile",
 ) -> Roughness:
-    """International roughness index (IRI) of one wheel track.
+    """Compute the international roughness index (IRI) of one wheel track.
 
     Parameters
     ----------
     distance : array_like, shape (n,)
-        Positions in m, ascending in constant steps of at most 0.61 m. They are not resampled.
+        Positions in m, ascending in constant steps of at most 0.61 m; not resampled.
     height : array_like, shape (n,)
         Heights in m.
     segment : float or str
         Length of the segments, m or text with a unit.
     run_up : float or str
-        Length in m over which the mean slope gives the car's state at the start; 11 m by definition (some programs take
-        0.5 s at 80 km/h, 11.11 m).
+        Length in m whose mean slope defines the car's initial state; 11 m by definition (some programs use 0.5 s at
+        80 km/h, 11.11 m).
     place : str
         Name of the profile in messages, e.g. its file.
 
     Returns
     -------
     Roughness
-        Index of the whole and of each segment, m/km.
+        Index of the whole profile and of each segment, m/km.
 
     Raises
     ------
     RecordingError
-        For distances that are not uniform or run backwards, values that are not finite, samples too far apart, a
-        profile too short, and heights that no road has in the unit given.
+        For distances that are not uniform or descend, values that are not finite, samples too far apart, a profile that
+        is too short, and heights that are implausible for a road.
 
     Notes
     -----
     Source: World Bank Technical Paper 46 (``wtp-46``), ASTM E1926. Slopes over 0.25 m in whole samples drive a quarter
     car at 80 km/h (``golden car``), propagated exactly from sample to sample; the index is the mean of the absolute
-    difference between the slopes of its sprung and its unsprung mass. It is not a length of the profile's ups and
-    downs, and not the roughness of a lane: that is the mean of two wheel tracks.
+    difference between the slopes of its sprung and its unsprung mass. It is not a measure of the profile's height, and
+    not the roughness of a lane, which is the mean of two wheel tracks.
 
     Examples
     --------
@@ -179,15 +179,15 @@ def iri(
 
 
 def base_samples(spacing: float) -> int:
-    """Number of sample intervals in the base of a slope: 0.25 m over ``spacing`` (m), rounded, at least 1."""
+    """Return the number of sample intervals in a slope's base: 0.25 m over ``spacing`` (m), rounded, at least 1."""
     return max(1, math.floor(BASE / spacing + 0.5 + _NEARLY))
 
 
 def rectified_slope(height: Array, spacing: float, run_up: float = RUN_UP) -> Array:
-    """Absolute slope difference (m/m) between the masses of the golden car after each step along a profile.
+    """Compute the absolute slope difference (m/m) between the masses of the golden car after each step of a profile.
 
-    ``height`` (m) has samples every ``spacing`` (m), ``run_up`` (m) is the length whose mean slope the car starts with.
-    There are as many steps as slopes: the number of samples less that of the base.
+    ``height`` (m) has samples every ``spacing`` (m); the car starts with the mean slope over ``run_up`` (m). There are
+    as many steps as slopes: the number of samples minus that of the base.
     """
     count = base_samples(spacing)
     slope = (height[count:] - height[:-count]) / (count * spacing)
@@ -199,7 +199,7 @@ def rectified_slope(height: Array, spacing: float, run_up: float = RUN_UP) -> Ar
     rest = inverse @ np.array([ahead, 0.0, ahead, 0.0])
     upper = [
         i for i, value in enumerate(values) if value.imag > 0.0
-    ]  # the other two are their conjugates
+    ]  # the other two modes are their conjugates
     result = sum(
         2.0 * (shown[i] * first_order(slope * drive[i], complex(factors[i]), complex(rest[i]))).real
         for i in upper
@@ -208,7 +208,7 @@ def rectified_slope(height: Array, spacing: float, run_up: float = RUN_UP) -> Ar
 
 
 def state_transition(spacing: float) -> tuple[Array, Array]:
-    """Matrices of one step along the profile: ``Z[i+1] = ST Z[i] + PR slope`` (slope form, s for the rates).
+    """Return the matrices of one step along the profile: ``Z[i+1] = ST Z[i] + PR slope`` (slope form, s for the rates).
 
     ``Z`` holds the slopes (1) and their rates (1/s) of sprung and unsprung mass; ``spacing`` is the step in m.
     """
@@ -220,9 +220,9 @@ def state_transition(spacing: float) -> tuple[Array, Array]:
 
 
 def golden_car_response(wavelength: ArrayLike) -> NDArray[np.complex128]:
-    """Slope difference of the golden car's masses over the slope of a sinusoidal road (1), per wavelength in m.
+    """Return the golden car's slope difference over the slope of a sinusoidal road (1), by wavelength in m.
 
-    The quarter car alone at 80 km/h, without the 0.25 m base, whose gain is ``sinc(0.25 m / wavelength)``.
+    This is the quarter car alone at 80 km/h, without the 0.25 m base, whose gain is ``sinc(0.25 m / wavelength)``.
     """
     s = 2j * math.pi * SPEED / np.asarray(wavelength, dtype=float)
     values, vectors, inverse = _modes()
@@ -251,7 +251,7 @@ def _drive() -> Array:
 
 
 def _modes() -> tuple[NDArray[np.complex128], NDArray[np.complex128], NDArray[np.complex128]]:
-    """Eigenvalues (1/s), eigenvectors and their inverse: with them the matrix exponential is exact and cheap."""
+    """Return eigenvalues (1/s), eigenvectors and their inverse, for an exact and cheap matrix exponential."""
     values, vectors = np.linalg.eig(_system())
     return values, vectors, np.linalg.inv(vectors)
 
@@ -259,7 +259,7 @@ def _modes() -> tuple[NDArray[np.complex128], NDArray[np.complex128], NDArray[np
 def _segments(
     trace: Array, start: float, end: float, spacing: float, base: float, length: float
 ) -> tuple[RoughnessSegment, ...]:
-    """Means over the steps with their middle in a segment."""
+    """Return means over the steps whose midpoints are in a segment."""
     middle = 0.5 * base + spacing * np.arange(trace.size)
     whole = math.floor((end - start) / length + _NEARLY)
     number = np.floor(middle / length + 1e-9).astype(int)
@@ -277,7 +277,7 @@ def _segments(
 
 
 def _check_spacing(x: Array, z: Array, place: str) -> float:
-    """Refuse distances and heights that are not a profile; return the sample spacing, m."""
+    """Check that distances and heights form a profile; return the sample spacing, m."""
     if x.ndim != 1 or x.shape != z.shape:
         problem = "distance and height are not two columns of the same length"
         raise RecordingError(problem, where=place, found=f"shapes {x.shape} and {z.shape}")
@@ -385,12 +385,12 @@ def _findings(whole: float, spacing: float, place: str) -> tuple[Finding, ...]:
 def read_profile(
     path: Path | str, *, columns: Mapping[str, str] | None = None, lateral_offset: float = 0.0
 ) -> tuple[Array, Array, list[Finding]]:
-    r"""Read distance and height (m) of a longitudinal profile, and findings on assumptions and errors.
+    r"""Read distance and height (m) of a longitudinal profile, with findings on assumptions and errors.
 
-    The file is text with the columns ``x`` and ``z`` (``x [m], z [mm]``), or with two bare columns of numbers in m; any
-    other format recordings are read from; a straight OpenCRG road (``.crg``), or the name of a shipped one, of which
-    the line at ``lateral_offset`` (m, left positive) is read. ``columns`` says where ``x`` and ``z`` are when they have
-    other names: ``{"z": "elevation [mm]"}``. Curved roads, other columns and units that do not fit are refused.
+    The file is text with columns ``x`` and ``z`` (``x [m], z [mm]``) or two columns without a header in m, any other
+    format of recordings, or a straight OpenCRG road (``.crg``). The name of a shipped road is also accepted. From an
+    OpenCRG road the line at ``lateral_offset`` (m, positive to the left) is read. ``columns`` maps ``x`` and ``z`` to
+    other names: ``{"z": "elevation [mm]"}``. Curved roads, unknown columns and incompatible units are rejected.
 
     Examples
     --------
@@ -418,20 +418,20 @@ def read_profile(
 
 @dataclass(frozen=True)
 class ProfileRoughness(Plain):
-    """A profile of a file and its roughness.
+    """A profile from a file and its roughness.
 
     Attributes
     ----------
     profile : str
-        The file, or the name of a shipped road.
+        File, or name of a shipped road.
     offset : float
         Lateral offset of the profile in an OpenCRG road, m.
     roughness : Roughness
-        Index of the whole and of each segment.
+        Index of the whole profile and of each segment.
     distance, height : ndarray, shape (n,)
-        The profile, m.
+        Distance and height of the profile, m.
     findings : tuple of Finding
-        Assumptions of reading, and limitations of the numbers.
+        Assumptions made when reading the file, and limitations of the results.
     """
 
     profile: str
@@ -484,24 +484,24 @@ def profile_roughness(
     Parameters
     ----------
     profile : path or str
-        Text with the columns ``x`` and ``z``, or with two bare columns of numbers in m; any other format that
-        recordings are read from; a straight OpenCRG road, or the name of a shipped one.
+        Text with columns ``x`` and ``z`` or two columns without a header in m, any other format of recordings, a
+        straight OpenCRG road, or the name of a shipped road.
     segment : float or str
         Length of the segments, m.
     offset : float or str
-        Lateral offset of the profile in an OpenCRG road, m, left positive.
+        Lateral offset of the profile in an OpenCRG road, m, positive to the left.
     columns : mapping, optional
-        Where ``x`` and ``z`` are when they have other names: ``{"z": "elevation [mm]"}``.
+        Other names of the columns ``x`` and ``z``: ``{"z": "elevation [mm]"}``.
 
     Returns
     -------
     ProfileRoughness
-        SI; the index in m/km.
+        Results in SI; the index in m/km.
 
     Raises
     ------
     RecordingError
-        For files that cannot be read, and as for :func:`iri`.
+        If the file cannot be read, and as for :func:`iri`.
 
     Examples
     --------
@@ -518,7 +518,7 @@ def profile_roughness(
 
 
 def _rows(file: Path) -> list[tuple[int, list[str]]]:
-    """Non-empty lines without comments, with their numbers, split at blanks, commas, semicolons."""
+    """Return non-empty lines without comments, with line numbers, split at blanks, commas and semicolons."""
     text = text_of(file)
     lines = ((number, line.split("#")[0]) for number, line in enumerate(text.splitlines(), 1))
     split = ((number, line.replace(",", " ").replace(";", " ").split()) for number, line in lines)

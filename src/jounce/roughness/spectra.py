@@ -1,4 +1,4 @@
-"""Road spectra of ISO 8608, equivalent noise, and the roughness of measured profiles."""
+"""ISO 8608 road spectra, equivalent noise, and the roughness of measured profiles."""
 
 from __future__ import annotations
 
@@ -17,15 +17,14 @@ from jounce.core.types import Array
 from jounce.core.units import as_number
 from jounce.roads.rough import BAND, CLASSES, MEAN_A, REFERENCE, RoadClass, as_roughness
 
-_UNEVEN = 1e-3  # of the spacing
-_PER_OCTAVE = 3  # bands for fitting the line: enough averages in each, enough bands in all
+_UNEVEN = 1e-3  # share of the spacing
+_PER_OCTAVE = 3  # bands for the line fit: enough averages per band, and enough bands
 
 
 def roughness_class(roughness: float) -> RoadClass:
-    """Road class, "A" to "H", whose limits contain a degree of roughness G_d(n0) in m^3, above 0.
+    """Return the road class, "A" to "H", of a degree of roughness G_d(n0) in m^3, above 0.
 
-    The limit between two classes is twice the mean of the smoother one; what is smoother or rougher than all of them is
-    "A" or "H".
+    The limit between two classes is twice the mean of the smoother class. Smoother or rougher roads are "A" or "H".
 
     Examples
     --------
@@ -41,7 +40,7 @@ def roughness_class(roughness: float) -> RoadClass:
 
 
 def road_psd(road: str | float, n: ArrayLike, *, waviness: float = 2.0) -> Array:
-    """One-sided spectral density of the height, G_d(n) = G_d(n0) (n / n0)^-w with n0 = 0.1 1/m.
+    """Return the one-sided spectral density of the height, G_d(n) = G_d(n0) (n / n0)^-w with n0 = 0.1 1/m.
 
     Parameters
     ----------
@@ -55,12 +54,12 @@ def road_psd(road: str | float, n: ArrayLike, *, waviness: float = 2.0) -> Array
     Returns
     -------
     ndarray
-        G_d in m^3, the shape of ``n``; against angular frequency it is 2 pi times less.
+        G_d in m^3, the shape of ``n``. The density over angular frequency is smaller by a factor of 2 pi.
 
     Raises
     ------
     DescriptionError
-        For an unknown class and frequencies that are not above 0.
+        If the class is unknown or a frequency is not positive.
 
     Notes
     -----
@@ -82,7 +81,7 @@ def road_psd(road: str | float, n: ArrayLike, *, waviness: float = 2.0) -> Array
 
 
 def white_noise_intensity(road: str | float, speed: float) -> float:
-    """Intensity W of the white noise that is the vertical velocity of a road with waviness 2.
+    """Return the white-noise intensity W of the vertical velocity of a road with waviness 2.
 
     Parameters
     ----------
@@ -111,11 +110,11 @@ def white_noise_intensity(road: str | float, speed: float) -> float:
 def filtered_noise(
     road: str | float, speed: float, *, cutoff: float = BAND[0]
 ) -> tuple[float, float]:
-    """First-order filter that shapes white noise into the height of a road with waviness 2, at a speed in m/s above 0.
+    """Return a first-order filter from white noise to the height of a road with waviness 2, at a speed in m/s above 0.
 
-    Its pole and gain belong to dz/dt = -pole z + gain w with w of one-sided density 1 per Hz (two-sided 1/2):
+    Pole and gain are those of dz/dt = -pole z + gain w with w of one-sided density 1 per Hz (two-sided 1/2):
     pole = 2 pi cutoff v in 1/s, gain = 2 pi n0 sqrt(G_d(n0) v) in m/s; the variance of z is gain^2 / (4 pole). Below
-    ``cutoff`` (1/m) the spectrum is flat, so that the variance is finite. The road is a class or G_d(n0) in m^3.
+    ``cutoff`` (1/m) the spectrum is flat, which makes the variance finite. The road is a class or G_d(n0) in m^3.
 
     Examples
     --------
@@ -133,7 +132,7 @@ def filtered_noise(
 
 @dataclass(frozen=True)
 class RoadSpectrum(Shown):
-    """Spectrum of a profile and the straight line through it, SI units.
+    """Spectrum of a profile and a line fitted to it, SI units.
 
     Attributes
     ----------
@@ -142,9 +141,9 @@ class RoadSpectrum(Shown):
     waviness : float
         Exponent w (1) of the line.
     road_class : str
-        Class of ISO 8608 with this roughness.
+        ISO 8608 class of this roughness.
     band : tuple of float
-        Spatial frequencies in 1/m between which the line was fitted.
+        Range of spatial frequencies in 1/m in which the line was fitted.
     deviation : float
         Standard deviation of the smoothed spectrum from the line in dB.
     n, psd : ndarray
@@ -167,7 +166,7 @@ def estimate_roughness(
     band: tuple[float, float] = BAND,
     waviness: float | None = None,
 ) -> RoadSpectrum:
-    """Spectrum, degree of roughness and class of a profile with evenly spaced points.
+    """Estimate spectrum, degree of roughness and class of a profile with evenly spaced points.
 
     Parameters
     ----------
@@ -176,25 +175,25 @@ def estimate_roughness(
     height : array_like, shape (n,)
         Height in m.
     band : tuple of float
-        Lowest and highest spatial frequency in 1/m for the fit; what the profile does not contain is left out.
+        Lowest and highest spatial frequency in 1/m for the fit, limited to the range of the profile.
     waviness : float, optional
-        Fixed exponent (1), 2 for a class by the standard; fitted by default.
+        Fixed exponent (1), 2 for a standard class; fitted by default.
 
     Returns
     -------
     RoadSpectrum
-        Spectrum, the line through it (least squares in logarithms over bands of a third of an octave), its class.
+        Spectrum, fitted line (logarithmic least squares over third-octave bands) and class.
 
     Raises
     ------
     RecordingError
-        For unequal lengths, values that are not finite, x that does not ascend evenly, and profiles too short or too
-        coarse for a fit over two octaves.
+        For unequal lengths, values that are not finite, unevenly spaced x, and profiles too short or too coarse for a
+        fit over two octaves.
 
     Notes
     -----
-    Welch's method (Hann windows that overlap by half) on the slope, whose spectrum is flat, so that long waves do not
-    leak into short ones; then divided by the gain of the difference. Leave out fades at the ends of a synthetic road.
+    Welch's method (Hann windows with 50 % overlap) is applied to the slope, whose flat spectrum prevents leakage from
+    long waves into short ones. The result is divided by the gain of the difference. Exclude fades of synthetic roads.
 
     Examples
     --------
@@ -265,20 +264,20 @@ def _check_profile(x: ArrayLike, height: ArrayLike) -> tuple[float, Array]:
 
 
 def _welch(step: float, z: Array, low: float) -> tuple[Array, Array, float]:
-    """Spatial frequencies (1/m), density (m^3) by way of the slope, and the number of averaged values of each."""
+    """Return spatial frequencies (1/m), density (m^3) computed from the slope, and the number of averages."""
     from scipy.signal import welch
 
     segment = min(len(z) - 1, max(16, round(5.0 / (low * step))))
     n, slope_psd = welch(np.diff(z) / step, fs=1.0 / step, nperseg=segment, detrend="constant")
-    n, slope_psd = n[2:], slope_psd[2:]  # the window smears the mean over the first two
+    n, slope_psd = n[2:], slope_psd[2:]  # the window spreads the mean over the first two lines
     return n, slope_psd / (2.0 * np.sin(np.pi * n * step) / step) ** 2, (len(z) - 1) / segment
 
 
 def _average_bands(
     n: Array, psd: Array, band: tuple[float, float], averages: float
 ) -> tuple[Array, Array, Array]:
-    """Average the level (log10 m^3) in bands of a third of an octave; return also the weight of each (1)."""
-    low, high = band[0], band[1] - n[0]  # the window smears the end of the band over two lines
+    """Average the level (log10 m^3) in third-octave bands; return also the weight of each band (1)."""
+    low, high = band[0], band[1] - n[0]  # the window spreads the end of the band over two lines
     count = int(np.ceil(_PER_OCTAVE * np.log2(high / low) - 1e-9)) if high > low else 0
     borders = low * 2.0 ** (np.arange(count + 1) / _PER_OCTAVE)
     centres, levels, weights = [], [], []
@@ -289,7 +288,7 @@ def _average_bands(
             flat = psd[inside] * (n[inside] / centre) ** 2
             values = (
                 float(inside.sum()) * averages
-            )  # independent ones, of two degrees of freedom each
+            )  # independent values with two degrees of freedom each
             # the mean of a logarithm is below the logarithm of the mean
             levels.append(np.log10(np.mean(flat)) + 0.5 / (values * np.log(10.0)))
             centres.append(centre)
