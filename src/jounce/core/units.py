@@ -221,7 +221,7 @@ def conversion_factor(unit: str, si: str, *, where: str = "") -> float:
 
 
 _VOLTAGE = re.compile("[kmuµμ]?V|[Vv]olts?")
-_VOLTAGE_HINT = "A voltage is the raw signal of a sensor: divide by its sensitivity (e.g. mV/g) and write the resulting unit."
+_VOLTAGE_HINT = "A voltage is a raw sensor signal: divide by its sensitivity (e.g. mV/g) and write the resulting unit."
 
 
 def base_units(si: str) -> dict[str, int]:

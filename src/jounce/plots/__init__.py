@@ -1,7 +1,8 @@
-"""Figures of every result, in one style. They show numbers and never compute them.
+"""Figures of all results, in one style. They show values and never compute them.
 
-``jn.plots.show(result)`` draws anything; the functions below draw one kind each and give a matplotlib ``Figure``, which
-:func:`write_figure` writes as SVG, PNG or PDF. The names are those of ``__init__.pyi``; each is loaded on first use.
+``jn.plots.show(result)`` draws any result. Each function below draws one kind of result and returns a matplotlib
+``Figure``, which :func:`write_figure` writes as SVG, PNG or PDF. The names are listed in ``__init__.pyi``; each is
+loaded on first use.
 """
 
 import lazy_loader

@@ -38,24 +38,24 @@ if TYPE_CHECKING:
     from jounce.analysis.statistics import RecordStatistics
     from jounce.analysis.transfer import TransferEstimate
 
-_LONGEST_NAME = 22  # characters of a channel beside its axes
-_DECADES = 1e-7  # of the largest density, below which nothing is shown
+_LONGEST_NAME = 22  # characters of a channel name next to its axes
+_DECADES = 1e-7  # of the largest density: smaller values are not shown
 _CLASSES = 60
 
 
 @in_style
 def channel_statistics(statistics: RecordStatistics) -> Figure:
-    r"""Draw each channel over time, and beside it how often each value occurs; dashed: as often in Gaussian noise.
+    r"""Draw each channel over time with a histogram of its values; dashed: the distribution of Gaussian noise.
 
     Parameters
     ----------
     statistics : RecordStatistics
-        As :func:`jounce.describe_channels` gives it.
+        Result of :func:`jounce.describe_channels`.
 
     Returns
     -------
     matplotlib.figure.Figure
-        A row for each channel, in the units that are chosen.
+        One row for each channel, in the current system of units.
 
     Examples
     --------
@@ -109,17 +109,17 @@ def _occurrences(axes: Axes, values: Array, mean: float, deviation: float) -> No
 
 @in_style
 def channel_spectra(spectra: RecordSpectra) -> Figure:
-    """Draw the power spectral density of each channel, its interval and the peaks that stand out.
+    """Draw the power spectral density of each channel, with its interval and significant peaks.
 
     Parameters
     ----------
     spectra : RecordSpectra
-        As :func:`jounce.estimate_spectra` gives it.
+        Result of :func:`jounce.estimate_spectra`.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Axes for each channel over frequency (Hz); circles: peaks; shaded: the interval.
+        One set of axes for each channel, over frequency (Hz); circles: peaks; shaded: confidence interval.
 
     Examples
     --------
@@ -185,17 +185,17 @@ def _spectrum(axes: Axes, row: ChannelSpectrum, interval: tuple[float, float]) -
 
 @in_style
 def transfer_estimate(transfer: TransferEstimate) -> Figure:
-    """Draw gain with its interval, phase and coherence of two measured channels, beside a linear model.
+    """Draw gain with its interval, phase and coherence of two measured channels, compared with a linear model.
 
     Parameters
     ----------
     transfer : TransferEstimate
-        As :func:`jounce.estimate_transfer` gives it.
+        Result of :func:`jounce.estimate_transfer`.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Gain, phase (°) and coherence (1) over frequency (Hz); dotted: coherence that unrelated channels stay below.
+        Gain, phase (°) and coherence (1) over frequency (Hz); dotted: largest coherence expected by chance.
 
     Examples
     --------
@@ -264,7 +264,7 @@ def transfer_estimate(transfer: TransferEstimate) -> Figure:
 
 
 def _unbroken(angle: Array) -> Array:
-    """Angles without the lines that jump from one end of the axis to the other."""
+    """Angles with gaps where the line would jump from one end of the axis to the other."""
     broken = angle.copy()
     broken[1:][np.abs(np.diff(angle)) > np.pi] = np.nan
     return broken
@@ -272,18 +272,18 @@ def _unbroken(angle: Array) -> Array:
 
 @in_style
 def measured_modes(modes: FittedModes) -> Figure:
-    """Draw what was measured with the fitted modes, and below it the poles of denominators of rising order.
+    """Draw the measured lines with the fitted modes, and below them the poles of denominators of rising order.
 
     Parameters
     ----------
     modes : FittedModes
-        As :func:`jounce.fit_modes` gives it.
+        Result of :func:`jounce.fit_modes`.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Magnitudes over frequency (Hz), each output over its largest; below: filled points are stable poles; lines: the
-        modes with their intervals; dashed: those of the model.
+        Magnitudes over frequency (Hz), each output relative to its maximum. Below: filled points are stable poles,
+        solid lines the modes with their intervals, dashed lines the modes of the model.
     """
     figure = new_figure(5.4)
     above, below = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": [1.7, 1.0]})
@@ -345,17 +345,17 @@ def measured_modes(modes: FittedModes) -> Figure:
 
 @in_style
 def integrated_motion(integration: Integration) -> Figure:
-    """Draw each acceleration with its velocity and displacement; shaded: what the ends of the record reach.
+    """Draw each acceleration with its velocity and displacement; shaded: times affected by the ends of the record.
 
     Parameters
     ----------
     integration : Integration
-        As :func:`jounce.integrate_acceleration` gives it.
+        Result of :func:`jounce.integrate_acceleration`.
 
     Returns
     -------
     matplotlib.figure.Figure
-        A column for each of the first three channels, in the units that are chosen, over time (s).
+        One column for each of the first three channels, in the current system of units, over time (s).
     """
     shown = integration.channels[:_MOST_INTEGRATED]
     figure = new_figure(5.0, max(7.6, 4.2 * len(shown)))
@@ -392,9 +392,7 @@ def integrated_motion(integration: Integration) -> Figure:
                 if high > low:
                     axes.axvspan(low, high, color=GRID, linewidth=0.0, zorder=0)
             if error:
-                words = (
-                    f"noise adds {unit.behind(number(error * unit.factor, 2))} (standard deviation)"
-                )
+                words = f"noise error: {unit.behind(number(error * unit.factor, 2))} (standard deviation)"
                 axes.set_title(words, fontsize=8, color=MUTED, fontweight="normal")
         column[-1].set_xlabel("time [s]")
         limits(column[-1], first, last)

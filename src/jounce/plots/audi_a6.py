@@ -38,8 +38,8 @@ _MODELS: dict[str, dict[str, Any]] = {
     "series": {"color": PALETTE[4], "linestyle": (0, (2.5, 2.5)), "zorder": 3},
     "two-mass": {"color": PALETTE[0], "linestyle": "-", "zorder": 2},
 }
-_BEGIN, _END = 2.5, 10.0  # s: shown
-_EVENTS = (3.0, 6.0, 8.0)  # s: moment, obstacle, its end, as in the paper
+_BEGIN, _END = 2.5, 10.0  # s: range shown
+_EVENTS = (3.0, 6.0, 8.0)  # s: start of the moment, start and end of the obstacle, as in the paper
 _TURNS = 0.4  # s: two turns of the exciter
 
 
@@ -90,7 +90,7 @@ def case_overview(study: AudiCase, moment: float) -> Figure:
 
 @in_style
 def start_up_transient(study: AudiCase) -> Figure:
-    """Draw how the paper's vehicle settles (mm) from the initial state of the demo to its equilibrium."""
+    """Draw the transient of the paper's vehicle (mm) from the initial state of the demo to its equilibrium."""
     start_up = study.start_up
     figure = new_figure(2.6)
     axes = figure.subplots()
@@ -149,7 +149,7 @@ def exciter_spring(study: EccentricExciter, duration: float = 3.0) -> Figure:
 
 @in_style
 def exciter_torque_curve(study: EccentricExciter) -> Figure:
-    """Draw torque (N m) and plate force (kN) over two turns of steady motion, beside the torque of eq. (5)."""
+    """Draw torque (N m) and plate force (kN) over two turns of steady motion, with the torque of eq. (5)."""
     figure = new_figure(4.6)
     rows = figure.subplots(2, 1, sharex=True)
     torque, force = display_unit("N*m"), display_unit_for("kN")

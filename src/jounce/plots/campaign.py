@@ -1,4 +1,4 @@
-"""Trials of a campaign: measured and simulated signals of one, and all of them at a glance."""
+"""Trials of a campaign: measured and simulated signals of one trial, and an overview of all trials."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from jounce.campaign.trial_result import Signals, TrialComparison, TrialResult
 
 
-_LIVELY = 0.15  # of the largest excursion: what the zoom must show
+_LIVELY = 0.15  # of the largest excursion: larger ones must be in the zoom
 
 
 @in_style
@@ -50,8 +50,8 @@ def measured_against_simulated(
     trial : TrialResult
         A trial of a campaign with its signals.
     obstacle : (float, float), optional
-        First and last time at which the wheel is on the obstacle, s; shaded. The zoom always shows where the measured
-        signals are lively.
+        First and last time at which the wheel is on the obstacle, s; shaded. The zoom always includes the times at
+        which the measured signals vary strongly.
 
     Returns
     -------
@@ -61,7 +61,7 @@ def measured_against_simulated(
     Raises
     ------
     FitError
-        When the trial has no signals, because its recording could not be used.
+        If the trial has no signals, because its recording could not be used.
     """
     signals = trial.signals or trial.signals_before
     if not signals:
@@ -136,7 +136,7 @@ def _draw_simulated(
 def lively_window(
     signals: dict[str, Signals], obstacle: tuple[float, float] | None = None
 ) -> tuple[float, float]:
-    """Choose the part of the time (s) that is worth a closer look: where measured signals move, and the obstacle."""
+    """Choose the time range (s) of the zoom: the times at which measured signals vary strongly, and the obstacle."""
     begins, ends = [], []
     for signal in signals.values():
         away = np.abs(signal.measured - np.median(signal.measured))
@@ -160,7 +160,7 @@ _MARKERS = "osD^vP"
 
 
 def channels_of(trials: Sequence[TrialResult]) -> list[str]:
-    """All channels compared in any trial, in order of appearance."""
+    """Return all channels compared in any trial, in order of appearance."""
     names: dict[str, None] = {}
     for trial in trials:
         for comparison in (trial.after, trial.before):
@@ -181,7 +181,7 @@ def trial_matrix(trials: Sequence[TrialResult]) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        One row per trial; at the right the lowest R² of its channels after updating and the verdict in words.
+        One row per trial; on the right, the lowest R² of its channels after updating and the verdict in words.
     """
     channels = channels_of(trials)
     figure = new_figure(1.3 + 0.27 * len(trials))
@@ -242,7 +242,7 @@ def _label_matrix(axes: Axes, trials: Sequence[TrialResult], channels: list[str]
     inches = float(axes.get_figure().get_size_inches()[0])  # type: ignore[union-attr]
     most = int(
         (inches - 1.2) / (2 * width + 2.2) / 0.078
-    )  # letters above a column, so that names do not meet
+    )  # characters above a column that keep names from overlapping
     for group, text in enumerate(("before updating", "after updating")):
         start = group * (width + 0.3)
         axes.text(
@@ -276,13 +276,13 @@ def residual_against_speed_and_pitch(trials: Sequence[TrialResult]) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        NRMSE of trials over one obstacle against speed (m/s), of those over trains against pitch (mm); filled marks
-        are fitted trials, hollow ones held out. Where there are none of a kind, the other has the whole width.
+        NRMSE of trials over one obstacle against speed (m/s), and of trials over trains against pitch (mm); filled
+        marks are fitted trials, hollow ones held out. If there is only one kind of trial, it takes the whole width.
 
     Raises
     ------
     FitError
-        When no trial could be compared, or none of these has a speed or a pitch.
+        If no trial could be compared, or none of those compared has a speed or a pitch.
     """
     usable = [trial for trial in trials if trial.after is not None]
     if not usable:
@@ -305,7 +305,7 @@ def residual_against_speed_and_pitch(trials: Sequence[TrialResult]) -> Figure:
     panels = [panel for panel in panels if panel[1]]
     if not panels:
         raise FitError(
-            "no trial that could be compared has a speed or a pitch of obstacles", where="residuals"
+            "none of the compared trials has a speed or an obstacle pitch", where="residuals"
         )
     figure = new_figure(3.4)
     widths = {"width_ratios": [width for width, _, _ in panels]}
@@ -343,7 +343,7 @@ def _draw_errors(
 
 
 def _number_points(axes: Axes, trials: Sequence[TrialResult], places: Sequence[float]) -> None:
-    """Write each trial's number beside its points where there is room; points are at ``places`` in display units."""
+    """Write each trial's number next to its points if there is room; points are at ``places`` in display units."""
     low, high = axes.get_ylim()
     begin, end = axes.get_xlim()
     taken: list[tuple[float, float]] = []

@@ -1,4 +1,4 @@
-"""Several recordings or sweeps in one picture, and what each differs by from the first."""
+"""Several recordings or sweeps in one figure, with their differences from the first."""
 
 from __future__ import annotations
 
@@ -41,28 +41,29 @@ def compare(
     *,
     differences: bool = True,
 ) -> Figure:
-    r"""Draw the same channels of several runs, recordings or sweeps over each other, and their differences below.
+    r"""Draw the same channels of several runs, recordings or sweeps in common axes, with their differences below.
 
     Parameters
     ----------
     runs : mapping of str to xarray.Dataset, or sequence of xarray.Dataset
-        By the names of the legend; a sequence is numbered. All over the same axis: ``time`` (s), or what was swept.
+        Runs by their names in the legend; a sequence is numbered. All must have the same axis: ``time`` (s), or the
+        swept quantity.
     channels : sequence of str, optional
-        What to draw, from top to bottom; by default up to four that all of them hold.
+        Channels to draw, from top to bottom; by default up to four that all runs have.
     differences : bool
-        Whether each channel is followed by what the others differ by from the first one, where both are known; between
-        samples the line through them counts.
+        Whether to draw, below each channel, the differences of the other runs from the first one, where both are known;
+        samples are interpolated linearly.
 
     Returns
     -------
     matplotlib.figure.Figure
-        One set of axes per channel, and one per difference, in display units. Of long records each column of the
-        picture keeps its peaks.
+        One set of axes per channel, and one per difference, in display units. Long records are thinned such that each
+        column of pixels keeps its peaks.
 
     Raises
     ------
     RecordingError
-        For nothing to compare, different axes, or a channel that one of them does not hold.
+        For an empty collection, different axes, or a channel that is missing in one of the runs.
 
     Examples
     --------
@@ -123,7 +124,7 @@ def compare(
 
 
 def named_runs(runs: Mapping[str, xr.Dataset] | Sequence[xr.Dataset]) -> dict[str, xr.Dataset]:
-    """Give runs by name; refuse an empty collection."""
+    """Return runs by name; refuse an empty collection."""
     named = (
         dict(runs)
         if isinstance(runs, Mapping)
@@ -139,25 +140,27 @@ def named_runs(runs: Mapping[str, xr.Dataset] | Sequence[xr.Dataset]) -> dict[st
 
 
 def common_axis(runs: Mapping[str, xr.Dataset]) -> str:
-    """Name the axis that all runs share: time, or a swept quantity."""
+    """Return the name of the axis common to all runs: time, or a swept quantity."""
     axis_of = {}
     for label, data in runs.items():
         axes = [str(name) for name in data.dims if name in data.coords]
         axis = "time" if "time" in axes else axes[0] if len(axes) == 1 else ""
         if not axis:
             dimensions = " x ".join(map(str, data.dims)) or "none"
-            raise RecordingError("curves over one axis are needed", where=label, found=dimensions)
+            raise RecordingError(
+                "each run must be a curve over one axis", where=label, found=dimensions
+            )
         axis_of[label] = axis
     if len(set(axis_of.values())) > 1:
         listed = ", ".join(f"{label}: {axis}" for label, axis in axis_of.items())
-        raise RecordingError("these are over different axes", where="compare", found=listed)
+        raise RecordingError("the runs have different axes", where="compare", found=listed)
     return next(iter(axis_of.values()))
 
 
 def common_channels(
     runs: Mapping[str, xr.Dataset], channels: Sequence[str] | None, most: int = _MOST_BY_DEFAULT
 ) -> list[str]:
-    """Give the channels to draw, which all runs hold."""
+    """Return the channels to draw, which all runs must have."""
     axis = common_axis(runs)
     held = [
         [str(name) for name in data.data_vars if data.variables[name].dims == (axis,)]
@@ -177,7 +180,7 @@ def common_channels(
         return list(channels)
     if not present:
         raise RecordingError(
-            "no channel is common to all of them",
+            "no channel is common to all runs",
             where="compare",
             found="; ".join(map(", ".join, held)),
         )
@@ -185,7 +188,7 @@ def common_channels(
 
 
 def line_of(data: xr.Dataset, name: str, axis: str) -> tuple[Array, Array]:
-    """Give a channel as (x, y) in SI, x ascending."""
+    """Return a channel as (x, y) in SI, with x ascending."""
     x, y = (data.variables[variable].to_numpy().astype(float) for variable in (axis, name))
     if len(x) > 1 and bool(np.any(np.diff(x) < 0.0)):
         order = np.argsort(x, kind="stable")
@@ -194,7 +197,7 @@ def line_of(data: xr.Dataset, name: str, axis: str) -> tuple[Array, Array]:
 
 
 def apart(values: Array, reference: Array) -> Array:
-    """Subtract a reference, shapes (n,); NaN where either is not known or infinite."""
+    """Subtract a reference, shapes (n,); NaN where either is unknown or infinite."""
     known = np.isfinite(values) & np.isfinite(reference)
     difference = np.full(len(values), np.nan)
     difference[known] = values[known] - reference[known]
@@ -202,7 +205,7 @@ def apart(values: Array, reference: Array) -> Array:
 
 
 def through(line: tuple[Array, Array], x: Array) -> Array:
-    """Read a line between its samples; NaN beyond its ends."""
+    """Interpolate a line linearly at ``x``; NaN beyond its ends."""
     return (
         np.interp(x, *line, left=np.nan, right=np.nan) if len(line[0]) else np.full(len(x), np.nan)
     )

@@ -1,4 +1,4 @@
-"""Designs and rides: what an optimisation changed, comfort against road holding of designs and of controllers."""
+"""Figures of designs and rides: changes by an optimisation, comfort over road holding of designs and controllers."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ _BAR = 0.55
 
 @in_style
 def pareto_front(front: ParetoFront) -> Figure:
-    """Draw a front: both metrics, coloured by a third where there is one, and best dampers; beside it the free numbers.
+    """Draw a front: two metrics, coloured by a third if there is one, and best dampers; next to it the free numbers.
 
     Examples
     --------
@@ -82,7 +82,9 @@ def pareto_front(front: ParetoFront) -> Figure:
             )
         low, high = axes.get_ylim()
         middle, least = 0.5 * (low + high), 1e-3 * max(abs(low), abs(high))
-        if high - low < least:  # a number that stays at its bound: no axis of rounding errors
+        if (
+            high - low < least
+        ):  # a number that stays at its bound: do not scale the axis to rounding errors
             axes.set_ylim(middle - 100.0 * least, middle + 100.0 * least)
         axes.set_ylabel(shown.name or "–")
         axes.set_title(" · ".join(paths) if len(paths) == 1 else "")
@@ -97,7 +99,7 @@ def pareto_front(front: ParetoFront) -> Figure:
 def design_front(front: DesignFront) -> Figure:
     """Draw a front of several metrics: each pair of the first four, then all metrics and numbers as parallel axes.
 
-    A design has the same colour everywhere, by the first metric; the rig as it is is a diamond, and a dashed line.
+    Each design has the same colour in all axes, by the first metric; the present rig is a diamond and a dashed line.
 
     Examples
     --------
@@ -154,7 +156,7 @@ _MOST_PAIRED, _ACROSS = 4, 3
 
 
 def _parallel_front(axes: Axes, front: DesignFront, colours: Array) -> None:
-    """Draw designs as lines over upright axes: metrics, then numbers."""
+    """Draw designs as lines over parallel vertical axes: metrics, then numbers."""
     columns, labels = [], []
     units = {**front.goal_units, **front.number_units}
     present = {**front.present, **front.start}
@@ -191,7 +193,7 @@ def _label(front: ParetoFront, role: str) -> str:
     unit, metric = display_unit(front.units[role]), front.metrics[role]
     return unit.label(
         metric if ": " in metric else f"{_WORDS[role]}: {metric}"
-    )  # that of a case is whatever was asked
+    )  # a case may have any metric
 
 
 def _front(figure: Figure, axes: Axes, front: ParetoFront) -> None:
@@ -264,10 +266,10 @@ def _handles(front: ParetoFront) -> list[Any]:
 
 @in_style
 def optimisation(result: Optimisation) -> Figure:
-    """Draw what an optimisation changed.
+    """Draw the changes made by an optimisation.
 
     Left: each design variable between its bounds (0 to 100 %), with the range in which the objective rises by 1 %.
-    Right: each metric and limited channel relative to the start (%), limits as strokes.
+    Right: each metric and limited channel relative to its initial value (%), with limits as vertical marks.
 
     Examples
     --------
@@ -359,7 +361,7 @@ _Row = tuple[str, float, float, "DesignConstraint | None", str]
 
 
 def _rows(result: Optimisation) -> list[_Row]:
-    """Name, value before and after, limit and unit of each bar: objective first, then limited channels."""
+    """Name, values before and after, limit and unit of each bar: objective first, then limited channels."""
     rows: list[_Row] = [
         (name, result.before[name], result.after[name], None, result.units[name])
         for name in result.objective
@@ -398,12 +400,12 @@ def _draw_metrics(axes: Axes, rows: list[_Row]) -> None:
     axes.grid(axis="y", visible=False)
 
 
-_HIGHEST = 50.0  # Hz: above wheel hop of any rig of the library
-_POINT_SIZE = 200.0  # points^2, of the ride with the greatest travel
+_HIGHEST = 50.0  # Hz: above the wheel hop of all rigs in the library
+_POINT_SIZE = 200.0  # points^2, of the ride with the largest travel
 
 
 def study_spectra(study: RideStudy, *, title: str) -> Figure:
-    """Draw the spectra of all rides of a study, with those of the linear model."""
+    """Draw the spectra of all rides of a study, with the spectra of the linear model."""
     return ride_spectra(study.rides, study.stationary, title)
 
 
@@ -413,8 +415,8 @@ def ride_spectra(
 ) -> Figure:
     """Draw power spectral densities of the body's acceleration ((m/s²)²/Hz) and of all wheel loads (N²/Hz).
 
-    A line per ride over frequency (Hz), and the linear model's where its ``stationary`` response is given. The title
-    says what was driven, over how long, and what these spectra can tell apart.
+    One line per ride over frequency (Hz), and that of the linear model if its ``stationary`` response is given. The
+    title has the road, the duration and the resolution of the spectra.
     """
     spectra = [ride.spectra() for ride in rides]
     channels = list(spectra[0])
@@ -467,7 +469,7 @@ def ride_spectra(
 
 
 def _visible_range(axes: Axes) -> tuple[float, float]:
-    """Room for the lines within the frequencies shown, five decades at most."""
+    """Vertical limits for the lines within the frequencies shown, at most five decades."""
     greatest = max(float(np.nanmax(line.get_ydata(), initial=0.0)) for line in axes.lines)
     least = min(
         float(np.min(y[(y > 0.0) & (x >= axes.get_xlim()[0]) & (x <= _HIGHEST)], initial=greatest))
@@ -480,7 +482,7 @@ def _visible_range(axes: Axes) -> tuple[float, float]:
 
 @in_style
 def trade_off(study: RideStudy) -> Figure:
-    """Draw comfort against road holding (travel, where the rig has no tyre), the size of a point showing the travel.
+    """Draw comfort over road holding (travel, if the rig has no tyre); the area of a point shows the travel.
 
     Better is to the lower left; lines mark the passive rig.
     """
@@ -503,7 +505,7 @@ def trade_off(study: RideStudy) -> Figure:
             for ride in study.rides
         ]
     )
-    for i in np.argsort(-sizes, kind="stable"):  # small ones upon large ones
+    for i in np.argsort(-sizes, kind="stable"):  # small ones on top of large ones
         is_passive = study.rides[i].control == "passive"
         x, y = places[i]
         colour = INK if is_passive else PALETTE[0]

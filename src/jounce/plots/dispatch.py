@@ -1,4 +1,4 @@
-"""One verb for every result: ``jn.plots.show(result)``."""
+"""Draw any result with one function: ``jn.plots.show(result)``."""
 
 from __future__ import annotations
 
@@ -30,17 +30,17 @@ if TYPE_CHECKING:
 
 
 def figure_of(result: object, **options: Any) -> Figure:
-    """Draw any result of the product with the function made for its type.
+    """Draw any result of jounce with the drawing function for its type.
 
     Parameters
     ----------
     result : object
-        A 3-D rig, a recording, its analysis, many runs, a ride or several controllers side by side, an Audi A6 study, a
+        A 3-D rig, a recording or its analysis, many runs, a ride or a comparison of controllers, an Audi A6 study, a
         study over speed, a road (or several by name), a fit, an update (or several), a trial or all trials of a
-        campaign, a campaign's result, a linear model, modes, an optimisation, a Pareto front, hardpoints found from
-        targets, their fronts and spreads, or fitted to measured poses.
+        campaign, a campaign's result, a linear model, modes, an optimisation, a Pareto front, hardpoints designed for
+        targets with their fronts and spreads, or hardpoints fitted to measured poses.
     **options
-        Passed on to that function, e.g. ``channels=`` for a recording or ``trials=`` for a stiffness.
+        Passed to that function, e.g. ``channels=`` for a recording or ``trials=`` for a stiffness.
 
     Returns
     -------
@@ -50,7 +50,7 @@ def figure_of(result: object, **options: Any) -> Figure:
     Raises
     ------
     JounceError
-        For a type that has no picture.
+        For a type that has no figure.
 
     Examples
     --------
@@ -63,25 +63,25 @@ def figure_of(result: object, **options: Any) -> Figure:
 
 
 def show(result: object, **options: Any) -> Figure:
-    """Draw any result and put it before the reader: in a notebook, or in the viewer of the desktop.
+    """Draw any result and display it in a notebook, or in the image viewer of the desktop.
 
     Parameters
     ----------
     result : object
         See :func:`figure_of`.
     **options
-        Passed on to the drawing function.
+        Passed to the drawing function.
 
     Returns
     -------
     matplotlib.figure.Figure
-        The figure, also where there is neither notebook nor desktop to show it.
+        The figure, even if there is neither a notebook nor a desktop to display it.
     """
     figure = figure_of(result, **options)
     if "ipykernel" in sys.modules:
         from IPython.display import display
 
-        display(figure)  # what the cell ends with is not shown again
+        display(figure)  # not shown again as the result of the cell
     elif (
         sys.platform in ("win32", "darwin")
         or os.environ.get("DISPLAY")
@@ -94,8 +94,8 @@ def show(result: object, **options: Any) -> Figure:
 
 
 def _drawing() -> Callable[..., Figure]:
-    """Build the dispatcher on first use: it needs the types of all packages, which are heavy to import."""
-    global _dispatcher  # noqa: PLW0603 - made once a process
+    """Build the dispatcher on first use: it needs the types of all packages, which are slow to import."""
+    global _dispatcher  # noqa: PLW0603 - made once per process
     if _dispatcher is None:
         _dispatcher = _register()
     return _dispatcher
@@ -147,7 +147,7 @@ def _register() -> Callable[..., Figure]:
     @singledispatch
     def draw(result: object, **options: Any) -> Figure:  # noqa: ARG001
         kinds = ", ".join(sorted(kind.__name__ for kind in draw.registry if kind is not object))
-        raise JounceError("there is no picture of this", found=type(result).__name__, allowed=kinds)
+        raise JounceError("no figure for this type", found=type(result).__name__, allowed=kinds)
 
     def of_dataset(result: xr.Dataset, **options: Any) -> Figure:
         if "variant" in result.dims and "reason" in result:

@@ -1,4 +1,4 @@
-"""How SI values are shown to people: display units, labels, numbers and estimates with sensible digits."""
+"""Format SI values for people: display units, labels, numbers and estimates with sensible digits."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import re
 
 import numpy as np
 
-from jounce.core.display import DisplayUnit as DisplayUnit  # noqa: PLC0414 - offered by the package, too
+from jounce.core.display import DisplayUnit as DisplayUnit  # noqa: PLC0414 - re-exported by the package
 from jounce.core.display import display_unit as display_unit  # noqa: PLC0414
 from jounce.core.display import display_unit_for
 from jounce.core.numbers import digits_for as digits_for  # noqa: PLC0414
@@ -21,14 +21,14 @@ from jounce.core.types import Array
 from jounce.recordings.schema import QUANTITIES, quantity_of
 
 SMALLEST = {"rad": 1e-5, "rad/m": 1e-4, "m": 1e-6}
-"""Below these (SI) is what rounding leaves of nothing, as far as people who build suspensions are concerned."""
+"""Magnitudes (SI) below which a value is negligible for people who build suspensions."""
 PARALLEL = 1e2
-"""Arms whose instant centre or swing arm is farther away than this (m) are parallel."""
+"""Distance (m) of an instant centre, or length of a swing arm, above which arms count as parallel."""
 FAR_AWAY = ("instant_centre", "swing_arm")
 
 
 def settle(values: Array, si: str) -> Array:
-    """Values (n,) of an SI unit, 0 where only rounding is left, and all alike where they differ by rounding only."""
+    """Return values (n,) of an SI unit with rounding residues set to 0, and equal if they differ by rounding only."""
     least = SMALLEST.get(si, 0.0)
     rounded = np.where(np.abs(values) < least, 0.0, values)
     known = rounded[np.isfinite(rounded)]
@@ -38,7 +38,7 @@ def settle(values: Array, si: str) -> Array:
 
 
 def kinematic_value(name: str, value: float, si: str) -> float | str | None:
-    """Give a kinematic quantity in its display unit; ``parallel`` where its arms meet nowhere, None where unknown.
+    """Return a kinematic quantity in its display unit; ``parallel`` if the arms do not intersect, None if unknown.
 
     Examples
     --------
@@ -53,7 +53,7 @@ def kinematic_value(name: str, value: float, si: str) -> float | str | None:
 
 
 _ROUNDING = 1e-12
-"""SI values of this size are what rounding leaves of nothing."""
+"""Magnitude (SI) below which values are rounding residues."""
 
 
 def settle_number(value: float | None, si: str, unit: DisplayUnit) -> str:
@@ -68,14 +68,14 @@ def settle_number(value: float | None, si: str, unit: DisplayUnit) -> str:
 
 
 def words_of(name: str) -> str:
-    """Give the quantity of a channel in words without its place, e.g. ``acceleration`` for ``sprung.az``."""
+    """Return the quantity of a channel in words without its place, e.g. ``acceleration`` for ``sprung.az``."""
     quantity = quantity_of(name)
     words = QUANTITIES[quantity][1] if quantity else name.rpartition(".")[2].replace("_", " ")
     return words.removeprefix("vertical ")
 
 
 def ratio_unit(above: str, below: str) -> str:
-    """Write the unit of a ratio of two shown units.
+    """Write the unit of a ratio of two display units.
 
     >>> ratio_unit("m/s²", "mm"), ratio_unit("m/s²", "m/s²"), ratio_unit("N", "m/s²")
     ('(m/s²)/mm', '–', 'N/(m/s²)')
@@ -89,7 +89,7 @@ def ratio_unit(above: str, below: str) -> str:
 def setting_text(value: float | None, si: str, words: str = "") -> str:
     """Write a setting as the campaign gave it, in its display unit and without padding zeros; ``si`` is its SI unit.
 
-    What it is, in ``words``, matters for speeds, as :func:`jounce.core.display.display_unit_for` has them.
+    ``words`` names the quantity, which matters for speeds: see :func:`jounce.core.display.display_unit_for`.
 
     Examples
     --------
@@ -103,12 +103,12 @@ def setting_text(value: float | None, si: str, words: str = "") -> str:
 
 
 def milliseconds(time: float, decimals: int = 1) -> str:
-    """Write a time in s as milliseconds with so many decimals and no sign before zero, without the unit."""
+    """Write a time in s as milliseconds with ``decimals``, without the unit and without a sign before zero."""
     return f"{round(1e3 * time, decimals) + 0.0:.{decimals}f}".replace("-", "−")
 
 
 def correlation(value: float) -> str:
-    """Write a correlation [1] with its sign and two decimals, a vanishing one as ``0.00``."""
+    """Write a correlation [1] with its sign and two decimals; zero is ``0.00``."""
     text = f"{value:+.2f}"
     return "0.00" if text[1:] == "0.00" else text.replace("-", "−")
 
@@ -117,7 +117,7 @@ _EXPONENT = re.compile(r"(?<![\w.])((?:\w+[*/·])*(?:km|mm|m|s|N|rad))\^([23])(?
 
 
 def raise_exponents(text: str) -> str:
-    """Write the units of a sentence with raised exponents, as labels have them.
+    """Write the units in a sentence with superscript exponents, as in labels.
 
     >>> raise_exponents("256e-6 m^3, above 0.5 m/s^2"), raise_exponents("x^2 in a law")
     ('256e-6 m³, above 0.5 m/s²', 'x^2 in a law')

@@ -1,4 +1,4 @@
-"""One look for every figure, and figures into files (SVG, PNG, PDF): the same bytes for the same figure."""
+"""Common style of all figures, and writing of figures to SVG, PNG and PDF: equal figures give equal bytes."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ _LOG = logging.getLogger("jounce")
 INK, MUTED, GRID = "#22262b", "#666d75", "#e3e6ea"
 MEASURED, BEFORE, AFTER = "#30353b", "#d98a1f", "#0067a8"
 PALETTE = ("#0067a8", "#d55e00", "#00896b", "#a64d8f", "#b8860b", "#3fa0d8")
-"""Lines without a meaning of their own; distinguishable with every kind of colour blindness (after Okabe, Ito)."""
+"""Line colours without a fixed meaning, distinguishable with any colour blindness (after Okabe and Ito)."""
 GRADES = {"excellent": "#2b6ea3", "good": "#a9cce6", "fair": "#f3d79b", "poor": "#e39a7b"}
-"""Fill of each ISO/TS 18571 grade: from blue to orange, so that no one needs to tell red from green."""
+"""Fill of each ISO/TS 18571 grade: from blue to orange, which needs no distinction of red and green."""
 VERDICTS = {
     "holds": "#2b6ea3",
     "holds partly": "#b7791f",
@@ -64,7 +64,7 @@ _SETTINGS: dict[str, Any] = {
     "axes.formatter.use_mathtext": False,
     "axes.formatter.useoffset": False,
     "axes.unicode_minus": True,
-    "text.parse_math": False,  # names are text, whatever signs are in them
+    "text.parse_math": False,  # names are plain text, whatever characters they contain
     "axes.xmargin": 0.02,
     "axes.ymargin": 0.08,
     "grid.color": GRID,
@@ -88,14 +88,14 @@ _SETTINGS: dict[str, Any] = {
     "figure.constrained_layout.w_pad": 0.06,
     "savefig.facecolor": "white",
     "path.simplify": True,
-    "path.simplify_threshold": 0.2,  # of a point, a sixth of a line width: nothing that could be seen is left out
+    "path.simplify_threshold": 0.2,  # of a point, a sixth of a line width: no visible detail is lost
     "svg.fonttype": "none",
     "pdf.fonttype": 42,
 }
 
 
 def library() -> Any:
-    """Give matplotlib, also where MPLBACKEND names a window that there is none of: jounce opens none."""
+    """Import matplotlib even if MPLBACKEND names an unavailable GUI backend: jounce opens no windows."""
     with PROCESS_SETTINGS:
         asked = "" if "matplotlib" in sys.modules else os.environ.pop("MPLBACKEND", "")
         import matplotlib as mpl
@@ -109,18 +109,18 @@ def library() -> Any:
 
 @contextmanager
 def style() -> Iterator[None]:
-    """Make and write figures in the product's style: one thread at a time, since it is set for the whole process."""
+    """Create and write figures in jounce's style: one thread at a time, because the style is process-wide."""
     mpl = library()
     settings: dict[Any, Any] = {**mpl.rcParamsDefault, **_SETTINGS}
     del settings[
         "backend"
-    ]  # the user's, which a context would not give back; figures are drawn without one
+    ]  # the user's setting, which a context would not restore; figures are drawn without one
     with PROCESS_SETTINGS, mpl.rc_context(settings):
         yield
 
 
 def in_style(draw: Callable[P, Figure]) -> Callable[P, Figure]:
-    """Make a drawing function work in the product's style, whatever the user has set."""
+    """Decorate a drawing function to use jounce's style, independently of the user's settings."""
 
     @wraps(draw)
     def wrapper(*arguments: P.args, **options: P.kwargs) -> Figure:
@@ -131,13 +131,13 @@ def in_style(draw: Callable[P, Figure]) -> Callable[P, Figure]:
 
 
 def new_figure(height: float, width: float = WIDTH) -> Figure:
-    """Give an empty figure with constrained layout; ``height`` in inches and ``width`` in inches."""
+    """Return an empty figure with constrained layout; ``height`` and ``width`` are in inches."""
     return figure_type()(figsize=(width, height), layout="constrained")
 
 
 @cache
 def figure_type() -> type[Figure]:
-    """Figures that a notebook shows as they are written, each once a cell, whatever its settings are."""
+    """Return the figure class; notebooks show it as it is written to files, once per cell, whatever their settings."""
     from matplotlib.figure import Figure
 
     class NotebookFigure(Figure):
@@ -157,12 +157,12 @@ def figure_type() -> type[Figure]:
 
 
 def log_axes(axes: Axes, which: str = "xy") -> None:
-    """Give axes logarithmic scales whose ticks are written without markup: 0.1, 1, 10, and 10⁻⁴ beyond."""
+    """Set logarithmic scales with tick labels without markup: 0.1, 1, 10, and powers such as 10⁻⁴ beyond."""
     from matplotlib.ticker import LogFormatter
 
     class PlainPowers(LogFormatter):
         def __call__(self, x: float, pos: int | None = None) -> str:
-            if not super().__call__(x, pos):  # a minor tick where there are major ones enough
+            if not super().__call__(x, pos):  # a minor tick if there are enough major ones
                 return ""
             text = f"{x:.4g}"
             mantissa, e, exponent = text.partition("e")
@@ -180,7 +180,7 @@ _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def legend_above(axes: Axes, columns: int = 4, handles: Sequence[Any] | None = None) -> None:
-    """Put the legend above the axes, at the right end of the title's line, where no curve can hide it."""
+    """Put the legend above the axes, right-aligned in the title's line, where no curve can hide it."""
     shown = handles if handles is not None else axes.get_legend_handles_labels()[0]
     axes.legend(
         handles=shown,
@@ -191,15 +191,15 @@ def legend_above(axes: Axes, columns: int = 4, handles: Sequence[Any] | None = N
     )
 
 
-_BESIDE_TITLE = 0.55  # of a figure's width: what a legend beside its title may take
+_BESIDE_TITLE = 0.55  # of a figure's width: maximum width of a legend next to the title
 
 
 def legend_outside(
     figure: Figure, handles: Sequence[Any], labels: Sequence[str], columns: int
 ) -> None:
-    """Put one legend of a figure above its axes, or below them where it would meet the title; nothing is cut off.
+    """Put one legend of a figure above its axes, or below them if it would overlap the title; nothing is cut off.
 
-    ``columns`` are the most it may have.
+    ``columns`` is the maximum number of columns.
     """
     texts = [at_tick(label, _LONGEST_LABEL) for label in labels]
     room = float(figure.get_size_inches()[0]) * figure.dpi
@@ -220,7 +220,7 @@ def legend_outside(
         figure.set_size_inches(
             1.02 * widths[fitting] * room / figure.dpi, figure.get_size_inches()[1]
         )
-    height = 0.19 * -(-len(texts) // fitting)  # inches that the axes keep
+    height = 0.19 * -(-len(texts) // fitting)  # inches added, which keeps the height of the axes
     figure.set_size_inches(figure.get_size_inches()[0], figure.get_size_inches()[1] + height)
     figure.legend(handles, texts, loc="outside lower right", ncols=fitting)
 
@@ -229,17 +229,17 @@ _LONGEST_LINE, _LONGEST_LABEL, _LONGEST_TICK = 120, 60, 40  # characters
 
 
 def in_legend(name: str) -> str:
-    """A name that a user gave, as a label that is shown: matplotlib leaves out those that begin with an underscore."""
+    """Convert a user's name to a visible label: matplotlib hides labels that begin with an underscore."""
     return f" {name}" if name.startswith("_") else name
 
 
 def at_tick(name: str, most: int = _LONGEST_TICK) -> str:
-    """Truncate a user's name so that it leaves room for the drawing; tables beside it show it in full."""
+    """Truncate a user's name to leave room for the drawing; accompanying tables show it in full."""
     return name if len(name) <= most else f"{name[: most - 1]}…"
 
 
 def in_lines(name: str, most: int) -> str:
-    r"""A name of parts with dots or spaces between them, in lines of at most so many characters where parts allow it.
+    r"""Break a name at dots and spaces into lines of at most ``most`` characters, if its parts are short enough.
 
     >>> in_lines("strut.damper.coefficient", 14), in_lines("max tyre.force", 14)
     ('strut.damper.\ncoefficient', 'max tyre.force')
@@ -253,7 +253,7 @@ def in_lines(name: str, most: int) -> str:
 
 
 def columns_of(count: int, most: int = 3) -> int:
-    """Columns of a grid of so many panels, four of which make a square.
+    """Return the number of columns for a grid of ``count`` panels; four panels form a square.
 
     >>> [columns_of(count) for count in (1, 2, 3, 4, 5)]
     [1, 2, 3, 2, 3]
@@ -277,7 +277,7 @@ def _shorten(figure: Figure) -> None:
 
 
 def name_figure(figure: Figure, title: str) -> Figure:
-    """Write above a figure what it shows, unless it says so already; give the figure."""
+    """Set the title of a figure unless it has one, and return the figure."""
     if title and not figure.get_suptitle():
         with style():
             figure.suptitle(raise_exponents(title), x=0.01, ha="left", fontsize=10)
@@ -285,7 +285,7 @@ def name_figure(figure: Figure, title: str) -> Figure:
 
 
 def add_note(figure: Figure, text: str) -> None:
-    """Write a small note at the foot of a figure, below everything else; an empty text changes nothing."""
+    """Write a small note at the bottom of a figure, below everything else; an empty text changes nothing."""
     if not text:
         return
     engine = figure.get_layout_engine()
@@ -304,7 +304,7 @@ def add_note(figure: Figure, text: str) -> None:
 
 
 def fill_cells(axes: Axes, values: Array, colours: Any) -> Any:
-    """Fill a cell for each number from -1 to 1, first row on top; areas, which dark pages can turn, and no raster."""
+    """Fill a cell for each value from -1 to 1, first row on top, with vector areas, which dark pages can recolour."""
     rows, columns = values.shape
     edges = [i - 0.5 for i in range(columns + 1)], [i - 0.5 for i in range(rows + 1)]
     filled = axes.pcolormesh(
@@ -330,7 +330,7 @@ def write_figure(figure: Figure, path: Path | str, *, force: bool = False) -> Pa
     Parameters
     ----------
     figure : matplotlib.figure.Figure
-        As the functions of :mod:`jounce.plots` give it.
+        Figure from a function of :mod:`jounce.plots`.
     path : Path or str
         ``.svg`` (text stays text), ``.png`` (130 dots per inch) or ``.pdf``.
     force : bool
@@ -344,7 +344,7 @@ def write_figure(figure: Figure, path: Path | str, *, force: bool = False) -> Pa
     Raises
     ------
     OutputError
-        For an existing file without ``force``, a missing folder, or another suffix.
+        For an existing file without ``force``, a missing folder, or an unknown suffix.
 
     Examples
     --------
@@ -369,16 +369,16 @@ FIGURES = Formats("figures", dict.fromkeys((".svg", ".png", ".pdf"), _write))
 def render_figure(
     figure: Figure, suffixes: Sequence[str] = (".svg", ".png"), salt: str = "jounce"
 ) -> dict[str, bytes]:
-    """Draw a figure once and give its bytes in several formats.
+    """Draw a figure once and return its bytes in several formats.
 
     Parameters
     ----------
     figure : matplotlib.figure.Figure
-        Its layout is computed once, so that all formats look alike.
+        Its layout is computed once, which makes all formats look alike.
     suffixes : sequence of str
         Some of ``.svg``, ``.png``, ``.pdf``.
     salt : str
-        Makes the names inside an SVG differ from those of other figures on the same page.
+        Makes the identifiers in an SVG differ from those of other figures on the same page.
 
     Returns
     -------
@@ -391,7 +391,7 @@ def render_figure(
     with style(), _report_missing_glyphs():
         mpl.rcParams["svg.hashsalt"] = salt
         _shorten(figure)
-        # where a layout is solved from is seen in it, so that the next time shall start from there, too
+        # the solved layout depends on its start, which is therefore restored for the next time
         before = [
             (axes, axes.get_position(original=True).frozen(), axes.get_in_layout())
             for axes in figure.axes
@@ -399,9 +399,7 @@ def render_figure(
         lay_out(figure)
         engine = figure.get_layout_engine()
         figure.set_layout_engine("none")
-        for axes in (
-            figure.axes
-        ):  # the layout is solved to rounding, which may differ from one time to the next
+        for axes in figure.axes:  # layouts are equal only up to rounding
             if axes.get_axes_locator() is None:
                 axes.set_position(
                     tuple(round(x, 9) for x in axes.get_position(original=True).bounds),
@@ -410,7 +408,7 @@ def render_figure(
                 axes.apply_aspect()
                 axes.set_in_layout(
                     True
-                )  # a position that was set would take the axes out of the next layout
+                )  # a set position would exclude the axes from the next layout
         try:
             for suffix in suffixes:
                 contents[suffix] = _content(figure, suffix)
@@ -427,7 +425,7 @@ _GLYPH = re.compile(r"Glyph (\d+) .*missing from")
 
 @contextmanager
 def _report_missing_glyphs() -> Iterator[None]:
-    """Log all characters that the font lacks in one message, not each with every drawing."""
+    """Log all characters missing from the font in one message, instead of one per character and drawing."""
     with collect_warnings() as caught:
         yield
     missing: set[str] = set()
@@ -441,13 +439,13 @@ def _report_missing_glyphs() -> Iterator[None]:
             )
     if missing:
         _LOG.warning(
-            "letters that the font of pictures does not have are boxes: %s",
+            "characters missing from the font of figures are drawn as boxes: %s",
             "".join(sorted(missing)),
         )
 
 
 def lay_out(figure: Figure) -> None:
-    """Solve the layout of a figure as drawing it does first; the rest of that draw would take half as long again."""
+    """Solve the layout of a figure without drawing it; a full draw would take half as long again."""
     engine = figure.get_layout_engine()
     if engine is None:
         figure.draw_without_rendering()
@@ -459,7 +457,7 @@ def lay_out(figure: Figure) -> None:
 
 
 def _content(figure: Figure, suffix: str) -> bytes:
-    """Draw once in one format; ``figure.savefig`` would draw everything twice."""
+    """Draw in one format, only once; ``figure.savefig`` would draw everything twice."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
     from matplotlib.backends.backend_svg import FigureCanvasSVG

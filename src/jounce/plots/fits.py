@@ -43,19 +43,19 @@ if TYPE_CHECKING:
 
 @in_style
 def calibration_fit(result: Calibration, title: str = "") -> Figure:
-    """Draw the points of a calibration with the line through them, and how far each lies off that line.
+    """Draw the points of a calibration with the fitted line, and their residuals.
 
     Parameters
     ----------
     result : Calibration
-        As :func:`jounce.fit_calibration` gives it.
+        Result of :func:`jounce.fit_calibration`.
     title : str
-        What was calibrated.
+        Name of the calibrated sensor.
 
     Returns
     -------
     matplotlib.figure.Figure
-        What was recorded against the known sizes, and what is left of it.
+        Recorded over reference values, and the residuals.
 
     Examples
     --------
@@ -89,16 +89,16 @@ def calibration_fit(result: Calibration, title: str = "") -> Figure:
 def stiffness_fit(
     result: StiffnessResult, trials: Sequence[ForceDeflectionTrial] = (), title: str = ""
 ) -> Figure:
-    """Draw a fitted force law over the measured points, and the stiffness of each trial by itself.
+    """Draw a fitted force law with the measured points, and the stiffness of each individual trial.
 
     Parameters
     ----------
     result : StiffnessResult
-        What was fitted.
+        Result of the fit.
     trials : sequence of ForceDeflectionTrial, optional
-        The trials it was fitted to; with them the measured points are drawn as the fit saw them.
+        The fitted trials; if given, the measured points are drawn as used in the fit.
     title : str
-        What was measured, e.g. ``"spring"``.
+        Name of the measured component, e.g. ``"spring"``.
 
     Returns
     -------
@@ -131,7 +131,7 @@ def stiffness_fit(
 
 
 def _draw_points(axes: Axes, trials: Sequence[ForceDeflectionTrial], zero: Zero) -> float:
-    """Draw all points from where the fit counts them; give the largest deflection (SI)."""
+    """Draw all points with the zero of the fit; return the largest deflection (SI)."""
     reach = 0.0
     for k, trial in enumerate(number_namesakes(list(trials))):
         seated, _ = seat(trial, zero=zero)
@@ -161,7 +161,7 @@ def _draw_law(axes: Axes, result: StiffnessResult, reach: float) -> None:
     across, up = display_unit(motion.deflection), display_unit(motion.force)
     low, high = result.fitted_range
     inside, whole = np.linspace(low, high, 200), np.linspace(0.0, max(high, reach), 200)
-    dropped = 0.0  # force that the fit has and the law for the model has not
+    dropped = 0.0  # force in the fit that is not in the law for the model
     if (
         result.law == "linear"
         and result.intercept_choice == "drop"
@@ -238,7 +238,7 @@ def tyre_pressure(result: PressureStiffness) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        Stiffness (N/mm) with 95 % intervals against pressure (MPa), joined as values between are interpolated.
+        Stiffness (N/mm) with 95 % intervals against pressure (MPa), connected as in the interpolation.
     """
     figure = new_figure(2.9, 4.6)
     axes = figure.subplots()
@@ -283,7 +283,7 @@ def damper_loops(
     force : array (n,)
         Measured force [N].
     fits : mapping of str to array (n,)
-        Name of each law and its force at the same instants [N].
+        Force of each law by name, at the same instants [N].
     title : str
         Name of the record.
 
@@ -353,19 +353,19 @@ def damper_loops(
 def decay_fit(
     result: DecayResult, time: ArrayLike = (), signal: ArrayLike = (), title: str = ""
 ) -> Figure:
-    """Draw a free decay, the fitted response, and each turning point against the one before.
+    """Draw a free decay, the fitted response, and each turning point against the previous one.
 
-    With viscous damping alone the turning points lie on a line through the origin; dry friction shifts the line down.
-    The damping ratios that single logarithmic decrements would give then grow as the amplitude falls.
+    With viscous damping alone the turning points are on a line through the origin; dry friction shifts the line down.
+    The damping ratios from single logarithmic decrements then increase as the amplitude falls.
 
     Parameters
     ----------
     result : DecayResult
-        What was fitted.
+        Result of the fit.
     time : array (n,), optional
         Times of the record [s].
     signal : array (n,), optional
-        The record itself in SI; without it only what was fitted is drawn.
+        Signal of the record in SI; without it only the fitted response is drawn.
     title : str
         Name of the record.
 
@@ -473,7 +473,7 @@ def _draw_ratios(axes: Axes, result: DecayResult) -> None:
     )
     axes.set_ylim(
         0.0, 1.6 * top if top > 0.0 else 1.0
-    )  # room for the legend; a wide band may leave the axes
+    )  # room for the legend; a wide band may exceed the axes
     axes.set_xlim(-0.25, max(0.5 * count - 0.25, 1.0))
     axes.set(xlabel="cycle", ylabel="damping ratio [–]")
     friction = quantity(result.coulomb_force.value, motion_of(result.quantity).force, 3)
@@ -483,7 +483,7 @@ def _draw_ratios(axes: Axes, result: DecayResult) -> None:
 
 @in_style
 def update(result: UpdateResult) -> Figure:
-    """Draw where the parameters of one update ended within their bounds, and how their estimates are correlated.
+    """Draw the fitted parameters of one update within their bounds, and the correlation of their estimates.
 
     Parameters
     ----------
@@ -493,8 +493,8 @@ def update(result: UpdateResult) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        Parameters from lower (-100 %) to upper bound (+100 %) with 95 % intervals of the noise only; correlation
-        matrix of the parameters (lags left out).
+        Parameters from the lower (-100 %) to the upper bound (+100 %) with 95 % intervals due to noise only;
+        correlation matrix of the parameters (without lags).
     """
     count = len(result.parameters)
     figure = new_figure(1.15 + 0.42 * max(count, 2))
@@ -560,14 +560,14 @@ def _value_text(p: UpdatedParameter) -> str:
     half = None if p.interval is None else 0.5 * (p.interval[1] - p.interval[0])
     value = (
         0.0 if abs(p.value) < 1e-9 * (p.upper - p.lower) else p.value
-    )  # what is left of a bound at zero
+    )  # rounding residue of a bound at zero
     text = number(value * unit.factor, digits_for(value, half))
     if half is not None:
         text += f" ± {number(half * unit.factor, 2)}"
     return f"{text} {unit.name}".rstrip() + (" (at bound)" if p.at_bound else "")
 
 
-_MOST_NUMBERS = 7  # parameters whose correlations have room for two decimals
+_MOST_NUMBERS = 7  # maximum number of parameters for correlations with two decimals
 
 
 def _draw_correlation(axes: Axes, correlation: Sequence[Sequence[float]], count: int) -> None:
@@ -603,7 +603,7 @@ def _change(percent: float) -> str:
 
 @in_style
 def objectives(results: Sequence[UpdateResult]) -> Figure:
-    """Draw the objective of several updates before and after, each relative to its own start.
+    """Draw the objective of several updates before and after, each relative to its initial value.
 
     Parameters
     ----------
@@ -613,7 +613,7 @@ def objectives(results: Sequence[UpdateResult]) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        Two bars for each update, with the objectives themselves beside them.
+        Two bars for each update, labelled with the objectives.
     """
     figure = new_figure(0.9 + 0.55 * len(results))
     axes = figure.subplots()

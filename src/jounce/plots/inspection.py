@@ -1,4 +1,4 @@
-"""Inspections: curves of a test, one vehicle over the years, three tests of the same car."""
+"""Figures of inspections: curves of a test, history of a vehicle, and comparison of three test methods."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 
 _LOOKS = {"left": (PALETTE[0], "-"), "right": (PALETTE[1], (0, (4, 1.5)))}
-_BAND = (6.0, 18.0)  # Hz, of the phase angle: EGEA SPECSUS2018
-_ENVELOPE = 400  # bins of a force over time; finer than the paper shows
+_BAND = (6.0, 18.0)  # Hz, for the phase angle: EGEA SPECSUS2018
+_ENVELOPE = 400  # bins of a force over time; finer than the resolution of paper
 _EMPTY_HEIGHT = 0.5  # inches
 _WORDS = {
     "en": {
@@ -56,12 +56,12 @@ def inspection_curves(
     height: float = 1.9,
     width: float = 8.6,
 ) -> Figure:
-    """Draw the curves of both wheels of an axle beside each other; ``height`` and ``width`` are in inches.
+    """Draw the curves of the left and right wheel of an axle; ``height`` and ``width`` are in inches.
 
-    On a rigid plate force amplitude and phase angle over frequency, with the limit from which the least phase angle
-    passes and, where that is another one, the one below which it fails (degrees); on a sprung one the plate's
-    amplitude; with a record also the plate force (N) over time (s). Wheels without curves
-    are left out; labels are in English or German.
+    For a rigid plate, force amplitude and phase angle are drawn over frequency, with the limit (degrees) from which the
+    minimum phase angle passes and, if different, the limit below which it fails. For a sprung plate, its amplitude is
+    drawn; with a record, also the plate force (N) over time (s). Wheels without curves are omitted; labels are in
+    English or German.
 
     Examples
     --------
@@ -94,7 +94,7 @@ def _drawings(
     words: dict[str, str],
     phase_limits: dict[str, float],
 ) -> list[Callable[[Axes], None]]:
-    """Functions that draw the panels, from left to right."""
+    """Return functions that draw the panels, from left to right."""
     drawings: list[Callable[[Axes], None]] = []
     rigid = any(_has_values(_amplitude(wheel)) for wheel in wheels)
     if rigid:
@@ -132,7 +132,7 @@ def _has_values(values: Array) -> bool:
 
 
 def _amplitude(wheel: WheelResult) -> Array:
-    """Force amplitude of every turn, N: half of greatest less least force."""
+    """Force amplitude of each turn, N: half of maximum minus minimum force."""
     if wheel.curves is None:
         return np.empty(0)
     return 0.5 * (wheel.curves.greatest_force - wheel.curves.least_force)
@@ -161,7 +161,7 @@ def _over_frequency(
 def _phase_limits(
     passing: float | None, failing: float | None, words: dict[str, str]
 ) -> dict[str, float]:
-    """Limits (degrees) by their labels."""
+    """Return the limits (degrees) by label."""
     both = {words["passes"]: passing, words["fails"]: failing}
     named = both if None not in both.values() and passing != failing else {words["limit"]: passing}
     return {name: limit for name, limit in named.items() if limit is not None}
@@ -182,7 +182,7 @@ def _phase(
             frequency, angle = (
                 np.append(frequency, least[0]),
                 np.append(angle, least[1]),
-            )  # it lies between turns
+            )  # it is between turns
         shown = np.where((angle > -90.0) & (angle < 270.0), angle, np.nan)
         _curve(axes, frequency, shown, wheel.wheel, words)
     for name, limit in limits.items():
@@ -223,7 +223,7 @@ def _over_time(
     *,
     legend: bool,
 ) -> None:
-    """Draw a channel of each wheel; ``legend``: of wheels that no other panel names, such as one that stood still."""
+    """Draw a channel of each wheel; with ``legend``, label wheels not named in other panels, e.g. one at standstill."""
     time = record["time"].to_numpy()
     ends: list[Array] = []
     for side, (colour, line) in _LOOKS.items():
@@ -244,7 +244,7 @@ def _over_time(
 
 
 def _leave_out_jolts(axes: Axes, ends: Array) -> None:
-    """Limit the axes so that the jolt of a starting plate does not flatten the rest of the signal."""
+    """Limit the axes to keep the jolt of a starting plate from flattening the rest of the signal."""
     if ends.size < _ENVELOPE:
         return
     least, low, high, greatest = np.quantile(ends, [0.0, 0.01, 0.99, 1.0])
@@ -253,9 +253,9 @@ def _leave_out_jolts(axes: Axes, ends: Array) -> None:
 
 
 def envelope(time: Array, values: Array, bins: int = _ENVELOPE) -> tuple[Array, Array, Array]:
-    """Give the middle (s), least and greatest value of at most ``bins`` equal parts of a signal over time (s).
+    """Return the midpoint (s), minimum and maximum of at most ``bins`` equal parts of a signal over time (s).
 
-    What is not finite is left out.
+    Values that are not finite are ignored.
 
     Examples
     --------
@@ -288,15 +288,15 @@ _MARKS = {"left": ("o", "-"), "right": ("s", (0, (4, 1.5)))}
 
 
 def history_figure(result: VehicleHistory, title: str = "") -> Figure:  # noqa: ARG001 - the page has the title
-    """Draw the history of a vehicle."""
+    """Draw the inspection history of a vehicle."""
     return vehicle_history(result.visits)
 
 
 @in_style
 def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Figure:
-    """Draw adhesion (%), phase angle (degrees) and damping ratio of every wheel against the date.
+    """Draw adhesion (%), phase angle (degrees) and damping ratio of each wheel against the date.
 
-    Visits without a date are left out. The mark of an unreliable value is hollow.
+    Visits without a date are omitted. Unreliable values have hollow marks.
 
     Examples
     --------
@@ -333,7 +333,7 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
             days, values = [day for day, _ in known], [value for _, value in known]
             size, edge = (
                 (4.5, "white") if wheel == "right" else (7.5, colour)
-            )  # both are seen where they are equal
+            )  # equal values of both remain visible
             axes.plot(
                 days, values, marker=mark, ls=line, color=colour, label=f"{axle} {wheel}".strip(), markersize=size,
                 markeredgecolor=edge, markeredgewidth=0.8,
@@ -359,7 +359,7 @@ def vehicle_history(visits: Sequence[WheelVisit], *, height: float = 5.4) -> Fig
         axes.set_ylim(1.15 * min(0.0, *shown), 1.15 * max(0.0, *shown) or 1.0)
     if wheels:
         legend_above(panels[0])
-    if len({day for day, _ in dated}) == 1:  # else the axis would be four years long
+    if len({day for day, _ in dated}) == 1:  # otherwise the axis would span four years
         panels[-1].set_xticks([dated[0][0]], [dated[0][0].isoformat()])
         panels[-1].set_xlim(dated[0][0] - timedelta(days=60), dated[0][0] + timedelta(days=60))
     figure.autofmt_xdate(rotation=0, ha="center")
@@ -373,9 +373,9 @@ _SOUND, _WORN = "#dceedd", "#f6ddd4"
 
 @in_style
 def equivalence(study: Equivalence) -> Figure:
-    """Draw for each factor the damper wear (%) from which each method rejects.
+    """Draw for each factor the damper wear (%) from which each method rejects the vehicle.
 
-    Above its line a method rejects; dots at the top: it never does. Sound dampers are shaded green, worn ones red.
+    A method rejects above its line; dots at the top mean that it never does. Sound dampers are shaded green, worn red.
     """
     from matplotlib.lines import Line2D
 

@@ -1,4 +1,4 @@
-"""Pictures of hardpoints found from targets: curves before and after with the bands wanted, and sensitivities."""
+"""Figures of hardpoints designed for targets: curves before and after with target bands, and sensitivities."""
 
 from __future__ import annotations
 
@@ -26,26 +26,24 @@ _COLUMNS = 3
 _MOST_BARS, _MOST_TORNADOES = 8, 12
 _SMALLEST_BAR = 1e-3  # of the largest
 _MOST_NUMBERS = 10
-_SAID, _DARK = 0.05, 0.6  # absolute values that are written, and that need white ink
-_AROUND_NAMES = (
-    0.14  # inches: names of points are long, and measured at another resolution than they are drawn
-)
+_SAID, _DARK = 0.05, 0.6  # absolute values from which they are written, and written in white
+_AROUND_NAMES = 0.14  # inches: names of points are long, and measured at a resolution different from that of the drawing
 _FARTHEST = 6.0  # tolerances beyond which a single value is drawn at the edge
 
 
 @in_style
 def target_curves(design: KinematicDesign) -> Figure:
-    """Draw every wanted curve before and after with its band, and single values in tolerances from what is wanted.
+    """Draw each target curve before and after with its band, and the errors of single values in tolerances.
 
     Parameters
     ----------
     design : KinematicDesign
-        What :func:`jounce.design_kinematics` found; SI, shown in usual units (mm, °).
+        Result of :func:`jounce.design_kinematics`; SI, shown in usual units (mm, °).
 
     Returns
     -------
     matplotlib.figure.Figure
-        One set of axes a curve, one for all single values.
+        One set of axes per curve, and one for all single values.
     """
     curves = [target for target in design.targets if isinstance(target.after, list)]
     single = [target for target in design.targets if not isinstance(target.after, list)]
@@ -91,7 +89,7 @@ def _curve(axes: Axes, target: TargetResult) -> None:
 
 
 def _singles(axes: Axes, targets: list[TargetResult]) -> None:
-    """Draw how many tolerances each single value is away from its target."""
+    """Draw the distance of each single value from its target, in tolerances."""
     axes.axvspan(-1.0, 1.0, color=PALETTE[2], alpha=0.25, lw=0, label="wanted")
     for i, target in enumerate(targets):
         for value, colour, mark, label in (
@@ -118,17 +116,17 @@ def _singles(axes: Axes, targets: list[TargetResult]) -> None:
 
 @in_style
 def sensitivity_bars(design: KinematicDesign) -> Figure:
-    """Draw a tornado a target: what 1 mm of each coordinate changes, in tolerances, the largest effects on top.
+    """Draw a tornado chart per target: the effect of 1 mm of each coordinate, in tolerances, largest on top.
 
     Parameters
     ----------
     design : KinematicDesign
-        What :func:`jounce.design_kinematics` found.
+        Result of :func:`jounce.design_kinematics`.
 
     Returns
     -------
     matplotlib.figure.Figure
-        One tornado a target, up to twelve, each with the coordinates that matter most to it.
+        One tornado chart per target, up to twelve, each with its most influential coordinates.
     """
     targets = design.targets[:_MOST_TORNADOES]
     unit = display_unit("m")
@@ -161,7 +159,7 @@ def sensitivity_bars(design: KinematicDesign) -> Figure:
 
 
 def tornado(axes: Axes, effects: Mapping[str, float], most: int = _MOST_BARS) -> None:
-    """Draw bars to either side, the largest on top; negligible effects are left out."""
+    """Draw bars to both sides of zero, the largest on top; negligible effects are omitted."""
     largest = max((abs(value) for value in effects.values()), default=0.0)
     bars = [
         (name, value) for name, value in effects.items() if abs(value) > _SMALLEST_BAR * largest
@@ -177,17 +175,17 @@ def tornado(axes: Axes, effects: Mapping[str, float], most: int = _MOST_BARS) ->
 
 @in_style
 def tradeoff_matrix(design: KinematicDesign) -> Figure:
-    """Draw which targets answer when one more tolerance of one is asked: blue the same way, orange the other.
+    """Draw the response of all targets to one more tolerance of each: blue in the same direction, orange opposite.
 
     Parameters
     ----------
     design : KinematicDesign
-        What :func:`jounce.design_kinematics` found.
+        Result of :func:`jounce.design_kinematics`.
 
     Returns
     -------
     matplotlib.figure.Figure
-        A row what is asked more of, a column what moves.
+        One row for each target that is changed, one column for each target that responds.
     """
     from matplotlib.colors import LinearSegmentedColormap
 
@@ -210,23 +208,23 @@ def tradeoff_matrix(design: KinematicDesign) -> Figure:
     axes.set_yticks(range(count), names)
     axes.set_ylabel("one tolerance more of")
     axes.set_xlabel("moves")
-    figure.colorbar(shown, ax=axes, shrink=0.8).set_label("by so many tolerances")
+    figure.colorbar(shown, ax=axes, shrink=0.8).set_label("in tolerances")
     return figure
 
 
 @in_style
 def spread_bands(spread: KinematicSpread) -> Figure:
-    """Draw the effect of manufacturing tolerances on every target, as built and adjusted, and its causes.
+    """Draw the effect of manufacturing tolerances on each target, as built and after adjustment, and its causes.
 
     Parameters
     ----------
     spread : KinematicSpread
-        As :func:`jounce.kinematic_spread` gives it.
+        Result of :func:`jounce.kinematic_spread`.
 
     Returns
     -------
     matplotlib.figure.Figure
-        A row a target: bands of 95 % of the cars, shares of the variance.
+        One row per target: bands that contain 95 % of the cars, and shares of the variance.
     """
     count = len(spread.targets)
     figure = new_figure(0.6 + 2.3 * count, 8.6)
@@ -285,17 +283,17 @@ _BANDS = ("drawn", "low", "high", "low_adjusted", "high_adjusted")
 
 @in_style
 def front_lines(front: KinematicFront) -> Figure:
-    """Draw the designs of a front as lines over parallel axes: goals first, then the numbers that were moved.
+    """Draw the designs of a front as lines over parallel axes: goals first, then the design variables.
 
     Parameters
     ----------
     front : KinematicFront
-        As :func:`jounce.kinematic_front` gives it.
+        Result of :func:`jounce.kinematic_front`.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Parallel coordinates, coloured by the first goal; beside them the front itself where two goals compete.
+        Parallel coordinates, coloured by the first goal; with two competing goals also the front itself.
     """
     from matplotlib import colormaps
 
@@ -351,7 +349,7 @@ def front_lines(front: KinematicFront) -> Figure:
 def _parallel(
     axes: Axes, table: np.ndarray, names: list[str], units: list[str], colours: np.ndarray
 ) -> None:
-    """Draw rows as lines over upright axes, each from its least to its greatest value."""
+    """Draw rows as lines over vertical axes, each from its minimum to its maximum."""
     shares, ends = zip(*map(between_ends, table.T), strict=True)
     for row, colour in zip(np.array(shares).T, colours, strict=True):
         axes.plot(range(len(names)), row, color=colour, lw=1.2, alpha=0.9, zorder=2.0)
@@ -365,17 +363,17 @@ def _parallel(
 
 @in_style
 def hardpoint_fit(fit: HardpointFit) -> Figure:
-    """Draw measured quantities with the model before and after its points were updated, and the points' intervals.
+    """Draw measured quantities with the model before and after the update of its points, and the points' intervals.
 
     Parameters
     ----------
     fit : HardpointFit
-        As :func:`jounce.fit_hardpoints` gives it.
+        Result of :func:`jounce.fit_hardpoints`.
 
     Returns
     -------
     matplotlib.figure.Figure
-        One set of axes a quantity, one for the numbers with their 95 % intervals.
+        One set of axes per quantity, and one for the coordinates with their 95 % intervals.
     """
     count = len(fit.quantities) + 1
     columns = min(_COLUMNS, count)
@@ -391,7 +389,7 @@ def hardpoint_fit(fit: HardpointFit) -> Figure:
         unit = display_unit(curves.unit, float(np.nanmax(np.abs(curves.measured), initial=0.0)))
         x = over[order] * along.factor
         before, after = {"ls": "--", "marker": ""}, {"ls": "-", "marker": ""}
-        if steered:  # poses with several racks lie on no one line
+        if steered:  # poses with several rack travels are not on a single line
             before, after = {"ls": "none", "marker": "+"}, {"ls": "none", "marker": "o"}
         for values, style in (
             (curves.before, {"color": MUTED, "label": "before", **before}),
@@ -426,7 +424,7 @@ def hardpoint_fit(fit: HardpointFit) -> Figure:
 
 
 def point_name(path: str) -> str:
-    """Coordinate of a hardpoint in words: ``tie rod inner z``; of several rigs with its name before it."""
+    """Return a hardpoint coordinate in words: ``tie rod inner z``; with several rigs, preceded by the rig's name."""
     owner, _, rest = path.rpartition("hardpoints.")
     name, axis = rest[:-3], rest[-2:-1]
     return (
@@ -437,7 +435,7 @@ def point_name(path: str) -> str:
 
 
 def design_pictures(design: KinematicDesign) -> dict[str, Callable[[], Figure]]:
-    """Give what draws each picture of a design, by name."""
+    """Return the functions that draw the figures of a design, by name."""
     from jounce.plots.mechanisms.geometry import suspension_geometry
 
     before = design.before()

@@ -1,4 +1,4 @@
-"""Kinematic quantities against travel, rack or roll: sheets of curves by subject."""
+"""Kinematic quantities against travel, rack or roll: sheets of curves, grouped by subject."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ SHEETS: dict[str, tuple[str, ...]] = {
         *_FURTHER_SPRINGS,
     ),
 }
-"""Quantities that belong together, sheet by sheet; what no sheet names comes on the last one."""
+"""Quantities of each sheet; quantities not listed are drawn on the last sheet."""
 _OTHERS = "others"
 _COLUMNS = 3
 _TO_INFINITY = (
@@ -135,7 +135,9 @@ _TO_INFINITY = (
     "roll_centre_y",
     "ackermann",
 )
-_ASYMPTOTE = 8.0  # curves that leave their middle half by this many times its width run to infinity
+_ASYMPTOTE = (
+    8.0  # curves that exceed their middle half by this multiple of its width are taken to diverge
+)
 _MOST_LINES = 5
 
 
@@ -143,18 +145,18 @@ _MOST_LINES = 5
 def kinematic_curves(
     sweep: xr.Dataset | Mapping[str, xr.Dataset], quantities: Sequence[str] | None = None
 ) -> Figure:
-    """Draw quantities of a kinematic sweep, or of several over each other, one set of axes each.
+    """Draw quantities of a kinematic sweep, or of several sweeps together, each in its own axes.
 
-    Left and right wheel of an axle share their axes; of pairs of travel and rack, up to five racks are drawn as lines.
-    Curves that run to infinity (instant centres) are cut off.
+    Left and right wheel of an axle share axes. For sweeps over travel and rack, up to five rack positions are drawn as
+    lines. Curves that diverge (instant centres) are cut off.
 
     Parameters
     ----------
     sweep : xarray.Dataset, or mapping of str to xarray.Dataset
-        As :func:`jounce.sweep_travel` and its relatives give it; SI, shown in usual units (mm, °, N/mm). Several by
-        name, over the same travel, rack or roll, are variants side by side.
+        Result of :func:`jounce.sweep_travel` or a similar function; SI, shown in usual units (mm, °, N/mm). A mapping
+        of sweeps over the same travel, rack or roll compares variants by name.
     quantities : sequence of str, optional
-        What to draw; by default camber, toe, half-track change, caster, roll-centre height and motion ratio.
+        Quantities to draw; by default camber, toe, half-track change, caster, roll-centre height and motion ratio.
 
     Returns
     -------
@@ -164,7 +166,7 @@ def kinematic_curves(
     Raises
     ------
     RecordingError
-        For a quantity that a sweep does not hold, a dataset that is no sweep, or sweeps over different things.
+        For a quantity missing in a sweep, a dataset that is not a sweep, or sweeps over different quantities.
 
     Examples
     --------
@@ -184,7 +186,7 @@ def kinematic_curves(
     over = {_along(data) for data in sweeps.values()}
     if len(over) > 1:
         raise RecordingError(
-            "sweeps over different things", found=", ".join(sorted(over)), allowed="one of them"
+            "sweeps over different quantities", found=", ".join(sorted(over)), allowed="one of them"
         )
     for name in quantities or ():
         if name not in known:
@@ -210,31 +212,31 @@ def kinematic_curves(
 
 
 def steering_effort(sweep: Swept, *, title: str) -> Figure:  # noqa: ARG001 - written above the figure
-    """Draw force on the rack and torques of the column over a sweep, as far as they are known."""
+    """Draw the rack force and the steering column torques over a sweep, as far as they are known."""
     names = ("rack_force", "pinion_torque", "handwheel_torque")
     return kinematic_curves(sweep.data, [name for name in names if name in sweep.data])
 
 
 def clearances(study: ClearanceStudy, *, title: str) -> Figure:  # noqa: ARG001 - written above the figure
-    """Draw every distance over travel and rack."""
+    """Draw all distances over travel and rack."""
     assert study.data is not None
     return kinematic_curves(study.data, list(map(str, study.data.data_vars)))
 
 
 def write_swept(sweep: Swept, folder: Path | str, *, force: bool = False) -> list[Path]:
-    """Draw every quantity of a sweep into a folder, as :func:`write_kinematics` does."""
+    """Draw all quantities of a sweep to files in a folder, as :func:`write_kinematics` does."""
     return write_kinematics(sweep.data, folder, force=force)
 
 
 def write_kinematics(sweep: xr.Dataset, folder: Path | str, *, force: bool = False) -> list[Path]:
-    """Draw every quantity of a sweep into a folder, one PNG a subject.
+    """Draw all quantities of a sweep to files in a folder, one PNG per subject.
 
     Parameters
     ----------
     sweep : xarray.Dataset
         A kinematic sweep, SI.
     folder : Path or str
-        Made where it is missing.
+        Destination, created if missing.
     force : bool
         Overwrite existing files.
 
@@ -261,7 +263,7 @@ def write_kinematics(sweep: xr.Dataset, folder: Path | str, *, force: bool = Fal
 
 
 def _quantities(sweep: xr.Dataset) -> list[str]:
-    """Names of the quantities without the side of an axle, places of points left out."""
+    """Names of the quantities without the side of an axle; positions of points are omitted."""
     names = [
         str(name) for name in sweep.data_vars if sweep[name].dims and "sign" in sweep[name].attrs
     ]
@@ -342,7 +344,7 @@ def _lines(sweep: xr.Dataset, name: str, along: str) -> list[tuple[str, Array, s
 
 
 def _cut(values: Array) -> Array:
-    """Replace values that run to infinity by gaps, so that the rest can be seen."""
+    """Replace diverging values by gaps to keep the rest visible."""
     finite = values[np.isfinite(values)]
     if len(finite) < 4:
         return np.where(np.isfinite(values), values, np.nan)
@@ -353,7 +355,7 @@ def _cut(values: Array) -> Array:
 
 
 def _steady(axes: Axes, values: Array) -> None:
-    """Give a curve that does not change room above and below, so that rounding is not drawn as a wave."""
+    """Set limits above and below a constant curve, to keep rounding errors from being drawn as a wave."""
     if not len(values):
         return
     middle = float(np.mean(values))
@@ -363,7 +365,7 @@ def _steady(axes: Axes, values: Array) -> None:
 
 
 def _finish(figure: Figure, grid: Any, sweep: xr.Dataset, count: int) -> None:
-    """Label the lowest axes of every column, hide the empty ones, and put one legend beside them."""
+    """Label the lowest axes of each column, hide empty axes, and add one legend."""
     columns = grid.shape[1]
     along = _along(sweep)
     unit = display_unit(str(sweep[along].attrs.get("units", "1")))

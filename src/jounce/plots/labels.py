@@ -1,4 +1,4 @@
-"""Names beside points: in two columns at the edges of a drawing, or near points that may lie close together."""
+"""Label points with names: in two columns at the edges of a drawing, or next to points that may be close together."""
 
 from __future__ import annotations
 
@@ -21,19 +21,20 @@ _LEADER = "#8b939b"
 
 
 def column_width(names: Mapping[str, object]) -> float:
-    """Width in inches that a column of these names needs, with the start of its lines."""
+    """Width in inches of a column of these names, including the start of the leader lines."""
     return 0.22 + max(map(len, names)) * 0.6 * COLUMN_SIZE / 72.0
 
 
 def column_height(names: Mapping[str, object]) -> float:
-    """Height in inches that these names need in two columns."""
+    """Height in inches of these names in two columns."""
     return (len(names) // 2 + 1) * 1.35 * COLUMN_SIZE / 72.0
 
 
 def write_names(axes: Axes, places: Mapping[str, Array], scale: float, floor: float = 0.0) -> None:
-    """Write names at the left and right edges of axes, each with a line to its place, shape (2,), mm.
+    """Write names at the left and right edges of axes, each with a leader line to its point, shape (2,), mm.
 
-    The axes have their limits; ``scale`` is in mm per inch of paper, ``floor`` (inches) stays free at the lower edge.
+    The limits of the axes must be set; ``scale`` is in mm per inch of paper, ``floor`` (inches) is kept free at the
+    bottom.
     """
     (left, right), (low, high) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
     gap, width = 1.35 * COLUMN_SIZE / 72.0 * scale, column_width(places) * scale
@@ -64,7 +65,7 @@ def write_names(axes: Axes, places: Mapping[str, Array], scale: float, floor: fl
 
 
 def _columns(places: Mapping[str, Array]) -> tuple[list[str], list[str]]:
-    """Names in the left and the right column, each from bottom to top."""
+    """Names of the left and the right column, each from bottom to top."""
     ordered = sorted(places, key=lambda name: (round(float(places[name][0]), 3), name))
     half = len(ordered) // 2
     left, right = (
@@ -75,9 +76,9 @@ def _columns(places: Mapping[str, Array]) -> tuple[list[str], list[str]]:
 
 
 def spread(wanted: Array, low: float, high: float, gap: float) -> Array:
-    """Heights near those wanted, shape (n,), ascending, at least ``gap`` apart and within ``low`` and ``high``.
+    """Return heights near the ``wanted`` ones, shape (n,), ascending, at least ``gap`` apart, from ``low`` to ``high``.
 
-    Closer together than ``gap`` only where they would not fit. All in the same unit.
+    They are closer than ``gap`` only if they would not fit otherwise. All are in the same unit.
 
     Examples
     --------
@@ -87,7 +88,7 @@ def spread(wanted: Array, low: float, high: float, gap: float) -> Array:
     count = len(wanted)
     gap = min(gap, (high - low) / max(count - 1, 1))
     steps = gap * np.arange(count)
-    groups: list[list[float]] = []  # sum and number of what is pushed together
+    groups: list[list[float]] = []  # sum and number of values pushed together
     for value in wanted - steps:
         groups.append([float(value), 1.0])
         while len(groups) > 1 and groups[-2][0] / groups[-2][1] > groups[-1][0] / groups[-1][1]:
@@ -99,7 +100,7 @@ def spread(wanted: Array, low: float, high: float, gap: float) -> Array:
 
 
 def _untangle(points: Array, start: float, heights: Array) -> Array:
-    """Heights dealt out again until no two straight lines from ``start`` to the points cross."""
+    """Permute the heights until no two straight lines from ``start`` to the points cross."""
     heights = heights.copy()
     for _ in range(len(heights) ** 2):
         crossed = [
@@ -116,7 +117,7 @@ def _untangle(points: Array, start: float, heights: Array) -> Array:
 
 
 def _leaders_cross(start: float, first: float, a: Array, second: float, b: Array) -> bool:
-    """Whether two lines that begin at the same abscissa cross."""
+    """Whether two leader lines that begin at the same abscissa cross."""
     reach = min(abs(a[0] - start), abs(b[0] - start))
     if reach <= 0.0:
         return False
@@ -133,13 +134,13 @@ _DIRECTIONS = np.radians(np.arange(0.0, 360.0, 11.25))
 _ROUNDS = 20
 _SAMPLES = np.linspace(0.0, 1.0, 9)[:, None]
 _OUTSIDE, _COVERED, _HIDDEN, _CROSSED, _THROUGH = 200.0, 2000.0, 800.0, 300.0, 40.0
-"""Costs, in points of distance: a point outside; a name covered; a disc hidden; lines over names; lines over discs."""
+"""Costs, in points of distance: point outside; name covered; disc hidden; lines over names; lines over discs."""
 
 
 def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -> None:
-    """Write a name beside each point, as near as there is room; a thin line leads to those further away.
+    """Write a name next to each point, as near as there is room; distant names get a thin leader line.
 
-    The axes are complete; places, shape (n, 2), are in their units, radii, shape (n,), in points of paper.
+    The axes must be complete; ``places``, shape (n, 2), are in data units, ``radii``, shape (n,), in points of paper.
     """
     from matplotlib.figure import Figure
     from matplotlib.patheffects import withStroke
@@ -179,16 +180,16 @@ def name_points(axes: Axes, names: Sequence[str], places: Array, radii: Array) -
 
 @dataclass(frozen=True)
 class LabelLayout:
-    """Discs to be named within a frame; everything in one unit, points of paper."""
+    """Layout of the names of discs within a frame; all lengths in points of paper."""
 
     points: Array  # centres of the discs, shape (n, 2)
-    radii: Array  # of the discs, shape (n,)
+    radii: Array  # radii of the discs, shape (n,)
     sizes: Array  # width and height of the names, shape (n, 2)
-    low: Array  # lower left corner of where names may stand, shape (2,)
-    high: Array  # upper right corner
+    low: Array  # lower left corner of the area for names, shape (2,)
+    high: Array  # upper right corner of that area
 
     def place_all(self) -> Array:
-        """Centres of the names, shape (n, 2): each in turn moves to its cheapest place, until none moves.
+        """Return the centres of the names, shape (n, 2): each in turn moves to its cheapest position, until none moves.
 
         Examples
         --------
@@ -214,13 +215,13 @@ class LabelLayout:
         return np.array([chosen[i] for i in range(len(self.points))]).reshape(-1, 2)
 
     def edge(self, i: int, centres: Array) -> Array:
-        """Nearest places to point ``i`` on its name, shape (m, 2), were its centre at each of ``centres``."""
+        """Return the positions on name ``i`` nearest to its point, shape (m, 2), for each of the ``centres``."""
         return np.asarray(
             np.clip(self.points[i], centres - 0.5 * self.sizes[i], centres + 0.5 * self.sizes[i])
         )
 
     def _options(self, i: int) -> tuple[Array, Array]:
-        """Candidate places of a name, shape (m, 2), with a penalty for each, shape (m,)."""
+        """Return candidate positions of a name, shape (m, 2), with a penalty for each, shape (m,)."""
         reach, angle = (grid.ravel() for grid in np.meshgrid(_REACH, _DIRECTIONS, indexing="ij"))
         towards = np.column_stack([np.cos(angle), np.sin(angle)])
         tips = self.points[i] + towards * (self.radii[i] + _GAP + reach)[:, None]
@@ -229,7 +230,7 @@ class LabelLayout:
         return centres, reach + 4.0 * sideways + np.where(np.cos(angle) < -1e-9, 2.0, 0.0)
 
     def _costs(self, i: int, centres: Array, others: dict[int, Array]) -> Array:
-        """Cost of each place of a name, shape (m,), with the other names fixed."""
+        """Return the cost of each position of a name, shape (m,), with the other names fixed."""
         half = 0.5 * self.sizes[i] + 0.5 * _GAP
         beyond = np.maximum(self.low - (centres - half), 0.0) + np.maximum(
             centres + half - self.high, 0.0
@@ -252,13 +253,13 @@ class LabelLayout:
         return np.asarray(cost)
 
     def _lines(self, i: int, centres: Array) -> Array:
-        """Points of the line to each place of a name, shape (m, samples, 2)."""
+        """Return points of the leader line to each position of a name, shape (m, samples, 2)."""
         start = self.points[i]
         return np.asarray(start + _SAMPLES * (self.edge(i, centres) - start)[:, None])
 
 
 def _cross(lines: Array, other: Array) -> NDArray[np.bool_]:
-    """Which of the straight lines, shape (m, samples, 2), cross the other one, shape (samples, 2)."""
+    """Mask of the straight lines, shape (m, samples, 2), that cross the line ``other``, shape (samples, 2)."""
 
     def side(a: Array, b: Array, c: Array) -> Array:
         along, to = b - a, c - a

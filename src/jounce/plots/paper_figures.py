@@ -31,20 +31,20 @@ _FIRST_UPDATE, _LAST_UPDATE = 8, 10
 
 
 def paper_figures(result: CampaignResult) -> dict[str, Figure]:
-    """Draw a campaign as the quarter-car prototype paper shows its own, by the paper's numbers.
+    """Draw a campaign in the form of the figures of the quarter-car prototype paper, by the paper's figure numbers.
 
     Parameters
     ----------
     result : CampaignResult
-        A campaign; what it did not measure or update is left out.
+        A campaign; figures without measurements or updates are omitted.
 
     Returns
     -------
     dict of str to Figure
         ``figure-4a`` and ``figure-4b``: force (N) against deflection (mm) of the spring and of the first tyre.
         ``figure-6``: a single obstacle and a train, height against distance (mm). ``figure-8``, ``figure-9`` and
-        ``figure-10``: the first three updates, each on the first trial that it was fitted on; (a) sprung and (b)
-        unsprung mass over time, experiment and simulation with the model before and after adjustment.
+        ``figure-10``: the first three updates, each with the first trial it was fitted to; (a) sprung and (b) unsprung
+        mass over time, experiment and simulation with the model before and after adjustment.
     """
     bench = result.characterisation
     figures: dict[str, Figure] = {}
@@ -73,7 +73,7 @@ def paper_figures(result: CampaignResult) -> dict[str, Figure]:
 def force_against_deflection(
     title: str, trials: Sequence[ForceDeflectionTrial], laws: Sequence[StiffnessResult]
 ) -> Figure:
-    """Draw the measured points of a component and the laws fitted to them, mm and N, where they were fitted."""
+    """Draw the measured points of a component and the fitted laws within their fitted range, mm and N."""
     from jounce.identify.force_deflection import seat
 
     figure = new_figure(3.6, 5.2)
@@ -136,7 +136,7 @@ def obstacle_profiles(roads: Sequence[Road]) -> Figure:
 
 @in_style
 def adjusted_and_not(strategy: StrategyResult, trial: StrategyTrial) -> Figure:
-    """Draw a trial before and after one update: (a) sprung mass, (b) unsprung mass and whatever else was recorded.
+    """Draw a trial before and after one update: (a) sprung mass, (b) unsprung mass and other recorded channels.
 
     Parameters
     ----------
@@ -148,7 +148,7 @@ def adjusted_and_not(strategy: StrategyResult, trial: StrategyTrial) -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        The part of the record that is lively, over time (s).
+        The part of the record in which signals vary strongly, over time (s).
     """
     signals = trial.signals or trial.signals_before
     figure = new_figure(0.5 + 2.0 * len(signals))
@@ -164,7 +164,7 @@ def adjusted_and_not(strategy: StrategyResult, trial: StrategyTrial) -> Figure:
 
 
 def _draw(axes: Axes, trial: StrategyTrial, name: str, *, labels: bool = True) -> None:
-    """Draw the experiment and both simulations of a channel, and how well each of them explains it."""
+    """Draw the experiment and both simulations of a channel, with the agreement of each simulation."""
     lines = (
         (trial.signals_before, trial.before, BEFORE, "simulation, not adjusted", (0, (4, 1.6))),
         (trial.signals, trial.after, AFTER, "simulation, adjusted", "-"),
@@ -199,7 +199,7 @@ def _unit(name: str, shown: Signals) -> DisplayUnit:
 
 @in_style
 def update_on_every_trial(strategy: StrategyResult) -> Figure:
-    """Draw every trial before and after one update: a row for each trial, a column for each channel, over time (s)."""
+    """Draw all trials before and after one update: a row for each trial, a column for each channel, over time (s)."""
     trials = [trial for trial in strategy.trials if trial.signals or trial.signals_before]
     channels = list(
         dict.fromkeys(name for trial in trials for name in (trial.signals or trial.signals_before))

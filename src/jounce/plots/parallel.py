@@ -1,4 +1,4 @@
-"""Parallel coordinates, as pictures of designs and of variants have them: upright axes, each between its own ends."""
+"""Parallel coordinates for figures of designs and variants: vertical axes, each with its own limits."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ if TYPE_CHECKING:
 
     from jounce.core.types import Array
 
-_NOTHING = 1e-5  # of the largest value: what no picture tells from nothing
+_NOTHING = 1e-5  # of the largest value: invisible in a figure
 
 Ends = tuple[str, str]
-"""The least and the greatest value of an upright axis, as they are written."""
+"""Minimum and maximum of a vertical axis, as displayed."""
 
 
 def between_ends(values: Array) -> tuple[Array, Ends]:
-    """Shares of the way from the least to the greatest of values (n,); the middle where both are written alike.
+    """Scale values (n,) from 0 at their minimum to 1 at their maximum; 0.5 if both are displayed alike.
 
-    A difference that the ends do not show is not drawn over the whole height either.
+    A difference too small for the displayed limits is therefore not drawn over the full height.
 
     >>> between_ends(np.array([1.0, 2.0, 5.0]))[0].tolist()
     [0.0, 0.25, 1.0]
@@ -41,7 +41,7 @@ def between_ends(values: Array) -> tuple[Array, Ends]:
 
 
 def draw_uprights(axes: Axes, ends: Sequence[Ends]) -> None:
-    """Draw the upright axes at 0, 1, 2, ... with their ends; a line of data goes from 0 to 1 on each."""
+    """Draw the vertical axes at 0, 1, 2, ... with their limits; data lines range from 0 to 1 on each."""
     for k, (least, greatest) in enumerate(ends):
         axes.plot([k, k], [0.0, 1.0], color=INK, linewidth=0.7, zorder=1.0)
         for place, text, align in ((-0.02, least, "top"), (1.02, greatest, "bottom")):

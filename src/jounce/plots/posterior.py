@@ -1,4 +1,4 @@
-"""Pictures of a posterior: draws and their pairs, profile likelihoods, and bands over what was measured."""
+"""Figures of a posterior: draws and their pairs, profile likelihoods, and bands with the measurements."""
 
 from __future__ import annotations
 
@@ -35,18 +35,18 @@ _MOST_POINTS, _BINS = 4000, 60
 def posterior_draws(posterior: Posterior) -> Figure:
     """Draw the distribution of each parameter and of each pair.
 
-    Where model error is counted, bars and dots are what a test machine gives of the parts, lines over the bars the
-    model's law over the ride; the interval holds both.
+    If model error is included, bars and dots are the parts as measured on a test machine, and lines over the bars the
+    model's effective law during the ride; the interval includes both.
 
     Parameters
     ----------
     posterior : Posterior
-        As :func:`jounce.posterior` gives it; SI, shown in usual units.
+        Result of :func:`jounce.posterior`; SI, shown in usual units.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Histograms on the diagonal with 95 % intervals, dots below it.
+        Histograms with 95 % intervals on the diagonal, scatter plots below it.
 
     Examples
     --------
@@ -133,19 +133,19 @@ def _histogram(
 
 @in_style
 def profile_likelihood(posterior: Posterior) -> Figure:
-    """Draw the log likelihood over each parameter, the others at their best fit, with a Gaussian for comparison.
+    """Draw the profile log likelihood of each parameter, with the others refitted, and a Gaussian for comparison.
 
     Parameters
     ----------
     posterior : Posterior
-        As :func:`jounce.posterior` gives it.
+        Result of :func:`jounce.posterior`.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Axes for each parameter, with the level that bounds 95 %.
+        One set of axes for each parameter, with the level of the 95 % interval.
     """
-    from jounce.identify.posterior import HALF_DROP  # whose package loads more than a picture needs
+    from jounce.identify.posterior import HALF_DROP  # its package loads more than a figure needs
 
     count = len(posterior.profiles)
     wide = columns_of(count)
@@ -182,24 +182,26 @@ def _curvature(x: Array, y: Array, top: int) -> float:
 
 @in_style
 def posterior_bands(posterior: Posterior, trial: str | None = None) -> Figure:
-    """Draw what a posterior predicts for a trial, over what was measured.
+    """Draw the prediction of a posterior for a trial, with the measured signals.
 
     Parameters
     ----------
     posterior : Posterior
-        With predictions, as :func:`jounce.posterior` gives it.
+        Result of :func:`jounce.posterior`, with predictions.
     trial : str, optional
         Name of the trial; the first by default.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Axes for each channel, over time (s): dark what parameters bring in, light all that is counted; below each the
-        same less the mean, where a narrow band is seen.
+        Two sets of axes for each channel, over time (s): the bands, dark for the uncertainty of parameters, light for
+        all included uncertainty; below, the same minus the mean, which makes narrow bands visible.
     """
     if not posterior.predictions:
         raise FitError(
-            "nothing was predicted", where=posterior.name, hint="Call posterior without predict=()."
+            "the posterior has no predictions",
+            where=posterior.name,
+            hint="Call posterior without predict=().",
         )
     if trial is not None and trial not in posterior.predictions:
         raise unknown(trial, posterior.predictions, what="trial", where="trial")
@@ -241,7 +243,7 @@ def posterior_bands(posterior: Posterior, trial: str | None = None) -> Figure:
 
 
 def _band(axes: Axes, band: PredictionBand, unit: DisplayUnit, less: Array) -> None:
-    """Draw a band, its mean and the recording, all less a curve."""
+    """Draw a band, its mean and the recording, after subtracting the curve ``less``."""
     for whole, alpha, words in (
         (True, 0.22, "95 %, all that is counted"),
         (False, 0.5, "95 %, parameters"),

@@ -1,4 +1,4 @@
-"""Signals over time, studies over one variable, roads over distance, responses over frequency, and modes."""
+"""Figures of signals over time, studies over one variable, roads, frequency responses, and modes."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 
 MOST_COLUMNS = 4000
-"""More than a figure has at any size it is printed in; of longer records each column keeps its peaks."""
+"""Number of columns, more than any printed figure resolves; in longer records each column keeps its peaks."""
 _PREFERRED = ("road.z", "sprung.az", "unsprung.az", "strut.deflection", "tyre.force")
 _MOST_BY_DEFAULT = 6
 _NO_CONTACT = "#f2c6b5"
@@ -47,16 +47,16 @@ _NO_CONTACT = "#f2c6b5"
 
 @in_style
 def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figure:
-    r"""Draw channels of a recording, measured or simulated, one above the other over the same time.
+    r"""Draw channels of a measured or simulated recording in stacked axes over a common time.
 
-    Instants at which a tyre has no contact (its channel ``tyre.force`` is 0) are shaded.
+    Times without tyre contact (``tyre.force`` is 0) are shaded.
 
     Parameters
     ----------
     run : xarray.Dataset
-        A recording: channels over ``time`` in s, with ``units`` in SI. They are shown in usual units (mm, °, kN).
+        A recording: channels over ``time`` in s, with ``units`` in SI; shown in usual units (mm, °, kN).
     channels : sequence of str, optional
-        What to draw, from top to bottom; by default road, accelerations, strut deflection and tyre force where they
+        Channels to draw, from top to bottom; by default road, accelerations, strut deflection and tyre force if they
         exist, otherwise the first six channels.
 
     Returns
@@ -67,7 +67,7 @@ def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figu
     Raises
     ------
     RecordingError
-        For a channel that the recording does not hold, or no channel at all.
+        For a channel missing in the recording, or a recording without channels.
 
     Examples
     --------
@@ -126,7 +126,7 @@ def _choose_channels(run: xr.Dataset, channels: Sequence[str] | None) -> list[st
 def _shade_lost_contact(
     axes: Axes, run: xr.Dataset, name: str, time: Array, *, labelled: bool
 ) -> bool:
-    """Shade where the channel's own tyre (or, for channels without a corner, any tyre) carries no load."""
+    """Shade times at which the channel's own tyre (or, for channels without a corner, any tyre) carries no load."""
     corner = name.partition(".")[0]
     tyres = [str(other) for other in run.data_vars if str(other).endswith("tyre.force")]
     own = [other for other in tyres if other.startswith(f"{corner}.")] if corner != "tyre" else []
@@ -148,7 +148,7 @@ def _shade_lost_contact(
 
 
 def stretches(condition: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """First and last index of each stretch in which a condition, shape (n,), holds.
+    """Return the first and last index of each run of True values in a condition, shape (n,).
 
     Examples
     --------
@@ -163,7 +163,7 @@ def stretches(condition: NDArray[np.bool_]) -> list[tuple[int, int]]:
 def sweep(
     results: xr.Dataset, variables: Sequence[str] | None = None, along: str = "speed"
 ) -> Figure:
-    r"""Draw the variables of a study against what was varied.
+    r"""Draw the variables of a study against the varied quantity.
 
     Parameters
     ----------
@@ -171,9 +171,9 @@ def sweep(
         Variables over the coordinate ``along``; a second dimension (e.g. obstacle pitch) becomes one line per value.
         Units in SI are taken from ``units``, names from ``long_name``.
     variables : sequence of str, optional
-        What to draw, one set of axes each; by default the first six.
+        Variables to draw, one set of axes each; by default the first six.
     along : str
-        Name of the coordinate that was varied.
+        Name of the varied coordinate.
 
     Returns
     -------
@@ -272,9 +272,9 @@ def road_profile(roads: Road | Mapping[str, Road], distance: float | None = None
     Parameters
     ----------
     roads : Road or mapping of str to Road
-        One road, or several by name; several are drawn one above the other over the same distance.
+        One road, or several by name; several are drawn in stacked axes over the same distance.
     distance : float, optional
-        How far, in m; by default a little beyond the end of the longest.
+        End of the distance axis, m; by default slightly beyond the end of the longest road.
 
     Returns
     -------
@@ -313,10 +313,10 @@ def road_profile(roads: Road | Mapping[str, Road], distance: float | None = None
 
 
 def sample_segments(segments: Segments) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Coordinate (m or s) and height (m) along closed-form pieces, shape (n,); jumps are drawn upright."""
+    """Sample closed-form pieces: coordinate (m or s) and height (m), shape (n,); jumps are vertical."""
     count = max(2, min(60, _POINTS // len(segments.kind)))
     share = np.linspace(0.0, 1.0, count)
-    share[-1] = 1.0 - 1e-9  # still on this piece: at an edge the next one counts
+    share[-1] = 1.0 - 1e-9  # still on this piece: an edge belongs to the next one
     x = (segments.edges[:-1, None] + np.diff(segments.edges)[:, None] * share).ravel()
     return x, segments.evaluate(x)[0]
 
@@ -401,14 +401,14 @@ def roughness(profile: Roughness, distance: Array, height: Array) -> Figure:
     Parameters
     ----------
     profile : Roughness
-        What :func:`jounce.iri` gives, m/km.
+        Result of :func:`jounce.iri`, m/km.
     distance, height : ndarray, shape (n,)
         The profile, m.
 
     Returns
     -------
     matplotlib.figure.Figure
-        The profile above, a bar for each segment below; dashed: the whole.
+        The profile above, and a bar for each segment below; dashed: the whole profile.
 
     Examples
     --------
@@ -440,7 +440,7 @@ _MODES_ACROSS = 4
 
 @in_style
 def modes(natural_modes: Sequence[Mode]) -> Figure:
-    """Draw the shapes of the modes of a rig as bars: real part of each coordinate, the largest being 1.
+    """Draw the mode shapes of a rig as bars: real part of each coordinate, scaled to a maximum of 1.
 
     Parameters
     ----------
@@ -471,7 +471,7 @@ def modes(natural_modes: Sequence[Mode]) -> Figure:
         axes.set_yticks(range(len(names)), names)
         axes.set_xlim(-1.15, 1.15)
         axes.grid(axis="y", visible=False)
-        axes.set_ylim(len(names) - 0.4, -0.6)  # in their order from the top
+        axes.set_ylim(len(names) - 0.4, -0.6)  # in order from the top
         axes.set_title(
             f"{number(mode.frequency_hz, 3)} Hz\ndamping ratio {number(mode.damping_ratio, 2)}",
             fontsize=9,

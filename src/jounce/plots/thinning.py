@@ -1,4 +1,4 @@
-"""Long curves as few points: points that no screen or printer could resolve are left out, peaks are kept."""
+"""Thin long curves: points that no screen or printer could resolve are dropped, peaks are kept."""
 
 from __future__ import annotations
 
@@ -8,21 +8,21 @@ from jounce.core.types import Array
 
 
 def thin(x: Array, y: Array, low: float, high: float, columns: int) -> tuple[Array, Array]:
-    """Leave out points that no screen of so many columns shows; the lowest and highest of each column stay.
+    """Drop points that a screen with ``columns`` columns cannot resolve; keep the minimum and maximum of each column.
 
     Parameters
     ----------
     x, y : array (n,)
         A line in any unit, x ascending.
     low, high : float
-        Ends of what is shown of x, same unit.
+        Limits of the displayed range of x, same unit.
     columns : int
-        How many columns there are.
+        Number of columns.
 
     Returns
     -------
     x, y : array (m,)
-        At most four points a column: first, lowest, highest, last.
+        At most four points per column: first, lowest, highest, last.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Figures of many runs: what a metric depends on, how numbers and metrics correlate, bands over time."""
+"""Figures of many runs: sensitivities of metrics, correlation of numbers and metrics, bands over time."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ if TYPE_CHECKING:
 
     from jounce.core.types import Array
 
-_MOST_ROWS = 45  # bars of all metrics of one picture
+_MOST_ROWS = 45  # bars of all metrics in one figure
 _MOST_BARS, _MOST_AXES, _MOST_POINTS, _MOST_LINES = 15, 7, 4000, 1500
-_FEW_VALUES = 16  # of a number, as on a grid or on the levels of Morris
+_FEW_VALUES = 16  # distinct values of a number, as on a grid or on Morris' levels
 _LOWER, _HIGHER = PALETTE[0], PALETTE[1]
-_INDICES = {  # of each design: what is drawn beside the swings, with its words
+_INDICES = {  # for each design: indices drawn next to the swings, with labels
     "saltelli": (("first", "alone"), ("total", "with others")),
     "morris": (("mean_absolute_effect", "mean size"), ("effect_spread", "spread")),
 }
@@ -43,23 +43,23 @@ _HEADINGS = {"saltelli": "share of the variance", "morris": "effect of the whole
 
 @in_style
 def tornado(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Figure:
-    """Draw what metrics depend on, the number that matters most above.
+    """Draw the influence of the numbers on metrics, with the most influential number on top.
 
-    Left, for each metric: its mean over the fifth of the variants with the lowest and the highest values of each
-    number, from its mean over all (of a design of Morris: half of the mean effect to either side). Right: the indices
-    that the design allows, with their 95 % intervals.
+    Left, for each metric: its mean over the fifth of the variants with the lowest and with the highest values of each
+    number, relative to its mean over all variants (Morris design: half of the mean effect to either side). Right: the
+    indices that the design provides, with their 95 % intervals.
 
     Parameters
     ----------
     many : xarray.Dataset
-        Metrics on ``variant``, as :func:`jounce.simulate_many` gives them; SI, shown in usual units.
+        Metrics on ``variant``, from :func:`jounce.simulate_many`; SI, shown in usual units.
     metrics : sequence of str, optional
-        Which; by default the first that 45 bars do for: three of 15 numbers, seven of six.
+        Metrics to draw; by default as many as fit in 45 bars: three with 15 numbers, seven with six.
 
     Returns
     -------
     matplotlib.figure.Figure
-        A row of axes a metric.
+        One row of axes per metric.
 
     Examples
     --------
@@ -157,19 +157,19 @@ def _rows(axes: Axes, names: Sequence[str]) -> None:
 
 @in_style
 def scatter_matrix(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> Figure:
-    """Draw every metric over every number that varies, a dot a variant, with the mean of each tenth of the variants.
+    """Draw each metric over each varied number, one dot per variant, with the mean of each tenth of the variants.
 
     Parameters
     ----------
     many : xarray.Dataset
         As for :func:`tornado`.
     metrics : sequence of str, optional
-        Which; the first seven by default, over the seven numbers that the first depends on most.
+        Metrics to draw; by default the first seven, over the seven numbers that influence the first metric most.
 
     Returns
     -------
     matplotlib.figure.Figure
-        A row a metric, a column a number.
+        One row per metric, one column per number.
     """
     names = metrics_of(many, metrics)[:_MOST_AXES]
     paths = _mattering(many, names, _MOST_AXES)
@@ -209,7 +209,7 @@ def scatter_matrix(many: xr.Dataset, metrics: Sequence[str] | str | None = None)
 
 
 def _course(x: Array, y: Array) -> tuple[Array, Array]:
-    """Mean place and metric of each tenth of the variants that ran in the order of x, or at each of few values of x."""
+    """Mean x and metric of each tenth of the variants that ran, sorted by x; at each value if x has only a few."""
     good = np.flatnonzero(np.isfinite(y))
     few = np.unique(x[good])
     if len(few) <= _FEW_VALUES:
@@ -232,13 +232,13 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
     many : xarray.Dataset
         As for :func:`tornado`.
     metrics : sequence of str, optional
-        Which; all by default, the first of them colours. At most 12 axes are drawn, of the numbers that the first
-        metric depends on most.
+        Metrics to draw; all by default. The first one sets the colours. At most 12 axes are drawn, with the numbers
+        that influence the first metric most.
 
     Returns
     -------
     matplotlib.figure.Figure
-        One set of axes; each upright one goes from the least to the greatest value.
+        One figure with parallel axes, each from its minimum to its maximum.
     """
     from matplotlib.collections import LineCollection
 
@@ -249,7 +249,7 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
     first = many[names[0]].to_numpy()
     chosen = _choose_variants(many, _MOST_LINES)
     chosen = chosen[np.isfinite(first[chosen])]
-    chosen = chosen[np.argsort(-first[chosen], kind="stable")]  # the smallest lies on top
+    chosen = chosen[np.argsort(-first[chosen], kind="stable")]  # the smallest is drawn on top
     shares, ends, units = [], [], []
     for name in columns:
         unit = _unit(many[name])
@@ -283,19 +283,19 @@ def parallel_coordinates(many: xr.Dataset, metrics: Sequence[str] | str | None =
 
 @in_style
 def variant_bands(many: xr.Dataset, channels: Sequence[str] | str | None = None) -> Figure:
-    """Draw the median of channels over the variants, with bands that hold half and nine tenths of them at each time.
+    """Draw the median of channels over the variants, with bands that contain 50 % and 90 % of them at each time.
 
     Parameters
     ----------
     many : xarray.Dataset
         Channels on ``variant`` and ``time`` (``outputs=`` of :func:`jounce.simulate_many`).
     channels : sequence of str, optional
-        Which; the first four by default.
+        Channels to draw; the first four by default.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Axes one below the other, over time (s).
+        Stacked axes over time (s).
     """
     known = [
         str(name)
@@ -305,7 +305,7 @@ def variant_bands(many: xr.Dataset, channels: Sequence[str] | str | None = None)
     names = [channels] if isinstance(channels, str) else list(channels or known[:4])
     if not names:
         raise DescriptionError(
-            "no channel was kept over time", where="channels", hint="Ask for outputs."
+            "no channel was stored over time", where="channels", hint="Ask for outputs."
         )
     figure = new_figure(0.5 + 1.9 * len(names))
     column = figure.subplots(len(names), 1, squeeze=False, sharex=True)[:, 0]
@@ -342,26 +342,26 @@ def _require_varied(many: xr.Dataset) -> list[str]:
     paths = numbers_of(many)
     if not paths:
         raise DescriptionError(
-            "no number varies", where="many", hint="Give what simulate_many or load_sweep gives."
+            "no number varies", where="many", hint="Pass the result of simulate_many or load_sweep."
         )
     return paths
 
 
 def _mattering(many: xr.Dataset, metrics: Sequence[str], most: int) -> list[str]:
-    """Paths that vary, in their order: all, or those that the first metric depends on most."""
+    """Varied paths in order: all, or those that influence the first metric most."""
     paths = _require_varied(many)
     if len(paths) <= most:
         return paths
     try:
         at = sensitivity_indices(many, metrics[:1]).isel(metric=0)
-    except DescriptionError:  # too few ran to tell
+    except DescriptionError:  # too few variants ran to rank them
         return paths[:most]
     leading = set(at["number"].to_numpy()[_order(at)[:most]])
     return [path for path in paths if path in leading]
 
 
 def _choose_variants(many: xr.Dataset, most: int) -> Array:
-    """Variants to draw: all, or an even selection of as many as a picture takes."""
+    """Indices of the variants to draw: all, or an evenly spaced selection of at most ``most``."""
     count = many.sizes["variant"]
     return np.unique(np.linspace(0, count - 1, min(count, most)).astype(int))
 

@@ -85,7 +85,7 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
     names, paths = metrics_of(many, metrics), numbers_of(many)
     if not paths:
         raise DescriptionError(
-            "no number varies", where="many", hint="Give what simulate_many or load_sweep gives."
+            "no number varies", where="many", hint="Pass the result of simulate_many or load_sweep."
         )
     values = np.column_stack([many[path].to_numpy() for path in paths])
     design = str(many.attrs.get("design", "list"))

@@ -118,7 +118,7 @@ def test_bands_hold_the_shares_they_say():
 
 
 def test_what_cannot_be_drawn_is_said():
-    with pytest.raises(DescriptionError, match="no channel was kept over time"):
+    with pytest.raises(DescriptionError, match="no channel was stored over time"):
         variant_bands(runs())
     with pytest.raises(DescriptionError, match="no number varies"):
         scatter_matrix(runs().isel(variant=[0]))

@@ -139,5 +139,5 @@ def test_letters_without_a_glyph_are_told_once(caplog: pytest.LogCaptureFixture)
     figure.subplots().set(title="漢字 über ω", xlabel="字")
     render_figure(figure, [".png", ".pdf"])
     assert [record.getMessage() for record in caplog.records] == [
-        "letters that the font of pictures does not have are boxes: 字漢"
+        "characters missing from the font of figures are drawn as boxes: 字漢"
     ]

@@ -102,7 +102,7 @@ def test_variants_are_drawn_over_each_other_with_a_legend() -> None:
     assert [text.get_text() for text in figure.legends[0].get_texts()] == ["as it is", "higher"]
     assert list(one.get_xdata()) == [-20.0, 0.0, 20.0]
     assert list(two.get_xdata()) == [-10.0, 0.0, 10.0]
-    with pytest.raises(jn.RecordingError, match="different things"):
+    with pytest.raises(jn.RecordingError, match="different quantities"):
         kinematic_curves({"one": sweeps["higher"], "other": jn.sweep_rack(RIG, [0.0, 0.01])})
     with pytest.raises(jn.RecordingError, match="no sweeps"):
         kinematic_curves({})

@@ -106,7 +106,7 @@ def _roadway(trial: Trial | None, poses: Poses, shown: Poses, scene: Scene) -> R
     expected = trial.segments().evaluate(np.minimum(poses.over, trial.duration))[0]
     if np.mean(np.abs(expected - poses.ground) > _SAME_HEIGHT) > _AT_JUMPS:
         raise DescriptionError(
-            "the poses are not of this trial; its road has other heights",
+            "the poses are not of this trial; its road has different heights",
             where="trial",
             hint="Give the trial that the run was simulated with.",
         )
@@ -229,7 +229,7 @@ def ffmpeg() -> str:
             raise MissingPackageError(
                 "MP4 is written by ffmpeg, which was not found",
                 hint="Install it (apt-get install ffmpeg, brew install ffmpeg, or pip install imageio-ffmpeg), or "
-                "write .gif or .html, which need nothing.",
+                "write .gif or .html, which need no other program.",
             ) from None
     return program
 

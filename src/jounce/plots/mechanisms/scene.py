@@ -430,7 +430,7 @@ def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
     )
     known = np.isfinite(axis).all(axis=1) & np.isfinite(points["wheel_centre"]).all(axis=1)
     if not known.any():
-        raise RecordingError("no pose is known; every one has gaps", where="poses")
+        raise RecordingError("no pose is complete; every pose has gaps", where="poses")
     return poses if known.all() else poses.subset(known)
 
 
@@ -472,7 +472,7 @@ def _tracks(
             missing.append(name)
     if missing:
         raise RecordingError(
-            "the poses do not say where these hardpoints are; are they of another rig?",
+            "the poses do not include these hardpoints; are they of a different rig?",
             where="poses",
             found=", ".join(missing),
         )
@@ -484,7 +484,7 @@ def _first(series: Mapping[str, Array], names: tuple[str, ...]) -> Array:
         if name in series:
             return series[name]
     raise RecordingError(
-        "the poses do not say how the wheel stands",
+        "the poses do not include the orientation of the wheel",
         where="poses",
         allowed=Phrase("a variable {names}", names=" or ".join(names)),
     )
@@ -496,7 +496,7 @@ def _counted_by(series: Mapping[str, Array], dimension: str) -> str:
         if name in series:
             return name
     raise RecordingError(
-        "the poses are not counted by anything", where="poses", found=f"dimension {dimension}"
+        "the poses have no dimension", where="poses", found=f"dimension {dimension}"
     )
 
 
@@ -532,7 +532,7 @@ def roadway_of(trial: Trial, time: Array, radius: float) -> Roadway | None:
         return None
     if time[-1] > trial.duration * (1.0 + 1e-9):
         raise DescriptionError(
-            "the poses are not of this trial; they go on after its end",
+            "the poses are not of this trial; they continue after its end",
             where="trial",
             found=f"{time[-1]:g} s",
             allowed=Phrase("up to {duration:g} s", duration=trial.duration),
