@@ -318,7 +318,7 @@ def test_plot(suffix: str, cli, bump: Path, tmp_path: Path) -> None:
         (("run.nc", "sprung.zz", "--figure", "f.png"), "no channel 'sprung.zz'"),
         (("run.nc", "--figure", "f.gif"), "allowed: .svg, .png, .pdf"),
         (("gone.nc", "--figure", "f.png"), "gone.nc: no such file"),
-        (("bump.toml", "--figure", "f.png"), "suffix is of no known format"),
+        (("bump.toml", "--figure", "f.png"), "suffix does not belong to a known format"),
     ],
 )
 def test_bad_plots(words: tuple[str, ...], message: str, cli, bump: Path, tmp_path: Path) -> None:

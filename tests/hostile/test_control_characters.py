@@ -57,7 +57,7 @@ def test_workbooks_of_recordings(tmp_path, sign: str) -> None:
 
     again, _ = jn.read_recording(jn.write_recording(recording("sprung.az"), tmp_path / "a.xlsx"))
     assert again.attrs["title"] == f"a{sign}b"
-    with pytest.raises(OutputError, match="a name that the file cannot hold"):
+    with pytest.raises(OutputError, match="a name that the file cannot store"):
         jn.write_recording(recording(f"x{sign}.sprung.az"), tmp_path / "b.xlsx")
 
 

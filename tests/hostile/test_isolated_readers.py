@@ -94,9 +94,9 @@ def evil(monkeypatch, tmp_path):
         ("exit", r"a\.evil: the process that reads the file ended \(exit code 7\)"),
         (
             "loop",
-            r"a\.evil: reading the file does not end: it is damaged; found 'more than 1 s'; allowed: ",
+            r"a\.evil: reading the file does not finish: it is damaged; found 'more than 1 s'; allowed: ",
         ),
-        ("sleep", r"a\.evil: reading the file does not end"),
+        ("sleep", r"a\.evil: reading the file does not finish"),
         ("unknown", r"a\.evil: this cannot be used.*\(KeyError: 'x'\)"),
         ("refused", r"^here: wrong; found 3; allowed: less\. Try\.$"),
     ],

@@ -31,7 +31,7 @@ _KINDS = {
     "Road": ("a road", "Make one, e.g. jn.HalfSine(...), or read it: jn.load_road(...)."),
     "Dataset": (
         "a recording (xarray.Dataset)",
-        "jn.read_recording(...) gives one with its findings, jn.recording(...) makes one from arrays.",
+        "jn.read_recording(...) reads a recording from a file, jn.recording(...) creates one from arrays.",
     ),
     "FitTrial": ("a measured trial", "Make one: jn.FitTrial(name, rig, trial, measured)."),
     "Tester": ("a tester", "jn.load_tester(...) reads one from a file or the library."),

@@ -83,10 +83,10 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
         return _respell(given.to_dataset(), where)
     if not is_table(given):
         raise RecordingError(
-            Phrase("{given} is no recording", given=value_or_kind(given)),
+            Phrase("{given} is not a recording", given=value_or_kind(given)),
             where=where,
-            allowed="an xarray.Dataset, or a table with columns 'name [unit]' and one of them 'time [s]'",
-            hint="jn.read_recording(...) gives one with its findings, jn.recording(...) makes one from arrays.",
+            allowed="an xarray.Dataset, or a table with columns 'name [unit]', including 'time [s]'",
+            hint="jn.read_recording(...) reads a recording from a file, jn.recording(...) creates one from arrays.",
         )
     columns = table_columns(given, where)
     if "time" not in columns:
@@ -245,7 +245,7 @@ def damper_channels(
 
 
 def _no_time(where: str) -> RecordingError:
-    allowed = "an array of times beside the samples, or channels of a recording such as run['strut.force']"
+    allowed = "an array of times in addition to the samples, or channels of a recording such as run['strut.force']"
     return RecordingError("the time is missing", where=where, allowed=allowed)
 
 
@@ -254,5 +254,5 @@ def _ambiguous(what: str, names: Iterable[Any], where: str, several: bool) -> Re
         f"{'more than one has' if several else 'it has not'} {what}",
         where=where,
         found=", ".join(map(str, names)),
-        hint="Say which, e.g. run['strut.deflection'].",
+        hint="Select one, e.g. run['strut.deflection'].",
     )

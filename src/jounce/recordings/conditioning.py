@@ -85,7 +85,7 @@ def sensitivity_of(
         factor *= size
     if not links or before not in ELECTRICAL:
         raise DescriptionError(
-            "the sensitivity does not end in what a card records",
+            "the sensitivity does not end in a quantity that a card records",
             where=where,
             found=", ".join(links),
             allowed=Phrase(
@@ -107,7 +107,7 @@ def _link(text: str, unit: str, where: str) -> tuple[float, str]:
     if given is None or not is_unit_of(per, unit):
         wrong = match["unit"].strip() if given is None else per
         allowed = Phrase(
-            "{examples}; behind the stroke a unit that converts to {unit}",
+            "{examples}; after the slash a unit that converts to {unit}",
             examples=_EXAMPLES,
             unit=unit,
         )

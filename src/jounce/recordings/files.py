@@ -284,7 +284,7 @@ def _together(
     slack = 1e-6 / rate
     inside = (time >= first - slack) & (time <= last + slack)
     if np.count_nonzero(inside) < FEWEST_SAMPLES:
-        raise RecordingError("the signals have no time in common", where=file)
+        raise RecordingError("the signals do not overlap in time", where=file)
     wanted, common = time[inside], dict[str, Array]()
     for table in used:
         names = [name for name in values if homes[name] is table]
@@ -401,7 +401,7 @@ def _resample(
         check_instants(time, where=file, name_row=table.name_row)
     first, last = max(time[0] for time in used.values()), min(time[-1] for time in used.values())
     if last < first:
-        raise RecordingError("the signals have no time in common", where=file)
+        raise RecordingError("the signals do not overlap in time", where=file)
     wanted = uniform_instants(float(first), float(last), 1.0 / step)
     if wanted.size < FEWEST_SAMPLES:
         size, allowed = f"{wanted.size} in steps of {step:g} s", f"at least {FEWEST_SAMPLES}"
@@ -529,7 +529,7 @@ def _read_table(
     path: Path, columns: Columns, variable: str, database: Path | str | None = None
 ) -> SignalTable:
     if not isinstance(columns, Mapping | str | None):
-        allowed = "name of a channel to its column, or all names in their order as one text"
+        allowed = "a mapping from channel names to columns, or all names in order as one string"
         raise RecordingError(
             Phrase("{columns} was given", columns=value_or_kind(columns)),
             where="columns",
@@ -552,7 +552,7 @@ def locate(table: ColumnTable, spec: str) -> Column:
     )  # the full header 'Force [N]', followed by a different unit
     if unit and own and unit != own:
         hint = Phrase(
-            "Where the header is wrong, name it in full and the right unit behind it: '{label} [{unit}]'.",
+            "If the header is wrong, give it in full, followed by the right unit: '{label} [{unit}]'.",
             label=column.label,
             unit=unit,
         )
@@ -588,7 +588,7 @@ def in_si(column: Column, si: str) -> Array:
         factor = conversion_factor(column.unit, si, where=column.where) if column.unit else 1.0
     except DescriptionError as error:
         override = f"--columns NAME='{column.label} [{si}]'"
-        hint = f"{error.hint} Where the header is wrong, say the right unit behind it: {override}."
+        hint = f"{error.hint} If the header is wrong, state the right unit after it: {override}."
         raise DescriptionError(
             error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint
         ) from None
@@ -627,11 +627,11 @@ def _locate_channels(
         home = next((table for table in (main, *signals.tables) if _is_home(table, spec)), main)
         if home not in tables:
             raise RecordingError(
-                "the signal is recorded at other instants than the others",
+                "the signal was recorded at different instants from the others",
                 where=f"{main.file}: {name}",
                 found=spec,
                 hint=Phrase(
-                    "Bring them onto one time with resample, e.g. '10 ms'{without}.",
+                    "Put them on a common time base with resample, e.g. '10 ms'{without}.",
                     without=without,
                 ),
             )

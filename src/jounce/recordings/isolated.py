@@ -134,11 +134,11 @@ class _Child(ChildProcess):
                 else "the process that reads files does not start",
                 where=str(path),
                 found=how,
-                hint="Are there memory, processes and open files enough? Then read the file again.",
+                hint="Check that enough memory, processes and file handles are available, then read the file again.",
             )
         if late or -code == getattr(signal, "SIGXCPU", None):
             return RecordingError(
-                "reading the file does not end: it is damaged",
+                "reading the file does not finish: it is damaged",
                 where=str(path),
                 found=f"more than {seconds:.0f} s",
                 allowed=Phrase(
@@ -253,7 +253,7 @@ def too_much_memory(error: MemoryError, path: str, allowed: float = 0.0) -> Reco
         where=path,
         found=str(error) or None,
         allowed=Phrase("{allowed:.1f} GB", allowed=allowed / 1e9) if allowed else "",
-        hint="It is damaged, or holds far more than its size tells.",
+        hint="It is damaged, or contains far more data than its size suggests.",
     )
 
 

@@ -54,7 +54,7 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
         hint = (
             "Write a file for each, or all in one segment."
             if len(ends) > 2
-            else "Is the file whole?"
+            else "Is the file complete?"
         )
         raise RecordingError(
             "no table of one segment", where=str(file), found=contents, allowed=_ALLOWED, hint=hint
@@ -65,9 +65,9 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     separator = "," if has_commas else "\t"
     names = _cells(lines[ends[1] + 1].rstrip(separator), separator)
     if names[0] != "X_Value":
-        where, hint = at_line(file, ends[1] + 2), "Is the file whole?"
+        where, hint = at_line(file, ends[1] + 2), "Is the file complete?"
         raise RecordingError(
-            "no names of columns", where=where, found=names[0], allowed="X_Value first", hint=hint
+            "no column names", where=where, found=names[0], allowed="X_Value first", hint=hint
         )
     clocks = [i for i, name in enumerate(names) if name == "X_Value"]
     channels = [i for i, name in enumerate(names) if name not in ("X_Value", "Comment")]
@@ -127,7 +127,7 @@ def _check_columns(header: dict[str, list[str]], clocks: Sequence[int], file: Pa
         for column in clocks:
             if cells[column]:
                 raise RecordingError(
-                    "the header says something of a column of X values",
+                    "the header has an entry for a column of X values",
                     where=f"{file}: {tag}",
                     found=f"{cells[column]!r} in column {column + 1}",
                     allowed="the cell of each channel in the column of its samples",
@@ -163,7 +163,7 @@ def _number(cell: str, where: str, line: int = 0) -> float:
         number = math.nan
     if not abs(number) <= LARGEST:
         where += f", line {line}: X_Value" if line else ""
-        hint = "Correct the cell, or empty it where the channel has no sample."
+        hint = "Correct the cell, or clear it if the channel has no sample there."
         raise RecordingError(
             "not a number of seconds", where=where, found=cell, allowed="finite numbers", hint=hint
         )
@@ -180,9 +180,13 @@ def _common(where: str, cells: Sequence[str]) -> float:
 
 def _apart(where: str, cells: Iterable[str]) -> RecordingError:
     values = " and ".join(cells)
-    hint = "Write a file for each, or bring them onto one clock in LabVIEW (Align and Resample)."
+    hint = "Write a file for each, or put them on a common clock in LabVIEW (Align and Resample)."
     return RecordingError(
-        "channels begin or step differently", where=where, found=values, allowed=_ALLOWED, hint=hint
+        "the channels have different start times or steps",
+        where=where,
+        found=values,
+        allowed=_ALLOWED,
+        hint=hint,
     )
 
 

@@ -183,7 +183,7 @@ def _check_matrix(matrix: memoryview, order: str, depth: int) -> None:
         if count != announced:
             raise ValueError(
                 Phrase(
-                    "a matrix announces {announced} numbers and holds {count}",
+                    "a matrix announces {announced} numbers and contains {count}",
                     announced=announced,
                     count=count,
                 )

@@ -29,7 +29,7 @@ def check_counts(metadata: Any, path: Path) -> None:
     if any(count != metadata.num_rows for count in counts) or any(
         group.column(i).num_values != group.num_rows for group in groups for i in flat
     ):
-        what = "the file tells other numbers of rows in other places: it is damaged"
+        what = "the file states different numbers of rows in different places: it is damaged"
         listed = ", ".join(map(str, sorted({metadata.num_rows, *counts})))
         raise RecordingError(what, where=str(path), found=listed, hint="Use an original copy.")
 
@@ -53,7 +53,7 @@ def check_end(metadata: Any, path: Path) -> list[Finding]:
     last = max(_ends(content, footer), default=start)
     if last > start:
         what = Phrase(
-            "its footer says that numbers lie in its last {last} bytes: it is damaged",
+            "according to its footer, its last {last} bytes contain data: it is damaged",
             last=last - start,
         )
         raise RecordingError(what, where=str(path), hint="Use an original copy.")

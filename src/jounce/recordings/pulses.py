@@ -113,7 +113,10 @@ def pulse_speed(
     circumference = 2.0 * math.pi * positive_si(radius, "m", where=f"{where}: radius")
     if per_turn < 1:
         raise RecordingError(
-            "not a number of pulses a turn", where=where, found=per_turn, allowed="1 or more"
+            "not a number of pulses per revolution",
+            where=where,
+            found=per_turn,
+            allowed="1 or more",
         )
     seen = edges(at, as_samples(signal, where=where), where=where)
     marks, is_mark, doubled = _number_marks(seen)
@@ -126,7 +129,7 @@ def pulse_speed(
             where=where,
             found=f"{mean:.4g} m/s",
             allowed=Phrase("up to {plausible:g} m/s", plausible=_PLAUSIBLE),
-            hint="Check radius, pulses a turn and the step of the samples.",
+            hint="Check the radius, the pulses per revolution and the time step.",
         )
     speed = _over_a_turn(seen, distance, per_turn)
     step = float(at[1] - at[0])

@@ -84,7 +84,7 @@ def check_time(
             allowed=Phrase("{step:.6g} s within 1 %", step=step),
             hint=f"{missing} sample{'s' * (missing > 1)} missing there; resample fills the gap and says so."
             if missing > 0
-            else "Was time written with too few digits? resample brings the record onto constant steps.",
+            else "Was time written with too few digits? resample converts the record to constant steps.",
         )
     uniform = np.linspace(time[0], time[-1], time.size)
     if largest <= ROUNDING + 4.0 * np.finfo(float).eps * float(np.abs(time).max()) / step:
@@ -174,10 +174,10 @@ def _check_finite(values: Array, at: str, name_row: Callable[[int], str]) -> Non
     if values.size and (largest := float(np.abs(values).max())) > OVER_RANGE:
         row = int(np.argmax(np.abs(values)))
         raise RecordingError(
-            Phrase("no measured number at {name_row}", name_row=name_row(row)),
+            Phrase("not a measured value at {name_row}", name_row=name_row(row)),
             where=at,
             found=f"{largest:g}",
-            hint="Is it the mark of a value that is over range or missing?",
+            hint="Is it the code for a missing or over-range value?",
         )
 
 

@@ -86,7 +86,7 @@ def reader_of(path: Path) -> Reader:
         return likely[0]
     suffixes = sorted({suffix for known in READERS for suffix in known.suffixes})
     raise RecordingError(
-        "the file's suffix is of no known format",
+        "the file's suffix does not belong to a known format",
         where=str(path),
         found=path.suffix,
         allowed=", ".join(suffixes),
@@ -119,7 +119,7 @@ def read_signals(path: Path, options: ReaderOptions) -> SignalTable:
                 suffix for known in READERS if known.has_database for suffix in known.suffixes
             )
             raise RecordingError(
-                "a database of bus messages means nothing for this format",
+                "a bus message database cannot be used with this format",
                 where=str(path),
                 found=str(options.database),
                 allowed=formats,
@@ -147,7 +147,7 @@ def _check_shape(table: ColumnTable, reader: Reader, path: Path) -> None:
         if not _is_signal(column.values):
             raise RecordingError(
                 Phrase(
-                    "a column is no row of real numbers: the reader {name!r} does not know this file",
+                    "a column is not an array of real numbers: the reader {name!r} does not support this file",
                     name=reader.name,
                 ),
                 where=f"{path}: {column.label}",
@@ -156,7 +156,7 @@ def _check_shape(table: ColumnTable, reader: Reader, path: Path) -> None:
     if len({column.values.size for column in sound}) > 1:
         raise RecordingError(
             Phrase(
-                "the columns have different lengths: the reader {name!r} does not know this file",
+                "the columns have different lengths: the reader {name!r} does not support this file",
                 name=reader.name,
             ),
             where=str(path),
@@ -272,7 +272,7 @@ def _read_lvm(path: Path, options: ReaderOptions) -> SignalTable:
         raise RecordingError(
             "not a LabVIEW measurement file",
             where=str(path),
-            allowed=Phrase("a file that begins {first!r}", first=FIRST),
+            allowed=Phrase("a file that begins with {first!r}", first=FIRST),
         )
     return _labview(text, path, options)
 
@@ -346,10 +346,10 @@ def _select_group(
             raise RecordingError(
                 Phrase("no group {variable!r} with signals", variable=variable)
                 if variable
-                else "several groups hold signals",
+                else "several groups contain signals",
                 where=str(path),
                 found=", ".join(filter(None, groups)) or "none",
-                hint=nearest(variable, groups) or "Say which one with variable.",
+                hint=nearest(variable, groups) or "Select one with variable.",
             )
         return variable, groups[variable]
     if not groups:
@@ -478,7 +478,7 @@ def _select_matrix(arrays: dict[str, Array], variable: str, width: int, path: Pa
             ),
             where=str(path),
             found=sizes or "none",
-            hint="Say which variable.",
+            hint="Select one with variable.",
         )
     return variable or fitting[0]
 
@@ -511,7 +511,7 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
             Phrase("no group {wanted!r}", wanted=wanted) if wanted else "not exactly one group",
             where=str(path),
             found=", ".join(sorted(groups)) or "none",
-            hint="Say which one with variable.",
+            hint="Select one with variable.",
         )
     group = groups[wanted] if wanted in groups else next(iter(groups.values()))
     where = f"{path}: group {group.name!r}"
@@ -894,9 +894,7 @@ def _of_sheet(rows: list[list[Any]], header: str, path: Path, sheet: str) -> Col
         table = columns_in(_as_text(rows), path, len(parse_header(header)) if header else 0)
     except RecordingError as error:
         if error.what == "the file is empty":
-            raise RecordingError(
-                "no row holds anything", where=f"{path}: sheet {sheet!r}"
-            ) from None
+            raise RecordingError("all rows are empty", where=f"{path}: sheet {sheet!r}") from None
         where = error.where.replace(f"{path}, line ", f"{path}: sheet {sheet!r}, row ")
         raise RecordingError(
             error.what, where=where, found=error.found, allowed=error.allowed, hint=error.hint
@@ -925,9 +923,9 @@ def _select_sheet(sheets: Mapping[str, list[list[Any]]], variable: str, path: Pa
     if not likely:
         raise RecordingError("no sheet with numbers", where=str(path), found=", ".join(sheets))
     if len(likely) > 1:
-        hint = "Say which: variable = 'SHEET' (--variable), or 'SHEET!5:300' for some of its rows."
+        hint = "Select one: variable = 'SHEET' (--variable), or 'SHEET!5:300' for some of its rows."
         raise RecordingError(
-            "several sheets hold numbers", where=str(path), found=", ".join(likely), hint=hint
+            "several sheets contain numbers", where=str(path), found=", ".join(likely), hint=hint
         )
     return likely[0]
 
@@ -1042,7 +1040,7 @@ def _by_cell(table: ColumnTable, rows: list[list[Any]], path: Path, sheet: str) 
             where=f"{path}: sheet {sheet!r}, cell {_letters(i)}{line} (column {heads[0]!r})",
             found=str(cell).upper() if isinstance(cell, bool) else _cell_text(cell)[:80],
             allowed=reported.allowed,
-            hint="Correct the cell, or format it as a number; rename the column if it is no channel."
+            hint="Correct the cell, or format it as a number; rename the column if it is not a channel."
             if kind
             else reported.hint,
         )

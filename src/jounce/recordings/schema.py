@@ -187,7 +187,7 @@ def channel_unit(name: str) -> str:
     if not quantity:
         last = name.rpartition(".")[2]
         raise RecordingError(
-            "the last word of the channel's name is no known quantity",
+            "the last word of the channel's name is not a known quantity",
             where=name or "channel",
             found=last,
             allowed=", ".join(QUANTITIES),
@@ -218,7 +218,7 @@ def recording_of(
         samples = as_samples(values, unit, where=name)
         if samples.shape != instants.shape:
             raise RecordingError(
-                "the channel has not as many samples as time",
+                "the channel and time have different numbers of samples",
                 where=name,
                 found=f"shape {samples.shape}",
                 allowed=Phrase("shape {shape}", shape=instants.shape),
@@ -326,4 +326,6 @@ def _check_channel(name: str, variable: xr.DataArray, where: str) -> None:
             "the channel has another unit", where=at, found=unit, allowed=channel_unit(name)
         )
     if variable.dtype.kind not in "fiu":
-        raise RecordingError("the samples are no real numbers", where=at, found=str(variable.dtype))
+        raise RecordingError(
+            "the samples are not real numbers", where=at, found=str(variable.dtype)
+        )

@@ -51,7 +51,7 @@ def read_sensors(path: Path | str) -> dict[str, Sensor]:
     given = table.get(key)
     if not isinstance(given, Mapping) or not given:
         allowed = (
-            "[channels.COLUMN] with what each measures"
+            "[channels.COLUMN] with the quantity that each measures"
             if is_laboratory
             else '[sensors."sprung.az"]'
         )
@@ -87,7 +87,7 @@ def _channel_entry(column: str, entry: Any, where: str) -> tuple[str, dict[str, 
     """Channel that a column of a laboratory's card measures, and the keys of its sensor."""
     if not isinstance(entry, Mapping) or not isinstance(entry.get("measures"), str):
         raise DescriptionError(
-            "it does not say what it measures",
+            "its measured quantity is missing",
             where=f"{where}.{column}",
             allowed='measures = "sprung.az"',
         )

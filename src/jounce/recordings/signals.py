@@ -263,7 +263,7 @@ def uniform_instants(first: float, last: float, sample_rate: float) -> Array:
             where="resample",
             found=f"{duration:g} s in steps of {1.0 / sample_rate:g} s",
             allowed=Phrase("up to {most_instants:g}", most_instants=_MOST_INSTANTS),
-            hint="Is time in the unit that the file gives?",
+            hint="Is time in the unit stated by the file?",
         )
     return np.asarray(
         np.minimum(first + np.arange(math.floor(count) + 1) / sample_rate, last), dtype=float

@@ -73,7 +73,7 @@ def _signals(dataset: xr.Dataset) -> dict[str, xr.DataArray]:
                 where=str(name),
                 found=shape,
                 allowed="numbers over (time)",
-                hint="Leave it out, or write .nc, which holds everything.",
+                hint="Leave it out, or write .nc, which can store everything.",
             )
     return {
         "time": dataset["time"],
@@ -87,7 +87,7 @@ def _check_name(name: str, signs: str, instead: str) -> None:
         words = " ".join(repr(sign) for sign in signs)
         hint = Phrase("Rename the channel, or write {instead}.", instead=instead)
         raise OutputError(
-            "a name that the file cannot hold",
+            "a name that the file cannot store",
             where="channel",
             found=name,
             allowed=Phrase("names without {words}", words=words),
@@ -113,10 +113,10 @@ def _check_texts(dataset: xr.Dataset, *, attributes: bool) -> None:
             is_wrong |= where.endswith("attribute") and not text
             if is_wrong:
                 raise OutputError(
-                    f"a {'name' if where == 'channel' else 'text'} that the file cannot hold",
+                    f"a {'name' if where == 'channel' else 'text'} that the file cannot store",
                     where=where,
                     found=text,
-                    allowed="Unicode without NUL; names that are not empty, units without control characters",
+                    allowed="Unicode without NUL; non-empty names, and units without control characters",
                     hint="Change it, or leave it out.",
                 )
 
@@ -271,12 +271,15 @@ def _xlsx_of(dataset: xr.Dataset) -> bytes:
         if not np.isfinite(signal.values).all():
             hint = "Write .nc, .mat, .mf4 or .parquet, or leave the channel out."
             raise OutputError(
-                "a sheet holds finite numbers only", where=name, found="NaN or infinity", hint=hint
+                "a sheet can store only finite numbers",
+                where=name,
+                found="NaN or infinity",
+                hint=hint,
             )
     rows, columns = dataset.sizes["time"] + 1, len(signals)
     if rows > MOST_ROWS or columns > MOST_COLUMNS:
         raise OutputError(
-            "more than a sheet of Excel holds",
+            "more than an Excel sheet can store",
             where="recording",
             found=f"{rows} rows, {columns} columns",
             allowed=Phrase(

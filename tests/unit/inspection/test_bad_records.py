@@ -71,7 +71,7 @@ def test_good_record_has_no_findings(car_run, load, left_record, eusama):
         ),
         (
             lambda record: record["left.plate.force"].astype(complex),
-            "no real numbers; found 'complex128'",
+            "not real numbers; found 'complex128'",
         ),
         (
             lambda record: record["time"].assign_attrs(units="ks"),

@@ -94,7 +94,7 @@ def test_what_carries_its_own_gives_what_arrays_give(
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: jn.fit_decay(RUN, mass=16.0), r"more than one .*in m; found 'strut.deflection, .*Say which"),
+        (lambda: jn.fit_decay(RUN, mass=16.0), r"more than one .*in m; found 'strut.deflection, .*Select one"),
         (lambda: jn.fit_decay(DECAY, mass=16.0, quantity="velocity"), r"has not a channel in m/s"),
         (lambda: jn.fit_decay(X, mass=16.0), r"the time is missing"),
         (lambda: jn.fit_damper(X), r"the force is missing"),
@@ -105,7 +105,7 @@ def test_what_carries_its_own_gives_what_arrays_give(
         (lambda: fitted(TABLE.reset_index(drop=True)), r"one: measured: no column 'time'"),
         (lambda: fitted(TABLE.rename(columns={"tyre.force [N]": "tyre.force"})), r"no unit.*tyre.force \[N\]"),
         (lambda: fitted(TABLE.assign(note="a")), r"measured: note: text, not numbers"),
-        (lambda: fitted(Path("a.csv")), r"measured: a PosixPath is no recording.*jn.read_recording"),
+        (lambda: fitted(Path("a.csv")), r"measured: a PosixPath is not a recording.*jn.read_recording"),
         (lambda: many(VARIED_TABLE.rename(columns={"sprung.mass [kg]": "mass"})), r"variants: mass: no such parameter"),
     ],
 )  # fmt: skip

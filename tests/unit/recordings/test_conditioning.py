@@ -49,7 +49,7 @@ def test_sensitivities_are_read(
         ("100 mV/mm", "m/s^2", "does not fit"),
         ("100 g/mV", "m/s^2", "does not fit"),
         ("0 mV/g", "m/s^2", "records nothing"),
-        (("10 pC/(m/s^2)",), "m/s^2", "does not end in what a card records"),
+        (("10 pC/(m/s^2)",), "m/s^2", "does not end in a quantity that a card records"),
         (("10 pC/(m/s^2)", "1 mV/N"), "m/s^2", "does not fit"),
         ((), "m", "does not end"),
     ],

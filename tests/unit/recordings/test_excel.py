@@ -125,7 +125,7 @@ def test_of_several_sheets_with_numbers_one_is_chosen(tmp_path: Path) -> None:
     file = book(tmp_path / "a.xlsx", **sheets)
     with pytest.raises(
         RecordingError,
-        match=r"several sheets hold numbers; found 'first, second'.*Say which: variable",
+        match=r"several sheets contain numbers; found 'first, second'.*Select one: variable",
     ):
         jn.read_recording(file)
     assert np.all(force_of(file, variable="second") < 0.0)
@@ -185,12 +185,12 @@ def test_numbers_come_back_to_the_last_bit(tmp_path: Path, value: float) -> None
 def test_what_a_sheet_cannot_hold(tmp_path: Path, monkeypatch) -> None:
     for value in (np.nan, np.inf):
         with pytest.raises(
-            OutputError, match=r"tyre\.force: a sheet holds finite numbers only.*Write \.nc"
+            OutputError, match=r"tyre\.force: a sheet can store only finite numbers.*Write \.nc"
         ):
             jn.write_recording(recording([*range(8), value]), tmp_path / "a.xlsx")
     monkeypatch.setattr(writers, "MOST_ROWS", 3)
     with pytest.raises(
-        OutputError, match=r"more than a sheet of Excel holds; found '10 rows, 2 columns'"
+        OutputError, match=r"more than an Excel sheet can store; found '10 rows, 2 columns'"
     ):
         jn.write_recording(recording(), tmp_path / "a.xlsx")
     assert not list(tmp_path.iterdir())

@@ -96,11 +96,11 @@ def test_channels_have_their_units_and_times(tmp_path, name, how):
         ({"segments": 2}, "found '2 segments'"),
         (
             {"header": {"Delta_X": ("0.001", "0.01")}},
-            "Delta_X: channels begin or step differently; found '0.001 s and 0.01 s'",
+            "Delta_X: the channels have different start times or steps; found '0.001 s and 0.01 s'",
         ),
         (
             {"header": {"X0": ("0", "0.1")}, "columns": "Multi"},
-            "X0: channels begin or step differently; found '0 s and 0.1",
+            "X0: the channels have different start times or steps; found '0 s and 0.1",
         ),
         (
             {"header": {"X_Dimension": ("Time", "Frequency")}},
@@ -154,7 +154,7 @@ def test_what_the_header_says_of_a_column_of_times_is_refused(tmp_path):
     file.write_text(file.read_text().replace("Y_Unit_Label\tg\t\tmm", "Y_Unit_Label\tg\tmm"))
     with pytest.raises(
         RecordingError,
-        match=r"Y_Unit_Label: the header says something of a column of X .*'mm' in column 3",
+        match=r"Y_Unit_Label: the header has an entry for a column of X .*'mm' in column 3",
     ):
         read_recording(file)
 
@@ -165,7 +165,7 @@ def test_channels_whose_times_differ_are_refused_whatever_the_header_says(tmp_pa
     late = TIME + np.where(np.arange(40) == 39, 2e-6, 0.0)
     with pytest.raises(
         RecordingError,
-        match=r"line 5[56]: channels begin or step.*0.289000000000 s and 0.289002000000 s",
+        match=r"line 5[56]: the channels have different start times or steps.*0.289000000000 s and 0.289002000000 s",
     ):
         read_recording(written(tmp_path / "late.lvm", times=(TIME, late), **how))
     record, findings = read_recording(
@@ -271,10 +271,10 @@ def test_a_file_that_ends_in_its_header_and_another_text_are_refused(tmp_path):
     whole = written(tmp_path / "run.lvm").read_text()
     (tmp_path / "cut.lvm").write_text(whole[: whole.rindex("X_Dimension")])
     (tmp_path / "other.lvm").write_text("time [s], sprung.az [m/s^2]\n0, 1\n")
-    with pytest.raises(RecordingError, match=r"found 'no data'.*Is the file whole\?"):
+    with pytest.raises(RecordingError, match=r"found 'no data'.*Is the file complete\?"):
         read_recording(tmp_path / "cut.lvm")
     (tmp_path / "bare.lvm").write_text(whole.replace("X_Value\tsprung.az", "sprung.az"))
-    with pytest.raises(RecordingError, match=r"line 16: no names of columns; found 'sprung.az'"):
+    with pytest.raises(RecordingError, match=r"line 16: no column names; found 'sprung.az'"):
         read_recording(tmp_path / "bare.lvm")
     with pytest.raises(RecordingError, match="not a LabVIEW measurement file"):
         read_recording(tmp_path / "other.lvm")
@@ -301,7 +301,7 @@ def test_channels_that_began_at_different_times_of_the_day_are_refused(
     file = written(tmp_path / "run.lvm", columns=columns, header=header)
     with pytest.raises(
         RecordingError,
-        match=r"Date, Time: channels begin or step differently; found '2024/05/06 10:45",
+        match=r"Date, Time: the channels have different start times or steps; found '2024/05/06 10:45",
     ):
         read_recording(file)
 

@@ -80,7 +80,7 @@ def test_the_group_with_signals_is_read_and_of_several_the_chosen_one(tmp_path: 
     with h5py.File(file, "a") as whole:
         whole.copy("bench", "again")
     with pytest.raises(
-        RecordingError, match=r"several groups hold signals; found 'again/run, bench/run'"
+        RecordingError, match=r"several groups contain signals; found 'again/run, bench/run'"
     ):
         read_recording(file)
     with pytest.raises(

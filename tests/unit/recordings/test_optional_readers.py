@@ -410,7 +410,7 @@ def test_mdf_bus_frames_with_a_database(tmp_path: Path) -> None:
     plain = tmp_path / "a.csv"
     plain.write_text("time [s], sprung.az [g]\n0, 1\n")
     with pytest.raises(
-        RecordingError, match=r"a database of bus messages means nothing.*allowed: \.mf4"
+        RecordingError, match=r"a bus message database cannot be used.*allowed: \.mf4"
     ):
         read_recording(plain, database=database)
 

@@ -49,7 +49,7 @@ def test_numbers_that_no_range_holds_are_marks() -> None:
     for value in (1.01e20, -9.9e37):
         with pytest.raises(
             RecordingError,
-            match=r"a\.csv: sprung\.az: no measured number at row 8; found '.*over range",
+            match=r"a\.csv: sprung\.az: not a measured value at row 8; found '.*over-range",
         ):
             check_channels({"sprung.az": np.where(STEPS == 7, value, STEPS)}, where="a.csv")
 

@@ -111,7 +111,12 @@ def test_all_columns_renamed_in_order(tmp_path: Path) -> None:
             RecordingError,
             "Did you mean 'AccBody'",
         ),
-        ("time [s], a [g]", {"sprung.foo": "a"}, RecordingError, "no known quantity; found 'foo'"),
+        (
+            "time [s], a [g]",
+            {"sprung.foo": "a"},
+            RecordingError,
+            "not a known quantity; found 'foo'",
+        ),
         (
             "time [s], a [g]",
             {"sprung.az": "a [m/s^2]"},
@@ -152,7 +157,9 @@ def test_bad_files(tmp_path: Path) -> None:
             read_recording(file)
     other = tmp_path / "a.xyz"
     other.write_text("1")
-    with pytest.raises(RecordingError, match=r"no known format; found '\.xyz'; allowed: .*\.csv"):
+    with pytest.raises(
+        RecordingError, match=r"not belong to a known format; found '\.xyz'; allowed: .*\.csv"
+    ):
         read_recording(other)
     for suffix in (".nc", ".mat"):
         broken = tmp_path / f"broken{suffix}"
@@ -371,7 +378,7 @@ def test_a_reader_whose_time_is_spent_is_told_from_one_that_crashed() -> None:
     child = object.__new__(isolated._Child)
     child.is_ready = True
     for code, says in (
-        (signal.SIGXCPU, "does not end"),
+        (signal.SIGXCPU, "does not finish"),
         (signal.SIGSEGV, r"ended the process.*\(SIGSEGV\)"),
     ):
         child.process = SimpleNamespace(wait=lambda code=code: -code)

@@ -35,7 +35,7 @@ def test_irregular_time_is_resampled_on_request(tmp_path: Path, step: str | floa
     file = written(tmp_path, time, truth(time))
     with pytest.raises(
         RecordingError,
-        match=r"resample brings the record onto constant steps|resample fills the gap",
+        match=r"resample converts the record to constant steps|resample fills the gap",
     ):
         read_recording(file)
     run, (finding,) = read_recording(file, resample=step)
@@ -104,7 +104,7 @@ def test_resampled_time_must_still_be_a_clock(tmp_path: Path) -> None:
                 written(tmp_path, changed, np.sin(np.arange(changed.size))), resample="1 ms"
             )
     with pytest.raises(
-        RecordingError, match=r"too many instants; found .* Is time in the unit that the file gives"
+        RecordingError, match=r"too many instants; found .* Is time in the unit stated by the file"
     ):
         read_recording(written(tmp_path, time * 1e9, truth(time)), resample="1 ms")
     file = written(tmp_path, time, truth(time))

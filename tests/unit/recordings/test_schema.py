@@ -51,7 +51,9 @@ def test_float_arrays_are_not_copied() -> None:
 
 
 def test_wrong_length_names_the_channel() -> None:
-    with pytest.raises(RecordingError, match=r"sprung\.z: .*not as many samples.*\(4,\).*\(5,\)"):
+    with pytest.raises(
+        RecordingError, match=r"sprung\.z: .*different numbers of samples.*\(4,\).*\(5,\)"
+    ):
         recording(TIME, {"sprung.z": (np.zeros(4), "m", "")})
 
 

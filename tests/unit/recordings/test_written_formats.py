@@ -100,5 +100,5 @@ def test_what_a_format_would_lose_is_refused(tmp_path, suffix) -> None:
 def test_names_that_a_format_cannot_hold(tmp_path, suffix, name) -> None:
     time = {"time": ("time", np.arange(10) * 0.01, {"units": "s"})}
     run = xr.Dataset({name: ("time", np.arange(10.0), {"units": "m/s^2"})}, coords=time)
-    with pytest.raises(OutputError, match=r"a name that the file cannot hold.*Rename the channel"):
+    with pytest.raises(OutputError, match=r"a name that the file cannot store.*Rename the channel"):
         jn.write_recording(run, tmp_path / f"run{suffix}")
