@@ -159,7 +159,7 @@ def test_pareto(cli):
         ((*QUARTER[1:], "--free", DAMPER, "--objective", "sprung.az", *ON_C), "not NAME=VALUE"),
         (
             (*QUARTER[1:], "--free", f"{DAMPER}=9..9", "--objective", "sprung.az", *ON_C),
-            "lower bound must lie below",
+            "lower bound must be below",
         ),
         (
             (*QUARTER[1:], "--free", "strut.dmper=9..99", "--objective", "sprung.az", *ON_C),

@@ -74,7 +74,7 @@ def test_columns_are_mapped(cli, tmp_path: Path) -> None:
         (("--law", "polynomal"), "Did you mean 'polynomial'?"),
         (("--intercept", "dorp"), "Did you mean 'drop'?"),
         (("--branch", "up"), "allowed: both, loading, unloading"),
-        (("--discard-below", "2"), "discarding leaves nothing to fit"),  # 2 m
+        (("--discard-below", "2"), "no points remain after discarding"),  # 2 m
         (("--discard-below", "2 N"), "--discard-below: wrong unit"),
         (("--columns", "strain=x [mm]"), "allowed: displacement, force"),
         (("--columns", "force"), "--columns: not NAME=VALUE"),
@@ -349,7 +349,7 @@ def test_the_sign_of_a_height_cannot_be_stated(cli, decay_file: Path) -> None:
         "extension",
     )
     assert outcome.exit_code == 2
-    assert "no stroke" in outcome.err
+    assert "not a stroke" in outcome.err
 
 
 def test_european_files_and_irregular_time_on_the_command_line(
@@ -524,9 +524,9 @@ def test_calibration_by_tilting_from_a_workbook(cli, tmp_path: Path) -> None:
         (
             "load [N],out [V]\n5,1\n5,1.1\n",
             (),
-            "cal.csv: points of one size tell nothing of a sensitivity; found '5'",
+            "cal.csv: equal reference values do not determine a sensitivity; found '5'",
         ),
-        ("load [N],out [V]\n0,1\n5,1\n", (), "a recorded value that does not change; found '1'"),
+        ("load [N],out [V]\n0,1\n5,1\n", (), "a constant reading; found '1'"),
         (
             "load [N],out [V]\n5,1\n",
             (),
@@ -535,7 +535,7 @@ def test_calibration_by_tilting_from_a_workbook(cli, tmp_path: Path) -> None:
         (
             "load [N],out\n0,1\n5,2\n",
             (),
-            "no column of what was recorded with its unit; found 'load [N], out'",
+            "no column of readings with its unit; found 'load [N], out'",
         ),
         ("load [N],out\n0,1\n5,2\n", (), "State the unit: --columns recorded='out [V]'."),
         ("load,out [V]\n0,1\n5,2\n", (), "State the unit: --columns reference='load [N]'."),

@@ -142,13 +142,13 @@ def fit_calibration(
             found=f"{x.size} and {y.size}",
             allowed="two or more pairs",
         )
-    for what, values in (("points of one size", x), ("a recorded value that does not change", y)):
+    for what, values in (("equal reference values", x), ("a constant reading", y)):
         if np.ptp(values) == 0.0:
             raise FitError(
-                Phrase("{what} tell nothing of a sensitivity", what=what) if values is x else what,
+                Phrase("{what} do not determine a sensitivity", what=what) if values is x else what,
                 where=name,
                 found=f"{values[0]:g}",
-                hint="Calibrate at two sizes at least that are far apart.",
+                hint="Calibrate with at least two reference values that are far apart.",
             )
     centre = float(x.mean())
     spread = float(np.sum((x - centre) ** 2))
@@ -190,7 +190,7 @@ def fit_calibration(
 
 
 POINTS = Columns(
-    "Column of the known sizes (reference) or of what was recorded (recorded), with its unit if the header gives none: "
+    "Column of the reference values (reference) or of the readings (recorded), with its unit if the header gives none: "
     r'reference="F \[kN]". Repeat it.',
     "NAME=COLUMN",
     'reference="F [kN]"',
@@ -214,7 +214,7 @@ def read_calibration(
     path: Annotated[
         Path | str,
         File(
-            "Table of known sizes, or angles from the vertical, and what was recorded at each.",
+            "Table of reference values, or of angles from the vertical, and the reading at each.",
             "FILE",
         ),
     ],
@@ -299,7 +299,7 @@ def _points_in(table: ColumnTable, given: Mapping[str, str], file: str) -> tuple
         reference = next(sizes, None)
     if reference is None or not _quantity_of(reference):
         raise _unusable(
-            "known sizes",
+            "reference values",
             reference,
             table,
             file,
@@ -307,7 +307,7 @@ def _points_in(table: ColumnTable, given: Mapping[str, str], file: str) -> tuple
         )
     if recorded is None or not _recorded_unit(recorded):
         raise _unusable(
-            "what was recorded", recorded, table, file, "V, A or counts, or converts to one of them"
+            "readings", recorded, table, file, "V, A or counts, or converts to one of them"
         )
     return reference, recorded
 
@@ -317,7 +317,7 @@ def _unusable(
 ) -> FitError:
     """Build the error for a column that is missing or has no suitable unit."""
     bare = next((item.name for item in ([column] if column else table) if not item.unit), "")
-    name, unit = ("reference", "N") if what == "known sizes" else ("recorded", "V")
+    name, unit = ("reference", "N") if what == "reference values" else ("recorded", "V")
     return FitError(
         Phrase("not a calibration: no column of {what} with its unit", what=what),
         where=file,

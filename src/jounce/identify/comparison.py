@@ -113,15 +113,15 @@ def _check(reference: Array, compared: Array, time: Array, place: str) -> None:
             "the signals cannot be compared",
             where=place,
             found=f"shapes {reference.shape}, {compared.shape} and time {time.shape}",
-            allowed="signals on the same instants, at least 3",
+            allowed="signals at the same instants, at least 3 samples",
         )
     if not (np.isfinite(reference).all() and np.isfinite(compared).all()):
-        raise FitError("a signal to be compared holds values that are not finite", where=place)
+        raise FitError("a signal to be compared contains values that are not finite", where=place)
     steps = np.diff(time)
     # 1 %, as for recordings.
     if not (steps > 0.0).all() or np.ptp(steps) > 0.01 * float(np.median(steps)):
         raise FitError(
-            "time does not ascend in constant steps",
+            "time does not increase in constant steps",
             where=place,
             hint="Resample the recording first.",
         )
@@ -257,7 +257,7 @@ def _check_rated(reference: Array, compared: Array, sample_rate: float, place: s
             ),
         )
     if not (np.isfinite(reference).all() and np.isfinite(compared).all()):
-        raise FitError("a signal to be rated holds values that are not finite", where=place)
+        raise FitError("a signal to be rated contains values that are not finite", where=place)
     if not sample_rate > 0.0:
         raise FitError("the sample rate is not positive", where=place, found=f"{sample_rate:g} Hz")
     if np.ptp(reference) == 0.0:

@@ -155,7 +155,7 @@ def damper_law(
         return _with_offset(law, motion, friction)
     if friction:
         raise FitError(
-            Phrase("the law {name!r} contains dry friction already", name=name),
+            Phrase("the law {name!r} already contains dry friction", name=name),
             allowed="friction only with F(v) laws",
         )
     return law

@@ -163,7 +163,7 @@ def _half_period(time: Array, turns: list[int]) -> float:
     """Compute the half period [s] from coarse turning points; raise an error if there is no swing."""
     if len(turns) < 2:
         raise FitError(
-            "no oscillation to work on",
+            "no oscillation to evaluate",
             found="no turning point after the release",
             allowed="at least 1",
             hint="Damping near critical, friction that stops the first swing, or not a free decay.",
@@ -1163,7 +1163,7 @@ def _inertia(
     if stated is None:
         raise FitError(
             Phrase(
-                "no {inertia_word} of what swings: a decay knows only ratios to it",
+                "no {inertia_word} given: a decay determines only ratios to it",
                 inertia_word=Phrase(motion.inertia_word),
             ),
             where=name,
@@ -1186,8 +1186,8 @@ def _inertia(
 
 
 _SWINGS = {
-    "mass": "a mass swings in a record of this quantity",
-    "inertia": "an inertia swings in a record of this quantity",
+    "mass": "a record of this quantity requires a mass",
+    "inertia": "a record of this quantity requires an inertia",
 }
 
 

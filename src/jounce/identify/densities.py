@@ -67,7 +67,7 @@ class NoiseDensity:
         square = float(residuals.vector @ residuals.vector)
         if square <= 0.0:
             raise FitError(
-                "the model explains the data exactly: there is no noise to judge by",
+                "the model explains the data exactly: no noise is left to estimate uncertainties from",
                 where="posterior",
             )
         self.variance = square / max(count - size, 1)

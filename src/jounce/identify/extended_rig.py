@@ -238,7 +238,7 @@ class ExtendedRig:
                 continue
             if path not in used:
                 raise DescriptionError(
-                    "not a number of the equations", where=f"doubt.values: {path}"
+                    "not a parameter of the equations", where=f"doubt.values: {path}"
                 )
             i = self._add(path, "values", share)
             if i is not None:

@@ -785,6 +785,6 @@ def _absolute(bounds: object, unit: str, place: str) -> tuple[float, float]:
     lower, upper = (to_si(value, unit, where=place) for value in bounds)
     if lower >= upper:
         raise DescriptionError(
-            "the lower bound must lie below the upper", where=place, found=list(bounds)
+            "the lower bound must be below the upper", where=place, found=list(bounds)
         )
     return lower, upper

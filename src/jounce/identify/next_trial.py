@@ -158,11 +158,11 @@ def next_trials(
     """
     basis = found.basis if isinstance(found, Posterior) else found
     if basis is None:
-        raise FitError("a posterior of something else than an update", where="next_trials")
+        raise FitError("the posterior does not come from an update", where="next_trials")
     if not candidates:
         raise FitError("no trial to choose from", where="candidates")
     if not (is_whole(count) and count >= 1):
-        raise FitError("not a number of trials", where="count", found=count, allowed="1 or more")
+        raise FitError("invalid number of trials", where="count", found=count, allowed="1 or more")
     judge = _WithDoubt(basis) if basis.calibration is not None else _NoiseOnly(basis)
     informations, findings = {}, []
     for candidate in candidates:
@@ -171,7 +171,9 @@ def next_trials(
         except SimulationError as error:
             findings.append(finding("identify.cannot_be_judged", candidate.name, error=error))
     if not informations:
-        raise FitError("none of the trials runs", where="candidates", found=str(findings[0]))
+        raise FitError(
+            "none of the trials can be simulated", where="candidates", found=str(findings[0])
+        )
     paths = [item.path for item in basis.free]
     start = judge.start
 

@@ -161,9 +161,9 @@ def _starts_of(given: Any, trials: Sequence[FitTrial], place: str) -> list[Searc
                 )
     if not starts:
         raise FitError(
-            "no trial begins where its start could be seen",
+            "no trial has a start that could be estimated",
             where=place,
-            found="belts that have been running, or rigs that do not swing",
+            found="running belts, or rigs that do not oscillate",
             hint="Leave it out.",
         )
     return starts

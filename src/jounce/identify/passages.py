@@ -180,7 +180,7 @@ def find_passages(
     ]
     if not names:
         raise FitError(
-            "the recording holds no channel that the model gives",
+            "the recording contains no channel of the model",
             where=name,
             found=", ".join(map(str, data.data_vars)),
             allowed=", ".join(expected.signals),
@@ -235,11 +235,11 @@ def find_passages(
         behind = _another_obstacle(onset, power, at, expected, names) * step * velocity
         if behind > 0.0:
             raise FitError(
-                "each loop of the belt holds an obstacle that the road lacks",
+                "each loop of the belt contains an obstacle that the road does not describe",
                 where=name,
-                found=f"another one {behind:.3g} m behind the start of the first",
+                found=f"a further obstacle {behind:.3g} m after the start of the first",
                 allowed=_describe(road),
-                hint="Describe all of them, as a train or a profile of the whole loop, or take the other one off.",
+                hint="Describe all obstacles, as a train or a profile of the whole loop, or remove the extra one.",
             )
     if len(times) < 2:
         return Passages(tuple(map(float, times)), values, velocity, findings=tuple(findings))

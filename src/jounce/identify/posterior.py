@@ -384,7 +384,7 @@ def posterior_with(
     )
     if not chosen:
         return result
-    progress(Phrase("{name}: what it predicts for {count} trials", name=name, count=len(chosen)))
+    progress(Phrase("{name}: predictions for {count} trials", name=name, count=len(chosen)))
     predictions = bands_of(density, basis, result.samples, chosen, predicted_with, seed)
     return replace(
         result,
@@ -477,7 +477,7 @@ class _Given:
         except TypeError:
             allowed = "residuals, shape (n,), and their derivatives, shape (n, m)"
             raise FitError(
-                "the function returns something else", where="residuals", allowed=allowed
+                "the function returns an unexpected result", where="residuals", allowed=allowed
             ) from None
         whole = slice(0, len(vector))
         direct = jacobian.reshape(len(vector), -1) * np.array(
@@ -494,7 +494,7 @@ def _check_counts(draws: int, predicted_with: int, seed: int) -> None:
     ):
         if not (is_whole(given) and low <= given <= high):
             raise FitError(
-                "not a number of draws",
+                "invalid number of draws",
                 where=where,
                 found=given,
                 allowed=Phrase("{low} to {high}", low=low, high=high),
@@ -507,7 +507,10 @@ def _check_names(trials: Sequence[FitTrial], where: str) -> None:
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
         raise FitError(
-            "two trials of one name", where=where, found=twice, hint="Give each its own name."
+            "two trials with the same name",
+            where=where,
+            found=twice,
+            hint="Give each its own name.",
         )
 
 

@@ -60,11 +60,11 @@ class UpdateSettings:
             )
         if self.starts is not None and self.starts < 1:
             raise FitError(
-                "not a number of starts", where=self.name, found=self.starts, allowed="1 or more"
+                "invalid number of starts", where=self.name, found=self.starts, allowed="1 or more"
             )
         if not (np.isfinite(self.lag_bound) and self.lag_bound > 0.0):
             raise FitError(
-                "not a largest lag",
+                "invalid largest lag",
                 where=self.name,
                 found=f"{self.lag_bound} s",
                 allowed="above 0 s",

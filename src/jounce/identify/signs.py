@@ -88,7 +88,7 @@ def check_stroke(channel: str, stroke_positive: StrokePositive | None, *, where:
     """Raise an error for a stroke sign stated for a channel that is not a stroke (a height is positive upwards)."""
     if stroke_positive is not None and quantity_of(channel) not in _STROKES:
         raise DescriptionError(
-            "the channel is no stroke, whose sign could be stated",
+            "the channel is not a stroke, so its sign cannot be stated",
             where=where,
             found=channel,
             allowed="a deflection, displacement, stroke or travel",

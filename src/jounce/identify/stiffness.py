@@ -577,7 +577,7 @@ def _check(
     if not (np.isfinite(discard_below) and discard_below >= 0.0):
         raise FitError(
             Phrase(
-                "discard_below is no {deflection_word}",
+                "discard_below is not a valid {deflection_word}",
                 deflection_word=Phrase(motion.deflection_word),
             ),
             found=f"{discard_below} {motion.deflection}",
@@ -623,14 +623,14 @@ def _points_to_fit(
             where=trial.name,
             found=f"from {trial.motion.say(float(trial.deflection[0]), 4)} and {float(trial.force[0]):.4g} "
             f"{unit_in_words(trial.motion.force)} on",
-            allowed="rows in the order of time, from first contact to the largest deflection",
-            hint="Reverse the rows, or the zero of the deflection.",
+            allowed="rows in time order, from first contact to the largest deflection",
+            hint="Reverse the rows, or correct the zero of the deflection.",
         )
     if np.count_nonzero(use) < 2:
         raise FitError(
-            "discarding leaves nothing to fit"
+            "no points remain after discarding"
             if discard_below > 0.0
-            else "the branch holds too few points",
+            else "the branch contains too few points",
             where=trial.name,
             found=f"{np.count_nonzero(use)} of {len(use)} points at or beyond {trial.motion.say(discard_below, 6)}; "
             f"the {branch} branch reaches {trial.motion.say(float(deflection.max()), 4)}",

@@ -652,7 +652,10 @@ def bounds_and_priors(
         ):
             allowed = '{bounds = "10 %", prior = [mean, standard deviation]}'
             raise FitError(
-                "not bounds with a prior", where=where, found=dict(given), allowed=allowed
+                "invalid bounds for a parameter with a prior",
+                where=where,
+                found=dict(given),
+                allowed=allowed,
             )
         ranges[path] = given["bounds"]
         if path in rig.parameters():

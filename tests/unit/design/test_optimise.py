@@ -249,7 +249,7 @@ def test_more_starts_do_not_end_worse():
             ROAD,
             "no such parameter.*Did you mean",
         ),
-        ({DAMPER: (1500.0, 1500.0)}, "sprung.az", {}, ROAD, "lower bound must lie below"),
+        ({DAMPER: (1500.0, 1500.0)}, "sprung.az", {}, ROAD, "lower bound must be below"),
         ({DAMPER: (2000.0, 3000.0)}, "sprung.az", {}, ROAD, "exclude the start value"),
         ({DAMPER: ("-1 N*s/m", "3 kN*s/m")}, "sprung.az", {}, ROAD, "out of range"),
         ({DAMPER: "10 mm"}, "sprung.az", {}, ROAD, "wrong unit"),

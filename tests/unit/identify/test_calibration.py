@@ -43,8 +43,8 @@ def test_two_points_give_no_interval() -> None:
     ("reference", "recorded", "what"),
     [
         ([0.0], [0.0], "too few points"),
-        ([0.01, 0.01], [1.0, 1.1], "points of one size"),
-        ([0.0, 0.01], [1.0, 1.0], "does not change"),
+        ([0.01, 0.01], [1.0, 1.1], "equal reference values"),
+        ([0.0, 0.01], [1.0, 1.0], "constant reading"),
         ([0.0, 0.01], [1.0], "too few points"),
     ],
 )

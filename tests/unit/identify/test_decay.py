@@ -272,7 +272,7 @@ def test_several_decays_become_one():
     assert found.equilibrium.has(0.003)
     assert combine_decays(runs[:1]).damping_coefficient == runs[0].damping_coefficient
     assert "a copy" not in messages(found)
-    assert "1 of 3 runs repeat another one to the last digit: a copy" in messages(
+    assert "1 of 3 runs are identical to a different run: a copy" in messages(
         combine_decays([*runs[:2], runs[0]])
     )
     with pytest.raises(FitError, match="no decays"):

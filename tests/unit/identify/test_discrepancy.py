@@ -514,8 +514,12 @@ def test_a_prior_narrows_and_draws(wrong):
     ("given", "doubt", "message"),
     [
         ({"bounds": "15 %", "prior": ["22.7 N/mm", "0.1 N/mm"]}, None, "a prior needs doubt"),
-        ({"bounds": "15 %", "prior": ["22.7 N/mm"]}, {}, "not bounds with a prior"),
-        ({"prior": ["22.7 N/mm", "0.1 N/mm"]}, {}, "not bounds with a prior"),
+        (
+            {"bounds": "15 %", "prior": ["22.7 N/mm"]},
+            {},
+            "invalid bounds for a parameter with a prior",
+        ),
+        ({"prior": ["22.7 N/mm", "0.1 N/mm"]}, {}, "invalid bounds for a parameter with a prior"),
         ({"bounds": "15 %", "prior": ["22.7 N/mm", "0 N/mm"]}, {}, "not a standard deviation"),
         ({"bounds": "15 %", "prior": ["22.7 kg", "0.1 N/mm"]}, {}, "unit"),
         ("15 %", {"heigth": "1 %"}, "heigth"),

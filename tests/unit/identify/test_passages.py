@@ -265,7 +265,7 @@ EXACT = jn.Doubt(**{name: 0.0 for name in jn.Doubt.model_fields if name != "valu
 def test_another_obstacle_on_the_belt_is_refused(speed: float, apart: float) -> None:
     """0.985 m is half the belt: its loops look like those of a belt of half the length."""
     both = jn.Train(of=ONE, count=2, pitch=apart).model_copy(update={"recurrence": BELT})
-    with pytest.raises(FitError, match="an obstacle that the road lacks") as refused:
+    with pytest.raises(FitError, match="an obstacle that the road does not describe") as refused:
         find_passages(record(both, speed), RIG, on_belt(ONE), speed)
     behind = float(str(refused.value.found).split()[2])
     assert min(abs(behind - apart), abs(behind - (BELT - apart))) < 0.01

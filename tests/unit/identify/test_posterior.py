@@ -258,9 +258,9 @@ def test_the_gain_of_a_trial_agrees_with_sampling(rig):
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"draws": 10}, "not a number of draws"),
-        ({"draws": True}, "not a number of draws"),
-        ({"predicted_with": 1}, "not a number of draws"),
+        ({"draws": 10}, "invalid number of draws"),
+        ({"draws": True}, "invalid number of draws"),
+        ({"predicted_with": 1}, "invalid number of draws"),
         ({"seed": -1}, "not a seed"),
         ({"seed": 1.5}, "not a seed"),
         ({"doubt": 3}, "not an uncertainty"),
@@ -281,9 +281,9 @@ def test_what_a_posterior_refuses(rig, change, words):
 
 def test_two_trials_of_one_name_are_refused(rig, found):
     both = [jn.FitTrial("one", rig, TRIAL, jn.simulate(rig, TRIAL)[["sprung.az"]])] * 2
-    with pytest.raises(FitError, match="trials: two trials of one name; found 'one'"):
+    with pytest.raises(FitError, match="trials: two trials with the same name; found 'one'"):
         jn.posterior(both, FREE)
-    with pytest.raises(FitError, match="predict: two trials of one name; found 'one'"):
+    with pytest.raises(FitError, match="predict: two trials with the same name; found 'one'"):
         jn.posterior(both[:1], FREE, predict=both)
 
 
@@ -295,7 +295,7 @@ def test_the_level_of_a_signal_does_not_fall_towards_its_ends():
 
 def test_a_fit_without_noise_and_one_without_influence_are_refused():
     x = np.linspace(0.0, 1.0, 20)
-    with pytest.raises(FitError, match="no noise to judge by"):
+    with pytest.raises(FitError, match="no noise is left"):
         posterior_of(lambda _: (0.0 * x, -x[:, None]), {"a": (1.0, 0.0, 2.0)})
     with pytest.raises(FitError, match="insensitive"):
         posterior_of(
@@ -308,13 +308,13 @@ def test_a_fit_without_noise_and_one_without_influence_are_refused():
 def test_next_trials_refuse_what_they_cannot_rank(rig, found):
     with pytest.raises(FitError, match="no trial to choose"):
         next_trials(found, [])
-    with pytest.raises(FitError, match="not a number of trials"):
+    with pytest.raises(FitError, match="invalid number of trials"):
         next_trials(found, [Candidate("one", rig, TRIAL)], count=0)
     matrix, y, best = linear()
     other = posterior_of(
         lambda p: (y - matrix[:, :1] @ p, -matrix[:, :1]), {"a": (best[0], -9.0, 9.0)}, draws=1000
     )
-    with pytest.raises(FitError, match="something else"):
+    with pytest.raises(FitError, match="does not come from an update"):
         next_trials(other, [Candidate("one", rig, TRIAL)])
 
 

@@ -77,12 +77,12 @@ def test_a_known_stiffness_of_a_rotation_is_compared():
 @pytest.mark.parametrize(
     ("quantity", "given", "words"),
     [
-        ("angle", {"mass": 16.0}, "an inertia swings in a record of this quantity"),
-        ("angle", {"mass": 16.0, "inertia": 0.8}, "an inertia swings in a record of this quantity"),
-        ("angle", {}, "no inertia of what swings"),
+        ("angle", {"mass": 16.0}, "a record of this quantity requires an inertia"),
+        ("angle", {"mass": 16.0, "inertia": 0.8}, "a record of this quantity requires an inertia"),
+        ("angle", {}, "no inertia given"),
         ("angle", {"inertia": -0.8}, "the inertia is not positive"),
-        ("velocity", {"inertia": 0.8}, "a mass swings in a record of this quantity"),
-        ("velocity", {}, "no mass of what swings"),
+        ("velocity", {"inertia": 0.8}, "a record of this quantity requires a mass"),
+        ("velocity", {}, "no mass given"),
         ("velocity", {"mass": 0.0}, "the mass is not positive"),
     ],
 )

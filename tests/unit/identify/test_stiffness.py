@@ -325,7 +325,7 @@ def test_result_is_plain_data():
             "not finite; found .point 3",
         ),
         ([ForceDeflectionTrial([1e-3] * 5, [0, 1, 2, 3, 4], "a")], {}, "never changes"),
-        ([line(1e4, name="a")], {"discard_below": 0.02}, "a: discarding leaves nothing to fit"),
+        ([line(1e4, name="a")], {"discard_below": 0.02}, "a: no points remain after discarding"),
         ([line(1e4)], {"discard_below": -1e-3}, "discard_below"),
         ([line(1e4)], {"law": "polynomial", "degree": 0}, "degree"),
         (

@@ -152,7 +152,7 @@ def test_relative_and_absolute_bounds() -> None:
         ({RATE: -0.1}, "the range must be above zero"),
         ({RATE: ["1 N/mm"]}, "not a pair of bounds"),
         ({RATE: 3 + 4j}, "not a pair of bounds"),
-        ({RATE: ["20 N/mm", "20 N/mm"]}, "the lower bound must lie below the upper"),
+        ({RATE: ["20 N/mm", "20 N/mm"]}, "the lower bound must be below the upper"),
         (
             {RATE: ["40 N/mm", "50 N/mm"]},
             "the bounds exclude the start value.*allowed: 40000 to 50000",
@@ -184,10 +184,10 @@ def test_bounds_with_a_prior() -> None:
     )
     assert bounds_and_priors(RIG, {"elsewhere": given}, "u") == ({"elsewhere": "10 %"}, {})
     for bad, message in (
-        ({"bounds": "10 %"}, "not bounds with a prior"),
-        (given | {"more": 1}, "not bounds with a prior"),
-        (given | {"prior": ["22 N/mm"]}, "not bounds with a prior"),
-        (given | {"prior": 3.0}, "not bounds with a prior"),
+        ({"bounds": "10 %"}, "invalid bounds for a parameter with a prior"),
+        (given | {"more": 1}, "invalid bounds for a parameter with a prior"),
+        (given | {"prior": ["22 N/mm"]}, "invalid bounds for a parameter with a prior"),
+        (given | {"prior": 3.0}, "invalid bounds for a parameter with a prior"),
         (given | {"prior": ["22 N/mm", 0.0]}, "not a standard deviation; found 0"),
     ):
         with pytest.raises(jn.FitError, match=f"u: {re.escape(RATE)}: {message}"):
@@ -260,7 +260,7 @@ def test_what_quiet_starts_tell() -> None:
         in found["a", "note"]
     )
     assert (
-        "goes against the model in trial 0, trial 1, trial 2, trial 3 (correlation -0.61)"
+        "is inverted relative to the model in trial 0, trial 1, trial 2, trial 3 (correlation -0.61)"
         in found["b", "warning"]
     )
     assert "not zeroed at rest and does not share the zero of the model" in found["c", "warning"]
