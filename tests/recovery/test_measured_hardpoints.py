@@ -121,7 +121,7 @@ def test_points_that_the_readings_do_not_tell_have_no_interval() -> None:
         ({"toe": [0.0, 0.0]}, {}, "no poses"),
         ({"wheel_travel": [0.0, 0.01, 0.02]}, {}, "nothing was measured"),
         ({"wheel_travel": [0.0, 0.01, 0.02], "tow": [0.0, 0.0, 0.0]}, {}, "'toe'"),
-        ({"wheel_travel": [0.0, 0.01, 0.02], "toe": [0.0, 0.0]}, {}, "one reading a pose"),
+        ({"wheel_travel": [0.0, 0.01, 0.02], "toe": [0.0, 0.0]}, {}, "one reading per pose"),
         ({"wheel_travel": [0.0, 0.01, 0.5], "toe": [0.0, 0.0, 0.0]}, {}, "does not reach"),
         ({"wheel_travel": [0.0, 10.0, 20.0], "toe": [0.0, 0.0, 0.0]}, {}, "metres"),
         (

@@ -264,7 +264,7 @@ def test_more_starts_do_not_end_worse():
         ({DAMPER: "±10 %"}, "sprung.az smoothed", {}, ROAD, "no such metric of a channel"),
         ({DAMPER: "±10 %"}, "sprung.az coefficient", {}, ROAD, "only a force has a coefficient"),
         ({DAMPER: "±10 %"}, "mode 1 colour", {}, ROAD, "not a quantity of a mode"),
-        ({DAMPER: "±10 %"}, "mode 3 frequency", {}, ROAD, "2 modes only"),
+        ({DAMPER: "±10 %"}, "mode 3 frequency", {}, ROAD, "only 2 modes"),
         ({DAMPER: "±10 %"}, "", {}, ROAD, "not a metric"),
         ({DAMPER: "±10 %"}, {}, {}, ROAD, "no objective"),
         ({DAMPER: "±10 %"}, {"sprung.az": -1.0}, {}, ROAD, "not a weight"),
