@@ -156,11 +156,11 @@ WRONG = {
         "study.toml, line 3: metrics",
         "jn.sweep_variants",
     ),
-    "nothing to keep": (
+    "no results to store": (
         'metrics = ["rms sprung.az", "max tyre.force"]\n',
         "",
         "study.toml: metrics",
-        "nothing is kept",
+        "no results are stored",
     ),
     "a count": ("count = 32", "", "study.toml", "needs a count"),
     "a kind": ('"sobol"', '"sobel"', "study.toml, line 11: design.kind", "'sobol'"),
@@ -413,7 +413,7 @@ def test_a_scheduler_that_goes_away_leaves_what_is_finished(study, tmp_path: Pat
     started[0].kill()
     _, said = process.communicate(timeout=300)
     assert process.returncode == 2, said
-    assert "the scheduler went away" in said
+    assert "the scheduler is no longer reachable" in said
     kept = shards_of(out)
     assert 3 <= len(kept) < 32
     done = subprocess.run(
@@ -446,7 +446,7 @@ class FakeCluster:
         ({}, "no worker has joined the cluster.*dask worker tcp://10.0.0.5:8786"),
         (
             {"jounce": "0.0.9"},
-            "10.0.0.7:1: a worker has other versions; found 'jounce 0.0.9 there, ",
+            "10.0.0.7:1: a worker has different versions; found 'jounce 0.0.9 there, ",
         ),
         ({"python": "3.8"}, "python 3.8 there"),
         (

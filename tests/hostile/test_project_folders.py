@@ -393,7 +393,7 @@ def test_a_sweep_of_any_size_may_be_claimed(folder: Path, about: dict[str, Any])
     (folder / "swept" / "sweep.json").write_text(json.dumps(whole))
     (entry,) = Project(folder).entries()
     assert (entry.path, entry.count) == ("swept", None)
-    with pytest.raises(OutputError, match="says nothing of a sweep"):
+    with pytest.raises(OutputError, match="does not describe a sweep"):
         swept(Project(folder), "swept")
 
 

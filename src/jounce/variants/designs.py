@@ -1,4 +1,4 @@
-"""Which variants are run: lists, grids, and points spread over ranges or distributions."""
+"""Designs of experiments: lists, grids, and points spread over ranges or distributions."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from jounce.core.types import Array
 from jounce.core.units import Unit, to_si
 
 Spread = str | Sequence[float | str] | Mapping[str, float | str]
-"""Range or distribution of a number: see :func:`sobol`."""
+"""Range or distribution of a parameter: see :func:`sobol`."""
 Kind = Literal["grid", "latin-hypercube", "sobol", "monte-carlo", "morris", "saltelli"]
 MOST = 50_000_000  # variants: with ten parameters 4 GB
 """Variants of a design."""
@@ -30,14 +30,14 @@ _SHAPES = ({"mean", "sd"}, {"sd"}, {"low", "mode", "high"}, {"low", "high"})
 
 @dataclass(frozen=True)
 class Design(Shown):
-    """Variants not yet evaluated for a rig; made by :func:`grid`, :func:`sobol` and the like.
+    """A design of variants, not yet evaluated for a rig; created by :func:`grid`, :func:`sobol` and similar functions.
 
     Attributes
     ----------
     kind : {"grid", "latin-hypercube", "sobol", "monte-carlo", "morris", "saltelli"}
-        How the points are laid out.
+        Method that places the points.
     spreads : mapping
-        Path of a number to what it is spread over.
+        Path of a parameter to its range, distribution or values.
     count : int
         Number of variants.
     seed : int
@@ -58,7 +58,7 @@ class Design(Shown):
         """Return the values (SI) of every variant by path.
 
         ``number`` returns value and SI unit of the parameter at a path, ``whole`` whether it is an integer (default:
-        never). With ``limit`` a range that reaches beyond it is refused before (see :meth:`refuse_outside`).
+        never). With ``limit``, a range that exceeds the allowed one raises an error (see :meth:`refuse_outside`).
         """
         if self.kind == "grid":
             columns = [_list(given, number(path)[1], path) for path, given in self.spreads.items()]
@@ -76,10 +76,10 @@ class Design(Shown):
         limit: Callable[[str], Unit],
         whole: Callable[[str], bool] | None = None,
     ) -> None:
-        """Refuse a range beyond the limits of a description, before anything runs.
+        """Raise an error for a range beyond the limits of the description, before anything runs.
 
-        An end may lie on an excluded limit (``above 0``): no point is drawn there. A normal distribution
-        is unbounded, and a grid lists its values: their forbidden values are not run.
+        An end may be equal to an excluded limit (``above 0``), since no point is drawn there. Normal distributions
+        (unbounded) and grids (explicit values) are not checked; their forbidden values are not run.
         """
         if self.kind != "grid":
             self._refuse_outside(self._laws(number, whole), limit)
@@ -93,7 +93,7 @@ class Design(Shown):
             if math.isfinite(low) and (low < least or high > most):
                 raise DescriptionError(
                     Phrase(
-                        "the spread reaches beyond what is allowed, from {low:g} to {high:g} {si}",
+                        "the spread exceeds the allowed range, from {low:g} to {high:g} {si}",
                         low=low,
                         high=high,
                         si=limit(path).si,
@@ -106,19 +106,19 @@ class Design(Shown):
     def _laws(
         self, number: Callable[[str], tuple[float, str]], whole: Callable[[str], bool] | None
     ) -> dict[str, Callable[[Array], Array]]:
-        """Map shares between 0 and 1 to values of every parameter, SI."""
+        """Return for every parameter a function that maps quantiles in 0..1 to values, SI."""
         laws = {path: _law(spread, *number(path), path) for path, spread in self.spreads.items()}
         rounded = [path for path in laws if whole is not None and whole(path)]
         return laws | {path: _in_whole(laws[path], self.spreads[path], path) for path in rounded}
 
 
 def grid(values: Mapping[str, Sequence[float | str]]) -> Design:
-    """Combine all values.
+    """Return a design with every combination of values.
 
     Parameters
     ----------
     values : mapping
-        Path of a number to its values, SI or texts with units; the last path changes fastest.
+        Path of a parameter to its values, SI or texts with units; the last path changes fastest.
 
     Returns
     -------
@@ -145,18 +145,17 @@ def grid(values: Mapping[str, Sequence[float | str]]) -> Design:
 
 
 def sobol(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design:
-    """Spread points evenly over all parameters: a scrambled Sobol sequence [sobol1967].
+    """Spread points evenly over all parameters by a scrambled Sobol sequence [sobol1967].
 
-    Means over such points converge faster than over random ones, most evenly for a ``count`` that is a power of 2.
+    Means over such points converge faster than over random ones; a ``count`` that is a power of 2 is best balanced.
 
     Parameters
     ----------
     spreads : mapping
-        Path of a number to what it is spread over: ``"20 %"`` and ``"±2 kg"`` are to either side of the rig's own
-        value, two values (SI or texts with units) are the ends of a range, ``{"mean": ..., "sd": ...}`` is a normal
-        distribution (``sd`` may be in percent; without ``mean`` the rig's own value),
-        ``{"low": ..., "mode": ..., "high": ...}`` a triangular one. A whole number (the seed of a road) takes whole
-        numbers alone.
+        Path of a parameter to its range or distribution. ``"20 %"`` and ``"±2 kg"`` extend to either side of the rig's
+        own value; two values (SI or texts with units) are the ends of a range. ``{"mean": ..., "sd": ...}`` is a normal
+        distribution (``sd`` may be in percent; ``mean`` is the rig's own value by default), and ``{"low": ..., "mode":
+        ..., "high": ...}`` a triangular one. An integer parameter (the seed of a road) takes integers only.
     count : int
         Number of variants.
     seed : int
@@ -174,7 +173,7 @@ def sobol(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design
 
     Notes
     -----
-    Scrambling and points are those of ``scipy.stats.qmc.Sobol``.
+    Scrambling and points are identical to those of ``scipy.stats.qmc.Sobol``.
 
     Examples
     --------
@@ -186,7 +185,7 @@ def sobol(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design
 
 
 def latin_hypercube(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> Design:
-    """Spread points so that each parameter takes every ``count``-th part of its range once [mckay1979].
+    """Spread points such that each of ``count`` equal parts of each range is used once [mckay1979].
 
     Parameters
     ----------
@@ -248,11 +247,11 @@ def monte_carlo(spreads: Mapping[str, Spread], count: int, *, seed: int = 0) -> 
 
 
 def morris(spreads: Mapping[str, Spread], trajectories: int, *, seed: int = 0) -> Design:
-    """Make trajectories that change one parameter at a time, to screen many parameters [morris1991].
+    """Create trajectories that change one parameter at a time, to screen many parameters [morris1991].
 
-    Each trajectory starts anywhere and moves every parameter once, in random order, by half of its shares between 0 and
-    1, from one of 8 levels (the middle of every eighth) to another. A dozen trajectories tell what matters from what
-    does not; :func:`sensitivity_indices` does so with their results.
+    Each trajectory starts at a random point and moves every parameter once, in random order, by half of its range in
+    quantiles, between 8 levels (the middle of each eighth). A dozen trajectories are enough to separate influential
+    parameters from the others; :func:`sensitivity_indices` computes the effects from the results.
 
     Parameters
     ----------
@@ -283,17 +282,18 @@ def morris(spreads: Mapping[str, Spread], trajectories: int, *, seed: int = 0) -
 
 
 def saltelli(spreads: Mapping[str, Spread], pairs: int, *, seed: int = 0) -> Design:
-    """Make pairs of points that exchange one parameter at a time, for Sobol's indices [saltelli2010].
+    """Create pairs of points that exchange one parameter at a time, for Sobol' indices [saltelli2010].
 
-    What share of a metric's variance each number is behind, alone and with others, :func:`sensitivity_indices` then
-    tells from their results. Of each pair of points both are run, and the first one with each number of the second.
+    From the results, :func:`sensitivity_indices` computes the share of a metric's variance that each parameter causes,
+    alone and in interaction with others. For each pair, both points are run, and the first point with each parameter in
+    turn taken from the second.
 
     Parameters
     ----------
     spreads : mapping
-        As for :func:`sobol`; the numbers are independent of each other.
+        As for :func:`sobol`; the parameters are independent of each other.
     pairs : int
-        Pairs of points, best a power of 2; each has two variants more than there are parameters.
+        Number of pairs, preferably a power of 2; each has two variants more than there are parameters.
     seed : int
         Seed of the scrambling.
 
@@ -335,7 +335,7 @@ def _check_paths(given: object) -> Mapping[str, Any]:
 
 
 def is_list(values: Any) -> bool:
-    """Whether an object is a non-empty list, array or column of any library; not a text or mapping."""
+    """Whether an object is a non-empty list, array or column of any library, but not a text or mapping."""
     try:
         return len(values) > 0 and not isinstance(values, str | Mapping)
     except TypeError:  # a scalar may have a `__len__` that raises
@@ -354,7 +354,7 @@ def _count(count: int) -> int:
 
 
 def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
-    """Points in the unit cube, one row each, none on its faces."""
+    """Return points in the open unit cube, one row each."""
     if kind == "monte-carlo":
         points = np.random.default_rng(seed).random((count, numbers))
     elif kind == "morris":
@@ -374,21 +374,21 @@ def _points(kind: Kind, numbers: int, count: int, seed: int) -> Array:
 
 
 _BITS = 30  # of a Sobol sequence: a billion points, as in SciPy
-_FIRST = 1024  # points made one by one; below it doubling costs more
+_FIRST = 1024  # points computed one by one; for fewer, doubling is slower
 _TURNS = np.array(
     [(i & -i).bit_length() - 1 for i in range(1, _FIRST)]
-)  # along which direction each moves
+)  # direction along which each point moves
 _PLACES = 2 ** np.arange(_BITS - 1, -1, -1)
 _BELOW, _DIAGONAL = np.tri(_BITS, k=-1), np.eye(_BITS)
 
 
 def _sobol(numbers: int, count: int, seed: int) -> Array:
-    """Points of a scrambled Sobol sequence: those of ``qmc.Sobol(numbers, seed=seed)``, to the last bit.
+    """Return points of a scrambled Sobol sequence, identical to ``qmc.Sobol(numbers, seed=seed)`` to the last bit.
 
-    SciPy's engine, made anew for each seed, takes as long as two dozen variants of a small model, half of it for what
-    is not the points. Its directions are the same for all seeds and read from it once. A triangle of random bits mixes
-    the bits of each direction, then the points are laid out by Gray's code: the first thousand each a step from the one
-    before, then again as many as there are, the last one first, moved along the next direction.
+    Creating SciPy's engine for each seed takes as long as two dozen variants of a small model, half of it for setup.
+    Its directions are the same for all seeds and are read only once. A triangular matrix of random bits scrambles the
+    bits of each direction. Points follow Gray code order: the first thousand one step at a time, then repeatedly
+    doubled by mirroring all existing points along the next direction.
     """
     doublings = max((count - 1).bit_length(), 1)
     random = np.random.default_rng(seed)
@@ -410,7 +410,7 @@ def _sobol(numbers: int, count: int, seed: int) -> Array:
 
 @lru_cache(64)
 def _directions(numbers: int, count: int) -> Array:
-    """Bits of the first directions of Sobol's sequence, (numbers, bits, directions), the highest bit first."""
+    """Return the bits of the first directions of the Sobol sequence, (numbers, bits, directions), highest bit first."""
     from scipy.stats import qmc
 
     directions = []
@@ -430,17 +430,17 @@ LEVELS = 8
 
 
 def _trajectories(numbers: int, count: int, random: np.random.Generator) -> Array:
-    """Points of trajectories, one row each, a trajectory after the other."""
+    """Return the points of all trajectories, one row each, trajectory by trajectory."""
     begin = random.integers(0, LEVELS, (count, numbers))
     end = (begin + LEVELS // 2) % LEVELS
-    rank = np.argsort(random.random((count, numbers)), axis=1)  # in which step each number is moved
+    rank = np.argsort(random.random((count, numbers)), axis=1)  # step at which each parameter moves
     is_moved = rank[:, None, :] < np.arange(numbers + 1)[:, None]
     levels = np.where(is_moved, end[:, None, :], begin[:, None, :])
     return np.asarray((levels.reshape(-1, numbers) + 0.5) / LEVELS, dtype=float)
 
 
 def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], Array]:
-    """Map shares between 0 and 1 to values, SI."""
+    """Return a function that maps quantiles in 0..1 to values, SI."""
     if (
         isinstance(spread, str)
         and spread.strip().startswith("±")
@@ -486,7 +486,7 @@ def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], A
     mode = to_si(spread["mode"], unit, where=f"{path}: mode")
     if not low <= mode <= high:
         raise DescriptionError(
-            "the mode lies outside its range", where=path, found=dict(spread), allowed="low to high"
+            "the mode is outside its range", where=path, found=dict(spread), allowed="low to high"
         )
     bend = (mode - low) / (high - low)
 
@@ -499,14 +499,14 @@ def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], A
 
 
 def _in_whole(law: Callable[[Array], Array], spread: object, path: str) -> Callable[[Array], Array]:
-    """Make a law return integers only, with those at the ends of a range as likely as the others."""
+    """Round a law to integers, with the ends of a range as likely as the other values."""
     begin, end = law(np.array([0.0, 1.0])).tolist()
     if not (math.isfinite(begin) and math.isfinite(end)):
         return lambda share: np.rint(law(share))
     low, high = math.ceil(begin), math.floor(end)
     if low > high:
         raise DescriptionError(
-            "no whole number lies within", where=path, found=spread, allowed="e.g. [1, 100]"
+            "the range contains no integer", where=path, found=spread, allowed="e.g. [1, 100]"
         )
     stretch = (high + 1 - low) / (end - begin)
     return lambda share: np.asarray(
@@ -548,4 +548,4 @@ DESIGNS: Mapping[str, Callable[..., Design]] = {
     "morris": morris,
     "saltelli": saltelli,
 }
-"""Function that makes a design, by its kind."""
+"""Functions that create a design, by kind."""

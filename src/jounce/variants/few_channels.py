@@ -1,7 +1,7 @@
-"""Variants run one by one for a few channels: code for these channels only, in reused arrays.
+"""Variants run one by one for only a few channels: code for these channels only, in reused arrays.
 
-A car has sixty channels. To make all of them over a minute, in memory that is new each time, takes longer than the
-steps of the run.
+A car has sixty channels. Computing all of them for a minute, in newly allocated memory each time, takes longer than the
+integration.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ from jounce.simulation.result import angles_of, branch_limits, flipped_at, ran_a
 from jounce.simulation.settings import RunSettings
 from jounce.variants.stepped import code_of_outputs
 
-LEAST = 16  # runs from which compiling code for a few channels pays
-"""Runs below which code for a few channels is not worth its making: hundredths of a second."""
+LEAST = 16  # runs from which compiling code for a few channels pays off
+"""Number of runs below which code for only a few channels does not pay off; it takes hundredths of a second."""
 
 
 def are_worth_it(compiled: Compiled) -> bool:
-    """Whether code for some channels pays: those of mechanisms with loops cost little, and their code takes seconds."""
+    """Whether code for some channels pays off; not for mechanisms with loops: cheap channels, seconds to compile."""
     return bool(compiled.identity) and not compiled.facts.projects
 
 
 @dataclass(frozen=True)
 class FewChannels:
-    """Runs of a model for some channels; a result is valid until the next run of its thread."""
+    """Runs a model for some channels; a result is valid until the next run of its thread."""
 
     compiled: Compiled
     wanted: tuple[str, ...]
@@ -39,7 +39,7 @@ class FewChannels:
 
     @once
     def names(self) -> tuple[str, ...]:
-        """Computed channels: the requested ones, and those that show whether it still is a suspension."""
+        """Computed channels: the requested ones, and those that detect an invalid state of the suspension."""
         known = self.compiled.output_names
         return tuple(
             dict.fromkeys(
@@ -58,9 +58,9 @@ class FewChannels:
     def run(
         self, p: Array, signals: Sequence[Segments], times: Array, settings: RunSettings
     ) -> tuple[Array, Array] | None:
-        """Samples of the channels (``names``) and their values at rest.
+        """Return samples of the channels (``names``) and their values at rest.
 
-        None if the run stops early or no longer is a suspension: a run with all channels gives the reason.
+        Return None if the run stops early or reaches an invalid state; a run with all channels gives the reason.
         """
         samples = self._samples(times)
         prepared = prepare(

@@ -1,4 +1,4 @@
-"""What many runs found, each thing once, with the number of variants that it was found of."""
+"""Findings of many runs, each once, with the number of variants concerned."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from typing import Any
 from jounce.core.findings import DATA, Finding, finding, finding_attributes, findings_of
 
 COUNTS = "finding_variants"
-"""Attribute of the results of a sweep: how many variants had each of its findings."""
+"""Attribute of the results of a sweep: number of variants with each of its findings."""
 _NUMBER = re.compile(r"(?<![\w.\[])\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w\]])")
 
 
 class Tally:
-    """Counts findings that differ only in their numbers as one, under the first of them."""
+    """Counts findings; those that differ only in numbers are combined under the first one."""
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, ...], tuple[Finding, int]] = {}
@@ -41,7 +41,7 @@ class Tally:
         self._found[_kind(item)] = first, before + count
 
     def attributes(self) -> dict[str, Any]:
-        """Return the findings as attributes; none without findings."""
+        """Return the findings as attributes; empty without findings."""
         if not self._found:
             return {}
         return {
@@ -71,7 +71,7 @@ def _as_list(value: Any) -> list[Any]:
 
 
 def _kind(item: Finding) -> tuple[str, ...]:
-    """Key that findings share if they differ only in their numbers; names in them count.
+    """Return a key shared by findings that differ only in numbers; names must be equal.
 
     >>> _kind(Finding("a2.fmu: F[1]", "warning", "of 0.52 J of its work 1.2e-05 J (3 %)"))
     ('a2.fmu: F[1]', 'warning', 'of # J of its work # J (# %)')
@@ -87,7 +87,7 @@ def _kind(item: Finding) -> tuple[str, ...]:
 
 
 def findings_of_variants(attributes: Mapping[str, Any], ran: int) -> list[Finding]:
-    """Findings of the attributes of a sweep's results, each with the number of variants that had it."""
+    """Return the findings in the attributes of a sweep's results, each with the number of variants that had it."""
     tally = Tally()
     tally.merge(attributes)
     return tally.findings(ran)

@@ -1,4 +1,4 @@
-"""Many runs of one rig: parameters of the description, the trial or the controller vary."""
+"""Many runs of one rig with varying parameters of the rig, the trial or the controller."""
 
 from __future__ import annotations
 
@@ -67,18 +67,18 @@ _Value = TypeVar("_Value")
 
 @dataclass(frozen=True)
 class VariantWork:
-    """The run of every variant and the results to keep: all that another process needs, except the variants.
+    """The work of a study except the variants themselves; it can be sent to another process.
 
     Attributes
     ----------
     study : Study
         Rig, trial, settings and controller.
     metrics : list of RunMetric
-        Numbers of each run.
+        Metrics of each run.
     channels : list of str
         Channels stored over time.
     design : dict
-        How the variants were laid out, where by a design.
+        Kind, count and seed of the design of the variants; empty without a design.
     """
 
     study: VariantStudy
@@ -89,17 +89,19 @@ class VariantWork:
     def run(
         self, columns: Mapping[str, Array], *, first: int = 0, threads: int | None = None
     ) -> xr.Dataset:
-        """Run variants, given by their values (SI) by path; ``first`` is the number of the first one."""
+        """Run variants given as values (SI) by path; ``first`` is the number of the first variant."""
         count = len(next(iter(columns.values())))
         few = self.study.few_of(self.metrics, self.channels, count)
         results = _Results(
             self.metrics, self.channels, count, few, _Frame(self.study, columns, first)
         )
         groups = list(self.study.groups(columns))
-        small = [pair for pair in groups if len(pair[1]) < LEAST]  # whose variants no threads share
+        small = [
+            pair for pair in groups if len(pair[1]) < LEAST
+        ]  # too small to split between threads
         if small and not self.study.adjusts(columns):
-            self.study.allows_all(_of_the_rig(columns))  # asked once, not for each of them
-        free = self.study.control is None  # a controller may be a function that keeps something
+            self.study.allows_all(_of_the_rig(columns))  # checked once, not for each group
+        free = self.study.control is None  # a controller may be a function with state
         workers = min(threads or processors(), len(small)) if free else 1
         for group, rows in groups:
             if len(rows) >= LEAST or workers <= 1:
@@ -124,10 +126,10 @@ def read_request(
     outputs: Sequence[str] | str | None,
     control: Controller | None,
 ) -> tuple[VariantWork, dict[str, Array]]:
-    """Read a request: the work, and the values (SI) of every variant by path."""
+    """Read a request; return the work and the values (SI) of every variant by path."""
     if metrics is not None and not len(metrics) and not outputs:
         raise DescriptionError(
-            "nothing to keep of the runs", where="metrics", allowed="e.g. ['rms sprung.az']"
+            "there are no results to store", where="metrics", allowed="e.g. ['rms sprung.az']"
         )
     study = VariantStudy(rig, trial, settings, control)
     columns = study.columns(variants)
@@ -138,7 +140,9 @@ def read_request(
     )
     if channels and "trial.duration" in columns and np.ptp(columns["trial.duration"]) > 0.0:
         raise DescriptionError(
-            "channels of runs that differ in length", where="outputs", hint="Ask for metrics."
+            "channels cannot be stored for runs of different lengths",
+            where="outputs",
+            hint="Ask for metrics.",
         )
     design: dict[str, str | int] = (
         {"design": variants.kind, "seed": variants.seed} if isinstance(variants, Design) else {}
@@ -148,24 +152,24 @@ def read_request(
 
 @dataclass(frozen=True)
 class _Frame:
-    """Parts of a result that do not depend on the runs; they are made during the runs."""
+    """Parts of a result that do not depend on the runs; built while the runs are computed."""
 
     study: VariantStudy
     columns: Mapping[str, Array]
     first: int
 
     def make(self) -> None:
-        """Make all parts."""
+        """Build all parts."""
         _ = self.axes, self.beside, self.outside
 
     @cached_property
     def axes(self) -> xr.Dataset:
-        """Numbers of the variants."""
+        """Axis of variant numbers."""
         return _variant_axis(self.first, len(next(iter(self.columns.values()))))
 
     @cached_property
     def beside(self) -> dict[str, xr.Variable]:
-        """The numbers that vary."""
+        """Coordinates with the varied parameters."""
         study = self.study
         return {
             path: _variant_column(column, study.number(path)[1], path)
@@ -174,7 +178,7 @@ class _Frame:
 
     @cached_property
     def outside(self) -> int:
-        """How many variants have a number outside what its description allows."""
+        """Number of variants with a parameter outside its allowed range."""
         return self.study.outside(self.columns)
 
 
@@ -202,14 +206,14 @@ class _Results:
     def reasons(self) -> NDArray[np.object_]:
         return np.full(
             self.count, "", dtype=object
-        )  # texts of their own length: one long one is not that of all
+        )  # object array: one long text does not widen all others
 
     @cached_property
     def courses(self) -> list[Array | None]:
         return [None] * self.count
 
     def make_room(self) -> None:
-        """Make all arrays before threads fill them in."""
+        """Allocate all arrays before threads fill them."""
         _ = self.numbers, self.reasons, self.courses
 
     @cached_property
@@ -255,7 +259,7 @@ class _Results:
 
 @lru_cache(2)
 def _variant_axis(first: int, count: int) -> xr.Dataset:
-    """Numbers of variants as an axis, which many results may share."""
+    """Return the axis of variant numbers, which several results may share."""
     import xarray as xr
 
     return xr.Dataset(coords={"variant": np.arange(first, first + count)})
@@ -271,12 +275,12 @@ class VariantStudy:
     control: Controller | None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """State for another process: the descriptions, from which it compiles its own model."""
+        """Pickle the descriptions only; the other process compiles its own model."""
         return VariantStudy, (self.rig, self.trial, self.settings, self.control)
 
     @cached_property
     def compiled(self) -> Compiled:
-        """The model, with its actuator if there is one."""
+        """Compiled model, with its actuator if it has one."""
         if self.control is not None:
             from jounce.simulation.controlled import close_loop
 
@@ -288,12 +292,12 @@ class VariantStudy:
 
     @cached_property
     def reduction(self) -> Reduction | None:
-        """The rig reduced to its one internal coordinate, or None if runs may not use that."""
+        """Rig reduced to its single internal coordinate, or None if not applicable."""
         return reduction_for(self.rig, self.trial, self.settings) if self.control is None else None
 
     @cached_property
     def car(self) -> CarReduction | None:
-        """The same of a car, with a coordinate for each wheel."""
+        """Car reduced to one coordinate per wheel, or None if not applicable."""
         return (
             car_reduction_for(self.rig, self.trial, self.settings) if self.control is None else None
         )
@@ -310,11 +314,11 @@ class VariantStudy:
 
     @cached_property
     def base(self) -> Array:
-        """Parameters (SI) of the rig unchanged."""
+        """Parameters (SI) of the unchanged rig."""
         return self.compiled.parameter_values(self.rig.parameters())
 
     def channels(self, given: Sequence[str] | str | None) -> list[str]:
-        """Names of requested channels; one that every corner has stands for all of them."""
+        """Return the names of requested channels; a channel name without corner selects that of all corners."""
         result: list[str] = []
         for name in [given] if isinstance(given, str) else given or []:
             channels = channels_of(name, list(self.units))
@@ -326,7 +330,7 @@ class VariantStudy:
     def few_of(
         self, metrics: Iterable[RunMetric], channels: Iterable[str], runs: int
     ) -> FewChannels | None:
-        """Code for the requested channels only; None if it does not pay for so few runs."""
+        """Return code for the requested channels only; None if compiling it does not pay off."""
         if (
             self.control is not None
             or runs < few_channels.LEAST
@@ -337,7 +341,7 @@ class VariantStudy:
         return FewChannels(self.compiled, tuple(wanted)) if len(wanted) < len(self.units) else None
 
     def owner(self, path: str) -> tuple[Any, str]:
-        """Description that a path leads into, and the remaining path."""
+        """Return the description (rig, trial or controller) to which a path belongs, and the remaining path."""
         for prefix, of in ((_TRIAL, self.trial), (_CONTROL, self.control)):
             if path.startswith(prefix):
                 if of is None:
@@ -348,12 +352,12 @@ class VariantStudy:
         return self.rig, path
 
     def number(self, path: str) -> tuple[float, str]:
-        """Value (SI) and SI unit of the number at a path."""
+        """Return value (SI) and SI unit of the parameter at a path."""
         value, quantity = self._quantity(path)
         return value, quantity.si
 
     def limit(self, path: str) -> Unit:
-        """Unit and range of the number at a path."""
+        """Return unit and range of the parameter at a path."""
         return self._quantity(path)[1]
 
     def _quantity(self, path: str) -> tuple[float, Unit]:
@@ -377,7 +381,7 @@ class VariantStudy:
 
     @cached_property
     def adjustments(self) -> dict[str, Adjustable]:
-        """Adjustments of the rig by name, which vary like numbers of it."""
+        """Adjustments of the rig by name; they can be varied like its parameters."""
         from jounce.kinematics.adjustments import adjustables
 
         return adjustables(self.rig) if isinstance(self.rig, Corner) else {}
@@ -392,7 +396,7 @@ class VariantStudy:
         return adjustment.base(self.rig), limit
 
     def adjusts(self, paths: Iterable[str]) -> bool:
-        """Whether one of some paths is that of an adjustment."""
+        """Whether any of the paths is an adjustment."""
         known = _numbers(self.rig)
         return any(
             path not in known and path in self.adjustments
@@ -400,7 +404,7 @@ class VariantStudy:
         )
 
     def changed_rig(self, changes: Mapping[str, float]) -> Rig:
-        """Rig with some of its numbers (SI) changed, and then adjusted."""
+        """Return the rig with changed parameters (SI), then adjusted."""
         names = [path for path in changes if self.adjusts([path])]
         rig = self.rig.with_changes(
             {path: value for path, value in changes.items() if path not in names}
@@ -412,12 +416,12 @@ class VariantStudy:
         return apply_adjustments(rig, {name: changes[name] for name in names})
 
     def whole(self, path: str) -> bool:
-        """Whether the number at a path is a whole one, such as the seed of a road."""
+        """Whether the parameter at a path is an integer, such as the seed of a road."""
         of, rest = self.owner(path)
         return of is not self.rig and rest in _numbers_of(of, whole=True)
 
     def outside(self, columns: Mapping[str, Array]) -> int:
-        """How many variants have a number outside what its description allows."""
+        """Number of variants with a parameter outside its allowed range."""
         result: NDArray[np.bool_] | None = None
         for path, column in columns.items():
             limit = self.limit(path)
@@ -432,7 +436,7 @@ class VariantStudy:
         return 0 if result is None else int(np.sum(result))
 
     def columns(self, variants: Variants) -> dict[str, Array]:
-        """Values of every variant, SI."""
+        """Return the values of every variant by path, SI."""
         if isinstance(variants, Design):
             result = variants.values(self.number, self.whole, self.limit)
         elif (
@@ -440,7 +444,7 @@ class VariantStudy:
             or not hasattr(variants, "items")
             or not all(isinstance(path, str) for path in variants)
         ):
-            allowed = "path of a number to its values, or a design such as jn.sobol(...)"
+            allowed = "path of a parameter to its values, or a design such as jn.sobol(...)"
             raise DescriptionError(
                 "nothing to vary", where="variants", found=variants, allowed=allowed
             )
@@ -465,12 +469,12 @@ class VariantStudy:
                 and not self.adjusts([rest])
             ):
                 raise DescriptionError(
-                    "does not enter the model", where=f"variants: {path}", hint="Leave it out."
+                    "has no effect on the model", where=f"variants: {path}", hint="Leave it out."
                 )
         return result
 
     def variant(self, changes: Mapping[str, float]) -> tuple[Rig, Trial, Controller | None]:
-        """Rig, trial and controller with the numbers (SI) of one variant."""
+        """Return rig, trial and controller with the parameters (SI) of one variant."""
         own = {
             path: value
             for path, value in changes.items()
@@ -483,10 +487,11 @@ class VariantStudy:
         return self.changed_rig(own), trial, control
 
     def allows_all(self, own: Mapping[str, Array]) -> bool:
-        """Whether the description allows all values of the rig's parameters; False if a check of each is as cheap.
+        """Whether the description allows all values of the rig's parameters; False if individual checks are as cheap.
 
         Conditions on several parameters (one below another) hold for all variants if they hold at all corners of their
-        ranges. Each variant is checked only where there are more corners than variants, or where a corner is forbidden.
+        ranges. Each variant is checked individually only if there are more corners than variants, or if a corner is
+        forbidden.
         """
         if not own:  # the unchanged rig
             return True
@@ -498,7 +503,7 @@ class VariantStudy:
         ):
             return True
         if 2 ** len(own) < len(next(iter(own.values()))):
-            for reach in (1.0, 0.0):  # also beyond the ends: the next sweeps may lie there
+            for reach in (1.0, 0.0):  # also beyond the ends, for later sweeps with wider ranges
                 wide = [
                     (low - reach * (high - low), high + reach * (high - low)) for low, high in box
                 ]
@@ -508,7 +513,7 @@ class VariantStudy:
         return False
 
     def is_allowed(self, paths: Iterable[str], row: Sequence[float]) -> bool:
-        """Whether the description allows some numbers (SI)."""
+        """Whether the description allows the given values (SI)."""
         try:
             self.changed_rig(dict(zip(paths, row, strict=True)))
         except JounceError:
@@ -518,7 +523,7 @@ class VariantStudy:
     def groups(
         self, columns: Mapping[str, Array]
     ) -> Iterator[tuple[_TrialGroup, NDArray[np.int64]]]:
-        """Variants that share a trial and a controller, and the numbers of these variants."""
+        """Yield groups of variants that share a trial and a controller, with their row indices."""
         outer = [path for path in columns if path.startswith((_TRIAL, _CONTROL))]
         count = len(next(iter(columns.values())))
         if not outer:
@@ -540,7 +545,7 @@ class VariantStudy:
 
 @dataclass(frozen=True)
 class _TrialGroup:
-    """Variants of the rig over one trial; with a reason if none of them can run."""
+    """Variants of the rig over one trial, with a reason if none of them can run."""
 
     study: VariantStudy
     trial: Trial
@@ -592,7 +597,7 @@ class _TrialGroup:
         _share_out(left, run_some, workers)
 
     def _parameters(self, own: Mapping[str, Array], count: int) -> Array:
-        """Values (SI) of all parameters of the model, one row a variant."""
+        """Return the values (SI) of all parameters of the model, one row per variant."""
         parameters = np.empty((count, len(self.study.base)))
         parameters[:] = self.study.base
         for path, column in own.items():
@@ -600,7 +605,7 @@ class _TrialGroup:
         return parameters
 
     def _needs_description(self, own: Mapping[str, Array], count: int) -> NDArray[np.bool_] | None:
-        """Flags of variants that need their own description, to report why it forbids them; None if no variant does."""
+        """Return flags of variants to be validated one by one, to report why they are forbidden; None if none."""
         if (
             self.control is not None
             or any(path in MOVES_TRACKS for path in own)
@@ -619,7 +624,7 @@ class _TrialGroup:
     def _run_in_vectors(
         self, results: _Results, parameters: Array, rows: NDArray[np.int64], threads: int | None
     ) -> NDArray[np.bool_]:
-        """Fill in the variants that can run in vectors; return the remaining ones."""
+        """Fill in the variants that can run in vector registers; return the remaining ones."""
         study, names = self.study, list(dict.fromkeys(metric.channel for metric in results.metrics))
         limits = branch_limits(study.compiled.output_names)
         outputs = [study.compiled.output_names.index(name) for name in names]
@@ -630,7 +635,10 @@ class _TrialGroup:
         if sums is None:
             return np.ones(len(rows), dtype=bool)
         careful = sums.alone.copy()
-        for place, limit in limits.items():  # a single run reports variants that run away
+        for (
+            place,
+            limit,
+        ) in limits.items():  # a single run reports the reason for diverging variants
             j = channels.index(place)
             careful |= ~(
                 np.maximum(
@@ -671,7 +679,7 @@ class _TrialGroup:
     ) -> NDArray[np.bool_]:
         """Fill in the variants that can be stepped in vectors; return the remaining ones.
 
-        Variants whose wheel left its table continue over a wider one that suffices for all of them, or for half.
+        Variants with a wheel outside its table are repeated with a wider table that suffices for all, or half, of them.
         """
         careful, left = np.ones(len(rows), dtype=bool), np.arange(len(rows))
         may = self.study.settings.method != "implicit" and len(rows) >= stepped.LEAST
@@ -704,7 +712,7 @@ class _TrialGroup:
         limits = {outputs[row]: limit for row, limit in branch_limits(outputs).items()}
         angles = (
             angles_of(outputs) if base.compiled.facts.projects else []
-        )  # one coordinate cannot flip
+        )  # a single coordinate cannot flip over
         wanted = [
             *(metric.channel for metric in results.metrics),
             *results.channels,
@@ -728,7 +736,10 @@ class _TrialGroup:
                 corner.holds(states)[:count] if corner is not None else np.ones(count, dtype=bool)
             )
             valid = np.ones(wide, dtype=bool)
-            for name, limit in limits.items():  # a single run reports variants that run away
+            for (
+                name,
+                limit,
+            ) in limits.items():  # a single run reports the reason for diverging variants
                 course = courses[row_of[name]]
                 valid = valid & (np.maximum(course.max(axis=1), -course.min(axis=1)) <= limit)
             for name in angles:
@@ -759,9 +770,9 @@ class _TrialGroup:
     def _prepare_steps(
         self, parameters: Array, travel: tuple[float, float] | None = None
     ) -> _Stepping | None:
-        """Prepare the stepping of variants in vectors; None if impossible, or if the rig itself cannot run.
+        """Prepare the stepping of variants in vectors; None if impossible, or if the base rig cannot run.
 
-        The tables reach beyond ``travel`` (m), the known travel of the wheel.
+        The tables extend beyond ``travel`` (m), the known travel of the wheel.
         """
         study = self.study
         times, tolerance = study.settings.times(self.trial.duration), study.settings.tolerance
@@ -805,11 +816,11 @@ class _TrialGroup:
         return stepping if steps else None
 
     def _run_alone(self, results: _Results, row: int, run: Callable[[], _RunSamples]) -> None:
-        """Fill in the result of a run, or the reason why there is none."""
+        """Fill in the result of a run, or the reason for its failure."""
         try:
             run_samples = run()
-        except Exception as error:  # noqa: BLE001 - one variant must not stop a million
-            results.reasons[row] = str(reason(error))  # an array of texts holds plain ones
+        except Exception as error:  # noqa: BLE001 - one variant must not stop all others
+            results.reasons[row] = str(reason(error))  # convert to plain str for the array
             return
         if run_samples.findings:
             results.found.add(run_samples.findings)
@@ -824,7 +835,7 @@ class _TrialGroup:
             ]
 
     def _run(self, changes: Mapping[str, float], few: FewChannels | None) -> _RunSamples:
-        """Run the rig with some of its numbers changed."""
+        """Run the rig with some of its parameters changed."""
         settings, compiled, rig = (
             self.study.settings,
             self.study.compiled,
@@ -841,7 +852,7 @@ class _TrialGroup:
         return self._solve(compiled.parameter_values(rig.parameters()), signals, few)
 
     def _solve(self, p: Array, signals: list[Segments], few: FewChannels | None) -> _RunSamples:
-        """Run the model with values (SI) of all its parameters; without findings."""
+        """Run the model for values (SI) of all its parameters, without findings."""
         settings, compiled = self.study.settings, self.study.compiled
         times = settings.times(self.trial.duration)
         some = self._run_reduced(p, signals, times)
@@ -864,7 +875,7 @@ class _TrialGroup:
     def _run_reduced(
         self, p: Array, signals: list[Segments], times: Array
     ) -> tuple[Array, Array] | None:
-        """Run the model with one coordinate for each corner; None where that is not possible."""
+        """Run the model with one coordinate per corner; None if that is not possible."""
         study = self.study
         values = dict(zip(study.compiled.facts.parameters, p.tolist(), strict=True))
         course = values, signals, times, study.settings.tolerance
@@ -886,10 +897,10 @@ class _TrialGroup:
 
 
 def _share_out(items: Sequence[Item], take: Callable[[Iterable[Item]], None], workers: int) -> None:
-    """Share items out to several threads as soon as one item took long enough.
+    """Distribute items to several threads as soon as one item took long enough.
 
-    Short runs are mostly Python, which one thread at a time executes: two threads take twice as long as one. The first
-    item makes what all of them share.
+    Short runs are mostly Python code, which is executed by one thread at a time; two threads would take twice as long
+    as one. The first item also builds the shared objects.
     """
     for i in range(len(items) if workers > 1 else 0):
         begin = time.thread_time()
@@ -901,7 +912,7 @@ def _share_out(items: Sequence[Item], take: Callable[[Iterable[Item]], None], wo
         take(items)
 
 
-_LONG = 2e-3  # s of processor time: far above the start of a thread
+_LONG = 2e-3  # s of processor time: far above the start-up time of a thread
 
 
 class _RunSamples(NamedTuple):
@@ -914,7 +925,7 @@ class _RunSamples(NamedTuple):
 
 
 class _Stepping(NamedTuple):
-    """A run of the rig itself, parameters of the variants, flags of valid ones, and the reduced run with its table."""
+    """A run of the base rig, parameters of the variants, flags of valid ones, and the reduced run with its table."""
 
     base: PreparedRun
     numbers: Array
@@ -933,27 +944,27 @@ class _TravelBeyond(NamedTuple):
 
 @once_per_object
 def _quantities_of(description: object) -> dict[str, tuple[float, Unit]]:  # noqa: ARG001 - kept beside it
-    """Values (SI) of requested parameters of a rig, trial or controller, with units and ranges."""
+    """Return values (SI) of requested parameters of a rig, trial or controller, with units and ranges."""
     return {}
 
 
 @once_per_object
 def _allowed_boxes(rig: Rig) -> dict[tuple[str, ...], list[tuple[float, float]]]:  # noqa: ARG001 - kept beside it
-    """Ranges of some numbers of a rig, by their paths, in which its description is known to allow all values."""
+    """Return ranges of parameters of a rig, by their paths, in which its description is known to allow all values."""
     return {}
 
 
-_MOST_LAYOUTS = 4  # for each trial: a sweep and its repeats
+_MOST_LAYOUTS = 4  # for each trial: enough for a sweep and its repeats
 
 
 @once_per_object
 def _layouts_of(trial: Trial) -> dict[object, SharedLayout | None] | None:
-    """Layouts used over a trial so far; None if its road is a file, which may change."""
+    """Return the cache of layouts of a trial; None if its road is a file, which may change."""
     return {} if is_lasting(trial) else None
 
 
 def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:
-    """Parameters of a trial or controller by path, including integers (a seed); or integers only."""
+    """Return the parameters of a trial or controller by path, including integers (a seed); or integers only."""
     numbers = {} if whole else parameters_of(description)
     for name in type(description).model_fields:
         value = getattr(description, name)
@@ -968,7 +979,7 @@ def _numbers_of(description: Any, *, whole: bool = False) -> dict[str, float]:
 
 @once_per_object
 def _numbers(rig: Rig) -> dict[str, float]:
-    """Numbers of a rig by path."""
+    """Return the parameters of a rig by path."""
     return rig.parameters()
 
 
@@ -999,11 +1010,12 @@ def _change(description: Any, changes: Mapping[str, float], prefix: str) -> Any:
 def _column(given: object, unit: str, path: str) -> Array:
     if not is_list(given):
         raise DescriptionError(
-            "not a list of values", where=f"variants: {path}", found=given, allowed="one a variant"
+            "not a list of values",
+            where=f"variants: {path}",
+            found=given,
+            allowed="one value per variant",
         )
-    column = np.array(
-        as_values(given, unit, where=f"variants: {path}")
-    )  # of our own: results keep it
+    column = np.array(as_values(given, unit, where=f"variants: {path}"))  # a copy: results store it
     if column.ndim != 1 or not len(column) or not np.all(np.isfinite(column)):
         raise DescriptionError(
             "not a list of finite numbers", where=f"variants: {path}", found=str(given)[:60]

@@ -1,7 +1,6 @@
 """Metrics of a run, named by words: ``rms sprung.az``, ``max tyre.force``, ``Wk sprung.az``.
 
-All of them are sums over samples, except the weightings of ISO 2631-1, which need the course of
-the channel.
+All of them are sums over samples, except the weightings of ISO 2631-1, which need the time history of the channel.
 """
 
 from __future__ import annotations
@@ -33,12 +32,12 @@ WORDS = {
 
 @dataclass(frozen=True)
 class RunMetric:
-    """One metric of a run, computed from a channel.
+    """A metric of a run, computed from a channel.
 
     Attributes
     ----------
     text : str
-        Its words, with the whole name of the channel.
+        Text of the metric, with the full name of the channel.
     word : str
         One of ``WORDS``, or a weighting.
     channel : str
@@ -68,7 +67,7 @@ class RunMetric:
 
 
 def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[RunMetric]:
-    """Read metrics; ``units`` has the SI unit of every channel. A metric of all corners becomes one for each."""
+    """Read metrics; ``units`` has the SI unit of every channel. A metric of all corners becomes one per corner."""
     metrics: list[RunMetric] = []
     for text in [texts] if isinstance(texts, str) else texts:
         words = str(text).split()
@@ -79,7 +78,7 @@ def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[R
         if words[0] not in WORDS and words[0] not in WEIGHTINGS:
             known = (*WORDS, *WEIGHTINGS)
             raise DescriptionError(
-                Phrase("no such number of a channel: {words!r}", words=words[0]),
+                Phrase("no such metric of a channel: {words!r}", words=words[0]),
                 where="metrics",
                 found=text,
                 allowed=", ".join(known),
@@ -95,7 +94,7 @@ def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[R
 
 
 def check_durations(metrics: Iterable[RunMetric], durations: Iterable[float]) -> None:
-    """Refuse weightings of runs (s) that are too short for them."""
+    """Reject weightings if the runs (s) are too short for them."""
     shortest = min(map(float, durations))
     for metric in metrics:
         if metric.needs_course:
@@ -109,14 +108,14 @@ def _unknown_channel(name: str, units: Mapping[str, str]) -> DescriptionError:
     if name not in {row.name for row in CATALOGUE}:
         return error
     hint = Phrase(
-        "{name} is no channel of a run, but kinematics: jn.sweep_variants gives it over wheel travel.",
+        "{name} is a kinematic quantity, not a channel of a run: use jn.sweep_variants for it.",
         name=name,
     )
     return DescriptionError(error.what, where=error.where, allowed=error.allowed, hint=hint)
 
 
 def of_sums(word: str, sums: Sums, channel: int) -> Array:
-    """Metric of every variant from sums of a channel about its value at rest."""
+    """Return a metric of every variant from sums of a channel about its value at rest."""
     if word == "rms":
         return np.asarray(np.sqrt(sums.square[:, channel]))
     if word == "range":
@@ -126,12 +125,12 @@ def of_sums(word: str, sums: Sums, channel: int) -> Array:
 
 
 def of_course(metric: RunMetric, values: Array, rest: float, output_step: float) -> float:
-    """Metric of the samples of a channel (``output_step`` s apart), whose value at rest is known."""
+    """Return a metric of the samples of a channel (``output_step`` s apart) with the value ``rest`` at rest."""
     return float(of_courses(metric, (values - rest)[None, :], np.array([rest]), output_step)[0])
 
 
 def of_courses(metric: RunMetric, courses: Array, rest: Array, output_step: float) -> Array:
-    """The same of rows of samples, from which the values at rest have been taken."""
+    """Return a metric of each row of samples, from which the values at rest have been subtracted."""
     if metric.needs_course:
         felt = [weight(row, 1.0 / output_step, metric.word) for row in courses]
         return np.array([float(np.sqrt(np.mean(row**2))) for row in felt])

@@ -1,4 +1,4 @@
-"""Sensitivities of metrics of many runs: Morris' effects, Sobol's indices, or regression, with confidence intervals."""
+"""Sensitivities of metrics of many runs: Morris effects, Sobol indices, or regression, with confidence intervals."""
 
 from __future__ import annotations
 
@@ -16,58 +16,59 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _CONFIDENCE = (2.5, 97.5)  # percentiles
-_RESAMPLES, _FEWER, _MANY = 1000, 200, 200_000  # bootstrap draws; fewer for tables of more numbers
+_RESAMPLES, _FEWER, _MANY = 1000, 200, 200_000  # bootstrap draws; fewer for larger tables
 _FEW = 16.0
-"""Few rows, drawn again, lack rare values: intervals are widened by this over the number of rows.
+"""Resampling only a few rows misses rare values: intervals are widened by this constant over the number of rows.
 
-Of the closed forms of Ishigami's function, the g-function and a sum they hold 77 to 100 % of 60 designs of 8 pairs and
-90 to 100 % of 16 and 32 pairs (each index by itself), without it 43 to 97 % and 77 to 100 %.
+For
+the Ishigami function, the g-function and a sum, the intervals contain the closed-form indices in 77 to 100 % of 60
+designs of 8 pairs and in 90 to 100 % of 16 and 32 pairs (each index separately); without widening, in 43 to 97 % and 77
+to 100 %.
 """
 _NEVER_NEGATIVE = ("total", "mean_absolute_effect", "effect_spread")
 _END = 0.2  # share of the variants at either end of a parameter's range
-_FEWEST = 3  # rows: of two no variance has an interval
-_LEAST = 1e-12  # of a metric's size: smaller variation is rounding
+_FEWEST = 3  # rows: with two, a variance has no interval
+_LEAST = 1e-12  # relative to the size of a metric: smaller variation is rounding
 
 
 def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = None) -> xr.Dataset:
     """Estimate how metrics depend on the varied parameters, with confidence intervals.
 
-    The measure depends on the design of the variants: Sobol's indices from :func:`saltelli`, mean and spread
-    of elementary effects from :func:`morris`, regression from all others. It is not the derivative at the rig
-    unchanged, which :func:`sensitivities` computes exactly.
+    The measure depends on the design of the variants: Sobol indices for :func:`saltelli`, mean and spread of elementary
+    effects for :func:`morris`, regression for all others. It is not the derivative at the unchanged rig, which
+    :func:`sensitivities` computes exactly.
 
     Parameters
     ----------
     many : xarray.Dataset
-        Metrics on ``variant``, as :func:`simulate_many` or :func:`load_sweep` gives them.
+        Metrics on ``variant``, as returned by :func:`simulate_many` or :func:`load_sweep`.
     metrics : sequence of str, optional
-        Which of them; all by default.
+        Metrics to analyse; all by default.
 
     Returns
     -------
     xarray.Dataset
-        On ``metric`` and ``number`` (paths of what varied); ``_low`` and ``_high`` of each are the ends of its 95 %
-        interval. ``at_low`` and ``at_high`` are means of the metric (SI) over the
-        fifth of the variants with the lowest and the highest values of the number, but for :func:`morris`. From
-        :func:`saltelli`: ``first`` and ``total``, shares (1) of the metric's variance that the number is behind alone,
-        and with all others. From
-        :func:`morris`: ``mean_absolute_effect``, ``mean_effect`` and ``effect_spread`` of the metric (SI) for the
-        number's whole range of shares. From others: ``regression``, the coefficient (1) when numbers and metric are
-        measured in their standard deviations, ``rank_correlation`` (1), and ``explained``, the share (1) of variance
-        that straight lines explain; where that is low, the coefficients tell little. ``attrs["left_out"]`` counts
-        variants that have no run, with those that cannot be used without them.
+        Measures on ``metric`` and ``number`` (paths of the varied parameters), each with the ends ``_low`` and
+        ``_high`` of its 95 % interval. ``at_low`` and ``at_high`` are means of the metric (SI) over the fifth of the
+        variants with the lowest and the highest values of the parameter (not for :func:`morris`). For :func:`saltelli`:
+        ``first`` and ``total``, the shares (1) of the metric's variance caused by the parameter alone and including its
+        interactions. For :func:`morris`: ``mean_absolute_effect``, ``mean_effect`` and ``effect_spread`` of the metric
+        (SI) over the parameter's entire range of quantiles. For other designs: ``regression``, the standardised
+        coefficient (1), ``rank_correlation`` (1), and ``explained``, the share (1) of the variance explained by the
+        linear model; if it is low, the coefficients say little. ``attrs["left_out"]`` is the number of variants without
+        a run, and of those that cannot be used without them.
 
     Raises
     ------
     DescriptionError
-        For data without metrics or varied numbers, an unknown metric, and too few variants that ran.
+        For data without metrics or varied parameters, an unknown metric, or too few variants ran.
 
     Notes
     -----
-    First-order indices as [saltelli2010] recommends, total ones after Jansen (equation (f) of table 2 there); effects
-    as [morris1991] with the mean of absolute ones [campolongo2007]. Their intervals are from resampling, with a fixed
-    seed; those of regression hold where the scatter about the lines differs from place to place [white1980], those of
-    rank correlations are after [bonett2000].
+    First-order indices are estimated as recommended in [saltelli2010], total indices after Jansen (equation (f) of
+    table 2 there). Effects follow [morris1991], with the mean of absolute effects [campolongo2007]. Their intervals are
+    bootstrapped with a fixed seed. Intervals of regression coefficients are robust to heteroscedasticity [white1980];
+    those of rank correlations follow [bonett2000].
 
     Examples
     --------
@@ -102,7 +103,7 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
         results = {"saltelli": _sobol_indices, "morris": _elementary_effects}.get(
             design, _regression
         )(values[good], y[good])
-        if design != "morris":  # whose few places would mix the effects of the numbers
+        if design != "morris":  # its few levels would mix the effects of parameters
             results |= _ends(values[good], y[good])
         left_out = max(left_out, int(np.sum(~good)))
         for key, result in results.items():
@@ -137,7 +138,7 @@ _WORDS = {
 
 
 def metrics_of(many: xr.Dataset, chosen: Sequence[str] | str | None = None) -> list[str]:
-    """Names of the metrics of many runs, or those chosen."""
+    """Return the names of all metrics of many runs, or of the chosen ones."""
     known = [
         str(name)
         for name, column in many.data_vars.items()
@@ -151,13 +152,13 @@ def metrics_of(many: xr.Dataset, chosen: Sequence[str] | str | None = None) -> l
             raise unknown(name, known, what="metric", where="metrics")
     if not wanted:
         raise DescriptionError(
-            "no metric was kept of the runs", where="metrics", hint="Ask for metrics."
+            "the runs have no stored metric", where="metrics", hint="Ask for metrics."
         )
     return wanted
 
 
 def numbers_of(many: xr.Dataset) -> list[str]:
-    """Paths of what varies among many runs."""
+    """Return the paths of the parameters that vary among many runs."""
     return [
         str(name)
         for name, coord in many.coords.items()
@@ -172,7 +173,7 @@ def _varies(y: Array) -> bool:
 def _resample(
     rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, ...]]
 ) -> list[tuple[Array, Array]]:
-    """Bootstrap the interval of each estimate, from rows drawn again with replacement."""
+    """Bootstrap the interval of each estimate by resampling rows with replacement."""
     random = np.random.default_rng(0)
     times = _RESAMPLES if rows * numbers <= _MANY else _FEWER
     drawn = [estimate(random.integers(0, rows, rows)) for _ in range(times)]
@@ -186,7 +187,7 @@ def _resample(
 def _estimate_with_ends(
     names: Sequence[str], rows: int, numbers: int, estimate: Callable[[Any], tuple[Array, ...]]
 ) -> dict[str, Array]:
-    with np.errstate(divide="ignore", invalid="ignore"):  # a draw without variation
+    with np.errstate(divide="ignore", invalid="ignore"):  # a resample without variation
         values = estimate(slice(None))
         ends = _resample(rows, numbers, estimate)
     results: dict[str, Array] = {}
@@ -205,7 +206,7 @@ def _estimate_with_ends(
 def _check_count(count: int, least: int) -> None:
     if count < least:
         raise DescriptionError(
-            "too few variants that ran",
+            "too few variants ran",
             where="many",
             found=count,
             allowed=Phrase("at least {least}", least=least),
@@ -213,7 +214,7 @@ def _check_count(count: int, least: int) -> None:
 
 
 def _are_whole(belong: Array, ran: Array, size: int) -> Array:
-    """Which variants are of a group (``belong`` numbers it) whose ``size`` variants are all there and ran."""
+    """Return flags of variants in complete groups (index ``belong``): all ``size`` variants are present and ran."""
     _, group, counts = np.unique(belong, return_inverse=True, return_counts=True)
     return np.asarray((counts == size) & (np.bincount(group, ran) == size))[group]
 
@@ -225,7 +226,7 @@ def _sobol_indices(values: Array, y: Array) -> dict[str, Array]:
         return dict.fromkeys(("first", "total"), np.zeros(numbers))
     runs = runs - np.mean(
         runs[:, [0, -1]]
-    )  # estimators are products: a large mean would only add to their scatter
+    )  # estimators are products: a large mean would only add scatter
 
     def estimate(rows: Any) -> tuple[Array, ...]:
         first, exchanged, second = runs[rows, :1], runs[rows, 1:-1], runs[rows, -1:]
@@ -245,7 +246,7 @@ def _elementary_effects(values: Array, y: Array) -> dict[str, Array]:
     signs = np.sign(np.take_along_axis(steps, number[:, :, None], axis=2)[:, :, 0])
     np.put_along_axis(
         effects, number, 2.0 * signs * np.diff(runs, axis=1), axis=1
-    )  # a step is half of the shares
+    )  # a step spans half of the quantiles
 
     def estimate(rows: Any) -> tuple[Array, ...]:
         chosen = effects[rows]
@@ -292,7 +293,7 @@ def _regression(x: Array, z: Array) -> dict[str, Array]:
 
 
 def _ends(x: Array, z: Array) -> dict[str, Array]:
-    """Means of the metric over the fifth of the variants at either end of each number."""
+    """Return the means of the metric over the fifth of the variants at either end of each parameter."""
     low, high = np.quantile(x, _END, axis=0), np.quantile(x, 1.0 - _END, axis=0)
     return {
         "at_low": np.array([np.mean(z[x[:, j] <= low[j]]) for j in range(x.shape[1])]),

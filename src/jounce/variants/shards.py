@@ -1,8 +1,9 @@
-"""Long sweeps on disk: results in shards, each complete or absent, and the facts that a resumed sweep must match.
+"""Long sweeps on disk: results in shards, each complete or absent, and the study that a resumed sweep must match.
 
-A shard is a file named after its place and its checksum, so that both appear by one rename: what is killed leaves no
-shard that is half written, and one that was damaged since is found. It is a netCDF file, or, in a folder whose name
-ends in ``.zarr``, the record of its chunks in a Zarr group. ``sweep.json`` holds all that the results follow from.
+The file name of a shard contains its number and checksum; the file appears by a single rename. A killed process
+therefore leaves no half-written shard, and later damage is detected. A shard is a netCDF file or, in a folder with a
+name ending in ``.zarr``, the record of its chunks in a Zarr group. ``sweep.json`` stores everything that determines the
+results.
 """
 
 from __future__ import annotations
@@ -50,29 +51,29 @@ SCHEMA = "jounce.sweep-results/1"
 MANIFEST, SHARDS = "sweep.json", "shards"
 Say = Callable[[int, int], None]
 _NAME = re.compile(r"(\d{6})\.([0-9a-f]{32})\.(nc|json)")
-_AIM = 4.0  # s of work in a shard: little is lost at an interrupt, and a cluster's overhead is negligible
-_TRIED = 0.5  # s for measuring the time of a variant
+_AIM = (
+    4.0  # s of work per shard: an interruption loses little, and a cluster's overhead is negligible
+)
+_TRIED = 0.5  # s spent on measuring the time per variant
 _MOST_SHARDS = 1_000_000  # file names have six digits
-_LARGEST, _MOST_BYTES = 65_536, 100e6  # variants and bytes of a shard
-_LONG = 20.0  # s of work from which several processes pay for their start
-_TASK = 0.2  # s, least work in a shard for another process
-_PER_WORKER = 4  # least shards for each worker, so that all end together
-_OVERHEAD = 60_000  # bytes of a netCDF file without its numbers
-_MOST_NUMBERS = 400_000_000  # numbers in one dataset: 3.2 GB
-_COUNTED = ("side_by_side", "outside")  # attributes that add up over shards
-_MOST_DIFFERENCES = 5  # that an error lists
+_LARGEST, _MOST_BYTES = 65_536, 100e6  # maximum variants and bytes per shard
+_LONG = 20.0  # s of work from which starting several processes pays off
+_TASK = 0.2  # s, minimum work per shard for another process
+_PER_WORKER = 4  # minimum shards per worker, so that all finish at about the same time
+_OVERHEAD = 60_000  # bytes of a netCDF file without its data
+_MOST_NUMBERS = 400_000_000  # values in one dataset: 3.2 GB
+_COUNTED = ("side_by_side", "outside")  # attributes that are summed over shards
+_MOST_DIFFERENCES = 5  # listed in an error
 _COLUMN = re.compile(
     r"(\d+) from (\S+) to (\S+), [0-9a-f]{16}"
-)  # values of a number, as `study_of` writes them
-_NEAR = (
-    0.02  # share of its range by which the ends of a parameter move when its values are drawn again
-)
-_LONG_LIST = 50  # values, from which on a digest stands for them in an error
+)  # values of a parameter, as `study_of` writes them
+_NEAR = 0.02  # tolerance on the ends of a redrawn parameter, as a share of its range
+_LONG_LIST = 50  # values: longer lists are shown as a digest in an error
 
 
 @dataclass(frozen=True)
 class KeptSweep:
-    """A folder that holds a sweep, finished or not.
+    """A folder with a sweep, finished or not.
 
     Attributes
     ----------
@@ -87,7 +88,7 @@ class KeptSweep:
 
     @property
     def count(self) -> int:
-        """Variants of the whole sweep."""
+        """Number of variants of the entire sweep."""
         return int(self.about["count"])
 
     @property
@@ -97,12 +98,12 @@ class KeptSweep:
 
     @cached_property
     def spans(self) -> list[tuple[int, int]]:
-        """First variant of each shard, and the one after its last."""
+        """First variant of each shard and the end of its range (exclusive)."""
         size = int(self.about["shard"])
         return [(first, min(first + size, self.count)) for first in range(0, self.count, size)]
 
     def names(self) -> dict[int, list[Path]]:
-        """Files of each shard: one, or more if a damaged one exists."""
+        """Return the files of each shard: one, or more if a damaged file exists."""
         result: dict[int, list[Path]] = {}
         for file in sorted((self.folder / SHARDS).glob(f"*{self._suffix}")):
             match = _NAME.fullmatch(file.name)
@@ -111,7 +112,7 @@ class KeptSweep:
         return result
 
     def whole(self) -> dict[int, Path]:
-        """Undamaged shards."""
+        """Return the undamaged shards by number."""
         result = {}
         for number, files in self.names().items():
             good = [file for file in files if self._is_whole(file)]
@@ -120,7 +121,7 @@ class KeptSweep:
         return result
 
     def write(self, number: int, content: bytes) -> None:
-        """Store a shard, given as a netCDF file, and remove damaged ones of its number."""
+        """Store a shard, given as a netCDF file, and remove damaged files of the same number."""
         if self.is_zarr:
             content = zarr_shards.put(
                 self.folder, number, _dataset(content), self.count, int(self.about["shard"])
@@ -178,8 +179,8 @@ def keep_in_shards(
 ) -> xr.Dataset:
     """Run variants into a folder, shard by shard; return the result of :func:`load_sweep`.
 
-    ``say`` is reported how many variants are done, and of how many; ``command`` is what was typed. Without a number of
-    ``workers`` there is one a processor where variants run alone, and for long.
+    ``say`` is called with the number of finished variants and the total; ``command`` is the command line. With
+    ``workers=None`` there is one worker per processor if variants run individually and take long.
     """
     folder = resolve_path(out, home=True)
     study, goes_on = study_of(work, columns), (folder / MANIFEST).is_file() and resume
@@ -229,7 +230,7 @@ def keep_in_shards(
             results = on_processes(min(workers, len(tasks)), work, tasks)
         else:
             results = here(work, tasks, threads)
-        with closing(results):  # at once, however the loop ends: workers must not continue
+        with closing(results):  # close at once however the loop ends, to stop the workers
             for number, content in results:
                 _write(shards, number, content)
                 finished += shards.spans[number][1] - shards.spans[number][0]
@@ -241,7 +242,7 @@ def keep_in_shards(
 
 
 def _refuse_taken(folder: Path, *, force: bool) -> None:
-    """Refuse a folder that is not empty, and explain how to resume if it holds a sweep."""
+    """Reject a folder that is not empty; explain how to resume if it contains a sweep."""
     if not force and (folder / MANIFEST).is_file():
         shards = read_kept(folder)
         raise OutputError(
@@ -254,7 +255,7 @@ def _refuse_taken(folder: Path, *, force: bool) -> None:
 
 
 def _write(shards: KeptSweep, number: int, content: bytes) -> None:
-    """Store a shard; if the disk is full, report the remaining work."""
+    """Store a shard; if the disk is full, explain how to resume."""
     try:
         shards.write(number, content)
     except OutputError as error:
@@ -265,25 +266,25 @@ def _write(shards: KeptSweep, number: int, content: bytes) -> None:
 
 
 def load_sweep(folder: Path | str, *, channels: bool | None = None) -> xr.Dataset:
-    """Read the results of a sweep from its folder, also of an unfinished one.
+    """Read the results of a finished or unfinished sweep from its folder.
 
     Parameters
     ----------
     folder : path
-        What ``out=`` of :func:`simulate_many` or ``--out`` of ``jounce sweep`` named.
+        Folder given as ``out=`` of :func:`simulate_many` or ``--out`` of ``jounce sweep``.
     channels : bool, optional
-        Whether to read channels over time, too; by default where they are at most 4e8 numbers (3.2 GB).
+        Whether to read channels over time as well; by default if they have at most 4e8 values (3.2 GB).
 
     Returns
     -------
     xarray.Dataset
-        As :func:`simulate_many` gives it, of the variants that are finished; damaged shards are left out.
-        ``attrs["variants"]`` counts all of the sweep.
+        As returned by :func:`simulate_many`, for the finished variants; damaged shards are skipped.
+        ``attrs["variants"]`` is the total number of variants of the sweep.
 
     Raises
     ------
     OutputError
-        If a folder has no sweep.
+        If the folder does not contain a sweep.
 
     Examples
     --------
@@ -375,9 +376,9 @@ def read_kept(folder: Path) -> KeptSweep:
     except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
         pass
     raise OutputError(
-        "this says nothing of a sweep",
+        "this file does not describe a sweep",
         where=str(file),
-        hint="Begin the sweep anew in another folder.",
+        hint="Start the sweep again in a different folder.",
     )
 
 
@@ -385,11 +386,11 @@ def read_kept(folder: Path) -> KeptSweep:
 
 
 def study_of(work: VariantWork, columns: Mapping[str, Array]) -> dict[str, Any]:
-    """Everything that determines the results, as plain data: files by their content, long lists by their digest."""
+    """Return everything that determines the results as plain data: files by content, long lists by digest."""
     study = work.study
     if study.control is not None and callable(getattr(study.control, "function", None)):
         raise DescriptionError(
-            "a Python function cannot be kept with its results",
+            "a Python function cannot be stored with its results",
             where="control",
             allowed="a controller by its name or file",
             hint="Leave out out=, or write the law as a file.",
@@ -446,7 +447,7 @@ def _flatten(value: Any, path: str = "") -> dict[str, Any]:
 
 
 def _check_same(shards: KeptSweep, study: Mapping[str, Any]) -> None:
-    """Refuse to resume another study, and name the differences."""
+    """Raise an error if the stored study differs from the present one, listing the differences."""
     before, now = _flatten(shards.about["study"]), _flatten(json.loads(to_json(study)))
     changed = [path for path in dict.fromkeys([*before, *now]) if before.get(path) != now.get(path)]
     if not changed:
@@ -459,10 +460,10 @@ def _check_same(shards: KeptSweep, study: Mapping[str, Any]) -> None:
     texts = list(dict.fromkeys(filter(None, texts)))
     more = f" and {len(texts) - _MOST_DIFFERENCES} more" if len(texts) > _MOST_DIFFERENCES else ""
     raise OutputError(
-        "the sweep that is to be resumed was another one",
+        "the sweep to be resumed is a different one",
         where=str(shards.folder),
         found=f"{'; '.join(texts[:_MOST_DIFFERENCES])}{more}",
-        hint="Take back what was changed, or begin in another folder.",
+        hint="Undo the changes, or start in a different folder.",
     )
 
 
@@ -501,7 +502,7 @@ def _plan(
     size: int,
     command: str,
 ) -> KeptSweep:
-    """Plan a new sweep; refuse it without enough room on the disk."""
+    """Plan a new sweep; raise an error if the disk space is insufficient."""
     about = {
         "schema": SCHEMA,
         "count": len(next(iter(columns.values()))),
@@ -517,7 +518,7 @@ def _plan(
 
 
 def _begin(shards: KeptSweep) -> None:
-    """Write the description of the sweep, and remove shards of an earlier one in the folder."""
+    """Write the description of the sweep, and remove shards of an earlier sweep in the folder."""
     for file in (shards.folder / SHARDS).glob("*"):
         if _NAME.fullmatch(file.name):
             file.unlink()
@@ -527,7 +528,7 @@ def _begin(shards: KeptSweep) -> None:
 
 @dataclass(frozen=True)
 class _Pace:
-    """Time of a variant (s), and whether most of them run one by one."""
+    """Time per variant (s), and whether most variants run one by one."""
 
     seconds: float
     is_alone: bool
@@ -544,7 +545,7 @@ def _pace(work: VariantWork, columns: Mapping[str, Array]) -> _Pace:
         together = dataset.attrs["side_by_side"]
         if (
             together > before and took > _TRIED
-        ):  # the first that ran side by side waited for their code
+        ):  # the first variants run in vectors include compilation
             before = together
             continue
         if took > _TRIED or tried >= count:
@@ -553,11 +554,11 @@ def _pace(work: VariantWork, columns: Mapping[str, Array]) -> _Pace:
 
 
 def _size(work: VariantWork, columns: Mapping[str, Array], workers: int, pace: _Pace) -> int:
-    """Variants in a shard: a power of 2, so that it takes some seconds and fits into memory."""
+    """Return the number of variants per shard: a power of 2 that takes some seconds and fits into memory."""
     count = len(next(iter(columns.values())))
     most = [_AIM / pace.seconds, _MOST_BYTES / _bytes_of_a_variant(work, columns), _LARGEST]
     if workers > 1:
-        worth = _TASK / pace.seconds  # below which handing it on takes longer than the work
+        worth = _TASK / pace.seconds  # variants below which the transfer takes longer than the work
         most.append(
             max(count / (workers * _PER_WORKER), 2.0 ** math.ceil(math.log2(max(worth, 1.0))))
         )
@@ -574,7 +575,7 @@ def _bytes_of_a_variant(work: VariantWork, columns: Mapping[str, Array]) -> int:
 
 
 def _check_disk(shards: KeptSweep, work: VariantWork, spans: list[tuple[int, int]]) -> None:
-    """Refuse results that exceed the free space on the disk, before the work begins."""
+    """Raise an error before the work begins if the results exceed the free disk space."""
     there = next(parent for parent in (shards.folder, *shards.folder.parents) if parent.exists())
     paths = [path for path in shards.about["study"]["variants"] if path not in ("design", "seed")]
     each = _bytes_of_a_variant(work, dict.fromkeys(paths, np.array([work.study.trial.duration])))
@@ -582,16 +583,16 @@ def _check_disk(shards: KeptSweep, work: VariantWork, spans: list[tuple[int, int
     free = shutil.disk_usage(there).free
     if needed > free:
         raise OutputError(
-            "the results are more than the disk has room for",
+            "the results exceed the free disk space",
             where=str(shards.folder),
             found=_in_words(needed),
             allowed=_in_words(free),
-            hint="Keep metrics, fewer outputs, or a longer output step.",
+            hint="Store metrics only, fewer outputs, or use a longer output step.",
         )
 
 
 def _in_words(count: float) -> str:
-    """Bytes in words.
+    """Return a number of bytes as text.
 
     >>> _in_words(1_200_000), _in_words(3.2e9)
     ('1.2 MB', '3.2 GB')
@@ -601,13 +602,13 @@ def _in_words(count: float) -> str:
 
 @contextmanager
 def _lock(folder: Path) -> Iterator[None]:
-    """Let one process at a time work on a folder."""
+    """Lock a folder for one process at a time."""
     held = hold(folder)
     if held is None:
         raise OutputError(
             "another process works on this sweep",
             where=str(folder),
-            hint="Wait for it, or end it first.",
+            hint="Wait for it, or stop it first.",
         )
     try:
         yield

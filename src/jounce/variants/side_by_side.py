@@ -1,4 +1,4 @@
-"""Variants of a piecewise linear model side by side: sums over the samples of their outputs, from native code."""
+"""Variants of a piecewise linear model in vector registers: native code that sums the samples of their outputs."""
 
 from __future__ import annotations
 
@@ -28,14 +28,12 @@ from jounce.simulation.prepare import dead_band
 from jounce.simulation.statics import find_equilibrium, state_scale
 from jounce.variants.threads import processors, share
 
-_SPARE = (
-    1.3  # ratio by which motions of a variant may be faster than those for which the step is chosen
-)
+_SPARE = 1.3  # largest ratio of a variant's rates to those for which the step is chosen
 LEAST = 4
-"""Variants below which the common preparation takes longer than single runs."""
-_FEW = 64  # variants below which another thread gains nothing
+"""Number of variants below which the shared preparation takes longer than individual runs."""
+_FEW = 64  # variants below which a further thread gains nothing
 _TURNS = 4  # a worker takes this fraction of its equal share of the remaining variants at a time
-_MOST_STEPS = 20_000_000  # of a variant: more are integrated one by one
+_MOST_STEPS = 20_000_000  # of a variant: longer runs are integrated one by one
 _LINE = 64  # bytes of a line of the processor's cache
 
 
@@ -43,9 +41,9 @@ _LINE = 64  # bytes of a line of the processor's cache
 class Sums:
     """Results of each variant and channel: mean, mean square, minimum and maximum about ``rest``.
 
-    All have one row a variant; ``rest`` is the value at rest. ``alone`` tells which variants have nothing here: they
-    rest in other contacts, or cannot be followed at the common step. ``events`` counts what switched. ``sums`` are
-    those of so many ``samples`` as the code leaves them.
+    All have one row per variant; ``rest`` is the value at rest. ``alone`` flags variants without results: they have
+    different contacts at rest, or cannot be integrated with the common step. ``events`` counts switching events.
+    ``sums`` are the raw sums over ``samples`` samples.
     """
 
     sums: Array
@@ -66,21 +64,21 @@ class Sums:
 
     @property
     def least(self) -> Array:
-        """Least value about the value at rest."""
+        """Minimum relative to the value at rest."""
         return self.sums[:, 2 :: lanes.SUMS]
 
     @property
     def most(self) -> Array:
-        """Greatest value about the value at rest."""
+        """Maximum relative to the value at rest."""
         return self.sums[:, 3 :: lanes.SUMS]
 
 
 @dataclass(frozen=True)
 class SharedLayout:
-    """Work shared by all variants of a model over one course, without their parameters and arrays.
+    """Preparation shared by all variants of a model over one trial, without their parameters and arrays.
 
-    Parameters of the numbers ``zero`` must be 0; there are so many ``samples``. ``rooms`` are those that threads have
-    left: to lay one out takes as long as a dozen variants.
+    Parameters with the indices ``zero`` must be 0; ``samples`` is the number of samples. ``rooms`` are work arrays
+    released by threads for reuse, since allocating one takes as long as a dozen variants.
     """
 
     work: lanes.Work
@@ -95,9 +93,9 @@ def sums_side_by_side(
     threads: int | None = None,
     meanwhile: Callable[[], object] | None = None,
 ) -> Sums | None:
-    """Run variants, one row of parameter values (SI) each; None where they cannot run in vectors, or are too few.
+    """Run variants, one row of parameter values (SI) each; None if they cannot run in vectors or are too few.
 
-    ``meanwhile`` is other work that this thread does while the others wake up.
+    ``meanwhile`` is other work for this thread while the others wake up.
     """
     count = len(parameters)
     if count < LEAST or np.any(parameters[:, list(layout.zero)] != 0.0):
@@ -108,7 +106,7 @@ def sums_side_by_side(
     rows = np.ascontiguousarray(parameters)
 
     def take(spans: Iterator[tuple[int, int]]) -> None:
-        """Who is done with a span takes the next."""
+        """Take the next span as soon as one is finished."""
         try:
             room = layout.rooms.pop()
         except IndexError:
@@ -131,10 +129,10 @@ def lay_out(
     times: Array,
     channels: Sequence[int],
 ) -> SharedLayout | None:
-    """Lay out what variants of a model share over one course; None where model or course are not for it.
+    """Prepare what variants of a model share over one trial; None if the model or the trial is not suitable.
 
-    ``base`` are the parameter values (SI) of a variant that is typical; ``times`` (s) are the samples, evenly spaced;
-    ``channels`` the numbers of the outputs.
+    ``base`` has the parameter values (SI) of a typical variant; ``times`` (s) are evenly spaced sample times;
+    ``channels`` are the indices of the outputs.
     """
     facts, zero = compiled.facts, compiled.facts.linear_without
     if zero is None or facts.constraints or len(times) < 2 or not compiled.identity:
@@ -157,7 +155,7 @@ def lay_out(
     )
     try:
         rest = find_equilibrium(compiled, base, still)
-    except SimulationError:  # one by one those that have an equilibrium run
+    except SimulationError:  # variants with an equilibrium run one by one
         return None
     some = (rest.modes, np.ones_like(rest.modes), np.zeros_like(rest.modes))[
         : 3 if len(rest.modes) else 1
@@ -261,7 +259,7 @@ def lay_out(
 
 
 def _spans(count: int, wide: int, workers: int) -> list[tuple[int, int]]:
-    """Spans in which variants are handed out, in whole blocks: ever smaller, so that all workers end together."""
+    """Return spans of whole blocks for distribution; they get smaller so that all workers finish together."""
     spans, first, left = [], 0, -(-count // wide)
     while left:
         blocks = max(left // (_TURNS * workers), 1) if workers > 1 else left
@@ -271,7 +269,7 @@ def _spans(count: int, wide: int, workers: int) -> list[tuple[int, int]]:
 
 
 def _with_own_arrays(work: lanes.Work) -> lanes.Work:
-    """The same work on other variants, with arrays of its own to work in."""
+    """Return a copy of the work with its own work arrays."""
     run = work.run
     problem = run.problem._replace(piece=run.problem.piece.copy(), m=run.problem.m.copy())
     props = run.props._replace(
@@ -282,7 +280,7 @@ def _with_own_arrays(work: lanes.Work) -> lanes.Work:
         for name in ("x", "trial", "time", "u", "part", "orders", "counts", "marks")
     }
     room = work.room._replace(**{name: array.copy() for name, array in work.room._asdict().items()})
-    room = room._replace(  # what a step reads and writes a vector at a time
+    room = room._replace(  # arrays that a step reads and writes one vector at a time
         kept=_align(room.kept), next=_align(room.next), variant=_align(room.variant)
     )
     return work._replace(
@@ -291,7 +289,7 @@ def _with_own_arrays(work: lanes.Work) -> lanes.Work:
 
 
 def _align(array: Array) -> Array:
-    """A copy aligned to a cache line: steps take 1.5 times as long if vectors cross lines."""
+    """Return a copy aligned to a cache line: steps take 1.5 times as long if vectors cross lines."""
     room = np.empty(array.nbytes + _LINE, dtype=np.uint8)
     in_line: Array = np.ndarray(array.shape, array.dtype, room.data, -room.ctypes.data % _LINE)
     in_line[...] = array
@@ -301,7 +299,7 @@ def _align(array: Array) -> Array:
 def _outputs_are_linear(
     compiled: Compiled, p: Array, x: Array, modes: Array, u: Array, channels: Sequence[int]
 ) -> bool:
-    """Whether outputs follow states and inputs linearly, tried out at three places: a power, say, does not."""
+    """Whether outputs are linear in states and inputs (a power is not), tested at three points."""
     chosen = list(channels)
     at = compiled.evaluate("output", x, u, p, modes)[chosen]
     by_x, by_u = (compiled.slopes(by, x, u, p, modes)["output"][chosen] for by in "xu")

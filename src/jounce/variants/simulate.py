@@ -1,4 +1,4 @@
-"""Variants of a rig over a trial simulated at once, in memory or into a folder."""
+"""Simulation of many variants of a rig over a trial, in memory or into a folder."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from jounce.control import Controller
     from jounce.simulation.controlled import AnyControl
 
-_MOST_SAMPLES = 400_000_000  # numbers of channels over time: 3.2 GB
+_MOST_SAMPLES = 400_000_000  # values of channels over time: 3.2 GB
 
 
 def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
@@ -46,11 +46,11 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
 ) -> xr.Dataset:
     """Simulate many variants of a rig over a trial, each from its own static equilibrium.
 
-    Piecewise linear models run in vector registers, with threads sharing the variants; only sums
-    of the samples are kept then. A variant goes through its events by itself and comes back to the others. Corners that
-    run as one coordinate, other models without loops and, from 256 variants on, corners as mechanisms are integrated in
-    blocks of common steps, which moves their results by less than the tolerance. All other runs are those of
-    :func:`simulate`, one by one. The results do not depend on the number of threads.
+    Piecewise linear models run in vector registers, with threads sharing the variants; only sums of the samples are
+    stored. A variant passes its events individually and then rejoins the others. Corners reduced to one coordinate,
+    other models without loops and, from 256 variants on, corners modelled as mechanisms are integrated in blocks with
+    common steps, which changes their results by less than the tolerance. All other variants are run one by one as by
+    :func:`simulate`. The results do not depend on the number of threads.
 
     Parameters
     ----------
@@ -59,53 +59,54 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     trial : Trial
         Trial of all variants.
     variants : mapping, DataFrame or Design
-        Path of a number to its value in each variant, SI or texts with units, all of one length; a table with such
-        columns, ``path [unit]`` or in SI; or a design (:func:`grid`, :func:`sobol`, :func:`latin_hypercube`,
+        Path of a parameter to its value in each variant, SI or texts with units, all of the same length; a table with
+        such columns, ``path [unit]`` or in SI; or a design (:func:`grid`, :func:`sobol`, :func:`latin_hypercube`,
         :func:`monte_carlo`). Paths are those of the rig (``"strut.spring.rate"``) and names of its adjustments
-        (``"upper_arm_length"``, made last; see :func:`apply_adjustments`), ``"trial.speed"``, ``"trial.road.seed"``
-        and the like, and with a controller ``"control.rate"`` and the like.
+        (``"upper_arm_length"``, applied last; see :func:`apply_adjustments`), of the trial (``"trial.speed"``,
+        ``"trial.road.seed"``), and of a controller (``"control.rate"``).
     metrics : sequence of str, optional
-        Numbers to keep of each run: ``rms``, ``mean``, ``min``, ``max`` or ``range`` of a channel (``"rms sprung.az"``)
-        or a weighting of ISO 2631-1 (``"Wk sprung.az"``); of the samples. ``rms`` is about the value at rest (with a
-        controller, about the first sample). A channel that every corner has is taken of all of them.
+        Metrics to store for each run: ``rms``, ``mean``, ``min``, ``max`` or ``range`` of a channel (``"rms
+        sprung.az"``) or a weighting of ISO 2631-1 (``"Wk sprung.az"``), computed from the samples. ``rms`` is about the
+        value at rest (with a controller, about the first sample). A channel name without corner selects that channel of
+        all corners.
     outputs : sequence of str, optional
-        Channels to keep over time; all of them where neither ``metrics`` nor ``outputs`` are given.
+        Channels to store over time; all channels if neither ``metrics`` nor ``outputs`` is given.
     output_step, tolerance, method : float, float, {"auto", "explicit", "implicit"}
-        As :class:`jounce.simulation.RunSettings` has them: s, 1.
+        As for :class:`jounce.simulation.RunSettings`; s, 1.
     control : Controller, str, Path or callable, optional
         As for :func:`simulate`.
     threads : int, optional
-        Threads that share the variants; by default one for each processor.
+        Number of threads; by default one per processor.
     out : path, optional
-        Folder in which results are kept by shards as they come, so that long sweeps survive what stops them;
-        :func:`load_sweep` reads it. The shards are netCDF files, or, where its name ends in ``.zarr``, the chunks of a
-        Zarr group.
+        Folder in which results are stored in shards as they are computed, which lets long sweeps be resumed;
+        :func:`load_sweep` reads it. The shards are netCDF files or, if the name ends in ``.zarr``, the chunks of a Zarr
+        group.
     resume : bool
-        Go on where a sweep in ``out`` was stopped; nothing of it may have changed.
+        Whether to continue an interrupted sweep in ``out``; the study must be unchanged.
     workers : int
-        Processes that share the shards; 1 works in this one. Where there are more, the script that asks for them needs
-        ``if __name__ == "__main__":``, as always with processes in Python.
+        Number of processes; 1 uses the current process only. With more, the calling script needs ``if __name__ ==
+        "__main__":``, as usual for multiprocessing in Python.
     client : dask.distributed.Client, optional
-        A cluster that works on the shards instead (extra ``cluster``).
+        A cluster that computes the shards instead (extra ``cluster``).
 
     Returns
     -------
     xarray.Dataset
         Metrics on ``variant`` and channels on ``variant`` and ``time`` (s), each with ``units`` (SI) and ``long_name``;
-        the varied numbers are coordinates. A variant that does not run has NaN and the reason in ``reason``.
-        ``attrs["side_by_side"]`` counts the variants that ran side by side, ``attrs["outside"]`` those of which a
-        number lies outside what its description allows. What controllers found of their runs is in
-        ``attrs["findings"]``, each once, and of how many variants in ``attrs["finding_variants"]``. Channels over time
-        that memory does not hold stay in ``out``.
+        the varied parameters are coordinates. A variant that does not run has NaN values and the reason in ``reason``.
+        ``attrs["side_by_side"]`` is the number of variants that ran in vector registers, ``attrs["outside"]`` the
+        number of variants with a parameter outside its allowed range. Findings of controllers are in
+        ``attrs["findings"]``, each once, with the number of variants concerned in ``attrs["finding_variants"]``.
+        Channels over time that do not fit into memory stay in ``out``.
 
     Raises
     ------
     DescriptionError
-        For unknown paths, channels or metrics, values of different lengths, a range that reaches beyond what the
-        description allows, or more results than memory holds.
+        For unknown paths, channels or metrics, values of different lengths, a range beyond the limits of the
+        description, or results that do not fit into memory.
     OutputError
-        For a folder that holds something else, or another sweep than the one that is resumed (it says what differs),
-        and for more results than the disk has room for.
+        For a folder with other content, a resumed sweep that differs from the stored one (the message lists the
+        differences), or insufficient disk space.
     RecordingError
         If runs are too short for a weighting, as in :func:`ride_metrics`.
     SimulationError
@@ -146,8 +147,8 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
         ("client", client is not None),
     ):
         if given:
-            hint = "Give out=, a folder in which results are kept as they come."
-            raise DescriptionError("goes with a folder of results", where=name, hint=hint)
+            hint = "Give out=, a folder in which results are stored during the sweep."
+            raise DescriptionError("needs a folder for the results", where=name, hint=hint)
     _check_size(count, len(work.channels), len(work.study.settings.times(trial.duration)))
     with report_work(Phrase("simulating {count} variants", count=f"{count:,}".replace(",", " "))):
         return work.run(columns, threads=threads)
@@ -171,9 +172,9 @@ def _check_threads(threads: int | None) -> None:
 def _check_size(count: int, channels: int, samples: int) -> None:
     if count * channels * samples > _MOST_SAMPLES:
         raise DescriptionError(
-            "too many samples to keep",
+            "too many samples to store",
             where="variants, outputs, output_step",
             found=f"{count} variants of {channels} channels with {samples} samples",
             allowed=Phrase("{most_samples:.0e} numbers", most_samples=_MOST_SAMPLES),
-            hint="Ask for metrics, for fewer outputs, or for a longer output step.",
+            hint="Request metrics, fewer outputs, or a longer output step.",
         )

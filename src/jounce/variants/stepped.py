@@ -1,9 +1,9 @@
-"""Variants of a model in vectors with steps of one length: each state is a vector with one lane per variant.
+"""Variants of a model in vectors with common steps: each state is a vector with one lane per variant.
 
-The laws of all variants are the same, and so are the edges of their road; allowed steps hardly differ. A
-block of variants therefore runs as one system, whose step is as short as the most demanding of them asks, and which
-stops at every event of any of them. The choice of a block changes a result by less than the tolerance, since steps
-differ; threads change nothing. A variant that cannot be followed this way runs alone.
+All variants have the same laws and road edges, and nearly the same permissible steps. A block of variants therefore
+runs as one system: its step is the shortest that any variant requires, and it stops at the events of every variant. The
+composition of a block changes the steps and thereby a result by less than the tolerance; the number of threads has no
+effect. A variant that cannot be run this way runs individually.
 """
 
 from __future__ import annotations
@@ -29,24 +29,26 @@ from jounce.simulation.settings import MAX_STEPS
 from jounce.variants.threads import processors, share
 
 LEAST, LEAST_WITH_LOOPS = 16, 256
-"""Variants below which compiling code for blocks (0.5 s, 2 s for mechanisms with loops) does not pay."""
-_MOST_STATES = 40  # of a mechanism: cars on four corners fill the vectors with their own corners
+"""Number of variants below which compiling code for blocks (0.5 s; 2 s for mechanisms with loops) does not pay off."""
+_MOST_STATES = (
+    40  # of a mechanism: cars with four corners already fill the vectors with their corners
+)
 WIDTH = 8
 """Variants in a block: two registers of AVX2, one of AVX-512."""
-_ITERATIONS = 30  # at most; a variant that takes more is run by itself
+_ITERATIONS = 30  # at most; a variant that needs more runs individually
 _UNBALANCED = 1e-6  # m/s^2: as in `simulation.statics`
-_SETTLED = 1e-11  # relative step: rounding of the balance
+_SETTLED = 1e-11  # relative step: rounding error of the equilibrium
 _PROJECTIONS = 3  # Newton steps onto the loops
-_KEPT = 5  # iterations with the same slopes, which change little about rest
+_KEPT = 5  # iterations with the same Jacobian, which changes little about rest
 _MOVE = 1e-6  # m, rad, m/s or rad/s: half step of central differences
-_SPARE = 2.0  # ratio by which motions of a variant may be faster than those of the base
+_SPARE = 2.0  # largest ratio of a variant's rates to those of the base
 
 Take = Callable[[int, Array, Array], None]
 """Consumer of a block: its number, states and outputs, both (rows, lanes, samples)."""
 
 
 def in_blocks(compiled: Compiled, parameters: Array, width: int = WIDTH) -> Array:
-    """Extended parameters of each row, in blocks of lanes; the first row fills up the last block."""
+    """Return the extended parameters of each row in blocks of lanes; the last block is padded with the first row."""
     short = -len(parameters) % width
     rows = np.array([compiled.extend(row) for row in parameters])
     rows = np.concatenate([rows, np.tile(rows[:1], (short, 1))])
@@ -57,7 +59,8 @@ def in_blocks(compiled: Compiled, parameters: Array, width: int = WIDTH) -> Arra
 class Rest:
     """Equilibria of variants: states and modes (blocks, rows, lanes).
 
-    ``lost`` are those that do not rest, ``limit`` is what limits the steps of each (rad/s): (blocks, lanes).
+    ``lost`` flags variants without equilibrium; ``limit`` is the rate that limits the step of each (rad/s); both
+    (blocks, lanes).
     """
 
     x: Array
@@ -79,7 +82,7 @@ def can_step(compiled: Compiled, count: int) -> bool:
 def code_of(
     compiled: Compiled, channels: Sequence[int], width: int = WIDTH
 ) -> tuple[Native, Native]:
-    """Native code of a block: rate, switch, projection and steps; and some outputs."""
+    """Return native code of a block: rate, switch, projection and steps; and the requested outputs."""
 
     def steps() -> Source:
         from jounce.kernel.lowering import Wide
@@ -100,7 +103,7 @@ def code_of(
 
 
 def code_of_outputs(compiled: Compiled, channels: Sequence[int], width: int = 0) -> Native:
-    """Native code of some outputs of a block, or, without ``width``, of one variant."""
+    """Return native code of the requested outputs of a block, or, without ``width``, of one variant."""
 
     def outputs() -> Source:
         import casadi as ca
@@ -127,10 +130,10 @@ _codes: Recent[Native] = Recent()
 
 @dataclass(frozen=True)
 class LaneBlocks:
-    """Variants of a model in blocks of lanes, over one course.
+    """Variants of a model in blocks of lanes, over one trial.
 
-    ``base`` is a run of one variant, laid out, whose method and signals all of them share; ``numbers`` are the extended
-    parameters, (blocks, numbers, lanes), ``channels`` those outputs that are wanted.
+    ``base`` is the prepared run of one variant, whose method and signals all variants share; ``numbers`` are the
+    extended parameters, (blocks, numbers, lanes); ``channels`` are the requested outputs.
     """
 
     compiled: Compiled
@@ -146,7 +149,7 @@ class LaneBlocks:
         return code_of(self.compiled, self.channels, self.numbers.shape[2])
 
     def _evaluate(self, name: str, rows: int, x: Array, modes: Array) -> Array:
-        """A function of all blocks: (blocks, rows, lanes)."""
+        """Evaluate a native function for all blocks; return (blocks, rows, lanes)."""
         wide, still, native = self.numbers.shape[2], self.base.still, self.native[0]
         blocks = zip(x, self.numbers, modes, strict=True)
         blocks_of_results = [
@@ -156,10 +159,12 @@ class LaneBlocks:
         return np.array(blocks_of_results).reshape(len(x), rows, wide)
 
     def rest(self) -> Rest:
-        """Find the equilibria of all variants, from that of the base: Newton's method, modes following their switches.
+        """Find the equilibria of all variants by Newton's method from that of the base, with modes following their
+        switches.
 
         Only the free motions of the base are solved for; a mechanism is projected onto its loops after each step.
-        Variants that do not rest, or move more than twice as fast as the base, are lost: the base stands in for them.
+        Variants without equilibrium, or with motions more than twice as fast as those of the base, are marked as lost;
+        the base takes their lanes.
         """
         facts, at = self.compiled.facts, self.base.equilibrium
         assert at is not None
@@ -205,7 +210,7 @@ class LaneBlocks:
     def _close_loops(
         self, x: Array, modes: Array, times: int = _PROJECTIONS
     ) -> tuple[Array, Array]:
-        """Project states onto the loops some times; return them, and how far open these were last: (blocks, lanes)."""
+        """Project states onto the loops ``times`` times; return them and the last loop residuals (blocks, lanes)."""
         residual = np.zeros((len(x), 2, x.shape[2]))
         for _ in range(times if self.compiled.facts.projects else 0):
             projected = self._evaluate("project", 2 + x.shape[1], x, modes)
@@ -213,10 +218,10 @@ class LaneBlocks:
         return x, residual[:, 0]
 
     def _slopes(self, x: Array, modes: Array) -> Array:
-        """Slopes of speeds and accelerations of the free motions by these motions: (blocks, lanes, rows, columns).
+        """Return the Jacobian of speeds and accelerations of the free motions, (blocks, lanes, rows, columns).
 
-        They are taken from small motions to both sides, on the loops of each variant. Where they are no use, they are
-        ones on the diagonal.
+        It is computed by central differences on the loops of each variant. Unusable Jacobians are replaced by the
+        identity.
         """
         at = self.base.equilibrium
         assert at is not None
@@ -235,7 +240,7 @@ class LaneBlocks:
         by, rate_slopes = (
             np.where(usable[..., None, None], part, identity) for part in (by, rate_slopes)
         )
-        usable &= np.linalg.det(by) != 0.0  # loops that cannot be closed leave no free motion
+        usable &= np.linalg.det(by) != 0.0  # no free motion where loops cannot be closed
         by, rate_slopes = (
             np.where(usable[..., None, None], part, identity) for part in (by, rate_slopes)
         )
@@ -245,7 +250,7 @@ class LaneBlocks:
         return np.where(usable[..., None, None], slopes, np.roll(identity, free, axis=0))
 
     def outputs_at_rest(self, rest: Rest, block: int) -> Array:
-        """The requested outputs, (rows, lanes)."""
+        """Return the requested outputs at rest, (rows, lanes)."""
         numbers, compiled, still = self.numbers[block], self.compiled, self.base.still
         x, modes = rest.x[block].T.copy(), rest.modes[block].T.copy()
         result = [
@@ -255,7 +260,7 @@ class LaneBlocks:
         return np.array(result)[:, list(self.channels)].T
 
     def run(self, rest: Rest, take: Take, threads: int | None = None) -> NDArray[np.bool_]:
-        """Run all blocks and pass on their results; return which variants reached the end."""
+        """Run all blocks and pass their results to ``take``; return flags of variants that reached the end."""
         ran = np.zeros(len(self.numbers), dtype=bool)
         workers = min(threads or processors(), len(ran))
 
@@ -294,7 +299,7 @@ class LaneBlocks:
             x0=rest.x[block].flatten(),
         )
         control = Control(
-            base.control.tolerance / math.sqrt(wide),  # an error of one lane alone is a mean of all
+            base.control.tolerance / math.sqrt(wide),  # the error norm is a mean over all lanes
             np.repeat(base.control.scale, wide),
             np.repeat(base.control.dead_band, wide),
             MAX_STEPS,

@@ -1,4 +1,4 @@
-"""Sweeps as files: the rig, the trial, the distributions of parameters, and the results to keep."""
+"""Sweeps as files: the rig, the trial, the distributions of parameters, and the results to store."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from jounce.control import Controller
 
 _MOST_ROWS = 100_000
-"""Variants of a table that spreadsheets still open."""
+"""Maximum number of variants in a table, so that spreadsheets can open it."""
 SCHEMA: Literal["jounce.sweep/1"] = "jounce.sweep/1"
 Layout = Literal["list", "grid", "latin-hypercube", "sobol", "monte-carlo", "morris", "saltelli"]
 
@@ -43,8 +43,9 @@ Layout = Literal["list", "grid", "latin-hypercube", "sobol", "monte-carlo", "mor
 class SweepDesign(Description):
     """Design of the variants: ``count`` points of a ``kind``, drawn with ``seed``.
 
-    A ``grid`` has every combination of the values, a ``list`` one of each a variant: both have no count. Of ``morris``
-    the count is that of trajectories, of ``saltelli`` that of pairs of points.
+    A ``grid`` has every combination of the values, a ``list`` one value of each parameter per variant; ``grid`` and
+    ``list`` have no count. For ``morris`` the count is the number of trajectories, for ``saltelli`` the number of pairs
+    of points.
     """
 
     kind: Layout
@@ -68,11 +69,11 @@ class SweepDesign(Description):
 
 
 class SweepStudy(Description):
-    """A sweep: the ``rig`` (a file, or the name of a shipped one), its trial, varied parameters, and results to keep.
+    """A sweep: the ``rig`` (a file, or the name of a shipped rig), its trial, varied parameters, and results to store.
 
-    ``trial`` has the keys of a trial; its roads are tables, files, names or classes (``"iso:C"``). ``vary`` has the
-    path of each number, or the name of an adjustment, and what it is spread over, or its values; ``metrics`` are
-    numbers of each run, ``outputs`` channels that are kept over time, ``control`` is a controller by its name or file.
+    ``trial`` has the keys of a trial; its roads are tables, files, names or classes (``"iso:C"``). ``vary`` maps the
+    path of each parameter, or the name of an adjustment, to its range, distribution or values; ``metrics`` are computed
+    from each run, ``outputs`` are channels stored over time, ``control`` is a controller by its name or file.
     """
 
     schema_: Literal["jounce.sweep/1"] = Field(default=SCHEMA, alias="schema")
@@ -92,14 +93,14 @@ class SweepStudy(Description):
         if not self.metrics and not self.outputs:
             raise error_at(
                 ("metrics",),
-                "nothing is kept of the runs; give metrics, e.g. ['rms sprung.az'], or outputs",
+                "no results are stored; give metrics, e.g. ['rms sprung.az'], or outputs",
             )
         return self
 
 
 @dataclass(frozen=True)
 class ReadSweep:
-    """A sweep whose file was read: the work, and the values (SI) of every variant by path."""
+    """A sweep read from its file: the work, and the values (SI) of every variant by path."""
 
     study: SweepStudy
     work: VariantWork
@@ -107,13 +108,13 @@ class ReadSweep:
 
     @property
     def count(self) -> int:
-        """Variants of the sweep."""
+        """Number of variants of the sweep."""
         return len(next(iter(self.columns.values())))
 
 
 @dataclass(frozen=True)
 class SweepResult(Plain):
-    """Statistics of a sweep, what its metrics depend on, and the data behind them.
+    """Statistics of a sweep, sensitivities of its metrics, and the underlying data.
 
     Attributes
     ----------
@@ -124,9 +125,9 @@ class SweepResult(Plain):
     command : str
         Command that started the sweep.
     seed : int or None
-        From which its variants follow, where they are drawn.
+        Seed of the variants, if they are drawn at random.
     summary : Summary
-        Statistics of every metric, what they depend on, and why variants have no run.
+        Statistics and sensitivities of every metric, and reasons of failed variants.
     data : xarray.Dataset
         As returned by :func:`load_sweep`.
     """
@@ -142,7 +143,7 @@ class SweepResult(Plain):
 
     @property
     def is_met(self) -> bool:
-        """Whether a variant ran."""
+        """Whether at least one variant ran."""
         return bool(self.summary.ran)
 
     def files(self) -> dict[str, bytes | str]:
@@ -155,7 +156,7 @@ class SweepResult(Plain):
         }
 
     def table(self) -> str:
-        """Return the variants with their numbers and metrics as CSV, SI; only the first of very many."""
+        """Return the variants with their parameters and metrics as CSV, SI; for large sweeps only the first ones."""
         data = self.data.drop_dims("time", errors="ignore").isel(variant=slice(0, _MOST_ROWS))
         names = [
             str(name)
@@ -190,15 +191,15 @@ def run_sweep(
     out : path
         Folder of the results.
     resume : bool
-        Go on where it was stopped, or begin.
+        Whether to continue an interrupted sweep, or start it if there is none.
     force : bool
-        Take the place of an earlier sweep in the folder, whose shards go.
+        Whether to replace an earlier sweep in the folder, deleting its shards.
     workers : int, optional
-        Processes that share the work, as for :func:`simulate_many`; None for one a processor where it is worth it.
+        Number of processes, as for :func:`simulate_many`; None for one per processor if that pays off.
     client : dask.distributed.Client, optional
-        A cluster that does the work.
+        A cluster that does the work instead.
     say : callable
-        Receives the number of finished variants, and of all.
+        Called with the number of finished variants and the total.
     command : str
         Command line, stored with the results.
 
@@ -210,7 +211,7 @@ def run_sweep(
     Raises
     ------
     DescriptionError
-        For a study that cannot be understood, with file and line.
+        For an invalid study, with file and line.
     OutputError
         As for :func:`simulate_many`.
 
@@ -253,7 +254,7 @@ def run_sweep(
 def extreme_runs(sweep: ReadSweep, data: xr.Dataset) -> dict[str, xr.Dataset]:
     """Run the unchanged rig, and the variants with the lowest and the highest first metric; return runs by label.
 
-    Empty without a metric, or if none of them runs.
+    The result is empty without a metric, or if none of them runs.
     """
     from jounce.simulation import simulate
 
@@ -269,7 +270,7 @@ def extreme_runs(sweep: ReadSweep, data: xr.Dataset) -> dict[str, xr.Dataset]:
     result = {}
     for words, changes in chosen.items():
         rig, trial, control = study.variant(changes)
-        with contextlib.suppress(JounceError):  # a rig that does not run may have variants that do
+        with contextlib.suppress(JounceError):  # variants may run even if the base rig does not
             result[words] = simulate(
                 rig,
                 trial,
@@ -282,7 +283,7 @@ def extreme_runs(sweep: ReadSweep, data: xr.Dataset) -> dict[str, xr.Dataset]:
 
 
 def read_sweep(path: Path | str) -> ReadSweep:
-    """Read a sweep and all that it names; errors name the file and the line."""
+    """Read a sweep and everything it refers to; errors name the file and the line."""
     study, text = read_description(SweepStudy, path, SCHEMA)
     file = Path(path)
     rig = load(rig_named_in(study.rig, file))
@@ -319,7 +320,7 @@ def _variants(study: SweepStudy) -> Variants:
 def read_trial(
     table: dict[str, Any], file: Path, text: str, place: tuple[str, ...] = ("trial",)
 ) -> Trial:
-    """A trial whose roads may be tables, files beside the study, names or classes."""
+    """Read a trial; its roads may be tables, files next to the study, names or classes."""
     trial = dict(table)
     for side in ("road", "right"):
         given = table.get(side)
@@ -351,7 +352,7 @@ def read_trial(
 
 
 def _metres(table: dict[str, Any]) -> float | None:
-    """Driven distance; None for invalid numbers, which the trial itself refuses."""
+    """Return the driven distance; None for invalid values, which the trial itself rejects."""
     from jounce.core.units import positive_si
 
     try:
@@ -372,7 +373,7 @@ def _control(study: SweepStudy, file: Path) -> Controller | None:
 
 
 def _place_error(error: JounceError, file: Path, text: str, study: SweepStudy) -> JounceError:
-    """Add file and line to an error whose place is one of the study."""
+    """Add file and line to an error that refers to a key of the study."""
     place = error.where.removeprefix("variants: ")
     varied_path = next(
         (

@@ -1,4 +1,4 @@
-"""Summary of many runs: statistics of every metric, bands over time, and reasons of missing runs."""
+"""Summary of many runs: statistics of every metric, bands over time, and reasons for missing runs."""
 
 from __future__ import annotations
 
@@ -19,27 +19,27 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _PERCENTILES = (5.0, 50.0, 95.0)  # by default
-_MOST_REASONS = 20  # different ones that are listed
-_LITTLE = 0.7  # share of the variance below which a finding says that the linear regression explains little
+_MOST_REASONS = 20  # different reasons listed at most
+_LITTLE = 0.7  # share of the variance below which a finding reports that the linear regression explains little
 
 
 @dataclass(frozen=True)
 class MetricSummary(Plain):
-    """One metric over all variants that ran, SI.
+    """Statistics of a metric over all variants that ran, SI.
 
     Attributes
     ----------
     name, unit : str
-        Which, and its SI unit.
+        Metric and its SI unit.
     mean, standard_deviation : float
-        Over the variants.
+        Mean and standard deviation over the variants.
     least, greatest : float
-        Ends.
+        Minimum and maximum.
     least_at, greatest_at : int
-        Numbers of the variants there.
+        Numbers of the variants with the minimum and the maximum.
     percentiles : dict
-        5th, 50th and 95th: each with the ends of its 95 % interval as a sample of the distribution; None where there
-        are too few variants for it.
+        5th, 50th and 95th percentile, each with the ends of its 95 % confidence interval; None if there are too few
+        variants.
     """
 
     name: str
@@ -55,14 +55,14 @@ class MetricSummary(Plain):
 
 @dataclass(frozen=True)
 class Influence(Plain):
-    """Sensitivity of one metric to one parameter.
+    """Sensitivity of a metric to a parameter.
 
     Attributes
     ----------
     metric, number : str
-        Which metric, and the path of the number.
+        Metric, and path of the parameter.
     measures : dict
-        Every measure of :func:`sensitivity_indices` with the ends of its 95 % interval where it has them.
+        Every measure of :func:`sensitivity_indices` with the ends of its 95 % interval, if available.
     """
 
     metric: str
@@ -77,15 +77,15 @@ class Summary(Plain):
     Attributes
     ----------
     count, ran, side_by_side : int
-        Variants; those that ran; those that did so side by side.
+        Number of variants in total, of those that ran, and of those that ran in vector registers.
     numbers : dict
-        Path of what varies to its least and greatest value, and its SI unit.
+        Path of each varied parameter to its minimum, maximum and SI unit.
     metrics : tuple of MetricSummary
         Statistics of every metric.
     influences : tuple of Influence
         Sensitivities of each metric; empty if too few variants ran.
     failed : dict
-        Number of variants without a run by reason, and the first of them.
+        Reason to the number of variants without a run, and the first of these variants.
     findings : tuple of Finding
         Warnings about the results.
     """
@@ -101,7 +101,7 @@ class Summary(Plain):
 
 
 def summarise(many: xr.Dataset) -> Summary:
-    """Sum up many runs; reasons that differ in their numbers only after the first twenty are put together."""
+    """Summarise many runs; beyond the first twenty, reasons of missing runs are combined."""
     reasons = many["reason"].to_numpy()
     failed: dict[str, dict[str, int]] = {}
     for row in np.flatnonzero(reasons != ""):
@@ -156,7 +156,7 @@ def _metric(many: xr.Dataset, name: str) -> MetricSummary:
 
 
 def _percentile(ordered: np.ndarray, level: float) -> dict[str, Any]:
-    """A percentile with its 95 % interval, from order statistics: free of any distribution."""
+    """Return a percentile with its distribution-free 95 % interval from order statistics."""
     from scipy.stats import binom
 
     count, share = len(ordered), level / 100.0
@@ -210,28 +210,30 @@ def _measure(at: xr.Dataset, name: str) -> dict[str, Any]:
 def bands(
     many: xr.Dataset, channel: str, percentiles: Sequence[float] = _PERCENTILES
 ) -> xr.DataArray:
-    """Return percentiles of a channel over the variants at every time: the spread of runs.
+    """Return percentiles of a channel over the variants at every time.
 
-    The band between two of them contains that share of the variants at each time; no single run need follow it.
+    The band between two percentiles contains the corresponding share of variants at each time; a percentile is in
+    general not a single run.
 
     Parameters
     ----------
     many : xarray.Dataset
-        With the channel on ``variant`` and ``time`` (``outputs=`` of :func:`simulate_many`).
+        Dataset with the channel on ``variant`` and ``time`` (``outputs=`` of :func:`simulate_many`).
     channel : str
-        Its name.
+        Name of the channel.
     percentiles : sequence of float
-        In percent, 0 to 100.
+        Percentiles in percent, 0 to 100.
 
     Returns
     -------
     xarray.DataArray
-        On ``percentile`` (percent) and ``time`` (s), in the channel's SI unit; variants without a run are left out.
+        Percentiles on ``percentile`` (percent) and ``time`` (s), in the channel's SI unit; variants without a run are
+        skipped.
 
     Raises
     ------
     DescriptionError
-        For a channel that was not kept over time, or percentiles that are none.
+        For a channel that was not stored over time, or invalid percentiles.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Sweeps as commands and pages request them: on this machine or on a cluster, begun or resumed."""
+"""Sweeps for commands and pages: on this machine or on a cluster, new or resumed."""
 
 from __future__ import annotations
 
@@ -55,17 +55,17 @@ def sweep_study(
 ) -> SweepResult:
     """Simulate many variants of a rig; report statistics of metrics and their sensitivities. Exit code 1 if none ran.
 
-    It is what :func:`jounce.run_sweep` does, on a cluster by its address, too.
+    Like :func:`jounce.run_sweep`, with the address of a cluster as an alternative.
     """
     if resume and force:
         allowed = "one of them"
         raise DescriptionError(
-            "--force begins anew, --resume goes on", where="--resume, --force", allowed=allowed
+            "--force starts again, --resume continues", where="--resume, --force", allowed=allowed
         )
     if cluster is not None and workers is not None:
-        allowed = "one of them: the workers of a cluster are its own"
+        allowed = "one of them: a cluster has its own workers"
         raise DescriptionError(
-            "two places to work in", where="--workers, --cluster", allowed=allowed
+            "workers and a cluster are both given", where="--workers, --cluster", allowed=allowed
         )
 
     def say(done: int, count: int) -> None:
@@ -86,7 +86,7 @@ def sweep_study(
         with trusting(trust), uncovering_interrupts():
             if cluster is None:
                 return run()
-            read_sweep(study)  # its mistakes are refused before a cluster is asked to work
+            read_sweep(study)  # report its errors before contacting the cluster
             with cluster_at(cluster) as client:
                 return run(client)
     except KeyboardInterrupt as error:

@@ -1,6 +1,6 @@
-"""Threads that share work, and wait a while for more.
+"""Threads that share work and wait for more for a while.
 
-To start a thread and to see it off takes as long as it works on a hundred variants of a small model.
+Starting and ending a thread takes as long as a hundred variants of a small model.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ if hasattr(os, "register_at_fork"):
 
 
 def processors() -> int:
-    """Number of processors that this process may use: those of the machine, or fewer if it is bound to fewer.
+    """Return the number of processors available to this process, considering its CPU affinity.
 
-    A container that may use as much time as some processors have counts as these.
+    A CPU time limit of a container counts as the equivalent number of processors.
 
     >>> processors() >= 1
     True
@@ -41,15 +41,15 @@ def processors() -> int:
 def time_share(
     groups: Path = Path("/sys/fs/cgroup"), own: Path = Path("/proc/self/cgroup")
 ) -> float:
-    """Processor time per time that the control groups of this process allow; infinite without a limit.
+    """Return the CPU time per elapsed time allowed by the control groups of this process; infinite without a limit.
 
-    That of version 2: ``cpu.max`` has the time and the period in which it may be used, for the group and those above.
+    For cgroup version 2: ``cpu.max`` has quota and period, for the group and its ancestors.
     """
     try:
         line = next(line for line in own.read_bytes().splitlines() if line.startswith(b"0::"))
     except (OSError, StopIteration):
         return math.inf
-    path = os.fsdecode(line.removeprefix(b"0::/"))  # any bytes: names of groups need not be text
+    path = os.fsdecode(line.removeprefix(b"0::/"))  # group names may be any bytes
     least = math.inf
     for folder in (groups / path, *(groups / path).parents):
         with contextlib.suppress(OSError, ValueError):  # no limit here, or "max"
@@ -66,22 +66,22 @@ def share(
 ) -> None:
     """Let threads, including this one, take items from one iterator until it is exhausted.
 
-    ``take`` is called once in each of them. Where one fails, it leaves nothing to the others, and its error is raised
-    when all are done. This thread does ``meanwhile`` while the others wake up.
+    ``take`` is called once in each thread. If one fails, the remaining items are dropped, and its error is raised when
+    all threads are done. This thread calls ``meanwhile`` while the others wake up.
 
     >>> found = []
     >>> share(range(4), lambda some: found.extend(i * i for i in some), 2)
     >>> sorted(found)
     [0, 1, 4, 9]
     """
-    left = iter(list(items))  # whose items threads may take without a lock
+    left = iter(list(items))  # threads can take its items without a lock
     done: SimpleQueue[BaseException | None] = SimpleQueue()
 
     def work() -> None:
         error: BaseException | None = None
         try:
             take(left)
-        except BaseException as problem:  # noqa: BLE001 - raised by who asked for it
+        except BaseException as problem:  # noqa: BLE001 - raised again by the caller
             error = problem
             list(left)
         done.put(error)
@@ -99,14 +99,14 @@ def share(
         work()
         errors = [done.get() for _ in range(others + 1)]
     finally:
-        list(left)  # an interrupt while waiting also leaves nothing to the others
+        list(left)  # an interrupt while waiting also drops the remaining items
     for error in errors:
         if error is not None:
             raise error
 
 
 def _hand_over(job: _Job) -> None:
-    """Return a job to a thread that waits for one, or to a new one."""
+    """Pass a job to a waiting thread, or to a new one."""
     try:
         jobs = _free.pop()
     except IndexError:
@@ -122,9 +122,9 @@ def _live(jobs: SimpleQueue[_Job]) -> None:
         except Empty:
             try:
                 _free.remove(jobs)
-            except ValueError:  # another thread has just taken it: the job is on its way
+            except ValueError:  # another thread has just taken it: a job will arrive
                 continue
             return
         job()
-        del job  # and all that it holds
+        del job  # and everything it references
         _free.append(jobs)

@@ -1,4 +1,4 @@
-"""Who works on the shards of a sweep: this process, processes of this machine, or a cluster."""
+"""Execution of the shards of a sweep: in this process, in local processes, or on a cluster."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ from jounce.variants.many import VariantWork
 
 Results = Generator[tuple[int, bytes], None, None]
 _LOG = logging.getLogger("jounce")
-_WAITING = 2  # tasks queued for each worker: it is never idle, and memory stays small
+_WAITING = 2  # tasks queued per worker: enough to keep it busy, few enough to limit memory
 _PATIENCE, _JOINING = 10.0, 30.0  # s: for a scheduler to answer, for a first worker to join
-_MOST_ENDS = 3  # times that workers may be killed before a result arrives
+_MOST_ENDS = 3  # number of times that workers may be killed before a result arrives
 
 
 @dataclass(frozen=True)
@@ -44,13 +44,13 @@ class Task:
     Attributes
     ----------
     number : int
-        Of the shard.
+        Number of the shard.
     first : int
         Number of its first variant.
     columns : mapping
-        Path of a number to its value (SI) in each variant.
+        Path of a parameter to its value (SI) in each variant.
     version : str
-        That of jounce which all results are to come from.
+        Version of jounce that must compute all results.
     """
 
     number: int
@@ -68,24 +68,24 @@ def shard_of(work: VariantWork, task: Task, threads: int | None) -> bytes:
 
 @contextmanager
 def own_locks() -> Iterator[None]:
-    """Keep xarray from asking a cluster that this process belongs to for the lock of what is in memory."""
+    """Prevent xarray from requesting locks of in-memory data from the cluster of this process."""
     if sys.modules.get("dask") is None:
         yield
         return
-    dask = import_module("dask")  # waits where another thread still loads it
+    dask = import_module("dask")  # waits if another thread is still importing it
 
     with PROCESS_SETTINGS, dask.config.set(scheduler="synchronous"):
         yield
 
 
 def here(work: VariantWork, tasks: Sequence[Task], threads: int | None) -> Results:
-    """Return number and content of every shard, worked on in this process."""
+    """Yield number and content of every shard, computed in this process."""
     for task in tasks:
         yield task.number, shard_of(work, task, threads)
 
 
 def on_processes(workers: int, work: VariantWork, tasks: Sequence[Task]) -> Results:
-    """Return number and content of shards as processes finish them; a process that is killed is replaced."""
+    """Yield number and content of shards as processes finish them; a killed process is replaced."""
     packed, left, ends = _pack(work), {task.number: task for task in tasks}, 0
     while left:
         try:
@@ -101,10 +101,10 @@ def on_processes(workers: int, work: VariantWork, tasks: Sequence[Task]) -> Resu
             ends += 1
             if ends >= _MOST_ENDS:
                 raise JounceError(
-                    "a worker process was ended from outside, again and again",
+                    "a worker process was repeatedly killed from outside",
                     found=f"{ends} times in a row, {len(left)} shards left",
-                    hint="Are there memory and processes (ulimit -u) enough? "
-                    "What was done is kept: resume with fewer workers.",
+                    hint="Are there enough memory and processes (ulimit -u)? "
+                    "Finished results are kept: resume with fewer workers.",
                 ) from None
 
 
@@ -134,17 +134,17 @@ def _run_pool(workers: int, packed: bytes, tasks: Sequence[Task]) -> Results:
         if not is_done:  # do not wait for results that would be discarded
             for process in set(multiprocessing.active_children()) - others:
                 process.terminate()
-        with suppress(RuntimeError):  # of a pool whose own thread could not be started
+        with suppress(RuntimeError):  # raised by a pool that could not start its thread
             pool.shutdown(cancel_futures=True)
 
 
 def _begin() -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the first process decides when to stop
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent process decides when to stop
     threading.Thread(target=_end_with_the_first, name="jounce watches", daemon=True).start()
 
 
 def _end_with_the_first() -> None:
-    """End with the first process: if it is killed, nobody collects the results."""
+    """Exit with the parent process: if it is killed, nothing collects the results."""
     first = multiprocessing.parent_process()
     if first is not None:
         multiprocessing.connection.wait([first.sentinel])
@@ -159,7 +159,9 @@ def work_on(packed: bytes, task: Task) -> tuple[int, bytes]:
     """Work on a task in another process, on one of its threads."""
     own = metadata.version("jounce")
     if own != task.version:
-        raise JounceError("a worker has another version of jounce", found=own, allowed=task.version)
+        raise JounceError(
+            "a worker has a different version of jounce", found=own, allowed=task.version
+        )
     trust, work = _unpack(packed)
     with _ONE_AT_A_TIME, trusting(trust):
         return task.number, shard_of(work, task, 1)
@@ -178,7 +180,7 @@ def _unpack(packed: bytes) -> tuple[bool | None, VariantWork]:
 
 @contextmanager
 def cluster_at(address: str) -> Iterator[Any]:
-    """Return a client of the Dask scheduler at an address; refuse one that is not there, or of other versions."""
+    """Yield a client of the Dask scheduler at an address; raise an error if unreachable or if versions differ."""
     distributed = require("distributed", "cluster")
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # jounce reports errors once
     hint = "Start one with: dask scheduler, and on each machine: dask worker ADDRESS --nworkers auto --nthreads 1"
@@ -192,11 +194,11 @@ def cluster_at(address: str) -> Iterator[Any]:
 
 
 def check_cluster(client: Any) -> None:
-    """Refuse a cluster without workers, or with versions of Python or packages that could change results."""
+    """Raise an error for a cluster without workers, or with versions of packages that could change results."""
     distributed = require("distributed", "cluster")
     if not hasattr(client, "scheduler"):
         raise JounceError(
-            Phrase("{client} is no cluster", client=value_or_kind(client)),
+            Phrase("{client} is not a cluster", client=value_or_kind(client)),
             where="client",
             allowed="a dask.distributed.Client",
         )
@@ -221,9 +223,9 @@ def check_cluster(client: Any) -> None:
         }
         if differs:
             differences = "; ".join(f"{name} {words}" for name, words in differs.items())
-            hint = "Install the same on all machines."
+            hint = "Install the same versions on all machines."
             raise JounceError(
-                "a worker has other versions", where=str(worker), found=differences, hint=hint
+                "a worker has different versions", where=str(worker), found=differences, hint=hint
             )
 
 
@@ -240,7 +242,7 @@ def _not_there(error: ModuleNotFoundError) -> JounceError:
 
 
 def on_cluster(client: Any, work: VariantWork, tasks: Sequence[Task]) -> Results:
-    """Return number and content of shards as the workers of a Dask cluster finish them; lost workers are replaced."""
+    """Yield number and content of shards as the workers of a Dask cluster finish them; lost workers are replaced."""
     distributed = require("distributed", "cluster")
     check_cluster(client)
     packed, pending = _pack(work), iter(tasks)
@@ -248,7 +250,7 @@ def on_cluster(client: Any, work: VariantWork, tasks: Sequence[Task]) -> Results
     waiting: set[Any] = set()
 
     def submit() -> None:
-        """Give every available worker enough tasks."""
+        """Submit enough tasks for every available worker."""
         most = max(_WAITING * len(client.scheduler_info(n_workers=-1)["workers"]), 1)
         for task in itertools.islice(pending, max(most - len(waiting), 0)):
             future = client.submit(work_on, packed, task, pure=False)
@@ -259,21 +261,19 @@ def on_cluster(client: Any, work: VariantWork, tasks: Sequence[Task]) -> Results
         submit()
         for future, result in following:
             waiting.discard(future)
-            if isinstance(result, BaseException):  # so it tells what it has lost
+            if isinstance(result, BaseException):  # the worker reports lost tasks this way
                 raise result
             yield result
             submit()
     except ModuleNotFoundError as error:
         raise _not_there(error) from None
     except distributed.KilledWorker as error:
-        hint = "Is there memory enough? What was done is kept: resume."
-        raise JounceError(
-            "workers were ended again and again", found=str(error), hint=hint
-        ) from None
+        hint = "Is there enough memory? Finished results are kept: resume."
+        raise JounceError("workers were repeatedly killed", found=str(error), hint=hint) from None
     except (distributed.comm.CommClosedError, distributed.CancelledError):
         raise JounceError(
-            "the scheduler went away", hint="What was done is kept: resume."
+            "the scheduler is no longer reachable", hint="Finished results are kept: resume."
         ) from None
     finally:
-        with suppress(Exception):  # a scheduler that went away
+        with suppress(Exception):  # the scheduler may be gone
             client.cancel(list(waiting))

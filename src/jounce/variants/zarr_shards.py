@@ -1,9 +1,8 @@
-"""Shards of a sweep as a Zarr group, which other programs open as one dataset.
+"""Shards of a sweep as a Zarr group, which other programs can open as one dataset.
 
 Every variable is an array of version 2 of the `specification
-<https://zarr-specs.readthedocs.io/en/latest/v2/v2.0.html>`_ with a chunk a shard: numbers as they lie in memory, so
-that no package is needed to write and to read them. A shard counts once its record is there, which names its chunks
-with their checksums.
+<https://zarr-specs.readthedocs.io/en/latest/v2/v2.0.html>`_ with one chunk per shard: raw values that need no package
+for writing and reading. A shard is valid once its record exists, which lists its chunks with their checksums.
 """
 
 from __future__ import annotations
@@ -26,19 +25,19 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _GROUP, _ARRAY, _ATTRIBUTES, _ALL = ".zgroup", ".zarray", ".zattrs", ".zmetadata"
-_DIMENSIONS = "_ARRAY_DIMENSIONS"  # as xarray names them
+_DIMENSIONS = "_ARRAY_DIMENSIONS"  # name used by xarray
 _TEXTS = [{"id": "vlen-utf8"}]
 
 
 def checksum(content: bytes) -> str:
-    """Checksum for detecting damage of a file."""
+    """Return the checksum that detects damage of a file."""
     return hashlib.sha256(content).hexdigest()[:32]
 
 
 def put(folder: Path, number: int, shard: xr.Dataset, count: int, size: int) -> bytes:
-    """Write the chunks of a shard, with the first also the group's metadata; return the record that validates them.
+    """Write the chunks of a shard, and the group's metadata with the first shard; return the record of the chunks.
 
-    ``count`` is that of all variants, ``size`` that of a shard.
+    ``count`` is the total number of variants, ``size`` that of a shard.
     """
     if not (folder / _ALL).is_file():
         _begin(folder, shard, count, size)
@@ -59,7 +58,7 @@ def put(folder: Path, number: int, shard: xr.Dataset, count: int, size: int) -> 
 
 
 def take(folder: Path, record: bytes) -> xr.Dataset | None:
-    """Read a shard by its record; none where a chunk is gone or damaged."""
+    """Read a shard by its record; None if a chunk is missing or damaged."""
     import xarray as xr
 
     about = json.loads(record)
@@ -84,7 +83,7 @@ def is_whole(folder: Path, record: bytes) -> bool:
 
 
 def describe(folder: Path, attributes: Mapping[str, Any]) -> None:
-    """Write the group's own attributes, and all metadata in the one file that is read first."""
+    """Write the group's attributes, and the consolidated metadata."""
     known = _read(folder / _ATTRIBUTES) if (folder / _ATTRIBUTES).is_file() else {}
     metadata = {
         **to_plain(dict(attributes)),
@@ -104,7 +103,7 @@ def describe(folder: Path, attributes: Mapping[str, Any]) -> None:
 
 
 def clear(folder: Path) -> None:
-    """Remove only the group of an earlier sweep."""
+    """Remove the group of an earlier sweep and nothing else."""
     for file in folder.glob(f"*/{_ARRAY}"):
         shutil.rmtree(file.parent)
     for name in (_ALL, _GROUP, _ATTRIBUTES):
@@ -130,7 +129,7 @@ def _begin(folder: Path, shard: xr.Dataset, count: int, size: int) -> None:
         attributes = {**to_plain(variable.attrs), _DIMENSIONS: list(variable.dims)}
         write_atomically(folder / str(name) / _ATTRIBUTES, to_json(attributes), force=True)
     write_atomically(folder / _GROUP, to_json({"zarr_format": 2}), force=True)
-    # xarray takes these variables for coordinates, whatever they are the coordinates of
+    # variables that xarray reads as coordinates
     beside = [str(name) for name in shard.coords if name not in shard.dims]
     write_atomically(folder / _ATTRIBUTES, to_json({"coordinates": " ".join(beside)}), force=True)
     describe(folder, shard.attrs)
@@ -151,7 +150,7 @@ def _read(file: Path) -> dict[str, Any]:
 
 
 def _pack(values: Array, size: int | None) -> bytes:
-    """Pack a chunk with all of its rows, though the last shard has fewer."""
+    """Pack a chunk with its full number of rows, even if the last shard has fewer."""
     missing = 0 if size is None else size - len(values)
     if values.dtype.kind in "fiub":
         filling = np.zeros((missing, *values.shape[1:]), dtype=values.dtype)

@@ -49,7 +49,7 @@ def test_a_design_draws_within_the_range_of_an_adjustment() -> None:
     many = jn.simulate_many(KART, TRIAL, jn.sobol(spread, 4), metrics=["max sprung.az"])
     assert np.isfinite(many["max sprung.az"]).all()
     assert many.attrs["outside"] == 0
-    with pytest.raises(DescriptionError, match="beyond what is allowed"):
+    with pytest.raises(DescriptionError, match="exceeds the allowed range"):
         jn.simulate_many(
             KART,
             TRIAL,
