@@ -487,7 +487,7 @@ def test_a_range_beyond_what_is_allowed_is_refused_with_its_line(
     assert outcome.exit_code == 2
     line = text.splitlines().index('"sprung.mass" = ["-1 kg", "2 kg"]') + 1
     assert (
-        f"line {line}: vary.sprung.mass: the spread reaches beyond what is allowed, from -1 to 2 kg"
+        f"line {line}: vary.sprung.mass: the spread exceeds the allowed range, from -1 to 2 kg"
         in outcome.err
     )
     assert "above 0 kg" in outcome.err

@@ -159,12 +159,11 @@ class LaneBlocks:
         return np.array(blocks_of_results).reshape(len(x), rows, wide)
 
     def rest(self) -> Rest:
-        """Find the equilibria of all variants by Newton's method from that of the base, with modes following their
-        switches.
+        """Find the equilibria of all variants by Newton's method, starting from that of the base.
 
-        Only the free motions of the base are solved for; a mechanism is projected onto its loops after each step.
-        Variants without equilibrium, or with motions more than twice as fast as those of the base, are marked as lost;
-        the base takes their lanes.
+        Modes follow their switches. Only the free motions of the base are solved for; a mechanism is projected onto its
+        loops after each step. Variants without equilibrium, or with motions more than twice as fast as those of the
+        base, are marked as lost; the base takes their lanes.
         """
         facts, at = self.compiled.facts, self.base.equilibrium
         assert at is not None

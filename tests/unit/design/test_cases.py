@@ -133,7 +133,7 @@ def test_a_front_over_a_spread(car):
         ({"spread": {"sprung.mas": "5 %"}}, "no such parameter"),
         (
             {"spread": {"sprung.mass": ["-1 kg", "500 kg"]}},
-            "beyond what is allowed, from -1 to 500 kg",
+            "exceeds the allowed range, from -1 to 500 kg",
         ),
         ({"road": "C"}, "cases have their own roads"),
         ({"objective": "rough: sprung.ax"}, "unknown metric"),

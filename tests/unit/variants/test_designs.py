@@ -173,7 +173,7 @@ POSITIVE = Unit("kg", above=0.0, at_most=50.0)
 )
 @pytest.mark.parametrize("make", [sobol, latin_hypercube, monte_carlo, morris, saltelli])
 def test_a_range_beyond_what_is_allowed_is_refused_before_anything_runs(make, spread, ends):
-    with pytest.raises(DescriptionError, match="mass: the spread reaches beyond") as caught:
+    with pytest.raises(DescriptionError, match="mass: the spread exceeds") as caught:
         make({"rate": "10 %", "mass": spread}, 8).refuse_outside(
             NUMBERS.__getitem__, lambda path: POSITIVE if path == "mass" else Unit("N/m", above=0.0)
         )
