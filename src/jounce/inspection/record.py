@@ -59,7 +59,7 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
         known about the car is given in lines ``# left.static_load = "4316 N"`` before the columns, or in a TOML file of
         the same name in the same directory; the lines take precedence.
     tester : Tester, optional
-        Whose ``columns``, ``variable``, ``sample_time`` and ``resample`` define how its files are read.
+        Tester whose ``columns``, ``variable``, ``sample_time`` and ``resample`` define how its files are read.
 
     Returns
     -------

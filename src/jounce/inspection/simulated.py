@@ -102,21 +102,21 @@ def simulate_inspection(
     Parameters
     ----------
     rig : QuarterCar, Corner, FrontViewAxle, FullCar or HalfCar4DOF
-        Under test.
+        Rig under test.
     tester : Tester, str or Path
         Plates, programme and limits.
     method : {"eusama", "egea", "theta", "boge"}, optional
-        Whose grade decides; the tester's own otherwise.
+        Method whose grade decides; by default the tester's.
     steady : bool
         Whether to compute steady states, equivalent to an infinitely slow sweep without noise.
     wheel : {"left", "right"}
         Wheel of an axle; for a single wheel, its plate.
     axle : {"front", "rear"}
-        Of a vehicle.
+        Axle of a vehicle.
     noise : float
-        Standard deviation of the force's noise, in shares of the static load (1).
+        Standard deviation of the force noise relative to the static load (1).
     seed : int
-        Of the noise.
+        Seed of the noise.
     vehicle : str
         Name of the vehicle, for the record.
 
@@ -175,17 +175,17 @@ def simulate_axle(
     Parameters
     ----------
     rig : FrontViewAxle, FullCar or HalfCar4DOF
-        Under test.
+        Rig under test.
     tester : Tester, str or Path
         Plates, programme and limits.
     method : {"eusama", "egea", "theta", "boge"}, optional
-        Whose grade decides; the tester's own otherwise.
+        Method whose grade decides; by default the tester's.
     axle : {"front", "rear"}
-        Of a vehicle.
+        Axle of a vehicle.
     noise : float
-        Standard deviation of the force's noise, in shares of the static load (1).
+        Standard deviation of the force noise relative to the static load (1).
     seed : int
-        Of the noise.
+        Seed of the noise.
     vehicle : str
         Name of the vehicle, for the record.
 

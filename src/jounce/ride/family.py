@@ -217,7 +217,7 @@ class Families:
         return np.array([member.start for member in self.members])
 
     def geometry_at(self, values: Array) -> Array:
-        """Return :attr:`LinearFamily.geometry` distances (m), (members, wheels + 1), at values (members, parameters)."""
+        """Return distances of ``LinearFamily.geometry`` (m), (members, wheels + 1), at values (members, parameters)."""
         first, slopes = self._geometry
         return np.asarray(first + np.einsum("sn,snw->sw", values - self.start, slopes))
 

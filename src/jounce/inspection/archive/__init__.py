@@ -1,1 +1,1 @@
-"""The archive of a lane: original records and their gradings, in a database."""
+"""Archive of a test lane: original records and their gradings in a database."""

@@ -1,4 +1,4 @@
-"""The database of a record store: created completely or not at all, checked before anything is written."""
+"""Database of a record store: created atomically, and checked before anything is written."""
 
 from __future__ import annotations
 
@@ -74,9 +74,9 @@ RECORDS = Table(
     Column("tester_digest", ForeignKey("descriptions.digest")),
     Column("vehicle_digest", ForeignKey("descriptions.digest")),
     Column("methods", String, nullable=False),
-    Column("seal", String(64), nullable=False),  # checksum of the columns that are shown
+    Column("seal", String(64), nullable=False),  # checksum of the displayed columns
 )
-CONTENTS = Table(  # apart from the records, so that searching and checking need not read them
+CONTENTS = Table(  # separate from the records, so searching and checking do not read them
     "contents",
     _TABLES,
     Column("record", ForeignKey("records.number"), primary_key=True),
@@ -97,7 +97,7 @@ RESULTS = Table(
     Column("seal", String(64), nullable=False),
     Index("results_of_record", "record", "number"),
 )
-WATCHED = Table(  # files of watched folders that were looked at
+WATCHED = Table(  # files of watched folders that were examined
     "watched",
     _TABLES,
     Column("path", String, primary_key=True),
@@ -117,32 +117,32 @@ SMALL = tuple(sorted(NAMES - {CONTENTS.name}))
 
 
 def create_tables(connection: Connection) -> None:
-    """Create missing tables, and note their version."""
+    """Create missing tables and store their version."""
     _TABLES.create_all(connection)
     if connection.execute(select(ABOUT.c.value).where(ABOUT.c.name == "schema")).scalar() is None:
         connection.execute(insert(ABOUT).values(name="schema", value=SCHEMA_VERSION))
 
 
 READS = "jounce_reads"
-"""Option of a connection that will not write: it waits for nobody."""
-_WAIT = 30.0  # s that a writer waits for another one
+"""Option of a read-only connection, which never waits for locks."""
+_WAIT = 30.0  # s that a writer waits for another writer
 _WHOLE = "ok"
 _DAMAGES = ("malformed", "not a database", "corrupt", "decode", "invalid page")
 _MAGIC = b"SQLite format 3\0"
 _PLAIN_SQLITE = "sqlite:///"
 _PASSWORD, _PASSWORD_ASKED = re.compile(r"(://[^/:@]*:).*@"), re.compile(r"([?&]\w*passw\w*=)[^&]*")
 _PATIENCE = 10  # s to wait for a server
-_CLAIMED = 5.0  # s after which the claim on a store's name counts as left over
-_MAKING = 0x6A6F756E6365  # lock under which tables are made: "jounce"
+_CLAIMED = 5.0  # s after which a claim on a store's name is considered stale
+_MAKING = 0x6A6F756E6365  # ID of the lock for creating tables: "jounce"
 _LEFT_ALONE = "It was left as it is; use a copy of the store. What can still be read: jounce inspect export --damaged."
 
 
 class DamagedStoreError(RecordingError):
-    """A damaged record store, or another file; it is never written to."""
+    """Error for a damaged record store or a different kind of file, which is never written to."""
 
 
 def hide_password(location: str) -> str:
-    """Give a location without its password, for messages and results.
+    """Return a location without its password, for messages and results.
 
     Examples
     --------
@@ -155,7 +155,7 @@ def hide_password(location: str) -> str:
 
 
 def file_of(location: str) -> Path | None:
-    """Give the file of a location; None for another database than a SQLite file."""
+    """Return the file of a location; None if it is not a SQLite file."""
     if location.startswith(_PLAIN_SQLITE):
         return Path(location.removeprefix(_PLAIN_SQLITE))
     return None if "://" in location else Path(location)
@@ -164,7 +164,7 @@ def file_of(location: str) -> Path | None:
 def open_database(location: str, *, read_only: bool, damaged: bool = False) -> Engine:
     """Open a database (a file, or a URL of SQLAlchemy); create it if missing.
 
-    A damaged one is refused before anything is written to it, unless it is opened as ``damaged``, for reading only.
+    A damaged database raises an error before any write, unless it is opened read-only with ``damaged``.
     """
     file = file_of(location)
     if file is None:
@@ -201,7 +201,7 @@ def open_database(location: str, *, read_only: bool, damaged: bool = False) -> E
 
 
 def problems_of(connection: Connection) -> list[str]:
-    """Check everything in a SQLite file, page by page; other databases check themselves."""
+    """Check a SQLite file completely, page by page; other databases perform their own checks."""
     if connection.dialect.name != "sqlite":
         return []
     problems = [
@@ -216,7 +216,7 @@ def problems_of(connection: Connection) -> list[str]:
 
 @contextmanager
 def reported_errors(location: str) -> Iterator[None]:
-    """Turn errors of the database into one message."""
+    """Convert database errors to a single message."""
     try:
         yield
     except (JounceError, IntegrityError):
@@ -241,7 +241,7 @@ def reported_errors(location: str) -> Iterator[None]:
 
 
 def _open_other(location: str, *, read_only: bool) -> Engine:
-    """Another database, or a SQLite database named by its driver."""
+    """Open a database other than a SQLite file, or a SQLite database given with its driver."""
     allowed = "a file, or e.g. postgresql+psycopg://user@host/lane"
     try:
         url = make_url(location)
@@ -257,7 +257,7 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
         raise DescriptionError(
             what, where="store", found=hide_password(location), allowed=allowed
         ) from None
-    except (ArgumentError, ValueError):  # their texts hold parts of the password
+    except (ArgumentError, ValueError):  # their messages contain parts of the password
         hint = "In a password, write / : @ as %2F %3A %40."
         what = "no database: the address cannot be read"
         raise DescriptionError(
@@ -284,10 +284,10 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
 
 
 def _make_tables(connection: Connection, location: str) -> None:
-    """Create the tables in a server's database, unless it has other tables of the same names."""
+    """Create the tables in a server's database, unless it contains different tables of the same names."""
     if (
         connection.dialect.name == "postgresql"
-    ):  # two that make the same table at once get in each other's way
+    ):  # processes that create the same table concurrently conflict
         connection.execute(select(func.pg_advisory_xact_lock(_MAKING)))
     there = set(inspect(connection).get_table_names()) & NAMES
     if there and there != NAMES:
@@ -299,22 +299,22 @@ def _make_tables(connection: Connection, location: str) -> None:
 
 
 def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:
-    """Engine of a file; what is written is on the disk before a transaction counts."""
+    """Return the engine of a file; commits are flushed to disk."""
     from urllib.parse import quote
 
     mode = "ro" if read_only else "rw"
     if read_only and not os.access(file.parent, os.W_OK) and not _log_of(file).exists():
-        mode += "&immutable=1"  # the lock file cannot be made, and nobody can write
+        mode += "&immutable=1"  # the lock file cannot be created, so nobody can write
     address = f"sqlite:///file:{quote(str(file.resolve()))}?mode={mode}&uri=true"
     engine = create_engine(address, connect_args={"timeout": _WAIT})
 
     @event.listens_for(engine, "connect")
     def prepare(connection: Any, _: Any) -> None:
-        connection.isolation_level = None  # transactions are begun below, for writing at once
+        connection.isolation_level = None  # transactions are started below, immediately for writing
         if damaged:
             connection.execute(
                 "PRAGMA writable_schema=ON"
-            )  # SQLite's way to read on although pages are missing
+            )  # makes SQLite continue reading despite missing pages
         connection.execute("PRAGMA synchronous=FULL")
         connection.execute("PRAGMA foreign_keys=ON")
 
@@ -327,7 +327,7 @@ def _sqlite(file: Path, *, read_only: bool, damaged: bool = False) -> Engine:
 
 
 def _make(file: Path) -> None:
-    """Create an empty store under a temporary name and rename it when complete: nobody sees half of it."""
+    """Create an empty store under a temporary name and rename it when complete, to make it atomic."""
     temporary = temporary_beside(file)
     engine = _sqlite(temporary, read_only=False)
     try:
@@ -336,7 +336,7 @@ def _make(file: Path) -> None:
                 create_tables(connection)
             with (
                 engine.connect() as connection
-            ):  # last: where the disk is full, putting a log in place fails unseen
+            ):  # last, because creating the log fails silently if the disk is full
                 raw = connection.connection.driver_connection
                 assert raw is not None
                 raw.execute("PRAGMA journal_mode=WAL")
@@ -353,14 +353,12 @@ def _make(file: Path) -> None:
 
 
 def _give_name(made: Path, file: Path) -> None:
-    """Give a store its name, unless another process was faster: its store is as good."""
+    """Give a store its final name, unless another process has already created the store."""
     try:
         file.hardlink_to(made)
     except FileExistsError:
         return
-    except (
-        OSError
-    ):  # no hard links here: a network share, FAT; one process at a time looks and renames
+    except OSError:  # no hard links (network share, FAT): one process at a time checks and renames
         claim = file.with_name(f".{file.name}.claim")
         end = time.monotonic() + _CLAIMED
         while not file.exists():
@@ -370,7 +368,7 @@ def _give_name(made: Path, file: Path) -> None:
                 if time.monotonic() < end:
                     time.sleep(0.01)
                     continue
-            try:  # a claim as old as that is left over from a process that was killed
+            try:  # an old claim is from a process that was killed
                 if not file.exists():
                     made.replace(file)
             finally:
@@ -378,7 +376,7 @@ def _give_name(made: Path, file: Path) -> None:
 
 
 def _write_through(folder: Path) -> None:
-    """Flush the names of a folder to the disk, if the system can."""
+    """Flush a folder's directory entries to disk, if the system supports it."""
     with contextlib.suppress(OSError):
         handle = os.open(folder, os.O_RDONLY)
         try:
@@ -392,7 +390,7 @@ def _log_of(file: Path) -> Path:
 
 
 def _check_file(file: Path) -> None:
-    """Refuse files that are not SQLite, or shorter than their first page states."""
+    """Raise an error for files that are not SQLite, or shorter than stated in their first page."""
     for attempt in range(3):
         has_log = _log_of(file).exists()
         with file.open("rb") as stream:
@@ -410,7 +408,7 @@ def _check_file(file: Path) -> None:
         stated = int.from_bytes(head[28:32], "big") * (65536 if page == 1 else page)
         if has_log or size >= stated:
             return
-        time.sleep(0.05 * (attempt + 1))  # another process may be putting its last pages in place
+        time.sleep(0.05 * (attempt + 1))  # another process may be writing its last pages
     what = Phrase(
         "the store is damaged: {size} of {stated} bytes are there", size=size, stated=stated
     )
@@ -418,7 +416,7 @@ def _check_file(file: Path) -> None:
 
 
 def _check_tables(connection: Connection, location: str) -> None:
-    """Refuse a database that is damaged or holds something else; contents are checked when they are read."""
+    """Raise an error for a damaged or different kind of database; contents are checked when read."""
     is_file = connection.dialect.name == "sqlite"
     names = set(inspect(connection).get_table_names())
     if not names >= NAMES or (is_file and names - NAMES):

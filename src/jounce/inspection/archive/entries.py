@@ -1,4 +1,4 @@
-"""Entries of the record store; their signals are packed without loss."""
+"""Entries of the record store, with losslessly packed signals."""
 
 from __future__ import annotations
 
@@ -29,38 +29,36 @@ _NO_TEXT = re.compile("[\0\ud800-\udfff]")
 
 @dataclass(frozen=True)
 class RecordEntry:
-    """A record to store: its original file, and the known facts."""
+    """A record to store: original file and known metadata."""
 
     name: str
     content: bytes = field(repr=False)
-    sidecar: bytes | None = field(
-        default=None, repr=False
-    )  # the TOML file beside it, where there is one
-    plate: str = ""  # number plate of the vehicle; empty where nothing says it
+    sidecar: bytes | None = field(default=None, repr=False)  # accompanying TOML file, if any
+    plate: str = ""  # number plate of the vehicle; empty if unknown
     vehicle: str = ""
     date: str = ""  # day of the inspection, ISO 8601
     axle: str = ""  # ``"front"``, ``"rear"`` or empty
     tester: str = ""
-    # description of tester and vehicle as tables, for evaluating the record again
+    # descriptions of tester and vehicle as tables, for re-evaluation
     tester_table: Mapping[str, Any] | None = field(default=None, repr=False)
     vehicle_table: Mapping[str, Any] | None = field(default=None, repr=False)
-    methods: tuple[str, ...] = ()  # what to evaluate and what decides; empty for all
-    signals: bytes | None = field(default=None, repr=False)  # signals as ``pack`` gives them
+    methods: tuple[str, ...] = ()  # methods to evaluate, which decide; empty for all
+    signals: bytes | None = field(default=None, repr=False)  # signals as returned by ``pack``
 
     @property
     def digest(self) -> str:
-        """SHA-256 of file and sidecar."""
+        """SHA-256 digest of file and sidecar."""
         return digest_of(self.content, self.sidecar)
 
 
 def digest_of(content: bytes, sidecar: bytes | None) -> str:
-    """SHA-256 of a file and the one beside it: the same for the same bytes, whatever their names."""
+    """Return the SHA-256 digest of the bytes of a file and its sidecar, independent of their names."""
     parts = [hashlib.sha256(part).digest() for part in (content, sidecar) if part is not None]
     return hashlib.sha256(b"".join(parts)).hexdigest()
 
 
 def storable(text: str) -> str:
-    r"""Text that every database accepts: NUL and bytes that cannot be decoded become replacement characters.
+    r"""Make a text acceptable to every database: NUL and undecodable bytes become replacement characters.
 
     Examples
     --------
@@ -71,7 +69,7 @@ def storable(text: str) -> str:
 
 
 def plate_key(plate: str) -> str:
-    """Number plate in the form used for comparison: capital letters and digits.
+    """Normalise a number plate for comparison: capital letters and digits.
 
     Examples
     --------
@@ -87,7 +85,7 @@ class Grading:
 
     verdict: str
     limits: str  # version of the limits
-    software: str  # version of what graded it
+    software: str  # version of the software that graded it
     result: Mapping[str, Any]  # plain values, SI
 
 
@@ -102,20 +100,20 @@ class StoredRecord:
     date: str
     axle: str
     tester: str
-    accepted: str  # when it came in, ISO 8601, UTC
-    grading: Grading | None  # the newest one
+    accepted: str  # time of import, ISO 8601, UTC
+    grading: Grading | None  # newest grading
 
 
 _FORMAT = "signals/1"
-_FACTORS = (1.0, 1e-3, 1e3)  # from the unit of the column to SI: none, mm or ms, kN
+_FACTORS = (1.0, 1e-3, 1e3)  # factors from the column's unit to SI: none, mm or ms, kN
 _DECIMALS = range(7)
-_LARGEST = 2**31 - 1  # of the whole numbers of 32 bits that values are stored as
+_LARGEST = 2**31 - 1  # largest 32-bit integer in which values are stored
 
 
 def pack(record: xr.Dataset, findings: Iterable[Finding] = ()) -> bytes:
     """Pack a recording, in SI and with plain attributes, with the findings of its reader.
 
-    ``unpack`` gives the very same numbers: decimal columns are kept as integers, others as they are.
+    ``unpack`` restores identical numbers: decimal columns are stored as integers, others unchanged.
 
     Examples
     --------
@@ -147,7 +145,7 @@ def pack(record: xr.Dataset, findings: Iterable[Finding] = ()) -> bytes:
 
 
 def unpack(packed: bytes) -> tuple[xr.Dataset, list[Finding]]:
-    """Unpack a recording and its findings; raises RecordingError for damaged bytes or another version."""
+    """Unpack a recording and its findings; raises RecordingError for damaged bytes or a different version."""
     from jounce.recordings.schema import recording_of
 
     try:
@@ -179,7 +177,7 @@ def _pack_values(values: Array) -> tuple[dict[str, Any], bytes]:
     for factor in _FACTORS:
         for decimals in _DECIMALS:
             scaled = np.rint(values / factor * 10.0**decimals)
-            if not np.all(np.abs(scaled) < _LARGEST):  # also for NaN
+            if not np.all(np.abs(scaled) < _LARGEST):  # also true for NaN
                 break
             if np.array_equal(scaled / 10.0**decimals * factor, values):
                 steps = np.diff(scaled.astype(np.int64), prepend=0)

@@ -1,4 +1,4 @@
-"""Results of the store as one table, a row for each wheel: CSV and Parquet."""
+"""Export of results as a CSV or Parquet table with one row per wheel."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 Row = dict[str, Any]
 VALUES = {name: quantity.si for name, quantity in NUMBERS.items()}
-"""Values of a wheel that are exported, with their unit; ``<name>_half_width`` is half their 95 % interval."""
+"""Exported values of a wheel with their units; ``<name>_half_width`` is the half width of the 95 % interval."""
 _OF_RECORD = ("number", "name", "plate", "vehicle", "date", "axle", "tester", "accepted")
 TEXTS = (
     *_OF_RECORD[1:], "wheel", *(f"grade_{method}" for method in METHODS), "verdict", "reasons", "axle_verdict",
@@ -32,7 +32,7 @@ COLUMNS = (
 
 
 def rows_of(records: Iterable[StoredRecord]) -> list[Row]:
-    """Give one row for each wheel of each record by its newest grading; one without a wheel if none is known."""
+    """Return one row per wheel and record from the newest grading; a record without wheels has one row."""
     rows = []
     for record in records:
         about: Row = {name: getattr(record, name) for name in _OF_RECORD}
@@ -46,7 +46,7 @@ def rows_of(records: Iterable[StoredRecord]) -> list[Row]:
             }
             about["axle_reasons"] = " ".join(
                 result.get("reasons", [])
-            )  # an axle may fail whose wheels pass
+            )  # an axle may fail although its wheels pass
         wheels = result.get("wheels") or [
             {"verdict": "not graded", "reasons": result.get("reasons", [])}
         ]
@@ -59,7 +59,7 @@ def rows_of(records: Iterable[StoredRecord]) -> list[Row]:
 
 
 def _messages(about: Mapping[str, Any]) -> list[str]:
-    """Messages of the evaluation about a wheel or a record; problems are among the reasons already."""
+    """Return the evaluation's messages about a wheel or a record, except problems, which are among the reasons."""
     return [
         finding["message"]
         for finding in about.get("findings", [])
@@ -81,7 +81,7 @@ def _of_wheel(wheel: Mapping[str, Any]) -> Row:
 
 
 def check_export(path: Path | str, *, force: bool = False) -> Path:
-    """Refuse an export that could not be written, before any work is done."""
+    """Raise an error for an export that cannot be written, before any work is done."""
     file = TABLES.check(path, force=force)
     if file.suffix.lower() == ".parquet":
         require("pyarrow", "lane")
@@ -89,9 +89,9 @@ def check_export(path: Path | str, *, force: bool = False) -> Path:
 
 
 def export(rows: Sequence[Row], path: Path | str, *, force: bool = False) -> Path:
-    """Write rows, SI, as a table: ``.csv`` (comma, UTF-8, empty for what is not known) or ``.parquet`` (typed columns).
+    """Write rows, SI, as a table: ``.csv`` (comma, UTF-8, empty for unknown values) or ``.parquet`` (typed columns).
 
-    The file is there whole or not at all; Parquet needs the extra ``lane``.
+    The file is written atomically. Parquet requires the extra ``lane``.
 
     Examples
     --------

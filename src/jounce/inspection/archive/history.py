@@ -1,4 +1,4 @@
-"""One vehicle over the years: values of each wheel at every inspection, and their trends."""
+"""History of one vehicle: values of each wheel at every inspection, and their trends."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ class WheelVisit:
     wheel: str
     # ``adhesion`` (fraction), ``phase_angle_min_deg`` (degrees), ``theta_road`` (dimensionless)
     values: Mapping[str, float | None]
-    verdict: str  # of the wheel, by the newest grading
-    limits: str  # of the wheel, by the newest grading
+    verdict: str  # verdict of the wheel in the newest grading
+    limits: str  # limits of the newest grading
     unreliable: tuple[
         str, ...
-    ] = ()  # which of the values say little, as after lift-off: no trend is drawn from them
+    ] = ()  # unreliable values, e.g. after lift-off, which are excluded from trends
 
 
 @dataclass(frozen=True)
@@ -44,20 +44,20 @@ class Trend:
     quantity: str
     # slope of the straight line through all visits (least squares), unit of the quantity per year
     change_per_year: float
-    visits: int  # with this value, reliable, and a date
+    visits: int  # number of visits with a reliable value and a date
 
 
 def history_of(store: Store, plate: str) -> list[WheelVisit]:
-    """Give the measured values of every wheel of a vehicle, by date.
+    """Return the measured values of every wheel of a vehicle by date.
 
-    Of its number plate capitals, spaces and hyphens do not count. The list is empty for a plate that was never here;
-    records that could not be read have no wheels and are left out.
+    Case, spaces and hyphens of the number plate are ignored. The list is empty for an unknown plate; unreadable
+    records are omitted.
     """
     return [visit for record in store.records(plate=plate) for visit in visits_of(record)]
 
 
 def visits_of(record: StoredRecord) -> list[WheelVisit]:
-    """Give the wheels of one record by its newest grading; none where it could not be read."""
+    """Return the wheels of one record from its newest grading; empty if the record was unreadable."""
     if record.grading is None:
         return []
     wheels: list[dict[str, Any]] = record.grading.result.get("wheels", [])
@@ -78,7 +78,7 @@ def visits_of(record: StoredRecord) -> list[WheelVisit]:
 
 
 def trends_of(visits: Iterable[WheelVisit]) -> list[Trend]:
-    """Give the trend of every value of every wheel that was here on at least two days.
+    """Return the trend of every value of each wheel that was inspected on at least two days.
 
     Examples
     --------
@@ -104,7 +104,7 @@ def trends_of(visits: Iterable[WheelVisit]) -> list[Trend]:
 
 
 def day_number(text: str) -> int | None:
-    """Give the ordinal of a day in ISO 8601; None for other text."""
+    """Return the ordinal of an ISO 8601 day; None for other text."""
     try:
         return date.fromisoformat(text).toordinal()
     except ValueError:

@@ -1,4 +1,4 @@
-"""One record through the lane: read, evaluated, graded, and as an entry of the store."""
+"""Processing of one record: reading, evaluation, grading, and storing."""
 
 from __future__ import annotations
 
@@ -39,20 +39,20 @@ if TYPE_CHECKING:
     from jounce.inspection.archive.store import Store
     from jounce.inspection.result import Inspection
 
-_HEADER_BYTES = 65536  # far more than a header has
+_HEADER_BYTES = 65536  # far more than any header
 
 
 @dataclass(frozen=True)
 class InspectedRecord:
     """A record with its evaluation and grading."""
 
-    path: Path  # its file
+    path: Path  # file of the record
     record: xr.Dataset  # plate heights (m) and forces (N) on ``time`` (s)
     graded: GradedInspection  # values, grades, verdicts, reasons
 
     @property
     def facts(self) -> dict[str, str]:
-        """Texts of the record's header."""
+        """Return the texts of the record's header."""
         return {
             name: value
             for name, value in self.graded.inspection.facts.items()
@@ -61,7 +61,7 @@ class InspectedRecord:
 
 
 def check_methods(methods: Sequence[str] | None) -> list[str] | None:
-    """Refuse unknown methods; give each once, and None where there are none."""
+    """Check methods and remove duplicates; return None if there are none."""
     for method in methods or ():
         if method not in METHODS:
             raise unknown(method, METHODS, what="method", where="methods")
@@ -82,29 +82,29 @@ def inspect_record(
     Parameters
     ----------
     path : Path or str
-        The record, with its header or the TOML file beside it.
+        Record with a header or an accompanying TOML file.
     tester : Tester
-        On which it was made. Its own method decides where ``methods`` does not say otherwise.
+        Tester of the record. Its method decides unless ``methods`` is given.
     vehicle : Rig or Vehicle, optional
-        Under test.
+        Vehicle under test.
     methods : sequence of {"eusama", "egea", "theta", "boge"}, optional
-        What to evaluate and what decides; by default all that the plate allows are graded, and the tester's decides.
+        Methods to evaluate, which decide; by default all that the plate supports, and the tester's method decides.
     limits : Limits, optional
-        Those that come with jounce by default.
+        Limits to apply; by default the shipped ones.
     read : (Dataset, list of Finding), optional
-        What ``read_record`` gave for this file already.
+        Result of an earlier ``read_record`` for this file.
 
     Returns
     -------
     InspectedRecord
-        Also for a record that is unfit: its wheels are not graded then.
+        Result; wheels of an unusable record are not graded.
 
     Raises
     ------
     RecordingError
         For a file that cannot be read.
     DescriptionError
-        For a wrong header, an unknown method, or one that the plate does not allow.
+        For an invalid header, or a method that is unknown or not supported by the plate.
     """
     record, findings = read if read is not None else read_record(path, tester)
     inspection = evaluate(record, tester, vehicle, methods)
@@ -114,7 +114,7 @@ def inspect_record(
 
 
 def _without_repeats(findings: Sequence[Finding], inspection: Inspection) -> tuple[Finding, ...]:
-    """Findings of reader and evaluation without repeats; those of wheels that were not tested are left out."""
+    """Combine the findings of reader and evaluation without duplicates and without untested wheels."""
     unused = [
         f"{side}." for side in SIDES if all(wheel.wheel != side for wheel in inspection.wheels)
     ]
@@ -146,10 +146,10 @@ def entry_of(
     vehicle: Any = None,
     methods: Sequence[str] | None = None,
 ) -> RecordEntry:
-    """Return a record's file, and the TOML file next to it, unchanged, with their metadata.
+    """Return a record's unchanged file and accompanying TOML file, with metadata.
 
-    What ``facts`` do not say (plate number, vehicle, date, axle, tester) is taken from the header. Tester, vehicle and
-    methods are those by which it is evaluated, now and again.
+    Metadata missing in ``facts`` (plate number, vehicle, date, axle, tester) is taken from the header. Tester, vehicle
+    and methods are used for all evaluations.
     """
     file = Path(path)
     beside = file.with_suffix(".toml")
@@ -175,7 +175,7 @@ def entry_of(
 
 
 def header_facts(content: bytes, sidecar: bytes | None = None) -> dict[str, str]:
-    r"""Give the texts of a record's header, as far as they can be read; the record may be damaged.
+    r"""Return the readable texts of a record's header; the record may be damaged.
 
     Examples
     --------
@@ -202,14 +202,14 @@ def _table_of(description: Any) -> dict[str, Any]:
 
 
 def grading_of(graded: GradedInspection) -> Grading:
-    """Make the stored grading of a graded axle."""
+    """Create the stored grading of a graded axle."""
     return Grading(
         graded.verdict, graded.limits.label, metadata.version("jounce"), graded.to_dict()
     )
 
 
 def refusal_of(error: Exception, limits: Limits | None = None) -> Grading:
-    """Make the stored grading of a record that cannot be read: not graded, with the reason."""
+    """Create the stored grading of an unreadable record: not graded, with the reason."""
     label = (limits if limits is not None else load_limits()).label
     plain = {"wheels": [], "axle": {}, "verdict": NOT_GRADED, "reasons": [str(error)]}
     return Grading(NOT_GRADED, label, metadata.version("jounce"), plain)
@@ -220,11 +220,11 @@ class ImportedRecord:
     """Outcome of an import."""
 
     file: str
-    number: int  # of the record in the store
-    is_new: bool  # false where the same file was in the store already
-    verdict: str  # of the axle; ``"not graded"`` where the record does not allow it
-    problem: str = ""  # why it could not be graded; empty where it could
-    warnings: int = 0  # findings that weaken its values, of the record and of its wheels
+    number: int  # number of the record in the store
+    is_new: bool  # false if the same file was already in the store
+    verdict: str  # verdict of the axle; ``"not graded"`` if the record is unusable
+    problem: str = ""  # why the record could not be graded; empty if it was graded
+    warnings: int = 0  # number of findings about values of the record and its wheels
 
     def __str__(self) -> str:
         word = "accepted" if self.is_new else "known"
@@ -242,36 +242,36 @@ def import_record(
     methods: Sequence[str] | None = None,
     limits: Limits | None = None,
 ) -> ImportedRecord:
-    """Evaluate and grade a record and put it into the store, all of it in one transaction.
+    """Evaluate, grade and store a record in one transaction.
 
     Parameters
     ----------
     file : Path or str
-        The record; the TOML file beside it comes along. Both stay where they are.
+        Record; an accompanying TOML file is included. Neither file is moved.
     store : Store
-        Open for writing.
+        Store opened for writing.
     tester : Tester, optional
-        On which it was made; by default the shipped one that the header names.
+        Tester of the record; by default the shipped one named in the header.
     vehicle : Rig or Vehicle, optional
-        Under test.
+        Vehicle under test.
     methods : sequence of {"eusama", "egea", "theta", "boge"}, optional
-        What to evaluate and what decides.
+        Methods to evaluate, which decide.
     limits : Limits, optional
-        Those that come with jounce by default.
+        Limits to apply; by default the shipped ones.
 
     Returns
     -------
     ImportedRecord
-        When this returns, the record is safe. A record that cannot be graded is stored with the reasons.
+        Outcome; the record is then safely stored. A record that cannot be graded is stored with the reasons.
 
     Raises
     ------
     OutputError
-        When the store, or a file that evaluating takes, cannot be written; nothing of the record is in the store then.
+        If the store or a temporary file cannot be written; nothing is stored in that case.
     RecordingError
         For an empty file, or a damaged store.
     OSError
-        When the file cannot be read.
+        If the file cannot be read.
 
     Examples
     --------
@@ -294,9 +294,9 @@ def import_record(
         entry = _with_tester(entry, tester)
         entry, graded = _evaluate(entry, vehicle, limits)
         grading = grading_of(graded)
-    except (OutputError, OSError):  # the record was not looked at: this is no verdict
+    except (OutputError, OSError):  # the record was not evaluated, so this is not a verdict
         raise
-    except Exception as error:  # noqa: BLE001 - whatever the evaluation meets, the record must not be lost
+    except Exception as error:  # noqa: BLE001 - the record must not be lost, whatever error occurs
         if is_of_system(error):
             raise resource_error(error, str(file)) from None
         problem = (
@@ -316,7 +316,7 @@ def import_record(
 
 
 def problem_of(grading: Grading) -> str:
-    """Say why a record could not be graded; an empty text where it could, or where only one wheel was tested."""
+    """Return why a record could not be graded; empty if it was graded or only one wheel was tested."""
     wheels = grading.result.get("wheels", [])
     reasons: list[str] = [] if wheels else list(grading.result.get("reasons", []))
     for wheel in wheels:
@@ -335,7 +335,7 @@ def _describe_known(file: str, number: int, store: Store) -> ImportedRecord:
 
 
 def warnings_of(grading: Grading) -> int:
-    """Count the findings that weaken values of a record or its wheels, such as a tyre leaving the plate."""
+    """Count the warnings about values of a record or its wheels, such as a tyre leaving the plate."""
     places = [grading.result, *grading.result.get("wheels", [])]
     return sum(
         item["severity"] == "warning" for place in places for item in place.get("findings", [])
@@ -343,7 +343,7 @@ def warnings_of(grading: Grading) -> int:
 
 
 def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
-    """Use the tester that the header names if none is given; nothing is guessed."""
+    """Use the tester named in the header if none is given, without guessing."""
     if tester is not None:
         return entry
     shipped = {
@@ -385,7 +385,7 @@ def _evaluate(
 
 
 def stored_tester(entry: RecordEntry) -> Tester:
-    """Give the tester of a stored record from its description."""
+    """Return the tester of a stored record from its description."""
     if entry.tester_table is None:
         raise RecordingError(
             "the tester of this record is not known",
@@ -421,7 +421,7 @@ def read_entry(entry: RecordEntry, tester: Tester) -> tuple[xr.Dataset, list[Fin
 
 
 def _file_name(name: str) -> str:
-    """File name of an entry: its own, if a file can have it."""
+    """Return the file name of an entry: its own if valid."""
     own = Path(name.replace("\0", "")).name
     return (
         own
@@ -430,4 +430,4 @@ def _file_name(name: str) -> str:
     )
 
 
-_LONGEST_NAME = 240  # bytes; systems take 255
+_LONGEST_NAME = 240  # bytes; systems allow 255

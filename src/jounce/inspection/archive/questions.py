@@ -1,4 +1,4 @@
-"""Questions to a store of records: history of a vehicle, search, table of results, verification, evaluation again."""
+"""Queries of a record store: vehicle history, search, export of results, verification, re-evaluation."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ VERDICT = Mark("Verdict of the axle: pass, advise, fail or not graded.", "VERDIC
 TESTER = Mark("Name of the tester, as in its file, or of a shipped one.", "TESTER")
 SINCE, UNTIL = Mark("First day, e.g. 2026-01-31.", "DAY"), Mark("Last day.", "DAY")
 COLUMNS = ("number", "date", "plate", "vehicle", "axle", "tester", "name")
-"""What a list of records shows of each, beside its verdict."""
+"""Attributes shown in a list of records, besides the verdict."""
 
 
 # history --------------------------------------------------------------------------------------------------------------
@@ -44,13 +44,13 @@ class VehicleHistory(Shown):
     Attributes
     ----------
     plate, vehicle : str
-        As the newest record has them.
+        Number plate and vehicle from the newest record.
     records : tuple of int
         Numbers of its records.
     visits : tuple of WheelVisit
-        What each wheel measured, by date, SI.
+        Values of each wheel by date, SI.
     trends : tuple of Trend
-        How the values of each wheel change per year.
+        Change of each wheel's values per year.
     """
 
     plate: str
@@ -65,7 +65,7 @@ class VehicleHistory(Shown):
         return ", ".join(filter(None, (self.plate, self.vehicle)))
 
     def to_dict(self) -> dict[str, Any]:
-        """Give visits and trends as plain data, SI."""
+        """Return visits and trends as plain data, SI."""
         wheels = [
             {
                 "record": visit.record,
@@ -115,7 +115,7 @@ def read_inspection_history(
     Raises
     ------
     RecordingError
-        Where there is no such store, or no record of this plate in it.
+        If the store does not exist or has no record of this plate.
 
     Examples
     --------
@@ -146,7 +146,7 @@ def read_inspection_history(
 
 @dataclass(frozen=True)
 class FoundRecords(Shown):
-    """Records of a store that fulfil some conditions: where the store is, and the records by number."""
+    """Records of a store that match the given conditions: location of the store, and records by number."""
 
     store: str
     records: tuple[StoredRecord, ...]
@@ -187,7 +187,7 @@ def find_inspections(
     plate : str, optional
         Number plate, or a pattern such as ``B-AB*``; case, spaces and hyphens are ignored.
     verdict : str, optional
-        Of the axle: pass, advise, fail or not graded.
+        Verdict of the axle: pass, advise, fail or not graded.
     tester : str, optional
         Name of the tester, as in its file, or of a shipped one.
     since, until : str, optional
@@ -196,14 +196,14 @@ def find_inspections(
     Returns
     -------
     FoundRecords
-        The records, with their newest gradings.
+        Records with their newest gradings.
 
     Raises
     ------
     RecordingError
-        Where there is no such store.
+        If the store does not exist.
     DescriptionError
-        For an unknown verdict, and what is no date.
+        For an unknown verdict or an invalid date.
 
     Examples
     --------
@@ -248,7 +248,7 @@ class ExportedRecords(Plain):
 
     @property
     def remark(self) -> str:
-        """What could not be read."""
+        """Summary of unreadable data."""
         return "; ".join(self.lost)
 
     @property
@@ -290,21 +290,21 @@ def export_inspections(
     plate, verdict, tester, since, until : str, optional
         Conditions, as for :func:`find_inspections`.
     damaged : bool
-        Write everything that can still be read from a damaged store, whatever the conditions.
+        Whether to write everything readable from a damaged store, ignoring the conditions.
     force : bool
-        Overwrite an existing file.
+        Whether to overwrite an existing file.
 
     Returns
     -------
     ExportedRecords
-        How many records and rows were written, and what was lost.
+        Numbers of written records and rows, and unreadable data.
 
     Raises
     ------
     RecordingError
-        Where there is no such store, or where it is damaged, without ``damaged``.
+        If the store does not exist, or is damaged and ``damaged`` is not set.
     OutputError
-        For another suffix, and an existing file.
+        For an unsupported suffix or an existing file.
 
     Examples
     --------
@@ -327,12 +327,12 @@ def export_inspections(
     return ExportedRecords(opened.location, str(out), len(records), len(rows), tuple(lost))
 
 
-# verification and evaluation again ------------------------------------------------------------------------------------
+# verification and re-evaluation ---------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
 class VerifiedStore(Plain):
-    """A store without a problem: where it is, and how many records it has."""
+    """A verified store: location and number of records."""
 
     store: str
     records: int
@@ -358,12 +358,12 @@ def verify_inspections(store: Annotated[Path | str, STORE]) -> VerifiedStore:
     Returns
     -------
     VerifiedStore
-        How many records it has.
+        Location and number of records.
 
     Raises
     ------
     RecordingError
-        Where there is no such store, and for every kind of damage.
+        If the store does not exist or is damaged in any way.
 
     Examples
     --------
@@ -386,7 +386,7 @@ def verify_inspections(store: Annotated[Path | str, STORE]) -> VerifiedStore:
 
 @dataclass(frozen=True)
 class ReevaluatedStore(Shown):
-    """A store whose records were evaluated again: its location, the limits, and the result."""
+    """A re-evaluated store: location, limits, and result."""
 
     store: str
     limits: str
@@ -394,11 +394,11 @@ class ReevaluatedStore(Shown):
 
     @property
     def is_met(self) -> bool:
-        """Whether every record could be read again."""
+        """Whether every record was readable."""
         return not self.result.failed
 
     def to_dict(self) -> dict[str, Any]:
-        """Give counts, changes of verdicts, and records that could not be read, as plain data."""
+        """Return counts, changes of verdicts, and unreadable records as plain data."""
         result = self.result
         changes = [
             {"before": a, "after": b, "records": count} for (a, b), count in result.changes.items()
@@ -438,7 +438,7 @@ def reevaluate_inspections(
     from_files: Annotated[bool, Switch("Read the original files again (slower).")] = False,
     progress: Callable[[str], None] = lambda _: None,
 ) -> ReevaluatedStore:
-    """Evaluate and grade all stored records again, under other limits; earlier gradings are kept.
+    """Evaluate and grade all stored records again, optionally with different limits; earlier gradings are kept.
 
     Parameters
     ----------
@@ -451,21 +451,21 @@ def reevaluate_inspections(
     workers : int
         Number of processes, 1 or more.
     from_files : bool
-        Read the original files again (slower).
+        Whether to read the original files again (slower).
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with a progress text of one line.
 
     Returns
     -------
     ReevaluatedStore
-        Gradings that were added, and how verdicts changed.
+        Added gradings and changes of verdicts.
 
     Raises
     ------
     RecordingError
-        Where there is no such store.
+        If the store does not exist.
     DescriptionError
-        For limits or a tester that cannot be understood.
+        For invalid limits or an invalid tester.
 
     Examples
     --------
@@ -480,7 +480,7 @@ def reevaluate_inspections(
             "not a number of processes", where="workers", found=workers, allowed="1 or more"
         )
     chosen, graded_by = None if tester is None else load_tester(tester), load_limits(limits)
-    Store(store, read_only=True).close()  # where there is no store, none is made
+    Store(store, read_only=True).close()  # raises an error instead of creating a missing store
     with closing(Store(store)) as opened:
         result = reevaluate(
             opened,

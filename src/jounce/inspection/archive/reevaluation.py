@@ -1,4 +1,4 @@
-"""All stored records evaluated and graded again, by several processes at once."""
+"""Re-evaluation of all stored records in parallel processes."""
 
 from __future__ import annotations
 
@@ -39,25 +39,23 @@ if TYPE_CHECKING:
     from jounce.core.findings import Finding
     from jounce.parts.testers import Tester
 
-_BATCH = (
-    20  # records handed to a process at once: more are cheaper to hand over, fewer end together
-)
+_BATCH = 20  # records per batch: larger batches reduce overhead, smaller ones balance the load
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 
 
 @dataclass(frozen=True)
 class Reevaluation:
-    """Outcome of evaluating all records again."""
+    """Outcome of the re-evaluation of all records."""
 
     records: int
     added: int = 0  # new gradings
     unchanged: int = (
-        0  # records whose newest grading says the same already, by the same limits and software
+        0  # records whose newest grading is already identical, with the same limits and software
     )
-    # how many verdicts went from one word to another
+    # number of verdicts by old and new value
     changes: Mapping[tuple[str, str], int] = field(default_factory=dict)
     changed: tuple[int, ...] = ()  # numbers of these records
-    # records that could not be read again, and why; their gradings stay
+    # records that could not be read, with the reason; their gradings are kept
     failed: Mapping[int, str] = field(default_factory=dict)
 
 
@@ -78,12 +76,11 @@ def reevaluate(
     from_files: bool = False,
     say: Callable[[int, int], None] | None = None,
 ) -> Reevaluation:
-    """Evaluate and grade all stored records again; the gradings are added to those they have.
+    """Evaluate and grade all stored records again, adding new gradings to the existing ones.
 
-    They are put in by batches: what is done stays done when the work is stopped. ``tester`` is for records of which
-    none is known. A single one of the ``workers`` (processes) works in this one; ``from_files`` reads the files as they
-    came in once more, in place of the signals that were read from them; ``say`` is told how many are done, and of how
-    many.
+    Gradings are stored in batches, so completed work is kept after an interruption. ``tester`` applies to records with
+    an unknown tester. With ``workers`` (processes) 1 the work is done in this process. ``from_files`` reads the
+    original files again instead of the stored signals. ``say`` is called with the completed and total counts.
     """
     numbers = store.numbers()
     task = _Reevaluation(
@@ -125,7 +122,7 @@ class _Reevaluation:
 def _results(
     task: _Reevaluation, batches: list[list[int]], workers: int
 ) -> Iterator[Iterable[list[_Outcome]]]:
-    """Give the outcomes of the batches in order, as they are finished."""
+    """Yield the outcomes of the batches in order as they are completed."""
     if workers <= 1:
         store = Store(task.address, read_only=True)
         yield (_work_on(store, task, batch) for batch in batches)
@@ -154,7 +151,7 @@ def _results(
 
 @contextmanager
 def _one_thread_each() -> Iterator[None]:
-    """Keep the processes that are started within from using several cores each."""
+    """Limit each process started in this context to one core."""
     before = {name: os.environ.get(name) for name in _THREADS}
     os.environ.update(dict.fromkeys(_THREADS, "1"))
     try:
@@ -171,7 +168,7 @@ _open: dict[str, Any] = {}
 
 
 def _begin(task: _Reevaluation) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the first process tells when to stop
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # only the main process handles interrupts
     _open.update(task=task, store=Store(task.address, read_only=True))
 
 
@@ -184,7 +181,7 @@ def _work_on(store: Store, task: _Reevaluation, batch: list[int]) -> list[_Outco
 
 
 def _reevaluate_record(store: Store, task: _Reevaluation, number: int) -> _Outcome:
-    """Evaluate one record again; its failure does not stop the others."""
+    """Evaluate one record again; a failure does not stop the others."""
     try:
         newest = store.newest_grading(number)
         entry = store.entry(number)
@@ -219,7 +216,7 @@ def _reevaluate_record(store: Store, task: _Reevaluation, number: int) -> _Outco
 
 
 class _Lost(Exception):
-    """The bytes of a record are not those that came in."""
+    """The bytes of a record differ from those imported."""
 
 
 def _signals(
@@ -230,7 +227,7 @@ def _signals(
         if packed is not None:
             return unpack(packed)
     except RecordingError:
-        pass  # the file is the record; its signals are only faster
+        pass  # the file is authoritative; the signals only save time
     try:
         content, sidecar = store.content(number)
     except RecordingError as error:

@@ -1,7 +1,7 @@
-"""The lane's record store: raw records and their gradings in one SQL database, SQLite unless another one is named.
+"""Record store of a lane: raw records and their gradings in one SQL database, by default SQLite.
 
-Every record goes in with its grading in one transaction: after a crash it is there whole, or not at all. Two processes
-may write at once. Records are kept as the bytes that came in; gradings are added, never replaced.
+Every record is stored together with its grading in one transaction, so a crash never leaves a partial record. Several
+processes may write concurrently. Records keep their original bytes; gradings are added, never replaced.
 """
 
 from __future__ import annotations
@@ -61,17 +61,15 @@ _RESULT_COLUMNS = (
 _OF_ENTRY = ("name", "plate", "vehicle", "date", "axle", "tester")
 _SHOWN = (*_OF_ENTRY, "accepted")
 _SHOWN_COLUMNS = (RECORDS.c.number, *(RECORDS.c[name] for name in _SHOWN), RECORDS.c.seal)
-_ATTEMPTS = (
-    5  # a choice: so many other processes would have to write the same row one after another
-)
-_GAP = 100  # rows that may be missing in a row of a damaged table
+_ATTEMPTS = 5  # chosen number of retries after conflicts with other processes
+_GAP = 100  # consecutive rows that may be missing in a damaged table
 
 
 class Store:
     """An open record store: a file, created if missing, or a database URL (``postgresql+psycopg://...``).
 
-    A damaged file is refused unless ``damaged`` says so: it is opened for reading only then, and left as it is. A
-    database of another kind or version is refused.
+    A damaged file raises an error unless ``damaged`` is set, which opens it read-only. A database of a different kind
+    or version raises an error.
 
     Examples
     --------
@@ -94,17 +92,17 @@ class Store:
         self._engine = open_database(self.address, read_only=self.read_only, damaged=damaged)
         finalize(
             self, self._engine.dispose
-        )  # from Python 3.13 on, SQLite's connections want to be closed
+        )  # from Python 3.13 on, SQLite connections must be closed
 
     def accept(self, entry: RecordEntry, grading: Grading | None) -> tuple[int, bool]:
-        """Put a record in, with its grading (None where it waits for one), in one transaction.
+        """Store a record with its grading (None if not yet graded) in one transaction.
 
-        Gives its number, and whether it is new: where the same file is in the store already, nothing changes.
+        Returns its number, and whether it is new. If the same file is already stored, nothing changes.
         """
         return self._again(lambda: self._accept(entry, grading))
 
     def _again(self, write: Callable[[], T]) -> T:
-        """Write, once more where another process put the same record, vehicle, tester or file in meanwhile."""
+        """Write, with retries if another process inserted the same record, vehicle, tester or file."""
         for _ in range(_ATTEMPTS):
             try:
                 return write()
@@ -120,7 +118,7 @@ class Store:
             "content": zlib.compress(entry.content, 6),
             "sidecar": None if entry.sidecar is None else zlib.compress(entry.sidecar, 6),
             "signals": entry.signals,
-        }  # before the transaction: others need not wait for it
+        }  # before the transaction, which would block other writers
         with self._writing() as connection:
             known = connection.execute(
                 select(RECORDS.c.number).where(RECORDS.c.digest == entry.digest)
@@ -150,7 +148,7 @@ class Store:
             return number, True
 
     def number_of(self, digest: str) -> int | None:
-        """Number of the record with a digest, if it is in the store."""
+        """Return the number of the record with a digest; None if it is not in the store."""
         with self._reading() as connection:
             number = connection.execute(
                 select(RECORDS.c.number).where(RECORDS.c.digest == digest)
@@ -167,7 +165,7 @@ class Store:
             )
 
     def content(self, number: int) -> tuple[bytes, bytes | None]:
-        """Return file and sidecar of a record as imported; refuse them if their bytes have changed."""
+        """Return file and sidecar of a record as imported; raise an error if their bytes have changed."""
         wanted = select(CONTENTS.c.content, CONTENTS.c.sidecar, RECORDS.c.digest).join(
             RECORDS, RECORDS.c.number == CONTENTS.c.record
         )
@@ -221,7 +219,7 @@ class Store:
         )
 
     def numbers(self) -> list[int]:
-        """Numbers of all records, ascending."""
+        """Return the numbers of all records, ascending."""
         with self._reading() as connection:
             return list(
                 connection.execute(select(RECORDS.c.number).order_by(RECORDS.c.number)).scalars()
@@ -236,16 +234,16 @@ class Store:
         since: str | None = None,
         until: str | None = None,
     ) -> list[StoredRecord]:
-        """Find records, by date; all given conditions must be met.
+        """Return records by date that meet all given conditions.
 
         Parameters
         ----------
         plate : str, optional
-            Capitals, spaces and hyphens do not count; ``*`` at the end stands for anything.
+            Number plate; case, spaces and hyphens are ignored; a trailing ``*`` matches anything.
         verdict, tester : str, optional
-            Equal to these.
+            Exact verdict and tester.
         since, until : str, optional
-            Days, ISO 8601, both included.
+            First and last day, ISO 8601, both included.
         """
         newest = select(func.max(RESULTS.c.number)).group_by(RESULTS.c.record).scalar_subquery()
         joined = RECORDS.outerjoin(
@@ -267,7 +265,7 @@ class Store:
             return [_record_of_row(row, _grading(row)) for row in rows]
 
     def readable_records(self) -> tuple[list[StoredRecord], list[str]]:
-        """Read a damaged store row by row: give the readable records, and the errors of the others."""
+        """Read a damaged store row by row; return the readable records, and the errors of the others."""
         lost: list[str] = []
         gradings: dict[int, Grading] = {}
         for row in self._rows(select(*_RESULT_COLUMNS), RESULTS.c.number, lost):
@@ -286,7 +284,7 @@ class Store:
         return records, lost
 
     def _rows(self, asked: Select[Any], number: Column[int], lost: list[str]) -> Iterator[Any]:
-        """Rows by number, one by one, without any index, until a long gap."""
+        """Yield rows by number, one by one, without an index, until a long gap."""
         at = missing = 0
         unread: list[int] = []
         while missing < _GAP:
@@ -315,7 +313,7 @@ class Store:
         return _record_of_row(row, self.newest_grading(number))
 
     def gradings(self, number: int) -> list[Grading]:
-        """All gradings of a record, the oldest first."""
+        """Return all gradings of a record, oldest first."""
         asked = (
             select(*_RESULT_COLUMNS).where(RESULTS.c.record == number).order_by(RESULTS.c.number)
         )
@@ -327,7 +325,7 @@ class Store:
             ]
 
     def newest_grading(self, number: int) -> Grading | None:
-        """Give the newest grading of a record."""
+        """Return the newest grading of a record."""
         asked = (
             select(*_RESULT_COLUMNS)
             .where(RESULTS.c.record == number)
@@ -339,7 +337,7 @@ class Store:
         return None if row is None else _grading(row)
 
     def note_watched(self, path: str, size: int, modified: int, message: str = "") -> None:
-        """Remember a file of a watched folder: its size in bytes, its time in ns, what was wrong with it."""
+        """Store size (bytes), time (ns) and error message of a file in a watched folder."""
         row = _storable({"path": path, "size": size, "modified": modified, "message": message})
 
         def write() -> None:
@@ -350,13 +348,13 @@ class Store:
         self._again(write)
 
     def watched_files(self) -> dict[str, tuple[int, int]]:
-        """Size (bytes) and time (ns) of the files that were looked at, by path."""
+        """Return size (bytes) and time (ns) of the examined files by path."""
         with self._reading() as connection:
             rows = connection.execute(select(WATCHED.c.path, WATCHED.c.size, WATCHED.c.modified))
             return {row.path: (row.size, row.modified) for row in rows}
 
     def problems(self) -> list[str]:
-        """Check the whole store, every record byte by byte; list the damage, which is empty for a sound store."""
+        """Check the whole store, every record byte by byte; return a list of damage, empty for an intact store."""
         with self._reading() as connection:
             problems = problems_of(connection)
         for number in self.numbers():
@@ -397,7 +395,7 @@ def _note_vehicle(connection: Connection, entry: RecordEntry) -> None:
 
 
 def _note_description(connection: Connection, table: Mapping[str, Any] | None) -> str | None:
-    """Digest of a description, which is kept once."""
+    """Store a description once and return its digest."""
     if table is None:
         return None
     text = storable(json.dumps(json.loads(to_json(table)), sort_keys=True))
@@ -425,7 +423,7 @@ def _storable(row: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _seal(*parts: object) -> str:
-    """Checksum of the columns that are read without the file: a flipped bit must not become another verdict."""
+    """Return a checksum of the columns read without the file, to detect flipped bits, e.g. in a verdict."""
     return hashlib.sha256("\0".join(map(str, parts)).encode()).hexdigest()
 
 

@@ -1,4 +1,4 @@
-"""Records of a lane put into its store: files that are named, or every file that a folder receives."""
+"""Storing of lane records: given files, or all files written to a watched folder."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ LIMITS = Mark("A limits file instead of the shipped limits.")
 
 @dataclass(frozen=True)
 class ImportedRecords(Shown):
-    """Records that were put into a store.
+    """Result of storing records.
 
     Attributes
     ----------
     store : str
-        Where it is.
+        Location of the store.
     records : tuple of ImportedRecord
-        Number and verdict of each, and whether it is new.
+        Stored records, each with number, verdict, and whether it is new.
     failed : dict of str to str
-        Why a file could not be stored, by its name.
+        Reasons by name of files that could not be stored.
     folder : str
-        That was watched; empty where files were named.
+        Watched folder; empty if files were given.
     is_whole : bool
-        Whether everything was stored that should be, and graded.
+        Whether all records were stored and graded.
     """
 
     store: str
@@ -54,7 +54,7 @@ class ImportedRecords(Shown):
     is_whole: bool = True
 
     def to_dict(self) -> dict[str, Any]:
-        """Give records and failures as plain data."""
+        """Return records and failures as plain data."""
         watched = {"folder": self.folder} if self.folder else {}
         return {
             **watched,
@@ -91,24 +91,24 @@ def import_inspections(
 ) -> ImportedRecords:
     """Evaluate and grade records and store them; one line is printed as soon as a record is safe.
 
-    The same file is never stored twice. What cannot be graded is stored with the reasons.
+    The same file is never stored twice. Records that cannot be graded are stored with the reasons.
 
     Parameters
     ----------
     files : sequence of Path or str
-        Records; the TOML files beside them come along. All stay where they are.
+        Records; accompanying TOML files are included. No file is moved.
     store : Path or str
         SQLite file, which is created if missing, or a database URL.
     tester : Tester, Path or str, optional
-        On which they were made; by default the shipped one that the header of each names.
+        Tester of the records; by default the shipped one named in each header.
     methods : sequence of {"eusama", "egea", "theta", "boge"}
-        What decides; by default the method of the tester.
+        Deciding methods; by default the method of the tester.
     limits : Path or str, optional
         Limits file; by default the shipped limits.
     each : callable
-        Called with each :class:`ImportedRecord` as soon as it is safe, or with a text that says why there is none.
+        Called with each :class:`ImportedRecord` as soon as it is stored, or with the reason for a failure.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with a progress text of one line.
 
     Returns
     -------
@@ -122,7 +122,7 @@ def import_inspections(
     DescriptionError
         For unknown methods, testers and limits.
     OutputError
-        Where the store cannot be written.
+        If the store cannot be written.
 
     Examples
     --------
@@ -147,7 +147,7 @@ def import_inspections(
                 if is_of_system(error) or (
                     isinstance(error, JounceError) and error.where == opened.location
                 ):
-                    raise  # the other files fare no better
+                    raise  # the other files would fail in the same way
                 failed[str(file)] = str(error)
                 each(str(error))
                 continue
@@ -180,36 +180,36 @@ def watch_inspections(
 ) -> ImportedRecords:
     """Watch a folder and store every complete record, until Ctrl-C. The files stay where they are.
 
-    What cannot be read is reported once, and tried again when it has changed.
+    An unreadable file is reported once, and tried again after it has changed.
 
     Parameters
     ----------
     folder : Path or str
-        Into which the lane writes its records.
+        Folder into which the lane writes its records.
     store : Path or str
         SQLite file, which is created if missing, or a database URL.
     tester : Tester, Path or str, optional
-        On which they were made; by default the shipped one that the header of each names.
+        Tester of the records; by default the shipped one named in each header.
     limits : Path or str, optional
         Limits file; by default the shipped limits.
     interval : float
-        Time between two looks at the folder [s].
+        Polling interval of the folder [s].
     settle : float
-        A file that is unchanged for this time [s] is complete.
+        Time [s] without changes after which a file is complete.
     once : bool
-        Store the files that are there, and return.
+        Whether to store the files present and return.
     each : callable
-        Called with each :class:`ImportedRecord` as soon as it is safe, or with a text that says why there is none.
+        Called with each :class:`ImportedRecord` as soon as it is stored, or with the reason for a failure.
 
     Returns
     -------
     ImportedRecords
-        Everything that was stored, once an interrupt (``KeyboardInterrupt``) ends the watch.
+        All stored records, after an interrupt (``KeyboardInterrupt``) has ended the watch.
 
     Raises
     ------
     JounceError
-        For what is no folder, a time below 0 s, and a store that cannot be opened.
+        If the folder does not exist, a time is negative, or the store cannot be opened.
 
     Examples
     --------
@@ -237,7 +237,7 @@ def watch_inspections(
                     failed[str(seen.file)] = seen.problem
                     each(f"{seen.file}: {seen.problem.removeprefix(f'{seen.file}: ')}")
                 else:
-                    failed.pop(str(seen.file), None)  # the store, or the file, may have come back
+                    failed.pop(str(seen.file), None)  # the store or the file may be available again
                     kept.append(seen.imported)
                     each(seen.imported)
             if once and (not watching.waiting or time.monotonic() > end):
@@ -254,13 +254,13 @@ def watch_inspections(
 
 @contextmanager
 def _until_stopped() -> Iterator[None]:
-    """Work until Ctrl-C, or until the system asks to end; both are the usual way to stop and no error."""
+    """Run until Ctrl-C or a termination signal; both are normal ways to stop, not errors."""
 
     def stop(*_: object) -> None:
         raise KeyboardInterrupt
 
     before = None
-    with suppress(ValueError):  # only the main thread may
+    with suppress(ValueError):  # only possible in the main thread
         before = signal.signal(signal.SIGTERM, stop)
     try:
         with suppress(KeyboardInterrupt):

@@ -1,4 +1,4 @@
-"""Watch a folder of a test lane: every record written there goes into the store; the files stay."""
+"""Watching of a lane's folder: every new record is stored; the files remain in place."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ if TYPE_CHECKING:
     from jounce.parts.testers import Tester
 
 _Stamp = tuple[int, int]
-_END = 1 << 15  # bytes at either end, in which a format shows
+_END = 1 << 15  # bytes at each end in which a format is recognisable
 _OWN = (b'"jounce.protocol/', b"axle_verdict")
-"""What only a protocol's values and an exported table hold, near their beginning or end."""
+"""Markers of report values and exported tables, near their beginning or end."""
 
 
 def record_suffixes() -> tuple[str, ...]:
-    """Suffixes of files that may be records."""
+    """Return the suffixes of files that may be records."""
     from jounce.recordings.readers import READERS
 
     return tuple(suffix for reader in READERS for suffix in reader.suffixes)
@@ -44,27 +44,27 @@ def record_suffixes() -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class Seen:
-    """Outcome of a file of the folder."""
+    """Outcome of one file in the folder."""
 
-    file: Path  # where it is, and stays
+    file: Path  # location of the file, which is not moved
     imported: ImportedRecord | None  # the stored record; None if the file could not be read
-    problem: str = ""  # why it could not be read, or not be graded; empty where all is well
+    problem: str = ""  # why the record could not be read or graded; empty if it was graded
 
 
 def check_folder(folder: Path) -> None:
-    """Refuse anything but a folder, before a store is created for it."""
+    """Raise an error unless the path is a folder, before a store is created."""
     if not folder.is_dir():
         what = "a file, not a folder" if folder.exists() else "no such folder"
         raise JounceError(what, where=str(folder), hint="Check the path and the name.")
 
 
 class FolderWatch:
-    """Scans a folder repeatedly, and puts finished records into a store.
+    """Repeated scan of a folder that stores finished records.
 
-    A file counts as finished when its size and time, and those of the TOML file beside it, stay the same for
-    ``settle`` seconds. What was looked at is remembered in the store: a file that cannot be read is reported once, and
-    again only after it has changed. Names that begin with a dot or a tilde, and folders in the folder, are skipped.
-    By default a record's tester is the shipped one that its header names. ``clock`` gives the time in s.
+    A file is finished when its size and time, and those of an accompanying TOML file, are unchanged for ``settle``
+    seconds. Examined files are recorded in the store: an unreadable file is reported once, and again only after it has
+    changed. Names that begin with a dot or a tilde, and subfolders, are skipped. By default a record's tester is the
+    shipped one named in its header. ``clock`` returns the time in s.
 
     Examples
     --------
@@ -97,11 +97,11 @@ class FolderWatch:
 
     @property
     def waiting(self) -> list[Path]:
-        """Files that may still be growing, or could not be read or stored so far."""
+        """Return files that may still be growing, or could not yet be read or stored."""
         return [file for _, _, file in self._waiting.values()]
 
     def look(self) -> list[Seen]:
-        """Scan once; return the outcome for the files that are now finished."""
+        """Scan once; return the outcomes of newly finished files."""
         return list(self.each())
 
     def each(self) -> Iterator[Seen]:
@@ -110,7 +110,7 @@ class FolderWatch:
         try:
             files = sorted(file for file in self.folder.iterdir() if self._may_be_record(file))
             self._reported = ""
-        except OSError as error:  # a share that went away may come back
+        except OSError as error:  # a disconnected share may become available again
             if not self._reported:
                 self._reported = f"the folder cannot be read: {error.strerror}"
                 yield Seen(self.folder, None, self._reported)
@@ -138,10 +138,10 @@ class FolderWatch:
         )
 
     def _take(self, file: Path, path: str, stamp: _Stamp) -> Seen | None:
-        """Import a file and remember it; where the store or a disk cannot be written to now, it comes again."""
+        """Import a file and record it in the store; it is retried if the store or a disk is not writable."""
         try:
             seen = self._import(file)
-            if _stamp_of(file) == stamp:  # otherwise it went on growing and is looked at again
+            if _stamp_of(file) == stamp:  # otherwise it is still growing and is examined again
                 if seen is not None:
                     self.store.note_watched(path, *stamp, seen.problem)
                 self._done[path] = stamp
@@ -158,7 +158,7 @@ class FolderWatch:
     def _import(self, file: Path) -> Seen | None:
         """Import a file; None for jounce's own output."""
         try:
-            existing_file(file, RecordingError)  # a pipe would keep everything waiting
+            existing_file(file, RecordingError)  # a pipe would block
             if _is_own_output(file):
                 return None
             imported = import_record(file, self.store, self.tester, limits=self.limits)
@@ -174,7 +174,7 @@ class FolderWatch:
 
 
 def _is_own_output(file: Path) -> bool:
-    """Whether a file is a protocol or an exported table: formats of records, but written from the store."""
+    """Whether a file is a report or an exported table, which look like records but were written by jounce."""
     with file.open("rb") as content:
         ends = content.read(_END)
         content.seek(max(0, file.stat().st_size - _END))
@@ -183,15 +183,15 @@ def _is_own_output(file: Path) -> bool:
 
 
 def _path_of(file: Path) -> str:
-    """Path of a file as the store keeps it."""
+    """Return the path of a file as recorded in the store."""
     return storable(str(file.resolve()))
 
 
-_FIRST_TOO_LARGE = 2**63  # of SQLite's integers: clocks may stand in the year 2300
+_FIRST_TOO_LARGE = 2**63  # limit of SQLite's integers: clocks may be set to the year 2300
 
 
 def _stamp_of(file: Path) -> _Stamp | None:
-    """Size and time of a file and the one beside it, each as one number that a store takes; None when it is gone."""
+    """Return combined size and time of a file and its TOML file, as storable numbers; None if the file is gone."""
     try:
         _, size, *times = state_of(file)
     except OSError:
