@@ -816,7 +816,7 @@ def test_no_folder_no_port(tmp_path):
         serve(tmp_path, port=70000)
     taken = serving._listening(0)
     try:
-        with pytest.raises(OutputError, match="cannot be had"):
+        with pytest.raises(OutputError, match="the port is not available"):
             serve(tmp_path, port=taken.getsockname()[1])
     finally:
         taken.close()

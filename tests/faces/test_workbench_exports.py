@@ -117,11 +117,13 @@ def test_a_page_is_a_document_and_a_workbook() -> None:
 
 
 def test_what_is_asked_for_without_sense_is_refused() -> None:
-    with pytest.raises(JounceError, match="svg: this format holds one figure; found 0"):
+    with pytest.raises(JounceError, match="svg: this format can contain only one figure; found 0"):
         export("svg", TABLE)
-    with pytest.raises(JounceError, match="a CSV file holds one figure or table; found 2"):
+    with pytest.raises(
+        JounceError, match="a CSV file can contain only one figure or table; found 2"
+    ):
         export("csv", CHART, TABLE)
-    with pytest.raises(JounceError, match="nothing here is a table or a curve"):
+    with pytest.raises(JounceError, match="there is no table or curve to export"):
         export("xlsx", {"kind": "text", "text": "alone"})
     for block in (
         CHART | {"x": [0.0]},

@@ -471,7 +471,7 @@ def test_a_job_fails_with_its_reason_and_another_ends_well(tmp_path):
         "running",
         "jounce sweep study.toml --out=swept",
     )
-    with pytest.raises(OutputError, match="writes there already"):
+    with pytest.raises(OutputError, match="is writing to this folder"):
         jobs.begin(task_of(SWEEP))
     jobs.prepare()  # as where a page is open: the next one is split from a process that has loaded everything
     while sys.platform == "linux" and not jobs._has_loaded():
@@ -825,7 +825,7 @@ def test_jobs_are_followed_by_who_has_the_token_and_the_origin(workbench):
 
 @pytest.mark.slow
 def test_a_sweep_outlives_its_server_and_goes_on_where_it_was_cancelled(tmp_path):
-    """The server is killed while the job runs; the next one knows it, cancels it, and resumes it."""
+    """The server is killed while the job is still running; the next one knows it, cancels it, and resumes it."""
     (tmp_path / "study.toml").write_text(STUDY.replace("COUNT", "120000"))
 
     def started() -> tuple[subprocess.Popen[str], int, str]:
@@ -927,7 +927,7 @@ def test_a_study_is_written_when_it_is_whole_and_its_variants_are_shown_as_runs(
     }
     with pytest.raises(OutputError, match="holds no sweep"):
         swept(project, "nowhere")
-    with pytest.raises(DescriptionError, match="not a place"):
+    with pytest.raises(DescriptionError, match="not a path"):
         swept(project, "..")
 
 

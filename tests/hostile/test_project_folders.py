@@ -261,7 +261,7 @@ def test_versions_that_lead_elsewhere_are_neither_read_nor_taken_away(folder: Pa
     versions.mkdir(parents=True)
     (versions / "a.toml").symlink_to("../../mine")
     project = Project(folder)
-    with pytest.raises(OutputError, match="a link stands where"):
+    with pytest.raises(OutputError, match="a link occupies"):
         project.write("a.toml", f"{RIG}#\n", project.read("a.toml").digest)
     assert len(list((folder / "mine").iterdir())) == 60
     (versions / "a.toml").unlink()

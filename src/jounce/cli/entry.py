@@ -291,7 +291,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except UnicodeEncodeError as error:
         hint = "Is it written in another encoding than UTF-8?"
         return refuse(
-            JounceError("a text that is no Unicode", found=error.object, hint=hint), as_json=as_json
+            JounceError("a text that is not valid Unicode", found=error.object, hint=hint),
+            as_json=as_json,
         )
     except Exception as error:  # noqa: BLE001 - the last resort says how to report it
         if (

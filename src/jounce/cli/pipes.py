@@ -115,7 +115,7 @@ def _wait_for_writer(handle: int, pipe: str) -> bytes:
         except BlockingIOError:  # it is open for writing, and empty
             return b""
         time.sleep(_PAUSE)
-    waited, hint = f"nobody within {_PATIENCE:g} s", "Start what writes into it first."
+    waited, hint = f"none within {_PATIENCE:g} s", "Start the process that writes to it first."
     raise DescriptionError("no process writes into this pipe", where=pipe, found=waited, hint=hint)
 
 

@@ -1,4 +1,4 @@
-"""What the page asks for: runs and sweeps as curves of the viewer, with the Python and the command for the same."""
+"""Responses to the page: runs and sweeps as curves of the viewer, with equivalent Python code and command."""
 
 from __future__ import annotations
 
@@ -29,36 +29,36 @@ if TYPE_CHECKING:
 Changes = Mapping[str, float | str]
 ONE = (
     threading.Lock()
-)  # a run takes milliseconds: the next request waits, and nothing is compiled twice
+)  # a run takes milliseconds: requests are serialised, and nothing is compiled twice
 _MOST_DONE, _LARGEST_DONE = (
     4,
     50_000_000,
-)  # runs, and bytes of those beyond the two that stand beside each other
-_STEP, _MOST_STEPS = 1e-3, 200_000  # s between samples; samples of a run that somebody waits for
+)  # cached runs, and bytes of those beyond the two being compared
+_STEP, _MOST_STEPS = 1e-3, 200_000  # s between samples; maximum samples of an interactive run
 
 
 @dataclass(frozen=True)
 class CurvesAnswer:
-    """Curves for the page, and how to get the same: ``python``, ``command``, and ``files`` for it."""
+    """Curves for the page, with equivalent ``python`` code, ``command``, and the ``files`` it needs."""
 
     viewer: Viewer
     ways: Mapping[str, Any]
 
     def plain(self) -> dict[str, Any]:
-        """As JSON, for scripts."""
+        """Return the response as JSON, for scripts."""
         from jounce.report.live import live_data
 
         return {**live_data([self.viewer]), **self.ways}
 
     def straight(self) -> bytes:
-        """As numbers that are drawn as they stand, for the page."""
+        """Return the response as binary numbers that the page draws directly."""
         from jounce.report.live import live_bytes
 
         return live_bytes([self.viewer], self.ways)
 
 
 def rig_of(project: Project, name: str) -> Rig:
-    """Load a rig of the project by its path, or an earlier version of it; or one of the library by its name."""
+    """Load a rig of the project by its path (or an earlier version), or a rig of the library by its name."""
     from jounce.core.errors import unknown
     from jounce.core.files import only_below
     from jounce.parts import load
@@ -76,7 +76,7 @@ def rig_of(project: Project, name: str) -> Rig:
 
 
 def rig_in(project: Project, name: str, text: str) -> Rig:
-    """Give the rig of a text that is, or will be, the file of that path; nothing of it is saved."""
+    """Return the rig of a text as if it were the file at that path; nothing is saved."""
     from jounce.core.description import toml_error, toml_table
     from jounce.core.files import only_below
     from jounce.parts.files import rig_from_table
@@ -91,12 +91,12 @@ def rig_in(project: Project, name: str, text: str) -> Rig:
 
 
 def digest_of(rig: Rig) -> str:
-    """Digest of what a rig says, by which a page notices that the file behind its numbers was changed."""
+    """Return the digest of a rig, by which a page detects changes of the file."""
     return sha256(rig.model_dump_json().encode()).hexdigest()
 
 
 def describe_rig(rig: Rig, name: str) -> dict[str, Any]:
-    """Numbers of a rig by path: value (SI), unit, and the unit and factor that it is shown in."""
+    """Return the parameters of a rig by path: value (SI), unit, display unit and factor."""
     from jounce.core.display import display_unit
     from jounce.core.serialise import to_plain
     from jounce.parts import rig_findings
@@ -132,10 +132,10 @@ def simulate_changes(
     spectra: bool = False,
     numbers: Sequence[str] | None = None,
 ) -> CurvesAnswer:
-    """Run a rig over an obstacle, as it is and as it is changed: curves, and how to get the same.
+    """Run a rig over an obstacle, unchanged and changed; return curves and equivalent code.
 
-    A ``measured`` recording of the project stands beside them, its time counted from where it ``begins``; ``spectra``
-    are drawn instead of the curves over time. With ``numbers``, curves beside the first are those of these channels.
+    A ``measured`` recording of the project is included, with its time origin at ``begins``. With ``spectra``, spectra
+    replace the curves over time. With ``numbers``, only these channels and the initial ones contain curves.
     """
     on = trial_of(project, trial)
     rigs = variants(project, name, changes, text)
@@ -155,11 +155,11 @@ def simulate_changes(
 
 _DONE: OrderedDict[str, xr.Dataset] = (
     OrderedDict()
-)  # the last few runs: beside the one that changes, one stays
+)  # the most recent runs: one stays while the other changes
 
 
 def _run(rig: Rig, on: Trial) -> xr.Dataset:
-    """Run a rig, unless that was done just now."""
+    """Run a rig, unless the result is cached."""
     import jounce as jn
 
     key = f"{type(rig).__name__} {rig.model_dump_json()} {type(on.road).__name__} {on.model_dump_json()}"
@@ -174,12 +174,12 @@ def _run(rig: Rig, on: Trial) -> xr.Dataset:
 
 
 def _cache_size() -> int:
-    """Bytes of the last few runs."""
+    """Return the bytes of the cached runs."""
     return sum(run.nbytes for run in _DONE.values())
 
 
 def _file_of(road: Any) -> Any:
-    """The state of the file of a road that has one, as often as it is repeated: it may be another one by now."""
+    """Return the state of a road's file, also of repeated roads, to detect that it has changed."""
     from jounce.core.files import state_of
 
     while hasattr(road, "of"):
@@ -189,7 +189,7 @@ def _file_of(road: Any) -> Any:
 
 
 def _measured_part(project: Project, path: str, begins: str, on: Trial) -> xr.Dataset:
-    """What of a recording falls into a trial, on its time."""
+    """Return the part of a recording within a trial, on the trial's time axis."""
     import jounce as jn
     from jounce.core.units import to_si
 
@@ -198,9 +198,9 @@ def _measured_part(project: Project, path: str, begins: str, on: Trial) -> xr.Da
     part = record.assign_coords(time=time.assign_attrs(record["time"].attrs))
     part = part.isel(time=((time >= 0.0) & (time <= on.duration)).to_numpy())
     if part.sizes["time"] < 2:
-        hint = "Say where the trial begins in it."
+        hint = "Specify where the trial begins in the recording."
         raise DescriptionError(
-            "the recording holds nothing of the trial's time",
+            "the recording does not overlap the trial",
             where="begins",
             found=begins,
             hint=hint,
@@ -211,7 +211,7 @@ def _measured_part(project: Project, path: str, begins: str, on: Trial) -> xr.Da
 def _ways_of(
     name: str, changes: Changes, trial: Mapping[str, Any], measured: str
 ) -> dict[str, Any]:
-    """Python and command of a run."""
+    """Return Python code and command of a run."""
     given = {
         "rig": word(name),
         "set": changes,
@@ -226,7 +226,7 @@ def _ways_of(
     if measured:
         python += f"measured, findings = jn.read_recording({measured!r})\n"
     words = ["jounce", *command.words(), "--out", "run.nc"]
-    road = {"kind": trial["road"]["kind"], **trial["road"]}  # the kind stands first
+    road = {"kind": trial["road"]["kind"], **trial["road"]}  # the kind comes first
     return {
         "python": python,
         "command": command_line(words),
@@ -237,13 +237,13 @@ def _ways_of(
 def variants(
     project: Project, name: str, changes: Changes, text: str | None = None
 ) -> dict[str, Rig]:
-    """Give the rig as text and sliders have it, first, and as it is saved, where that is another one."""
+    """Return the rig as edited in text and sliders, then the saved rig if different."""
     rig = rig_of(project, name) if text is None else rig_in(project, name, text)
     saved = rig
     if text is not None:
         try:
             saved = rig_of(project, name)
-        except JounceError:  # it could not be read as it was saved, which is no reason not to show what it has become
+        except JounceError:  # the saved file is invalid, but the edited rig can be shown
             saved = rig
     changed = rig.with_changes(dict(changes)) if changes else rig
     return {"as it is": saved} if changed == saved else {"changed": changed, "as it is": saved}
@@ -256,7 +256,7 @@ def _curves(
     trial: Trial | None,
     numbers: Sequence[str] | None,
 ) -> Viewer:
-    """Curves of all runs; the mechanism is the rig of the first one, which is what moves."""
+    """Return curves of all runs; the animated mechanism is the rig of the first run."""
     from jounce.plots.comparison import common_channels
     from jounce.report.recordings import curve_viewer
 
@@ -268,7 +268,7 @@ def _curves(
 
 
 def trial_of(project: Project, table: Mapping[str, Any]) -> Trial:
-    """A trial over one obstacle, or over a road file's table."""
+    """Create a trial over one obstacle, or over the table of a road file."""
     from jounce.core.errors import unknown
     from jounce.core.files import only_below
     from jounce.roads import ROADS, Trial
@@ -282,23 +282,26 @@ def trial_of(project: Project, table: Mapping[str, Any]) -> Trial:
     if trial.duration / _STEP > _MOST_STEPS:
         most = Phrase("up to {most_steps:g} s", most_steps=_MOST_STEPS * _STEP)
         raise DescriptionError(
-            "too long to be waited for", where="duration", found=table["duration"], allowed=most
+            "too long for an interactive run",
+            where="duration",
+            found=table["duration"],
+            allowed=most,
         )
     return trial
 
 
 def word(path: str) -> str:
-    """A path as a word of a command, which takes one that begins with a dash for an option."""
+    """Return a path as a word of a command, protected if it begins with a dash like an option."""
     return f"./{path}" if path.startswith("-") else path
 
 
 def changed_by(changes: Changes) -> str:
-    """Python that changes a rig."""
+    """Return Python code that changes a rig."""
     return f".with_changes({dict(changes)!r})" if changes else ""
 
 
 def arguments(given: Mapping[str, Any], before: str = "") -> str:
-    """Python of arguments by name, each of them behind ``before``."""
+    """Return Python code of keyword arguments, each preceded by ``before``."""
     texts = [f"{name}={value!r}" for name, value in given.items()]
     return "".join(f"{before}{text}" for text in texts) if before else ", ".join(texts)
 

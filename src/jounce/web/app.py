@@ -1,4 +1,4 @@
-"""The interface underneath the page: one function a question, each a call of what scripts and commands call, too."""
+"""HTTP interface of the page: one function per request, each calling the functions used by scripts and commands."""
 
 from __future__ import annotations
 
@@ -39,14 +39,14 @@ _STATIC = {"/": ("index.html", "text/html"), "/app.js": ("app.js", "text/javascr
 
 
 class _Refusal(JSONResponse):
-    """It names files and values as they are, also those that are no UTF-8."""
+    """Response that preserves file names and values, even if they are not valid UTF-8."""
 
     def render(self, content: Any) -> bytes:
         return json.dumps(content).encode()
 
 
 class _Answer(JSONResponse):
-    """Findings carry their German sentence, too."""
+    """Add the German sentence to each finding."""
 
     def render(self, content: Any) -> bytes:
         return super().render(with_german(content))
@@ -57,7 +57,7 @@ class _Asked(BaseModel):
 
 
 class Saved(_Asked):
-    """A description to be written; ``was`` is the digest of what it replaces, empty for a new file."""
+    """A description to write; ``was`` is the digest of the replaced content, empty for a new file."""
 
     path: str
     text: str
@@ -65,14 +65,14 @@ class Saved(_Asked):
 
 
 class Started(_Asked):
-    """A copy of a shipped file under a name of one's own."""
+    """A copy of a shipped file under a new name."""
 
     name: str
     path: str
 
 
 class Edited(_Asked):
-    """A text of the project, whose values are set (as typed, by their keys) or changed (SI or with units, by path)."""
+    """A text of the project with values set (as typed, by key) or changed (SI or with units, by path)."""
 
     path: str
     text: str = Field(max_length=LONGEST)
@@ -81,7 +81,7 @@ class Edited(_Asked):
 
 
 class RecordPart(_Asked):
-    """Part of a record, in the unit of its time (all of it without ends), in so many columns."""
+    """Part of a record, in the unit of its time (the whole record by default), in a number of columns."""
 
     path: str
     channels: list[str] = Field(min_length=1, max_length=20)
@@ -93,7 +93,7 @@ class RecordPart(_Asked):
 class Changed(_Asked):
     """A rig (path in the project, or name in the library) with changed numbers (SI or with units, by path).
 
-    ``text`` is what its file will be, where it is not saved yet.
+    ``text`` is the unsaved content of its file, if any.
     """
 
     rig: str
@@ -105,7 +105,7 @@ class Changed(_Asked):
 class RunRequest(Changed):
     """A run over an obstacle: the table of a road file, a speed and a duration with their units.
 
-    With ``numbers``, the answer holds the curves of these channels and of those that are shown first, else all.
+    With ``numbers``, the response contains curves of these channels and the initially shown ones, otherwise of all.
     """
 
     road: dict[str, Any]
@@ -118,23 +118,23 @@ class RunRequest(Changed):
 
 
 class Keep(RunRequest):
-    """A run that is written into the project under a title, of the rig that was looked at (its digest, if any)."""
+    """A run to be written into the project under a title; ``digest`` identifies the rig that was displayed."""
 
     title: str
     digest: str = ""
 
 
 class OverlayRequest(_Asked):
-    """Recordings of the project that are drawn over each other."""
+    """Recordings of the project to be overlaid."""
 
     paths: list[str] = Field(min_length=1, max_length=6)
     channels: list[str] = Field(default_factory=list, max_length=60)
 
 
 class SweepRequest(Changed):
-    """A sweep over wheel travel, rack or roll: first:last:step of that one, single values of others; with units.
+    """A sweep over wheel travel, rack or roll: a range first:last:step for one, single values for others; with units.
 
-    ``against`` is another rig, drawn beside it; ``targets`` have the keys of a study, ``study`` is the file of one.
+    ``against`` is a rig for comparison; ``targets`` have the keys of a study, ``study`` is a study file.
     """
 
     travel: str = ""
@@ -149,7 +149,7 @@ class SweepRequest(Changed):
 def create_app(
     folder: Path | str, *, token: str, port: int, ready: Callable[[], None] = lambda: None
 ) -> Guard:
-    """Put the interface over a folder; ``ready`` is called when it answers."""
+    """Create the interface of a folder; ``ready`` is called when it accepts requests."""
     from contextlib import asynccontextmanager
 
     project = Project(folder)
@@ -186,7 +186,7 @@ def create_app(
         }
         plain |= {"text": str(error), "german": error.message().german()}
         plain |= without_options(plain)
-        here = f"{project.root}{os.sep}"  # files are named as the project names them
+        here = f"{project.root}{os.sep}"  # files are named relative to the project
         shortened = {key: text and text.replace(here, "") for key, text in plain.items()}
         return _Refusal({"error": shortened}, 409 if isinstance(error, OutputError) else 422)
 
@@ -203,12 +203,12 @@ def create_app(
 
     @app.get("/api/health")
     def health() -> dict[str, str]:
-        """Whether it answers, and its version."""
+        """Return the status and the version of the server."""
         return {"status": "ok", "version": version}
 
     @app.get("/api/project")
     def whole() -> dict[str, Any]:
-        """What lies in the folder."""
+        """List the files of the folder."""
         name, folder = (
             os.fsencode(path).decode(errors="replace") for path in (project.root.name, project.root)
         )
@@ -219,7 +219,7 @@ def create_app(
 
     @app.get("/api/library")
     def library() -> list[dict[str, str | bool]]:
-        """Rigs and vehicles that come with jounce, and which of them are corners whose kinematics can be swept."""
+        """List the shipped rigs and vehicles, and which of them are corners with kinematics."""
         from jounce.parts.files import library as shipped
 
         texts = {name: file.read_text(encoding="utf-8") for name, file in shipped().items()}
@@ -241,22 +241,22 @@ def create_app(
 
     @app.get("/api/file")
     def read(path: str) -> Text:
-        """A description and its digest."""
+        """Return a description and its digest."""
         return project.read(path)
 
     @app.put("/api/file")
     def save(asked: Saved) -> Text:
-        """Write a description, unless somebody else has changed it meanwhile."""
+        """Write a description, unless it was changed by others meanwhile."""
         return project.write(asked.path, asked.text, asked.was)
 
     @app.get("/api/versions")
     def versions(path: str) -> list[Version]:
-        """What a description was before it was written anew from here, the newest first."""
+        """Return earlier versions of a description that were replaced here, newest first."""
         return project.versions(path)
 
     @app.get("/api/check")
     def check(path: str) -> dict[str, Any]:
-        """What is wrong with a file of the project, as ``jounce check`` says it."""
+        """Return the problems of a file of the project, as ``jounce check`` reports them."""
         from jounce.core.files import only_below
         from jounce.operations.checks import check_file
 
@@ -272,27 +272,27 @@ def create_app(
 
     @app.get("/api/rig")
     def rig(name: str) -> dict[str, Any]:
-        """Numbers of a rig with their units."""
+        """Return the parameters of a rig with their units."""
         return answers.describe_rig(answers.rig_of(project, name), name)
 
     @app.get("/api/schema")
     def schema(model: str) -> dict[str, Any]:
-        """Schema of a model of rigs or vehicles."""
+        """Return the schema of a model of rigs or vehicles."""
         return forms.schema(model)
 
     @app.post("/api/form")
     def form(asked: Edited) -> forms.Form:
-        """A text of a rig as a form: its values, what is wrong with it, and what differs from the saved file."""
+        """Return a rig's text as a form: values, problems, and differences from the saved file."""
         return forms.form_of(project, asked.path, asked.text, asked.sets, asked.changes)
 
     @app.get("/api/record")
     def record(path: str) -> dict[str, Any]:
-        """What a record holds: channels with their units, samples, and from when to when."""
+        """Return a summary of a record: channels with units, number of samples, and time range."""
         return records.open(path).about
 
     @app.post("/api/record")
     def part(asked: RecordPart, request: Request) -> Response:
-        """Some channels of a record, as much of them as a screen shows."""
+        """Return some channels of a record at screen resolution."""
         opened = records.open(asked.path)
         low = opened.about["first"] if asked.low is None else asked.low
         high = opened.about["last"] if asked.high is None else asked.high
@@ -304,7 +304,7 @@ def create_app(
 
     @app.post("/api/simulate")
     def simulate(asked: RunRequest, request: Request) -> Response:
-        """A run as curves of the viewer, beside that of the rig as it is, with the Python and command for it."""
+        """Return a run as curves of the viewer, compared with the unchanged rig, with equivalent code and command."""
         trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
         shown = answers.simulate_changes(project, asked.rig, asked.changes, trial, asked.channels, text=asked.text,
                                   measured=asked.measured, begins=asked.begins, spectra=asked.spectra,
@@ -313,32 +313,32 @@ def create_app(
 
     @app.post("/api/keep")
     def keep_run(asked: Keep) -> dict[str, Any]:
-        """Write a run into the project, with what it was made of."""
+        """Write a run into the project, with the record of its inputs."""
         trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
         return history.keep(project, asked.rig, asked.changes, trial, asked.title, asked.digest)
 
     @app.get("/api/history")
     def runs() -> list[dict[str, Any]]:
-        """Runs that were kept, the newest first: rig and trial by their digests, changes, version and seed."""
+        """List stored runs, newest first: digests of rig and trial, changes, version and seed."""
         return history.history(project)
 
     @app.post("/api/compare")
     def compare(asked: OverlayRequest, request: Request) -> Response:
-        """Draw recordings over each other."""
+        """Overlay recordings."""
         return _curves_response(
             history.compare_recordings(project, asked.paths, asked.channels), request
         )
 
     @app.post(EXPORT)
     def export(asked: Exported) -> Response:
-        """Write what a page shows as a picture, a document or a table."""
+        """Export the content of a page as an image, a document or a table."""
         content = exported(asked)
         kept = {"Content-Disposition": f'attachment; filename="{file_name(asked)}"'}
         return Response(content, media_type=KINDS[asked.form], headers=kept)
 
     @app.post("/api/kinematics")
     def kinematics(asked: SweepRequest, request: Request) -> Response:
-        """A sweep of a corner as curves of the viewer, as for a run, with what it turns about and what is wanted."""
+        """Return a sweep of a corner as curves of the viewer, as for a run, with instant centres and targets."""
         return _curves_response(
             sweeps.swept(project, sweeps.Question(**asked.model_dump())), request
         )
@@ -354,7 +354,7 @@ def _document(entry: Entry) -> str:
 
 
 def _curves_response(shown: answers.CurvesAnswer, request: Request) -> Response:
-    """Curves as JSON for scripts; for the page, which asks for bytes, as numbers that need no reading."""
+    """Return curves as JSON for scripts, or as binary numbers for the page, which requests bytes."""
     if "application/octet-stream" in request.headers.get("accept", ""):
         return Response(shown.straight(), media_type="application/octet-stream")
     return JSONResponse(shown.plain())

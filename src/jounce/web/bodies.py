@@ -1,4 +1,4 @@
-"""Requests whose JSON is plain, and that may end before all of them has come."""
+"""Requests with strict JSON bodies, tolerant of clients that disconnect early."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ require("fastapi", "web")  # ruff: isort: split
 from fastapi import Request, Response  # noqa: E402
 from fastapi.routing import APIRoute  # noqa: E402
 
-_GONE = 499  # what servers note where nobody waits for the answer any more
+_GONE = 499  # status that servers log if the client closed the connection
 
 
 class PlainRequest(Request):
@@ -28,10 +28,10 @@ class PlainRequest(Request):
 
 
 class Route(APIRoute):
-    """A route that is asked by plain requests."""
+    """A route that receives such requests."""
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """Give what answers."""
+        """Return the handler of the route."""
         handler = super().get_route_handler()
 
         async def answer(request: Request) -> Response:

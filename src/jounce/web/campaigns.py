@@ -80,7 +80,7 @@ def enter_file(project: Project, path: str, use: Use, fields: Mapping[str, Any])
     ) as error:  # wrong fields, or incompatible content
         cause = f"{type(error).__name__}: {error}"
         raise DescriptionError(
-            "this cannot be entered into the campaign", where=path, found=cause
+            "this cannot be added to the campaign", where=path, found=cause
         ) from None
     written = project.write(path, text, was.digest)
     return {"path": path, "text": written.text, "digest": written.digest, "before": was.text}
@@ -117,9 +117,9 @@ def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping
         differing = [key for key in _READ if before and own.get(key) != plain.get(key)]
         if differing:
             said = ", ".join(differing)
-            hint = "Put the new files in place of those, or give all of them the same columns."
+            hint = "Replace the existing files, or use the same columns for all files."
             raise DescriptionError(
-                "the files that are there are read otherwise", where=name, found=said, hint=hint
+                "the existing files have other reading options", where=name, found=said, hint=hint
             )
         for key in _READ:
             own.pop(key, None)
@@ -150,7 +150,7 @@ def _relative(project: Project, campaign: Path, value: Any) -> Any:
     if not file.is_relative_to(campaign.parent):
         hint = "Upload it there, or copy it."
         raise DescriptionError(
-            "the file does not lie beside the campaign", where=str(value), hint=hint
+            "the file is not in the campaign's folder", where=str(value), hint=hint
         )
     return file.relative_to(campaign.parent).as_posix()
 

@@ -1,4 +1,4 @@
-"""``jounce serve``: the workbench in the browser. It stands above the commands, which it runs, and adds its own."""
+"""``jounce serve``: the workbench in the browser. It runs the other commands, so it registers its own from here."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def serve(
             if as_json
             else f"The workbench of {folder} is open: {url}"
         )
-        _write(sys.__stdout__, text)  # where answers go, which come at the end of other commands
+        _write(sys.__stdout__, text)  # stdout, where other commands print only at their end
         if not as_json:
             _write(sys.stderr, "Ctrl-C ends it.")
         if not no_open:

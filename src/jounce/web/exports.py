@@ -167,7 +167,10 @@ def _only_chart(asked: Exported) -> Chart:
     if len(charts) != 1 or len(asked.blocks) != 1:
         hint = "Save each figure from its own menu, or the whole page as PDF."
         raise JounceError(
-            "this format holds one figure", where=asked.form, found=len(charts), hint=hint
+            "this format can contain only one figure",
+            where=asked.form,
+            found=len(charts),
+            hint=hint,
         )
     return chart_of(charts[0], "figure")
 
@@ -181,7 +184,9 @@ def _csv(asked: Exported) -> bytes:
     data = [block for block in asked.blocks if not isinstance(block, SentText)]
     if len(data) != 1:
         hint = "Save each figure and table from its own menu, or all of them as XLSX."
-        raise JounceError("a CSV file holds one figure or table", found=len(data), hint=hint)
+        raise JounceError(
+            "a CSV file can contain only one figure or table", found=len(data), hint=hint
+        )
     (block,) = data
     text = table_csv(table_of(block)) if isinstance(block, SentTable) else _columns_csv(block)
     return b"\xef\xbb\xbf" + text.encode()  # spreadsheets detect the encoding by these bytes
@@ -222,7 +227,7 @@ def _columns(chart: SentChart) -> list[list[float]]:
 def _xlsx(asked: Exported) -> bytes:
     page = page_of(asked, as_table=lambda chart: [numbers_of(chart)])
     if not any(isinstance(block, PageTable) for block in page.blocks()):
-        raise JounceError("nothing here is a table or a curve", where=asked.title)
+        raise JounceError("there is no table or curve to export", where=asked.title)
     return tables_xlsx(page)
 
 

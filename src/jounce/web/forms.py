@@ -1,4 +1,4 @@
-"""A rig's text as a form: what may stand in it, what stands there, one value written with all comments kept."""
+"""A rig's text as a form: its schema, its values, and changes of single values that keep all comments."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Key = str | int
 
 @dataclass(frozen=True)
 class FormProblem:
-    """What is wrong with a text: the path of the value (empty where it is the whole), its line (0 for none), words."""
+    """A problem of a text: path of the value (empty for the whole text), line (0 for none), message."""
 
     path: str
     line: int
@@ -38,10 +38,11 @@ class FormProblem:
 
 @dataclass(frozen=True)
 class Form:
-    """A text of a rig beside what it says.
+    """A rig's text with its parsed content.
 
-    ``values`` are as they are typed, ``rig`` the numbers by path where the text is right, ``changed`` the lines that
-    differ from the file as it is saved, ``python`` the same edit, or look, ``command`` the look at what is saved.
+    ``values`` are the values as typed, ``rig`` the parameters by path if the text is valid, ``changed`` the lines
+    that differ from the saved file, ``python`` code for the same edit or view, ``command`` a command that shows the
+    saved file.
     """
 
     text: str
@@ -56,7 +57,7 @@ class Form:
 
 @cache
 def schema(model: str) -> dict[str, Any]:
-    """Give the JSON schema of a model of rigs or vehicles."""
+    """Return the JSON schema of a model of rigs or vehicles."""
     from jounce.core.errors import unknown
     from jounce.parts.files import RIGS, VEHICLES
 
@@ -64,7 +65,7 @@ def schema(model: str) -> dict[str, Any]:
     if model not in models:
         raise unknown(model, models, what="model", where="model")
     plain: dict[str, Any] = models[model].model_json_schema(by_alias=True)
-    plain["properties"].pop("without", None)  # what a text leaves out, it does not say
+    plain["properties"].pop("without", None)  # a text omits these parts instead of listing them
     return plain
 
 
@@ -75,9 +76,9 @@ def form_of(
     sets: Sequence[tuple[Sequence[Key], Any]] = (),
     changes: Mapping[str, Any] | None = None,
 ) -> Form:
-    """Read a text that is, or will be, the file of that path.
+    """Parse a text as the present or future content of the file at that path.
 
-    ``sets`` puts values, as they are typed, to keys first (None takes one away), then ``changes`` puts numbers (SI or
+    ``sets`` first assigns values as typed to keys (``None`` removes a key); ``changes`` then assigns numbers (SI or
     with units) to paths.
     """
     file = project.inside(path)
@@ -101,13 +102,13 @@ def form_of(
             numbers, python = describe_rig(rig, path), _python(project, path, saved, rig)
     except JounceError as error:
         return Form(text, values, model, _problems(error, values), None, _differing(saved, text))
-    is_saved = text == saved.replace("\r\n", "\n")  # a command knows no other
+    is_saved = text == saved.replace("\r\n", "\n")  # a command can only read the saved file
     command = command_line(["jounce", "check", word(path)]) if is_saved else ""
     return Form(text, values, model, (), numbers, _differing(saved, text), python, command)
 
 
 def _with_value(text: str, keys: Sequence[Key], value: Any) -> str:
-    """Write one value where its keys lead, or take it away; everything else stays as it was typed."""
+    """Set or remove the value at a sequence of keys; the remaining text is unchanged."""
     if not keys:
         raise DescriptionError("no key", where="sets")
     try:
@@ -128,14 +129,14 @@ def _with_value(text: str, keys: Sequence[Key], value: Any) -> str:
         raise tomllib.TOMLDecodeError(str(error)) from None
     except (KeyError, IndexError, TypeError, AttributeError):
         place = ".".join(map(str, keys))
-        raise DescriptionError("no such place in this text", where=place) from None
+        raise DescriptionError("no such key in this text", where=place) from None
     written: str = tomlkit.dumps(document)
-    toml_table(written)  # that it can be read again
+    toml_table(written)  # checks that it can be parsed again
     return written
 
 
 def _python(project: Project, path: str, saved: str, rig: Rig) -> str:
-    """Python that makes of the saved file what the text says, as far as that is a change of numbers."""
+    """Return Python code that applies the text's changes to the saved file, if only numbers changed."""
     load = f"import jounce as jn\n\nrig = jn.load({path!r})"
     try:
         before = rig_in(project, path, saved)
@@ -148,12 +149,12 @@ def _python(project: Project, path: str, saved: str, rig: Rig) -> str:
         if before.with_changes(changes) == rig:
             return f"{load}{changed_by(changes)}\njn.save(rig, {path!r}, force=True)\n"
     except JounceError:
-        pass  # not saved yet, or other parts than before
+        pass  # not saved yet, or different parts
     return f"{load}  # once it is saved: more than numbers is changed\nprint(rig)\n"
 
 
 def _problems(error: JounceError, values: Mapping[str, Any]) -> tuple[FormProblem, ...]:
-    """What an error says, each problem at its value; where that is not in the text, words say the place."""
+    """Return the problems of an error, each at its value; if that is not in the text, the message names it."""
     problems = []
     for each in error.problems or (error,):
         path = join_path(each.path) or (
@@ -165,6 +166,6 @@ def _problems(error: JounceError, values: Mapping[str, Any]) -> tuple[FormProble
 
 
 def _differing(before: str, after: str) -> tuple[str, ...]:
-    """Lines that are taken away and added, with those around them, as a unified diff shows them."""
+    """Return removed and added lines with their context, as in a unified diff."""
     lines = unified_diff(before.splitlines(), after.splitlines(), lineterm="", n=2)
     return tuple(line for line in lines if not line.startswith(("---", "+++")))

@@ -114,12 +114,17 @@ class Jobs:
             running = [job for job in self._all() if job["state"] == "running"]
             if len(running) >= _MOST_RUNNING:
                 hint = "Wait for one of them, or cancel it."
-                raise OutputError("too many jobs run", where="jobs", found=len(running), hint=hint)
+                raise OutputError(
+                    "too many jobs are running", where="jobs", found=len(running), hint=hint
+                )
             clash = next((job for job in running if doing.out and job["out"] == doing.out), None)
             if clash is not None:
                 hint = "Wait for it, or choose another folder."
                 raise OutputError(
-                    "a job writes there already", where=doing.out, found=clash["title"], hint=hint
+                    "another job is writing to this folder",
+                    where=doing.out,
+                    found=clash["title"],
+                    hint=hint,
                 )
             self._forget_old()
             number = max((_number(name) for name in self._names()), default=0) + 1
@@ -258,7 +263,7 @@ class Jobs:
     def forget(self, name: str) -> None:
         """Remove a finished job from the list; files it wrote into the project are kept."""
         if self.state(name)["state"] in ("running", "cancelling"):
-            raise OutputError("the job runs", where=name, hint="Cancel it first.")
+            raise OutputError("the job is still running", where=name, hint="Cancel it first.")
         _remove(self._place(name))
         self.ended.pop(name, None)
         self.read = 0.0
@@ -343,7 +348,7 @@ class Jobs:
         return folder
 
 
-_LOST = "The process that worked on it was ended, or the computer was."
+_LOST = "The process was killed, or the computer was shut down."
 
 
 class Refused(JounceError):
@@ -378,7 +383,7 @@ def _start_process(folder: Path, *, waited: bool = False) -> subprocess.Popen[by
                 stdin=subprocess.DEVNULL, stdout=out, stderr=problems, env=os.environ | {"PYTHONUTF8": "1"}, **apart,
             )  # fmt: skip
         except OSError as error:
-            what = f"no process to work in could be started ({error.strerror or error})"
+            what = f"no worker process could be started ({error.strerror or error})"
             raise OutputError(what, where="jobs", hint="Close other programs.") from None
     threading.Thread(target=process.wait, daemon=True).start()  # its exit is always collected
     return process
@@ -452,12 +457,12 @@ def _outcome(folder: Path, code: int | None) -> dict[str, Any]:
 
 _ADVICE = {
     "the output exists": "Choose another name.",
-    "the output folder is not empty": "Choose another name, or begin it again, which replaces what is there.",
+    "the output folder is not empty": "Choose another name, or restart the job to replace the existing output.",
 }
 
 
 def without_options(error: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a hint for the page in place of one that names a command-line option; otherwise empty."""
+    """Return an error message for the page if the original hint names a command-line option; otherwise empty."""
     if error.get("hint") != ALLOW_OVERWRITING:
         return {}
     what = error["what"]

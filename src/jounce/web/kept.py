@@ -1,8 +1,8 @@
-"""Runs that were kept: written into the project with what they were made of, listed, and compared.
+"""Stored runs: written into the project with a record of their inputs, listed, and compared.
 
-Beside each recording stands, in ``.jounce/history``, of which rig (by the digest of its numbers and words), changes,
-trial and version of jounce it was made. That is written before the recording, and counts once the recording is there:
-a process that is killed in between leaves nothing that a run of the same title would not replace.
+For each recording, ``.jounce/history`` contains an entry with the digest of the rig, the changes, the trial and the
+version of jounce. The entry is written before the recording and is valid once the recording exists. A process killed
+in between leaves nothing that a run of the same title would not replace.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ from jounce.web.untrusted import content, plain_json
 
 _PLACE, _RUNS = "history", "runs"
 _NAME = re.compile(r"[\w][\w .+-]{0,80}")
-_MOST, _LONGEST = 500, 1_000_000  # runs that are listed; bytes of what is said of one
+_MOST, _LONGEST = 500, 1_000_000  # maximum number of runs listed; maximum bytes of an entry
 
 
 class _Made(BaseModel):
-    """What a run was made of: its ``number`` is greater than those of all before, whatever clocks said ``when``."""
+    """Inputs of a run; its ``number`` is greater than all earlier ones, independent of the clock time ``when``."""
 
     path: str
     rig: str
@@ -56,9 +56,9 @@ def keep(
     title: str,
     digest: str = "",
 ) -> dict[str, Any]:
-    """Run a rig and write the run into the project; give what stands in its history.
+    """Run a rig and write the run into the project; return its history entry.
 
-    ``digest`` is that of the rig that was looked at: a file that was changed since is another one.
+    ``digest`` is that of the displayed rig; the run is refused if the file has changed since.
     """
     import jounce as jn
     from jounce.recordings import write_recording
@@ -92,7 +92,7 @@ def keep(
         f"jounce_{key}": value if isinstance(value, str) else to_json(value)
         for key, value in made.items()
     }
-    with holding(project.root):  # of two who keep a run under one title, the second is refused
+    with holding(project.root):  # of two concurrent runs with the same title, the second is refused
         made["number"] = max((earlier["number"] for earlier in history(project)), default=0) + 1
         entry = _entry(project, path)
         if file.exists() and (_read_entry(entry) is not None or not _is_of(file, made)):
@@ -106,9 +106,9 @@ def keep(
 
 
 def history(project: Project) -> list[dict[str, Any]]:
-    """Give the runs that were kept and are still there, the newest first."""
+    """Return the stored runs that still exist, newest first."""
     runs = []
-    with contextlib.suppress(OutputError):  # a link stands where they would lie
+    with contextlib.suppress(OutputError):  # a link exists at their location
         for file in project.own(_PLACE).glob("*.json"):
             made = _read_entry(file)
             with contextlib.suppress(JounceError, OSError):
@@ -122,15 +122,15 @@ def _entry(project: Project, path: str) -> Path:
 
 
 def _read_entry(entry: Path) -> dict[str, Any] | None:
-    """What a run was made of, as its entry says; None where there is none, or it says something else."""
+    """Read the history entry of a run; ``None`` if it is missing or invalid."""
     try:
         return _Made.model_validate(plain_json(content(entry, _LONGEST))).model_dump()
-    except (OSError, ValueError):  # pydantic's are of these
+    except (OSError, ValueError):  # includes pydantic's errors
         return None
 
 
 def _is_of(file: Path, made: Mapping[str, Any]) -> bool:
-    """Whether a recording is the run that is to be kept: it was written, and nothing of it into the history."""
+    """Whether a recording is the run to be stored, written earlier without its history entry."""
     import h5netcdf
 
     try:
@@ -139,14 +139,14 @@ def _is_of(file: Path, made: Mapping[str, Any]) -> bool:
                 run.attrs.get(f"jounce_{key}") == made[key]
                 for key in ("rig_digest", "trial_digest")
             )
-    except Exception:  # noqa: BLE001 - whatever it is, it is another one
+    except Exception:  # noqa: BLE001 - an unreadable recording is a different one
         return False
 
 
 def compare_recordings(
     project: Project, paths: Sequence[str], channels: Sequence[str]
 ) -> CurvesAnswer:
-    """Draw recordings of the project over each other."""
+    """Overlay recordings of the project."""
     import jounce as jn
     from jounce.report.recordings import curve_viewer
 

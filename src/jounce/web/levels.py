@@ -51,7 +51,7 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
     time = next((channel for channel in table if channel.name == "time"), None)
     if time is None or time.values.size < 2:
         raise RecordingError(
-            "no time", where=str(file.name), allowed="a column 'time' of two values at least"
+            "no time", where=str(file.name), allowed="a column 'time' with at least two values"
         )
     count = time.values.size
     step = float(time.values[-1] - time.values[0]) / (count - 1)

@@ -98,7 +98,7 @@ class Project:
             plain = False
         if not plain:
             raise DescriptionError(
-                "not a place in this project", where="path", found=path, allowed=allowed
+                "not a path in this project", where="path", found=path, allowed=allowed
             )
         return file
 
@@ -111,7 +111,9 @@ class Project:
                 where = place.relative_to(self.root).as_posix()
                 hint = "Remove it, or replace it by a folder."
                 raise OutputError(
-                    "a link stands where the workbench keeps its own files", where=where, hint=hint
+                    "a link occupies a path reserved for the workbench's own files",
+                    where=where,
+                    hint=hint,
                 )
         return place
 

@@ -1,4 +1,4 @@
-"""Rides of several rigs, vehicles and controllers over each other: over time, and as spectra."""
+"""Overlay of rides of several rigs, vehicles and controllers: over time, and as spectra."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ if TYPE_CHECKING:
     from jounce.ride.study import Ride
 
 ISO_DURATION = "20 s"
-"""Of a ride over a random road of which nothing is said, as for the command that compares."""
-_SHORTEST = 8.0  # s of a piece of a spectrum, as in the report of a ride
+"""Default duration of a ride over a random road, as for the command that compares rides."""
+_SHORTEST = 8.0  # s, shortest segment of a spectrum, as in the report of a ride
 _FIRST = (("body.az", "sprung.az"), ("strut.deflection",), ("tyre.force",))
 
 
 def overlaid(asked: Mapping[str, Any]) -> dict[str, Any]:
-    """Drive all rides that are asked for; give their curves, what stands for what, and what could not be driven."""
+    """Simulate all requested rides; return curves, notes on corner mapping, and failed rides."""
     from jounce.report.live import live_data
     from jounce.report.recordings import curve_viewer
     from jounce.web.spectra import spectra_of
@@ -34,7 +34,9 @@ def overlaid(asked: Mapping[str, Any]) -> dict[str, Any]:
             failed[label] = error.message()
     if not rides:
         raise DescriptionError(
-            Phrase("none of them could be driven: {values}", values="; ".join(failed.values())),
+            Phrase(
+                "none of the rides could be simulated: {values}", values="; ".join(failed.values())
+            ),
             where="rides",
         )
     runs, notes = alike({label: ride.evaluated_run for label, ride in rides.items()})
@@ -70,7 +72,7 @@ def _simulate_ride(asked: Mapping[str, Any]) -> Ride:
 
 
 def labels(rides: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Name rides by vehicle, controller, and what else tells them apart.
+    """Label rides by vehicle, controller, and any other settings that differ.
 
     Examples
     --------
@@ -98,9 +100,9 @@ def labels(rides: Sequence[Mapping[str, Any]]) -> list[str]:
 
 
 def alike(runs: Mapping[str, xr.Dataset]) -> tuple[dict[str, xr.Dataset], list[str]]:
-    """Give runs of vehicles with two, four and no named corners the names of the finest, and say what stands for what.
+    """Rename corners to those of the most detailed run, and return notes on the mapping.
 
-    A rig with one corner stands at the front (left) corner, its sprung mass for the body, too; axles stand for
+    A rig with one corner is shown as the front (left) corner and its sprung mass also as the body. Axles are shown as
     their left corners.
     """
     kinds = {label: _corners(run) for label, run in runs.items()}
@@ -140,7 +142,7 @@ def _corners(run: xr.Dataset) -> int:
 
 
 def _first(runs: Mapping[str, xr.Dataset]) -> list[str]:
-    """Name what is looked at first, of what all of them hold."""
+    """Return the initially shown channels, among those that all runs contain."""
     held = [
         name
         for name in map(str, next(iter(runs.values())).data_vars)

@@ -1,9 +1,9 @@
-"""Who may ask: this machine only, by its own name, from the page that was opened here or with the printed token.
+"""Access control: requests only from this machine, from the opened page or with the printed token.
 
-A page of somebody else's that is open in the same browser can send requests here. It cannot choose the ``Host`` and
-``Origin`` that they carry, and it does not know the token: the opened page keeps that and sends it in a header. There
-is no cookie, which browsers would send to every server of this machine, whatever its port. What a browser opens by an
-address alone (a report, in a frame or a tab of its own) has an address that is sealed: it opens this and nothing else.
+A foreign page open in the same browser can send requests to this server. It cannot set their ``Host`` and ``Origin``
+headers, and it does not have the token, which the opened page stores and sends in a header. Cookies are not used,
+because browsers would send them to every server of this machine, regardless of port. Content that a browser opens by
+address alone (a report in a frame or tab) has a sealed address that gives access to this content only.
 """
 
 from __future__ import annotations
@@ -27,24 +27,27 @@ HEADERS = {
     "Cache-Control": "no-store",
 }
 _OPEN = ("/", "/app.js", "/app.css", "/icon.svg")
-"""The page itself, which holds nothing of anybody's."""
-_LARGEST = 4_000_000  # bytes of a request
+"""Files of the page itself, which contain no user data."""
+_LARGEST = 4_000_000  # maximum bytes of a request
 UPLOAD, _LARGEST_UPLOAD = "/api/upload", 250_000_000
-EXPORT, _LARGEST_EXPORT = "/api/export", 100_000_000  # the numbers of all curves of a page
+EXPORT, _LARGEST_EXPORT = (
+    "/api/export",
+    100_000_000,
+)  # enough for the numbers of all curves of a page
 
 
 PROTOCOL = "jounce"
-"""What a socket of the page offers, and the token behind it: a browser lets it send no header of its own."""
+"""Protocol that the page's socket offers, followed by the token, because browsers allow no custom headers there."""
 
 
 def seal_address(token: str, address: str) -> str:
-    """Give an address (path and query) that is answered without the token; nobody else can make one."""
+    """Return an address (path and query) that is accepted without the token; it cannot be forged."""
     key = hmac.new(token.encode(), address.encode(), "sha256").hexdigest()
     return f"{address}{'&' if '?' in address else '?'}key={key}"
 
 
 class Guard:
-    """ASGI: lets through what the rules above allow, and says on every answer what its page may do."""
+    """ASGI middleware: admits requests by the rules above and adds a security policy to every response."""
 
     def __init__(self, app: Any, *, token: str, port: int) -> None:
         self.app, self.token, self.port = app, token, port
@@ -53,7 +56,7 @@ class Guard:
         self.origins = {f"http://{host}" for host in self.hosts}
 
     async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
-        """Answer what is refused, and hand on everything else."""
+        """Reject forbidden requests and pass on all others."""
         if scope["type"] not in ("http", "websocket"):
             await self.app(scope, receive, send)
             return
@@ -71,12 +74,12 @@ class Guard:
         self, scope: Mapping[str, Any], headers: Mapping[str, str]
     ) -> tuple[int, str] | None:
         if headers.get("host", "").lower() not in self.hosts:
-            return 403, "This workbench answers by its own address only."
+            return 403, "This workbench accepts requests only at its own address."
         if headers.get("origin", "").lower() not in self.origins | {""}:
-            return 403, "Pages of other origins may not ask here."
+            return 403, "Requests from pages of other origins are not allowed."
         length = headers.get("content-length", "0").strip()
         if not length.isdecimal() or not length.isascii():
-            return 400, "The length of the request is no number."
+            return 400, "The content length is not a number."
         most = {UPLOAD: _LARGEST_UPLOAD, EXPORT: _LARGEST_EXPORT}.get(scope["path"], _LARGEST)
         if int(length[:20]) > most or "transfer-encoding" in headers:
             return 413, f"A request has {most} bytes at most, and says how many."
@@ -134,7 +137,7 @@ async def _answer(send: Any, status: int, body: bytes, headers: Mapping[str, str
 def _with_headers(send: Any) -> Any:
     async def sending(message: Any) -> None:
         if message["type"] == "http.response.start":
-            own = list(message.get("headers", []))  # a report says more narrowly what it may do
+            own = list(message.get("headers", []))  # a report has a stricter policy
             said = {name.lower() for name, _ in own}
             every = ((name.encode(), value.encode()) for name, value in HEADERS.items())
             message["headers"] = [

@@ -26,23 +26,24 @@ from jounce.core.remembered import Recent
 def serve(
     folder: Path | str, *, port: int = 0, ready: Callable[[str, str], None] | None = None
 ) -> None:
-    """Serve the workbench of a folder until the process is told to end (Ctrl-C, SIGTERM).
+    """Serve the workbench of a folder until the process is stopped (Ctrl-C, SIGTERM).
 
     Parameters
     ----------
     folder : path
-        The project: nothing outside it can be read or written from the page.
+        Project folder; the page cannot read or write anything outside it.
     port : int
-        On 127.0.0.1; 0 takes the folder's own, where a browser finds what it kept of it, or else a free one.
+        Port on 127.0.0.1. 0 selects the folder's fixed port, so that the browser's stored settings apply, or a free
+        one.
     ready : callable
-        Hears the address to open, with its token, and the token for scripts, once questions are answered.
+        Called once the server is ready, with the address to open (including its token) and the token for scripts.
 
     Raises
     ------
     DescriptionError
-        Where the folder is none.
+        If the path is not a folder.
     OutputError
-        Where the port is taken.
+        If the port is in use.
     MissingPackageError
         Without FastAPI and uvicorn (extra ``web``).
 
@@ -52,7 +53,9 @@ def serve(
     """
     if not Path(folder).is_dir():
         raise DescriptionError(
-            "not a folder", where=str(folder), hint="Create it, or give the one with your files."
+            "not a folder",
+            where=str(folder),
+            hint="Create it, or specify the folder with your files.",
         )
     uvicorn = require("uvicorn", "web")
     from jounce.kernel.apart import compiling_apart
@@ -74,13 +77,13 @@ def serve(
         with compiling_apart(), _within_bounds(trim):
             uvicorn.Server(config).run(sockets=[listening])
     except KeyboardInterrupt:
-        pass  # its ordinary end
+        pass  # normal termination
     finally:
         listening.close()
 
 
 def _is_trouble(record: logging.LogRecord) -> bool:
-    """Whether a line of the server's log is worth a look: requests that its end cuts off are not."""
+    """Whether a line of the server's log is relevant: requests aborted by shutdown are not."""
     is_cut_off = record.exc_info is not None and isinstance(
         record.exc_info[1], asyncio.CancelledError
     )
@@ -95,10 +98,10 @@ _ARENAS, _LARGE, _TRIMMED = (
 
 
 def _give_memory_back() -> Callable[[], object]:
-    """Have the C library give back what a request has freed, where it is glibc; return what makes it do so now.
+    """Configure glibc to return freed memory to the system; return a function that does so immediately.
 
-    Else each of the threads that answer keeps a heap of its own, as large as its largest run was, and what is free
-    between two pieces in use stays with the process: some megabytes an hour.
+    Otherwise each worker thread keeps its own heap, as large as its largest run, and free fragments between used
+    blocks remain in the process: a few megabytes per hour.
     """
     library = ctypes.CDLL(None) if sys.platform == "linux" else None
     if library is None or not hasattr(library, "malloc_trim"):
@@ -108,13 +111,13 @@ def _give_memory_back() -> Callable[[], object]:
     return lambda: library.malloc_trim(0)
 
 
-_MOST_MODELS = 8  # of each kind, soon all taken: one is up to 2 MB, and 10 ms to be loaded again
+_MOST_MODELS = 8  # of each kind; a model takes up to 2 MB, and 10 ms to reload
 _PAUSE = 2.0  # s
 _LONGEST_IMPORT = 10.0  # s
 _IDLE, _BUSY = (
     0.05,
     1.0,
-)  # s of processor time: at most in a pause, and at least since garbage was last looked for
+)  # s of processor time: maximum in a pause, and minimum since the last garbage collection
 _LATER = (
     "scipy.signal",
     "h5netcdf",
@@ -126,9 +129,9 @@ _LATER = (
 
 @contextlib.contextmanager
 def _within_bounds(trim: Callable[[], object]) -> Iterator[None]:
-    """Keep few models, however many a server meets, and load, look for garbage, and give it back while nobody waits.
+    """Limit the number of cached models, and import modules, collect garbage and return memory while idle.
 
-    Left to itself, Python does so once a quarter as many objects as there are have come, and stops an answer for it.
+    By default Python collects garbage whenever the number of objects grows by a quarter, which delays a response.
     """
     before, Recent.most = Recent.most, _MOST_MODELS
     ended = threading.Event()
@@ -142,12 +145,12 @@ def _within_bounds(trim: Callable[[], object]) -> Iterator[None]:
         ended.set()
         tidying.join(
             _LONGEST_IMPORT
-        )  # an import that the end of the process cuts off prints a traceback
+        )  # an import interrupted by the end of the process prints a traceback
         Recent.most = before
 
 
 def _tidy_in_pauses(ended: threading.Event, trim: Callable[[], object]) -> None:
-    """Load what the first spectrum, recording, saved file, study and target would wait for; then look for garbage."""
+    """Import modules that the first spectrum, recording, saved file, study and target need; then collect garbage."""
     later = iter(_LATER)
     before = collected = time.process_time()
     while not ended.wait(_PAUSE):
@@ -163,33 +166,33 @@ def _tidy_in_pauses(ended: threading.Event, trim: Callable[[], object]) -> None:
 
 
 def usual_port(folder: Path | str) -> int:
-    """Give the port on which a folder is served unless another is asked for: the same every time."""
+    """Return the default port of a folder, which is the same every time."""
     place = os.path.normcase(Path(folder).resolve())
     return (
         20_000 + int.from_bytes(sha256(place.encode()).digest()[:4]) % 10_000
-    )  # below those that systems hand out
+    )  # below the ephemeral ports
 
 
 def _usual(folder: Path | str) -> socket.socket:
     try:
         return _listening(usual_port(folder))
-    except OutputError:  # somebody else has it
+    except OutputError:  # in use by another process
         return _listening(0)
 
 
 def _listening(port: int) -> socket.socket:
-    # Named as TCP, connections send at once; else a kept one waits 40 ms for the other side's word after each packet.
+    # With TCP given explicitly, data are sent at once; otherwise a kept connection waits 40 ms for each response.
     listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     if (
         sys.platform != "win32"
-    ):  # one that was ended a moment ago left its port with connections that fade out
+    ):  # a server that stopped a moment ago leaves connections in TIME_WAIT on its port
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listener.bind(("127.0.0.1", port))
     except (OSError, OverflowError) as error:
         listener.close()
-        what = "no such port" if isinstance(error, OverflowError) else "the port cannot be had"
-        hint = "Choose another port, or none: a free one is taken then."
+        what = "no such port" if isinstance(error, OverflowError) else "the port is not available"
+        hint = "Choose another port, or omit it to use a free one."
         raise OutputError(
             what, where="--port", found=port, allowed="0 to 65535", hint=hint
         ) from None

@@ -1,4 +1,4 @@
-"""Sweeps of a corner for the page: over travel, rack or roll, beside other versions, with targets and centres."""
+"""Sweeps of a corner for the page: over travel, rack or roll, compared with other versions, targets and centres."""
 
 from __future__ import annotations
 
@@ -33,15 +33,15 @@ if TYPE_CHECKING:
     from jounce.report.live import Pane, Viewer
 
 Over = Literal["travel", "rack", "roll"]
-_MOST = 400  # poses that somebody waits for
+_MOST = 400  # maximum poses of an interactive sweep
 
 
 @dataclass(frozen=True)
 class Question:
-    """A sweep of ``rig`` over one of travel, rack and roll: the range of that one, single values of the others.
+    """A sweep of ``rig`` over travel, rack or roll: a range for one of them, single values for the others.
 
-    ``text`` is the rig's unsaved text, ``against`` another rig to be drawn beside it; ``targets`` have the keys of a
-    study, ``study`` is a file of one.
+    ``text`` is the rig's unsaved text, ``against`` a rig for comparison; ``targets`` have the keys of a study,
+    ``study`` is a study file.
     """
 
     rig: str
@@ -58,7 +58,7 @@ class Question:
 
 
 def swept(project: Project, asked: Question) -> CurvesAnswer:
-    """Sweep a 3-D corner as it is changed, as it is saved, and as another one: curves, and how to get the same."""
+    """Sweep a 3-D corner as changed, as saved, and a rig for comparison; return curves and equivalent code."""
     from jounce.kinematics.sweeps import sweep_values
     from jounce.report.recordings import curve_viewer
 
@@ -67,7 +67,10 @@ def swept(project: Project, asked: Question) -> CurvesAnswer:
     )
     if count > _MOST:
         raise DescriptionError(
-            "too many poses to be waited for", where=asked.over, found=count, allowed=f"{_MOST}"
+            "too many poses for an interactive sweep",
+            where=asked.over,
+            found=count,
+            allowed=f"{_MOST}",
         )
     rigs = variants(project, asked.rig, asked.changes, asked.text)
     if asked.against:
@@ -106,7 +109,7 @@ def _run(rig: Rig, asked: Question) -> xr.Dataset:
 
 
 def _sweep_roll(rig: Rig, roll: str, rack: float | str) -> xr.Dataset:
-    """An axle that rolls, with the places of the left wheel's points against the body."""
+    """Return the sweep of a rolling axle, with positions of the left wheel's points relative to the body."""
     import jounce as jn
 
     axle = jn.sweep_roll(rig, roll, rack)
@@ -116,11 +119,11 @@ def _sweep_roll(rig: Rig, roll: str, rack: float | str) -> xr.Dataset:
     placed = {
         str(name): ("roll_angle", own[name].to_numpy(), own[name].attrs)
         for name in own.data_vars
-        if "." in str(name)  # quantities are those of the axle
+        if "." in str(name)  # quantities of the axle
     }
     names = sorted(
         map(str, axle.data_vars), key=lambda name: "." in name
-    )  # what the axle has as a whole comes first
+    )  # quantities of the whole axle come first
     return axle[names].assign(placed)
 
 
@@ -129,7 +132,7 @@ def _note(label: str, run: xr.Dataset) -> str:
 
 
 def _centres(run: xr.Dataset, viewer: Viewer) -> dict[str, Any] | None:
-    """What the corner turns about at each pose of the mechanism, mm: (y, z) in front, (x, z) beside, heights (z)."""
+    """Return instant centres per pose, mm: (y, z) in front view, (x, z) in side view, and heights (z)."""
     motion = viewer.scenes[0].motion
     names = (
         "instant_centre_y",
@@ -152,13 +155,13 @@ def _centres(run: xr.Dataset, viewer: Viewer) -> dict[str, Any] | None:
 
 
 def _pairs(first: Array, other: Array) -> list[list[float] | None]:
-    """Places in mm; none where arms are parallel."""
+    """Return positions in mm; ``None`` for parallel arms."""
     pairs = 1e3 * np.stack([first, other], axis=1)
     return [np.round(pair, 2).tolist() if np.isfinite(pair).all() else None for pair in pairs]
 
 
 def _study_targets(project: Project, study: str) -> list[Mapping[str, Any]]:
-    """Targets of a study file of the project."""
+    """Return the targets of a study file of the project."""
     if not study:
         return []
     from jounce.core.description import read_description
@@ -175,7 +178,7 @@ def _study_targets(project: Project, study: str) -> list[Mapping[str, Any]]:
 def _bands(
     rig: Rig, targets: Sequence[Mapping[str, Any]], over: Over, viewer: Viewer
 ) -> list[dict[str, Any]]:
-    """Targets that stand on the axis of the sweep, in the units of their panes."""
+    """Return the targets along the axis of the sweep, in the units of their panes."""
     if not targets:
         return []
     from jounce.design.kinematic_study import KinematicTarget

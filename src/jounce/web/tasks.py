@@ -1,7 +1,7 @@
-"""What the page may ask to be done by a command: each kind a few named fields, of which its words are made.
+"""Tasks that the page may run as commands: each kind has named fields from which the command is built.
 
-Every value stands behind its option with an equals sign, and every path is one inside of the project: whatever a field
-holds, it is no other option, and no other command.
+Every value is joined to its option by an equals sign, and every path is inside the project. A field therefore cannot
+inject another option or command.
 """
 
 from __future__ import annotations
@@ -23,39 +23,39 @@ from jounce.web.project import Project
 
 _SIGNS = "from jounce.identify.signs import compression_positive\n"
 _WANTED = '{"displacement": "m", "force": "N"}'
-LIMITS = (4e9, 120.0)  # bytes and seconds of computing that reading a record may take
+LIMITS = (4e9, 120.0)  # limits for reading a record: bytes and seconds of CPU time
 
 
 @dataclass(frozen=True)
 class Doing:
-    """A command with what the page shows of it.
+    """A command with its presentation on the page.
 
     Attributes
     ----------
     title : str
-        What it is, for people.
+        Title shown to the user.
     words : list of str
-        The command.
+        Words of the command.
     own : list of str
-        Further words, not shown: ``{folder}`` is the folder of the job.
+        Further words that are not shown; ``{folder}`` is the folder of the job.
     python : str
-        The same in Python.
+        Equivalent Python code.
     out : str
-        Folder of the project that it writes into.
+        Output folder in the project.
     page : str
-        File of the project that is its report; without one, ``report.html`` in the folder of the job.
+        Report file in the project; by default ``report.html`` in the folder of the job.
     files : dict
-        Files that command and Python need, by name.
+        Files required by command and Python code, by name.
     limits : tuple of float, optional
-        Bytes and seconds of computing.
+        Limits: bytes and seconds of CPU time.
     patience : float
-        Seconds that somebody waits for it, where somebody does.
+        Seconds that the page waits for the result, if it waits.
     question : dict, optional
-        Instead of a command, what no command answers (see `jounce.web.questions`).
+        Request without an equivalent command, used instead of one (see `jounce.web.questions`).
     command : str
-        Then, the command that comes nearest.
+        Closest equivalent command in that case.
     light : bool
-        Whether it loads little: what has loaded everything is then not waited for.
+        Whether it imports little, so that the preloaded standby process is not needed.
     """
 
     title: str
@@ -76,7 +76,7 @@ class _Task(BaseModel):
     model_config = ConfigDict(extra="forbid")
 
     def _doing(self, project: Project) -> Doing:
-        """Give the command."""
+        """Return the command."""
         raise NotImplementedError
 
 
@@ -85,7 +85,7 @@ Changes = Annotated[dict[str, Any], Field(default_factory=dict, max_length=200)]
 
 
 class SweepTask(_Task):
-    """Simulate the variants of a study into a folder, or go on where that was stopped."""
+    """Simulate the variants of a study into a folder, or resume an interrupted sweep."""
 
     kind: Literal["sweep"]
     study: Text
@@ -122,7 +122,7 @@ class CampaignTask(_Task):
 
 
 class DesignTask(_Task):
-    """Find the hardpoints that give wanted kinematic values."""
+    """Find hardpoints that meet kinematic targets."""
 
     kind: Literal["design"]
     study: Text
@@ -146,7 +146,7 @@ class DesignTask(_Task):
 
 
 class _Drive(BaseModel):
-    """A vehicle, as it is or changed, over a road."""
+    """A ride of a vehicle, optionally changed, over a road."""
 
     model_config = ConfigDict(extra="forbid")
 
@@ -159,14 +159,14 @@ class _Drive(BaseModel):
 
     @property
     def _lasting(self) -> str:
-        """How long it is driven; as long as a road is long, where that is one that ends."""
+        """Return the duration of the ride, which for a finite road follows from its length."""
         from jounce.roads.loading import is_class
         from jounce.web.rides import ISO_DURATION
 
         return self.duration or (ISO_DURATION if is_class(self.road) else "")
 
     def _request(self, project: Project, command: str, control: list[str]) -> Request:
-        """Give the request of a ride, or of several."""
+        """Return the request of one or several rides."""
         given = self.model_dump(include={"road", "speed", "seed"}) | {
             "control": control,
             "duration": self._lasting,
@@ -197,7 +197,7 @@ class OneRide(_Drive):
 
 
 class OverlayTask(_Task):
-    """Draw rides of several vehicles, controllers and roads over each other: over time, and as spectra."""
+    """Overlay rides of several vehicles, controllers and roads: over time, and as spectra."""
 
     kind: Literal["overlay"]
     rides: Annotated[list[OneRide], Field(min_length=1, max_length=6)]
@@ -215,7 +215,7 @@ class OverlayTask(_Task):
         python += "spectra = {name: ride.spectra() for name, ride in rides.items()}\n"
         if (
             len({type(rig_of(project, ride.vehicle)) for ride in self.rides}) == 1
-        ):  # which have channels of the same names
+        ):  # all with channels of the same names
             python += "figure = jn.plots.compare(runs)\n"
             files = [f"ride-{k}.nc" for k in range(1, len(self.rides) + 1)]
             commands.append(command_line(["jounce", "plot", *files, "--figure=rides.png"]))
@@ -253,7 +253,7 @@ class ParetoTask(_Task):
 
 
 class EvaluateTask(_Task):
-    """Evaluate and grade the records of one or both axles, with the protocol; keep them in a store by wish."""
+    """Evaluate and grade the records of one axle or two, with protocol and optional storage."""
 
     kind: Literal["evaluate"]
     records: Annotated[list[Text], Field(min_length=1, max_length=2)]
@@ -316,7 +316,7 @@ class SearchTask(_Task):
 
 
 class NewCampaignTask(_Task):
-    """Write a commented campaign to start from, with synthetic recordings, that runs as it is."""
+    """Write a commented template campaign with synthetic recordings, ready to run."""
 
     kind: Literal["new-campaign"]
     out: Text
@@ -351,7 +351,7 @@ class TestTask(_Task):
 
 
 class _Reading(_Task):
-    """How measured files are read: names of their columns, and which way they count."""
+    """Reading options of measured files: column names and sign conventions."""
 
     files: Annotated[list[Text], Field(min_length=1, max_length=50)]
     columns: Annotated[dict[str, Text], Field(max_length=100)] = Field(default_factory=dict)
@@ -408,7 +408,7 @@ class DecayTask(_Reading):
 
 
 class PreviewTask(_Reading):
-    """What would be read of a record with these names, units and signs: a picture, and what the reader found."""
+    """Preview of a record read with these names, units and signs: a plot, and the reader's findings."""
 
     kind: Literal["preview"]
     form: Literal["recording", "force-deflection"] = "recording"
@@ -447,24 +447,24 @@ _REPORT = ["--report={folder}/report.html"]
 
 
 def task_of(plain: Mapping[str, Any]) -> AnyTask:
-    """Read what was asked from plain data."""
+    """Parse a task from plain data."""
     try:
         return _READ.validate_python(dict(plain))
     except ValidationError as error:
         first = error.errors()[0]
         place = ".".join(("job", *(str(part) for part in first["loc"])))
         raise DescriptionError(
-            "this says nothing of a job", where=place, found=first["msg"]
+            "this does not describe a job", where=place, found=first["msg"]
         ) from None
 
 
 def doing_of(task: AnyTask, project: Project) -> Doing:
-    """Give the command that a task means in a project."""
+    """Return the command of a task in a project."""
     return task._doing(project)
 
 
 def _request(command: str, given: Mapping[str, Any]) -> Request:
-    """Give a request; fields that a page leaves empty have their defaults."""
+    """Return a request; fields left empty on the page have their defaults."""
     return Request(
         operations()[command], {name: value for name, value in given.items() if value != ""}
     )
@@ -473,7 +473,7 @@ def _request(command: str, given: Mapping[str, Any]) -> Request:
 def _file(project: Project, path: str) -> str:
     file = project.inside(path)
     if not file.is_file():
-        raise DescriptionError("no such file", where=path, hint="Choose one of the project.")
+        raise DescriptionError("no such file", where=path, hint="Choose a file of the project.")
     return _plain(path)
 
 
@@ -515,6 +515,6 @@ def _store(project: Project, path: str) -> str:
     project.inside(path)
     if not path.endswith((".sqlite", ".db")):
         raise DescriptionError(
-            "not the name of a store", where="store", found=path, allowed="one that ends in .sqlite"
+            "not the name of a store", where="store", found=path, allowed="a name ending in .sqlite"
         )
     return _plain(path)

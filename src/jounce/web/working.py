@@ -1,4 +1,4 @@
-"""The interface for what takes long and for files that come and go: jobs, quick questions, uploads, reports."""
+"""HTTP interface for jobs, short queries, uploads and reports."""
 
 from __future__ import annotations
 
@@ -31,17 +31,17 @@ require("fastapi", "web")  # ruff: isort: split
 from fastapi import APIRouter, Request, WebSocket, WebSocketDisconnect  # noqa: E402
 from fastapi.responses import Response  # noqa: E402
 
-_BETWEEN = 0.25  # s between two looks at the jobs, for whoever follows them
+_BETWEEN = 0.25  # s between two checks of the jobs for connected clients
 _MOST_PAGES, _LARGEST_PAGE = (
     16,
     250_000_000,
-)  # reports of quick questions that are kept, bytes of a page
+)  # number of reports of short queries kept; maximum bytes of a page
 _UPLOADED = (*RECORDS, ".crg", ".dbc")
 _ALONE = (
     "sandbox allow-scripts; default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
     "img-src data: blob:; font-src data:; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
 )
-"""What a report may do: run its own script, in a place of its own from which nothing here can be asked or read."""
+"""Policy of a report: it may run its own script, in an isolated origin without access to this server."""
 _KINDS = {
     ".html": "text/html; charset=utf-8",
     ".pdf": "application/pdf",
@@ -51,7 +51,7 @@ _KINDS = {
 
 
 class Study(BaseModel):
-    """A study of a sweep: the keys of its schema, and the file that it is written to."""
+    """A study of a sweep: the keys of its schema, and the file to write."""
 
     model_config = ConfigDict(extra="forbid")
     path: str
@@ -66,7 +66,7 @@ class Study(BaseModel):
 
 
 class Entered(BaseModel):
-    """A measured file for a campaign: what it is of, and the keys of its table, files by their paths in the project."""
+    """A measured file for a campaign: its role and the keys of its table, with file paths in the project."""
 
     model_config = ConfigDict(extra="forbid")
     campaign: str
@@ -75,7 +75,7 @@ class Entered(BaseModel):
 
 
 def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRouter:
-    """Give the routes over a project; ``seal`` makes addresses that a browser opens by themselves."""
+    """Return the routes of a project; ``seal`` creates addresses that a browser can open without the token."""
     router = APIRouter(route_class=Route)
     pages: OrderedDict[str, str] = OrderedDict()
 
@@ -84,17 +84,17 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
 
     @router.get("/api/jobs")
     def every() -> list[dict[str, Any]]:
-        """How every job is, the newest first."""
+        """Return the state of all jobs, newest first."""
         return [with_report(state) for state in jobs.all()]
 
     @router.post("/api/jobs")
     def begin(asked: Asked) -> dict[str, Any]:
-        """Begin a job: a command in a process of its own."""
+        """Start a job: a command in a separate process."""
         return with_report(jobs.begin(asked))
 
     @router.get("/api/jobs/{name}")
     def job(name: str) -> dict[str, Any]:
-        """How a job is, and what its command gave."""
+        """Return the state of a job and the output of its command."""
         state = jobs.state(name)
         finished = state["state"] == "done"
         return {
@@ -105,23 +105,23 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
 
     @router.post("/api/jobs/{name}/cancel")
     def cancel(name: str) -> dict[str, Any]:
-        """Ask a job to stop; what it has finished stays."""
+        """Request a job to stop; finished results are kept."""
         return with_report(jobs.cancel(name))
 
     @router.post("/api/jobs/{name}/again")
     def again(name: str) -> dict[str, Any]:
-        """Begin a job once more; a sweep goes on where it was stopped, what others wrote is replaced."""
+        """Restart a job; a sweep resumes where it stopped, outputs of other jobs are replaced."""
         return with_report(jobs.begin(jobs.again(name)))
 
     @router.delete("/api/jobs/{name}")
     def forget(name: str) -> dict[str, str]:
-        """Take a job that has ended off the list; what it wrote into the project stays."""
+        """Remove a finished job from the list; files it wrote into the project are kept."""
         jobs.forget(name)
         return {"forgotten": name}
 
     @router.get("/api/jobs/{name}/report")
     def report(name: str) -> Response:
-        """The report of a job."""
+        """Return the report of a job."""
         file = jobs.page(name)
         if file is None:
             raise DescriptionError("the job wrote no report", where="job", found=name)
@@ -129,8 +129,8 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
 
     @router.websocket("/api/live")
     async def live(socket: WebSocket) -> None:
-        """Tell how the jobs are, now and whenever that changes."""
-        # Some versions of uvicorn do not split what a browser offers, so its scope is not asked.
+        """Send the state of the jobs now and whenever it changes."""
+        # Some versions of uvicorn do not split the offered protocols, so the scope is not used.
         await socket.accept(PROTOCOL if "sec-websocket-protocol" in socket.headers else None)
         await asyncio.to_thread(jobs.prepare)
         before = ""
@@ -147,7 +147,7 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
 
     @router.post("/api/ask")
     def ask(asked: Asked) -> dict[str, Any]:
-        """Have a command done that does not last, and wait for what it gives."""
+        """Run a short command and wait for its result."""
         answer = jobs.ask(doing_of(asked, project))
         text = answer.pop("page")
         key = ""
@@ -160,16 +160,16 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
 
     @router.get("/api/reports/{key}")
     def past_report(key: str) -> Response:
-        """The report of a quick question, as long as it is kept."""
+        """Return the report of a short query while it is kept."""
         if key not in pages:
             raise DescriptionError(
-                "the report is not kept any more", where="report", hint="Ask again."
+                "the report is no longer available", where="report", hint="Ask again."
             )
         return _alone(pages[key].encode(), ".html")
 
     @router.get("/api/document")
     def document(path: str) -> Response:
-        """A page or picture of the project, in a place of its own."""
+        """Return a page or image of the project, in an isolated origin."""
         file = project.inside(path)
         if file.suffix.lower() not in _KINDS or not file.is_file():
             raise DescriptionError(
@@ -179,13 +179,13 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
 
     @router.post("/api/study")
     def study(asked: Study) -> dict[str, Any]:
-        """Write a study of a sweep that is whole; give its text and how many variants it has."""
+        """Write a complete study of a sweep; return its text and number of variants."""
         fields = asked.model_dump(exclude={"path", "was"}, exclude_none=True)
         return write_study(project, asked.path, fields, asked.was)
 
     @router.get("/api/sweep")
     def sweep(folder: str) -> dict[str, Any]:
-        """The variants of a sweep that are finished, with their statistics."""
+        """Return the finished variants of a sweep, with their statistics."""
         read_kept(project.inside(folder))
         question = {"kind": "swept", "root": str(project.root), "folder": folder}
         result: dict[str, Any] = jobs.ask(
@@ -195,17 +195,17 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
 
     @router.get("/api/campaign")
     def campaign(path: str) -> dict[str, Any]:
-        """What a campaign consists of."""
+        """Return the contents of a campaign."""
         return overview(project, path)
 
     @router.post("/api/campaign")
     def enter(asked: Entered) -> dict[str, Any]:
-        """Write a measured file into a campaign, with how it is read."""
+        """Add a measured file to a campaign, with its reading options."""
         return enter_file(project, asked.campaign, asked.use, asked.fields)
 
     @router.get("/api/choices")
     def choices() -> dict[str, list[str]]:
-        """Names that come with jounce: testers, methods, controllers, roads."""
+        """Return shipped names: testers, methods, controllers, roads."""
         from jounce.control import CONTROLS
         from jounce.inspection.methods import METHODS
         from jounce.parts.testers import library as testers
@@ -220,10 +220,10 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
 
     @router.put("/api/upload")
     async def upload(request: Request, path: str) -> dict[str, Any]:
-        """Put a measured file into the project as it is; one that is there is never replaced, but may come again."""
+        """Store an uploaded file unchanged; an existing file is never replaced, but an identical upload is accepted."""
         file = project.inside(path)
         if file.suffix.lower() not in _UPLOADED:
-            raise OutputError("no file of measurements", where=path, allowed=", ".join(_UPLOADED))
+            raise OutputError("not a measurement file", where=path, allowed=", ".join(_UPLOADED))
         expected, size = int(request.headers.get("content-length", "0")), 0
         if file.exists() and file.stat().st_size != expected:
             raise OutputError("the file exists", where=path, hint="Choose another name.")
@@ -236,7 +236,7 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
                     await asyncio.to_thread(stream.write, part)
             if size != expected:
                 raise OutputError(
-                    "the file did not arrive whole", where=path, found=f"{size} of {expected} bytes"
+                    "the upload is incomplete", where=path, found=f"{size} of {expected} bytes"
                 )
             if not (
                 file.exists()
@@ -253,13 +253,13 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
 
 
 def _put_new(temporary: Path, file: Path) -> None:
-    """Give a file its name, unless another has it meanwhile."""
+    """Rename a file, unless the name was taken meanwhile."""
     taken = OutputError("the file exists", where=file.name, hint="Choose another name.")
     try:
         file.hardlink_to(temporary)
     except FileExistsError:
         raise taken from None
-    except OSError:  # a disk without links
+    except OSError:  # a file system without links
         if file.exists():
             raise taken from None
         temporary.replace(file)
@@ -270,7 +270,7 @@ def _page(file: Path, where: str) -> bytes:
         return content(file, _LARGEST_PAGE)
     except ValueError:
         raise DescriptionError(
-            "too large to be shown", where=where, allowed=f"{_LARGEST_PAGE} bytes"
+            "too large to display", where=where, allowed=f"{_LARGEST_PAGE} bytes"
         ) from None
 
 
