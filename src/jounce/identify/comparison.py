@@ -144,21 +144,25 @@ def _sprague_geers(reference: Array, compared: Array) -> tuple[float, float]:
 Grade = Literal["excellent", "good", "fair", "poor"]
 # Default parameters of ISO/TS 18571:2014, except for the shortest signal:
 SAMPLE_RATE = 10_000.0  # Hz
-INNER_CORRIDOR, OUTER_CORRIDOR, CORRIDOR_EXPONENT = 0.05, 0.5, 2  # of the largest absolute value; 1
-LARGEST_SHIFT = 0.2  # of the length
+INNER_CORRIDOR, OUTER_CORRIDOR, CORRIDOR_EXPONENT = (
+    0.05,
+    0.5,
+    2,
+)  # as shares of the largest absolute value; 1
+LARGEST_SHIFT = 0.2  # as a share of the length
 WARPING_WINDOW, LARGEST_MAGNITUDE_ERROR, LARGEST_SLOPE_ERROR = (
     0.1,
     0.5,
     2.0,
-)  # of the length, of the reference's size
-WEIGHTS = (0.4, 0.2, 0.2, 0.2)  # of corridor, phase, magnitude and slope
+)  # as shares of the length and of the reference's size
+WEIGHTS = (0.4, 0.2, 0.2, 0.2)  # for corridor, phase, magnitude and slope
 SHORTEST = 12  # samples: slopes are averaged over nine
 GRADES: tuple[tuple[float, Grade], ...] = ((0.94, "excellent"), (0.80, "good"), (0.58, "fair"))
-_TIE = 1e-12  # correlation: rounding makes no better shift
+_TIE = 1e-12  # correlation: smaller differences are rounding
 _NEARLY, _VALLEY = (
     0.01,
     0.05,
-)  # correlation: a rival peak is nearly as high, and stands beyond a valley
+)  # correlation: a rival peak is nearly as high and separated by a valley
 
 
 @dataclass(frozen=True)

@@ -84,7 +84,7 @@ def damper_advice(
                 unit=result.units[key],
                 **numbers,
             )
-    if result.cycles < 3.0:  # hardly a cycle is neither the first nor the last
+    if result.cycles < 3.0:  # almost all cycles are the first or the last
         add("identify.few_cycles", result.cycles, cycles=result.cycles)
     if result.r2 < 0.9:  # a line leaves 10 to 16 % of the magneto-rheological records unexplained
         add("identify.law_explains_little", result.r2, share=result.r2)
@@ -94,11 +94,11 @@ def damper_advice(
 _FADED, _DRIFTED = (
     0.05,
     0.03,
-)  # of the force of the law, and of the range of the force, over the record
+)  # change over the record, as shares of the law's force and of the force range
 _FAR, _FEW = (
     12.0,
     0.02,
-)  # times the usual residual, share of the samples: a spike, and how many may be spikes
+)  # spike limit in usual residuals; maximum share of samples that may be spikes
 
 
 def changes(
@@ -112,7 +112,7 @@ def changes(
     usual = float(np.median(np.abs(residual))) / 0.6745
     spikes = np.abs(residual) > _FAR * usual
     theirs = float(np.sum(residual[spikes] ** 2)) / max(float(residual @ residual), 1e-300)
-    # Spikes are named where they make more of the residual than all other samples together.
+    # Spikes are reported if they contribute more to the residual than all other samples together.
     if usual > 0.0 and 0 < np.count_nonzero(spikes) < _FEW * len(residual) and theirs > 0.5:
         findings.append(
             finding(
@@ -128,7 +128,7 @@ def changes(
     reach = float(np.ptp(fitted))
     if (
         result.cycles < 2.0 or reach <= 0.0
-    ):  # a single cycle does not tell a change in time from one with velocity
+    ):  # a single cycle cannot separate a change in time from one with velocity
         return findings
     place, force = np.linspace(-0.5, 0.5, len(residual)), fitted - fitted.mean()
     bent = [force * np.abs(speed), np.maximum(speed, 0.0), np.minimum(speed, 0.0)]
@@ -142,10 +142,8 @@ def changes(
     return findings
 
 
-_COARSE = 0.25  # of the force on one side
-_NEAR = (
-    12.0  # times the frequency of the motion, below which a low pass makes bump and rebound alike
-)
+_COARSE = 0.25  # as a share of the force on one side
+_NEAR = 12.0  # corner over motion frequency below which a low pass makes bump and rebound similar
 
 
 def logger_effects(motion: DamperMotion, fitted: Array, offset: float, name: str) -> list[Finding]:
@@ -183,15 +181,17 @@ def _force_step(motion: DamperMotion) -> tuple[float, float] | None:
 
     sharp = regularisation_velocity(motion)
     without, (left, step) = fit_columns()[0], fit_columns(np.tanh(motion.velocity / sharp))
-    # A choice: lower calls bends of a curve a step, higher misses weak friction; the magneto-rheological damper without
-    # current steps by 21 % of its range.
+    # A chosen limit: a lower one mistakes bends for steps, a higher one misses weak friction. The magneto-rheological
+    # damper without current has a step of 21 % of its range.
     if step <= 0.02 * float(np.ptp(motion.force)) or left >= 0.8 * without:
         return None
-    # A knee within twice the regularisation of friction is not told from it.
+    # A knee within twice the regularisation velocity cannot be distinguished from friction.
     knees = [share * motion.peak_velocity for share in (0.05, 0.1, 0.2, 0.4)]
     soft, height, knee = min(
         (*fit_columns(np.tanh(motion.velocity / knee)), knee)
         for knee in knees
         if knee > 2.0 * sharp
     )
-    return (height, knee) if soft < 0.9 * left else (step, sharp)  # of two that fit alike, friction
+    return (
+        (height, knee) if soft < 0.9 * left else (step, sharp)
+    )  # if both fit equally well, friction

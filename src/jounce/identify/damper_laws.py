@@ -93,7 +93,7 @@ def harmonic_energy(
     law = as_damper(damper)
     phase = np.linspace(
         0.0, 4.0 * np.pi, 2 * _CYCLE + 1
-    )  # the first cycle brings a law with a memory into its state
+    )  # the first cycle initialises the state of a law with memory
     x, v = amplitude * np.sin(phase), 2.0 * np.pi * frequency * amplitude * np.cos(phase)
     power = (law.evaluate(AlongPath(partial(getattr, law), v, x, start=0.0)) * v)[_CYCLE:]
     return float(np.trapezoid(power, phase[_CYCLE:])) / (2.0 * np.pi * frequency)
@@ -337,7 +337,7 @@ def estimates(
 
     jacobian = law.columns(motion.displacement, motion.velocity, shapes)[used]
     if len(shapes):
-        # what has a sign may be near zero: its step is then a share of its range
+        # signed parameters may be near zero: their step is a share of their range
         steps = 1e-3 * np.maximum(
             np.abs(shapes), 1e-2 * np.where(law.may_be_negative, law.bounds[1], 0.0)
         )

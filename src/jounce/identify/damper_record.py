@@ -114,7 +114,7 @@ def read_motion(
     sound = np.flatnonzero(~lost[first:last]) + first
     x, v, f, t, derivative = (column[sound] for column in (x, v, f, t, derivative))
     cycles = cycles_of(x)
-    if cycles < 0.95:  # one that was cut a little short has all velocities still
+    if cycles < 0.95:  # a slightly incomplete cycle still contains all velocities
         raise FitError(
             "less than one cycle of motion",
             where=name,
@@ -183,7 +183,7 @@ def _without_dropouts(
     return lost
 
 
-_BESIDE = 8  # samples beside a bridge whose derivative it spoils
+_BESIDE = 8  # samples next to a bridged gap whose derivative is invalid
 
 
 def _out_of_range(columns: Mapping[str, Array], name: str) -> list[Finding]:
@@ -203,15 +203,15 @@ def _out_of_range(columns: Mapping[str, Array], name: str) -> list[Finding]:
     return findings
 
 
-_CLIPPED = 2e-3  # of the samples: limits that a steady sine touches for so long cut 0.002 % of it
+_CLIPPED = (
+    2e-3  # share of the samples: a steady sine clipped for so long loses 0.002 % of its amplitude
+)
 
 
 def _as_the_stroke(velocity: Array, derivative: Array, name: str, findings: list[Finding]) -> Array:
     """Return the velocity with the sign of the displacement's derivative."""
     gain = float(velocity @ derivative) / float(derivative @ derivative)
-    if (
-        gain > -0.5
-    ):  # half way from a reversed velocity (-1) to one that has nothing to do with the stroke (0)
+    if gain > -0.5:  # halfway between a reversed velocity (-1) and an unrelated one (0)
         return velocity
     findings.append(finding("identify.velocity_reversed", name, gain, factor=gain))
     return -velocity
@@ -226,11 +226,11 @@ def _check_velocity(
     slope = np.gradient(derivative, time)
     delay = -float((velocity - derivative) @ slope) / float(slope @ slope)
     step = float(np.median(np.diff(time)))
-    if abs(gain - 1.0) > 0.05:  # the coefficient is wrong by as much
+    if abs(gain - 1.0) > 0.05:  # the coefficient has the same relative error
         findings.append(finding("identify.velocity_gain", name, gain, factor=gain))
     elif (
         abs(delay) > 0.2 * step and source == "recorded"
-    ):  # a choice: channels on one clock agree far better
+    ):  # a chosen limit: channels on the same clock agree far better
         findings.append(
             finding("identify.velocity_late", name, delay, delay=delay, samples=delay / step)
         )
@@ -249,7 +249,7 @@ def _rate(x: Array, t: Array, plain: Array, name: str, findings: list[Finding]) 
     turns = np.diff(zigzag(_smooth(x), 0.05 * float(np.ptp(x))))[1:]
     widest = int(_WIDEST * turns.min()) if len(turns) else 0
     noise = max(noise_of(x), quantum_of(x) / math.sqrt(12.0))
-    if float(np.ptp(steps)) > 0.01 * step:  # no even steps, over which a cubic could be fitted
+    if float(np.ptp(steps)) > 0.01 * step:  # uneven steps, so no cubic can be fitted
         widest = 0
     power = float(np.mean((_slope(x, widest) / step) ** 2 if widest > 1 else plain**2))
 
@@ -274,8 +274,10 @@ def _rate(x: Array, t: Array, plain: Array, name: str, findings: list[Finding]) 
 _CALM, _NOISY = (
     1e-4,
     1e-2,
-)  # of the mean square of a velocity: noise that does no harm, and that is told
-_WIDEST = 0.05  # of half a cycle: samples on either side over which a cubic follows the motion
+)  # noise as a share of the velocity's mean square: harmless, and reported
+_WIDEST = (
+    0.05  # as a share of half a cycle: largest half width over which a cubic follows the motion
+)
 
 
 def _smooth(x: Array) -> Array:

@@ -20,15 +20,15 @@ from jounce.identify.signals import noise_of
 from jounce.identify.signs import likeness, turned_channel
 from jounce.recordings.sensors import Datum, Sensor, filter_signals
 
-_STILL = 1e-3  # of the range of the simulated signal: less is no motion yet
-_MARGIN, _FEW = 0.02, 8  # s by which a recording may be early; samples that show noise
-_TURNED = -0.6  # correlation with the model below which a record is turned
-_TINY = 0.002  # of the range of the record: a constant below this does no harm
-_SMALL = 0.02  # of the range of the record: a constant below this is no datum
+_STILL = 1e-3  # as a share of the simulated signal's range: below it there is no motion yet
+_MARGIN, _FEW = 0.02, 8  # possible lead of a recording, s; samples needed to estimate noise
+_TURNED = -0.6  # correlation with the model below which a record is reversed
+_TINY = 0.002  # as a share of the record's range: a constant below this is harmless
+_SMALL = 0.02  # as a share of the record's range: a constant below this does not indicate a datum
 _AT_REST, _ABSOLUTE = (
     0.1,
     0.35,
-)  # of the static value: how far zeros, and start values of the model, may be off
+)  # errors of zeros and of the model's start values, as shares of the static value
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class QuietStart:
         if load <= small:
             tiny = (
                 _TINY * self.reach + 4.0 * self.doubt
-            )  # nothing of the model's values is in this static value
+            )  # this static value does not depend on the model's parameters
             return "undeformed" if abs(self.recorded - self.static) <= tiny else "free offset"
         if abs(self.recorded - self.zero) <= small + _AT_REST * load:
             return "rest"
@@ -106,7 +106,7 @@ def datums_of(starts: Starts) -> dict[str, Datum]:
                 said.setdefault(name, {}).setdefault(start.recorded is not None, set()).add(
                     start.datum()
                 )
-    # records that begin at rest decide, also for those that begin in motion
+    # records that begin at rest determine the datum, also for those that begin in motion
     votes = {name: by_rest.get(True) or by_rest[False] for name, by_rest in said.items()}
     return {
         name: next(iter(choices)) if len(choices) == 1 else "free offset"

@@ -79,8 +79,10 @@ class Peaks:
         return float(np.average(gaps, weights=np.abs(np.diff(self.value))[1:]))
 
 
-_SUDDEN = 2.0  # times the larger of the two swings before: a hit, as a free decay only falls
-_GROWS = 1.02  # times the swing before: a beat goes on growing behind a node
+_SUDDEN = (
+    2.0  # ratio to the larger of the two previous swings: a hit, as a free decay only decreases
+)
+_GROWS = 1.02  # ratio to the previous swing: a beat continues to grow after a node
 _FEWEST = 20  # samples: nearly three for each of the seven parameters of a response
 
 
@@ -264,7 +266,7 @@ def _equilibrium(peaks: Peaks, swing: Array, q: float, friction: float) -> float
 
 # search ---------------------------------------------------------------------------------------------------------------
 
-_ZEROED = 0.2  # of the first swing: velocities and accelerations with a centre nearer to 0 have no offset to begin with
+_ZEROED = 0.2  # share of the first swing: velocities and accelerations with a smaller mean start without offset
 
 
 def _start(peaks: Peaks, quantity: Quantity, ratio: float, friction: float, centre: float) -> Array:
@@ -318,7 +320,7 @@ def _early(t: Array, peaks: Peaks) -> NDArray[np.bool_]:
     swing = np.abs(np.diff(peaks.value))
     small = np.flatnonzero(
         swing < 0.2 * swing[0]
-    )  # a choice: later swings are friction and noise more and more
+    )  # a chosen limit: later swings are increasingly dominated by friction and noise
     index = max(3, int(small[0]) if len(small) else len(swing))
     early: NDArray[np.bool_] = t <= float(peaks.time[min(index, len(swing))])
     return early if np.count_nonzero(early) >= _FEWEST else np.ones(len(t), bool)
@@ -345,11 +347,11 @@ def _unpack(values: Array) -> DecayParameters:
     return DecayParameters(*(float(value) for value in values))
 
 
-_RATIO, _FRICTION, _OFFSET, _RELEASE_TIME, _DRAG = 1, 2, 3, 4, 6  # places in a vector of parameters
+_RATIO, _FRICTION, _OFFSET, _RELEASE_TIME, _DRAG = 1, 2, 3, 4, 6  # indices in a parameter vector
 _WITHOUT_DRAG = (True, True, True, True, True, True, False)
 _EVERYTHING = (True,) * 7
-_FAR = 1e6  # of the range: as bad as can be
-_CLEAR_GAIN = 12.0  # of twice the log-likelihood: about 3.5 standard errors
+_FAR = 1e6  # as a share of the range: residual of an impossible fit
+_CLEAR_GAIN = 12.0  # gain of twice the log-likelihood: about 3.5 standard errors
 
 
 def _fit(
@@ -370,9 +372,7 @@ def _fit(
             hint="Choose the part with a time window (from, to).",
         )
     thin = _sample_step(t, starts[0])
-    if (
-        len(starts) > 1 and thin > 1
-    ):  # the starts are held against each other on part of the samples
+    if len(starts) > 1 and thin > 1:  # the starts are compared on a part of the samples
         starts = [_fit(t[::thin], signal[::thin], starts, quantity, free)[0]]
     reach, which = float(np.ptp(signal)), np.array(free)
     best = None
@@ -558,7 +558,7 @@ def search_decay(
     if order_of(quantity) == 0 and np.count_nonzero(rest) >= 10:
         alone = _fit(t[~rest], signal[~rest], [starts[0], values], quantity)
         gap, doubt = _rest_gap(t[rest], signal[rest], alone[0], alone[1])
-        # Four standard errors happen by chance once in 16 000 records; smaller gaps are misfit, or change no result.
+        # Four standard errors occur by chance once in 16 000 records; smaller gaps are misfit or have no effect.
         if abs(gap) >= max(
             4.0 * doubt, 3.0 * float(alone[2].std()), 0.05 * abs(alone[0][_FRICTION])
         ):
@@ -599,7 +599,7 @@ def _with_drag(
         0.0,
         0.5,
         0.9,
-    ):  # of the energy that drag takes in place of viscous damping, at half the amplitude
+    ):  # share of the dissipated energy that drag takes over from viscous damping, at half the amplitude
         start = np.append(values, 0.0)[:7]
         start[_DRAG] += share * max(start[_RATIO], 1e-3) * 1.5 * math.pi / abs(start[5])
         start[_RATIO] *= 1.0 - share
@@ -629,7 +629,7 @@ def _leads_away(dragged: Array, without: Array, known: float) -> bool:
 def _at_rest(t: Array, signal: Array, peaks: Peaks) -> NDArray[np.bool_]:
     """Mark the samples at rest at the end of the record."""
     tail = signal[-max(5, len(signal) // 20) :]
-    # Records of the tests that end at rest reach half of it, those that end in motion four times it and more.
+    # Test records that end at rest reach half of this limit, those that end in motion at least four times.
     if float(tail.std()) > 3.0 * noise_of(signal) + 1e-3 * float(np.ptp(signal)):
         return np.zeros(len(t), bool)  # the record ends while it moves
     still = max(4.0 * float(tail.std()), 1e-3 * float(np.ptp(signal)))
@@ -1002,25 +1002,25 @@ _RATHER, _SURELY, _COUPLED = (
     0.2,
     0.05,
     0.35,
-)  # of what is left, that another reading leaves: a fifth is no chance
-_CORNERS = np.geomspace(0.01, 0.5, 10)  # of the natural frequency; then beside the best of them
+)  # remaining share of the residual with a different quantity: a fifth is not by chance
+_CORNERS = np.geomspace(
+    0.01, 0.5, 10
+)  # as shares of the natural frequency; then refined around the best
 _BESIDE = np.array([0.75, 0.87, 1.0, 1.15, 1.33])
 _NAMES = tuple(one.name for one in fields(DecayParameters) if one.name != "quadratic_drag")
-_OFF = 0.03  # of the stiffness: more is told
-_FEW_LOST = 2  # places: fewer change nothing
-_ALIKE_FOR = 4.0  # samples over which residuals resemble each other, where more than noise is left
-_STEPS = 2.0  # times what friction moves: larger steps hide it
-_DETRENDED = 4  # times a drift is taken off
-_MOST_ACCELERATION = 500.0  # m/s^2: wheels that are struck reach some 40 g
-_SAME = 0.02  # of a logarithmic decrement: less is no change
-_CLEARLY = (
-    4.0  # standard errors of a friction: of intervals alone one decay in forty would show some
-)
+_OFF = 0.03  # relative deviation of the stiffness above which it is reported
+_FEW_LOST = 2  # gaps: fewer have no effect
+_ALIKE_FOR = 4.0  # correlation length of residuals, in samples, above which they exceed noise
+_STEPS = 2.0  # ratio to the shift by friction: larger steps hide it
+_DETRENDED = 4  # times that a drift is subtracted
+_MOST_ACCELERATION = 500.0  # m/s^2: struck wheels reach some 40 g
+_SAME = 0.02  # relative change of a logarithmic decrement below which it counts as constant
+_CLEARLY = 4.0  # standard errors of a friction: by its interval alone one decay in forty would show friction
 _TRIES = 5  # turning points, each of which may be the release
 _EXPLAINED, _STILL_HIT = (
     0.98,
     6.0,
-)  # R2, and misfit of the first half cycle over the later: the hit is over
+)  # R2, and misfit of the first half cycle relative to later ones: limits for the end of the hit
 
 
 def _in_window(
@@ -1065,7 +1065,7 @@ def _best_part(
             fits = part.r2 >= _EXPLAINED and part.early_misfit < _STILL_HIT
             if (
                 fits or best is None or part.r2 > best[1].r2 + 0.01
-            ):  # of releases that explain alike, the first
+            ):  # the first of equally good releases
                 best = (attempt, part)
             if fits:
                 break

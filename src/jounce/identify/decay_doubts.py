@@ -16,16 +16,16 @@ from jounce.identify.motion import Quantity, order_of
 from jounce.identify.signals import quantum_of
 from jounce.recordings.quality import clipped_share, frozen_samples
 
-EXACT = 1e-6  # of the range: a misfit below this leaves nothing to explain
-_COARSE = 0.05  # of the range: larger steps are told
+EXACT = 1e-6  # as a share of the range: a smaller misfit needs no explanation
+_COARSE = 0.05  # as a share of the range: larger steps are reported
 _BENT, _CAUSE = (
     0.05,
     0.5,
-)  # of the stiffness, over the amplitudes of a decay; of what is left, which a cause explains
+)  # change of stiffness over the amplitudes of a decay; share of the residual that a cause explains
 _SEAM, _SEAMS = (
     0.75,
     0.125,
-)  # of what is left, which two decays explain; cycles between instants that are tried
+)  # share of the residual that two decays explain; cycles between candidate instants
 _ODD_STEP, _JUMP, _FEW_JUMPS = (
     10.0,
     0.02,
@@ -34,13 +34,13 @@ _ODD_STEP, _JUMP, _FEW_JUMPS = (
 _FEW, _FEW_SEAMS = (
     4000,
     400,
-)  # samples and instants, so that a long record is not looked at for minutes
+)  # maximum samples and instants, to limit the run time for long records
 _SLOW, _DRIFTS = (
     4.0,
     0.03,
-)  # cycles that a drift spans at least; of the range, as no damper moves its centre
-_RELEASING = 0.05  # of a cycle after its release, in which filters of a recorder may hold a jump up
-_NEAR = 8.0  # times the natural frequency, below which a low pass changes what friction leaves
+)  # minimum cycles of a drift; minimum share of the range, as no damper shifts the centre
+_RELEASING = 0.05  # share of a cycle after the release in which recorder filters may delay a jump
+_NEAR = 8.0  # ratio to the natural frequency below which a low pass changes the effect of friction
 
 
 def without_dropouts(t: Array, signal: Array, name: str) -> tuple[Array, Array, list[Finding]]:
@@ -119,9 +119,7 @@ def residual_causes(
     """Report the likely cause of residuals: a jump, two decays, a drift, or a damper firmer in one direction."""
     left = float(residual @ residual)
     begin = 0
-    if (
-        order_of(quantity) == 2
-    ):  # a body that was held and is let go jumps there in acceleration, as it must
+    if order_of(quantity) == 2:  # the acceleration of a body jumps when it is released
         turn_time = 2.0 * math.pi / parameters.angular_frequency
         begin = int(np.searchsorted(t, parameters.release_time + _RELEASING * turn_time))
     if (later := _jump(residual[begin:], float(np.ptp(signal)))) is not None:

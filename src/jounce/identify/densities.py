@@ -16,9 +16,12 @@ from jounce.identify.log_density import Region
 from jounce.identify.settings import UpdateSettings
 from jounce.identify.update import robust_covariance
 
-_SETTLING, _CLIMBS = 16, 3  # climbs of the doubts: at the best parameters, and from there at others
-_LITTLE_GAIN = 0.01  # twice the log density that a further climb may bring
-_WIDE = 10.0  # scaled units that nothing is wider than
+_SETTLING, _CLIMBS = (
+    16,
+    3,
+)  # climbs of the doubts: at the best parameters, and at others starting from there
+_LITTLE_GAIN = 0.01  # gain of twice the log density below which climbing stops
+_WIDE = 10.0  # maximum width in scaled units
 
 
 class _Residual(Protocol):
@@ -136,11 +139,11 @@ class DoubtDensity:
         self.beside = [dict(run.beside) for run in problem.runs]
         self.settled = np.zeros(
             len(information) - p
-        )  # what the doubts had still to go when the fit ended
+        )  # remaining step of the doubts at the end of the fit
         try:
             self.settled = self._climb(state, fit.blocks, _SETTLING).step
             self.beside = [dict(run.beside) for run in problem.runs]
-        except SimulationError:  # then every point has that way to go
+        except SimulationError:  # then every point keeps this remaining step
             pass
 
     def _linear(self, blocks: Any, state: Any) -> tuple[Array, Array, float]:
@@ -162,7 +165,7 @@ class DoubtDensity:
         step = np.concatenate([moved, self.settled + self.follow @ moved])
         for run, beside in zip(fit.problem.runs, self.beside, strict=True):
             run.beside = (
-                beside  # not those of the point before: the density is a function of x alone
+                beside  # not those of the previous point: the density is a function of x alone
             )
         try:
             state = fit.problem.step_state(fit.state, step, fit.blocks, 1.0)
@@ -207,7 +210,7 @@ class DoubtDensity:
         mean = self.settled + (x - self.fit.state.theta) @ self.follow.T
         if (
             len(self.seen) > 2 * self.size + 2
-        ):  # what is left of a straight line: its mean over all points seen
+        ):  # residual of a straight line: its mean over all evaluated points
             at, steps = (np.array(part) for part in zip(*self.seen, strict=True))
             rows = np.column_stack([np.ones(len(at)), at - self.fit.state.theta])
             mean = (

@@ -73,7 +73,7 @@ values; with four, only 90 % of those of guide friction did.
 _ROUNDS, _PASSES = (
     8,
     4,
-)  # steps of a search, and estimates of the noise within one: each depends on the other
+)  # steps of a search, and noise estimates per step: they depend on each other
 _SETTLED = 0.05  # standard errors: a smaller step ends the search
 _STEP = 0.1  # of a prior standard deviation: differences of inputs and sensors
 _NOISE_FROM = 0.55  # of the Nyquist frequency: above it, records hold noise only
@@ -371,7 +371,7 @@ def low_passed_by(table: Array, rate: float, constant: float, typical: float) ->
     return np.asarray(table + constant / typical * (behind - table))
 
 
-_SHORTEST_PATCH = 5e-4  # m: the finest step in which a road is averaged; no tyre touches less
+_SHORTEST_PATCH = 5e-4  # m: finest averaging step of a road; no tyre has a shorter patch
 _FINEST, _COARSEST = (
     5e-4,
     3e-3,
@@ -572,7 +572,7 @@ class ModelErrorProblem:
         plain, simulations = run.compiled.plain, {}
         run.beside = run.forces(
             states
-        )  # before all of them: what it changes is no difference of the inputs
+        )  # before all runs: its change is not a difference of the inputs
         base = run.simulate(plain, numbers, inputs)
         simulations[""] = base, 0.0
         deviations = {
@@ -833,7 +833,7 @@ class _System:
             white = noise_variance(left)
             known = white if stated is None else stated**2
             mean = float(np.mean(left**2))
-            # Less than the noise that is known is no reason to trust the model more: what is left may still be its own.
+            # A residual below the known noise is no reason to trust the model more: it may still contain model error.
             noise[name].append(max(white, known))
             square[name].append(mean)
             energy[name].append(max(mean - min(white, known), 0.0) * len(left))
@@ -1334,7 +1334,7 @@ _PULLED = 2.0
 None of 68 virtual benches had a correctly stated height or mass beyond 1.9; all ten benches with a height stated 10 %
 wrong had it beyond 2.1.
 """
-_WORTH = 0.8  # of the rest's energy: a smaller reduction is not worth naming
+_WORTH = 0.8  # remaining share of the unexplained energy above which a reduction is not reported
 _DRAWN = 1.0
 """Shift, in standard errors, above which a parameter affected by a stray doubt is withheld.
 
@@ -1432,7 +1432,9 @@ def _one_sided(fit: ModelErrorFit) -> list[Finding]:
 
 
 _LINE = "strut.damper.coefficient"
-_UNLIKE = 0.1  # of the coefficient: sides that differ from it by less are as alike as dampers are
+_UNLIKE = (
+    0.1  # relative to the coefficient: a smaller difference between the sides is usual for dampers
+)
 
 
 def _undoubted_laws_finding(richer: ExtendedRig) -> list[Finding]:
@@ -1603,7 +1605,7 @@ def candidate_information(
     system = problem.system(blocks, state)
     information = np.diag(system.prior)
     shared = [*range(p), *(p + i for i in places)]
-    information[shared, shared] = 0.0  # their priors are in what is known already
+    information[shared, shared] = 0.0  # their priors are already included
     for block in blocks:
         moved = (
             block.residual

@@ -28,17 +28,17 @@ _KNOTS = (
     0.12,
     0.35,
     1.0,
-)  # of the largest strut velocity: where the damper's law may bend, either way
-_KNEE = 0.1  # of the largest strut velocity: below it velocities count by their difference, above by their ratio
-_LEAST = 1e-3  # of the largest doubt of the damper's forces: one side may be fitted to nothing
-_STIFFENS = 0.5  # of its doubt: tyres stiffen with deflection as a rule
+)  # knots of the damper's law in either direction, as shares of the largest strut velocity
+_KNEE = 0.1  # share of the largest strut velocity: below it velocities differ linearly, above it logarithmically
+_LEAST = 1e-3  # share of the largest doubt of the damper's forces: one side may be fitted to zero
+_STIFFENS = 0.5  # as a share of its doubt: tyres usually stiffen with deflection
 _ONSET = math.log(2.0)
 ONSET_VELOCITY: float = Friction.model_fields["regularisation_velocity"].default
 """Default regularisation velocity of friction, m/s."""
 SLIDING_OVER = 5e-4
 """Travel over which a presliding force builds up, m."""
 _RATES = {"strut.spring": "strut.spring.rate", "tyre": "tyre.stiffness"}  # paths of elastic parts
-_MIDDLE = 0.5  # of the guide's friction: what builds up over travel, as far as anybody knows
+_MIDDLE = 0.5  # prior share of the guide's friction that builds up over travel
 
 
 @dataclass(frozen=True)
@@ -160,7 +160,7 @@ class ExtendedRig:
             return p[f"strut.damper.{name}"]
 
         law = self._damper_law()
-        if law is None:  # of another law what its coefficient says
+        if law is None:  # for a different law, its coefficient
             force = p.get("strut.damper.coefficient", 0.0) * velocity
         else:
             force = law.evaluate(SampledPoint(number, velocity))
@@ -260,7 +260,7 @@ class ExtendedRig:
         )
         scale = scale + self.doubt.damper_force
         if not np.any(scale):
-            return  # a damper fitted to nothing, of which a share is nothing
+            return  # a damper fitted to zero, of which any share is zero
         scale = np.maximum(scale, _LEAST * np.max(scale))
         at = np.arcsinh(moving / (_KNEE * self.extent.velocity))
         apart = math.sqrt(3.0) * np.abs(at[:, None] - at)

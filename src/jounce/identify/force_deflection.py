@@ -26,9 +26,11 @@ Zero = Literal["first-contact", "none"]
 _FREE_TRAVEL_SHARE = (
     0.03  # free travel shorter than this share of the stroke is taken as curvature, not as a gap
 )
-_FORCE_THRESHOLD = 0.002  # of the largest force: contact, where the noise is smaller
-_TENSION = 0.1  # of the compression: what goes farther the other way is pulled on purpose
-_CYCLE = 0.1  # of the stroke: a deflection that comes back so far and grows again begins another load cycle
+_FORCE_THRESHOLD = (
+    0.002  # share of the largest force that indicates contact, if the noise is smaller
+)
+_TENSION = 0.1  # share of the compression above which the opposite deflection is intended tension
+_CYCLE = 0.1  # share of the stroke: a deflection that returns so far and grows again starts a new load cycle
 
 
 @dataclass(frozen=True)
@@ -183,7 +185,7 @@ def seat(trial: ForceDeflectionTrial, *, zero: Zero) -> tuple[SeatedTrial, list[
     )
     if back > 0.02 * float(
         np.ptp(deflection)
-    ):  # a choice: lower names noise, higher hides a return
+    ):  # a chosen limit: a lower one reports noise, a higher one hides a return
         findings.append(
             finding(
                 "identify.deflection_reverses",
@@ -305,7 +307,7 @@ def _first_contact(
         return 0.0, 0.0, 0
     if (
         abs(force[0]) > 0.02 * largest
-    ):  # a choice: noise of the tests reaches a third of it, and higher hides a preload
+    ):  # a chosen limit: noise of the tests reaches a third of it, and a higher one hides a preload
         findings.append(
             finding(
                 "identify.starts_loaded",
@@ -380,7 +382,7 @@ def _slip(trial: SeatedTrial) -> list[Finding]:
         for place in places
         for width in _SLIDES
     ]
-    # A step must stand out of the noise by three standard deviations, as well as of the range.
+    # A step must exceed three standard deviations of the noise, and a share of the range.
     slid, (_, slope, step), place = min(tried, key=lambda attempt: attempt[0])
     lost, noise = -float(step), math.sqrt(slid / len(x))
     if (
@@ -411,12 +413,13 @@ _FEWEST_SLIP, _SLIDES = (
     15,
     (0.01, 0.03, 0.08),
 )  # points; shares of the stroke over which a grip slides
-_SLIPPED, _LEAST_SLIP = 0.4, 0.01  # of what a cubic or a kink leaves, and of the range of the force
-_TOP = 0.02  # of the largest deflection: so near to the top or to the start counts as there
+_SLIPPED, _LEAST_SLIP = (
+    0.4,
+    0.01,
+)  # relative to the residual of a cubic or a kink, and to the range of the force
+_TOP = 0.02  # share of the largest deflection within which a point counts as at the top or at the start
 _FLAT = 0.05  # of the stroke over which the force may stay at its largest value
-_ON_THE_WAY = (
-    0.75  # of the force that is missing at the end: what hysteresis would have taken in mid-stroke
-)
+_ON_THE_WAY = 0.75  # share of the force lost at the end that hysteresis would take in mid-stroke
 _NO_DRIFT = 0.02  # of the largest force by which it may differ where a trial ends as it began
 
 

@@ -64,7 +64,7 @@ class States:
         z, now = [0.0], 0.0
         for end, share in zip(
             ends.tolist(), left.tolist(), strict=True
-        ):  # plain floats: arrays take ten times as long
+        ):  # plain floats: arrays are ten times slower
             now = end + (now - end) * share if end else now
             z.append(now)
         return np.array(z)

@@ -18,7 +18,11 @@ from jounce.identify.signals import noise_of
 from jounce.recordings.quality import clipped_share
 from jounce.recordings.schema import channel_unit
 
-_DELAY, _SCALE, _DRIFT = 0.35, 0.5, 0.5  # of what is left: a fault that explains so much is told
+_DELAY, _SCALE, _DRIFT = (
+    0.35,
+    0.5,
+    0.5,
+)  # share of the residual above which the explaining fault is reported
 _SAMPLES, _GAIN, _RANGE = (
     0.3,
     0.05,

@@ -25,12 +25,12 @@ _DEGREES = (
     (10, 3),
 )  # up to how many unknowns, and of which degree first; more unknowns have squares only
 _HIGHEST = 4  # degree; with values and slopes, ten unknowns need 137 points
-_ROWS = 1.5  # equations a coefficient, so that some are left to judge the polynomial by
+_ROWS = 1.5  # equations per coefficient, more than one to allow an error estimate
 _CHECKS = 16  # draws that are evaluated exactly
-_ROUNDS = 3  # times that points are added where the polynomial is not good enough
+_ROUNDS = 3  # times that points are added if the polynomial is not accurate enough
 _FOLDS = 8  # parts of the points, each left out in turn
 _GOOD = 0.3  # standard deviation of the error of the log density: weights of draws then differ by as much (1)
-_OUTSIDE = 1e-5  # share of a Gaussian that lies farther out than the polynomial is used
+_OUTSIDE = 1e-5  # share of a Gaussian outside the region of the polynomial
 _FREEDOM = 7.0  # of the proposals' t distribution
 _STRETCH = 0.2  # share of steps that follow the shape of the ensemble instead
 _ENSEMBLES, _WALKERS = (
@@ -216,7 +216,7 @@ def fit_log_density(exact: Exact, region: Region, seed: int) -> LogDensity:
         )
     return LogDensity(
         region, _through(points)[0], error, tried
-    )  # the draws that were checked count, too
+    )  # including the draws that were checked
 
 
 def _points_for(count: int, degree: int) -> int:
@@ -244,9 +244,7 @@ def _through(points: Sequence[_Point]) -> tuple[Polynomial, Callable[[Array], tu
     degree, scatter = _predicting(degrees, u, more)
     trend = Polynomial.through(degree, u, more)
     whole = polynomial.coefficients.copy()
-    whole[: len(trend.coefficients)] += (
-        trend.coefficients
-    )  # terms stand in the order of their degrees
+    whole[: len(trend.coefficients)] += trend.coefficients  # terms are sorted by degree
     held = np.linalg.pinv(_weights(u)[:, None] * Polynomial.rows(trend.powers, u))
     return Polynomial(polynomial.powers, whole), lambda at: (
         trend(at), scatter * np.linalg.norm(Polynomial.rows(trend.powers, at) @ held, axis=1)

@@ -12,7 +12,7 @@ _FALL, _STEADY = (
 )  # power of the noise over that at the top: all in all, and two octaves below it
 _EXACT = 1e-6  # of the range: no noise at all
 _ROUNDING = 4.0  # times the power of rounding: no noise is left there
-_MORE = 1.5  # times the power of a record: a low pass leaves half at its corner, and the fit makes up for some
+_MORE = 1.5  # ratio to the power of a record: a low pass leaves half at its corner, and the fit compensates for a part
 _HARMONIC, _LEAST = 0.3, 4  # of the frequency, beside multiples of it; octaves that show a fall
 
 
@@ -72,7 +72,7 @@ def smoother_corner(signal: Array, response: Array, rate: float, *, near: float)
         None,
         0.48 * rate,
         _STEADY,
-    )  # noise makes a record richer than its response, never poorer
+    )  # noise adds content to a record and never removes it
     while np.count_nonzero(inside := (at > 0.5 * top) & (at <= top)) >= _LEAST:
         if float(np.median(fitted[inside])) <= lacks * float(np.median(measured[inside])):
             break

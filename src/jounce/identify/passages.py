@@ -188,7 +188,7 @@ def find_passages(
     recorded = np.stack([data[c].to_numpy() for c in names])
     ahead = round(expected.lead / step)
     signs = _signs(recorded, expected.window(names, expected.length), ahead)
-    recorded = signs[:, None] * recorded  # channels of opposite signs hide each other
+    recorded = signs[:, None] * recorded  # otherwise channels of opposite signs cancel
     like, power = _likeness(recorded, expected.window(names, expected.length), ahead)
     at, sign = _peaks(like, power, step, expected.period)
     if not len(at):
@@ -453,7 +453,7 @@ def _at_onset(
     apart = np.diff(at)
     likely = apart[np.abs(apart / period - 1.0) < _SLIPS]
     if len(likely) < 2 and len(apart) > 1 and np.ptp(apart) < _EVEN * np.median(apart):
-        likely = apart  # the speed is another one than stated
+        likely = apart  # the speed differs from the stated one
     if len(likely) > 1:
         period, wide = float(np.median(likely)), near
     else:

@@ -71,17 +71,17 @@ def search_from_starts(
 _MANY, _FINISHED = (
     12,
     4,
-)  # starts from which on they are sifted, and how many of the best are searched to their end
+)  # number of starts from which they are screened, and number of the best that are completed
 _FEWEST, _MOST = 4, 8
 """Minimum and maximum number of starts of an adaptive search.
 
 If two thirds of all starts lead to a different optimum than the first, one of three others finds it in 19 of 20 cases.
 """
-_AS_GOOD = 1.05  # times the objective of the best, both roughly: a search that ends there has found as good a place
+_AS_GOOD = 1.05  # ratio to the best coarse objective within which a search has found an equally good optimum
 _COARSE, _LOOSE = (
     1e-5,
     0.03,
-)  # relative error of displacements, and of the objective, while going down roughly
+)  # relative error of displacements and of the objective in a coarse descent
 
 
 def _until_two_agree(problem: UpdateProblem, start: Array, method: str, seed: int) -> SearchOutcome:

@@ -26,7 +26,7 @@ def quantum_of(x: Array) -> float:
     gaps = np.diff(values[np.append(True, np.diff(values) > 1e-9 * max(float(np.ptp(x)), 1e-300))])
     if len(gaps) < 2 or len(gaps) > 0.5 * len(
         x
-    ):  # hardly a value comes twice: not quantised, or too finely to matter
+    ):  # hardly any value repeats: not quantised, or too finely to matter
         return 0.0
     counts = gaps / gaps.min()
     # Gaps are multiples of the step but for the digits of a file; without steps they are off by a half.

@@ -27,11 +27,11 @@ StrokePositive = Literal["compression", "extension"]
 ForcePositive = Literal["compression", "tension"]
 
 _SLOW = 0.2  # of the peak speed: the part of a record that shows the force at rest
-_SMALL = 0.005  # of the range of the force: less is no gas force
-_PULLS = 0.05  # of the range of the force: no gas pulls so much, and no hysteresis looks like it
+_SMALL = 0.005  # share of the range of the force below which a static force is not a gas force
+_PULLS = 0.05  # share of the range of the force: neither gas nor hysteresis causes such a pull
 _UNLIKE = 0.03  # difference of bump and rebound over their sum, from which swapping them matters
 _CLEAR = 0.1  # by which an opposite must be clearer than a likeness
-_IDLE = 0.02  # work over the work of the sizes: less is no damper
+_IDLE = 0.02  # ratio of work to the integral of absolute power below which the part is not a damper
 
 
 @dataclass(frozen=True)

@@ -16,10 +16,12 @@ from jounce.parts import Rig, Vehicle
 from jounce.recordings.schema import channel_unit
 from jounce.simulation.compiled import compile_rig
 
-_RANGE = 0.3  # of a mass: as far as it is looked for to either side
-_HALVED = 0.5  # of what is left: other masses that leave less are told
+_RANGE = 0.3  # share of a mass: range of the search to either side
+_HALVED = 0.5  # share of the residual below which different masses are reported
 _STEPS = 3  # of Gauss and Newton, from an optimum on
-_TOLD_APART = 1e-4  # of the largest singular value: combinations that matter less stay as they are, the scale too
+_TOLD_APART = (
+    1e-4  # share of the largest singular value: combinations below it are kept, including the scale
+)
 _BY_MASS = (
     ".rate",
     ".stiffness",
@@ -203,4 +205,6 @@ def off_together(
 
 
 _RATES = (".rate", ".stiffness")
-_ALIKE = 0.5  # of how far a factor is from 1: factors that differ by less are one
+_ALIKE = (
+    0.5  # relative to the distance of a factor from 1: factors that differ by less count as equal
+)

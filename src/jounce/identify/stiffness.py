@@ -591,7 +591,9 @@ def _check(
         )
 
 
-_AT_ZERO = 0.02  # of the stroke: a trial that reaches no farther beyond its zero is no loading
+_AT_ZERO = (
+    0.02  # share of the stroke: a trial with a smaller range beyond its zero is not a loading
+)
 
 
 def _copies(trials: Sequence[SeatedTrial]) -> list[Finding]:
@@ -664,7 +666,7 @@ def _with_law(
     for more in (1, 2):
         if len(np.unique(x)) <= degree + more:
             break
-        reach = float(x.max())  # of order 1, so that high powers are told apart
+        reach = float(x.max())  # of order 1, to keep high powers distinguishable
         powers = np.arange(1, degree + more + 1)
         coefficients = np.linalg.lstsq((x[:, None] / reach) ** powers, force, rcond=None)[0]
         others.append(float(coefficients @ (powers * (at / reach) ** (powers - 1.0))) / reach)
@@ -766,7 +768,7 @@ def _slope_at(x: Array, force: Array, width: float) -> float | None:
     return float(np.polyfit(x[near] / width, force[near], degree)[-2] / width)
 
 
-_ODD = 0.05  # of the stiffness of the other trials, from which on a trial is told
+_ODD = 0.05  # deviation from the stiffness of the other trials above which a trial is reported
 
 
 def _advice(

@@ -20,20 +20,18 @@ from jounce.identify.nuisances import FASTEST, LOW_PASS, SPEED, START, begins_un
 from jounce.recordings.sensors import Sensor, filter_signals
 from jounce.recordings.signals import shift_signals
 
-_EXPLAINS = 0.35  # of what is left: what explains so much is told
-ALIKE = (
-    0.8  # of what one fault leaves: where another leaves more than that, they cannot be told apart
-)
+_EXPLAINS = 0.35  # share of the residual above which the explaining fault is reported
+ALIKE = 0.8  # ratio of the residuals of two faults above which they cannot be distinguished
 _CORNERS = 12  # that are tried, the neighbours 40 or 52 % apart
 _SLIGHT = 0.003  # of the speed: smaller errors do no harm
 _COUPLED = (0.1, 10.0)  # Hz: corners of high passes
 _AHEAD, _AHEAD_STEP = (
     0.04,
     0.005,
-)  # s by which a sensor may see the road before or after the wheel does
-_WHOLE = (0.7, 1.3)  # times the road's height: more or less of it is no distance to the road
+)  # s: largest lead or lag of the road at the sensor relative to the wheel
+_WHOLE = (0.7, 1.3)  # plausible ratios to the road's height for a distance to the road
 _SEEN = 1e-10  # of the largest singular value
-_MATTERS = 1e-4  # of the energy of the records: less is not worth a word
+_MATTERS = 1e-4  # share of the records' energy below which nothing is reported
 
 
 @dataclass(frozen=True)
@@ -343,7 +341,5 @@ def _roads(problem: UpdateProblem, residuals: Residuals, channel: str) -> list[t
 
 HEIGHT = ".z"
 """Suffix of channels that are measured from the ground."""
-_AS_LIKELY = 0.1  # of what is left: a fault that explains less than the best by more is not told
-CLEARLY = (
-    0.6  # of what is left: a fault that explains so much leaves no question for the other channels
-)
+_AS_LIKELY = 0.1  # share of the residual by which a reported fault may explain less than the best
+CLEARLY = 0.6  # share of the residual above which a fault makes the other channels irrelevant

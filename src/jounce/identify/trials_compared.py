@@ -15,10 +15,10 @@ from jounce.identify.leftovers import LeftOver
 from jounce.identify.signals import noise_of
 from jounce.recordings.schema import channel_unit
 
-_FEWEST = 3  # trials, below which nothing tells which of them is wrong
-_CONTRADICTS = 0.5  # of what the others leave: so much less without a trial is no chance
-_MATTERS = 0.01  # of a value: less is not worth a word
-_EXPLAINS = 0.5  # of what a trial leaves with the values of the others
+_FEWEST = 3  # minimum number of trials to identify the wrong one
+_CONTRADICTS = 0.5  # remaining share of the others' residual without a trial that is not by chance
+_MATTERS = 0.01  # relative change of a value below which it is not reported
+_EXPLAINS = 0.5  # share of a trial's residual with the values of the others
 _MORE, _LITTLE = (
     9.0,
     1e-3,

@@ -67,9 +67,7 @@ def trial_on_running_belt(trial: FitTrial, passages: Passages) -> FitTrial:
     period = road.recurrence / passages.speed
     time = np.asarray(trial.measured["time"].to_numpy(), dtype=float)
     shift = begin + LEAD * period - passages.times[0]
-    if (
-        time[0] + shift < 0.0
-    ):  # what was met before is longer ago than the loops that are run before
+    if time[0] + shift < 0.0:  # earlier passages are longer ago than the simulated preceding loops
         shift += period * math.ceil(-(time[0] + shift) / period)
     shifted = trial.measured.assign_coords(
         time=("time", time + shift, trial.measured["time"].attrs)

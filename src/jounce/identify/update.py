@@ -51,7 +51,7 @@ from jounce.parts.rig import result_unit_of, unit_of
 # what the data can tell -----------------------------------------------------------------------------------------------
 
 
-_WEAK = 1e-6  # of the largest norm or singular value: as small as the errors of runs
+_WEAK = 1e-6  # share of the largest norm or singular value: the size of simulation errors
 _ALIKE = 0.98  # correlation: with the other parameter known, the interval would be a fifth as wide
 
 
@@ -109,9 +109,9 @@ def identifiability(jacobian: Array, names: tuple[str, ...]) -> Identifiability:
 
 
 _SHARE = 20  # the level of the residuals is taken over this share of a record
-_LEAST = 1e-12  # of the largest level: what is smaller is rounding, where nothing moves
+_LEAST = 1e-12  # share of the largest level below which there is only rounding, without motion
 _FEWEST = 25  # samples, at least
-_REACH = 3  # times the lag at which the residuals stop resembling each other
+_REACH = 3  # ratio to the lag at which the residuals become uncorrelated
 
 
 def robust_covariance(vector: Array, jacobian: Array, blocks: tuple[slice, ...]) -> Array:
@@ -772,7 +772,7 @@ Model error changes the ratio of the sums of two minima by tens of per cent (for
 """
 
 
-_EXPLAINED = 0.5  # of the variance of a channel: a fit that leaves more than the rest is none
+_EXPLAINED = 0.5  # minimum explained share of a channel's variance
 
 
 def _unexplained_channels(problem: UpdateProblem, residuals: Residuals) -> list[Finding]:

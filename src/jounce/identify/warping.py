@@ -25,11 +25,11 @@ Indices = NDArray[np.int64]
 _BLOCK, _SHORT = (
     128,
     20_000,
-)  # from four times as many samples on, fewer stores: fresh memory takes long, too
+)  # from four times as many samples on, fewer stores, as allocating memory takes time as well
 _WIDE = 512  # a band from which a narrower one may save time
-_NARROW = 16  # times as narrow is that which gives some path
-_THIN = 16  # samples that become one where it is tried
-_USED = 0.85  # of the thinned band: where more is in use, too little is left out
+_NARROW = 16  # ratio of the band to the narrow one that gives a first path
+_THIN = 16  # thinning factor of the trial
+_USED = 0.85  # used share of the thinned band above which skipping does not pay off
 _path, _path_here = Loop("warping"), Loop("warping", here=True)
 
 
@@ -80,7 +80,9 @@ def _follow(
     if unused is not None:
         stores.fill(unused)
     directions = np.empty((block, 2 * (block // 2 + 2) + 1), dtype=np.int64)
-    loop = _path if n < _SHORT else _path_here  # made for this very processor, it has its time back
+    loop = (
+        _path if n < _SHORT else _path_here
+    )  # compiling for this processor pays off for long signals
     first = loop(x, backwards, band, narrow, costs, stores, directions, path)
     return path[:, first:], stores
 
