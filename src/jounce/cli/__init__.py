@@ -1,4 +1,4 @@
-"""The command line: thin faces over the public functions. Each command returns a `Reply`; `main` prints it."""
+"""The command line: thin wrappers around the public functions. Each command returns a `Reply`; `main` prints it."""
 
 from jounce.cli.entry import main
 

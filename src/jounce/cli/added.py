@@ -1,4 +1,4 @@
-"""Commands of packages that stand above: each adds its own when it is imported."""
+"""Commands of packages that depend on this one: each registers its command on import."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``jounce campaign`` and ``jounce demo``: a whole bench campaign, a commented one to start from, the shipped one."""
+"""``jounce campaign`` and ``jounce demo``: bench campaigns, a commented template, and the shipped example."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _RUN = {parameter.option: parameter for parameter in operations()["campaign run"
 
 
 def _like(option: str) -> Any:
-    """Make an option of the demo as `campaign run` has it."""
+    """Create an option of the demo from that of `campaign run`."""
     mark = _RUN[option].mark
     return Annotated[
         list[str] | None, typer.Option(f"--{option}", metavar=mark.metavar, help=mark.help)
@@ -67,7 +67,7 @@ def demo(
 
         folder, result = run_demo(out, quick=quick, force=force, progress=say)
         say("writing the report")
-        # it holds the campaign by now, and nothing else of these names
+        # the folder now contains the campaign, but no other files of these names
         reported = write_reported(result, folder, force=True, **asked)
 
     def draw(console: Console) -> None:

@@ -1,4 +1,4 @@
-"""Commands of operations: options, help and answer follow from the index."""
+"""Commands of operations: options, help and output are derived from the index."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def add_commands(app: typer.Typer, group: str) -> None:
-    """Add the commands of the operations whose words begin with ``group``; those of a single word if it is empty."""
+    """Add the commands whose words begin with ``group``, or all single-word commands if it is empty."""
     for operation in operations().values():
         first, _, name = operation.command.rpartition(" ")
         if first == group:
@@ -32,12 +32,12 @@ def add_commands(app: typer.Typer, group: str) -> None:
 
 
 def command_function(command: str) -> Callable[..., Reply]:
-    """Give the command of an operation by its words."""
+    """Return the command of an operation by its words."""
     return command_of(operations()[command])
 
 
 def command_of(operation: Operation) -> Callable[..., Reply]:
-    """Make the function whose signature the command line reads."""
+    """Create the function whose signature Typer reads."""
 
     def command(**given: Any) -> Reply:
         return answer(operation, given)
@@ -68,18 +68,18 @@ _KEYWORD = inspect.Parameter.KEYWORD_ONLY
 
 
 def _own(operation: Operation) -> list[str]:
-    """Offers whose option is a parameter of the function, which fills that folder itself."""
+    """Return the offers whose option is a parameter of the function, which writes that folder itself."""
     options = {parameter.option for parameter in operation.parameters}
     return [offer for offer in operation.offers if OUTPUTS[offer].option in options]
 
 
 def _default(operation: Operation, offer: str) -> Any:
-    """Nothing is written unless it is asked for, or must be."""
+    """Return the default of an output option: required, or no output."""
     return inspect.Parameter.empty if offer in operation.required else None
 
 
 def _parameter(parameter: Parameter) -> inspect.Parameter:
-    """One parameter as Typer reads it."""
+    """Convert a parameter to the form that Typer reads."""
     mark, default = parameter.mark, parameter.default
     kind: Any = int if isinstance(mark, Count) else bool if isinstance(mark, Switch) else str
     kind = list[str] if mark.is_repeated else kind
@@ -166,7 +166,7 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
 
 
 def _shower(as_json: bool) -> Callable[[object], None]:
-    """Show each part of a result at once: on stdout, unless JSON follows; a text that says what is wrong on stderr."""
+    """Show each part of a result immediately: on stdout unless JSON follows, error messages on stderr."""
 
     def show(part: object) -> None:
         if isinstance(part, str):
@@ -179,13 +179,13 @@ def _shower(as_json: bool) -> Callable[[object], None]:
 
 
 def _with_page(out: str | None) -> str | None:
-    """Name a folder with the report in it."""
+    """Return the name of an output folder with its report."""
     page = Path(out or "") / "report.html"
     return f"{out}, open {page}" if out and page.is_file() else out
 
 
 def _stems(operation: Operation, typed: Mapping[str, Any]) -> dict[str, Any]:
-    """What was typed, files by their names without folder and suffix; nothing where nothing was given."""
+    """Return the arguments as typed, files without folder and suffix; empty without arguments."""
     files = {p.option for p in operation.parameters if isinstance(p.mark, File)}
     return {
         option: "" if value is None else Path(str(value)).stem if option in files else value
@@ -194,7 +194,7 @@ def _stems(operation: Operation, typed: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _echo(operation: Operation, read: Mapping[str, Any]) -> dict[str, Any]:
-    """Repeat options in the answer: an empty mapping where no pairs were given, otherwise nothing."""
+    """Return the options to repeat in the output, with an empty mapping for missing pairs."""
     absent: dict[str, Any] = {
         p.option: {} if isinstance(p.mark, Pairs) else None for p in operation.parameters
     }
@@ -208,7 +208,7 @@ def _echo(operation: Operation, read: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _exit_code(result: Any) -> int:
-    """Say on stderr why a result is not whole, or what else is to be known of it; give the exit code."""
+    """Print on stderr why a result is incomplete, and its findings; return the exit code."""
     stopped, remark = getattr(result, "stopped", ""), getattr(result, "remark", "")
     wrong = [f"{stopped}."] if stopped else getattr(result, "problems", ())
     for problem in wrong:

@@ -1,4 +1,4 @@
-"""``jounce design``: springs for a frequency, best numbers within bounds, comfort against road holding."""
+"""``jounce design``: springs for a frequency, optimisation within bounds, comfort against road holding."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def kinematic_front(
 def _write_front(
     front: KinematicFront, sources: Mapping[str, Path], out: Path, *, force: bool
 ) -> Sequence[Finding]:
-    """Write the designs of a front with their rigs, and its picture; give what could not be drawn."""
+    """Write the designs of a front with their rigs and its figure; return what could not be drawn."""
     from jounce.core.serialise import to_json
     from jounce.core.writing import write_files
     from jounce.parts.files import updated_text
@@ -100,7 +100,7 @@ def _write_front(
 
 
 def draw_kinematic_front(console: Console, plain: dict[str, Any], front: KinematicFront) -> None:
-    """Print the designs of a front with their goals, and the numbers that move."""
+    """Print the designs of a front with their goals and the free parameters."""
     from jounce.core.display import display_unit
     from jounce.plots.kinematic_design import point_name
 

@@ -58,7 +58,7 @@ from jounce.core.text import shorten
 from jounce.core.trust import trusting
 
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
-_LONGEST = 1000  # characters of what the parser of the command line says
+_LONGEST = 1000  # maximum characters of a message of the command-line parser
 _TOO_LARGE = "Reduce the number of samples: a shorter duration, or a larger output step."
 _SAMPLED = {"simulate", "ride", "compare", "sweep", "animate", "plot", "campaign", "demo"}
 _CLICK_ERROR: type[Exception] = next(
@@ -109,7 +109,7 @@ def _panels() -> dict[str, dict[str, Any]]:
 
 
 def application() -> typer.Typer:
-    """Put the commands together."""
+    """Assemble the commands."""
     app = typer.Typer(
         name="jounce",
         help="From bench measurements to a validated suspension model, and from the model to decisions.",
@@ -126,12 +126,12 @@ def application() -> typer.Typer:
                 app.command(name, rich_help_panel=panel)(row)
 
     @app.callback()
-    def above(  # the options before a command; its text is that of the application
+    def above(  # the options before a command
         shows_version: Annotated[
             bool, typer.Option("--version", help="Print versions, as the command version does.")
         ] = False,
     ) -> None:
-        """Only for its options."""
+        """Declare the options; the function does nothing."""
 
     return app
 
@@ -178,7 +178,7 @@ def version(as_json: AsJson = False) -> Reply:
 
 
 class Shell(StrEnum):
-    """Shells that complete commands."""
+    """Shells with command completion."""
 
     BASH = "bash"
     ZSH = "zsh"
@@ -226,14 +226,13 @@ def completion(
 
 
 _COMPLETION = "_JOUNCE_COMPLETE"
-"""The variable by which a shell asks for completions."""
+"""Environment variable with which a shell requests completions."""
 
 
 def _one_thread_for_matrices() -> None:
-    """Keep the libraries behind NumPy, which is loaded later, to one thread, where nobody has said how many.
+    """Limit the numerical libraries of NumPy, imported later, to one thread unless the user has set a number.
 
-    The matrices of fits are small: threads wait for one another there, and double the processor time of a campaign
-    without ending it sooner.
+    The matrices of fits are small: several threads double the CPU time of a campaign without a speed-up.
     """
     for library in ("OPENBLAS", "MKL", "OMP", "VECLIB"):
         name = "VECLIB_MAXIMUM_THREADS" if library == "VECLIB" else f"{library}_NUM_THREADS"
@@ -281,7 +280,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except (
         BrokenPipeError,
         SystemExit,
-    ):  # nobody reads any more; the help's console ends the process then
+    ):  # the reader has closed the pipe; the help's console ends the process in that case
         lead_nowhere(sys.stdout)
         return PIPE_CLOSED
     except _CLICK_ERROR as error:
@@ -294,10 +293,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             JounceError("a text that is not valid Unicode", found=error.object, hint=hint),
             as_json=as_json,
         )
-    except Exception as error:  # noqa: BLE001 - the last resort says how to report it
+    except Exception as error:  # noqa: BLE001 - the last resort explains how to report it
         if (
             isinstance(error, MemoryError) and hasattr(error, "shape") and words[0] in _SAMPLED
-        ):  # of NumPy's arrays
+        ):  # from NumPy's arrays
             return refuse(
                 ResourceError("out of memory", found=str(error), hint=_TOO_LARGE), as_json=as_json
             )
@@ -321,7 +320,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _place_of(error: Exception) -> str:
-    """What the system was asked for; where an error does not name it: files that are written name themselves."""
+    """Return the path that a system error refers to, if the error does not contain it."""
     if not isinstance(error, OSError):
         return ""
     if error.filename:
@@ -330,7 +329,7 @@ def _place_of(error: Exception) -> str:
         lead_nowhere(sys.stdout)
         return "standard output"
     try:
-        os.getcwd()  # noqa: PTH109 - only whether it is there
+        os.getcwd()  # noqa: PTH109 - only checks that it exists
     except OSError:
         return "the current folder"
     return ""
@@ -338,9 +337,9 @@ def _place_of(error: Exception) -> str:
 
 @cache
 def _command(word: str = "") -> Any:
-    """The commands, read from their signatures once a process: where a line begins with one of them, that one alone.
+    """Commands, built from their signatures once per process; only the requested one if the line begins with it.
 
-    Any other word (an option, a misspelt name) finds all of them, to be listed or advised.
+    Any other word (an option, a misspelt name) loads all of them, to list or suggest commands.
     """
     app = application()
     commands = [one for one in app.registered_commands if one.name == word]
@@ -351,10 +350,10 @@ def _command(word: str = "") -> Any:
 
 
 def _complete(words: list[str]) -> int:
-    """Answer a shell that asks what may follow."""
+    """Respond to a completion request of a shell."""
     from typer.completion import completion_init  # type: ignore[attr-defined]
 
-    completion_init()  # its shells, with the form of their questions
+    completion_init()  # registers the shells and their request formats
     try:
         _command().main(words, prog_name="jounce", complete_var=_COMPLETION)
     except SystemExit as end:
@@ -383,7 +382,7 @@ def _answer(words: list[str]) -> int:
 
 
 def _explain_misuse(error: Any, *, as_json: bool) -> int:
-    """Explain a command line that cannot be understood."""
+    """Explain an invalid command line."""
     context = getattr(error, "ctx", None)
     path = context.command_path if context is not None else "jounce"
     message = shorten(error.format_message().replace("Value error, ", ""), _LONGEST)
@@ -410,7 +409,7 @@ def _explain_misuse(error: Any, *, as_json: bool) -> int:
 
 
 def _instead(option: str, parameters: list[Any]) -> str:
-    """What may have been meant by an option that there is not."""
+    """Return a suggestion for an unknown option."""
     names = [name for parameter in parameters for name in parameter.opts]
     hint = nearest(option, [name for name in names if name.startswith("-")])
     if not hint and nearest(

@@ -1,4 +1,4 @@
-"""What every command has: options about how its answer is shown, and help that names values in the field's words."""
+"""Features of all commands: display options, and help with descriptive placeholders for values."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from jounce.core.display import local_units, use_units
 
 @dataclass
 class DisplayOptions:
-    """How the answer of one command is shown."""
+    """Display options of one command."""
 
-    every_row: bool = False  # of tables that a terminal would not hold
-    opens: bool = False  # the page that is written
+    every_row: bool = False  # show all rows of long tables
+    opens: bool = False  # open the written page
 
 
 VIEW = DisplayOptions()
@@ -64,7 +64,7 @@ def _options(
         ),
     ] = "metric",
 ) -> None:
-    """Only for its options."""
+    """Declare the options; the function does nothing."""
 
 
 def _open(value: bool) -> None:
@@ -83,7 +83,7 @@ _TAKEN: Mapping[str, Callable[[Any], None]] = {
 
 
 def with_shared_options(command: Any) -> Any:
-    """The same command and its subcommands, with the options that all of them share."""
+    """Return the command and its subcommands with the shared options added."""
     inner = getattr(command, "commands", None)
     if inner is None:
         command.params += [
@@ -100,7 +100,7 @@ def with_shared_options(command: Any) -> Any:
         if parameter is not None:
             parameter.metavar = word_of(parameter, kinds.get(parameter.name))
             if parameter.param_type_name == "argument":
-                parameter.display_type_rich = _nothing  # beside its name
+                parameter.display_type_rich = _nothing  # next to its name
     for subcommand in (inner or {}).values():
         with_shared_options(subcommand)
     return command
@@ -115,7 +115,7 @@ def _nothing(**_: Any) -> None:
 
 
 def _everywhere() -> list[Any]:
-    """The options, anew for each command: a parser keeps what it has seen in them."""
+    """Create the options separately for each command, because a parser stores its state in them."""
     app = typer.Typer(add_completion=False)
     app.command()(_options)
     options: list[Any] = typer.main.get_command(app).params
@@ -164,19 +164,19 @@ _WORDS = {
     "lumped": "RIG",
     "limits": "FILE",
 }
-"""Words for the values of options that do not end with one."""
+"""Placeholders for options whose names do not end with a suitable word."""
 
 
 def word_of(parameter: Any, kind: Any) -> str | None:
-    """Placeholder for the value of an option in the help: nothing for a switch, choices, or a word of the field.
+    """Return the placeholder of an option's value in the help: none for a switch, choices, or a technical term.
 
-    Arguments keep theirs. The kind is that of the signature: Typer's own classes differ from version to version.
+    Arguments keep their own. The kind is taken from the signature, because Typer's classes differ between versions.
     """
     if parameter.metavar is not None or parameter.param_type_name == "argument":
         return parameter.metavar  # type: ignore[no-any-return]
     if getattr(parameter, "is_flag", False):
         return ""
-    while get_origin(kind) in (Union, UnionType, list):  # may be left out, or given several times
+    while get_origin(kind) in (Union, UnionType, list):  # optional, or repeatable
         kind = next(part for part in get_args(kind) if part is not NoneType)
     if get_origin(kind) is Literal:
         return "|".join(get_args(kind))
@@ -191,7 +191,7 @@ def word_of(parameter: Any, kind: Any) -> str | None:
 
 
 def open_pages(plain: Mapping[str, Any]) -> None:
-    """Open the page that a command has written, if requested; say so if there is none."""
+    """Open the page that a command has written, if requested; report if there is none."""
     if not VIEW.opens:
         return
     import webbrowser

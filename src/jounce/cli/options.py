@@ -92,35 +92,35 @@ RigName = Annotated[
 def optional_quantity(
     text: str | None, unit: str, option: str, *, most: float | None = None
 ) -> float | None:
-    """Read the value of an option that may be left out."""
+    """Parse the value of an optional option."""
     return None if text is None else quantity(text, unit, option, most=most)
 
 
 def optional_positive(
     text: str | None, unit: str, option: str, *, most: float | None = None
 ) -> float | None:
-    """Read the value of an option that may be left out, and must be above 0."""
+    """Parse the value of an optional option that must be positive."""
     return None if text is None else positive_quantity(text, unit, option, most=most)
 
 
 LENGTH, STROKE, STEP, ANGLE = 10.0, 1.0, 1.0, 0.35
-"""Bounds of bare numbers: sizes of parts (m), strokes (m), sampling intervals (s), angles that are adjusted (rad)."""
+"""Limits of bare numbers: sizes of parts (m), strokes (m), sampling intervals (s), adjusted angles (rad)."""
 
 
 def changes(texts: Sequence[str] | None) -> dict[str, Any]:
-    """Values by path from ``--set``: text with a unit, or anything that TOML writes on one line."""
+    """Parse values by path from ``--set``: text with a unit, or any single-line TOML value."""
     given = pairs(texts, "--set", 'strut.spring.rate="25 N/mm"')
     return {path: toml_value(value) for path, value in given.items()}
 
 
 def columns(texts: Sequence[str] | None) -> dict[str, str] | None:
-    """Columns by quantity from ``--columns``, one or several in each text; None when nothing is mapped."""
+    """Parse columns by quantity from ``--columns``, one or several per text; ``None`` without a mapping."""
     split = [part for text in texts or () for part in re.split(r",\s*(?=[\w.]+\s*=)", text)]
     return pairs(split, "--columns", 'force="F [kN]"') or None
 
 
 def _names_in_order(texts: Sequence[str] | None) -> str | None:
-    """All names of a text without a header, as one text: ``time [s], force [N]``; None where columns are mapped."""
+    """Return all column names for a file without header: ``time [s], force [N]``; ``None`` if columns are mapped."""
     return (
         texts[0] if texts and len(texts) == 1 and "=" not in texts[0] and "[" in texts[0] else None
     )
@@ -133,7 +133,7 @@ def reading(
     resample: str | None,
     database: Path | None,
 ) -> dict[str, Any]:
-    """Arguments of ``read_recording`` from the options that all commands that read recordings have."""
+    """Return the arguments of ``read_recording`` from the shared options of commands that read recordings."""
     return {
         "columns": _names_in_order(columns_) or columns(columns_),
         "sample_time": optional_positive(sample_time, "s", "--sample-time", most=STEP),
@@ -147,7 +147,7 @@ ReportFile = Annotated[
     Path | None,
     typer.Option(
         "--report",
-        help="Write a report: .html (one page with a viewer, needs nothing else) or .pdf.",
+        help="Write a report: .html (one self-contained page with a viewer) or .pdf.",
     ),
 ]
 FigureFile = Annotated[Path | None, typer.Option(help="Plot the result: .png, .svg or .pdf.")]
@@ -160,7 +160,7 @@ NumbersFile = Annotated[
 
 
 def check_numbers(out: Path | None, *, force: bool) -> None:
-    """Refuse a file of numbers that could not be written."""
+    """Raise an error for a file of numbers that could not be written."""
     from jounce.core.writing import check_writable
 
     if out is not None:
@@ -170,7 +170,7 @@ def check_numbers(out: Path | None, *, force: bool) -> None:
 def write_numbers(
     plain: dict[str, Any], rows: Sequence[dict[str, Any]], out: Path | None, *, force: bool
 ) -> str | None:
-    """Write the rows of a result as CSV, or all of it as JSON, if a file is asked for; give its name."""
+    """Write the rows of a result as CSV, or the whole result as JSON, if requested; return the file name."""
     if out is None:
         return None
     import csv
@@ -201,7 +201,7 @@ def check_outputs(
     report: Path | None = None,
     force: bool,
 ) -> None:
-    """Refuse files of another suffix, in a missing folder, or (without ``force``) that exist; folders not empty."""
+    """Raise an error for unsupported suffixes, missing folders, and (without ``force``) existing output."""
     from jounce.core.writing import check_folder, check_writable
 
     if rig is not None:
@@ -225,9 +225,9 @@ def check_outputs(
 def write_picture(
     result: object, figure: Path | None, title: str = "", *, force: bool
 ) -> tuple[str | None, Sequence[Finding]]:
-    """Draw a result, or the drawing of a function, into the file, if one is requested, with its title above it.
+    """Draw a result, or call a drawing function, into the requested file, if any, with a title.
 
-    It gives the file's name, and what could not be drawn: that loses no result.
+    Returns the file name, and what could not be drawn; results are kept in that case.
     """
     if figure is None:
         return None, ()
@@ -237,7 +237,7 @@ def write_picture(
 
         drawn = result() if callable(result) else figure_of(result)
         FIGURES.write(name_figure(drawn, title), figure, force=force)
-    except Exception as error:  # noqa: BLE001 - whatever it is, what was computed is told
+    except Exception as error:  # noqa: BLE001 - the results are shown in any case
         return None, [not_drawn(str(figure), error)]
     return str(figure), ()
 
@@ -245,9 +245,9 @@ def write_picture(
 def write_report(
     page: Callable[[], Page], report: Path | None, *, force: bool
 ) -> tuple[str | None, Sequence[Finding]]:
-    """Write what a function puts on a page into the file, if one is asked for.
+    """Write the page that a function creates into the requested file, if any.
 
-    It gives the file's name, and what could not be drawn: that loses no result.
+    Returns the file name, and what could not be drawn; results are kept in that case.
     """
     if report is None:
         return None, ()
@@ -255,13 +255,13 @@ def write_report(
         from jounce.report import REPORTS
 
         REPORTS.write(page(), report, force=force)
-    except Exception as error:  # noqa: BLE001 - whatever it is, what was computed is told
+    except Exception as error:  # noqa: BLE001 - the results are shown in any case
         return None, [not_drawn(str(report), error)]
     return str(report), ()
 
 
 def write_rig(rig: Rig, out: Path | None, comment: str, *, force: bool) -> None:
-    """Write a rig with a comment as its first line, if a file is asked for."""
+    """Write a rig with a comment as its first line, if a file is requested."""
     if out is not None:
         from jounce.core.writing import write_atomically
         from jounce.parts.files import rig_text
@@ -270,7 +270,7 @@ def write_rig(rig: Rig, out: Path | None, comment: str, *, force: bool) -> None:
 
 
 def load_changed_rig(name: str, wanted: dict[str, Any]) -> Rig:
-    """Load a rig and change its values; every warning about it is one line on stderr, as in ``jounce check``."""
+    """Load a rig and change its values; print its warnings on stderr, one per line, as ``jounce check`` does."""
     from jounce.parts.options import rig_of_options as made_rig
 
     rig = made_rig(name, wanted)
@@ -279,14 +279,14 @@ def load_changed_rig(name: str, wanted: dict[str, Any]) -> Rig:
 
 
 def warn_of(rig: Rig, name: str) -> None:
-    """Warn on stderr of implausible values of a rig; notes are left to ``jounce check``."""
+    """Print warnings about implausible values of a rig on stderr; notes are only shown by ``jounce check``."""
     from jounce.parts import rig_findings
 
     warn(rig_findings(rig, name))
 
 
 def warn(findings: Iterable[Finding]) -> None:
-    """Print findings on stderr, but for notes."""
+    """Print findings on stderr, except notes."""
     for found in findings:
         if found.severity != "note":
             tell(str(found), program="")

@@ -1,4 +1,4 @@
-"""Files that a command writes from its result: how each is requested, checked before the work, and written."""
+"""Output files of commands: how each is requested, checked in advance, and written."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Answered:
-    """A result of an operation, with what its files need beside it: the argument, the answer, a title, a comment."""
+    """A result of an operation with the context for its files: argument, output, title, comment."""
 
     operation: Operation
     subject: str
@@ -44,19 +44,19 @@ class Answered:
     comment: str
 
     def page(self) -> Page:
-        """Put the result on a page."""
+        """Create a page of the result."""
         page: Page = resolve(self.operation.page)(self.result, title=self.title)
         return page
 
     def summary(self) -> Page:
-        """Put on a page what a terminal shows."""
+        """Create a page with the content shown in the terminal."""
         if not self.operation.terminal:
             return self.page()
         page: Page = resolve(self.operation.terminal)(self.result, title=self.title)
         return page
 
     def figure(self) -> Figure:
-        """Draw the result: by the function of the operation, or by that of the result's type."""
+        """Draw the result with the function of the operation, or with that of the result's type."""
         from jounce.plots import figure_of
 
         if not self.operation.figure:
@@ -66,22 +66,22 @@ class Answered:
 
 
 Missing = Sequence["Finding"]
-"""What could not be drawn: that loses no result."""
+"""Figures that could not be drawn; the results are kept."""
 
 
 @dataclass(frozen=True)
 class OutputKind:
-    """A way to write a result: its option, the type and help of that, what refuses a file, and what writes it."""
+    """An output format of a result: its option with type and help, a check of the file, and a writer."""
 
     option: str
     kind: Any
     check: Callable[[Path, bool], object]
     write: Callable[[Answered, Path, bool], Missing]
-    key: str = ""  # of the file in the answer, where it is not the option
+    key: str = ""  # key of the file in the output, if it differs from the option
 
     @property
     def name(self) -> str:
-        """Key of the file in the answer."""
+        """Return the key of the file in the output."""
         return self.key or self.option
 
 
@@ -171,13 +171,13 @@ def _figure(answered: Answered, file: Path, force: bool) -> Missing:
 def _figures(answered: Answered, folder: Path, force: bool) -> Missing:
     try:
         resolve(answered.operation.figure)(answered.result, folder, force=force)
-    except Exception as error:  # noqa: BLE001 - whatever it is, the result is answered
+    except Exception as error:  # noqa: BLE001 - the result is returned in any case
         return [not_drawn(str(folder), error)]
     return ()
 
 
 def _folder(answered: Answered, folder: Path, force: bool) -> Missing:
-    """Write what was computed, and then the page with its pictures beside it."""
+    """Write the results, then the page with its figures."""
     from jounce.plots.figures import render_figure
     from jounce.report import Picture, write_page
 
@@ -262,14 +262,14 @@ OUTPUTS: Mapping[str, OutputKind] = {
         "report", ReportFile, lambda file, force: check_outputs(report=file, force=force), _report
     ),
 }
-"""What an operation may offer (`jounce.core.operation.Offer`)."""
+"""Outputs that an operation may offer (`jounce.core.operation.Offer`)."""
 
 
 @dataclass(frozen=True)
 class Files:
-    """The files that a command line asks for, by offer; None where none is asked for.
+    """Output files requested on the command line, by offer; ``None`` if not requested.
 
-    A folder that the function fills itself (``own``) is its to refuse.
+    A folder that the function writes itself (``own``) is also checked by the function.
     """
 
     asked: Mapping[str, Path | str | None]
@@ -277,13 +277,13 @@ class Files:
     own: Collection[str] = ()
 
     def check(self) -> None:
-        """Refuse files that could not be written."""
+        """Raise an error for files that could not be written."""
         for offer, file in self.asked.items():
             if file is not None and offer not in self.own:
                 OUTPUTS[offer].check(Path(file), self.force)
 
     def write(self, answered: Answered) -> Missing:
-        """Write the files, name them in the plain answer, and give what could not be drawn."""
+        """Write the files, add their names to the plain output, and return what could not be drawn."""
         missing: list[Finding] = []
         for offer, file in self.asked.items():
             force = self.force or offer in self.own

@@ -121,7 +121,7 @@ _MANY = 4
 
 
 def _is_file(name: str) -> bool:
-    """Whether an argument is a recording rather than a channel."""
+    """Whether an argument names a recording rather than a channel."""
     from jounce.recordings.readers import READERS
 
     suffix = Path(name).suffix.lower()
@@ -131,7 +131,7 @@ def _is_file(name: str) -> bool:
 def _recordings(
     files: list[Path], options: dict[str, Any]
 ) -> tuple[dict[str, xr.Dataset], list[Finding]]:
-    """Read recordings; give them by the shortest names that differ, and what is to be known of them."""
+    """Read recordings; return them by their shortest distinct names, with their findings."""
     from jounce.core.findings import at_place
     from jounce.recordings import read_recording
 
@@ -314,7 +314,7 @@ def animate(
 
 
 def _animations(report: Path | None, figure: Path | None, *, force: bool) -> list[Path]:
-    """Refuse, before the work, files that could not be written; give those that are asked for."""
+    """Check in advance that the requested files can be written, and return them."""
     from jounce.report.animation import check_animation
 
     for option, file, allowed in (
@@ -356,7 +356,7 @@ def _build_trial(
     duration: str | None,
     excitation: Path | None,
 ) -> Trial | None:
-    """Build the trial; None for a sweep."""
+    """Build the trial; ``None`` for a sweep."""
     swept = travel is not None or rack is not None
     given = any(option is not None for option in (road, speed, duration, excitation))
     if swept and given:
@@ -378,7 +378,7 @@ def _build_trial(
 
 
 def _sweep(rig: Corner, ranges: dict[str, NDArray[np.float64]]) -> xr.Dataset:
-    """Sweep one of --travel and --rack; the other one stays where it is."""
+    """Sweep --travel or --rack; the other one is constant."""
     from jounce.kinematics import sweep_rack, sweep_travel
 
     travel, rack = ranges.get("--travel"), ranges.get("--rack")
@@ -406,7 +406,7 @@ def _ranges(travel: str | None, rack: str | None) -> dict[str, NDArray[np.float6
 def _few_poses(
     rig: Corner, travel: str | None, rack: str | None
 ) -> tuple[xr.Dataset, NDArray[np.float64]]:
-    """Sweep finely, for the paths of wheel centre and contact point, and say which poses are to be drawn."""
+    """Sweep finely for the paths of wheel centre and contact point, and return the poses to draw."""
     import numpy as np
 
     values = _ranges(travel, rack)
@@ -434,7 +434,7 @@ def _ends(text: str, unit: str) -> tuple[float, float]:
 
 
 def _report_early_end(poses: xr.Dataset) -> int:
-    """Say why a sweep ended early; give the exit code."""
+    """Print why a sweep ended early; return the exit code."""
     why = str(poses.attrs.get("stopped", ""))
     if why:
         tell(f"{why}. The poses before that are shown.")

@@ -1,7 +1,7 @@
-"""Pipes in the place of files: ``jounce modes <(cat rig.toml)``, ``/dev/stdin``, pipes with names (``mkfifo``).
+"""Pipes as input files: ``jounce modes <(cat rig.toml)``, ``/dev/stdin``, named pipes (``mkfifo``).
 
-A reader may look at a file twice, and knows its format by its suffix. So each pipe is read once, into a file that goes
-when the command has ended, with the suffix that its content calls for.
+A reader may open a file twice, and identifies its format by the suffix. Each pipe is therefore read once into a
+temporary file with the suffix that matches its content; the file is deleted when the command ends.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ _PIPE = re.compile(
     r"(?P<before>(?:[^/]*=)?)(?P<path>/dev/stdin|/(?:dev|proc/self)/fd/(?P<number>\d{1,6}))"
 )
 _OUTPUTS = {"--out", "--figure", "--report", "--store", "--animation"}
-"""Options whose files are written: a pipe there is refused, not read."""
+"""Options for output files: a pipe is rejected there."""
 _PATIENCE, _PAUSE = (
     3.0,
     0.01,
-)  # s until somebody opens a pipe that has a name for writing; between two looks
+)  # s to wait until a named pipe is opened for writing; s between two checks
 _LARGEST = 1_000_000_000  # bytes
 _SHARE = 1 << 20
 _BEGINS = {
@@ -42,12 +42,12 @@ _BEGINS = {
     b"<": ".xml",
     b"{": ".json",
 }
-"""What files of a format begin with, and the suffix they are read by."""
+"""First bytes of each file format, and its suffix."""
 
 
 @contextmanager
 def without_pipes(words: Sequence[str]) -> Iterator[list[str]]:
-    """Give a command line with the names of files in the place of pipes that are open for reading."""
+    """Return a command line with readable pipes replaced by temporary files."""
     matches = [
         match if match and _is_readable(_number(match)) else None
         for match in map(_PIPE.fullmatch, words)
@@ -77,22 +77,22 @@ def without_pipes(words: Sequence[str]) -> Iterator[list[str]]:
 
 
 def _named_pipe(word: str) -> str | None:
-    """Name of the pipe that a word, or the value of its option, is; None where it is none, or one to be written to."""
+    """Return the pipe named by a word or its option value; ``None`` if it is not a pipe, or is an output."""
     option, _, value = word.rpartition("=") if word.startswith("--") else ("", "", word)
     try:
-        is_pipe = stat.S_ISFIFO(os.stat(value).st_mode)  # noqa: PTH116 - a word may be no path at all
+        is_pipe = stat.S_ISFIFO(os.stat(value).st_mode)  # noqa: PTH116 - a word may not be a path
     except (OSError, ValueError):
         return None
     return value if is_pipe and option not in _OUTPUTS else None
 
 
 def _copy_named(pipe: str, folder: Path) -> Path:
-    """Read what somebody writes into a pipe that has a name; give the file that holds it."""
+    """Read a named pipe to its end; return the file with its content."""
     handle = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
     try:
         begin = _wait_for_writer(handle, pipe)
         os.set_blocking(handle, True)
-        own = folder / str(len(os.listdir(folder)))  # noqa: PTH208 - two pipes may have one name
+        own = folder / str(len(os.listdir(folder)))  # noqa: PTH208 - two pipes may have the same name
         own.mkdir()
         return _copy(handle, own, Path(pipe).name, begin)
     finally:
@@ -100,19 +100,19 @@ def _copy_named(pipe: str, folder: Path) -> Path:
 
 
 def _wait_for_writer(handle: int, pipe: str) -> bytes:
-    """Wait until somebody has opened a pipe for writing; give what was written until then.
+    """Wait until a process has opened a pipe for writing; return the data received so far.
 
     Raises
     ------
     DescriptionError
-        Where nobody does. Who has opened it may take any time to write.
+        If no process opens it in time. After that, there is no time limit for writing.
     """
     end = time.monotonic() + _PATIENCE
     while time.monotonic() < end:
         try:
             if begin := os.read(handle, _SHARE):
                 return begin
-        except BlockingIOError:  # it is open for writing, and empty
+        except BlockingIOError:  # open for writing, but empty
             return b""
         time.sleep(_PAUSE)
     waited, hint = f"none within {_PATIENCE:g} s", "Start the process that writes to it first."
@@ -124,7 +124,7 @@ def _number(match: re.Match[str]) -> int:
 
 
 def _is_readable(number: int) -> bool:
-    """Whether a pipe or a file is open under a number, to be read: results are written to others."""
+    """Whether a file descriptor is a pipe or file open for reading, not an output."""
     try:
         import fcntl
 
@@ -136,7 +136,7 @@ def _is_readable(number: int) -> bool:
 
 
 def _copy(number: int, folder: Path, name: str = "", begin: bytes = b"") -> Path:
-    """Read what is open under a number to its end; give the file that holds it, after what was read before."""
+    """Read a file descriptor to its end, after data already read; return the file with the content."""
     name = name or ("stdin" if number == 0 else f"pipe-{number}")
     file, size = folder / name, 0
     try:

@@ -1,4 +1,4 @@
-"""What a command answers, and how it reaches the reader: one JSON object or tables, findings, errors, progress."""
+"""Output of commands: one JSON object or tables, findings, errors, progress."""
 
 from __future__ import annotations
 
@@ -30,21 +30,21 @@ if TYPE_CHECKING:
 
 PIPED_WIDTH = 140
 DONE, FAILED, REFUSED, PIPE_CLOSED = 0, 1, 2, 141
-"""Exit codes: all is well; something failed; the request is wrong; the reader of the output went away."""
+"""Exit codes: success; failure; invalid request; output pipe closed."""
 
 
 @dataclass(frozen=True)
 class Reply:
-    """Answer of one command."""
+    """Output of one command."""
 
     plain: Mapping[str, Any]  # what --json prints: names to plain values in SI
-    draw: Callable[[Console], None]  # prints the same for people on the console it is given
-    as_json: bool = False  # which of the two is wanted
+    draw: Callable[[Console], None]  # prints the same as text on the given console
+    as_json: bool = False  # which of the two is requested
     exit_code: int = DONE
-    missing: Sequence[Finding] = ()  # what could not be drawn
+    missing: Sequence[Finding] = ()  # figures that could not be drawn
 
     def show(self) -> int:
-        """Print to stdout; give the exit code."""
+        """Print to stdout; return the exit code."""
         if self.as_json:
             more = (
                 {"findings": [*self.plain.get("findings", ()), *self.missing]}
@@ -70,12 +70,12 @@ def drawing() -> Iterator[list[Finding]]:
 
 
 def console(*, stderr: bool = False) -> Console:
-    """Console that prints text as it is; what is piped gets wide lines, so that tables stay whole."""
+    """Console that prints text unchanged; piped output has wide lines to keep table rows intact."""
     from rich.console import Console
     from rich.segment import Segment
 
     class HonestConsole(Console):
-        """Leaves a closed pipe to `main`, and lets nothing from a file steer the terminal."""
+        """Console that passes closed-pipe errors to `main` and removes terminal control sequences from text."""
 
         def on_broken_pipe(self) -> None:
             raise BrokenPipeError
@@ -83,7 +83,7 @@ def console(*, stderr: bool = False) -> Console:
         def render_str(self, text: str, **options: Any) -> Text:
             return super().render_str(
                 visible(encodable(text, self.encoding)), **options
-            )  # before its width is measured
+            )  # before its width is computed
 
         def render(self, renderable: Any, options: Any = None) -> Iterator[Segment]:
             for segment in super().render(renderable, options):
@@ -99,7 +99,7 @@ def print_json(plain: Mapping[str, Any]) -> None:
     """Print one strict JSON object to stdout; characters that the terminal cannot show are escaped."""
     from jounce.core.serialise import to_json, to_plain
 
-    if _FOLLOWER.get() is not None:  # a page, which may be German
+    if _FOLLOWER.get() is not None:  # a page may be in German
         from jounce.core.findings import for_page
 
         plain = for_page(to_plain(plain))
@@ -115,9 +115,9 @@ def make_streams_usable() -> None:
         ("stdin", "r"),
         ("stdout", "w"),
         ("stderr", "w"),
-    ):  # the next file would have their numbers
+    ):  # otherwise the next file would get their descriptors
         if getattr(sys, name) is None:
-            setattr(sys, name, Path(os.devnull).open(mode, encoding="utf-8"))  # noqa: SIM115 - as long as the process
+            setattr(sys, name, Path(os.devnull).open(mode, encoding="utf-8"))  # noqa: SIM115 - open until exit
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper) and not _is_unicode(stream):
             stream.reconfigure(errors=ESCAPES)
@@ -128,7 +128,7 @@ def make_streams_usable() -> None:
         del os.environ["COLUMNS"]
 
 
-_NARROWEST, _WIDEST = 20, 1000  # characters of a line that can be read
+_NARROWEST, _WIDEST = 20, 1000  # readable line lengths in characters
 
 
 def lead_nowhere(stream: TextIO) -> None:
@@ -142,7 +142,7 @@ def _is_unicode(stream: TextIO) -> bool:
 
 
 def refuse(error: JounceError, *, as_json: bool) -> int:
-    """Say what is wrong on stderr (and as JSON on stdout); give the exit code."""
+    """Print an error on stderr (and as JSON on stdout); return the exit code."""
     parts = {
         "what": error.what,
         "found": error.found,
@@ -154,10 +154,10 @@ def refuse(error: JounceError, *, as_json: bool) -> int:
 
 
 def report_error(error: Mapping[str, Any], exit_code: int, *, as_json: bool) -> int:
-    """Print an error as one message on stderr and, when asked for, as ``{"error": ...}`` on stdout."""
+    """Print an error as one message on stderr and, if requested, as ``{"error": ...}`` on stdout."""
     tell(error["message"])
     if as_json:
-        with contextlib.suppress(OSError):  # which may be what it is about
+        with contextlib.suppress(OSError):  # stderr itself may have failed
             print_json({"error": error})
             sys.stdout.flush()
     return exit_code
@@ -180,7 +180,7 @@ class Elapsed:
     Parameters
     ----------
     clock : callable
-        Gives the time in s.
+        Returns the time in s.
     """
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
@@ -190,7 +190,7 @@ class Elapsed:
         self._phase, self._since, self._from, self._heard = "", self.started, 0.0, self.started
 
     def say(self, text: str) -> None:
-        """Store what is being done now."""
+        """Store the current activity."""
         self.said, self._heard = text, self.clock()
         phase = getattr(text, "phase", text.partition(":")[0])
         if phase != self._phase:
@@ -202,7 +202,7 @@ class Elapsed:
         return share
 
     def text(self) -> str:
-        """One line.
+        """Return the progress as one line.
 
         Examples
         --------
@@ -235,14 +235,14 @@ class Elapsed:
         return max(0.0, (1.0 - share) * (self._heard - self._since) / done - (now - self._heard))
 
     def __rich__(self) -> Text:
-        """The same line for a console that draws it again and again."""
+        """Return the line for a console that redraws it repeatedly."""
         from rich.text import Text
 
         return Text(self.text())
 
 
 def _duration(seconds: float) -> str:
-    """Write a time as people do.
+    """Format a duration for people.
 
     >>> _duration(8.4), _duration(94.0), _duration(7500.0)
     ('8 s', '1 min 34 s', '2 h 5 min')
@@ -263,7 +263,7 @@ _FOLLOWER: ContextVar[Callable[[Elapsed], None] | None] = ContextVar("follower",
 
 @contextmanager
 def followed_by(follower: Callable[[Elapsed], None]) -> Iterator[None]:
-    """Call a function whenever a command in the block reports what it does or waits for, from any thread."""
+    """Call a function whenever a command in the block reports its activity or waits, from any thread."""
     before = _FOLLOWER.set(follower)
     try:
         yield
@@ -273,10 +273,10 @@ def followed_by(follower: Callable[[Elapsed], None]) -> Iterator[None]:
 
 @contextmanager
 def progress() -> Iterator[Callable[[str], None]]:
-    """Give a function that shows one line of text as the work goes on: on stderr, and only on a terminal.
+    """Return a function that shows one line of progress on stderr, if that is a terminal.
 
-    Time passed stands behind it; share and time left, too, where the text knows them (`Stage`). Whoever runs
-    the command for somebody else is told instead (`followed_by`).
+    The line ends with the elapsed time, and with fraction and remaining time if known (`Stage`). Within
+    `followed_by`, progress is reported to the given function instead.
     """
     follower = _FOLLOWER.get()
     if follower is None and not sys.stderr.isatty():
@@ -308,7 +308,7 @@ def progress() -> Iterator[Callable[[str], None]]:
         shown.print(f"took {_duration(took)}", style="dim")
 
 
-ROUNDING = 1e-12  # SI values of this size are what is left of zero
+ROUNDING = 1e-12  # SI values below this are rounding errors of zero
 SEVERITY_STYLES = {"note": "dim", "warning": "yellow", "problem": "bold red"}
 
 
@@ -319,15 +319,15 @@ def table(
     *,
     text: Sequence[int] = (0,),
 ) -> FittedTable:
-    """Build a table; columns are numbers and stand to the right but those listed in ``text``.
+    """Build a table; columns are right-aligned numbers except those listed in ``text``.
 
-    A terminal gets the first rows of long tables, but with ``--all``.
+    A terminal shows only the first rows of long tables, unless ``--all`` is given.
     """
     return FittedTable(title, columns, [[cell(item) for item in row] for row in rows], text)
 
 
 def cell(value: object) -> str:
-    """Text of one cell: numbers with five digits, None as a dash."""
+    """Format one cell: numbers with five digits, ``None`` as a dash."""
     if value is None:
         return "–"
     if isinstance(value, bool):
@@ -336,7 +336,7 @@ def cell(value: object) -> str:
 
 
 def number(value: float) -> str:
-    """Write a number with five significant digits, without an exponent from 0.0001 up to ten million.
+    """Format a number with five significant digits, without an exponent from 0.0001 up to ten million.
 
     Examples
     --------
@@ -349,16 +349,16 @@ def number(value: float) -> str:
 
 
 def show_written(out: Console, plain: Mapping[str, Any]) -> None:
-    """Name the files that were written."""
+    """Print the names of the written files."""
     for key in ("out", "record", "figure", "report"):
         if plain.get(key) is not None:
             out.print(f"written: {plain[key]}")
 
 
 def show_findings(out: Console, findings: Iterable[Finding]) -> None:
-    """Print what the reader must know, one sentence each; what is piped keeps one line for each.
+    """Print findings, one sentence each; piped output has one line per finding.
 
-    What is said of several places in the same words is one sentence.
+    Identical findings about several places are merged into one sentence.
     """
     from rich.text import Text
 

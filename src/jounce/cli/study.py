@@ -25,7 +25,7 @@ app = typer.Typer(no_args_is_help=True, help="Shipped studies.")
 
 @app.callback()
 def _study() -> None:
-    """Keep the name of a study part of the command even where there is only one."""
+    """Callback that keeps the study name a part of the command even if there is only one study."""
 
 
 @app.command("proving-ground")
@@ -51,7 +51,7 @@ def proving_ground(
 
 
 def _draw(study: object, name: str, out: Path | None, console: Console) -> None:
-    """Print the page of a study without its curves, and where the whole of it is."""
+    """Print the page of a study without its curves, and the location of the full report."""
     from jounce.cli.terminal import show_page
     from jounce.report import papers
 
@@ -66,7 +66,7 @@ def _draw(study: object, name: str, out: Path | None, console: Console) -> None:
 def _write(
     study: object, out: Path | None, name: str, say: Callable[[str], None], *, force: bool
 ) -> Sequence[Finding]:
-    """Write what a study found, and then its page, into a folder if one is given; give what could not be drawn."""
+    """Write the results of a study and its page into a folder, if given; return what could not be drawn."""
     if out is None:
         return ()
     from jounce.report import papers, write_page

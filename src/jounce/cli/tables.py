@@ -1,4 +1,4 @@
-"""Tables as a terminal shows them: as wide as it is, and the first rows of long ones."""
+"""Tables for the terminal: fitted to its width, with long tables truncated."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from jounce.cli.everywhere import VIEW
 from jounce.core.tables import TextTable
 from jounce.core.text import encodable
 
-_LONG, _FIRST = 25, 20  # rows: longer tables are cut, to so many
+_LONG, _FIRST = 25, 20  # rows: longer tables are truncated to the second number
 
 
 class FittedTable(TextTable):
-    """A table that is fitted to the console that prints it."""
+    """A table fitted to the width of its console."""
 
     def __rich_console__(self, _console: Any, options: Any) -> Iterator[Any]:
-        """Print the title, the table, and how many rows are left out."""
+        """Print the title, the table, and the number of omitted rows."""
         from rich.text import Text
 
         rows = [

@@ -1,4 +1,4 @@
-"""A page as a terminal shows it: facts, tables and findings, in order; figures need a document."""
+"""Display of a page in a terminal: facts, tables and findings, in order, without figures."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 STYLES = {"plain": "", "muted": "dim", "good": "green", "fair": "yellow", "bad": "bold red"}
-"""How a terminal shows what a tone means."""
+"""Terminal style of each tone."""
 
 
 def show_page(out: Console, page: Page) -> None:
