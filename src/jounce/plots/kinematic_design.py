@@ -27,7 +27,9 @@ _MOST_BARS, _MOST_TORNADOES = 8, 12
 _SMALLEST_BAR = 1e-3  # of the largest
 _MOST_NUMBERS = 10
 _SAID, _DARK = 0.05, 0.6  # absolute values from which they are written, and written in white
-_AROUND_NAMES = 0.14  # inches: names of points are long, and measured at a resolution different from that of the drawing
+_AROUND_NAMES = (
+    0.14  # inches: names are long, and measured at a resolution that differs from the drawing's
+)
 _FARTHEST = 6.0  # tolerances beyond which a single value is drawn at the edge
 
 

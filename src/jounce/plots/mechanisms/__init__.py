@@ -1,4 +1,4 @@
-"""Suspensions as drawings and in motion: positions come from the description, a sweep or a run."""
+"""Drawings and animations of suspensions, with positions from the description, a sweep or a run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Mechanisms in motion: what is shown of a sweep or a run, and films of it: a GIF, or an MP4 through ffmpeg."""
+"""Animations of mechanisms: selection of poses from a sweep or a run, and films as GIF, or MP4 through ffmpeg."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 
 
 _MOST_IN_FILM = 300
-_SAME_HEIGHT = 1e-4  # m: less is not seen in a film
+_SAME_HEIGHT = 1e-4  # m: smaller differences are invisible in a film
 _AT_JUMPS = 0.02  # share of the samples
 
 
@@ -65,10 +65,9 @@ def motion_of(
     title: str = "",
     say: Callable[[str], None] = lambda _text: None,
 ) -> Animation:
-    """Select the part of a sweep or a run that an animation shows, in no more poses than ``most``.
+    """Select the poses of a sweep or a run for an animation, at most as many as ``most`` allows.
 
-    ``most`` is asked with the time (s) that a film of it plays; the other arguments are those of
-    :func:`jounce.animate`.
+    ``most`` is called with the playing time (s) of the film; the other arguments are those of :func:`jounce.animate`.
     """
     if not (np.isfinite(slow) and slow > 0.0):
         raise DescriptionError("out of range", where="slow", found=slow, allowed="above 0")
@@ -85,7 +84,7 @@ def motion_of(
         scene, tracks, None, title or scene.title[0].upper() + scene.title[1:], slow, say
     )
     shown, count = tracks, most(motion.seconds if tracks.in_time else np.inf)
-    if len(tracks) > count:  # evenly chosen
+    if len(tracks) > count:  # evenly spaced
         shown = tracks.subset(
             np.unique(np.round(np.linspace(0, len(tracks) - 1, count)).astype(int))
         )
@@ -93,7 +92,7 @@ def motion_of(
 
 
 def film_poses(frames: int | None) -> Callable[[float], int]:
-    """How many poses a film of so many seconds takes, at most."""
+    """Return a function from the playing time (s) of a film to its maximum number of poses."""
     most = frames or _MOST_IN_FILM
     return lambda seconds: int(min(most, max(2.0, FRAMES_A_SECOND * seconds + 1.5)))
 
@@ -115,24 +114,24 @@ def _roadway(trial: Trial | None, poses: Poses, shown: Poses, scene: Scene) -> R
 
 @dataclass(frozen=True)
 class Animation:
-    """What an animation shows."""
+    """Content of an animation."""
 
     scene: Scene
     poses: Poses
     road: Roadway | None
     title: str
-    slow: float  # how many times slower than in reality a run is played
+    slow: float  # factor by which a run is played slower than in reality
     say: Callable[[str], None]  # receives one line of progress at a time
 
     @property
     def order(self) -> list[int]:
-        """Poses in the order in which a film shows them: a sweep there and back."""
+        """Indices of the poses in the order of a film: a sweep is played forwards and backwards."""
         there = list(range(len(self.poses)))
         return there if self.poses.in_time else there + there[-2:0:-1]
 
     @property
     def seconds(self) -> float:
-        """How long a film plays, s."""
+        """Playing time of a film, s."""
         if self.poses.in_time:
             return max(self.slow * float(np.ptp(self.poses.over)), 0.1)
         return len(self.order) / _SWEEP_FRAMES_A_SECOND
@@ -148,7 +147,7 @@ _SWEEP_FRAMES_A_SECOND = 20.0
 
 
 def _write_gif(motion: Animation, file: Path) -> None:
-    """Write all poses; the film begins again, a sweep goes back the way it came."""
+    """Write all poses; the film repeats, and a sweep is played forwards and backwards."""
     from PIL import Image
 
     frames = [
@@ -157,7 +156,7 @@ def _write_gif(motion: Animation, file: Path) -> None:
     ]
     length = max(
         20, 10 * round(100.0 * motion.seconds / len(frames))
-    )  # browsers slow down what is shorter
+    )  # browsers slow down films with shorter frames
     frames[0].save(
         file, "GIF", save_all=True, append_images=frames[1:], duration=length, loop=0, optimize=True
     )
@@ -209,7 +208,7 @@ def _write_mp4(motion: Animation, file: Path) -> None:
                 process.stdin.write(frame.tobytes())
             process.stdin.close()
         except BrokenPipeError:
-            pass  # it says why below
+            pass  # its message is read below
         message = process.stderr.read().decode(errors="replace").strip()
     if process.returncode:
         raise OutputError(
@@ -220,7 +219,7 @@ def _write_mp4(motion: Animation, file: Path) -> None:
 
 
 def ffmpeg() -> str:
-    """Find ffmpeg: installed, or that of the package imageio-ffmpeg."""
+    """Find ffmpeg: the installed program, or that of the package imageio-ffmpeg."""
     program = program_on_path("ffmpeg")
     if program is None:
         try:
@@ -235,7 +234,7 @@ def ffmpeg() -> str:
 
 
 def _frames(motion: Animation) -> Iterator[Pictures.Image]:
-    """Draw one picture after the other; on the way back a sweep's are those of the way there."""
+    """Yield the frames one by one; a sweep played backwards reuses its frames."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
@@ -259,7 +258,7 @@ def _frames(motion: Animation) -> Iterator[Pictures.Image]:
 
 
 class _Film:
-    """A figure whose content changes from pose to pose: in space, and from the side (a run) or the front (a sweep)."""
+    """A figure redrawn for each pose: an oblique view, and a side view (run) or front view (sweep)."""
 
     def __init__(self, motion: Animation) -> None:
         from matplotlib.figure import Figure
@@ -315,7 +314,7 @@ class _Film:
 
 
 def _film_panel(figure: Figure, view: View, cloud: Array, k: int) -> Axes:
-    """Axes with one scale in both directions into which all points fit."""
+    """Add axes with equal scales in both directions that contain all points."""
     width, height = 0.5 * _SIZE[0] - 0.1, _SIZE[1] - _HEAD - 0.3
     axes = figure.add_axes(
         (0.05 / _SIZE[0] + 0.5 * k, 0.06 / _SIZE[1], width / _SIZE[0], height / _SIZE[1])

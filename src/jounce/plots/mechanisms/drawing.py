@@ -1,4 +1,4 @@
-"""Mechanisms on paper: views, shapes, one pose in any view, and the sheet of three views and one in space."""
+"""Drawings of mechanisms: views, shapes, a pose in any view, and a sheet of three orthogonal and one oblique view."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ COILS = 8.0
 
 @dataclass(frozen=True)
 class View:
-    """A direction to look in, without perspective: unit vectors, shape (3,), that point right and up on paper."""
+    """A parallel projection: unit vectors, shape (3,), that point right and up on paper."""
 
     name: str
     right: Array
@@ -39,21 +39,21 @@ class View:
 
     @property
     def back(self) -> Array:
-        """Unit vector towards the one who looks, shape (3,)."""
+        """Unit vector towards the viewer, shape (3,)."""
         return np.cross(self.right, self.up)
 
     def flat(self, points: Array) -> Array:
-        """Places on paper, shape (..., 2), of points in space, shape (..., 3), in their unit."""
+        """Project points in space, shape (..., 3), to paper, shape (..., 2), in the same unit."""
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
 
 def axis_view(name: str, right: tuple[float, float, float], up: tuple[float, float, float]) -> View:
-    """Look along a ground axis."""
+    """Return a view along a ground axis."""
     return View(name, np.array(right), np.array(up))
 
 
 def oblique_view(name: str, azimuth: float, elevation: float) -> View:
-    """Look from a place ``azimuth`` (rad, from straight ahead of the car towards its left) and ``elevation`` (rad)."""
+    """Return a view from ``azimuth`` (rad, from straight ahead of the car towards its left) and ``elevation`` (rad)."""
     right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
     back = np.array(
         [
@@ -66,7 +66,7 @@ def oblique_view(name: str, azimuth: float, elevation: float) -> View:
 
 
 def _across(axis: Array) -> tuple[Array, Array]:
-    """Two unit vectors across an axis and each other; the second is as upright as can be."""
+    """Two unit vectors normal to an axis and to each other; the second is as close to vertical as possible."""
     level = np.cross(axis, [0.0, 0.0, 1.0])
     size = np.linalg.norm(level)
     level = level / size if size > 1e-9 else np.array([1.0, 0.0, 0.0])
@@ -74,7 +74,7 @@ def _across(axis: Array) -> tuple[Array, Array]:
 
 
 def circle(centre: Array, axis: Array, radius: float) -> Array:
-    """Points on a closed circle in space, shape (n, 3)."""
+    """Return points on a closed circle in space, shape (n, 3)."""
     first, second = _across(axis)
     angle = np.linspace(0.0, 2.0 * np.pi, _AROUND + 1)[:, None]
     return np.asarray(centre + radius * (np.cos(angle) * first + np.sin(angle) * second))
@@ -83,7 +83,7 @@ def circle(centre: Array, axis: Array, radius: float) -> Array:
 def tyre(
     centre: Array, axis: Array, radius: float, width: float, ground: float | None = None
 ) -> Array:
-    """Rings of a tyre's surface, shape (rings, n, 3); what would stand below ``ground`` (m) is pressed flat."""
+    """Return rings of a tyre's surface, shape (rings, n, 3); points below ``ground`` (m) are moved up to it."""
     rings = np.stack(
         [circle(centre + share * width * axis, axis, size * radius) for share, size in _TYRE]
     )
@@ -93,7 +93,7 @@ def tyre(
 
 
 def outline(points: Array) -> Array:
-    """Corners of the convex outline of points on paper, shape (n, 2) to (m, 2), counter-clockwise.
+    """Return the convex hull of points on paper, shape (n, 2) to (m, 2), counter-clockwise.
 
     Examples
     --------
@@ -119,7 +119,7 @@ def _turn(a: tuple[float, float], b: tuple[float, float], c: tuple[float, float]
 
 
 def coil(bottom: Array, top: Array, radius: float) -> Array:
-    """Helix between two points, shape (n, 3), with straight ends."""
+    """Return a helix between two points, shape (n, 3), with straight ends."""
     axis = (top - bottom) / np.linalg.norm(top - bottom)
     first, second = _across(axis)
     share = np.linspace(0.0, 1.0, int(24 * COILS) + 1)
@@ -138,16 +138,14 @@ DAMPER_BODY = 0.5  # of its design length
 
 @dataclass(frozen=True)
 class Look:
-    """How a pose is drawn."""
+    """Style of a pose in a drawing."""
 
-    colour: str | None = None  # one for everything instead of each part's own
-    ghost: bool = (
-        False  # thinly behind another pose, without surfaces and points, the strut as a line
-    )
+    colour: str | None = None  # one colour for all parts instead of their own
+    ghost: bool = False  # with thin lines behind a different pose, without surfaces and points, the strut as a line
 
     @property
     def strength(self) -> float:
-        """Share of opacity and of line widths [1]."""
+        """Factor of opacity and line widths [1]."""
         return 0.65 if self.ghost else 1.0
 
 
@@ -160,7 +158,7 @@ def draw_pose(
     *,
     pressed: bool = False,
 ) -> None:
-    """Draw everything that moves, in mm; ``pressed`` draws the unloaded tyre, flattened by the road."""
+    """Draw all moving parts, in mm; ``pressed`` draws the undeformed tyre flattened by the road."""
     look = look or Look()
     _draw_wheel(axes, view, scene, pose, look, pressed=pressed)
     for order, part in enumerate(scene.parts):
@@ -285,7 +283,7 @@ def _draw_points(axes: Axes, view: View, scene: Scene, pose: Pose) -> None:
 
 
 def draw_steering_axis(axes: Axes, view: View, scene: Scene, pose: Pose) -> None:
-    """Draw the axis the wheel steers about, from the ground to a little above its upper point."""
+    """Draw the steering axis, from the ground to slightly above its upper point."""
     if scene.steering_axis is None:
         return
     lower, upper = (pose.points[name] for name in scene.steering_axis)
@@ -300,7 +298,7 @@ def draw_steering_axis(axes: Axes, view: View, scene: Scene, pose: Pose) -> None
 def draw_ground(
     axes: Axes, view: View, scene: Scene, pose: Pose, line: Array | None = None
 ) -> None:
-    """Draw the road below the wheel, in mm, as a strip with some depth; ``line`` is its x and z, shape (n, 2), m."""
+    """Draw the road below the wheel, in mm, as a strip of some width; ``line`` has its x and z, shape (n, 2), m."""
     corners = ground_corners(scene, pose)
     if line is None:
         line = corners[:2, [0, 2]]
@@ -328,7 +326,7 @@ def draw_ground(
 
 
 def ground_corners(scene: Scene, pose: Pose) -> Array:
-    """Corners of the piece of level ground that is drawn under a wheel, shape (4, 3), m."""
+    """Return the corners of the level ground drawn under a wheel, shape (4, 3), m."""
     x, y = pose.points["wheel_centre"][:2]
     reach, across = 1.1 * scene.undeformed_radius, 0.95 * scene.width
     return np.array(
@@ -339,9 +337,9 @@ def ground_corners(scene: Scene, pose: Pose) -> Array:
     )
 
 
-_WIDTH, _TALLEST = 11.0, 8.8  # inches of paper; all below too
+_WIDTH, _TALLEST = 11.0, 8.8  # inches of paper, as all lengths below
 _LEFT, _RIGHT, _BETWEEN = 0.62, 0.15, 0.72
-_INSIDE = 0.3  # free between what is drawn and the edges of its axes
+_INSIDE = 0.3  # margin between the drawing and the edges of its axes
 _BOTTOM, _TOP, _ABOVE = 0.98, 0.72, 0.72
 ARROWS = 0.85
 """Height in inches kept free in the last view for the directions of the axes."""
@@ -350,7 +348,7 @@ AZIMUTH, ELEVATION = np.radians(38.0), np.radians(20.0)
 
 
 def views_of(scene: Scene) -> tuple[View, View, View, View]:
-    """Front, side (from outside), top (front down, below the front view) and space (from ahead, inboard and above)."""
+    """Return the front, side (from outside), top (front down) and oblique (from ahead, inboard and above) views."""
     ahead = -scene.side
     outside = "left" if scene.side > 0.0 else "right"
     return (
@@ -363,17 +361,17 @@ def views_of(scene: Scene) -> tuple[View, View, View, View]:
 
 @dataclass(frozen=True)
 class Sheet:
-    """Scale and middle of each view; the three views along the axes share one scale and stand in line."""
+    """Scale and centre of each view; the three views along the axes have the same scale and are aligned."""
 
     views: tuple[View, View, View, View]  # front, side, top, and in space
-    middles: tuple[Array, ...]  # what stands in the middle of each, shape (2,), mm
+    middles: tuple[Array, ...]  # centre of each view, shape (2,), mm
     scale: float  # mm per inch of the first three
     oblique_scale: float  # mm per inch of the last
     heights: tuple[float, float]  # of the upper and the lower two axes, inches
 
     @classmethod
     def for_poses(cls, scene: Scene, poses: Sequence[Pose], *, names: bool) -> Sheet:
-        """Find scales with which all poses fill the width, beside the names of the hardpoints, and heights for them."""
+        """Find scales at which all poses and the names of hardpoints fill the width, and the heights of the axes."""
         views = views_of(scene)
         cloud = np.vstack([everything(scene, pose) for pose in poses])
         written = {**_hardpoints_of(scene.design), "contact point": None}
@@ -438,7 +436,7 @@ def _panel_width() -> float:
 
 
 def show_ticks(axes: Axes, view: View) -> None:
-    """Show places along ground axes, also where these point to the left or down; none in space."""
+    """Show coordinates along ground axes, even if these point left or down; none in the oblique view."""
     from matplotlib.ticker import FuncFormatter, MultipleLocator
 
     if view.name.startswith("from"):
@@ -471,7 +469,7 @@ def _place(value: float, _: int | None = None, *, factor: float) -> str:
 
 
 def new_sheet(title: str, scene: Scene, paper: tuple[float, float]) -> Figure:
-    """Give an empty sheet of this ``paper`` (inches) with its title."""
+    """Return an empty sheet with a title; ``paper`` is its size in inches."""
     figure = figure_type()(figsize=paper)
     words = scene.title[0].upper() + scene.title[1:]
     figure.suptitle(
@@ -487,7 +485,7 @@ def new_sheet(title: str, scene: Scene, paper: tuple[float, float]) -> Figure:
 
 
 def everything(scene: Scene, pose: Pose) -> Array:
-    """All points that must be on the paper, shape (n, 3), m."""
+    """Return all points that must be visible, shape (n, 3), m."""
     surface = tyre(pose.points["wheel_centre"], pose.spin_axis, scene.radius, scene.width).reshape(
         -1, 3
     )
@@ -509,7 +507,7 @@ def draw_directions(axes: Axes, view: View) -> None:
 
 
 def handles_of(scene: Scene) -> list[Line2D]:
-    """Legend of a rig: its parts, and what the marks mean."""
+    """Return the legend of a rig: its parts and marks."""
     handles = [_handle(part.words, part.colour, linewidth=2.2) for part in scene.parts]
     handles += [
         _handle("spring and damper", scene.strut_colour, linewidth=2.2),
@@ -519,7 +517,7 @@ def handles_of(scene: Scene) -> list[Line2D]:
 
 
 def pose_handles(scene: Scene, shown: Sequence[Pose], looks: Sequence[Look]) -> list[Line2D]:
-    """Legend of several poses."""
+    """Return the legend of several poses."""
     handles = [_handle(scene.design.label, INK, linewidth=2.2)]
     handles += [
         _handle(pose.label, str(look.colour), linewidth=1.8)
@@ -568,22 +566,22 @@ def mechanism(
     names: bool = True,
     title: str = "",
 ) -> Figure:
-    """Draw a 3-D rig at design: front, side and top view to one scale, and a view in space.
+    """Draw a 3-D rig at design: front, side and top view at the same scale, and an oblique view.
 
     Parameters
     ----------
     rig : Corner
         Double wishbone, McPherson strut, five-link or trailing arm.
     poses : xarray.Dataset, optional
-        A sweep or a run with hardpoints: further poses are drawn over the first, with the paths of wheel centre and
+        A sweep or a run with hardpoints: several poses are drawn over each other, with the paths of wheel centre and
         contact point.
     at : sequence of float or str, optional
-        Which poses: travel (m) or time (s), or text with a unit; the nearest ones are drawn. By default the first and
-        the last of a sweep, the lowest and the highest wheel of a run.
+        Poses to draw: travel (m) or time (s), or text with a unit; the nearest poses are used. By default the first and
+        the last of a sweep, and those with the lowest and the highest wheel of a run.
     names : bool
         Write the names of the hardpoints.
     title : str
-        Put before the kind of suspension.
+        Text before the kind of suspension.
 
     Returns
     -------
@@ -645,7 +643,7 @@ def mechanism(
 
 
 def _hardpoints_of(pose: Pose) -> dict[str, Array]:
-    """Places of the hardpoints of a pose, m."""
+    """Positions of the hardpoints of a pose, m."""
     return {name: place for name, place in pose.points.items() if name not in MIDDLE.values()}
 
 

@@ -31,10 +31,10 @@ if TYPE_CHECKING:
 
     from jounce.parts.corners import Corner
 
-_WIDTH = 11.0  # inches; all below too
+_WIDTH = 11.0  # inches, as all lengths below
 _LEFT, _RIGHT, _BETWEEN, _BOTTOM, _ABOVE, _TOP = 0.72, 0.15, 0.78, 0.55, 0.8, 0.95
-_ROOM = 0.04  # m around what is drawn
-_NEAR = 1.2  # m: instant centres up to here beside the wheel are drawn where they are
+_ROOM = 0.04  # m around the drawing
+_NEAR = 1.2  # m from the wheel: nearer instant centres are drawn at their position
 _CENTRE, _ROLL, _AXIS = PALETTE[1], PALETTE[3], PALETTE[0]
 _OTHER = "#a3aab1"
 _AXIS_ROWS = ("caster", "kingpin_inclination", "caster_trail", "scrub_radius")
@@ -58,7 +58,7 @@ _NUMBERS = (
 
 @dataclass(frozen=True)
 class _Centres:
-    """Where a corner turns about at design: places of shape (2,), m, NaN where arms are parallel; and all rows."""
+    """Centres of rotation of a corner at design: points of shape (2,), m, NaN if arms are parallel; and all rows."""
 
     scene: Scene
     rows: Mapping[str, float]
@@ -70,16 +70,16 @@ class _Centres:
 
     @property
     def front(self) -> Array:
-        """Place (y, z) of the front-view instant centre."""
+        """Position (y, z) of the front-view instant centre."""
         return np.array([self.rows["instant_centre_y"], self.rows["instant_centre_z"]])
 
     @property
     def side(self) -> Array:
-        """Place (x, z) of the side-view instant centre."""
+        """Position (x, z) of the side-view instant centre."""
         return np.array([self.rows["side_instant_centre_x"], self.rows["side_instant_centre_z"]])
 
     def value_to_show(self, name: str) -> float:
-        """Value of a row to write; infinite for the height of a centre that lies infinitely far away."""
+        """Value of a row to write; infinite for the height of a centre at infinity."""
         away = self.rows.get(
             {"instant_centre_z": "instant_centre_y"}.get(name, name.replace("centre_z", "centre_x"))
         )
@@ -87,7 +87,7 @@ class _Centres:
 
     @property
     def axis(self) -> tuple[Array, Array] | None:
-        """Where the steering axis meets the ground, and its place above the wheel; None where nothing steers."""
+        """Ground intersection of the steering axis, and its point above the wheel; None without steering."""
         if not all(math.isfinite(self.rows.get(name, math.nan)) for name in _AXIS_ROWS):
             return None
         caster, inclination, trail, scrub = (self.rows[name] for name in _AXIS_ROWS)
@@ -98,7 +98,7 @@ class _Centres:
 
     @property
     def roll(self) -> Array:
-        """Place (y, z) of the roll centre of a symmetric axle."""
+        """Position (y, z) of the roll centre of a symmetric axle."""
         return np.array([0.0, self.pose.ground + self.rows["roll_centre_height"]])
 
 
@@ -109,14 +109,15 @@ def suspension_geometry(rigs: Corner | Mapping[str, Corner], *, title: str = "")
     Parameters
     ----------
     rigs : Corner, or mapping of str to Corner
-        A corner with hardpoints; of several by name the last is drawn in full, those before it thinly behind it.
+        A corner with hardpoints. Of several, given by name, the last is drawn in full, the others with thin lines
+        behind it.
     title : str
-        Put before the kind of suspension.
+        Text before the kind of suspension.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Axes ``front``, ``side``, ``top`` to one scale (mm), and a table of the numbers.
+        Axes ``front``, ``side``, ``top`` at the same scale (mm), and a table of the values.
 
     Raises
     ------
@@ -149,7 +150,7 @@ def suspension_geometry(rigs: Corner | Mapping[str, Corner], *, title: str = "")
         "side": _box(side, ahead, [_beside(geometry.side) for geometry in centres.values()], wheel),
         "top": _box(top, drawn, [], wheel),
     }
-    for name in ("front", "side"):  # they stand in line
+    for name in ("front", "side"):  # they are aligned
         boxes[name][:, 1] = (
             min(boxes[panel][0, 1] for panel in ("front", "side")),
             max(boxes[panel][1, 1] for panel in ("front", "side")),
@@ -219,7 +220,7 @@ def _box(view: View, cloud: Array, centres: list[Array], wheel: Array) -> Array:
 
 
 def _paper(boxes: Mapping[str, Array]) -> tuple[Figure, dict[str, Axes]]:
-    """A figure whose views fill its width to one scale, front and side in line, top below front, a table beside it."""
+    """Make a figure with views at one scale that fill its width: front and side aligned, top below, and a table."""
     spans = {name: box[1] - box[0] for name, box in boxes.items()}
     room = _WIDTH - _LEFT - _RIGHT - _BETWEEN
     scale = room / (spans["front"][0] + spans["side"][0])  # inches of paper for one metre
@@ -307,7 +308,7 @@ def _mark(axes: Axes, place: Array, colour: str, marker: str, *, strong: bool) -
 
 
 def _outside(axes: Axes, target: Array, axis: str, place: float) -> None:
-    """Say at the edge where an instant centre lies (m along an axis) that is not on the paper."""
+    """Write at the edge the position (m along an axis) of an instant centre outside the drawing."""
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     if left <= target[0] <= right and low <= target[1] <= high:
         return
@@ -331,7 +332,7 @@ def _labels(axes: Mapping[str, Axes]) -> None:
 
 
 def _numbers(axes: Axes, centres: Mapping[str, _Centres]) -> None:
-    """Write the numbers of the drawing, one column per rig."""
+    """Write the table of values, one column per rig."""
     axes.axis("off")
     last = list(centres.values())[-1]
     names = [name for name in _NUMBERS if name in last.rows]

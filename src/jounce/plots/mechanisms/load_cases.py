@@ -1,4 +1,4 @@
-"""Load cases on paper: both wheels of an axle in equilibrium, with the forces of the road and those on the body."""
+"""Drawings of load cases: the left and right wheel of an axle in equilibrium, with road forces and body forces."""
 
 from __future__ import annotations
 
@@ -38,30 +38,30 @@ if TYPE_CHECKING:
 
 _Drawn: TypeAlias = "tuple[Scene, Pose, xr.Dataset]"
 _PAPER = (11.0, 9.2)  # inches
-_ON_ROAD, _ON_BODY = "#c1121f", "#1d2126"  # no part has these colours
+_ON_ROAD, _ON_BODY = "#c1121f", "#1d2126"  # not used for any part
 _LONGEST = 0.30  # m on paper: the largest force
-_LABELLED = 0.12  # share of the largest force from which a force has its number beside it
+_LABELLED = 0.12  # share of the largest force from which a force is labelled with its value
 _SEEN = 0.01  # share of the largest force from which it is drawn
-_LEAST = 1e-3  # N: rounding of balances
+_LEAST = 1e-3  # N: rounding errors of the balance
 
 
 @in_style
 def load_case(rig: Corner, data: xr.Dataset, case: str) -> Figure:
-    """Draw one load case: front and top view of both wheels where they stand, with forces in kN (lbf).
+    """Draw one load case: front and top view of the left and right wheel in equilibrium, with forces in kN (lbf).
 
     Parameters
     ----------
     rig : Corner
-        The corner that the cases are of.
+        The corner for which the cases were computed.
     data : xarray.Dataset
-        As :func:`jounce.load_cases` gives it.
+        Result of :func:`jounce.load_cases`.
     case : str
-        Which case.
+        Name of the case.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Axes ``front`` and ``top``: forces of the road on the wheels, and those of the suspension on the body.
+        Axes ``front`` and ``top``: forces of the road on the wheels, and of the suspension on the body.
 
     Raises
     ------
@@ -158,7 +158,7 @@ def load_case(rig: Corner, data: xr.Dataset, case: str) -> Figure:
 
 
 def _with_bar(left: Corner, wheels: list[_Drawn]) -> list[_Drawn]:
-    """Wheels with the T-bar as both of them turn it; one corner alone assumes that both wheels move alike."""
+    """Return the wheels with the T-bar turned by both; a single corner assumes that both wheels move alike."""
     if left.anti_roll_bar is None or left.anti_roll_bar.kind != "t":
         return wheels
     travels = [float(loads["wheel_travel"]) for _, _, loads in wheels]
@@ -177,7 +177,7 @@ def _with_bar(left: Corner, wheels: list[_Drawn]) -> list[_Drawn]:
 
 
 def _with_third_spring(wheels: list[_Drawn]) -> list[_Drawn]:
-    """Wheels with the third spring straight between its two ends."""
+    """Return the wheels with the third spring straight between its two ends."""
     name = "third_spring_end"
     if not all(name in pose.points for _, pose, _ in wheels):
         return wheels
@@ -189,7 +189,7 @@ def _with_third_spring(wheels: list[_Drawn]) -> list[_Drawn]:
 
 
 def _forces(pose: Pose, loads: xr.Dataset) -> list[tuple[str, Array, Array]]:
-    """Colour, place (m) and vector (N) of all forces of a wheel."""
+    """Return colour, point of action (m) and vector (N) of all forces on a wheel."""
     road = np.array(
         [float(loads[f"{name}_force"]) for name in ("longitudinal", "lateral", "vertical")]
     )
@@ -214,11 +214,11 @@ _BODY = (
         "arb_pivot",
     ),
 )
-"""Hardpoints at which the suspension pushes the body, or the rack on it."""
+"""Hardpoints at which the suspension acts on the body, or on the rack."""
 
 
 def _ends(colour: str, place: Array, force: Array, largest: float) -> Array:
-    """Both ends of an arrow in space, shape (2, 3), m: to the contact point, or away from a point of the body."""
+    """Return both ends of an arrow, shape (2, 3), m: towards the contact point, or away from a point on the body."""
     reach = force * (_LONGEST / max(largest, _LEAST))
     return np.array([place - reach, place] if colour == _ON_ROAD else [place, place + reach])
 
@@ -238,7 +238,7 @@ def _draw_forces(
 def _label_forces(
     axes: Axes, view: View, forces: list[tuple[str, Array, Array]], largest: float
 ) -> None:
-    """Write the sizes of forces beside the free ends of their arrows, the largest first, without overlaps."""
+    """Write the magnitudes of forces next to the free ends of their arrows, the largest first, without overlaps."""
     from matplotlib.patheffects import withStroke
 
     unit = display_unit_for("kN")
@@ -265,7 +265,7 @@ def _label_forces(
         at = 72.0 * to_points.transform(free)
 
         def overlaps(offset: Array, at: Array = at, room: Array = room) -> tuple[int, int]:
-            """Count what a number there would overlap: other numbers and the frame, then points of arrows."""
+            """Count overlaps of a number there: with other numbers and the frame, then with points of arrows."""
             corner = at + offset
             met = sum(bool((abs(corner - other) < room).all()) for other in occupied)
             met += bool((corner < low).any() or (corner + room > high).any())
@@ -283,12 +283,12 @@ def _label_forces(
         )  # fmt: skip
 
 
-_SAMPLES = 60  # places along an arrow that a number should not hide
+_SAMPLES = 60  # points along an arrow that a number should not hide
 _LETTER, _LINE = 4.9, 9.5  # points, of a number in 7.5 pt
 
 
 def _beside(room: Array, away: Array) -> Iterator[tuple[float, float]]:
-    """Where a number may stand about the free end of an arrow, which points ``away``; ahead of it and nearest first."""
+    """Yield positions of a number around the free end of an arrow, which points ``away``; the nearest ahead first."""
     wide, tall = room
     across = (3.0, -wide - 3.0) if away[0] >= 0.0 else (-wide - 3.0, 3.0)
     for step in range(5):
@@ -299,23 +299,23 @@ def _beside(room: Array, away: Array) -> Iterator[tuple[float, float]]:
 
 
 def write_loaded(axle_loads: AxleLoads, folder: Path | str, *, force: bool = False) -> list[Path]:
-    """Draw every case of an axle into a folder, as :func:`write_load_cases` does."""
+    """Draw all cases of an axle to files in a folder, as :func:`write_load_cases` does."""
     return write_load_cases(axle_loads.rig, axle_loads.data, folder, force=force)
 
 
 def write_load_cases(
     rig: Corner, loads: xr.Dataset, folder: Path | str, *, force: bool = False
 ) -> list[Path]:
-    """Draw every case into a folder, one PNG each.
+    """Draw all cases to files in a folder, one PNG each.
 
     Parameters
     ----------
     rig : Corner
-        The corner that the cases are of.
+        The corner for which the cases were computed.
     loads : xarray.Dataset
-        As :func:`jounce.load_cases` gives it.
+        Result of :func:`jounce.load_cases`.
     folder : Path or str
-        Made where it is missing.
+        Destination, created if missing.
     force : bool
         Overwrite existing files.
 
@@ -329,7 +329,7 @@ def write_load_cases(
     OutputError
         For existing files without ``force``.
     DescriptionError
-        For two cases whose files would have one name.
+        For two cases whose files would have the same name.
 
     Examples
     --------

@@ -45,7 +45,7 @@ COLOURS = {
     "torsion_bar": "#b5472a",
     "third_spring": PALETTE[5],
 }
-"""Colour of each part, the same in every picture."""
+"""Colour of each part, the same in all figures."""
 _STEERING_AXES = {
     "double-wishbone": ("lower_ball_joint", "upper_ball_joint"),
     "mcpherson": ("lower_ball_joint", "strut_top"),
@@ -60,8 +60,8 @@ _WORDS = {
 }
 BAR = ("arb_pivot", "arb_arm_end", "arb_link_end")
 MIDDLE = {"arb_pivot": "arb_middle", "third_spring_end": "third_spring_middle"}
-"""Points of what reaches over to the other wheel, and their feet on the middle of the car: drawn, and no hardpoints."""
-_USUAL_WIDTH = 0.6  # of the radius
+"""Points of parts that extend to the other wheel, and their projections on the centre plane (not hardpoints)."""
+_USUAL_WIDTH = 0.6  # relative to the radius
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ class Part:
 
     @property
     def words(self) -> str:
-        """The name as people write it."""
+        """Name in words."""
         return _WORDS.get(self.name) or self.name.replace("_", " ")
 
     @property
@@ -90,12 +90,12 @@ class Part:
 
 @dataclass(frozen=True)
 class Bracket:
-    """A thin line from a hardpoint to the nearest place on the part that carries it."""
+    """A thin line from a hardpoint to the nearest point on the part that carries it."""
 
     point: str
     first: str
     second: str
-    share: float  # the place lies so far from the first hardpoint to the second
+    share: float  # position of the nearest point, from 0 at the first hardpoint to 1 at the second
     colour: str
 
 
@@ -107,14 +107,12 @@ class Scene:
     side: float  # 1 on the left, -1 on the right
     parts: tuple[Part, ...]  # links, arms, upright in the order of drawing; not the strut
     brackets: tuple[Bracket, ...]
-    on_body: frozenset[str]  # hardpoints that stand on the car's body
-    spring: (
-        tuple[str, str] | None
-    )  # hardpoints at its bottom and its top; None where the points hold no strut
+    on_body: frozenset[str]  # hardpoints on the car's body
+    spring: tuple[str, str] | None  # hardpoints at its bottom and top; None without a strut
     damper: tuple[str, str] | None
     steering_axis: (
         tuple[str, str] | None
-    )  # lower and upper hardpoint; None where no two points mark the axis
+    )  # lower and upper hardpoint; None if no two points define the axis
     radius: float  # of the wheel at design
     undeformed_radius: float
     width: float
@@ -127,7 +125,7 @@ class Scene:
 
     @property
     def coil_radius(self) -> float:
-        """Radius in m with which springs are drawn: a third spring, too, and alone where there is no strut."""
+        """Radius in m of drawn springs, including a third spring, even without a strut."""
         widest = 0.3 * self.radius
         return widest if self.spring is None else min(0.1 * self._length(self.spring), widest)
 
@@ -146,18 +144,18 @@ class Scene:
 
 @dataclass(frozen=True)
 class Pose:
-    """One pose: places of shape (3,), m."""
+    """One pose: positions of shape (3,), m."""
 
     points: Mapping[str, Array]
     spin_axis: Array  # unit vector along the wheel's axis, outboard
-    contact: Array  # where the wheel meets the road or, in flight, would meet it
+    contact: Array  # contact point with the road, or in flight its projection
     ground: float  # height of the road there
-    touches: bool = True  # whether the tyre carries anything
+    touches: bool = True  # whether the tyre carries load
     label: str = ""  # e.g. "wheel travel 20 mm"
 
 
 def require_corner(rig: object) -> Corner:
-    """Give a rig that has hardpoints; refuse all others."""
+    """Return a rig that has hardpoints; refuse all others."""
     from jounce.parts.corners import Corner
 
     if not isinstance(rig, Corner):
@@ -170,7 +168,7 @@ def require_corner(rig: object) -> Corner:
 
 
 def scene_of(rig: Corner) -> Scene:
-    """Make the scene of a 3-D rig; its equations tell which points are fixed to the body."""
+    """Make the scene of a 3-D rig; its equations determine which points are fixed to the body."""
     require_corner(rig)
     from jounce.parts.leverage import AXES
 
@@ -213,7 +211,7 @@ _known: Recent[_Carried] = Recent()
 
 
 def _trace_linkage(rig: Corner) -> _Carried:
-    """Lines to draw, the body of each hardpoint, and the bodies fixed to the car; computed once per structure."""
+    """Return lines to draw, the body of each hardpoint, and the bodies fixed to the car; cached per structure."""
     from jounce.mechanics import Mechanism
     from jounce.models.corner import suspension
     from jounce.parts.rig import structure_of
@@ -233,7 +231,7 @@ def _brackets(
     owners: Mapping[str, str],
     names: Mapping[str, tuple[float, float, float]],
 ) -> tuple[Bracket, ...]:
-    """Connect every point that its part's line does not reach; the rocker's axis is shown in the same way."""
+    """Connect each point that is not on the line of its part; the rocker's axis is shown in the same way."""
     by_name = {part.name: part for part in parts}
     brackets = []
     for name, owner in owners.items():
@@ -259,7 +257,7 @@ def _brackets(
 def _bracket_to(
     names: Mapping[str, tuple[float, float, float]], name: str, first: str, second: str, colour: str
 ) -> tuple[float, Bracket]:
-    """Distance in m of a point from the line between two others, and the bracket between."""
+    """Return the distance in m of a point from the line through two others, and the bracket to it."""
     point, start, end = (np.array(names[key]) for key in (name, first, second))
     along = end - start
     square = float(along @ along)
@@ -284,7 +282,7 @@ def _design(rig: Corner) -> Pose:
 
 
 def with_middle(points: dict[str, Array]) -> dict[str, Array]:
-    """Add the points on the middle of the car of parts that reach over to the other wheel."""
+    """Add the points on the centre plane of parts that extend to the other wheel."""
     flat = np.array([1.0, 0.0, 1.0])
     known = points.keys() - (
         {"arb_pivot"} if "arb_axis" in points else set()
@@ -293,7 +291,7 @@ def with_middle(points: dict[str, Array]) -> dict[str, Array]:
 
 
 def spin_axes(camber: Array, steer: Array, side: float) -> Array:
-    """Unit vectors along the wheel's axis, outboard, shape (..., 3), of camber and steer (rad) on a side (1 left)."""
+    """Return outboard unit vectors of wheel axes, shape (..., 3), from camber and steer (rad) and side (1 left)."""
     level = np.cos(camber)
     return np.stack(
         [-side * np.sin(steer) * level, side * np.cos(steer) * level, -np.sin(camber)], axis=-1
@@ -301,25 +299,25 @@ def spin_axes(camber: Array, steer: Array, side: float) -> Array:
 
 
 def contact_points(centre: Array, axis: Array, radius: float) -> Array:
-    """Contact points of wheels, shape (..., 3), m, of centre and axis of that shape and radius in m."""
+    """Return contact points of wheels, shape (..., 3), m, from centres and axes of that shape and a radius in m."""
     down, _ = towards_road(np.moveaxis(axis, -1, 0), (0.0, 0.0, 1.0))
     return np.asarray(centre + radius * np.stack(down, axis=-1))
 
 
 @dataclass(frozen=True)
 class Poses:
-    """Many poses, over travel or over time: places of shape (n, 3), m, and values of shape (n,), SI."""
+    """Poses over travel or time: positions of shape (n, 3), m, and values of shape (n,), SI."""
 
     points: Mapping[str, Array]
     spin_axis: Array
     contact: Array
     ground: Array
     touches: NDArray[np.bool_]
-    over: Array  # what the poses are counted by
-    words: str  # what that is
+    over: Array  # coordinate of the poses
+    words: str  # name of that coordinate
     unit: str  # its SI unit
     in_time: bool  # a run over time rather than a sweep
-    signals: Mapping[str, Array] = field(default_factory=dict)  # everything else known of each pose
+    signals: Mapping[str, Array] = field(default_factory=dict)  # other values of each pose
     signal_units: Mapping[str, str] = field(default_factory=dict)
     signal_words: Mapping[str, str] = field(default_factory=dict)
 
@@ -338,7 +336,7 @@ class Poses:
         return f"{self.words} {text.replace('-', '−')} {self.display.name}"
 
     def pose(self, k: int) -> Pose:
-        """Give pose ``k``."""
+        """Return pose ``k``."""
         points = {name: place[k] for name, place in self.points.items()}
         return Pose(
             points,
@@ -350,7 +348,7 @@ class Poses:
         )
 
     def subset(self, index: Any) -> Poses:
-        """Only some of them, as numpy indexes."""
+        """Return a selection of poses by a numpy index."""
         return replace(
             self,
             points={name: place[index] for name, place in self.points.items()},
@@ -363,7 +361,7 @@ class Poses:
         )
 
     def nearest(self, value: float, where: str) -> int:
-        """Index of the pose nearest to a value of ``over`` in its SI unit; values outside are refused."""
+        """Return the index of the pose nearest to a value of ``over`` in SI; refuse values outside its range."""
         low, high = float(self.over.min()), float(self.over.max())
         if not low - 1e-9 <= value <= high + 1e-9:
             show = self.display
@@ -378,10 +376,10 @@ class Poses:
 
 
 def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
-    """Read all poses in which everything is known from a sweep or a run.
+    """Read all complete poses from a sweep or a run.
 
-    It holds ``<hardpoint>.x``, ``.y``, ``.z`` (m, ground axes), camber and steer (rad; of an axle those of its wheel)
-    over one dimension.
+    ``data`` has ``<hardpoint>.x``, ``.y``, ``.z`` (m, ground axes), camber and steer (rad; for an axle, those of this
+    wheel) over one dimension.
     """
     dimension = _dimension(data)
     in_time = dimension == "time"
@@ -404,7 +402,7 @@ def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
             contact[:, i] = series.get(name, contact[:, i])
     if in_time and "road.z" in series:
         ground = series["road.z"]
-        contact[:, 2] = np.maximum(contact[:, 2], ground)  # the tyre is pressed flat
+        contact[:, 2] = np.maximum(contact[:, 2], ground)  # the tyre is flattened
     else:
         ground = contact[:, 2].copy()
     force = series.get("tyre.force")
@@ -456,7 +454,7 @@ def _dimension(data: xr.Dataset) -> str:
 def _tracks(
     rig: Corner, scene: Scene, data: xr.Dataset, dimension: str, *, in_time: bool
 ) -> dict[str, Array]:
-    """Places of every hardpoint, shape (n, 3); on a body that stands still, those not in the data are at design."""
+    """Positions of all hardpoints, shape (n, 3); missing ones on a body at rest are at their design position."""
     count = data.sizes[dimension]
     places, missing = {}, []
     for name, design in rig.hardpoints.given().items():
@@ -468,7 +466,7 @@ def _tracks(
             )
         elif name in scene.on_body and (not in_time or rig.guide == "fixed"):
             places[name] = np.broadcast_to(np.array(design), (count, 3))
-        elif name not in (*BAR, "arb_axis"):  # a run does not know where its bar is
+        elif name not in (*BAR, "arb_axis"):  # a run does not contain the position of its bar
             missing.append(name)
     if missing:
         raise RecordingError(
@@ -491,7 +489,7 @@ def _first(series: Mapping[str, Array], names: tuple[str, ...]) -> Array:
 
 
 def _counted_by(series: Mapping[str, Array], dimension: str) -> str:
-    """Name of the variable that orders a dimension without coordinates."""
+    """Return the name of the variable that orders a dimension without coordinates."""
     for name in ("wheel_travel", "rack_travel", "roll_angle"):
         if name in series:
             return name
@@ -501,20 +499,20 @@ def _counted_by(series: Mapping[str, Array], dimension: str) -> str:
 
 
 REACH = 3.2
-"""How much of the road is shown behind and ahead of the wheel, in its radii."""
-_VISIBLE = 2e-5  # m: a road drawn in so many lines looks round
+"""Length of the road shown behind and ahead of the wheel, in wheel radii."""
+_VISIBLE = 2e-5  # m: a curve drawn with this error looks smooth
 
 
 @dataclass(frozen=True)
 class Roadway:
     """Height of a road over distance, and the distance driven at each pose; m."""
 
-    distance: Array  # corners of the line, ascending; jumps stand upright
+    distance: Array  # corners of the line, ascending; jumps are vertical
     height: Array
     driven: Array
 
     def line(self, k: int, reach: float, x: float) -> Array:
-        """Give x and z (m), shape (m, 2), of the road within ``reach`` (m) of a wheel at ``x`` (m) in pose ``k``."""
+        """Return x and z (m), shape (m, 2), of the road within ``reach`` (m) of a wheel at ``x`` (m) in pose ``k``."""
         first, last = self.driven[k] - reach, self.driven[k] + reach
         inside = (self.distance > first) & (self.distance < last)
         ends = np.interp([first, last], self.distance, self.height)
@@ -524,9 +522,9 @@ class Roadway:
 
 
 def roadway_of(trial: Trial, time: Array, radius: float) -> Roadway | None:
-    """Lay the road of a trial under a wheel of this radius (m) at the times (s) of its poses.
+    """Return the road of a trial under a wheel with this radius (m) at the times (s) of its poses.
 
-    None for an excitation: its plate only goes up and down.
+    Returns None for an excitation, whose plate only moves vertically.
     """
     if trial.road is None or trial.speed is None:
         return None
@@ -544,7 +542,7 @@ def roadway_of(trial: Trial, time: Array, radius: float) -> Roadway | None:
 
 
 def _bends(distance: Array, height: Array) -> NDArray[np.bool_]:
-    """Mask of the points of a line that are needed to see it; those on the straight between neighbours are not."""
+    """Mask of the points needed to draw a line; points on the straight between their neighbours are dropped."""
     needed = np.ones(len(distance), dtype=bool)
     while True:
         at = np.flatnonzero(needed)
