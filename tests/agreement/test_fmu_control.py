@@ -258,7 +258,7 @@ def test_an_element_without_equilibrium_or_stability_is_refused(stiff_and_soft, 
             rate=200.0,
         )
     with pytest.raises(
-        jn.SimulationError, match="the rig has no tyre that a force could take the place of"
+        jn.SimulationError, match="the rig has no tyre that a force could replace"
     ):
         element(jn.load("audi-a6-half-car"), "tyre")
 

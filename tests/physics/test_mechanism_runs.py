@@ -135,7 +135,7 @@ def test_a_pendulum_that_rests_upside_down_is_told(angle, rests, falls):
         mechanism, 0.1, start={"pivot.angle": angle}, at_rest=True, output_step=0.1
     )
     assert float(run["pivot.angle"][0]) == pytest.approx(rests, abs=1e-9)
-    told = [text for text in run.attrs["findings"] if "balanced at an unstable point" in text]
+    told = [text for text in run.attrs["findings"] if "in unstable equilibrium" in text]
     assert [text.split(": ")[1] for text in told] == ["pivot.angle"] * falls
 
 
@@ -145,7 +145,7 @@ def _told_of_a_top(mechanism, **options) -> list[str]:
     return [
         text.split(": ")[1]
         for text in run.attrs["findings"]
-        if "balanced at an unstable point" in text
+        if "in unstable equilibrium" in text
     ]
 
 
@@ -250,7 +250,7 @@ def test_a_tolerance_that_rounding_forbids_is_said_whatever_the_duration(
         return
     run = jn.simulate_mechanism(mechanism, duration, **given, tolerance=fine)
     *_, finding = run.attrs["findings"]
-    assert f"tolerance: {fine:g} is below what rounding allows here" in finding
+    assert f"tolerance: {fine:g} is below rounding accuracy here" in finding
     assert f"; {advised:g} needs only a few" in finding
     assert run.attrs["steps"] > 5 * free.attrs["steps"]
     pace = np.sqrt(2e3)  # two of the springs lie along each axis

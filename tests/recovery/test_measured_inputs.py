@@ -128,7 +128,7 @@ def test_missing_channels_are_said(tmp_path):
 
 
 def test_what_cannot_be_is_refused():
-    with pytest.raises(SimulationError, match="no actuator whose force"):
+    with pytest.raises(SimulationError, match="no actuator for a given force"):
         jn.simulate(
             jn.load("audi-a6-half-car"), jn.Trial(duration=1.0, **base_motion(), **actuator())
         )

@@ -31,8 +31,8 @@ _built: Recent[Model] = Recent()
 def build(rig: Rig, *, detail: bool = False, actuator: AnyActuator | None = None) -> Model:
     """Return the symbolic model of a rig; rigs that differ in numbers only share one.
 
-    With ``detail`` 3-D corners, and cars on them, show hardpoints, joint reactions and energies, too; other rigs have
-    no more. With an ``actuator`` every strut has one, and an input ``command``; only its structure matters.
+    With ``detail``, 3-D corners and cars on them also output hardpoints, joint reactions and energies; it has no effect
+    on other rigs. With an ``actuator`` every strut has one, and an input ``command``; only its structure matters.
     """
     key = (
         structure_of(rig),

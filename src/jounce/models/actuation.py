@@ -26,10 +26,10 @@ def controlled_force(
     velocity: ca.SX,
     passive: Callable[[], ca.SX],
 ) -> ca.SX:
-    """Force (N, compression positive) of the damper of a strut and its actuator; adds ``command`` and what it shows.
+    """Return the force (N, compression positive) of a strut's damper and actuator; add ``command`` and its outputs.
 
-    To be called within the place of the wheel; of the actuator only the structure matters. ``passive`` gives the force
-    of the strut's own damper, and is called only where that damper is there.
+    Call it within the prefix of the wheel. Only the structure of the actuator matters. ``passive`` returns the force of
+    the strut's own damper, and is called only if that damper remains.
     """
     if actuator is None or (isinstance(actuator, ActiveActuator) and actuator.in_place_of):
         return passive()
@@ -56,11 +56,11 @@ def element_force(
     rate: ca.SX,
     acting: ca.SX | float = 1.0,
 ) -> ca.SX:
-    """Force (N, compression positive) of an element, where an actuator is in its place: its own and the command.
+    """Return the force (N, compression positive) of an element, plus the command if an actuator replaces it.
 
-    The command is what the other force is more than the ``own`` one, which so bridges the time until the next command,
-    and lets statics and events see a stiffness. ``rate`` is that of the deflection (m/s); ``acting`` is 1 where the
-    element's own law holds, 0 where it is out of contact.
+    The command is the difference between the replacing force and the ``own`` force. The latter thus bridges the time
+    until the next command and gives statics and events a stiffness. ``rate`` is that of the deflection (m/s);
+    ``acting`` is 1 while the element's own law applies, 0 while it is out of contact.
     """
     if not isinstance(actuator, ActiveActuator) or actuator.in_place_of != what:
         return own
@@ -77,7 +77,7 @@ def element_force(
     system.output(
         f"actuator.{RATE}", rate, "m/s", f"deflection rate of the {what}, compression positive"
     )
-    if what != "tyre":  # whose force is ``tyre.force``, with lift-off
+    if what != "tyre":  # its force is ``tyre.force``, with lift-off
         system.output(
             "actuator.force",
             own + command,
@@ -104,7 +104,7 @@ _COMMANDS = {
 
 
 def _lagged_command(system: System, lags: bool, name: str, command: ca.SX) -> ca.SX:
-    """A command after a first-order lag, or without delay."""
+    """Return a command after a first-order lag, or without delay."""
     if not lags:
         return command
     state = system.internal_state(name)

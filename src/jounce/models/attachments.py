@@ -1,4 +1,4 @@
-"""Force elements of a 3-D suspension: the strut's, bars and third spring, rocker, tyre."""
+"""Force elements of a 3-D suspension: strut, bars and third spring, rocker, tyre."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from jounce.parts.leverage import AXES
 
 
 def add_rocker(linkage: Linkage) -> None:
-    """Hang a rocker on the body and a push rod between it and the suspension."""
+    """Add a rocker to the body and a push rod between it and the suspension."""
     rig = linkage.rig
     if getattr(rig.hardpoints, "rocker_pivot", None) is None:
         return
@@ -49,7 +49,7 @@ def add_rocker(linkage: Linkage) -> None:
 
 
 def add_strut_points(linkage: Linkage) -> None:
-    """Register the bodies that the ends of spring and damper move with."""
+    """Register the bodies to which the ends of spring and damper are attached."""
     rig = linkage.rig
     carrier = linkage.carriers[rig.strut.on]
     for element in ("strut", "spring", "damper"):
@@ -63,7 +63,7 @@ def add_strut_points(linkage: Linkage) -> None:
 
 
 def spring_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
-    """Force of the strut's spring (N, compression positive); none where a torsion bar takes its place."""
+    """Return the force of the strut's spring (N, compression positive); zero if a torsion bar replaces it."""
     if "spring" not in linkage.rig.lacks and "spring" in linkage.rig.without:
         return ca.SX(0.0)
     return coil_law(
@@ -74,7 +74,7 @@ def spring_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
 def coil_law(
     mechanism: System, spring: CoilSpring, path: str, length: ca.SX, design: ca.SX
 ) -> ca.SX:
-    """Force of a spring (N, compression positive) at a length, which is another one at design (m)."""
+    """Return the force of a spring (N, compression positive) at a length, given its design length (m)."""
     free = spring.free_length is not None
     deflection = mechanism.parameter(f"{path}.free_length") - length if free else design - length
     if spring.curve is not None:
@@ -85,7 +85,7 @@ def coil_law(
 
 
 def winding(linkage: Linkage, body: str) -> ca.SX:
-    """Turn (rad) of an arm, or the rocker, about its axis on the car's body since design; positive in bump."""
+    """Return the rotation (rad) of an arm or the rocker about its axis on the body from design; positive in bump."""
     point = linkage.hardpoint
     first, other, tip = AXES[body]
     pivot = point(first)
@@ -93,7 +93,7 @@ def winding(linkage: Linkage, body: str) -> ca.SX:
     lever = point(tip) - pivot
     out = unit(lever - ca.dot(axis, lever) * axis)
     ahead = ca.cross(axis, out)
-    if body == "rocker":  # a push rod comes up and pushes, a pull rod comes down and pulls
+    if body == "rocker":  # in bump a push rod moves up and pushes, a pull rod moves down and pulls
         rod = point("pushrod_inner") - point("pushrod_outer")
         bump = ca.dot(rod, ahead) * rod[2]
     else:
@@ -106,25 +106,25 @@ def winding(linkage: Linkage, body: str) -> ca.SX:
 
 
 def _directions_of_body(linkage: Linkage, *directions: ca.SX) -> tuple[ca.SX, ...]:
-    """Directions fixed to the car's body, in its current attitude."""
+    """Return directions fixed to the car's body, in its current attitude."""
     return tuple(linkage.chassis.frame.direction(direction).value for direction in directions)
 
 
 def torsion_law(linkage: DescribedSuspension, angle: ca.SX) -> ca.SX:
-    """Torque of the torsion bar (N m), positive against bump."""
+    """Return the torque of the torsion bar (N m), positive against bump."""
     number = linkage.mechanism.parameter
     return number("torsion_bar.preload") + number("torsion_bar.stiffness") * angle
 
 
 def third_end(linkage: Suspension) -> Moving:
-    """End of the third spring on this side."""
+    """Return the end of the third spring on this side."""
     on = linkage.rig.third_spring.on if linkage.rig.third_spring is not None else ""
     end = linkage.hardpoint("third_spring_end")
     return linkage.moving("third_spring_end", lambda whole: whole.carriers[on].frame.point(end))
 
 
 def third_law(linkage: DescribedSuspension, length: ca.SX) -> ca.SX:
-    """Force of the third spring (N, compression positive) at a length (m)."""
+    """Return the force of the third spring (N, compression positive) at a length (m)."""
     third, design = (
         linkage.rig.third_spring,
         2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1],
@@ -134,7 +134,7 @@ def third_law(linkage: DescribedSuspension, length: ca.SX) -> ca.SX:
 
 
 def third_damper_law(linkage: DescribedSuspension, deflection: ca.SX, velocity: ca.SX) -> ca.SX:
-    """Force of the third damper (N, compression positive)."""
+    """Return the force of the third damper (N, compression positive)."""
     assert linkage.rig.third_spring is not None
     damper = linkage.rig.third_spring.damper
     if damper is None:
@@ -143,13 +143,13 @@ def third_damper_law(linkage: DescribedSuspension, deflection: ca.SX, velocity: 
 
 
 def still_third_law(linkage: DescribedSuspension, length: ca.SX) -> ca.SX:
-    """Force of the third damper at rest (N, compression positive) at a length (m)."""
+    """Return the force of the third damper at rest (N, compression positive) at a length (m)."""
     design = 2.0 * linkage.side * linkage.hardpoint("third_spring_end")[1]
     return third_damper_law(linkage, design - length, ca.SX(0.0))
 
 
 def third_deflection(linkage: DescribedSuspension) -> Reached:
-    """Shortening (m) of the third spring while the other wheel moves in parallel."""
+    """Return the shortening (m) of the third spring when the other wheel moves in parallel."""
     third = linkage.rig.third_spring
     assert third is not None
 
@@ -166,12 +166,12 @@ _LEFT = ca.SX([0.0, 1.0, 0.0])
 
 
 def bar_on(linkage: DescribedSuspension) -> str:
-    """Body that the link of the anti-roll bar ends on."""
+    """Return the name of the body to which the anti-roll bar's link is attached."""
     return str(getattr(linkage.rig.anti_roll_bar, "on", "upright"))
 
 
 def link_end(linkage: Suspension) -> Moving:
-    """End of the anti-roll bar's link on the suspension."""
+    """Return the end of the anti-roll bar's link on the suspension."""
     end = linkage.hardpoint("arb_link_end")
     return linkage.moving(
         "arb_link_end", lambda whole: whole.carriers[bar_on(whole)].frame.point(end)
@@ -179,9 +179,10 @@ def link_end(linkage: Suspension) -> Moving:
 
 
 def bar_axis(linkage: DescribedSuspension) -> ca.SX:
-    """Direction of the anti-roll bar's axis on the car's body, to the left (of one across to the left: as given).
+    """Return the direction of the anti-roll bar's axis on the car's body, pointing to the left.
 
-    A T-bar is hinged across the car; its stem twists by as much as both ends of its bar differ.
+    For a bar across the car it is as given. A T-bar is hinged across the car; its stem twists by the difference of the
+    ends of its bar.
     """
     bar = linkage.rig.anti_roll_bar
     if linkage.rig.hardpoints.arb_axis is None or (bar is not None and bar.kind == "t"):
@@ -191,7 +192,7 @@ def bar_axis(linkage: DescribedSuspension) -> ca.SX:
 
 
 def bar_angle(linkage: DescribedSuspension) -> Reached:
-    """Rotation of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
+    """Return the rotation of the anti-roll bar's end about its axis, which points to the left, rad, 0 at design."""
 
     def turn(whole: DescribedSuspension, end: ca.SX) -> ca.SX:
         pivot, arm, link_ends = (
@@ -203,7 +204,7 @@ def bar_angle(linkage: DescribedSuspension) -> Reached:
 
 
 def t_bar_of(left: Suspension, right: Suspension) -> TBar:
-    """T-bar between two suspensions in the same axes."""
+    """Return the T-bar between two suspensions in the same axes."""
     pivot = left.hardpoint("arb_pivot")
     sides = (left, right)
     arms = [side.hardpoint("arb_arm_end") - pivot for side in sides]
@@ -213,7 +214,7 @@ def t_bar_of(left: Suspension, right: Suspension) -> TBar:
 
 
 def bar_stiffness(linkage: DescribedSuspension) -> ca.SX:
-    """Stiffness of the anti-roll bar with its blades in series, N m/rad of twist."""
+    """Return the stiffness of the anti-roll bar with its blades in series, N m/rad of twist."""
     number, bar = linkage.mechanism.parameter, linkage.rig.anti_roll_bar
     stiffness = number("anti_roll_bar.stiffness")
     assert bar is not None
@@ -239,7 +240,7 @@ def bar_stiffness(linkage: DescribedSuspension) -> ca.SX:
 
 
 def stop_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
-    """Force of bump and rebound stops (N, compression positive)."""
+    """Return the force of bump and rebound stops (N, compression positive)."""
     strut = linkage.rig.strut
     bump = bump_stop_force(linkage.mechanism, strut.bump_stop, "strut.bump_stop", line.deflection)
     rebound = bump_stop_force(
@@ -249,7 +250,7 @@ def stop_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
 
 
 def damper_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
-    """Damper force (N, compression positive)."""
+    """Return the damper force (N, compression positive)."""
     mechanism, damper = linkage.mechanism, linkage.rig.strut.damper
     return damper_force(
         mechanism, damper, "strut.damper", line.deflection, -line.rate, length=line.length
@@ -257,24 +258,24 @@ def damper_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
 
 
 def friction_law(linkage: DescribedSuspension, line: ElementLength) -> ca.SX:
-    """Dry friction of the strut (N, compression positive), which stays where an actuator takes the damper's place."""
+    """Return the strut's dry friction (N, compression positive), which remains if an actuator replaces the damper."""
     return friction_force(
         linkage.mechanism, linkage.rig.strut.friction, "strut.friction", -line.rate
     )
 
 
 def undeformed_radius(linkage: DescribedSuspension) -> ca.SX:
-    """Radius of the unloaded tyre, m."""
+    """Return the radius of the unloaded tyre, m."""
     given = linkage.rig.tyre.undeformed_radius is not None
     return linkage.number("tyre.undeformed_radius" if given else "wheel.radius")
 
 
 @dataclass(frozen=True)
 class Pressed:
-    """A tyre on its road: deflection (m), contact force (N, normal to the road), and its point on the upright.
+    """A tyre on its road: deflection (m), contact force (N, normal to the road), and contact point on the upright.
 
-    The point moves as one of the upright does, in the axes that the suspension hangs in; road and point approach each
-    other at the rate ``closing`` (m/s).
+    The point moves with the upright, in the axes of the suspension's carrier; road and point approach each other at the
+    rate ``closing`` (m/s).
     """
 
     deflection: ca.SX
@@ -284,7 +285,7 @@ class Pressed:
 
 
 def loaded_radius(linkage: Suspension, road: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
-    """Distance (m) of a road of that height (m) along the wheel, its direction, and the cosine of the wheel's lean."""
+    """Return distance (m) and direction to a road at a height (m) in the wheel's plane, and cosine of inclination."""
     down, upright = towards_road(linkage.spin_direction.value, linkage.carrier.up)
     return (
         (linkage.carrier.height(linkage.wheel_centre.value) - road) / upright,
@@ -294,7 +295,7 @@ def loaded_radius(linkage: Suspension, road: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX
 
 
 def contact_point(linkage: Suspension, road: ca.SX) -> tuple[Moving, ca.SX]:
-    """Contact point on a road of that height (m), as a moving point of the upright; cosine of the inclination."""
+    """Return the contact point on a road at a height (m), as a point of the upright, and cosine of the inclination."""
     centre, orientation = linkage.wheel_centre, linkage.upright.frame.orientation
     reach, down, upright = loaded_radius(linkage, road)
     arm = reach * down
@@ -305,7 +306,7 @@ def contact_point(linkage: Suspension, road: ca.SX) -> tuple[Moving, ca.SX]:
 
 
 def lowest_point(linkage: Suspension, road: ca.SX) -> ca.SX:
-    """Contact point on a road of that height (m), ground axes; above it where the unloaded wheel does not reach it."""
+    """Return the contact point on a road at a height (m), ground axes; above the road if the wheel is off it."""
     reach, down, _ = loaded_radius(linkage, road)
     if linkage.rig.tyre.lift_off:
         reach = ca.fmin(reach, undeformed_radius(linkage))
@@ -321,9 +322,9 @@ def add_tyre(
 ) -> Pressed:
     """Add the tyre's force on the wheel, by default with the ``law`` of its description.
 
-    A vertical one pushes the wheel's centre up. A radial one is pressed in along the wheel's plane, by the distance h
-    of road and centre over the cosine c of the lean: it stores V(R - h / c), and the road, without friction, pushes its
-    normal force F / c at the contact point, which rises by -c for each metre of deflection.
+    A vertical tyre pushes the wheel's centre up. A radial tyre deflects in the wheel's plane: with the height h of the
+    centre above the road and the cosine c of the inclination it stores V(R - h / c), and the frictionless road exerts
+    the normal force F / c at the contact point, which rises by -c for each metre of deflection.
     """
     rig, mechanism, carrier = linkage.rig, linkage.mechanism, linkage.carrier
     point, upright = linkage.wheel_centre, ca.SX(1.0)
@@ -345,6 +346,6 @@ def tyre_law(
     rate: ca.SX,
     actuator: AnyActuator | None = None,
 ) -> ca.SX:
-    """Force (N) of the tyre, or of what is in its place, along its deflection (m), which has a rate (m/s)."""
+    """Return the force (N) of the tyre, or of its replacement, at a deflection (m) and its rate (m/s)."""
     law = replaced_tyre(linkage.mechanism, actuator, rate)
     return tyre_force(linkage.mechanism, linkage.rig.tyre, deflection, rate, law)

@@ -1,8 +1,8 @@
 """Poses of anti-roll bars: an arm about an axis held by a link, and a T-bar held by the links of both wheels.
 
-A T-bar is a stem, hinged across the car, with a bar across its end. Its hinge and twist follow from the places where
-both links end on the suspensions. There is no closed formula: a fixed number of Newton's steps is written out, the
-first ones at places between design and the pose. Rates are those for constant link lengths.
+A T-bar is a stem, hinged across the car, with a bar across its end. Its hinge angle and twist follow from the ends of
+the two links on the suspensions. There is no closed form: a fixed number of Newton steps is unrolled, the first ones at
+positions between the design pose and the pose. Rates are those for constant link lengths.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ _ACROSS = ca.SX([0.0, 1.0, 0.0])
 
 @dataclass(frozen=True)
 class Swing:
-    """Angles (rad) of an arm about an axis at which a link of fixed length reaches a place.
+    """Angles (rad) of an arm about an axis at which a link of fixed length reaches a point.
 
-    They are ``middle`` and to one ``branch`` (1, -1) of it the arc whose cosine is ``cosine``.
+    The angle is ``middle`` plus ``branch`` (1 or -1) times the arc cosine of ``cosine``.
     """
 
     middle: ca.SX
@@ -36,7 +36,7 @@ class Swing:
 
     @classmethod
     def of(cls, axis: ca.SX, arm: ca.SX, far: ca.SX, end: ca.SX) -> Swing:
-        """Arm and far end of its link at design, and where that end is now, all in m from a point of the axis."""
+        """Create from design positions of arm and far link end, and that end's position, all m from the axis."""
         link, along = far - arm, ca.dot(axis, arm)
 
         def parts(d: ca.SX) -> tuple[ca.SX, ca.SX]:
@@ -50,17 +50,17 @@ class Swing:
 
     @property
     def angle(self) -> ca.SX:
-        """Turn since design, right-handed; NaN where the link does not reach."""
+        """Return the rotation from design, right-handed; NaN if the link does not reach."""
         return self.middle - self.branch * ca.acos(self.cosine)
 
 
 @dataclass(frozen=True)
 class TBar:
-    """Pose of a T-bar, in axes of the car's body from where its stem is hinged.
+    """Pose of a T-bar, in axes of the car's body with the origin at the stem's hinge.
 
-    ``hinge`` (rad, about +y) and ``twist`` (rad, about the stem) are no numbers where the links do not reach. ``tips``
-    are the ends of the bar (m), ``ways`` unit vectors along the links from there on, left and right; ``levers`` (2, 2)
-    are the rates of each link's length (rows) for unit rates of hinge and twist (columns), m/rad.
+    ``hinge`` (rad, about +y) and ``twist`` (rad, about the stem) are NaN if the links do not reach. ``tips`` are the
+    ends of the bar (m), ``ways`` unit vectors from there along the links, left and right; ``levers`` (2, 2) are the
+    rates of each link's length (rows) for unit rates of hinge and twist (columns), m/rad.
     """
 
     hinge: ca.SX
@@ -71,17 +71,17 @@ class TBar:
 
     @property
     def twist_slopes(self) -> tuple[ca.SX, ca.SX]:
-        """Slopes of the twist along the places of the links' far ends, rad/m: the links keep their lengths."""
+        """Return slopes of the twist by the positions of the links' far ends, rad/m, at constant link lengths."""
         (a, b), (c, d) = (ca.horzsplit(row) for row in ca.vertsplit(self.levers))
         gap = a * d - b * c
         return -c / gap * self.ways[0], a / gap * self.ways[1]
 
 
 def t_bar(stem: ca.SX, arms: Sequence[ca.SX], far: Sequence[ca.SX], ends: Sequence[ca.SX]) -> TBar:
-    """Close a T-bar.
+    """Return the pose of a T-bar with closed links.
 
-    ``stem``, its ``arms`` (ends of the bar) and ``far`` (the links' far ends) are places at design, ``ends`` those
-    where the far ends are; all in m from where the stem is hinged, left before right.
+    ``stem``, its ``arms`` (ends of the bar) and ``far`` (the links' far ends) are design positions, ``ends`` the
+    current positions of the far ends; all in m from the stem's hinge, left before right.
     """
     along = unit(stem)
     lengths = [ca.dot(end - arm, end - arm) for arm, end in zip(arms, far, strict=True)]
@@ -89,7 +89,7 @@ def t_bar(stem: ca.SX, arms: Sequence[ca.SX], far: Sequence[ca.SX], ends: Sequen
     for share in (
         *_ON_THE_WAY,
         *[1.0] * _STEPS,
-    ):  # from design, so that it is the assembly that the design has
+    ):  # from design, to stay on the design's assembly branch
         placed = [start + share * (end - start) for start, end in zip(far, ends, strict=True)]
         tips, links, levers = _ends_and_links(along, arms, placed, hinge, twist)
         off = [
@@ -115,7 +115,7 @@ def t_bar(stem: ca.SX, arms: Sequence[ca.SX], far: Sequence[ca.SX], ends: Sequen
 
 @cache
 def t_bar_function() -> ca.Function:
-    """The T-bar as a function of numbers: hinge, twist, tips, ways (3, 2) and levers, of the arguments as (3, 2)."""
+    """Return the T-bar as a numeric function: hinge, twist, tips, ways (3, 2) and levers of arguments (3, 2)."""
     stem = ca.SX.sym("stem", 3)
     pairs = [ca.SX.sym(name, 3, 2) for name in ("arms", "far", "ends")]
     bar = t_bar(stem, *(ca.horzsplit(pair) for pair in pairs))
@@ -126,7 +126,7 @@ def t_bar_function() -> ca.Function:
 def _ends_and_links(
     along: ca.SX, arms: Sequence[ca.SX], ends: Sequence[ca.SX], hinge: ca.SX, twist: ca.SX
 ) -> tuple[list[ca.SX], list[ca.SX], list[tuple[ca.SX, ca.SX]]]:
-    """Ends of the bar, links from there, and what hinge and twist do to half of each link's squared length, negated."""
+    """Return the bar's ends, links, and negated slopes of half the squared link lengths by hinge and twist."""
     stem = rotate(along, _ACROSS, hinge)
     tips = [rotate(rotate(arm, along, twist), _ACROSS, hinge) for arm in arms]
     links = [end - tip for end, tip in zip(ends, tips, strict=True)]

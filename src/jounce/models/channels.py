@@ -1,4 +1,4 @@
-"""Channels of models: those that many models have, and all optional ones of a 3-D corner."""
+"""Channels of models: those shared by many models, and the optional ones of a 3-D corner."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from jounce.mechanics import Mechanism, System
 from jounce.models.linkage import Linkage
 
 TURNS = {"pitch": "nose down", "roll": "right side down"}
-"""Angles of a body, and their signs."""
+"""Angles of a body and their sign conventions."""
 
 
 def show_height(system: System, name: str, z: ca.SX, text: str, height: str = ", height") -> None:
@@ -70,7 +70,7 @@ def show_point(system: System, name: str, place: ca.SX) -> None:
 
 
 def show_reactions(mechanism: Mechanism) -> None:
-    """Add channels of force and torque of every joint on its second body, N and N m, ground axes."""
+    """Add channels of every joint's force and torque on its second body, N and N m, ground axes."""
     for joint in (*mechanism.joints, *mechanism.closures):
         mechanism.watch_reaction(joint)
 
@@ -89,15 +89,15 @@ def show_energy(
 ) -> None:
     """Add energy channels, J: kinetic, of weights, stored or dissipated by each element, and supplied by the road.
 
-    ``elements`` has the force (N) and the rate (m/s) of each element.
+    ``elements`` maps each element to its force (N) and rate (m/s).
     """
     mechanism = linkage.mechanism
     mechanism.watch_energy()
     powers = {
-        name: (force * rate, f"energy taken up by the {name}")
+        name: (force * rate, f"energy absorbed by the {name}")
         for name, (force, rate) in elements.items()
     }
-    powers["road"] = road_power, "energy put in by the road"
+    powers["road"] = road_power, "energy supplied by the road"
     for name, (power, text) in powers.items():
         channel = f"energy.{name}"
         taken = mechanism.internal_state(channel)

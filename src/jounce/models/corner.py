@@ -69,10 +69,10 @@ def suspension(
     guide: str | None = None,
     rack: Track | ca.SX | None = None,
 ) -> Linkage:
-    """Hang the bodies of a suspension into a mechanism; only the structure of the description matters.
+    """Add the bodies of a suspension to a mechanism; only the structure of the description matters.
 
     ``guide`` ("fixed", "vertical", "vertical+spherical") is the constraint of the body, and ``rack`` is the travel of
-    the rack (m); both are the description's own where they are not given.
+    the rack (m); by default those of the description.
     """
     return build_linkage(rig, mechanism, hang_on_guide(mechanism, guide or rig.guide), rack=rack)
 
@@ -87,7 +87,7 @@ def build_linkage(
     turned: ca.SX | float = 1.0,
     kind: type[_AnyLinkage] = Linkage,  # type: ignore[assignment]
 ) -> _AnyLinkage:
-    """Hang the bodies of a suspension on a body, ``ahead`` (m) along x, on the other side where ``turned`` is -1."""
+    """Add a suspension to a body, shifted by ``ahead`` (m) along x; a ``turned`` of -1 puts it on the opposite side."""
     steering = getattr(rig, "steering", None)
     if rack is None and steering is not None:
         rack = mechanism.parameter("steering.rack_travel")
@@ -105,8 +105,8 @@ def build_linkage(
 def corner(rig: Corner, *, detail: bool = False, actuator: AnyActuator | None = None) -> Model:
     """Write the equations of a 3-D corner; they depend only on the structure of ``rig``.
 
-    With ``detail`` the outputs also include all hardpoints, joint reactions and energies. An ``actuator`` sits in the
-    line of the damper.
+    With ``detail`` the outputs also include all hardpoints, joint reactions and energies. An ``actuator`` acts along
+    the damper.
     """
     rig.require("bodies", "spring", "damper", "tyre", what="how it moves")
     mechanism = Mechanism()
@@ -156,7 +156,7 @@ def strut_forces(
     damper: ElementLength,
     actuator: AnyActuator | None = None,
 ) -> tuple[ca.SX, ca.SX]:
-    """Forces (N, compression positive) of spring and stops, and of damper (or actuator) and friction; show them."""
+    """Return and output forces (N, compression positive) of spring and stops, and of damper (actuator) and friction."""
     mechanism = linkage.mechanism
     elastic, stops = spring_law(linkage, spring), stop_law(linkage, spring)
     if "spring" not in linkage.rig.without:
@@ -174,7 +174,7 @@ def strut_forces(
 
 
 def add_torsion_bar(linkage: DescribedSuspension) -> dict[str, tuple[ca.SX, ca.SX]]:
-    """Add the torsion bar; return its torque (N m) and the rate (rad/s) that winds it up."""
+    """Add the torsion bar; return its torque (N m) and winding rate (rad/s)."""
     mechanism, bar = linkage.mechanism, linkage.rig.torsion_bar
     if bar is None:
         return {}
@@ -223,7 +223,7 @@ def show_bar(mechanism: System, twist: ca.SX, torque: ca.SX) -> None:
         "anti_roll_bar.twist",
         twist,
         "rad",
-        "twist of the anti-roll bar from design, as its right end",
+        "twist of the anti-roll bar from design, positive as its right end",
     )
     mechanism.output(
         "anti_roll_bar.torque",
@@ -249,7 +249,7 @@ def show_third_spring(mechanism: System, deflection: ca.SX, force: ca.SX) -> Non
 def show_motions(linkage: DescribedSuspension, centre: ca.SX, heave: ca.SX | None = None) -> None:
     """Add channels of body, wheel and its angles, and the guide's friction; heights (m) are relative to design.
 
-    ``heave`` is that of the body, by default the guide's.
+    ``heave`` is the body's displacement, by default the guide's.
     """
     mechanism = linkage.mechanism
     bodies = [("unsprung", centre, "wheel centre")]

@@ -1,7 +1,7 @@
 """Full car on four 3-D corners: the body heaves, pitches and rolls, its suspensions are mechanisms.
 
-Driving loads act as they do on the car: inertia of every body, and forces at the contact patches that share it among
-the wheels by their loads. A constraint against sliding and yawing takes the small remainder.
+Driving loads act as on a real car: inertia of every body, and reacting forces at the contact patches, distributed in
+proportion to the wheel loads. A constraint against sliding and yawing takes the small remainder.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ _UP, _FORWARD, _LEFT = (
 
 @dataclass(frozen=True)
 class _CornerOnRoad:
-    """A corner on the road, with its travel against the body in m; ``scope`` prefixes its names and parameters."""
+    """A corner on the road, with its travel relative to the body in m; ``scope`` prefixes its names and parameters."""
 
     scope: tuple[str, str]
     linkage: Suspension
@@ -69,9 +69,9 @@ def full_car_3d(
 ) -> Model:
     """Write the equations of a full car on 3-D corners; they depend only on the structure of ``vehicle``.
 
-    With ``detail`` the outputs hold hardpoints and contact point of every corner, all joint reactions and the energy of
-    motion and of weights, too. ``hang`` adds a corner in the axes of the body, with arguments as ``build_linkage``
-    has them.
+    With ``detail`` the outputs also include hardpoints and contact point of every corner, all joint reactions, and the
+    kinetic and gravitational energy. ``hang`` adds a corner in the axes of the body; its arguments are those of
+    ``build_linkage``.
     """
     mechanism = Mechanism()
     mechanism.gravity = mechanism.parameter("gravity")
@@ -92,7 +92,7 @@ def full_car_3d(
     _grip(mechanism, body, drive, wheels)
     if detail:
         _show_detail(mechanism, wheels)
-    # Without their linkages, axles differ in little.
+    # Apart from their linkages, axles hardly differ.
     alike = hang is not build_linkage or structure_of(axles["front"]) == structure_of(axles["rear"])
     names = [(f"{name}_{side}", name) for name in axles for side in _SIDES]
     mechanism.alike(names, [(0, 1, 2, 3)] if alike else [(0, 1), (2, 3)])
@@ -100,7 +100,7 @@ def full_car_3d(
 
 
 def _body(mechanism: Mechanism, vehicle: FullCar3D) -> Body:
-    """The body on its freedoms: heave and two turns about its centre, or heave and any turn about a joint."""
+    """Add the body with heave and two rotations about its centre, or heave and any rotation about a joint."""
     number = mechanism.parameter
     centre = ca.vertcat(0.0, 0.0, number("body.height"))
     pitch_inertia = number("body.pitch_inertia")
@@ -133,7 +133,7 @@ def _body(mechanism: Mechanism, vehicle: FullCar3D) -> Body:
 
 
 def _show_body(mechanism: Mechanism, height: ca.SX, pitch: ca.SX, roll: ca.SX) -> None:
-    """Let the body be seen; pitch is the turn about the car's y axis, then roll about its own x axis."""
+    """Add channels of the body; pitch is the rotation about the car's y axis, then roll about its own x axis."""
     show_height(
         mechanism, "body", height, "centre of gravity of the body", ", z; from the design position"
     )
@@ -150,7 +150,7 @@ def _corner(
     actuator: AnyActuator | None,
     hang: Callable[..., Suspension],
 ) -> _CornerOnRoad:
-    """Add one corner in the axes of the body, on its road."""
+    """Add a corner in the axes of the body, on its road."""
     distance = mechanism.parameter(f"{name}.distance")
     scope = f"{name}_{side}", f"{name}.corner"
     with mechanism.within(*scope):
@@ -177,7 +177,7 @@ def _corner(
 
 
 def _show_detail(mechanism: Mechanism, wheels: list[_CornerOnRoad]) -> None:
-    """Let places, reactions of joints and energies be seen."""
+    """Add channels of positions, joint reactions and energies."""
     for wheel in wheels:
         assert isinstance(wheel.linkage, Linkage)
         with mechanism.within(*wheel.scope):
@@ -189,7 +189,7 @@ def _show_detail(mechanism: Mechanism, wheels: list[_CornerOnRoad]) -> None:
 
 
 def _anti_roll_bar(pair: list[_CornerOnRoad], rate: ca.SX) -> None:
-    """Let a bar (N/m) push down the wheel that travels further, and the other one up."""
+    """Add a bar (N/m) that pushes the wheel with more travel down and the other wheel up."""
     twist = rate * (pair[0].travel - pair[1].travel)
     for wheel in pair:
         down = ca.vertcat(0.0, 0.0, -twist * wheel.linkage.side)
@@ -197,7 +197,7 @@ def _anti_roll_bar(pair: list[_CornerOnRoad], rate: ca.SX) -> None:
 
 
 def _described_bar(mechanism: Mechanism, pair: list[_CornerOnRoad]) -> None:
-    """Let the anti-roll bar that the corner describes twist by the difference of its ends, a Z-bar by their sum."""
+    """Add the corner's anti-roll bar, twisted by the difference of its ends' rotations, or a Z-bar, by their sum."""
     bar = pair[0].linkage.rig.anti_roll_bar
     if bar is None:
         return
@@ -242,7 +242,7 @@ def _third_spring(mechanism: Mechanism, pair: list[_CornerOnRoad]) -> None:
 
 
 def _driving(mechanism: Mechanism, body: Body) -> ca.SX:
-    """Let a pitch moment, a deceleration and a lateral acceleration act; return the inertia of the latter, m/s^2."""
+    """Apply pitch moment, deceleration and lateral acceleration; return the inertial field, m/s^2."""
     moment = mechanism.track("pitch_moment").value
     mechanism.apply_torque(body, moment * _LEFT)
     mechanism.output(
@@ -258,7 +258,7 @@ def _driving(mechanism: Mechanism, body: Body) -> ca.SX:
 
 
 def _grip(mechanism: Mechanism, body: Body, drive: ca.SX, wheels: list[_CornerOnRoad]) -> None:
-    """Apply the road's forces against the inertia of driving (m/s^2), at each wheel by its share of the load."""
+    """Apply the road's forces that react the inertia of driving (m/s^2), at each wheel by its share of the load."""
     assert body.mass_properties is not None
     mass = sum((wheel.linkage.mass for wheel in wheels), body.mass_properties.mass)
     loads = sum((wheel.tyre.force for wheel in wheels), ca.SX(0.0))

@@ -18,27 +18,27 @@ from jounce.parts.corners import Corner
 
 
 class DescribedSuspension(ABC):
-    """A suspension as its force laws need it: the parameters of its description, and quantities of its pose."""
+    """A suspension as seen by its force laws: the parameters of its description, and quantities of its pose."""
 
     rig: Corner  # only its structure matters, its numbers are parameters
     mechanism: System
-    ahead: ca.SX | float = 0.0  # how far the whole corner is moved along x, m
-    turned: ca.SX | float = 1.0  # -1 for a suspension on the opposite side of its description
+    ahead: ca.SX | float = 0.0  # shift of the whole corner along x, m
+    turned: ca.SX | float = 1.0  # -1 for a suspension on the side opposite to its description
 
     @abstractmethod
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:
         """Return a quantity of the pose relative to the car's body, by its formula or by its name.
 
-        All that forces and channels see of the pose goes through here.
+        Forces and channels access the pose only through this method.
         """
 
     def of_wheel(self, name: str, formula: Callable[[Suspension], ca.SX]) -> ca.SX:
-        """Return the pose of the wheel's axis and centre and the ground; nothing more of a body that turns."""
+        """Return a quantity of the wheel's axis and centre and the ground, which may depend on body attitude."""
         return self.of_pose(name, formula)
 
     @abstractmethod
     def press(self, reached: Reached, force: ca.SX) -> None:
-        """Let a force (N, N m) push a quantity to greater values, between its point and the car's body."""
+        """Apply a force (N, N m) that increases a quantity, between its point and the car's body."""
 
     @property
     def side(self) -> ca.SX | float:
@@ -46,34 +46,34 @@ class DescribedSuspension(ABC):
         return self.rig.sign * self.turned
 
     def hardpoint(self, name: str) -> ca.SX:
-        """Design place of a hardpoint, m."""
+        """Return the design position of a hardpoint, m."""
         return self.place(f"hardpoints.{name}")
 
     def place(self, path: str) -> ca.SX:
-        """Design place of a point of the description, m: shifted forward, on the side of the suspension."""
+        """Return the design position of a point of the description, m, shifted forward, on the suspension's side."""
         x, y, z = ca.vertsplit(self.triple(path))
         return ca.vertcat(x + self.ahead, self.turned * y, z)
 
     def end_of(self, element: str, end: str) -> ca.SX:
-        """Design place of the ``bottom`` or ``top`` of spring or damper; by default the strut's."""
+        """Return the design position of the ``bottom`` or ``top`` of spring or damper; by default the strut's."""
         own = f"{element}_{end}"
         return self.hardpoint(
             own if getattr(self.rig.hardpoints, own) is not None else f"strut_{end}"
         )
 
     def design_length(self, element: str) -> ca.SX:
-        """Length of ``"spring"`` or ``"damper"`` at design, m."""
+        """Return the length of ``"spring"`` or ``"damper"`` at design, m."""
         design = self.end_of(element, "top") - self.end_of(element, "bottom")
         return ca.sqrt(ca.dot(design, design))
 
     @property
     def damper_stands_apart(self) -> bool:
-        """Whether the damper has ends of its own."""
+        """Whether the damper's ends differ from the spring's."""
         ends = (f"{element}_{end}" for element in ("spring", "damper") for end in ("bottom", "top"))
         return any(getattr(self.rig.hardpoints, name) is not None for name in ends)
 
     def triple(self, path: str) -> ca.SX:
-        """Three parameters ``path[0]`` to ``path[2]``."""
+        """Return the three parameters ``path[0]`` to ``path[2]``."""
         return ca.vertcat(*(self.mechanism.parameter(f"{path}[{i}]") for i in range(3)))
 
     def number(self, path: str) -> ca.SX:
@@ -85,7 +85,7 @@ class DescribedSuspension(ABC):
 class Reached:
     """A quantity of the pose that depends on one point: a hardpoint of the body called ``on``.
 
-    ``formula`` computes it from the place of that point in the axes of the car's body, m, as in the design pose.
+    ``formula`` computes it from that point's position (m) in the axes of the car's body, as in the design pose.
     """
 
     name: str
@@ -129,7 +129,7 @@ class Line(ElementLength):
 
 
 class Suspension(DescribedSuspension):
-    """A suspension whose points have their places in the axes of what carries it."""
+    """A suspension whose points are given in the axes of its carrier."""
 
     mechanism: Mechanism
     chassis: Body  # the car's
@@ -148,17 +148,17 @@ class Suspension(DescribedSuspension):
         """Apply a force (N) that pushes the ends of an element apart."""
 
     def push_off(self, name: str, on: str, point: Moving, force: ca.SX) -> None:
-        """Let a force (N, axes that the suspension hangs in) act on a point of a body, and back on the car's body."""
+        """Apply a force (N, axes of the carrier) to a point of a body, and its opposite to the car's body."""
         self.mechanism.act(ForceBetween(name, self.chassis, self.carrier_of(on), point, force))
 
     @abstractmethod
     def carrier_of(self, name: str) -> Body:
-        """Body of that name in descriptions, or its substitute for loads."""
+        """Return the body with a name used in descriptions, or its substitute for loads."""
 
     @property
     @abstractmethod
     def mass(self) -> ca.SX:
-        """Mass of all its bodies, kg."""
+        """Total mass of its bodies, kg."""
 
     @property
     @abstractmethod
@@ -181,7 +181,7 @@ class Suspension(DescribedSuspension):
 
     @property
     def spin_direction(self) -> Moving:
-        """The wheel's axis, pointing outboard, as it moves with the upright."""
+        """The wheel's axis, pointing outboard, moving with the upright."""
         return self.moving(
             "spin_direction", lambda whole: whole.upright.frame.direction(whole.spin_axis)
         )
@@ -200,7 +200,7 @@ class Linkage(Suspension):
     carriers: dict[str, Body] = field(
         default_factory=dict
     )  # bodies by the names that descriptions use
-    owners: dict[str, Body] = field(default_factory=dict)  # the body that each hardpoint moves with
+    owners: dict[str, Body] = field(default_factory=dict)  # body to which each hardpoint is fixed
     lines: dict[str, tuple[str, ...]] = field(
         default_factory=dict
     )  # what to draw: hardpoints along each part
@@ -210,7 +210,7 @@ class Linkage(Suspension):
     ahead: ca.SX | float = 0.0
     turned: ca.SX | float = 1.0
 
-    def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:  # noqa: ARG002 - it has its pose
+    def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:  # noqa: ARG002 - it has a pose
         """Return a quantity of the pose by its formula."""
         return formula(self)
 
@@ -244,24 +244,24 @@ class Linkage(Suspension):
         self.mechanism.push_apart(self.chassis, body, line.top, line.bottom, force)
 
     def press(self, reached: Reached, force: ca.SX) -> None:
-        """Let a force (N, N m) push a quantity to greater values, between its point and the car's body."""
+        """Apply a force (N, N m) that increases a quantity, between its point and the car's body."""
         end, place = reached.end(self), ca.SX.sym("place", 3)
         pushed = force * ca.gradient(reached.formula(self, place), place)
         pushed = ca.substitute(pushed, place, self.seen_from_body(end.value))
         self.push_off(reached.name, reached.on, end, self.chassis.frame.orientation.rotate(pushed))
 
     def seen_from_body(self, place: ca.SX) -> ca.SX:
-        """A place in the axes of the car's body, m, as in the design pose."""
+        """Return a position in the axes of the car's body, m, as in the design pose."""
         frame = self.chassis.frame
         return frame.orientation.unrotate(place - frame.point(ca.SX(3, 1)).value)
 
     def carrier_of(self, name: str) -> Body:
-        """Body that descriptions call so."""
+        """Return the body with a name used in descriptions."""
         return self.carriers[name]
 
     @property
     def mass(self) -> ca.SX:
-        """Mass of all its bodies, kg."""
+        """Total mass of its bodies, kg."""
         bodies = {body.name: body.mass_properties for body in self.carriers.values()}
         return sum((each.mass for each in bodies.values() if each is not None), ca.SX(0.0))
 
@@ -287,7 +287,7 @@ class Linkage(Suspension):
             self.mechanism.fixed("wheel", body, self.body("wheel"))
 
     def arm(self, name: str) -> Body:
-        """Hang an arm on its axis through ``<name>_front`` and ``<name>_rear``."""
+        """Add an arm that rotates about its axis through ``<name>_front`` and ``<name>_rear``."""
         arm = self.body(name)
         ball = name.replace("arm", "ball_joint")
         self.lines[name] = (f"{name}_front", ball, f"{name}_rear")
@@ -296,7 +296,7 @@ class Linkage(Suspension):
         return arm
 
     def pivot(self, name: str, arm: Body, ends: tuple[str, str]) -> None:
-        """Connect an arm to the body at two hardpoints: by a hinge, or by a bushing at each that has one."""
+        """Connect an arm to the body at two hardpoints: by a hinge, or by bushings at hardpoints that have them."""
         soft = [end for end in ends if self.has_bushing(end)]
         ideal = [self.hardpoint(end) for end in ends if end not in soft]
         if not soft:
@@ -309,25 +309,25 @@ class Linkage(Suspension):
             self.cushion(end, self.chassis, arm)
 
     def cushion(self, point: str, first: Body, second: Body) -> None:
-        """Put the bushing at a hardpoint between two bodies."""
+        """Add the bushing at a hardpoint between two bodies."""
         bushing = add_bushing(
             self.mechanism, point, first, second, self.hardpoint(point), **self.bushing_of(point)
         )
         self.bushings[point] = first.frame.orientation.rotate(bushing.force), bushing.power
 
     def has_bushing(self, point: str) -> bool:
-        """Whether the description puts a bushing at a hardpoint."""
+        """Whether the description has a bushing at a hardpoint."""
         return getattr(getattr(self.rig, "bushings", None), point, None) is not None
 
     def bushing_of(self, point: str) -> dict[str, ca.SX]:
-        """Numbers of the bushing at a hardpoint, by name."""
+        """Return the parameters of the bushing at a hardpoint, by name."""
         names = ("stiffness", "damping", "rotational_stiffness")
         return {name: self.triple(f"bushings.{point}.{name}") for name in names}
 
     def rod(
         self, name: str, inner: str, outer: str, carrier: Body, *, steered: bool = False
     ) -> None:
-        """Tie a point of a carrier to a point of the chassis; the inner end of a steered rod rides on the rack."""
+        """Connect a point of a carrier to a point of the chassis by a rod; a steered rod's inner end is on the rack."""
         start, end = self.hardpoint(inner), self.hardpoint(outer)
         holder = self.rack if steered else self.chassis
         self.lines[name] = (inner, outer)
@@ -358,7 +358,7 @@ class Linkage(Suspension):
 
     @property
     def moving_frame(self) -> Body | None:
-        """The moving frame that the suspension hangs in; None on the ground."""
+        """The moving frame that carries the suspension; None on the ground."""
         return self.chassis if self.carrier.moves else None
 
     @property
@@ -368,7 +368,7 @@ class Linkage(Suspension):
 
 
 def hang_on_guide(mechanism: Mechanism, guide: str) -> Body:
-    """Hang the car's body on its guide: fixed, free to heave, or to heave and turn about a joint."""
+    """Connect the car's body to its guide: fixed, free to heave, or free to heave and rotate about a joint."""
     if guide == "fixed":
         return mechanism.ground
     chassis = mechanism.body(
@@ -385,7 +385,7 @@ def hang_on_guide(mechanism: Mechanism, guide: str) -> Body:
 
 
 def _sprung_inertia(guide: str, mechanism: Mechanism) -> tuple[ca.SX, ca.SX]:
-    """Centre of mass and inertia of the body; a body that only heaves needs none."""
+    """Return centre of mass and inertia of the body; not needed if it only heaves."""
     if guide == "vertical":
         return ca.SX(3, 1), ca.SX(3, 3)
     number = mechanism.parameter

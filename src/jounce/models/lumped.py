@@ -1,8 +1,8 @@
 """Lumped vehicles: half car, half car with unsprung masses, full car of 7 degrees of freedom.
 
 They share the body on its axles, the loads of driving and the laws of a strut. Angles are small: a point of the body
-``x`` ahead and ``y`` to the left of the centre of gravity is at ``z - x pitch + y roll``. Heights are zero where all
-springs are undeformed and the road is level.
+``x`` ahead and ``y`` to the left of the centre of gravity has the height ``z - x pitch + y roll``. Heights are zero
+when all springs are undeformed and the road is level.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class LumpedBody:
     roll: ca.SX
 
     def height(self, x: ca.SX, y: ca.SX | float = 0.0) -> ca.SX:
-        """Height of a point of the body, m."""
+        """Return the height of a point of the body, m."""
         return self.z - x * self.pitch + y * self.roll
 
 
@@ -54,7 +54,7 @@ def add_body(system: System, vehicle: Vehicle, *, rolls: bool = False) -> Lumped
 
 
 def _pitch_moment(system: System, vehicle: Vehicle) -> ca.SX:
-    """Moment of braking, given or from deceleration, N m, nose down positive."""
+    """Return the moment of braking, given or from deceleration, N m, nose down positive."""
     moment = system.track("pitch_moment").value
     height = getattr(getattr(vehicle, "body"), "height")  # noqa: B009 - every vehicle has a body
     if height is not None:
@@ -79,7 +79,7 @@ def strut_force(
     velocity: ca.SX,
     actuator: AnyActuator | None = None,
 ) -> ca.SX:
-    """Force (N) of one wheel's spring, damper, friction and stops."""
+    """Return the force (N) of one wheel's spring, damper, friction and stops."""
     if axle.spring is None:
         force = system.parameter("spring_rate") * deflection
     else:
@@ -112,8 +112,8 @@ def add_wheel(
 ) -> tuple[ca.SX, ca.SX]:
     """Add one wheel, or ``wheels`` that move as one, under the body; return its height and the contact force of one.
 
-    To be called within the place of the wheel. ``height`` is that of the body above it (m); it stands on a road, or on
-    a ``plate`` (height in m), which it pushes back. Forces that are shown are those of one wheel.
+    Call it within the prefix of the wheel. ``height`` is that of the body above it (m). The wheel stands on a road, or
+    on a ``plate`` (height in m), on which it exerts its reaction. Output forces are those of one wheel.
     """
     ground = system.track("road.z").value if plate is None else plate
     unsprung = system.coordinate("unsprung.z")
@@ -154,7 +154,7 @@ def half_car(vehicle: HalfCar, *, actuator: AnyActuator | None = None) -> Model:
 def _massless_axle(
     system: System, vehicle: HalfCar, height: ca.SX, actuator: AnyActuator | None
 ) -> None:
-    """Two springs and dampers between road and body; ``compat`` selects how the road acts."""
+    """Add two springs and dampers between road and body; ``compat`` selects how the road acts."""
     road = system.track("road.z")
     ground = -road.value if vehicle.compat == "simulink" else road.value
     deflection = ground - height
@@ -191,7 +191,7 @@ _SIDES = {"left": 1.0, "right": -1.0}
 
 @dataclass(frozen=True)
 class _HungWheel:
-    """A wheel hung under the body: heights of wheel and body above it, and deflection of its strut, m."""
+    """A wheel under the body: heights of the wheel and of the body above it, and deflection of its strut, m."""
 
     unsprung: ca.SX
     height: ca.SX
@@ -223,7 +223,7 @@ def _axle(
     end: float,
     actuator: AnyActuator | None,
 ) -> dict[str, _HungWheel]:
-    """Two wheels of the front (``end`` 1) or rear axle (-1), with the axle's parameters."""
+    """Add two wheels of the front (``end`` 1) or rear axle (-1), with the axle's parameters."""
     gravity = system.parameter("gravity")
     wheels = {}
     for side, sign in _SIDES.items():
@@ -236,7 +236,7 @@ def _axle(
 
 
 def _lateral(system: System, body: LumpedBody, axles: dict[str, dict[str, _HungWheel]]) -> None:
-    """Let a lateral acceleration roll the body about the roll centres; the rest of its moment goes to the wheels."""
+    """Let lateral acceleration roll the body about the roll centres; apply the remaining moment to the wheels."""
     acceleration = system.track("lateral_acceleration").value
     front, rear = (system.parameter(f"{name}.distance") for name in axles)
     force = system.parameter("body.mass") * acceleration

@@ -1,6 +1,6 @@
 """Quarter car: sprung and unsprung mass, strut at an angle, radial tyre (paper 2, eqs 1-4, extended).
 
-z = 0 of both masses is where all springs are undeformed and the road is level; compression is positive.
+Both masses are at z = 0 when all springs are undeformed and the road is level; compression is positive.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ def add_quarter_car(
 ) -> tuple[ca.SX, ca.SX]:
     """Add a quarter car on a road; return the height of its wheel (m) and the contact force (N, compression positive).
 
-    The height ``road`` (m) is a track, or a moving body with the tyre's reaction. ``sprung`` is
-    the height (m) of an existing body; by default the sprung mass is added.
+    The height ``road`` (m) is a track, or that of a moving body loaded by the tyre's reaction. ``sprung`` is the height
+    (m) of an existing body; by default the sprung mass is added.
     """
     own = () if sprung is not None else (("sprung", system.coordinate("sprung.z")),)
     masses = (*own, ("unsprung", system.coordinate("unsprung.z")))

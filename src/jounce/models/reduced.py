@@ -1,9 +1,9 @@
-"""A 3-D corner as one coordinate of its body: with a fixed rack, a suspension on ideal joints only travels.
+"""A 3-D corner with one coordinate: with a fixed rack and ideal joints, a suspension has only wheel travel.
 
-Forces, masses and channels then depend on the wheel's travel alone. :func:`sampled_corner`
-gives them for driven poses, :func:`reduced_corner` is the corner with polynomials of travel in their place. The
-equations are exact for these functions: with the body's height z and the travel s, all that hangs on the body has the
-kinetic energy 1/2 M z'^2 + P(s) z' s' + 1/2 m(s) s'^2, and every force works along a length that is one of them.
+Forces, masses and channels then depend on the wheel's travel alone. :func:`sampled_corner` computes them for driven
+poses; :func:`reduced_corner` is the corner with polynomials of travel in their place. The equations are exact for these
+functions: with the body's height z and the travel s, the suspension has the kinetic energy
+1/2 M z'^2 + P(s) z' s' + 1/2 m(s) s'^2, and every force acts along a length that is one of these functions.
 """
 
 from __future__ import annotations
@@ -36,16 +36,16 @@ from jounce.models.linkage import (
 from jounce.parts.corners import Corner
 
 MASS, MOMENTUM, INERTIA = "mass", "momentum", "inertia"
-"""Of all that hangs on the body: its mass, and for unit travel rate its upward momentum (kg) and 2 x energy (kg)."""
+"""Mass of the suspension, and its upward momentum (kg) and twice its energy (kg) at unit travel rate."""
 
 
 @dataclass(frozen=True)
 class SampledCorner:
     """Functions of (q, u, p, m) of a corner whose travel, height of the body and rack are driven.
 
-    ``pose`` is for ``kernel.poses``, ``output`` gives the quantities ``names``; ``tracks`` are the inputs u, ``p`` the
-    numbers at ``parameters``; ``start`` is the design pose. ``tangent`` gives a function of the slopes of all
-    quantities along a change of tracks and numbers, which stands behind the coordinates; the pose follows.
+    ``pose`` is for ``kernel.poses``, ``output`` returns the quantities ``names``; ``tracks`` are the inputs u, ``p``
+    the values of ``parameters``; ``start`` is the design pose. ``tangent`` returns a function for the slopes of all
+    quantities along a change of tracks and parameters, which is passed after the coordinates; the pose follows it.
     """
 
     pose: ca.Function
@@ -95,7 +95,7 @@ def sampled_corner(rig: Corner) -> SampledCorner:
         MOMENTUM: height_rate.T @ matrix @ travel_rate,
         INERTIA: travel_rate.T @ matrix @ travel_rate,
     }
-    body = linkage.number("sprung.mass")  # no part of what hangs on it
+    body = linkage.number("sprung.mass")  # not part of the suspension
     quantities = {
         **{name: ca.substitute(mass, body, 0.0) for name, mass in masses.items()},
         **linkage.seen,
@@ -106,7 +106,7 @@ def sampled_corner(rig: Corner) -> SampledCorner:
 def sampling_functions(
     mechanism: Quasistatic, driven: DrivenMechanism, quantities: dict[str, ca.SX]
 ) -> SampledCorner:
-    """Make the functions that sample quantities of a driven pose, rates in them those of unit travel rate."""
+    """Create the functions that sample quantities of a driven pose at unit travel rate."""
     output = driven.along(0)(ca.vertcat(*quantities.values()))
     made = {"pose": driven.pose(), "output": output}
     used = {symbol.name() for symbol in ca.symvar(ca.vertcat(*made.values()))}
@@ -148,13 +148,13 @@ def _see(linkage: Watched) -> None:
 
 
 def _lean(linkage: DescribedSuspension) -> ca.SX:
-    """Cosine of the wheel's lean."""
+    """Return the cosine of the wheel's inclination."""
     return linkage.of_pose("tyre.upright", lambda whole: contact_point(whole, ca.SX(0.0))[1])
 
 
 @dataclass
 class _Tabulated(DescribedSuspension):
-    """A suspension of which polynomials of its travel ``x`` (from -1 to 1) say all that is to be known."""
+    """A suspension described completely by polynomials of its travel ``x`` (from -1 to 1)."""
 
     rig: Corner
     mechanism: System
@@ -162,7 +162,7 @@ class _Tabulated(DescribedSuspension):
     degree: int
 
     def of_pose(self, name: str, formula: Callable[[Linkage], ca.SX]) -> ca.SX:  # noqa: ARG002 - it has no pose
-        """Return the polynomial: even and odd powers separately, so that two sums are computed in parallel."""
+        """Return the polynomial, with separate sums of even and odd powers that can be computed in parallel."""
         given = [self.number(path) for path in of_travel(name, self.degree)]
         square = self.x * self.x
         even, odd = (ca.SX(0.0), ca.SX(0.0))
@@ -173,22 +173,22 @@ class _Tabulated(DescribedSuspension):
         return even + self.x * odd
 
     def press(self, reached: Reached, force: ca.SX) -> None:
-        """Let a force (N, N m) push a quantity to greater values."""
+        """Apply a force (N, N m) that increases a quantity."""
         self.mechanism.force(reached.value(self), force)
 
     def quantity(self, name: str) -> ca.SX:
-        """A quantity that is not a formula of the pose alone."""
+        """Return a quantity that is not a formula of the pose alone."""
         return self.of_pose(name, lambda whole: whole.wheel_centre.value)
 
     def stretch(self, element: str) -> ElementLength:
-        """Length of the spring or the damper."""
+        """Return the length of the spring or the damper."""
         length = self.quantity(f"{element if self.damper_stands_apart else 'spring'}.length")
         return ElementLength(length, self.mechanism.rate_of(length), self.design_length(element))
 
 
 @dataclass(frozen=True)
 class HangingMass:
-    """A suspension with one coordinate, its travel, on a body that moves along z: rates of both, masses (see above)."""
+    """A suspension with one coordinate, its travel, on a body that moves along z: rates and masses (see above)."""
 
     rates: ca.SX
     mass: ca.SX
@@ -204,7 +204,7 @@ class HangingMass:
         return jacobian.T @ ca.vertcat(*rows) @ jacobian
 
     def bias(self, v: ca.SX) -> ca.SX:
-        """Inertial force at steady travel, from the curved paths of all masses."""
+        """Return the inertial force at constant travel rate, due to the curved paths of all masses."""
         travelling = self.rates[1]
         bent = ca.vertcat(self.momentum_rate * travelling, 0.5 * self.inertia_rate * travelling)
         return ca.jacobian(self.rates, v).T @ bent
@@ -244,7 +244,7 @@ def reduced_corner(rig: Corner, degree: int) -> Model:
 
 
 def _hang(linkage: _Tabulated, gravity: ca.SX, rising: ca.SX, travelling: ca.SX) -> None:
-    """Hang the masses of the suspension on the body, with their weights."""
+    """Add the masses of the suspension and their weights to the body."""
     system = linkage.mechanism
     mass, momentum, inertia = (
         system.parameter(of_travel(MASS, 0)[0]),

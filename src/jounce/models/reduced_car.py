@@ -1,9 +1,9 @@
-"""A full car whose corners are one coordinate each: its body moves freely; with fixed racks a wheel only travels.
+"""A full car with one coordinate per corner: its body moves freely; with fixed racks, a wheel has only travel.
 
-The car is built as :func:`jounce.models.full_car_3d.full_car_3d` builds it. In place of each linkage stand polynomials
-of the wheel's travel, in the axes of the body: lengths, places of the points that forces act at, direction of the
-wheel's axis, and of all masses of the corner what :class:`jounce.mechanics.carrier.TravellingMasses` asks for.
-:func:`sampled_suspension` gives them for driven poses. The equations are exact for these functions.
+The car is built by :func:`jounce.models.full_car_3d.full_car_3d`. Each linkage is replaced by polynomials of the
+wheel's travel, in the axes of the body: lengths, points of application of forces, direction of the wheel's axis, and
+the mass properties that :class:`jounce.mechanics.carrier.TravellingMasses` requires. :func:`sampled_suspension`
+computes them for driven poses. The equations are exact for these functions.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ from jounce.parts.corners import Corner
 from jounce.parts.vehicles import FullCar3D
 
 MOMENT, ANGULAR, TENSOR, TURNING = "moment", "angular", "tensor", "turning"
-"""First moment, angular momentum and inertia about the origin of the body's axes; turn of the upright a travel."""
+"""First moment, angular momentum and inertia about the origin of the body's axes; upright rotation per travel."""
 AHEAD, TURNED, ORIGIN = "ahead", "turned", "origin"
-"""Numbers of a sampled suspension that its place on the car gives it: as a linkage has them, and the axes' origin."""
+"""Parameters of a sampled suspension that its position on the car determines: a linkage's, and the axes' origin."""
 _AXES, _PAIRS = "xyz", ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
@@ -92,7 +92,7 @@ def _elements(name: str) -> list[str]:
 
 
 def _masses(linkage: Linkage, origin: ca.SX) -> dict[str, ca.SX]:
-    """Mass, moments and momenta of all bodies of a suspension, with rates in the momenta."""
+    """Return mass, moments and momenta of all bodies of a suspension, with rates in the momenta."""
     moment, angular, tensor, energy = ca.SX(3, 1), ca.SX(3, 1), ca.SX(3, 3), ca.SX(0.0)
     for body in linkage.mechanism.bodies.values():
         if (properties := body.mass_properties) is None:
@@ -122,16 +122,16 @@ class _Curve(NamedTuple):
 
     @classmethod
     def of(cls, curves: Sequence[_Curve]) -> _Curve:
-        """Several quantities in one call."""
+        """Combine several quantities into one."""
         return cls(*(ca.vertcat(*parts) for parts in zip(*curves, strict=True)))
 
     def moving(self, rate: ca.SX) -> Moving:
-        """Their time derivatives."""
+        """Return the quantity with its time derivatives."""
         return Moving(self.value, self.slope * rate, self.bend * rate**2)
 
 
 class _Travelling(Suspension):
-    """A suspension of which polynomials of its travel say all that is to be known."""
+    """A suspension described completely by polynomials of its travel."""
 
     def __init__(
         self,
@@ -158,7 +158,7 @@ class _Travelling(Suspension):
         mechanism.inertia(self._masses())
 
     def _own(self, name: str) -> ca.SX:
-        """A number of this corner alone; those of its description are its axle's."""
+        """Return a parameter of this corner alone; those of its description belong to the axle."""
         return self.mechanism.parameter_at(f"{self._place}{name}")
 
     def _masses(self) -> TravellingMasses:
@@ -185,7 +185,7 @@ class _Travelling(Suspension):
         )
 
     def _curve(self, name: str) -> _Curve:
-        """Polynomial of a quantity, and its derivatives as polynomials of their own."""
+        """Return the polynomial of a quantity and the polynomials of its derivatives."""
         given = [self._own(path) for path in of_travel(name, self.degree)]
         slopes = [k * number / self._half for k, number in enumerate(given)][1:]
         bends = [k * number / self._half for k, number in enumerate(slopes)][1:]
@@ -195,7 +195,7 @@ class _Travelling(Suspension):
         return _Curve.of([self._curve(part) for part in _parts(name)])
 
     def _sum(self, coefficients: Sequence[ca.SX]) -> ca.SX:
-        """Sum even and odd powers separately, so that the processor computes two sums in parallel."""
+        """Sum even and odd powers separately, which lets the processor compute two sums in parallel."""
         square, sums = self._x * self._x, [ca.SX(0.0), ca.SX(0.0)]
         for odd in (0, 1):
             for number in reversed(coefficients[odd::2]):
@@ -210,7 +210,7 @@ class _Travelling(Suspension):
 
     @property
     def mass(self) -> ca.SX:
-        """Mass of all its bodies, kg; zero beyond the range of the polynomials."""
+        """Total mass of its bodies, kg; zero beyond the range of the polynomials."""
         there = ca.fabs(self._x) <= self._own(REACH)
         return ca.if_else(there, self._own(of_travel(MASS, 0)[0]), ca.SX.nan())
 
@@ -234,20 +234,20 @@ class _Travelling(Suspension):
         return formula(self)
 
     def line(self, element: str) -> ElementLength:
-        """Length of the spring or the damper."""
+        """Return the length of the spring or the damper."""
         length = self._curve(f"{element if self.damper_stands_apart else 'spring'}.length")
         return ElementLength(length.value, length.slope * self.rate, self.design_length(element))
 
-    def carrier_of(self, name: str) -> Body:  # noqa: ARG002 - points know their places by themselves
-        """Substitute for all bodies of the suspension in loads."""
+    def carrier_of(self, name: str) -> Body:  # noqa: ARG002 - points do not depend on the body
+        """Return the substitute for all bodies of the suspension in loads."""
         return self.upright
 
     def press(self, reached: Reached, force: ca.SX) -> None:
-        """Let a force (N, N m) push a quantity to greater values."""
+        """Apply a force (N, N m) that increases a quantity."""
         self.mechanism.force(reached.value(self), force)
 
     def push(self, line: ElementLength, force: ca.SX) -> None:
-        """Let a force (N) push the ends of an element apart."""
+        """Apply a force (N) that pushes the ends of an element apart."""
         self.mechanism.load(line.rate, force)
 
 

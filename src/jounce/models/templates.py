@@ -14,7 +14,7 @@ from jounce.models.linkage import Linkage
 
 
 def double_wishbone(linkage: Linkage) -> None:
-    """Hang arms and upright, close the loops."""
+    """Add arms and upright, and close the loops."""
     mechanism = linkage.mechanism
     lower, upper = linkage.arm("lower_arm"), linkage.arm("upper_arm")
     upright = linkage.body("upright")
@@ -33,7 +33,7 @@ def double_wishbone(linkage: Linkage) -> None:
 
 
 def mcpherson(linkage: Linkage) -> None:
-    """Hang arm and upright; the strut's line on the upright runs through the strut's top on the body."""
+    """Add arm and upright; the strut's line on the upright passes through the strut's top on the body."""
     mechanism = linkage.mechanism
     lower = linkage.arm("lower_arm")
     upright = linkage.body("upright")
@@ -48,7 +48,7 @@ def mcpherson(linkage: Linkage) -> None:
 
 
 def _slide(linkage: Linkage, upright: Body, foot: ca.SX, top: ca.SX) -> None:
-    """Let the strut slide along its line on the upright; its top stays on the body, at a joint or in a bushing."""
+    """Let the strut slide along its line on the upright; its top is attached to the body by a joint or a bushing."""
     mechanism, along, soft = linkage.mechanism, unit(top - foot), linkage.has_bushing("strut_top")
     if getattr(linkage.rig.bodies, "strut", None) is not None:
         strut = linkage.body("strut")
@@ -69,7 +69,7 @@ def _slide(linkage: Linkage, upright: Body, foot: ca.SX, top: ca.SX) -> None:
 
 
 def five_link(linkage: Linkage) -> None:
-    """Add the upright as a free body and tie it by its links."""
+    """Add the upright as a free body and connect it by its links."""
     mechanism = linkage.mechanism
     upright = linkage.body("upright")
     mechanism.free(
@@ -82,7 +82,7 @@ def five_link(linkage: Linkage) -> None:
 
 
 def trailing_arm(linkage: Linkage) -> None:
-    """Hang the arm, which carries the wheel."""
+    """Add the arm, which carries the wheel."""
     arm = linkage.body("arm")
     linkage.pivot("arm", arm, ("arm_outer", "arm_inner"))
     linkage.carry("arm", arm)

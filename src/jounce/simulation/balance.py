@@ -1,4 +1,4 @@
-"""Static equilibrium of a rig with an element of another program: rig and element must agree on the force."""
+"""Static equilibrium of a rig with an external element: rig and element must agree on the force."""
 
 from __future__ import annotations
 
@@ -11,9 +11,12 @@ from jounce.core.types import Array
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.statics import Equilibrium, find_equilibrium
 
-_ITERATIONS = 30  # of Newton's method, at most
-_HALVINGS = 6  # of a step that leads to commands without equilibrium
-_BALANCED, _LEAST = 1e-9, 1e-6  # of the element's force, and N: rounding of a balance of forces
+_ITERATIONS = 30  # maximum of Newton steps
+_HALVINGS = 6  # maximum halvings of a step that leads to commands without equilibrium
+_BALANCED, _LEAST = (
+    1e-9,
+    1e-6,
+)  # share of the element's force, and N: rounding of a balance of forces
 
 
 def balanced_commands(
@@ -24,10 +27,10 @@ def balanced_commands(
     columns: NDArray[np.int64],
     where: str,
 ) -> tuple[Array, Equilibrium]:
-    """Commands (N) under which the rig rests and for which the element returns just these; Newton's method.
+    """Find commands (N) at which the rig is at rest and the element returns the same commands, by Newton's method.
 
-    The ``regulator`` returns commands and their slopes for measurements, the rig its equilibrium under commands; these
-    are the inputs ``columns`` of ``still``. ``where`` is the element's file.
+    The ``regulator`` returns commands and their slopes for measurements; the rig returns its equilibrium under
+    commands, which are the inputs ``columns`` of ``still``. ``where`` is the element's file.
     """
     rows = np.array(
         [compiled.output_names.index(name) for name in regulator.channels], dtype=np.int64
@@ -60,7 +63,7 @@ def balanced_commands(
     raise SimulationError(
         "no static equilibrium was found with the force of the FMU",
         where=where,
-        found=f"{gaps} beside the force that holds the rig at rest with its own",
+        found=f"{gaps} off the force that holds the rig at rest",
         allowed="a force that rises to the load of the rig within its travel",
         hint="Check signs (compression positive), units and preload; with from_rest = true the rig's own force holds "
         "at rest, and the FMU gives what changes.",
@@ -68,7 +71,7 @@ def balanced_commands(
 
 
 def _commands_at_start(regulator: Regulator, measured: Array) -> Array:
-    """Commands at the first instant of a run."""
+    """Return the commands at the first instant of a run."""
     regulator.start()
     return np.array(regulator([*measured.tolist(), 0.0]))
 
@@ -83,7 +86,7 @@ def _newton_step(
     slopes: Array,
     gap: Array,
 ) -> tuple[Array, Equilibrium] | None:
-    """Commands after a step of Newton's method and the equilibrium there; None if there is none along the step."""
+    """Return commands after a Newton step and their equilibrium; None if no equilibrium exists along the step."""
     where = (rest.x, still, p, rest.modes)
     along = compiled.slopes("u", *where)
     pushed = np.zeros((len(rest.balance), len(columns)))

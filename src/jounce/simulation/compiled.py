@@ -29,9 +29,9 @@ if TYPE_CHECKING:
     from jounce.mechanics.model import Model
     from jounce.simulation.programs import ModelProgram
 
-_STATES_OF_REST = 256  # remembered for each model, unless the cache is set smaller
+_STATES_OF_REST = 256  # cached per model, unless the cache is set smaller
 _PACKAGES = ("core", "parts", "control", "mechanics", "models", "kernel", "simulation")
-"""Packages whose sources determine what a rig compiles to."""
+"""Packages whose sources determine the compiled code of a rig."""
 
 
 @dataclass(frozen=True)
@@ -41,8 +41,8 @@ class Compiled:
     ``moved`` are the model's parameters that change with them: the same, or parameters computed from them.
     ``shapes`` are the shapes of each function's result; ``scalars`` and ``lanes`` count the extended parameters without
     and with lanes (see ``ModelProgram``). ``source`` builds the symbolic model, which runs do not need; ``without`` is
-    the same model without free parameters, if there are some. ``identity`` names everything that the code of a rig
-    depends on; it is empty for a model that only its symbols describe.
+    the same model without free parameters, if it has any. ``identity`` names everything that the code of a rig depends
+    on; it is empty for a model defined only by its symbols.
     """
 
     facts: ModelFacts
@@ -83,7 +83,7 @@ class Compiled:
 
     @once
     def equilibria(self) -> Recent[Any]:
-        """Recent states of rest (see ``statics.find_equilibrium``)."""
+        """Cache of recent equilibria (see ``statics.find_equilibrium``)."""
         return Recent(_STATES_OF_REST)
 
     @once
@@ -101,14 +101,14 @@ class Compiled:
 
     @once
     def short_engine(self) -> Engine:
-        """The same with an integrator of lower order, for runs whose inputs force short steps."""
+        """Engine with an integrator of lower order, for runs whose inputs force short steps."""
         return shorten(self.engine, *(self.native.address[name] for name in SHORT_NAMES.values()))
 
     def extend(self, p: Array, along: Array | None = None) -> Array:
-        """Extend the parameters by everything that depends on them alone, and by lanes if some are free.
+        """Extend the parameters by all quantities that depend only on them, and by lanes if there are free parameters.
 
-        ``along`` gives the derivatives of the moved parameters by the free ones, one column each; by default the
-        identity.
+        ``along`` contains the derivatives of the moved parameters by the free parameters, one column each; by default
+        the identity.
         """
         values = self.native.evaluate("derived", (self.scalars,), p, *_NOTHING)
         if not self.free:
@@ -120,7 +120,7 @@ class Compiled:
         return np.concatenate([values, lanes])
 
     def evaluate(self, name: str, x: Array, u: Array, p: Array, m: Array) -> Array:
-        """Value of a function (vectors flat), or a slope such as ``rate_x``; ``p`` may be extended already."""
+        """Evaluate a function (vectors are flat), or a slope such as ``rate_x``; ``p`` may already be extended."""
         plain = self.plain
         if name not in plain.shapes:
             part, _, by = name.rpartition("_")
@@ -132,7 +132,7 @@ class Compiled:
         )
 
     def slopes(self, by: str, x: Array, u: Array, p: Array, m: Array) -> dict[str, Array]:
-        """Slopes of ``rate``, ``output``, ``switch``, ``constraint`` by states (``"x"``) or inputs, one column each."""
+        """Return slopes of ``rate``, ``output``, ``switch``, ``constraint`` by states (``"x"``) or inputs."""
         plain, facts = self.plain, self.facts
         (rows, lanes), n, n_u = plain.shapes["slopes"], len(x), len(u)
         values = p if len(p) == plain.scalars else plain.extend(p)
@@ -156,7 +156,7 @@ class Compiled:
     def free_slopes(
         self, x: Array, u: Array, p: Array, m: Array, along: Array | None = None
     ) -> tuple[Array, Array]:
-        """Slopes of rates and constraints by the free parameters at constant states; one column each."""
+        """Return slopes of rates and constraints by the free parameters at constant states, one column each."""
         n, count, values = len(x), len(self.free), self.extend(p, along)
         states = np.concatenate([x, np.zeros(n * count)])
         rate = self.native.evaluate("rate_s", (n * (1 + count),), states, u, values, m)[n:]
@@ -166,7 +166,7 @@ class Compiled:
         return rate.reshape(-1, count), loops.reshape(-1, count)
 
     def project(self, x: Array, u: Array, p: Array, m: Array) -> Array:
-        """Move a state one step towards the constraints, its speeds onto them."""
+        """Move a state's coordinates one step towards the constraints, and its speeds onto them."""
         return self.evaluate("project_many", x, u, p, m)[2:] if self.facts.projects else x
 
     def parameter_values(self, parameters: dict[str, float]) -> Array:
@@ -174,13 +174,13 @@ class Compiled:
         return np.array([parameters[path] for path in self.facts.parameters])
 
     def sides(self, x: Array, u: Array, p: Array) -> Array:
-        """Modes that follow the sides of their switches."""
+        """Return the modes given by the signs of their switches."""
         return (self.evaluate("switch", x, u, p, np.ones(len(self.facts.switches))) > 0.0).astype(
             float
         )
 
     def inputs(self, values: dict[str, float] | float = 0.0) -> Array:
-        """Inputs at rest: the height (m) of all roads, or values of tracks by name; their rates are zero."""
+        """Return inputs at rest: a height (m) for all roads, or values of tracks by name; rates are zero."""
         facts = self.facts
         u = np.zeros(len(facts.tracks) * facts.track_order)
         given = (
@@ -200,7 +200,7 @@ _compiled: Recent[Compiled] = Recent()
 def compile_model(model: Model, free: tuple[str, ...] = ()) -> Compiled:
     """Compile a model, with sensitivities to the parameters ``free`` (paths); once per process.
 
-    A free parameter that does not occur in the model is an error.
+    A free parameter that is not in the model is an error.
     """
 
     def make() -> Compiled:
@@ -220,7 +220,7 @@ def compile_rig(
     detail: bool = False,
     actuator: AnyActuator | None = None,
 ) -> Compiled:
-    """Compile the model of a rig; if the cache holds the code, the model is not even built.
+    """Compile the model of a rig; if the code is cached, the model is not built.
 
     Rigs that differ in numbers only share the code. ``free`` is as for :func:`compile_model`, ``detail`` as for
     :func:`jounce.models.build`; the numbers of an ``actuator`` of every strut become parameters.
@@ -251,11 +251,11 @@ def compile_described(
     without: Callable[[], Compiled] | None = None,
     moved: tuple[str, ...] | None = None,
 ) -> Compiled:
-    """Compile a model that a key describes; if the cache holds the code, the model is not even built.
+    """Compile a model identified by a key; if the code is cached, the model is not built.
 
     Equal keys mean equal equations; their text is the name in the cache. ``model`` builds the model; ``without``
-    returns the same model without free parameters, if there are some; ``moved`` are the parameters that change with
-    them, if these differ.
+    returns the same model without free parameters, if it has any; ``moved`` are the parameters that change with the
+    free ones, if they differ.
     """
     changed = free if moved is None else moved
 
@@ -300,7 +300,7 @@ def _facts(table: dict[str, Any]) -> ModelFacts:
 
 @cache
 def sources() -> str:
-    """Digest of everything that turns a rig into code: jounce's sources and version, and the version of the algebra."""
+    """Return a digest of all that determines a rig's code: sources and version of jounce, and version of CasADi."""
     from importlib.metadata import version
 
     return f"{version('casadi')} {version('jounce')} {digest_of(*_PACKAGES)}"

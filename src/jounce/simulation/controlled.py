@@ -1,4 +1,4 @@
-"""Runs under control: a controller fitted to a rig, and its law in the loop."""
+"""Controlled runs: a controller adapted to a rig, and its law in the loop."""
 
 from __future__ import annotations
 
@@ -53,23 +53,23 @@ _NEARER, _DAMPED = (
     "give the rig's own element numbers nearer to it",
     "let the rig's own damper stay",
 )
-_GROWING = 1e-3  # 1/s below which a pole counts as rounding: it grows by 6 % in a minute
+_GROWING = 1e-3  # 1/s: a slower growing pole counts as rounding (6 % in a minute)
 
 
 @dataclass(frozen=True)
 class ControlLoop:
-    """A controller fitted to a rig.
+    """A controller adapted to a rig.
 
     Attributes
     ----------
     controllers : dict
-        Controller of each corner, with all open numbers of its actuator filled in.
+        Controller of each corner, with defaults of its actuator filled in.
     models : dict
-        Quarter car of each corner, for which gains are designed.
+        Quarter car of each corner, used to design gains.
     raised : list
-        Time (s) and exception of a Python controller that failed in the last run.
+        Time (s) and exception if a Python controller failed in the last run.
     regulators : list
-        Regulators called in the last run, for a controller in Python.
+        Regulators called in the last run by a Python controller.
     """
 
     controllers: dict[str, Controller]
@@ -89,7 +89,7 @@ class ControlLoop:
 
     @property
     def first(self) -> Controller:
-        """The first controller: all have one structure, rate and noise."""
+        """The first controller; all have the same structure, rate and noise."""
         return next(iter(self.controllers.values()))
 
     @property
@@ -98,7 +98,7 @@ class ControlLoop:
         return self.first.actuator
 
     def parameters(self, compiled: Compiled) -> dict[str, float]:
-        """Numbers of the actuators that the model has, by path; corners of an axle share theirs."""
+        """Return the model's actuator parameters by path; corners of an axle share theirs."""
         numbers = {}
         for path in compiled.facts.parameters:
             place, _, name = (
@@ -111,13 +111,13 @@ class ControlLoop:
 
     @property
     def element(self) -> str | None:
-        """The spring, stops or tyre whose force comes from another program; None without one."""
+        """The spring, stops or tyre whose force is computed by an external program; None without one."""
         return self.actuator.in_place_of if isinstance(self.actuator, ActiveActuator) else None
 
     def with_rest(
         self, compiled: Compiled, signals: Sequence[Segments], p: Array | None = None
     ) -> list[Segments]:
-        """Signals of a run with the commands before the first control instant, for a model with the numbers ``p``."""
+        """Return the signals of a run, with commands before the first control instant, at parameter values ``p``."""
         driven = list(signals)
         tracks = _tracks(compiled, self)
         for corner, track in zip(self.corners, tracks, strict=True):
@@ -140,7 +140,7 @@ class ControlLoop:
         return replace(prepared, control=control, feedback=law.feedback, begin=law.start)
 
     def with_rates(self, rest: Equilibrium | None) -> ControlLoop:
-        """The same loop; an open control rate is derived from the rig at rest."""
+        """Return the same loop; a missing control rate is derived from the rig at rest."""
         if rest is None:
             return self
         fastest = rest.fastest_oscillation
@@ -152,7 +152,7 @@ class ControlLoop:
         )
 
     def _scale(self, compiled: Compiled, scale: Array) -> Array:
-        """Typical sizes of the states; those of the actuators from their limits."""
+        """Return typical sizes of the states; those of the actuators follow from their limits."""
         sizes = scale.copy()
         for i, name in enumerate(compiled.facts.states):
             place, _, word = name.rpartition("actuator.")
@@ -163,7 +163,7 @@ class ControlLoop:
                 actuator = self.controllers[corner].actuator
                 sizes[i] = 0.1 * max(map(abs, actuator.limits))
                 if word == "force rate":
-                    sizes[i] *= 2.0 * np.pi * getattr(actuator, "bandwidth")  # noqa: B009 - it has one
+                    sizes[i] *= 2.0 * np.pi * getattr(actuator, "bandwidth")  # noqa: B009 - it has a bandwidth
         return sizes
 
 
@@ -177,16 +177,16 @@ def _command(corner: str) -> str:
 
 
 def _tracks(compiled: Compiled, loop: ControlLoop) -> list[int]:
-    """Indices of the tracks of all commands."""
+    """Return the indices of the tracks of all commands."""
     tracks = compiled.facts.tracks
     if loop.element is not None and any(_command(corner) not in tracks for corner in loop.corners):
         raise SimulationError(
             Phrase(
-                "the rig has no {element} that a force could take the place of",
+                "the rig has no {element} that a force could replace",
                 element=loop.element,
             ),
             where="control: actuator: in_place_of",
-            allowed="another rig, or another element",
+            allowed="a different rig, or a different element",
         )
     return [tracks.index(_command(corner)) for corner in loop.corners]
 
@@ -194,7 +194,7 @@ def _tracks(compiled: Compiled, loop: ControlLoop) -> list[int]:
 def _in_balance(
     loop: ControlLoop, compiled: Compiled, p: Array, signals: Sequence[Segments]
 ) -> Array:
-    """Commands (N) at which an element of another program balances the rest of the rig."""
+    """Return the commands (N) at which an external element balances the rest of the rig."""
     tracks = zip(compiled.facts.tracks, signals, strict=True)
     still = compiled.inputs(
         {name: float(signal.evaluate(signal.edges[:1])[0][0]) for name, signal in tracks}
@@ -215,10 +215,10 @@ def _units(compiled: Compiled) -> dict[str, str]:
 
 
 def close_loop(rig: Rig, control: AnyControl | None) -> ControlLoop | None:
-    """Fit a controller (itself, its name, its file, or a Python function) to a rig or vehicle.
+    """Adapt a controller (an object, name, file or Python function) to a rig or vehicle.
 
-    None without a controller, and for the passive rig (``Passive()``). An unknown controller is refused, and one that
-    does not fit the rig's corners.
+    Return None without a controller and for the passive rig (``Passive()``). Refuse unknown controllers and those that
+    do not suit the rig's corners.
     """
     controller = None if control is None else as_controller(control)
     if controller is None or (
@@ -231,7 +231,7 @@ def close_loop(rig: Rig, control: AnyControl | None) -> ControlLoop | None:
             Phrase("the law {name!r} needs wheels with mass and tyre", name=controller.name),
             where="control",
             found=f"massless axles ({type(rig).__name__})",
-            allowed="skyhook, pid and others that need the body only, or a model with wheels",
+            allowed="skyhook, pid and others that only need the body, or a model with wheels",
         )
     return ControlLoop(
         {corner: controller.complete_for(model) for corner, model in models.items()}, models
@@ -239,7 +239,7 @@ def close_loop(rig: Rig, control: AnyControl | None) -> ControlLoop | None:
 
 
 class _Law:
-    """The law as the engine calls it."""
+    """The control law in the form that the engine calls."""
 
     def __init__(
         self,
@@ -265,7 +265,7 @@ class _Law:
                 "too many control instants",
                 where="control: rate",
                 found=f"{first.rate:g} Hz for {duration:g} s",
-                allowed=Phrase("at most {max_steps} instants a run", max_steps=MAX_STEPS),
+                allowed=Phrase("at most {max_steps} instants per run", max_steps=MAX_STEPS),
                 hint="Lower the control rate or shorten the run.",
             )
         self._instants = int(np.ceil((times[-1] - times[0]) * first.rate - 1e-9)) + 1
@@ -273,7 +273,7 @@ class _Law:
         self.feedback = self._python() if isinstance(first, CallbackController) else self._native()
 
     def start(self) -> None:
-        """Begin a run: commands at rest, no memory."""
+        """Begin a run: set the commands to those at rest and clear the memory."""
         control = self.feedback
         control.instants[0] = 0
         control.memory[:] = 0.0
@@ -309,7 +309,7 @@ class _Law:
                 ),
                 where="control",
                 found=", ".join(missing),
-                allowed="a law that needs other channels, or a model with wheels of their own",
+                allowed="a law that needs other channels, or a model with separate wheels",
             )
         select = np.array([names.index(name) for name in channels], dtype=np.int64)
         bound = np.full(self._compiled.state_count, np.inf)
@@ -374,7 +374,7 @@ class _Law:
         return feedback[0]
 
     def _road(self, corner: str, times: Array) -> Array:
-        """Height (m) of the road under a wheel; it stays constant after the run."""
+        """Return the height (m) of the road under a wheel, constant after the run."""
         track = qualify(corner, "road.z")
         signal = self._signals[self._compiled.facts.tracks.index(track)]
         return signal.evaluate(np.minimum(times, signal.edges[-1]))[0]
@@ -384,12 +384,12 @@ _laws: Recent[tuple[object, Native]] = Recent()
 
 
 def _compiled_law(function: Any) -> Native:
-    """Native code of a law; the cache keeps the law alive, so that no other law gets its address."""
+    """Return the native code of a law; the cache keeps the law alive to prevent reuse of its address."""
     return _laws.of(id(function), lambda: (function, compile_functions({"control": function})))[1]
 
 
 def raise_controller_error(loop: ControlLoop) -> None:
-    """Raise the error of a Python controller in a run, as one error with its time."""
+    """Raise the exception of a Python controller in a run as a single error with its time."""
     if not loop.raised:
         return
     t, error = loop.raised[0]
@@ -400,14 +400,14 @@ def raise_controller_error(loop: ControlLoop) -> None:
 
 
 def command_names(corners: Sequence[str]) -> tuple[str, ...]:
-    """Channels of the commands of some corners."""
+    """Return the command channels of corners."""
     return tuple(_command(corner) for corner in corners)
 
 
 def closed_loop_poles(rig: Rig, control: AnyControl) -> Complex:
-    """Poles of a rig with a linear law, at the control instants, about static equilibrium.
+    """Compute the poles of a rig with a linear law, at the control instants, about static equilibrium.
 
-    Sampling and holding by the law are exact; limits of the actuator and dry friction are left out.
+    Sampling and holding by the law are exact; limits of the actuator and dry friction are ignored.
 
     Parameters
     ----------
@@ -419,7 +419,7 @@ def closed_loop_poles(rig: Rig, control: AnyControl) -> Complex:
     Returns
     -------
     ndarray of complex
-        1/s, by falling real part; a positive one grows. A pole beyond half the control rate appears aliased.
+        1/s, by descending real part; a positive real part means growth. Poles beyond half the control rate are aliased.
 
     Raises
     ------
@@ -435,7 +435,7 @@ def closed_loop_poles(rig: Rig, control: AnyControl) -> Complex:
     loop = close_loop(rig, control)
     if loop is None or not is_linear(loop):
         raise SimulationError(
-            "no linear law with an active actuator",
+            "not a linear law with an active actuator",
             where="control",
             found="none" if loop is None else f"{loop.first.name}, {loop.actuator.kind}",
             allowed="active-skyhook, pid, lqr, lqg, h-infinity with an active actuator",
@@ -447,7 +447,7 @@ def closed_loop_poles(rig: Rig, control: AnyControl) -> Complex:
 
 
 def is_linear(loop: ControlLoop) -> bool:
-    """Whether the law is a formula with a force actuator: apart from its limits such a loop is linear."""
+    """Whether the law is a formula with a force actuator: apart from limits, such a loop is linear."""
     return isinstance(loop.actuator, ActiveActuator) and not isinstance(
         loop.first, CallbackController
     )
@@ -456,7 +456,7 @@ def is_linear(loop: ControlLoop) -> bool:
 def poles(
     loop: ControlLoop, compiled: Compiled, p: Array, rest: Equilibrium, still: Array
 ) -> Complex:
-    """Poles (1/s) of a loop around a model with actuators at rest, by falling real part; ``still`` are the inputs."""
+    """Compute the poles (1/s) of a loop at rest, by descending real part; ``still`` are the inputs."""
     law = program(loop.first, loop.corners)
     slopes = _slopes(law, values(loop.controllers, loop.models, law.numbers))
     return _sampled_poles(
@@ -474,7 +474,7 @@ def _sampled_poles(
     slopes: tuple[Array, Array],
     period: float,
 ) -> Complex:
-    """Poles of a loop with a sampled law, given slopes of (commands, memory) by memory and channels, and its period."""
+    """Compute the poles of a loop with a sampled law from its period and (commands, memory) slopes."""
     from scipy.linalg import expm
 
     facts, names = compiled.facts, compiled.output_names
@@ -500,7 +500,7 @@ def _sampled_poles(
 
 
 def _slopes(law: Program, p: Array) -> tuple[Array, Array]:
-    """Slopes of (commands, next memory) by memory and measurements, at rest."""
+    """Return slopes of (commands, next memory) by memory and measurements, at rest."""
     function = law.function
     memory, measured, numbers, nothing = (
         ca.SX.sym(f"i{i}", function.size1_in(i)) for i in range(function.n_in())
@@ -513,7 +513,7 @@ def _slopes(law: Program, p: Array) -> tuple[Array, Array]:
     by_memory, by_channels = evaluate(
         np.zeros(function.size1_in(0)), np.zeros(function.size1_in(1)), p
     )
-    return np.asarray(by_memory), np.asarray(by_channels)[:, :-1]  # the last one is the time
+    return np.asarray(by_memory), np.asarray(by_channels)[:, :-1]  # the last input is the time
 
 
 def check_stable(
@@ -528,12 +528,12 @@ def check_stable(
             "the closed loop is unstable: small motions grow",
             where=f"control: {loop.first.name}",
             found=f"a pole at {worst.real:.3g} 1/s, {abs(worst.imag) / (2.0 * np.pi):.3g} Hz",
-            hint="Take smaller gains, a faster actuator or a higher control rate (check=False runs it all the same).",
+            hint="Use smaller gains, a faster actuator or a higher control rate (check=False runs it all the same).",
         )
 
 
 def check_coupling(loop: ControlLoop, compiled: Compiled, p: Array, prepared: PreparedRun) -> None:
-    """Refuse an FMU's force that is held so long that small motions grow; arguments as for :func:`poles`."""
+    """Refuse an FMU whose force is held so long that small motions grow; arguments as for :func:`poles`."""
     rest, regulator = prepared.equilibrium, next(iter(loop.regulators), None)
     if regulator is None or rest is None or not isinstance(loop.actuator, ActiveActuator):
         return

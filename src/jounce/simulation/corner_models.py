@@ -14,20 +14,20 @@ from jounce.simulation.linear_model import numbers_without_friction
 from jounce.simulation.statics import Equilibrium, find_equilibrium
 
 _TYPICAL_VELOCITY = (
-    0.3  # m/s of the damper's mean coefficient; r.m.s. on a class C road at 20 m/s is 0.2 to 0.25
+    0.3  # m/s, for the damper's mean coefficient; r.m.s. on a class C road at 20 m/s is 0.2 to 0.25
 )
 
 
 def corners_of(rig: Rig) -> tuple[str, ...]:
-    """Names of the corners; "" for the only corner of a quarter car or a 3-D corner."""
+    """Return the names of the corners; "" for the only corner of a quarter car or a 3-D corner."""
     return tuple(rig.corners) if isinstance(rig, Vehicle) else ("",)
 
 
 def corner_models(rig: Rig) -> dict[str, CornerModel]:
-    """Quarter-car equivalents of all corners.
+    """Compute the quarter-car equivalents of all corners.
 
-    The sprung mass is the static share of the body's load; spring, tyre and unsprung mass come from the linearised
-    model; anti-roll bars and dry friction are left out; the damper has its mean coefficient at 0.3 m/s.
+    The sprung mass is the static share of the body's load. Spring, tyre and unsprung mass follow from the linearised
+    model. Anti-roll bars and dry friction are ignored; the damper has its mean coefficient at 0.3 m/s.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def corner_models(rig: Rig) -> dict[str, CornerModel]:
     gravity = values.get("gravity", 0.0)
     if gravity <= 0.0:
         raise SimulationError(
-            "no gravity: nothing says what a corner carries",
+            "no gravity: the load of a corner is undefined",
             where="gravity",
             found=gravity,
             allowed="above 0 m/s^2",
@@ -70,7 +70,7 @@ def corner_models(rig: Rig) -> dict[str, CornerModel]:
 
 
 class _View:
-    """Outputs of a model at rest, by channel, and their slopes by free displacements and speeds."""
+    """Outputs of a model at rest by channel, and their slopes by free displacements and speeds."""
 
     def __init__(self, compiled: Compiled, p: Array, rest: Equilibrium, still: Array) -> None:
         self._compiled, self._p, self._rest, self._still = compiled, p, rest, still
@@ -97,7 +97,7 @@ class _View:
         )
 
     def at_velocity(self, name: str, velocity: str, value: float) -> float:
-        """An output when a velocity channel has a value (m/s) and all displacements are those at rest."""
+        """Return an output for a value of a velocity channel (m/s), with all displacements as at rest."""
         row = self.row(velocity, rates=True)
         reduced = np.zeros(self._rest.lift.shape[1])
         reduced[len(row) : 2 * len(row)] = row / (row @ row) * value
@@ -117,7 +117,7 @@ def _corner(view: _View, prefix: str, gravity: float) -> CornerModel:
     body, wheel = f"{prefix}sprung.vz", f"{prefix}unsprung.vz"
     if not view.has(body):
         raise SimulationError(
-            "nothing to control: the body is held",
+            "nothing to control: the body is fixed",
             where="guide",
             found="fixed",
             allowed="a body that moves",
@@ -138,7 +138,7 @@ def _corner(view: _View, prefix: str, gravity: float) -> CornerModel:
     if load <= 0.0:
         place = prefix.removesuffix(".") or "the wheel"
         raise SimulationError(
-            "a corner carries nothing of the body", where=place, found=f"{load:.4g} N"
+            "a corner carries no load of the body", where=place, found=f"{load:.4g} N"
         )
     return CornerModel(
         load / gravity, mass, spring, stiffness, damping, r, gravity, view.value(deflection)
@@ -146,5 +146,5 @@ def _corner(view: _View, prefix: str, gravity: float) -> CornerModel:
 
 
 def _share(row: Array, of: Array) -> float:
-    """Factor between two proportional slopes."""
+    """Return the factor between two proportional slopes."""
     return float(row @ of / (of @ of))

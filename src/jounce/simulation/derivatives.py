@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Gradient(Shown):
-    """Value of an objective, and its slope by each parameter.
+    """Value of an objective and its slope with respect to each parameter.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class Gradient(Shown):
     gradient : dict
         Parameter path to the slope, per SI unit of the parameter.
     channels : dict
-        Share of the value by channel, SI.
+        Contribution of each channel to the value, SI.
     """
 
     value: float
@@ -78,7 +78,7 @@ def sensitivities(
     xarray.Dataset
         One variable for each channel, over ``parameter`` and ``time`` (s). ``units`` is the channel's unit; values are
         per SI unit of the parameter, given by the coordinate ``parameter_units``. ``attrs["method"]`` is the method:
-        "reduced explicit" for a corner run by its one coordinate, otherwise that of the full model.
+        "reduced explicit" for a reduced corner, otherwise that of the full model.
 
     Raises
     ------
@@ -140,13 +140,13 @@ def gradient(
     parameters : sequence of str
         Paths, e.g. ``"strut.spring.rate"``.
     objective : xarray.Dataset, pandas.DataFrame or mapping
-        A recording in SI, or a table with columns ``name [unit]``: the objective is the sum over its channels and
-        samples of (measured - simulated)^2. Or weights (1) by channel: the weighted sum of the channels' mean squares
-        over the trial.
+        A recording in SI units, or a table with columns ``name [unit]``: the objective is the sum of
+        (measured - simulated)^2 over its channels and samples. Alternatively weights (1) by channel: the objective is
+        the weighted sum of the channels' mean squares over the trial.
     weights : mapping, optional
-        For a recording: weights (1) of the sums by channel; other channels are ignored. Default: all channels with 1.
+        For a recording, weights (1) by channel; other channels are ignored. By default all channels have weight 1.
     output_step, tolerance : float
-        As in :class:`jounce.simulation.RunSettings`: s, 1. A recording brings its own times.
+        As in :class:`jounce.simulation.RunSettings`: s, 1. A recording is compared at its own times.
 
     Returns
     -------
@@ -161,11 +161,11 @@ def gradient(
         If the model does not use a parameter, a recording is longer than the trial, or the run stops before its
         end.
     RecordingError
-        If a recording is not in SI or not finite.
+        If a recording is not in SI units or not finite.
 
     Examples
     --------
-    How the mean square of the body's acceleration changes with spring and damper:
+    Slopes of the mean square body acceleration by spring rate and damping:
 
     >>> import jounce as jn
     >>> trial = jn.Trial(road=jn.HalfSine(height="10 mm", length="60 mm"), speed="1.95 m/s", duration="1 s")
@@ -187,7 +187,9 @@ def gradient(
         times = _times_of(measured, trial)
     elif weights is not None:
         raise SimulationError(
-            "weights go with a recording", where="weights", hint="The objective has its own."
+            "weights require a recording",
+            where="weights",
+            hint="The objective already contains weights.",
         )
     else:
         wanted = {name: objective[name] for name in objective}
@@ -241,7 +243,7 @@ def _run(
 
 
 def _times_of(measured: xr.Dataset, trial: Trial) -> Array:
-    """Times of a recording, with 0 added if it starts later: the run begins there."""
+    """Return the times of a recording, with 0 prepended if it starts later, since runs begin at 0."""
     times = np.asarray(measured["time"].to_numpy(), dtype=np.float64)
     if (
         not len(times)

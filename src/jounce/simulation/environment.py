@@ -29,16 +29,16 @@ from jounce.simulation.problem import excitation
 OBSERVED = ("sprung.az", "sprung.vz", "unsprung.vz", "strut.deflection", "strut.velocity")
 """Default observations of each corner, if the model has them."""
 COST = {"sprung.az": 1.0, "strut.deflection": 4e3, "tyre.deflection": 4e4}
-"""Default weights of the mean squares (changes from rest) in the cost, 1 over the square of each channel's unit."""
+"""Default weights of mean squares (of changes from rest) in the cost, per squared unit of each channel."""
 _SCALES = {"az": 2.0, "vz": 0.3, "velocity": 0.5, "deflection": 0.03, "force": 2000.0, "z": 0.05}
-"""Typical sizes (SI) of the motion of a car, so that observations are about 1."""
-_WIDEST = 10.0  # typical sizes at which observations are clipped
-_FINEST = 1e-3  # s between the samples of the cost: ten in a period of 100 Hz
-_LOST = 1e3  # negative reward of a run that diverges: more than the cost of any step that does not
+"""Typical sizes (SI) of a car's motion, which scale observations to about 1."""
+_WIDEST = 10.0  # observations are clipped at this many typical sizes
+_FINEST = 1e-3  # s between samples of the cost: ten per period at 100 Hz
+_LOST = 1e3  # negative reward of a diverged run: more than the cost of any regular step
 
 
 class Stepper:
-    """A rig with actuators on a trial, at a command rate: each ``step`` holds commands for one period.
+    """A rig with actuators on a trial, run step by step: each ``step`` holds commands for one period.
 
     Parameters
     ----------
@@ -47,18 +47,18 @@ class Stepper:
     trial : Trial
         Road, speed and duration.
     actuator : SemiActiveDamper, ActiveActuator or MagnetorheologicalDamper
-        Actuator of every strut; open numbers are filled in as for controllers.
+        Actuator of every strut; missing numbers get defaults as for controllers.
     rate : float
         Steps per second, Hz.
     samples : int
-        Outputs in each step, evenly spaced, the last one at its end.
+        Outputs per step, evenly spaced, the last at its end.
     tolerance : float
         Relative error of the displacements.
 
     Notes
     -----
-    ``corners`` and ``channels`` name commands and outputs, ``limits`` has the smallest and largest command of each
-    corner, ``time`` (s) is the present instant, ``status`` the outcome of the last step.
+    ``corners`` and ``channels`` name commands and outputs, ``limits`` contains the minimum and maximum command of
+    each corner, ``time`` (s) is the current time, ``status`` the outcome of the last step.
 
     Examples
     --------
@@ -110,7 +110,7 @@ class Stepper:
         self.time, self.status, self._steps = 0.0, Status.COMPLETED, 0
 
     def start(self) -> Array:
-        """Return to static equilibrium at the start, and return the outputs there, shape (channels,)."""
+        """Reset to static equilibrium at the start and return the outputs there, shape (channels,)."""
         prepared, problem = self._prepared, self._problem
         prepared.start()
         problem.x0[:] = prepared.problem.x0
@@ -119,14 +119,14 @@ class Stepper:
 
     @property
     def is_finished(self) -> bool:
-        """Whether the end of the trial is reached."""
+        """Whether the trial has ended."""
         return self.time >= self.end - 1e-9 * max(1.0, self.end)
 
     def step(self, commands: Array) -> Array:
-        """Hold commands for one period (at most to the trial's end).
+        """Hold commands for one period, or until the trial's end.
 
         Commands are in the order of ``corners`` and are clipped to the limits. The outputs have the shape (channels,
-        samples), SI; samples that were not reached are NaN (``status`` has the reason).
+        samples), SI; samples that were not reached are NaN (``status`` is the reason).
         """
         given = as_samples(commands, where="step", error=SimulationError).ravel()
         if len(given) != len(self.corners) or not np.all(np.isfinite(given)):
@@ -171,32 +171,32 @@ def ride_environment(
     observed: Sequence[str] = OBSERVED,
     cost: Mapping[str, float] | None = None,
 ) -> Any:
-    """Make a Gymnasium environment of a rig or vehicle with actuators on a road.
+    """Create a Gymnasium environment of a rig or vehicle with actuators on a road.
 
-    An action is one number in [-1, 1] for each corner: from the smallest to the largest command. An observation has
-    the observed channels of all corners as changes from rest, divided by a typical size and clipped to [-10, 10]. The
-    reward is minus the cost: weighted mean squares over the step, summed over the corners.
+    An action contains one number in [-1, 1] per corner, from minimum to maximum command. An observation contains the
+    observed channels of all corners as changes from rest, divided by a typical size and clipped to [-10, 10]. The
+    reward is the negative cost: weighted mean squares over the step, summed over the corners.
 
     Parameters
     ----------
     rig : Rig
         Rig or vehicle.
     trial : Trial or callable
-        Road, speed and duration; or a function that makes them from a ``numpy.random.Generator`` at every reset.
+        Road, speed and duration; or a function that creates a trial from a ``numpy.random.Generator`` at every reset.
     actuator : SemiActiveDamper, ActiveActuator or MagnetorheologicalDamper, optional
-        Actuator of every strut; default: a damper between 0.2 and 8/3 of the corner's own.
+        Actuator of every strut; by default a damper between 0.2 and 8/3 of the corner's own.
     rate : float
         Steps per second, Hz.
     observed : sequence of str
-        Channels without their corner.
+        Channel names without the corner.
     cost : mapping, optional
-        Weight of the mean square by channel without its corner, 1 over the square of its unit.
+        Weight of the mean square by channel name without the corner, per squared unit.
 
     Returns
     -------
     gymnasium.Env
-        With ``reset(seed=...)`` and ``step(action)``; ``info`` has ``time`` (s), ``commands`` (by corner, in the
-        actuator's unit), ``cost`` by channel and, if the run stops early, ``status``.
+        Environment with ``reset(seed=...)`` and ``step(action)``; ``info`` contains ``time`` (s), ``commands`` (by
+        corner, in the actuator's unit), ``cost`` by channel and, if the run stops early, ``status``.
 
     Raises
     ------
@@ -225,8 +225,8 @@ def ride_environment(
 def _environment_class() -> Any:
     gymnasium = require("gymnasium", "learn")
 
-    class RideEnv(gymnasium.Env):  # type: ignore[misc, name-defined] # the base is only there with the extra
-        """A suspension on a road; made by :func:`ride_environment`."""
+    class RideEnv(gymnasium.Env):  # type: ignore[misc, name-defined] # the base class requires the extra
+        """A suspension on a road; created by :func:`ride_environment`."""
 
         metadata: ClassVar[dict[str, Any]] = {"render_modes": []}
 
@@ -246,7 +246,7 @@ def _environment_class() -> Any:
             first = trial if isinstance(trial, Trial) else trial(np.random.default_rng(0))
             if not isinstance(first, Trial):
                 raise DescriptionError(
-                    Phrase("the function gives {first}", first=value_or_kind(first)),
+                    Phrase("the function returned {first}", first=value_or_kind(first)),
                     where="trial",
                     allowed="a trial",
                 )
@@ -261,7 +261,7 @@ def _environment_class() -> Any:
         def reset(
             self, *, seed: int | None = None, options: dict[str, Any] | None = None
         ) -> tuple[NDArray[np.float32], dict[str, Any]]:
-            """Begin a run at rest; on a new road if the trial is random."""
+            """Begin a run at rest, on a new road if the trial is random."""
             super().reset(seed=seed, options=options)
             if not isinstance(self._trial, Trial):
                 self._run = self._make(self._trial(self.np_random))
@@ -298,7 +298,7 @@ def _environment_class() -> Any:
             )
 
         def _observation(self, outputs: Array) -> NDArray[np.float32]:
-            """Observation of a sample."""
+            """Return the observation of a sample."""
             scaled = (outputs - self._rest)[self._observed] / self._scales
             return np.clip(scaled, -_WIDEST, _WIDEST).astype(np.float32)
 
@@ -314,7 +314,7 @@ def _stepper(rig: Rig, trial: Trial, actuator: AnyActuator, rate: float) -> Step
 def _columns(
     run: Stepper, words: Sequence[str], default: Sequence[str]
 ) -> tuple[NDArray[np.intp], Array]:
-    """Observed outputs and their typical sizes, corner after corner."""
+    """Return indices of observed outputs and their typical sizes, corner by corner."""
     names = [name for corner in run.corners for name in _present(run, corner, words, default)]
     scales = [_SCALES.get(name.rpartition(".")[2], 1.0) for name in names]
     return np.array([run.channels.index(name) for name in names], dtype=np.intp), np.array(scales)
@@ -323,7 +323,7 @@ def _columns(
 def _weights(
     run: Stepper, cost: Mapping[str, float], default: Mapping[str, float]
 ) -> list[tuple[str, int, float]]:
-    """Channel, output index and weight of every term of the cost."""
+    """Return channel, output index and weight of every term of the cost."""
     terms = []
     for word, weight in cost.items():
         if not (np.isfinite(weight) and weight >= 0.0):
@@ -338,7 +338,7 @@ def _weights(
 
 
 def _present(run: Stepper, corner: str, words: Sequence[str], default: Sequence[str]) -> list[str]:
-    """Channels of a corner; default channels may be missing (massless axles)."""
+    """Return the channels of a corner; default channels may be missing (massless axles)."""
     channels = []
     for word in words:
         name = qualify(corner, word)

@@ -1,4 +1,4 @@
-"""Free vibrations about equilibrium: what a rig that was disturbed earlier still does when a record begins."""
+"""Free vibrations about equilibrium, such as the decaying motion of a rig disturbed before a record begins."""
 
 from __future__ import annotations
 
@@ -11,8 +11,10 @@ from jounce.core.types import Array
 from jounce.simulation.compiled import Compiled
 from jounce.simulation.statics import find_equilibrium
 
-_SMALL = 1e-6  # m: step of a difference by which the outputs move; they are nearly linear in it
-_SWINGS = 1e-6  # imaginary part over size of a pole, above which it is no rounding of a real one
+_SMALL = 1e-6  # m: size of output changes in finite differences; small enough to be linear
+_SWINGS = (
+    1e-6  # imaginary part over magnitude of a pole; smaller ratios are rounding of a real pole
+)
 
 
 @dataclass(frozen=True)
@@ -26,7 +28,7 @@ class FreeVibration:
     decay : float
         Rate of decay, 1/s.
     displaced, moving : dict
-        State to how far it is from equilibrium (SI) when the motion turns, and a quarter of a period later.
+        State to its distance from equilibrium (SI) at maximum displacement, and a quarter of a period later.
     """
 
     frequency: float
@@ -36,10 +38,10 @@ class FreeVibration:
 
 
 def free_motions(compiled: Compiled, p: Array, still: Array) -> list[FreeVibration]:
-    """Return the vibrations of a model at rest under the inputs ``still``, the slowest first.
+    """Return the free vibrations of a model about rest under the inputs ``still``, the slowest first.
 
-    ``p`` are all parameter values (SI). The amplitude is that of the height, travel or deflection among the outputs
-    that moves most. Motions that creep back without a swing are left out.
+    ``p`` are all parameter values (SI). The amplitude refers to the height, travel or deflection output with the
+    largest motion. Overdamped motions are omitted.
     """
     rest = find_equilibrium(compiled, p, still)
     poles, shapes = np.linalg.eig(rest.reduced)

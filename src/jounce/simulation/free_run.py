@@ -41,20 +41,22 @@ if TYPE_CHECKING:
 
 # Sizes and steps of the integration.
 _SMALLEST = (
-    1e-3  # m, rad, m/s or rad/s: smaller motions need not be resolved relative to themselves
+    1e-3  # m, rad, m/s or rad/s: smaller motions need not be resolved relative to their own size
 )
-_LONGEST = 1.2  # radians of the fastest motion at the start in one step
-_SHARE = 0.02  # of the duration, the longest step
-_DECAYING = 0.9  # share of decay in the rate of a motion above which it is no oscillation
+_LONGEST = 1.2  # radians of the fastest initial motion in one step
+_SHARE = 0.02  # longest step as a share of the duration
+_DECAYING = (
+    0.9  # share of decay in the rate of a motion above which it does not count as an oscillation
+)
 _STIFF, _LONG_RUN = (
     20.0,
     1e4,
-)  # decay over oscillation, and decays in a run, beyond which the implicit method pays
+)  # decay over oscillation, and decays in a run, above which the implicit method is worthwhile
 _MASSLESS = (
-    1e-12  # mass that a motion moves, relative to that of the coordinates by themselves: rounding
+    1e-12  # mass moved by a motion, relative to the mass of the single coordinates: rounding
 )
-_MOVING = 1e-3  # share of a coordinate in a motion from which it is named
-# Probes of a run for rounding.
+_MOVING = 1e-3  # minimum share of a coordinate in a motion for it to be named
+# Tests of a run for rounding.
 _PROBES, _PROBED, _MANY_STEPS, _LOOSEST_PROBE = 6, 60, 1000, 1e-3
 _CLOSE, _DIFFERENCES, _ORDER = (
     1e-3,
@@ -66,7 +68,7 @@ _UNSEEN, _SEEN, _CHEAP = (
     0.3,
     0.1,
 )  # share of a step's error caused by rounding: negligible, large, small
-_ROUNDED = 3.0  # times more steps than the motion requires
+_ROUNDED = 3.0  # ratio of steps to those that the motion requires
 # Search for a state of rest.
 _ITERATIONS, _MANY_ITERATIONS, _NEARER = (
     200,
@@ -74,9 +76,9 @@ _ITERATIONS, _MANY_ITERATIONS, _NEARER = (
     0.1,
 )  # without progress, and with progress of that share of a step
 _PROJECTIONS = 3  # Newton steps onto the loops, after a step of 5 cm
-# m or rad: a step of a mechanism on its way to rest, and one that shows that nothing holds it
+# m or rad: step of a mechanism on its way to rest, and step that shows that nothing holds it
 _STRIDE, _FAR = 0.05, 1e6
-# slopes, relative to the largest, that are rounding, and motions that no force decides
+# slopes, relative to the largest, that are rounding, and motions that no force determines
 _NOISE, _UNDECIDED = 1e-11, 1e-9
 _SETTLED, _UNBALANCED, _SHARE_OF_NEUTRAL = (
     1e-10,
@@ -110,34 +112,35 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
         s, or text with a unit.
     start : mapping, optional
         Coordinates (m, rad) and speeds (m/s, rad/s) by name, or text with a unit; others start in the design pose, at
-        rest. If loops do not allow these, the nearest pose and speeds are used, with least change of the given ones.
+        rest. If loops do not allow these, the nearest pose and speeds are used, with minimum change of those given.
     motions : mapping, optional
         Motion by track, see :func:`jounce.mechanics.harmonic` and related functions.
     values : mapping, optional
-        Other values (SI, or text with a unit) of parameters by path; nothing is compiled again.
+        Values (SI, or text with a unit) by path that replace those as built; no recompilation.
     output_step : float
         Step of the output samples, s.
     tolerance : float
         Relative error of coordinates and speeds.
     method : {"auto", "explicit", "implicit"}
-        Integration method, see :func:`jounce.simulate`; "auto" is implicit if something decays at the start far faster
-        than anything oscillates, and after an explicit run that used up its steps.
+        Integration method, see :func:`jounce.simulate`; "auto" is implicit if a motion decays at the start far faster
+        than any motion oscillates, and after an explicit run that exceeded its number of steps.
     redundant : {"refuse", "remove"}
         Treatment of redundant loop equations.
     at_rest : bool
-        Start in equilibrium near the start, with constant tracks. Speeds given in ``start`` are kept, and the
-        equilibrium is that of everything else; undetermined coordinates (a car's place on a level road) stay where they
-        start. The nearest equilibrium may be unstable: a finding says so if nothing moves at the start.
+        Begin in equilibrium near ``start``, with constant tracks. Speeds given in ``start`` are kept; all other motions
+        are in equilibrium. Undetermined coordinates (a car's position on a level road) keep their start values. The
+        nearest equilibrium may be unstable: a finding reports this if nothing moves at the start.
     check : bool
         Raise if the run stops before its end.
 
     Returns
     -------
     xarray.Dataset
-        The outputs on ``time`` (s), SI. ``attrs["degrees_of_freedom"]`` counts the motions that the joints allow at the
-        start. ``attrs["findings"]`` reports changes by assembly to the pose or to given speeds, coordinates that no
-        equilibrium determines, singular configurations passed with modified steps, and a tolerance below rounding; with
-        loops also the motions that they allow, those of them without force, and redundant equations that were dropped.
+        The outputs over ``time`` (s), SI. ``attrs["degrees_of_freedom"]`` counts the motions that the joints allow at
+        the start. ``attrs["findings"]`` reports changes by assembly to the pose or to given speeds, coordinates that
+        equilibrium does not determine, singular configurations passed with modified steps, and a tolerance below
+        rounding. With loops it also reports the motions that they allow, motions without force, and dropped redundant
+        equations.
 
     Raises
     ------
@@ -191,7 +194,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
             if name in model.speeds and pose.x[model.states.index(name)] != 0.0
         }
         first, neutral = _at_rest(compiled, p, u, pose.x, running, model.quaternions.values())
-        if model.constraints:  # close the loops again, now with the speeds of the tracks
+        if model.constraints:  # close the loops again, now including the speeds of the tracks
             prescribed = [
                 i
                 for i, name in enumerate(model.states)
@@ -202,7 +205,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
         if neutral:
             notes.append([finding("simulation.neutral", ", ".join(neutral))])
         is_moving = bool(running) or bool(u[1 :: model.facts.track_order].any())
-        # a spinning body may hold itself up
+        # a spinning body may be stabilised by its spin
         if not is_moving and (names := falling(compiled, first, u, p)):
             notes.append(
                 [
@@ -237,13 +240,13 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
         )
         if check and solution.status is Status.TOO_MANY_STEPS:
             raise SimulationError(
-                "a tolerance below what rounding allows",
+                "a tolerance below rounding accuracy",
                 where="tolerance",
                 found=tolerance,
                 hint=note.message,
             )
         notes.append([note])
-    if mobility is not None:  # without loops, every freedom is that of a named joint
+    if mobility is not None:  # without loops, every degree of freedom belongs to a named joint
         notes.append([*mobility.findings(is_driven=bool(tracks))])
     reach = samples_reached(solution, compiled.facts, check=check)
     channels = {
@@ -266,7 +269,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
 
 
 def _values(mechanism: Mechanism, values: Mapping[str, float | str]) -> dict[str, float]:
-    """Every parameter by path, given values in place of the built-in ones."""
+    """Return every parameter by path; given values replace those as built."""
     every = mechanism.with_values(values)
     lacking = [name for name in mechanism.parameters if name not in every]
     if lacking:
@@ -282,7 +285,7 @@ def _motions(mechanism: Mechanism, motions: Mapping[str, Segments]) -> dict[str,
         if name not in mechanism.tracks:
             raise unknown(name, mechanism.tracks, what="track", where="motions")
         if not isinstance(motion, Segments):
-            hint = "Take constant(), constant_rate(), harmonic(), step() or interpolated() of jounce.mechanics."
+            hint = "Use constant(), constant_rate(), harmonic(), step() or interpolated() of jounce.mechanics."
             raise SimulationError(
                 "not a motion", where=f"motions: {name}", found=str(motion), hint=hint
             )
@@ -299,7 +302,7 @@ def _motions(mechanism: Mechanism, motions: Mapping[str, Segments]) -> dict[str,
 
 
 def _inputs(order: int, tracks: list[Segments], time: float = 0.0) -> Array:
-    """Inputs at a time (s); a start does not need accelerations."""
+    """Return the inputs at a time (s); a start does not need accelerations."""
     u = np.zeros(order * len(tracks))
     for i, track in enumerate(tracks):
         value, rate = track.evaluate(np.array([time]))
@@ -313,7 +316,7 @@ def _check_masses(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Arr
     if not np.all(np.isfinite(matrix)):
         raise SimulationError(
             "the mechanism cannot be computed: its mass matrix is not finite",
-            hint="Check the axes of the joints, and what `values` made of them.",
+            hint="Check the axes of the joints, and how `values` changes them.",
         )
     size = np.sqrt(np.diag(matrix))
     scale = np.where(size > 0.0, size, 1.0)
@@ -330,13 +333,13 @@ def _check_masses(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Arr
         )
 
 
-_NO_FORCE = 1e-6  # N: far below any force that matters in a run
+_NO_FORCE = 1e-6  # N: far below any relevant force
 
 
 def _check_reaches(mechanism: Mechanism, model: Model, x: Array, u: Array, p: Array) -> None:
     """Refuse forces between coincident points: without a direction they would reverse at every step.
 
-    A spring of zero free length has no force there and is allowed.
+    A spring of zero free length has no force in that pose and is allowed.
     """
     pushing = [
         (load.name or load.kind, action.power[0][1], action.wrenches)
@@ -409,12 +412,12 @@ def _assembly_findings(pose: Assembly) -> list[Finding]:
 
 
 def _attainable(begin: Begin, solution: Solution, tolerance: float) -> float | None:
-    """The smallest power of ten that is possible as tolerance if rounding forbids the given one; None if it does not.
+    """Return the smallest attainable power of ten as tolerance if rounding prevents the given one, else None.
 
-    A rate with rounding ``e`` makes an error of ``h e`` in a step of ``h``. If that is as large as the error allowed
-    for a step, steps shrink until it is not, and more of them add up to no less. The steps that the motion alone
-    requires are found by a short run at a tolerance beside which rounding is negligible; both depend on the mechanism
-    and its motion, not on the duration.
+    A rounding error ``e`` of a rate causes an error of ``h e`` in a step of ``h``. If that reaches the error allowed
+    for a step, steps shrink until it does not, without a smaller total error. The steps that the motion alone requires
+    are determined by a short run at a tolerance at which rounding is negligible. Both depend on the mechanism and its
+    motion, not on the duration.
     """
     reached = int(np.sum(np.isfinite(solution.states[0])))
     steps_taken = solution.steps + solution.rejected
@@ -444,7 +447,7 @@ def _attainable(begin: Begin, solution: Solution, tolerance: float) -> float | N
     time_covered = longest * int(np.sum(np.isfinite(probed_run.states[0])))
 
     def required_step(error: float) -> float:
-        """Step that the motion requires at a tolerance, s."""
+        """Return the step (s) that the motion requires at a tolerance."""
         return float(time_covered / max(probed_run.steps, 1) * (error / loose) ** (1.0 / _ORDER))
 
     def is_rounding(error: float, limit: float) -> bool:
@@ -461,9 +464,9 @@ def _attainable(begin: Begin, solution: Solution, tolerance: float) -> float | N
 
 
 def _rounding(prepared: PreparedRun, x: Array, scale: Array) -> float:
-    """Rounding of the rates along the motion at a state, relative to the sizes of the states, 1/s.
+    """Estimate the rounding of the rates along the motion at a state, relative to the sizes of the states, 1/s.
 
-    It is what remains of the rates at close and even distances after six differences (zero for an analytic function):
+    It is estimated from sixth differences of the rates at close, even distances, which vanish for a smooth function:
     independent errors of size ``e`` have a sum of squares of ``e^2 (2 k)! / k!^2``.
     """
     compiled, (p, modes) = prepared.compiled, (prepared.problem.p, prepared.problem.m)
@@ -480,11 +483,11 @@ def _rounding(prepared: PreparedRun, x: Array, scale: Array) -> float:
 def _at_rest(
     compiled: Compiled, p: Array, u: Array, x: Array, running: set[str], quaternions: Iterable[int]
 ) -> tuple[Array, list[str]]:
-    """Equilibrium near a state with given speeds and constant tracks, and the coordinates that it does not determine.
+    """Find the equilibrium near a state with given speeds and constant tracks, and coordinates it does not determine.
 
-    Newton's method on the accelerations of all motions without a given speed, and on the loops. A motion that changes
-    no force has a zero column: the shortest step leaves it where it is, and so does the shortest way back onto the
-    loops. Where the slope vanishes, so that no step would help, the mechanism first falls a little.
+    Newton's method solves for zero accelerations of all motions without a given speed, and for closed loops. A motion
+    that changes no force has a zero column: the step of minimum norm does not change it, nor does the projection onto
+    the loops. If the slope vanishes and no step is possible, the mechanism first falls a little.
     """
     from scipy.linalg import qr
 
@@ -500,7 +503,7 @@ def _at_rest(
     x, fallen = x.copy(), False
 
     def onto_loops(x: Array, modes: Array) -> Array:
-        """Close the loops by the shortest motion of the free coordinates, and normalise quaternions."""
+        """Close the loops by the smallest motion of the free coordinates, and normalise quaternions."""
         for _ in range(_PROJECTIONS if facts.constraints else 0):
             slopes, gap = (
                 compiled.slopes("x", x, still, p, modes),
@@ -533,7 +536,7 @@ def _at_rest(
         slope = slopes["rate"]
         internal = [
             i for i in range(end, len(x)) if slope[i, i] != 0.0
-        ]  # others change only with motion
+        ]  # others change only during motion
         lift = np.zeros((len(x), len(others) + len(internal)))
         lift[:n_q, : len(others)] = slope[:n_q, n_q + others]
         lift[internal, range(len(others), lift.shape[1])] = 1.0
@@ -543,9 +546,7 @@ def _at_rest(
         matrix, residual = slope[rows] @ lift, rate
         closing: Array = np.zeros(lift.shape[1])
         directions: Array = np.eye(lift.shape[1])
-        if (
-            facts.constraints
-        ):  # first the shortest step that closes the loops, then along the motions that they allow
+        if facts.constraints:  # first the smallest step that closes the loops, then one along the motions they allow
             across = slopes["constraint"] @ lift
             left = compiled.evaluate("constraint", x, still, p, modes)
             closing = np.asarray(-np.linalg.lstsq(across, left, rcond=1e-12)[0], dtype=np.float64)
@@ -554,12 +555,12 @@ def _at_rest(
         size = np.max(np.abs(matrix), axis=1, initial=0.0)
         scale = np.maximum(size, _NOISE * (np.max(size, initial=0.0) or 1.0))[
             :, None
-        ]  # rounding stays small
+        ]  # keeps rounding small
         residual = (residual + matrix @ closing) / scale[:, 0]
         balance = matrix @ directions / scale
         _, values, right = np.linalg.svd(balance)
         decided = int(np.sum(values > _UNDECIDED * max(1.0, np.max(values, initial=0.0))))
-        # as many accelerations as undetermined motions; the others vanish with them, or nothing is at rest
+        # as many accelerations as undetermined motions; the others vanish as well, or there is no rest
         chosen = (
             qr(balance.T, mode="r", pivoting=True)[1][:decided]
             if balance.size
@@ -574,7 +575,7 @@ def _at_rest(
         left_to_go = np.max(np.abs(step[: len(others)]), initial=0.0)
         if not np.all(np.isfinite(step)) or left_to_go > _FAR:
             break
-        # A mechanism's path is curved, so steps are short; longer ones follow if they approach steadily.
+        # A mechanism's path is curved: steps are short, and become longer if they converge steadily.
         nearer = left_to_go < nearest - _NEARER * stride
         nearest, idle = (left_to_go, 0) if nearer else (nearest, idle + 1)
         stride = 2.0 * stride if nearer and tried > _ITERATIONS else _STRIDE
@@ -599,7 +600,7 @@ def _at_rest(
             if falling:
                 names = ", ".join(dict.fromkeys(motion_of_speed(name) for name in falling))
                 raise SimulationError(
-                    "no static equilibrium was found: nothing holds it", where=names, hint=_HINT
+                    "no static equilibrium was found: nothing supports it", where=names, hint=_HINT
                 )
             neutral = np.any(
                 np.abs((directions @ right[decided:].T)[: len(others)]) > _SHARE_OF_NEUTRAL, axis=1

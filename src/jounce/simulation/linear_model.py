@@ -18,7 +18,7 @@ from jounce.simulation.compiled import Compiled, compile_rig
 from jounce.simulation.result import flipped_at
 from jounce.simulation.statics import Equilibrium, find_equilibrium, for_small_motions
 
-_NOTHING_HOLDS = 1e-7  # share of the fastest eigenvalue below which one is zero: root of rounding, as for a double root
+_NOTHING_HOLDS = 1e-7  # eigenvalues below this share of the fastest are zero: root of rounding, as for a double root
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class LinearModel(Shown):
     def frequency_response(
         self, frequency: ArrayLike, output: str, track: str = "road.z"
     ) -> NDArray[np.complex128]:
-        """Complex amplitude of an output for unit harmonic motion of a track.
+        """Compute the complex amplitude of an output for unit harmonic motion of a track.
 
         Parameters
         ----------
@@ -96,8 +96,8 @@ class Mode(Shown):
     damping_ratio : float
         Fraction of critical damping (1).
     shape : dict
-        Real and imaginary part of the eigenvector by height (channel such as ``sprung.z``, m; of vehicles also
-        ``body.pitch`` and ``body.roll``, rad), the largest component scaled to 1.
+        Real and imaginary part of the eigenvector by height (channel such as ``sprung.z``, m; for vehicles also
+        ``body.pitch`` and ``body.roll``, rad), with the largest component scaled to 1.
     """
 
     frequency_hz: float
@@ -109,8 +109,8 @@ class Mode(Shown):
 def linearise(rig: Rig, road_height: float = 0.0) -> LinearModel:
     """Linearise a rig about static equilibrium.
 
-    A damper with different slopes in bump and rebound has the mean of both. Dry friction has its slope at rest: it
-    all but locks the strut, as it does while motions are too small to make it slide.
+    A damper with different slopes in bump and rebound has their mean. Dry friction has its slope at rest: it almost
+    locks the strut, as it does in motions that are too small to make it slide.
 
     Parameters
     ----------
@@ -157,7 +157,7 @@ def _linearise(rig: Rig, road_height: float, *, slides: bool = False) -> LinearM
     equilibrium = dict(zip(facts.states, map(float, rest.x), strict=True))
     speeds = [
         facts.speeds[i] for i in rest.free
-    ]  # states: the free motions, their speeds, and the internal states
+    ]  # states: free motions, their speeds, and internal states
     states = (*map(motion_of_speed, speeds), *speeds, *facts.internal)
     return LinearModel(
         states, inputs, compiled.output_names, rest.reduced, b, c @ rest.lift, d, equilibrium
@@ -165,10 +165,10 @@ def _linearise(rig: Rig, road_height: float, *, slides: bool = False) -> LinearM
 
 
 def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
-    """Oscillating modes of a rig about static equilibrium, by rising frequency.
+    """Compute the oscillating modes of a rig about static equilibrium, by ascending frequency.
 
-    A motion without restoring force, such as yaw on a spherical joint, is no mode. A damper with different slopes in
-    bump and rebound has the mean of both. Dry friction is left out: it has no damping ratio, and it locks the strut at
+    A motion without restoring force, such as yaw on a spherical joint, is not a mode. A damper with different slopes
+    in bump and rebound has their mean. Dry friction is ignored: it has no damping ratio, and it locks the strut at
     rest.
 
     Parameters
@@ -181,7 +181,7 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
     Returns
     -------
     tuple of Mode
-        By rising undamped natural frequency.
+        Modes by ascending undamped natural frequency.
 
     Examples
     --------
@@ -211,14 +211,14 @@ def modes(rig: Rig, road_height: float = 0.0) -> tuple[Mode, ...]:
 
 
 def _is_shown(name: str, outputs: tuple[str, ...]) -> bool:
-    """Whether a channel is part of a mode's shape: heights; of a vehicle's body its own height and angles."""
+    """Whether a channel is part of a mode's shape: a height, or a vehicle body's height and angles."""
     if "body.z" in outputs and name.endswith("sprung.z") and not name.endswith("unsprung.z"):
         return False
     return name.endswith(".z") or name in ("body.pitch", "body.roll")
 
 
 def equilibrium(rig: Rig, road_height: float = 0.0) -> dict[str, float]:
-    """Static equilibrium of a rig: every state and output channel by name, SI.
+    """Compute the static equilibrium of a rig: every state and output channel by name, SI.
 
     Parameters
     ----------
@@ -261,8 +261,8 @@ def _at_rest(
     outputs = compiled.evaluate("output", rest.x, u, compiled.plain.extend(p), rest.modes)
     if flipped_at(compiled.output_names, outputs[:, None]) is not None:
         raise SimulationError(
-            "the linkage goes together the wrong way round only",
+            "the linkage can only be assembled in its inverted configuration",
             where="static equilibrium",
-            hint="Is the rack's travel beyond what the tie rod reaches, or the spring far too strong or too weak?",
+            hint="Check whether the tie rod reaches the rack's travel and whether the spring is far too stiff or soft.",
         )
     return compiled, p, rest, u

@@ -1,11 +1,11 @@
 """Linear systems of the implicit method, ``(s - df/dx) d = r`` with a shift ``s``, as expression graphs.
 
-The rates need the accelerations, which solve the equations of motion. The slopes of the rates are therefore never
-formed: the changes of the accelerations are unknowns beside those of the states, and their sparse system is eliminated
+The rates depend on the accelerations, which solve the equations of motion. The slopes of the rates are never formed:
+the changes of the accelerations are unknowns in addition to those of the states, and their sparse system is eliminated
 in the order coordinates, internal states, speeds, multipliers. It needs no pivoting: for the coordinates the matrix is
 the shift plus at most an antisymmetric part, for the speeds ``s M + C + K / s``, for the multipliers ``G (..)^-1 G^T``.
-A pivot may vanish only if the shift is as small as the rate at which something grows by itself; the soundness of the
-pivots is reported.
+A pivot may vanish only if the shift is as small as the rate of an unstable motion; the soundness of the pivots is
+reported.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _FUNCTIONS = ("look", "along_input", "factor", "interpolant")
 
 
 def slopes_of(compiled: Compiled) -> Slopes:
-    """Native functions for the linear systems of a model; they live as long as the model, and are cached on disk."""
+    """Return native functions for the linear systems of a model, kept as long as the model and cached on disk."""
     return _slopes_of(compiled.plain)[0]
 
 
@@ -58,13 +58,13 @@ def _source(model: Model) -> Source:
 
 
 def linear_functions(model: Model) -> dict[str, ca.Function]:
-    """Graphs of the functions that evaluate slopes, factorise and solve.
+    """Return graphs of the functions that evaluate slopes, factorise and solve.
 
     Returns
     -------
     dict
         - ``look(x, u, p, m)``: non-zero elements of the slopes of the balance and of the rates, then the rates;
-        - ``along_input(x, u, p, m)``: slopes of the rates by the inputs, column after column;
+        - ``along_input(x, u, p, m)``: slopes of the rates by the inputs, column by column;
         - ``factor(slopes, shift, -, -)``: soundness of the pivots (1 is best, 0 useless), then the factors;
         - ``solve(r, -, factors, slopes)``: the solution, with ``factors`` from ``factor``.
     """
@@ -89,7 +89,7 @@ def linear_functions(model: Model) -> dict[str, ca.Function]:
 
 
 def _elements(matrices: Iterable[ca.SX]) -> ca.SX:
-    """Non-zero elements of matrices, one after another."""
+    """Concatenate the non-zero elements of matrices."""
     return ca.vertcat(*(ca.vec(matrix.nz[:]) for matrix in matrices))
 
 
@@ -98,7 +98,7 @@ def _eliminate(model: Model, expression: ca.SX) -> ca.SX:
 
 
 def _along_input(model: Model) -> ca.SX:
-    """Slopes of the rates by the inputs, using the factors that solve for the accelerations."""
+    """Return slopes of the rates by the inputs, using the factors that solve for the accelerations."""
     balance = model.balance
     changed = ca.jacobian(balance.residual, model.u)
     columns = [balance.answer(changed[:, i]) for i in range(changed.shape[1])]
@@ -108,7 +108,7 @@ def _along_input(model: Model) -> ca.SX:
 
 
 def _slopes(model: Model) -> tuple[_Slopes, list[ca.SX]]:
-    """Symbols of the non-zero slopes, and their values in terms of the unknowns."""
+    """Return symbols of the non-zero slopes, and their values in terms of the unknowns."""
     balance, (n_q, n_v) = model.balance, (len(model.coordinates), len(model.speeds))
     rows = balance.residual.shape[0]
     unknown = balance.unknown[:rows]  # multipliers of dropped rows have no effect
@@ -139,17 +139,17 @@ class _Slopes:
 
     @property
     def all(self) -> tuple[ca.SX, ...]:
-        """Every matrix, in the order of their values."""
+        """All matrices, in the order of their values."""
         return self.balance_state, self.balance_unknown, self.rate_state, self.rate_unknown
 
     @property
     def _order(self) -> list[int]:
-        """States in the order of elimination."""
+        """Return the indices of the states in the order of elimination."""
         n_q, n_v, size = self.coordinates, self.speeds, self.rate_state.shape[1]
         return [*range(n_q), *range(n_q + n_v, size), *reversed(range(n_q, n_q + n_v))]
 
     def matrix(self, shift: ca.SX) -> ca.SX:
-        """Matrix of (states, multipliers) in the order of elimination; speeds replace accelerations."""
+        """Return the matrix of (states, multipliers) in the order of elimination; speeds replace accelerations."""
         n_q, n_v, others = self.coordinates, self.speeds, self.rate_state.shape[0]
         upper = -self._with_accelerations(self.rate_state, self.rate_unknown, shift)
         for i in range(others):
@@ -162,13 +162,13 @@ class _Slopes:
         return ca.vertcat(upper[:, columns], forces[::-1, columns], loops[:, columns])
 
     def _with_accelerations(self, by_state: ca.SX, by_unknown: ca.SX, shift: ca.SX) -> ca.SX:
-        """Slopes by the states if the accelerations change by ``shift`` times the speeds."""
+        """Return slopes by the states if the accelerations change by ``shift`` times the speeds."""
         n_q, n_v = self.coordinates, self.speeds
         speeds = by_state[:, n_q : n_q + n_v] + shift * by_unknown[:, :n_v]
         return ca.horzcat(by_state[:, :n_q], speeds, by_state[:, n_q + n_v :])
 
     def right_side(self, r: ca.SX) -> ca.SX:
-        """Right-hand side in the order of elimination."""
+        """Return the right-hand side in the order of elimination."""
         n_q, n_v = self.coordinates, self.speeds
         speeds = r[n_q : n_q + n_v]
         upper = ca.vertcat(r[:n_q], r[n_q + n_v :]) - self.rate_unknown[:, :n_v] @ speeds
@@ -176,13 +176,13 @@ class _Slopes:
         return ca.vertcat(upper, (-forces[:n_v])[::-1], forces[n_v:])
 
     def in_state_order(self, solution: ca.SX) -> ca.SX:
-        """States in their own order, from the solution in the order of elimination."""
+        """Reorder a solution from the order of elimination to that of the states."""
         order = self._order
         return ca.vertcat(*(solution[order.index(i)] for i in range(len(order))))
 
 
 class Factors:
-    """Unrolled factorisation ``L U`` of a sparse matrix without pivoting; structural zeros cost nothing."""
+    """Unrolled factorisation ``L U`` of a sparse matrix without pivoting; exploits structural zeros."""
 
     def __init__(self, matrix: ca.SX) -> None:
         size = matrix.shape[0]
@@ -208,7 +208,7 @@ class Factors:
 
     @property
     def values(self) -> ca.SX:
-        """All input of ``solve``, flat."""
+        """All inputs of ``solve``, as a flat vector."""
         parts = (
             *(ca.vertcat(*row.values()) for row in (*self._lower, *self._upper)),
             *self._inverses,
@@ -217,7 +217,7 @@ class Factors:
 
     @property
     def soundness(self) -> ca.SX:
-        """Smallest ratio of a pivot to the diagonal element that it came from, for non-zero ones."""
+        """Minimum ratio of a pivot to its original diagonal element, for non-zero elements."""
         worst = ca.SX(1.0)
         for pivot, diagonal in zip(self._pivots, self._diagonal, strict=True):
             if diagonal.nnz():
@@ -225,7 +225,7 @@ class Factors:
         return worst
 
     def solve(self, values: ca.SX, right: ca.SX) -> ca.SX:
-        """Solution for a right-hand side, with the ``values`` of the factors as symbols."""
+        """Return the solution for a right-hand side, with the ``values`` of the factors as symbols."""
         size, place = len(self._inverses), iter(range(values.shape[0]))
         lower = [{k: values[next(place)] for k in row} for row in self._lower]
         upper = [{k: values[next(place)] for k in row} for row in self._upper]

@@ -1,4 +1,4 @@
-"""A prepared run: equilibrium, sizes, method, step control, and all arrays; running it only computes."""
+"""Preparation of runs: equilibrium, typical sizes, method, step control and all arrays, computed before the run."""
 
 from __future__ import annotations
 
@@ -24,46 +24,47 @@ from jounce.simulation.result import Solution
 from jounce.simulation.settings import MAX_STEPS, Method
 from jounce.simulation.statics import Equilibrium, find_equilibrium, state_scale
 
-# The share of the tolerance for one step, so that a whole run keeps its tolerance, was determined on the shipped
-# models,
+# The share of the tolerance per step with which a whole run meets its tolerance was determined on the shipped models,
 # several roads and speeds (tests/physics/test_tolerance.py): errors of steps add up, and accelerations are not
 # controlled.
-STEP_SHARE = 0.003  # of the tolerance for one step of the explicit method
-_SHORT_SHARE = 0.03  # the same for the pair of lower order, whose total error is smaller for the same error per step
+STEP_SHARE = 0.003  # share of the tolerance for one step of the explicit method
+_SHORT_SHARE = 0.03  # as above for the pair of lower order, whose total error is smaller for the same error per step
 IMPLICIT_SHARE = (
-    0.08  # the same for the implicit method: stiff parts with dry friction need the smaller share
+    0.08  # as above for the implicit method: stiff parts with dry friction need the smaller share
 )
 _LONGEST, _SHORT, _IMPLICIT = (
     1.2,
     0.4,
     1.2,
-)  # radians of the fastest motion in one step of each at a tolerance of 1e-5
+)  # radians of the fastest motion in one step of each method at a tolerance of 1e-5
 _STAGES, _SHORT_STAGES = (
     16.0,
     7.0,
-)  # rates that a step of either pair evaluates, with its interpolant
-_STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: sticking friction soon slides
+)  # rate evaluations in a step of either pair, including its interpolant
+_STABLE = 0.4  # share of the fastest decay at rest that the method must resolve: friction soon starts to slide
 _LONG_RUN = (
     5000.0  # radians of the fastest motion: shorter runs take less time than the choice of a method
 )
-_FASTER = 4.0  # steps of the explicit method for one of the implicit method, above which the latter is faster
-_CARRIED = 1e-2  # share of the quasi-static motion from which a mode must be visible in the samples
-_FELT = 300.0  # tolerances: share from which a mode must be followed through its oscillations
+_FASTER = 4.0  # the implicit method is faster if it needs fewer steps by at least this factor
+_CARRIED = (
+    1e-2  # modes with at least this share of the quasi-static motion must be visible in the samples
+)
+_FELT = 300.0  # in tolerances: oscillations of modes with at least this share must be resolved
 _HOPELESS = (
     MAX_STEPS  # of the longest length that a run needs: it would stop there after ten seconds
 )
 _SINGULAR = (
-    0.05  # share of the loops' initial conditioning below which a mechanism counts as locked up
+    0.05  # a mechanism counts as locked up below this share of the loops' initial conditioning
 )
 
 
 @dataclass(frozen=True)
 class PreparedRun:
-    """A run with everything laid out: ``run`` only computes, into ``out``, any number of times.
+    """A run with everything allocated and precomputed; ``run`` may be called repeatedly and writes to ``out``.
 
-    ``stiff`` returns the control of the implicit method, None if only the explicit one is possible; ``method`` is tried
-    first. After an explicit run that used up its steps the implicit method has a try. ``equilibrium`` is that under the
-    inputs ``still``, if the run starts from one; ``feedback`` is a controller, and ``begin`` resets its state.
+    ``stiff`` returns the control of the implicit method, None if only the explicit method is possible; ``method`` is
+    tried first. If an explicit run exceeds its number of steps, the implicit method is tried. ``equilibrium`` is that
+    under the inputs ``still``, if the run starts from one; ``feedback`` is a controller, ``begin`` resets its state.
     """
 
     compiled: Compiled
@@ -97,7 +98,7 @@ class PreparedRun:
         return Solution(*arrays, steps, rejected, events, slopes[0], slopes[1], method)
 
     def _status_of(self, status: Status) -> Status:
-        """Status of the run; one that explodes while its loops approach a singular configuration has locked up."""
+        """Return the status of the run; a diverged run whose loops approach a singular configuration has locked up."""
         if status in (Status.COMPLETED, Status.LOOP_OPENED) or not self.compiled.facts.constraints:
             return status
         conditioning = self.out.projected[1, np.isfinite(self.out.states[0])]
@@ -105,14 +106,14 @@ class PreparedRun:
         return Status.LOCKED_UP if lost else status
 
     def start(self) -> None:
-        """Reset everything that a previous run changed."""
+        """Reset all state changed by a previous run."""
         self.problem.piece[:] = self.problem.tracks.first[:-1]
         self.problem.m[:] = self.modes
         if self.begin is not None:
             self.begin()
 
     def _integrate(self, counts: NDArray[np.int64]) -> tuple[str, int]:
-        """Name of the method and return code."""
+        """Integrate and return the name of the method and the return code."""
         self.start()
         code = Status.TOO_MANY_STEPS.code
         if self.method != "implicit":
@@ -142,14 +143,14 @@ def prepare(
 ) -> PreparedRun:
     """Prepare a run from static equilibrium under the signals at ``times[0]``.
 
-    The output ``times`` (s) ascend. ``p`` are all parameter values, SI; the free ones of the model add their
-    sensitivities (``along`` as in :meth:`Compiled.extended`). ``signals`` has every track against time: road heights
-    (m), loads; or one signal for a model with one track. ``tolerance`` and ``method`` are as in :class:`RunSettings`;
-    the run starts at the equilibrium plus ``offset``. It fills ``out``, or new arrays.
+    The output ``times`` (s) ascend. ``p`` contains all parameter values, SI; free parameters of the model add their
+    sensitivities (``along`` as in :meth:`Compiled.extended`). ``signals`` contains every track against time: road
+    heights (m), loads; or one signal for a model with one track. ``tolerance`` and ``method`` are as in
+    :class:`RunSettings`. The run starts at the equilibrium plus ``offset`` and fills ``out``, or new arrays.
     """
     if method == "implicit" and compiled.free:
         raise SimulationError(
-            "the implicit method carries no sensitivities",
+            "the implicit method does not support sensitivities",
             where="method",
             found=f"implicit, with {len(compiled.free)} free parameters",
             allowed="auto, explicit",
@@ -198,7 +199,7 @@ def prepare(
         problem = problem._replace(engine=compiled.short_engine)
     prepared = replace(prepared, problem=problem, control=control)
     duration = float(times[-1] - times[0])
-    hopeless = _HOPELESS if offset is None else math.inf  # other rates apply away from rest
+    hopeless = _HOPELESS if offset is None else math.inf  # rates differ away from rest
     if compiled.free or method == "explicit":
         _check_steps(duration / control.longest, hopeless, limit, duration)
         return prepared
@@ -207,7 +208,7 @@ def prepare(
 
     @cache
     def stiff() -> Control:
-        # Beyond this step samples inside it would be worse than its end, or a contact could be missed.
+        # In a longer step, samples would be less accurate than its end, or a contact could be missed.
         longest = longest_implicit_step(max(shares().fastest(_CARRIED), waves, 1e-3), tolerance)
         return control._replace(tolerance=IMPLICIT_SHARE * tolerance, longest=longest)
 
@@ -216,7 +217,7 @@ def prepare(
         long and implicit_is_faster(shares(), waves, limit, tolerance)
     )
     if implicitly or duration / control.longest > hopeless:
-        implicitly = True  # otherwise it would start after all steps of the explicit method
+        implicitly = True  # otherwise it would start only after all steps of the explicit method
         fastest = shares().fastest(_CARRIED)
         place = compiled.facts.states[shares().place_of(fastest)] if fastest > waves else ""
         _check_steps(duration / stiff().longest, hopeless, max(fastest, waves), duration, place)
@@ -224,7 +225,7 @@ def prepare(
 
 
 def dead_band(compiled: Compiled, p: Array, rest: Equilibrium, scale: Array, u: Array) -> Array:
-    """Tolerance of each switching function about zero: 1e-9 of its change in a typical motion."""
+    """Return the tolerance of each switching function about zero: 1e-9 of its change in a typical motion."""
     if not compiled.facts.switches:
         return np.zeros(0)
     changed, at_rest = (
@@ -234,19 +235,19 @@ def dead_band(compiled: Compiled, p: Array, rest: Equilibrium, scale: Array, u: 
 
 
 def _check_steps(steps: float, most: float, rate: float, duration: float, place: str = "") -> None:
-    """Refuse a run whose fastest motion (rad/s) over its duration (s) takes more steps than allowed."""
+    """Refuse a run whose fastest motion (rad/s) over its duration (s) needs more steps than allowed."""
     if steps > most:
         raise SimulationError(
-            "the fastest motion is too fast for a run as long as this",
+            "the fastest motion is too fast for a run of this length",
             where=place,
             found=f"{rate / (2.0 * math.pi):.3g} Hz for {duration:.4g} s, {steps:.2g} steps at least",
             allowed=Phrase("{most:.2g} steps", most=most),
-            hint="Check masses and stiffnesses for slips in their units, or shorten the run.",
+            hint="Check masses and stiffnesses for wrong units, or shorten the run.",
         )
 
 
 def room(compiled: Compiled, times: Array, outputs: int | None = None) -> Samples:
-    """Arrays of a run sampled at ``times`` (s), for all ``outputs`` or a number of them; NaN where not reached."""
+    """Allocate the arrays of a run sampled at ``times`` (s), for all or ``outputs`` outputs, filled with NaN."""
     facts, free, count = compiled.facts, len(compiled.free), len(times)
     n, outputs = len(facts.states), len(facts.outputs) if outputs is None else outputs
     return Samples(
@@ -277,7 +278,7 @@ def solve(
 
 
 def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array) -> Plan | None:
-    """Plan of exact propagation; None if the model or the road does not allow it."""
+    """Return the plan of exact propagation; None if the model or the road does not allow it."""
     zero, names = compiled.facts.linear_without, compiled.facts.parameters
     if compiled.free or zero is None or any(problem.p[names.index(name)] != 0.0 for name in zero):
         return None
@@ -294,9 +295,9 @@ def _exact(compiled: Compiled, problem: Problem, control: Control, times: Array)
 
 @dataclass(frozen=True)
 class ModalShares:
-    """Undamped natural frequencies at rest (rad/s), and the share of the quasi-static motion over the road in each.
+    """Undamped natural frequencies at rest (rad/s), and each mode's share of the quasi-static motion over the road.
 
-    ``place`` is the index of the state that moves most in each.
+    ``place`` is the index of the state with the largest motion in each mode.
     """
 
     frequency: Array
@@ -304,16 +305,16 @@ class ModalShares:
     place: NDArray[np.int64]
 
     def fastest(self, share: float) -> float:
-        """Highest frequency (rad/s) among the modes with at least this share."""
+        """Return the highest frequency (rad/s) among the modes with at least this share."""
         return float(np.max(self.frequency[self.share >= share], initial=0.0))
 
     def place_of(self, frequency: float) -> int:
-        """Index of the state that moves most in the mode of a frequency (rad/s)."""
+        """Return the index of the state with the largest motion in the mode of a frequency (rad/s)."""
         return int(self.place[np.argmin(np.abs(self.frequency - frequency))])
 
 
 def modal_shares(compiled: Compiled, p: Array, rest: Equilibrium, u: Array) -> ModalShares:
-    """Modes that a road can excite, without damping, since friction that sticks at rest soon slides."""
+    """Return the undamped modes that a road can excite; friction is ignored since it soon starts to slide."""
     f, order = len(rest.free), compiled.facts.track_order
     squares, shapes = np.linalg.eig(-rest.reduced[f : 2 * f, :f])
     pull = rest.pick[f : 2 * f] @ compiled.evaluate("rate_u", rest.x, u, p, rest.modes)[:, ::order]
@@ -332,26 +333,27 @@ def modal_shares(compiled: Compiled, p: Array, rest: Equilibrium, u: Array) -> M
 def implicit_is_faster(
     shares: ModalShares, waves: float, explicit: float, tolerance: float
 ) -> bool:
-    """Compare the limit of the explicit method with the fastest relevant motion or wave of the road (all rad/s)."""
+    """Whether the explicit method's limit is too far above the fastest relevant motion or road wave (all rad/s)."""
     return explicit > _FASTER * max(shares.fastest(_FELT * tolerance), waves)
 
 
 def longest_implicit_step(fastest: float, tolerance: float) -> float:
-    """Longest step (s) for the fastest motion (rad/s) that samples must show; the interpolant is of order 4."""
+    """Return the longest step (s) for the fastest motion (rad/s) visible in samples; the interpolant has order 4."""
     return float(_IMPLICIT * (tolerance / 1e-5) ** 0.2 / fastest)
 
 
 def _motion_size(tracks: dict[str, Segments], rest: Array, offset: Array | None) -> float:
-    """Typical motion, m: the roads' range or the start offset, at least a thousandth of the static deflection."""
+    """Return the typical motion (m): roads' range or start offset, at least a thousandth of the static deflection."""
     shift = 0.0 if offset is None else float(np.max(np.abs(offset[: len(rest)])))
     roads = [signal.extent for name, signal in tracks.items() if is_road(name)]
     return max(*roads, shift, 1e-3 * float(np.max(np.abs(rest))), 1e-9)
 
 
 def longest_step(fastest: float, tolerance: float) -> float:
-    """Step (s) beyond which the interpolant would be worse than the step's end: a share of the fastest oscillation.
+    """Return the step (s) above which the interpolant would be less accurate than the step's end.
 
-    It also keeps steps from passing over a whole contact after a flight, during which the wheel does not feel the road.
+    It is a share of the period of the fastest oscillation. It also prevents a step from skipping a whole contact after
+    a flight, during which the road does not act on the wheel.
     """
     return float(_LONGEST * (tolerance / 1e-5) ** 0.125 / fastest)
 
@@ -359,9 +361,9 @@ def longest_step(fastest: float, tolerance: float) -> float:
 def _edges_set_the_step(
     signals: Iterable[Segments], times: Array, limit: float, tolerance: float
 ) -> bool:
-    """Whether edges of the inputs keep steps so short that the pair of lower order needs fewer stages in total.
+    """Whether edges of the inputs limit steps so much that the pair of lower order needs fewer stages in total.
 
-    Both pairs land on every edge; between edges each takes as many steps as the tolerance requires.
+    Steps of both pairs end on every edge; between edges each takes as many steps as the tolerance requires.
     """
     inner = [
         signal.edges[(signal.edges > times[0]) & (signal.edges < times[-1])] for signal in signals
@@ -376,15 +378,15 @@ def _edges_set_the_step(
 
 
 def explicit_limit(oscillation: Array | float, decay: Array | float, waves: float) -> Array:
-    """Limit of the steps of the explicit method, rad/s: the fastest oscillation, wave or decay."""
-    # Oscillations are undamped: a stiff damper of a soft mode decays but does not oscillate.
+    """Return the rate that limits explicit steps, rad/s: the fastest oscillation, wave or decay."""
+    # Undamped oscillations: a soft mode with a stiff damper decays but does not oscillate.
     return np.maximum(np.maximum(oscillation, _STABLE * np.asarray(decay)), max(waves, 1e-3))
 
 
 def _equilibrium_sensitivity(
     compiled: Compiled, p: Array, rest: Equilibrium, u: Array, along: Array | None
 ) -> Array:
-    """Derivatives of the equilibrium by the free parameters (implicit function theorem), state after state."""
+    """Return the derivatives of the equilibrium by the free parameters (implicit function theorem), state by state."""
     if not compiled.free:
         return np.zeros(0)
     rate, loops = compiled.free_slopes(rest.x, u, p, rest.modes, along)

@@ -1,4 +1,4 @@
-"""The inputs of a model from a trial: the road under each wheel and the manoeuvre loads."""
+"""Inputs of a model from a trial: the road under each wheel and the manoeuvre loads."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ _ONE_WHEEL = {"": Place(0.0, 1)}
 def excitation(
     facts: ModelFacts, rig: Rig, trial: Trial, free: tuple[str, ...] = ()
 ) -> list[Segments]:
-    """Every track of a model against time (s), in the order of the model.
+    """Return every track of a model against time (s), in the model's order.
 
-    ``free`` are parameters that a run is differentiated by, or that vary under the same tracks. A trial with an input
-    that the model ignores is refused, and a free parameter on which the tracks themselves depend.
+    ``free`` are parameters by which a run is differentiated, or that vary under the same tracks. Trials with an input
+    that the model ignores are refused, as are free parameters on which the tracks depend.
     """
     _refuse_unfelt(facts, rig, trial)
     (_lasting_ground if is_lasting(trial) else _refuse_unknown_ground)(trial)
@@ -48,14 +48,14 @@ def excitation(
 
 
 MOVES_TRACKS = ("front.distance", "rear.distance")
-"""Parameters of a vehicle on which the tracks depend: when the rear axle meets the road."""
+"""Parameters of a vehicle on which the tracks depend: they determine when the rear axle reaches the road."""
 
-_SHORTEST = 1e-9  # of a run: a thousand times the least difference of two instants
+_SHORTEST = 1e-9  # share of a run: a thousand times the resolution of time
 COMMAND = "command"  # the track of an actuator
 
 
 def force_actuator(trial: Trial) -> ActiveActuator | None:
-    """The actuator of a trial with a known force: it follows its command at once; None without one."""
+    """Return the actuator of a trial with a known force, which follows its command immediately; None without one."""
     if trial.actuator_force is None:
         return None
     from jounce.control.actuators import ActiveActuator
@@ -64,7 +64,7 @@ def force_actuator(trial: Trial) -> ActiveActuator | None:
 
 
 def _refuse_unknown_ground(trial: Trial) -> None:
-    """Refuse a drive beyond the end of a road that ends at another height: its continuation is unknown."""
+    """Refuse a drive beyond the end of a road that ends at a different height: its continuation is unknown."""
     for name, road in (("road", trial.road), ("right", trial.right)):
         if road is not None and trial.speed is not None:
             road.check_covers(
@@ -91,13 +91,13 @@ def _refuse_unfelt(facts: ModelFacts, rig: Rig, trial: Trial) -> None:
             )
     if trial.actuator_force is not None and COMMAND not in facts.tracks:
         raise SimulationError(
-            "the model has no actuator whose force could be given",
+            "the model has no actuator for a given force",
             where="trial: actuator_force",
             allowed="a single corner with a strut",
         )
     if trial.right is not None and not any(place.side for place in _sides(rig)):
         raise SimulationError(
-            "a road under the right wheels is given",
+            "a road under the right wheels is not supported",
             where="trial: right",
             found=getattr(rig, "model", ""),
             allowed="road only; right is for full cars",
@@ -119,7 +119,7 @@ def _refuse_shifts(rig: Rig, trial: Trial, free: tuple[str, ...]) -> None:
             "derivatives by the wheelbase on a road are not available: it changes when the rear axle meets the road",
             where=f"parameters: {shifting[0]}",
             allowed="other parameters; on a flat road, an excitation in time, or without delay also this one",
-            hint="Take the difference of two runs.",
+            hint="Use the difference of two runs.",
         )
 
 

@@ -1,4 +1,4 @@
-"""The functions of a model's native code, without what depends on parameters only, and their slopes."""
+"""Functions of a model's native code and their slopes, with precomputed expressions of parameters."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from jounce.mechanics.model import Generic, Model
 from jounce.mechanics.tangents import tangent
 
 Labels: TypeAlias = tuple[tuple[str, int], ...]
-"""For each element of an argument: its name without the part's, and the parts that it belongs to."""
+"""Name (without the part's prefix) and parts of each element of an argument."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class ModelProgram:
 
     @property
     def graphs(self) -> dict[str, ca.Function]:
-        """The functions as graphs, those with lanes for a single one."""
+        """Return the functions as graphs; functions with lanes have a single lane."""
         functions = self.functions.items()
         return {
             name: part if isinstance(part, ca.Function) else part.function
@@ -45,7 +45,7 @@ class ModelProgram:
 
 
 def plain_program(model: Model) -> ModelProgram:
-    """Functions of the states alone, and their slopes by states and inputs.
+    """Return the functions of a model without sensitivities, and their slopes by states and inputs.
 
     ``slopes`` takes lanes of (states, inputs) after the states, and returns the lanes of ``SLOPES``.
     """
@@ -81,9 +81,9 @@ def plain_program(model: Model) -> ModelProgram:
 
 
 def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> ModelProgram:
-    """Functions that carry sensitivities ``S = dx/dp``: after the states, one lane for each direction.
+    """Return functions with sensitivities ``S = dx/dp``: after the states, one lane per direction.
 
-    Each of ``count`` directions changes any of the parameters ``moved``: usually a single one.
+    Each of ``count`` directions changes any of the parameters ``moved``, usually a single one.
     """
     for path in moved:
         if path not in model.parameters:
@@ -126,7 +126,7 @@ def sensitive_program(model: Model, moved: tuple[str, ...], count: int) -> Model
 def labels_of(
     hoisted: Hoisted, model: Model, parts: Parts
 ) -> tuple[Labels, Labels, Labels, Labels]:
-    """Name and parts of every state, input, extended parameter and mode."""
+    """Return name and parts of every state, input, extended parameter and mode."""
     order = range(model.track_order)
     inputs = tuple(
         (f"{name}/{i}", mask) for name, mask in map(parts.label, model.tracks) for i in order
@@ -143,7 +143,7 @@ def labels_of(
 def _side_by_side(
     functions: Mapping[str, AnyFunction], hoisted: Hoisted, model: Model
 ) -> dict[str, AnyFunction]:
-    """The same functions with similar parts of the model computed in parallel; an extra one projects one sample."""
+    """Return the functions with similar parts of the model computed in parallel, plus one that projects a sample."""
     assert model.alike
     parts = Parts(*model.alike)
     states, *others = labels_of(hoisted, model, parts)
@@ -163,13 +163,13 @@ def _side_by_side(
 
 
 def residual_first(model: Model) -> ca.SX:
-    """Residual, conditioning, then the projected states."""
+    """Return residual, conditioning, then the projected states."""
     n = model.x.shape[0]
     return ca.vertcat(model.projection[n:], model.projection[:n])
 
 
 def _switch_slope(model: Model) -> ca.SX:
-    """Slopes of each switching function by the states, then by time."""
+    """Return slopes of each switching function by the states, then by time."""
     order = model.track_order
     along_time = sum(
         (
@@ -182,7 +182,7 @@ def _switch_slope(model: Model) -> ca.SX:
 
 
 class Hoisted:
-    """Expressions with everything that depends on parameters (and their directions) only computed beforehand.
+    """Expressions with all subexpressions of parameters (and their directions) alone computed beforehand.
 
     Parameters
     ----------
@@ -191,7 +191,7 @@ class Hoisted:
     p, dp : casadi.SX
         Parameters, and the directions of free ones.
     generic : Generic or None
-        Symbols that stand for numbers.
+        Symbols that replace numbers.
     """
 
     def __init__(
@@ -236,7 +236,7 @@ class Hoisted:
         return int(self._numbers.shape[0]) + len(self._copies)
 
     def labels(self, parts: Parts, paths: tuple[str, ...]) -> tuple[tuple[str, int], ...]:
-        """Name and parts of every extended parameter."""
+        """Return name and parts of every extended parameter."""
         own = tuple(parts.label(path) for path in (*paths, *self._names))
         values = ca.densify(ca.vertcat(*(value for _, value in self._single)))
         graph = Graph(
@@ -268,12 +268,12 @@ class Hoisted:
     def function(
         self, name: str, model: Model, seeds: ca.SX | None = None, more: Sequence[ca.SX] = ()
     ) -> ca.Function:
-        """A function of (states, inputs, extended parameters, modes) and ``more``; ``seeds`` follow the states."""
+        """Create a function of states, inputs, extended parameters, modes and ``more``; ``seeds`` follow the states."""
         x = model.x if seeds is None else ca.vertcat(model.x, seeds)
         return ca.Function(name, [x, model.u, self._numbers, model.m, *more], [self._parts[name]])
 
     def lanes(self, name: str, model: Model, seeds: ca.SX, count: int, scalars: int) -> Lanes:
-        """The same with lanes after states and parameters; ``scalars`` elements of the result have none."""
+        """Return the function with lanes after states and parameters; ``scalars`` elements of the result have none."""
         inputs = [
             ca.vertcat(model.x, seeds),
             model.u,
@@ -288,7 +288,7 @@ class Hoisted:
         return ca.substitute(values, self._constants, self._fixed) if self._names else values
 
     def derive(self, count: int) -> dict[str, AnyFunction]:
-        """Extended parameters, and lanes of them, from parameters and their directions (both in place of states)."""
+        """Return functions for extended parameters and their lanes, which take parameters and directions as states."""
         none = [ca.SX.sym(name, 0) for name in "upm"]
         values = ca.densify(ca.vertcat(self._p, *(value for _, value in self._single)))
         values = self._with_fixed_numbers(ca.vertcat(values, values[self._copies]))

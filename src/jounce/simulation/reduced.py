@@ -1,8 +1,8 @@
-"""Runs of a 3-D corner by its one internal coordinate: polynomials of travel, their error bounds, and the run.
+"""Runs of a 3-D corner reduced to its single internal coordinate: polynomials of travel, and their error bounds.
 
-The quantities of a pose that the equations need are sampled at Chebyshev points of a range of travel, each pose exact
-to rounding. The polynomial keeps the first coefficients; the following ones, sampled as well, bound its error and that
-of its slope. If that is too large, the wheel leaves the range, or the run stops before its end, the full mechanism runs
+The pose quantities in the equations are sampled at Chebyshev points of a range of travel, each pose exact to rounding.
+The polynomial keeps the first coefficients; the following ones, sampled as well, bound its error and that of its slope.
+If that error is too large, the wheel leaves the range, or the run stops before its end, the full mechanism is used
 instead.
 """
 
@@ -59,7 +59,7 @@ if TYPE_CHECKING:
     from jounce.models.reduced import SampledCorner
 
 _SLOPES_SHARE = (
-    0.1  # of the tolerance: allowed relative error of a parameter's effect on a lever or mass
+    0.1  # share of the tolerance: allowed relative error of a parameter's effect on a lever or mass
 )
 _UNFELT = 1e-4  # relative change of a quantity by a unit (SI) of a parameter, below which its error counts as absolute
 _LANES = 8  # parameters of a description whose slopes are computed at once
@@ -69,18 +69,18 @@ _MASSES = ("mass", "momentum", "inertia")
 
 @dataclass(frozen=True)
 class Reduction(Sampling):
-    """Corners of one structure, reduced: the sampling of their poses, and the model with polynomials of each degree."""
+    """Reduced corners of one structure: the sampling of their poses, and the polynomial model of each degree."""
 
     rig: Corner
     placed: dict[int, _TableLayout] = field(default_factory=dict)
     made: LastTables = field(default_factory=LastTables)
 
     def compiled(self, degree: int) -> Compiled:
-        """Native code of the reduced corner."""
+        """Return the native code of the reduced corner."""
         return _compile(self.rig, structure_of(self.rig), degree)
 
     def feels(self, path: str, degree: int = DEGREES[0]) -> bool:
-        """Whether a parameter of the description affects the reduced corner: by itself, or through its table."""
+        """Whether a parameter of the description affects the reduced corner, directly or through its table."""
         return path in self.places(degree).given or self.is_sampled(path)
 
     def is_sampled(self, path: str) -> bool:
@@ -88,7 +88,7 @@ class Reduction(Sampling):
         return path == _RACK or path in self.parameters
 
     def sensitive(self, degree: int, free: tuple[str, ...]) -> Compiled:
-        """The same with sensitivities to parameters of the description; those in a table change all of it."""
+        """Return the code with sensitivities to parameters of the description; those in a table change all of it."""
         places = self.places(degree)
         free_table = tuple(path for path in free if path in places.given)
         if any(map(self.is_sampled, free)):
@@ -99,16 +99,16 @@ class Reduction(Sampling):
 
     @once
     def are_factors(self) -> NDArray[np.bool_]:
-        """Which quantities, except the first, count by their value: masses, and the tyre's inclination."""
+        """Whether each quantity except the first has an error relative to its value: masses and tyre inclination."""
         return np.array([name in _MASSES or name.startswith("tyre.") for name in self.names[1:]])
 
     @once
     def only_shown(self) -> NDArray[np.bool_]:
-        """Which quantities, except the first, are channels only."""
+        """Whether each quantity except the first is only used in channels."""
         return np.array([name.startswith("wheel.") for name in self.names[1:]])
 
     def places(self, degree: int) -> _TableLayout:
-        """Indices of numbers among the parameters of the model of a degree."""
+        """Return the indices of numbers among the parameters of the model of a degree."""
         if degree not in self.placed:
             paths = self.compiled(degree).facts.parameters
             own = [MIDDLE, HALF, *of_travel(self.names[0], 0)]
@@ -123,10 +123,10 @@ class Reduction(Sampling):
     def tables(
         self, p: Array, rack: float, low: float, high: float, degree: int
     ) -> tuple[Array, Array]:
-        """Sample the poses over a range of travel (m) for each row of ``p``; return the tables' numbers, and bounds.
+        """Sample the poses over a range of travel (m) for each row of ``p``; return table parameters and error bounds.
 
-        ``p`` holds the values of ``parameters``, ``rack`` (m) is the fixed rack travel. The bound is that of the
-        relative error; it is NaN if the mechanism does not reach the whole range.
+        ``p`` contains the values of ``parameters``, ``rack`` (m) is the fixed rack travel. The bounds are relative;
+        they are NaN if the mechanism does not reach the whole range.
         """
         points, transform, powers, squares = basis(degree)
         middle, half = 0.5 * (high + low), 0.5 * (high - low)
@@ -134,7 +134,7 @@ class Reduction(Sampling):
         series = values[1:] @ transform.T
         leading, dropped = np.abs(series[..., : degree + 1]), np.abs(series[..., degree + 1 :])
         size = self._sizes(leading, half)
-        # Forces and masses feel the slope of a quantity, channels the quantity itself.
+        # Forces and masses depend on the slope of a quantity, channels on the quantity itself.
         slope_errors, value_errors = (
             dropped @ squares[degree + 1 :],
             SHARE / SHOWN * dropped.sum(axis=-1),
@@ -143,15 +143,17 @@ class Reduction(Sampling):
         may_flip = self.only_shown[:, None] & (
             (leading[..., 1:].sum(axis=-1) > TURNED) | (leading[..., 0] > TURNED)
         )
-        errors[may_flip] = np.inf  # such a wheel may flip over, which only the mechanism shows
+        errors[may_flip] = (
+            np.inf
+        )  # such a wheel may flip over, which only the full mechanism can show
         coefficients = (series[..., : degree + 1] @ powers).transpose(1, 0, 2).reshape(len(p), -1)
         first = np.column_stack([np.full(len(p), middle), np.full(len(p), half), values[0, :, 0]])
         return np.concatenate([first, coefficients], axis=1), errors.max(axis=0)
 
     def _sizes(self, sizes: Array, half: float) -> Array:
-        """Reference of the error of each quantity except the first: its value, or its variation if that counts.
+        """Return the reference of the error of each quantity except the first: its value or its variation.
 
-        ``kept`` are the absolute values of its coefficients along the last axis.
+        ``sizes`` are the absolute values of its coefficients along the last axis.
         """
         levers = np.maximum(sizes[..., 1:].sum(axis=-1), FLAT * half)
         size = np.where(
@@ -163,10 +165,10 @@ class Reduction(Sampling):
     def slopes(
         self, table: TravelTable, degree: int, p: Array, rack: float, free: Sequence[str]
     ) -> tuple[Array, float]:
-        """Derivatives of a table by parameters of the description, one column each, and a bound of their error.
+        """Return derivatives of a table by parameters of the description, one column each, and a bound of their error.
 
-        The poses follow each change with closed loops, exactly; the only error is that of the polynomials, for each
-        parameter relative to the quantity that it changes most.
+        The derivatives of the poses, with closed loops, are exact. The only error is that of the polynomials; for each
+        parameter it is relative to the quantity that it changes most.
         """
         points, transform, powers, squares = basis(degree)
         middle, half = table.numbers[:2]
@@ -202,7 +204,7 @@ class Reduction(Sampling):
     def _along(
         self, p: Array, rack: float, travel: Array, free: Sequence[str]
     ) -> tuple[Array, Array]:
-        """Quantities at ascending travels, and their slopes by parameters: shape (quantities, parameters, travels)."""
+        """Return quantities at ascending travels, and their slopes, shape (quantities, parameters, travels)."""
         walk, place = self.walk(p, rack, travel)
         poses_found, work = space_for(walk, len(self.names))
         walk_poses(walk, poses_found, work)
@@ -229,7 +231,7 @@ class Reduction(Sampling):
 
     @once
     def tangents(self) -> Native:
-        """Native code of the slopes of all quantities."""
+        """Native code for the slopes of all quantities."""
 
         def source() -> Source:
             from jounce.kernel.lowering import Lanes
@@ -245,10 +247,10 @@ class Reduction(Sampling):
     def alike(
         self, base: TravelTable, degree: int, paths: Sequence[str], values: Array, limit: float
     ) -> tuple[Array, NDArray[np.bool_]]:
-        """Parameters of the reduced corner for rows of ``values`` of a description, over the travel of a table.
+        """Return parameters of the reduced corner for rows of ``values`` of a description, over the range of a table.
 
-        ``paths`` name the values; the first row is that of the table. Also returns for which rows the error is within
-        the limit; the others get the numbers of the first.
+        ``paths`` name the values; the first row is that of the table. Also return which rows have an error within the
+        limit; the other rows are filled with the numbers of the first.
         """
         place, places = {path: i for i, path in enumerate(paths)}, self.places(degree)
         sampled = values[:, _numbers(place, self.parameters)]
@@ -267,7 +269,7 @@ class Reduction(Sampling):
     def table(
         self, p: Array, rack: float, low: float, high: float, degree: int
     ) -> TravelTable | None:
-        """The same for one row; None if the mechanism does not reach the whole range."""
+        """Return the table for one row; None if the mechanism does not reach the whole range."""
 
         def make() -> TravelTable:
             numbers, errors = self.tables(p[None, :], rack, low, high, degree)
@@ -278,7 +280,7 @@ class Reduction(Sampling):
 
 
 class _TableLayout(NamedTuple):
-    """Paths of the description's numbers and of those of a table, and their indices."""
+    """Paths of the description's and a table's numbers, and their indices."""
 
     given: tuple[str, ...]
     table: tuple[str, ...]
@@ -294,12 +296,12 @@ _reductions: Recent[Reduction | None] = Recent()
 
 
 def reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> Reduction | None:
-    """Reduction of a rig if runs on a trial may use it; None if the full mechanism has to run."""
+    """Return the reduction of a rig if runs on a trial may use it; None if the full mechanism is required."""
     return reduction_of(rig) if may_reduce(trial, settings) else None
 
 
 def reduction_of(rig: Rig) -> Reduction | None:
-    """Reduction of a rig; None unless it is a corner whose pose follows from one coordinate."""
+    """Return the reduction of a rig; None unless it is a corner whose pose follows from one coordinate."""
     if not isinstance(rig, Corner):
         return None
     structure = structure_of(rig)
@@ -323,7 +325,7 @@ def _reduction(rig: Corner, structure: str) -> Reduction:
 def _sensitive(
     rig: Corner, structure: str, degree: int, varied: tuple[str, ...], count: int
 ) -> Compiled:
-    """The same for any ``count`` numbers that change the parameters ``moved``."""
+    """Compile the reduced corner with sensitivities to ``count`` numbers that change the parameters ``varied``."""
     key = ("reduced", type(rig).__name__, structure, degree, varied, count)
     plain, free = _compile(rig, structure, degree), tuple(f"direction {i}" for i in range(count))
     return compile_described(key, plain.source, free, lambda: plain, varied)
@@ -340,7 +342,7 @@ def _compile(rig: Corner, structure: str, degree: int) -> Compiled:
 
 @dataclass(frozen=True)
 class ReducedRun:
-    """A prepared run, with the table that it is valid for."""
+    """A prepared run with its table."""
 
     prepared: PreparedRun
     table: TravelTable
@@ -354,7 +356,7 @@ class ReducedRun:
         return float(x[n - 1] - (x[0] if n > 1 else 0.0))
 
     def travel_bounds(self, states: Array) -> tuple[Array, Array]:
-        """Bounds of the travel (m) at and between the samples, which run along the last axis."""
+        """Return bounds of the travel (m) at and between the samples, which are along the last axis."""
         n, times = len(self.prepared.compiled.facts.coordinates), self.prepared.out.times
         travel, rate = states[n - 1], states[2 * n - 1]
         if n > 1:
@@ -372,7 +374,7 @@ class ReducedRun:
 
 @dataclass(frozen=True)
 class ReducedCorner:
-    """A corner with its numbers, on a course: signals of the tracks, sample times (s) and tolerance."""
+    """A corner with its parameter values, signals of the tracks, sample times (s) and tolerance."""
 
     reduction: Reduction
     values: Mapping[str, float]
@@ -382,7 +384,7 @@ class ReducedCorner:
     free: tuple[str, ...] = ()
 
     def run(self) -> tuple[Solution, PreparedRun] | None:
-        """Run, over a wider range of travel if the wheel leaves the first; None if that fails."""
+        """Run, with a wider range of travel if the wheel leaves the first one; None if that fails."""
         laid_out = self.lay_out()
         for _ in range(TRIES):
             if laid_out is None:
@@ -400,17 +402,17 @@ class ReducedCorner:
         return None
 
     def beyond(self, low: float, high: float) -> ReducedRun | None:
-        """Prepare a run for a range of travel wider than a wheel has used so far, m."""
+        """Prepare a run for a range of travel (m) wider than the wheel has used so far."""
         wider = BESIDE * (high - low)
         return self.over(low - wider, high + wider)
 
     @property
     def limit(self) -> float:
-        """Largest error allowed for a table."""
+        """Maximum allowed error of a table."""
         return SHARE * self.tolerance
 
     def lay_out(self) -> ReducedRun | None:
-        """Prepare a run for a range about the pose at rest; None if no polynomial suffices, or there is no rest."""
+        """Prepare a run for a range about the pose at rest; None if no polynomial suffices or there is no rest."""
         around = first_range(max(signal.extent for signal in self.signals))
         about_design = self.over(-around, around)
         if about_design is None or abs(about_design.rest) < OFF * around:
@@ -439,7 +441,7 @@ class ReducedCorner:
         return None
 
     def _with(self, table: TravelTable, degree: int, slopes: Array | None) -> ReducedRun | None:
-        """Prepare a run over a table, whose numbers change with the free ones by ``slopes``."""
+        """Prepare a run over a table, whose numbers depend on the free parameters by ``slopes``."""
         reduction, places = self.reduction, self.reduction.places(degree)
         compiled = (
             reduction.sensitive(degree, self.free) if self.free else reduction.compiled(degree)
@@ -461,7 +463,7 @@ class ReducedCorner:
             prepared = prepare(
                 compiled, p, self.signals, self.times, tolerance=tolerance, along=along
             )
-        except SimulationError:  # the full mechanism gives the reason
+        except SimulationError:  # the full mechanism reports the reason
             return None
         return ReducedRun(prepared, table, degree)
 
@@ -475,9 +477,9 @@ def with_slopes(
     tolerance: float,
     free: tuple[str, ...],
 ) -> Solution | None:
-    """Run a corner with sensitivities by its one coordinate; None if that is not possible.
+    """Run a reduced corner with sensitivities; None if that is not possible.
 
-    ``values`` are the numbers of the description, of which some are ``free``; ``signals`` has every track.
+    ``values`` are the numbers of the description, of which some are ``free``; ``signals`` contains every track.
     """
     longest = float(np.diff(times).max(initial=0.0))
     if longest > COARSEST or tolerance < TIGHTEST or trial.actuator_force is not None or not free:

@@ -1,10 +1,11 @@
-"""Runs of a full car on 3-D corners whose wheels are one coordinate each; see ``reduced`` for single corners.
+"""Runs of a full car on reduced 3-D corners, with one coordinate per wheel; see ``reduced`` for single corners.
 
 Every corner has its own table: polynomials of its travel, from poses sampled when the run is prepared.
 
-Both share sampling and tables (``sampled``), and little else. What hangs under a body that only heaves is two masses
-and a momentum, whose slopes by parameters are known, too. Under a body that turns it takes moments, angular momenta
-and tensors, whose errors are judged by other effects; a corner run as a car of one wheel would compute all of these.
+Single corners and cars share sampling and tables (``sampled``), but little else. A suspension under a body that only
+heaves needs two masses and a momentum, whose slopes by parameters are known as well. Under a body that rotates it needs
+moments, angular momenta and tensors, whose errors are assessed by other effects; a corner treated as a car of one wheel
+would compute all of these.
 """
 
 from __future__ import annotations
@@ -55,11 +56,11 @@ if TYPE_CHECKING:
 
 _ENDS, _SIDES = {"front": 1.0, "rear": -1.0}, {"left": 1.0, "right": -1.0}
 PLACES = tuple(f"{end}_{side}" for end in _ENDS for side in _SIDES)
-"""Names of the corners, in the order of the model."""
+"""Names of the corners, in the model's order."""
 
 _WIDE = (0.08, 0.07, 0.06)
 """Ranges of travel (m) to either side, tried from the widest if the lowest degree fails: higher degrees cost the same
-for all of them."""
+for all ranges."""
 
 Ranges = tuple[tuple[float, float], ...]
 """Range of travel (m) of each corner."""
@@ -68,7 +69,7 @@ Ranges = tuple[tuple[float, float], ...]
 class _CarLayout(NamedTuple):
     """Indices of a vehicle's numbers and of the tables' numbers among a model's parameters; names of table quantities.
 
-    ``reach`` are the parameters that hold the range of the tables.
+    ``reach`` are the parameters for the range of the tables.
     """
 
     given: dict[str, int]
@@ -79,7 +80,7 @@ class _CarLayout(NamedTuple):
 
 @dataclass(frozen=True)
 class CarReduction:
-    """Cars of one structure, reduced: the sampling of the corners of each axle, and the model of each degree."""
+    """Reduced cars of one structure: the sampling of each axle's corners, and the model of each degree."""
 
     rig: FullCar3D
     axles: Mapping[str, Sampling]
@@ -87,7 +88,7 @@ class CarReduction:
     made: LastTables = field(default_factory=LastTables)
 
     def compiled(self, degree: int) -> Compiled:
-        """Native code of the reduced car."""
+        """Return the native code of the reduced car."""
 
         def model() -> Model:
             from jounce.models.reduced_car import reduced_car
@@ -99,7 +100,7 @@ class CarReduction:
         )
 
     def places(self, degree: int) -> _CarLayout:
-        """Indices of numbers among the parameters of the model of a degree."""
+        """Return the indices of numbers among the parameters of the model of a degree."""
         if degree not in self.placed:
             place = {path: i for i, path in enumerate(self.compiled(degree).facts.parameters)}
             reach, own, names = [place.pop(f"{corner}.{REACH}") for corner in PLACES], [], []
@@ -120,7 +121,7 @@ class CarReduction:
     ) -> TravelTable:
         """Sample the poses of a corner over a range of travel (m); the error is infinite if it does not reach that.
 
-        ``values`` are the numbers of the vehicle by path.
+        ``values`` are the vehicle's parameters by path.
         """
         p = self.numbers(values, which)
         rack = values.get(f"{PLACES[which].partition('_')[0]}.corner.steering.rack_travel", 0.0)
@@ -150,7 +151,7 @@ class CarReduction:
         return TravelTable(low, high, numbers, error)
 
     def numbers(self, values: Mapping[str, float], which: int) -> Array:
-        """Parameters of the poses of a corner, including its position on the car."""
+        """Return the parameters of the poses of a corner, including its position on the car."""
         end, _, side = PLACES[which].partition("_")
         before = f"{end}.corner."
         ahead = (
@@ -159,7 +160,7 @@ class CarReduction:
         own = {"ahead": ahead, "turned": _SIDES[side]}
         for i, centre in enumerate(
             (0.0, 0.0, values["body.height"])
-        ):  # the joint about which the body turns
+        ):  # the joint about which the body rotates
             own[f"origin[{i}]"] = values.get(f"body.joint[{i}]", centre)
         paths = self.axles[end].parameters
         return np.array([own[path] if path in own else values[f"{before}{path}"] for path in paths])
@@ -168,8 +169,8 @@ class CarReduction:
 def error_of(names: Sequence[str], series: Array, degree: int, half: float, mass: float) -> float:
     """Bound the error of polynomials with Chebyshev coefficients ``series``, one row for each quantity.
 
-    It is relative to the effect of each quantity on the car. ``half`` is half the range of travel (m), ``mass`` that of
-    the corner (kg).
+    The error is relative to the effect of each quantity on the car. ``half`` is half the range of travel (m), ``mass``
+    that of the corner (kg).
     """
     orders = np.arange(series.shape[1], dtype=float)[degree + 1 :]
     leading, dropped = np.abs(series[:, : degree + 1]), np.abs(series[:, degree + 1 :])
@@ -190,14 +191,18 @@ def error_of(names: Sequence[str], series: Array, degree: int, half: float, mass
         error, size = slope[group], leading[group, 0].max()
         if name in ("inertia", "angular", "tensor"):
             error = in_motion * slope[group]
-        elif name == "moment":  # changes by mass times metre; its second derivative acts, too
+        elif (
+            name == "moment"
+        ):  # changes by mass times metre; its second derivative has an effect, too
             error, size = np.maximum(slope[group], in_motion * second_slope[group]), mass * half
         elif name == "turning":
             error, size = value[group], 1.0
         elif name == "spin_direction":
             turns = leading[[group[0], group[2]]]
             if max(turns[:, 0].max(), turns[:, 1:].sum(axis=1).max()) > TURNED:
-                return float("inf")  # such a wheel may flip over, which only the mechanism shows
+                return float(
+                    "inf"
+                )  # such a wheel may flip over, which only the full mechanism can show
             # It also inclines the tyre's deflection and the lever of its force.
             error, size = (
                 np.maximum(in_motion * value[group] / variation[group].max(), value[group]),
@@ -208,16 +213,14 @@ def error_of(names: Sequence[str], series: Array, degree: int, half: float, mass
         else:
             size = variation[group].max()
         errors.append(float(np.max(error) / size))
-    return float(
-        np.nan_to_num(np.max(errors), nan=np.inf)
-    )  # a quantity of zero size bounds nothing
+    return float(np.nan_to_num(np.max(errors), nan=np.inf))  # a quantity of zero size has no bound
 
 
 _reductions: Recent[CarReduction | None] = Recent()
 
 
 def car_reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> CarReduction | None:
-    """Reduction of a rig if runs on a trial may use it; None if the full mechanism has to run."""
+    """Return the reduction of a rig if runs on a trial may use it; None if the full mechanism is required."""
     return (
         car_reduction_of(rig)
         if isinstance(rig, FullCar3D) and may_reduce(trial, settings)
@@ -226,7 +229,7 @@ def car_reduction_for(rig: Rig, trial: Trial, settings: RunSettings) -> CarReduc
 
 
 def car_reduction_of(rig: FullCar3D) -> CarReduction | None:
-    """Reduction of a car; None unless one coordinate each determines the poses of its corners."""
+    """Return the reduction of a car; None unless a single coordinate determines the pose of each corner."""
 
     def make() -> CarReduction | None:
         corners = {end: getattr(rig, end).corner for end in _ENDS}
@@ -248,7 +251,7 @@ def _sampling(corner: Corner) -> Sampling:
 
 @dataclass(frozen=True)
 class CarRun:
-    """A prepared run that stops where a wheel leaves its range."""
+    """A prepared run that stops when a wheel leaves its range."""
 
     prepared: PreparedRun
     ranges: Ranges
@@ -264,7 +267,7 @@ class CarRun:
 
 @dataclass(frozen=True)
 class ReducedCar:
-    """A car with its numbers, on a course: signals of the tracks, sample times (s) and tolerance."""
+    """A car with its parameter values, signals of the tracks, sample times (s) and tolerance."""
 
     reduction: CarReduction
     values: Mapping[str, float]
@@ -273,7 +276,7 @@ class ReducedCar:
     tolerance: float
 
     def run(self) -> tuple[Solution, PreparedRun] | None:
-        """Run, over a wider range of travel if a wheel leaves the first; None if that fails."""
+        """Run, with a wider range of travel if a wheel leaves the first one; None if that fails."""
         left = 0.0
         for around, degrees in (
             (self.first_range, DEGREES[:1]),
@@ -308,7 +311,7 @@ class ReducedCar:
         )
 
     def lay_out(self, around: float, degrees: Sequence[int] = DEGREES) -> CarRun | None:
-        """Prepare a run for a range (m) about the pose at rest; None if no polynomial suffices, or nothing rests."""
+        """Prepare a run for a range (m) about the pose at rest; None if no polynomial suffices or there is no rest."""
         ranges: Ranges = ((-around, around),) * len(PLACES)
         table = self._numbers(ranges, degrees)
         if table is None:
@@ -323,7 +326,7 @@ class ReducedCar:
         )
         try:
             x = find_equilibrium(compiled, p, still).x
-        except SimulationError:  # the full mechanism gives the reason
+        except SimulationError:  # the full mechanism reports the reason
             return None
         rests = [float(x[compiled.facts.states.index(f"{place}.travel")]) for place in PLACES]
         if max(map(abs, rests)) >= OFF * around:
@@ -346,7 +349,7 @@ class ReducedCar:
         )
 
     def _numbers(self, ranges: Ranges, degrees: Sequence[int]) -> tuple[int, Array] | None:
-        """The first degree that suffices for all ranges, and parameters of its model, without limits of travel."""
+        """Return the first degree sufficient for all ranges, and its model's parameters, without limits of travel."""
         for degree in degrees:
             tables = []
             for which, each in enumerate(ranges):

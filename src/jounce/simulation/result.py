@@ -1,4 +1,4 @@
-"""Result of a run: its arrays, its status, and whether it still shows a suspension."""
+"""Result of a run: its arrays, its status, and checks that it is still valid for a suspension."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from jounce.kernel.engine import Status
 from jounce.mechanics.facts import ModelFacts
 from jounce.simulation.compiled import Compiled
 
-_TURNED = 0.6  # rad: a change of camber or steer beyond it (34 degrees) comes from another branch of the linkage
+_TURNED = 0.6  # rad: a larger change of camber or steer (34 degrees) indicates a different branch of the linkage
 _STEERED = 1.0  # rad: no rack steers by 57 degrees at rest
 _APART = 10.0  # m: no strut is that long
-_TURNS = ("body.pitch", "body.roll")  # a car that turns by more than 1 rad lies on its roof
+_TURNS = ("body.pitch", "body.roll")  # a car rotated by more than 1 rad has rolled over
 _ANGLES = ("wheel.camber", "wheel.steer")
 
 
@@ -54,7 +54,7 @@ class Solution:
 
 
 def samples_reached(solution: Solution, facts: ModelFacts, *, check: bool) -> int:
-    """Number of computed samples; with ``check`` all of them, or an error."""
+    """Return the number of computed samples; with ``check`` raise an error unless all were computed."""
     if solution.status is Status.COMPLETED:
         return len(solution.time)
     reached = int(np.sum(np.isfinite(solution.states[0])))
@@ -66,7 +66,7 @@ def samples_reached(solution: Solution, facts: ModelFacts, *, check: bool) -> in
 
 
 def _pose(solution: Solution, facts: ModelFacts, at: int) -> str:
-    """Pose of a mechanism at a sample, if the mechanism stopped the run."""
+    """Describe the pose of a mechanism at a sample, if the mechanism stopped the run."""
     if solution.status not in (Status.LOOP_OPENED, Status.LOCKED_UP, Status.FLIPPED):
         return ""
     values = zip(facts.coordinates, solution.states[:, at], strict=False)
@@ -74,7 +74,7 @@ def _pose(solution: Solution, facts: ModelFacts, at: int) -> str:
 
 
 def cut_at_branch(compiled: Compiled, solution: Solution) -> Solution:
-    """Cut a run where a wheel flips over or a suspension runs away, and set the status accordingly."""
+    """Truncate a run when a wheel flips over or a suspension runs away, and set the status accordingly."""
     left, status = flipped_at(compiled.output_names, solution.outputs), Status.FLIPPED
     if left is None and solution.status in (Status.COMPLETED, Status.NOT_FINITE):
         left, status = ran_away_at(compiled.output_names, solution.outputs), Status.RUN_AWAY
@@ -85,10 +85,9 @@ def cut_at_branch(compiled: Compiled, solution: Solution) -> Solution:
 
 
 def flipped_at(names: tuple[str, ...], outputs: Array) -> int | None:
-    """First sample at which the wheel has flipped over, None if it never does.
+    """Return the first sample at which the wheel has flipped over, None if it never does.
 
-    Rows of ``outputs`` (SI) are channels in the order of ``names``; the first sample is the state of rest that the run
-    starts from.
+    Rows of ``outputs`` (SI) are channels in the order of ``names``; the first sample is the initial state of rest.
     """
     first: int | None = None
     for row, name in enumerate(names):
@@ -105,14 +104,14 @@ def flipped_at(names: tuple[str, ...], outputs: Array) -> int | None:
 
 
 def angles_of(names: tuple[str, ...]) -> list[str]:
-    """Channels that show whether a wheel has flipped over."""
+    """Return the channels that show whether a wheel has flipped over."""
     return [name for name in names if name.endswith(_ANGLES)]
 
 
 def turns_little(courses: Array) -> NDArray[np.bool_]:
-    """Which courses of such a channel (rad, one in each row) turn so little that no wheel has flipped over.
+    """Return which signals of such a channel (rad, one per row) vary so little that no wheel has flipped over.
 
-    :func:`flipped_at` decides for the others: an angle may also have passed half a turn.
+    :func:`flipped_at` decides for the others, whose angle may also have wrapped at half a turn.
     """
     first = courses[:, 0]
     largest = np.maximum(courses.max(axis=1) - first, first - courses.min(axis=1))
@@ -120,9 +119,9 @@ def turns_little(courses: Array) -> NDArray[np.bool_]:
 
 
 def ran_away_at(names: tuple[str, ...], outputs: Array) -> int | None:
-    """First sample at which a strut deflects by more than 10 m or the body turns by more than 1 rad, or None.
+    """Return the first sample at which a strut deflects by more than 10 m or the body rotates by more than 1 rad.
 
-    Arguments as above.
+    None if there is no such sample. Arguments as for :func:`flipped_at`.
     """
     first: int | None = None
     for row, limit in branch_limits(names).items():
@@ -137,7 +136,7 @@ def ran_away_at(names: tuple[str, ...], outputs: Array) -> int | None:
 
 
 def branch_limits(names: tuple[str, ...]) -> dict[int, float]:
-    """Limit (SI) of each channel that shows whether it still is a suspension, by its row in ``names``."""
+    """Return the validity limit (SI) of channels, by their row in ``names``."""
     limits = {row: 1.0 for row, name in enumerate(names) if name in _TURNS}
     return limits | {
         row: _APART for row, name in enumerate(names) if name.endswith("strut.deflection")

@@ -30,37 +30,37 @@ def simulate(
     control: AnyControl | None = None,
     start: Start = "rest",
 ) -> xr.Dataset:
-    """Simulate a rig over a trial, from static equilibrium or on a belt that has been running.
+    """Simulate a rig over a trial, from static equilibrium or on a belt that is already running.
 
     Parameters
     ----------
     rig : Rig, str or Path
-        A rig or a vehicle, its file or its name in the library.
+        A rig or vehicle, its file, or its name in the library.
     trial : Trial
         Road and speed, or a base motion, and the duration.
     output_step, tolerance, method : float, float, {"auto", "explicit", "implicit"}
         As in :class:`jounce.simulation.RunSettings`: s, 1. ``attrs["method"]`` is the method used.
     offset : dict, optional
-        Starts the run away from equilibrium: m or m/s (rad, rad/s) by state, e.g. ``"sprung.z"`` or ``"sprung.vz"``
-        (`equilibrium` gives their names); at rest by default.
+        Initial offset from equilibrium: m or m/s (rad, rad/s) by state, e.g. ``"sprung.z"`` or ``"sprung.vz"``
+        (`equilibrium` returns the names); at rest by default.
     detail : bool
-        For 3-D corners, also on a car: adds all hardpoints and the contact point (m), joint reactions (N, N m, on the
-        second body, ground axes), energies (J). No effect for lumped rigs.
+        For 3-D corners, also on a car: add all hardpoints and the contact point (m), joint reactions (N, N m, on the
+        second body, ground axes) and energies (J). No effect for lumped rigs.
     check : bool
-        Raise if the run stops before its end; otherwise ``attrs["status"]`` says how it ended.
+        Raise if the run stops before its end; otherwise ``attrs["status"]`` reports how it ended.
     control : Controller, str, Path or callable, optional
-        Controls all struts (see ``jounce.control``): a controller, its name (``"skyhook"``), a TOML file, or a function
-        ``control(measurement, t) -> command``. Adds ``command`` and ``actuator.force`` (N) of every corner.
+        Controller of all struts (see ``jounce.control``): a controller, its name (``"skyhook"``), a TOML file, or a
+        function ``control(measurement, t) -> command``. Adds ``command`` and ``actuator.force`` (N) of every corner.
     start : {"rest", "periodic"} or int
-        How the run begins where the road has a ``recurrence``, the length of a belt (m): at rest, after so many loops,
-        or after so many that nothing is left of the start from rest.
+        Start on a road with a ``recurrence``, the length of a belt (m): at rest, after the given number of loops, or
+        after enough loops for the transient from rest to decay.
 
     Returns
     -------
     xarray.Dataset
         One variable for each channel on ``time`` (s), with ``units`` (SI), ``long_name`` and ``place``. z is up,
         deflections and forces are positive in compression, accelerations are kinematic (zero at rest).
-        ``attrs["findings"]``, if present, has the warnings of :func:`jounce.parts.rig_findings`.
+        ``attrs["findings"]``, if present, contains the warnings of :func:`jounce.parts.rig_findings`.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Runs that do not start at rest: on a belt that has been running, whose obstacle has passed before."""
+"""Runs that do not start at rest: on a running belt, whose obstacle has passed before."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from jounce.simulation.settings import RunSettings, Start
 from jounce.simulation.solve import RunOutput, solve
 
 LEFT_OVER = 1e-3
-"""Share of a start from rest that may be left when a run on a belt begins: the energy of a residual of 1e-6."""
+"""Remaining share of the transient from rest when a run on a belt begins: the energy of a residual of 1e-6."""
 MOST_LOOPS = 200
-"""Loops of a belt that are run before at most: a rig that still remembers its start then is hardly damped at all."""
+"""Maximum number of preceding loops of a belt: a rig whose transient lasts longer is almost undamped."""
 
 
 def loops_before(rig: Rig, period: float) -> int:
-    """Return the loops of a belt, each of ``period`` (s), after which nothing is left of a start from rest.
+    """Return the number of loops of a belt, each of ``period`` (s), after which the transient from rest has decayed.
 
-    By the slowest decay of the rig's oscillations at rest.
+    It follows from the slowest decay of the rig's oscillations at rest.
 
     Raises
     ------
     SimulationError
-        For a rig without damping, which never forgets.
+        If the rig has no damping, since its transient never decays.
 
     Examples
     --------
@@ -53,21 +53,23 @@ def loops_before(rig: Rig, period: float) -> int:
     return max(loops, 1)
 
 
-_SWINGING = 1e-6  # imaginary part over size of a pole, above which it is no rounding of a real one
+_SWINGING = (
+    1e-6  # imaginary part over magnitude of a pole; smaller ratios are rounding of a real pole
+)
 
 
 def period_of(trial: Trial) -> float:
-    """Return the time (s) after which the obstacle of a belt comes again.
+    """Return the time (s) between two passes of a belt's obstacle.
 
     Raises
     ------
     SimulationError
-        Where the road has no recurrence.
+        If the road has no recurrence.
     """
     road, speed = trial.road, trial.speed
     if road is None or speed is None or road.recurrence is None:
         raise SimulationError(
-            "only a belt can have been running: the road does not come again",
+            "only a belt can be running before the start: the road does not recur",
             where="start",
             allowed="rest, or a road with recurrence (the length of the belt)",
         )
@@ -77,9 +79,9 @@ def period_of(trial: Trial) -> float:
 def solved_running(
     rig: Rig, trial: Trial, settings: RunSettings, start: Start, **more: Any
 ) -> RunOutput:
-    """Run a trial whose belt has made some loops before; ``more`` is for :func:`jounce.simulation.solve.solve`.
+    """Run a trial after some loops of its belt; ``more`` is passed to :func:`jounce.simulation.solve.solve`.
 
-    The run is begun from rest so many loops earlier and its time counts from where the trial begins.
+    The simulation starts from rest that many loops earlier; time counts from the beginning of the trial.
     """
     if start == "rest":
         return solve(rig, trial, settings, **more)
@@ -89,7 +91,7 @@ def solved_running(
         raise SimulationError("the speed changes during the run", where="start", allowed="rest")
     if any(trial.load(name).jumps.size for name in trial.loads):
         raise SimulationError(
-            "a load sets in during the run",
+            "a load starts during the run",
             where="start",
             allowed="rest",
             hint="Leave out the load.",
@@ -123,7 +125,7 @@ def _count(start: Start) -> int:
 
 
 def _begun_earlier(trial: Trial, earlier: float, loops: int) -> Trial:
-    """The trial begun ``earlier`` (s), its obstacles where they are when the loops are over."""
+    """Return the trial started ``earlier`` (s), with its obstacles in their final positions after the loops."""
     assert trial.speed is not None
     given: dict[str, Any] = {"duration": trial.duration + earlier}
     for name in ("road", "right"):

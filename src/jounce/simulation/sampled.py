@@ -28,23 +28,23 @@ if TYPE_CHECKING:
 
 
 DEGREES = (10, 18)
-"""Degrees of the polynomials; the second if a wheel travels far or the tolerance is tight."""
+"""Degrees of the polynomials; the second is used for large wheel travel or a tight tolerance."""
 SHARE, SHOWN = 1e-3, 0.1
-"""Shares of the tolerance: allowed error of a lever or mass, since the static load is about a hundred times the motion;
-and of a quantity without effect on the static load, such as a channel."""
+"""Shares of the tolerance: allowed error of a lever or mass (the static load is about a hundred times the motion), and
+of a quantity without effect on the static load, such as a channel."""
 STEPS_SHARE = 0.9
 """Share of the tolerance that remains for the integration."""
 TIGHTEST, COARSEST = 1e-7, 5e-3
 """Tolerance below which rounding alone exceeds the allowed error of a table; sample step (s) above which a wheel may
 leave its range and return unnoticed."""
 ROUNDINGS = 8.0 * float(np.finfo(float).eps)
-"""Rounding of a quantity or its slope at a pose, relative."""
+"""Relative rounding of a quantity or its slope at a pose."""
 FLAT, TURNED = 1e-3, 0.5
-"""Slope (1, rad/m) of a quantity below which its error is relative to this slope; angle (rad) of a wheel beyond which
-it may flip over, as only the mechanism shows."""
+"""Minimum reference slope (1, rad/m) for the error of a quantity; angle (rad) of a wheel beyond which it may flip over,
+which only the full mechanism can show."""
 BESIDE, OFF, TRIES = 0.25, 0.5, 3
-"""Share of the range used by a wheel by which the next range is wider on either side; share of the range by which the
-pose at rest may lie off its middle; number of ranges that are tried."""
+"""Margin of the next range on either side, as a share of the range used by the wheel; maximum offset of the pose at
+rest from the centre, as a share of the range; number of ranges tried."""
 _NARROW, _WIDE, _FOLLOWED = (
     0.02,
     0.06,
@@ -53,18 +53,18 @@ _NARROW, _WIDE, _FOLLOWED = (
 
 
 def first_range(road: float) -> float:
-    """First range of travel (m) on either side, for a road that rises by ``road`` (m)."""
+    """Return the first range of travel (m) on either side, for a road that rises by ``road`` (m)."""
     return min(_NARROW + _FOLLOWED * road, _WIDE)
 
 
 def may_reduce(trial: Trial, settings: RunSettings) -> bool:
-    """Whether runs on a trial may be reduced, whatever the rig."""
+    """Whether runs on a trial may be reduced, regardless of the rig."""
     fine = settings.tolerance >= TIGHTEST and settings.output_step <= COARSEST
     return settings.method == "auto" and fine and trial.actuator_force is None
 
 
 class TravelTable(NamedTuple):
-    """Numbers of a reduced corner for one range of travel (m), and the bound of their relative error."""
+    """Parameters of a reduced corner for one range of travel (m), and the bound of their relative error."""
 
     low: float
     high: float
@@ -73,13 +73,13 @@ class TravelTable(NamedTuple):
 
 
 class LastTables(Recent[TravelTable]):
-    """The most recent tables: a rig runs more than once, and a table needs tens of poses."""
+    """Cache of recent tables: a rig often runs repeatedly, and a table requires tens of poses."""
 
     most = 64
 
 
 class ChebyshevBasis(NamedTuple):
-    """Points from -1 to 1, the transform of values there to Chebyshev coefficients, and powers of the leading ones."""
+    """Points from -1 to 1, the transform from values to Chebyshev coefficients, and from the leading ones to powers."""
 
     points: Array
     coefficients: Array
@@ -89,7 +89,7 @@ class ChebyshevBasis(NamedTuple):
 
 @cache
 def basis(degree: int) -> ChebyshevBasis:
-    """Points and matrices of a degree: twice as many points as retained coefficients."""
+    """Return points and matrices for a degree: twice as many points as retained coefficients."""
     count = 2 * (degree + 1)
     angles = np.pi * (np.arange(count)[::-1] + 0.5) / count
     orders = np.arange(count)
@@ -115,11 +115,11 @@ class Sampling:
     start: Array
 
     def walk(self, p: Array, rack: float, travel: Array) -> tuple[Walk, NDArray[np.intp]]:
-        """Path through poses at ascending travels (m), and the index of each of its targets among them."""
+        """Return a path through poses at ascending travels (m), and the index of each target among them."""
         up, down = (
             np.flatnonzero(travel >= 0.0),
             np.flatnonzero(travel < 0.0)[::-1],
-        )  # from design to both sides
+        )  # from design in both directions
         place = np.concatenate([up, down])
         targets = np.zeros((len(travel), len(self.tracks)))
         targets[:, 0] = travel[place]
@@ -133,7 +133,7 @@ class Sampling:
         ), place
 
     def sample(self, p: Array, rack: float, travel: Array) -> Array:
-        """Quantities of every row at ascending travels: shape (quantities, rows, travels)."""
+        """Return the quantities of every row at ascending travels, shape (quantities, rows, travels)."""
         walk, place = self.walk(p[0].copy(), rack, travel)
         values = np.empty((len(self.names), len(p), len(travel)))
         every = np.arange(len(self.names), dtype=np.int64)
@@ -144,7 +144,7 @@ class Sampling:
 
 
 def sampling_of(identity: str, make: Callable[[], SampledCorner]) -> Sampling:
-    """Native code that samples a suspension; the cache holds it or ``make`` builds it."""
+    """Return native code that samples a suspension, from the cache or built by ``make``."""
 
     def source() -> Source:
         corner = make()

@@ -15,16 +15,18 @@ from jounce.core.units import as_number
 
 Method = Literal["auto", "explicit", "implicit"]
 Start = Literal["rest", "periodic"] | int | str
-"""How a run on a belt begins: at rest, periodic, or after so many loops."""
+"""Start of a run on a belt: at rest, periodic, or after a number of loops."""
 METHODS: tuple[str, ...] = get_args(Method)
 MAX_STEPS = 5_000_000
-"""Steps, accepted and rejected, after which a run gives up: minutes of computing."""
+"""Maximum number of accepted and rejected steps of a run: minutes of computing."""
 _MAX_SAMPLES = (
-    20_000_000  # a dozen channels of that many samples (2 GB) fill the memory of a small computer
+    20_000_000  # a dozen channels with this many samples (2 GB) fill the memory of a small computer
 )
-_SHARED_SAMPLES = 100_000  # times that runs share: 0.8 MB each, eight at most
+_SHARED_SAMPLES = (
+    100_000  # maximum size of time arrays shared between runs: 0.8 MB each, at most eight
+)
 _FINEST, COARSEST = 1e-13, 1e-1
-"""Tolerances: rounding, and the largest that is still an approximation."""
+"""Tolerance limits: rounding, and the largest useful one."""
 
 
 @dataclass(frozen=True)
@@ -34,15 +36,15 @@ class RunSettings:
     Attributes
     ----------
     output_step : float
-        Step of the output samples, s. Samples are read from the solution between its steps, so a short one makes a
-        run longer to write, not more exact.
+        Step of the output samples, s. Samples are interpolated from the solution; a short output step does not improve
+        accuracy.
     tolerance : float
         Relative error of the displacements: their largest error over the range they sweep; 1e-13 to 0.1.
     method : {"auto", "explicit", "implicit"}
         Integration method: explicit, with steps as small as the fastest motion requires, or implicit, if that motion
-        is stiff and matters little. ``"auto"`` picks the faster one, propagates exactly what is linear between
-        switches, and runs corners that only travel, alone or four of them under a car, as one coordinate of their body
-        each (``"reduced explicit"``, ``"reduced implicit"``); a named method runs the full mechanism.
+        is stiff and of little interest. ``"auto"`` selects the faster method, propagates models that are linear between
+        switches exactly, and reduces corners with travel only, alone or under a car, to one coordinate each
+        (``"reduced explicit"``, ``"reduced implicit"``); a named method uses the full mechanism.
         ``attrs["method"]`` of a run is the method used.
 
     Raises
@@ -89,7 +91,7 @@ class RunSettings:
             )
 
     def times(self, duration: float) -> Array:
-        """Output times of a run of ``duration`` (s); refuses more samples than fit into memory."""
+        """Return the output times of a run of ``duration`` (s); refuse more samples than fit into memory."""
         if duration / self.output_step > _MAX_SAMPLES:
             raise SimulationError(
                 "too many samples",
@@ -103,17 +105,17 @@ class RunSettings:
 
 
 def output_times(duration: float, output_step: float) -> Array:
-    """Times from 0 to ``duration`` (s), both included; the last step may be shorter."""
+    """Return the times from 0 to ``duration`` (s) inclusive; the last step may be shorter."""
     count = int(
         np.floor(duration / output_step + 1e-9)
-    )  # 0.3 s of 0.1 s are three steps in spite of rounding
+    )  # 0.3 s in steps of 0.1 s are three steps in spite of rounding
     times = np.arange(count + 1, dtype=np.float64) * np.float64(output_step)
     return times if duration - times[-1] < 1e-9 * duration else np.append(times, duration)
 
 
 @lru_cache(8)
 def _shared_times(duration: float, output_step: float) -> Array:
-    """The same read-only array for all runs, so that results derived from it are shared, too."""
+    """Return the same read-only array for all runs, so that derived results can be shared as well."""
     times = output_times(duration, output_step)
     times.setflags(write=False)
     return times

@@ -1,8 +1,8 @@
 """Runs of mechanisms through poses in which their loops do not determine the motion.
 
-On both sides of such a pose the motion is smooth, but close to it rounding decides: steps shrink without end, or the
-mechanism leaves its branch and its energy jumps. Both are detected. The run then restarts a little earlier with other
-steps, and steps that do not end close to the pose pass it.
+On both sides of such a pose the motion is smooth, but close to it rounding errors dominate: steps shrink indefinitely,
+or the mechanism leaves its branch and its energy jumps. Both cases are detected. The run then restarts a little earlier
+with different steps; steps that do not end close to the pose pass it.
 """
 
 from __future__ import annotations
@@ -38,25 +38,25 @@ _BEFORE = (
     7,
     14,
     28,
-)  # samples before the pose from which it is tried again
+)  # number of samples before the pose at which the run restarts
 _LOOSER = (
     *(1.0,) * 3,
     *(10.0,) * 3,
     *(100.0,) * 3,
     *(1e3,) * 3,
     *(1e4,) * 3,
-)  # times the tolerance, until past it
+)  # factors of the tolerance, until past the pose
 _LOOSEST = 1e-5  # tolerance of such a step
 # samples carried over a pose; samples before it for each; interpolation nodes
 _AHEAD, _WIDTH, _NODES = (2, 4, 8), 8, 13
 # distance from closed loops, relative to the state, at which a curve may end; projections
 _ON_CURVE, _CLOSINGS = 1e-4, 4
 _PAST = 2  # samples beyond the pose that must succeed
-_CROSSINGS = 1000  # most crossings in one run
+_CROSSINGS = 1000  # maximum number of crossings in one run
 _LOST_WAY = (Status.LOCKED_UP, Status.STEP_TOO_SMALL, Status.NOT_FINITE)
 
 Begin = Callable[[Array, Array, float], PreparedRun]
-"""A run from a state at the first of given times (s) with a tolerance."""
+"""Function that prepares a run from a state at the first of given times (s) with a tolerance."""
 
 
 def run_through(
@@ -64,7 +64,7 @@ def run_through(
 ) -> tuple[Solution, tuple[float, ...]]:
     """Run a mechanism with loops, through singular configurations if possible.
 
-    Returns the run, and the times (s) at which it passed one with modified steps.
+    Returns the run, and the times (s) at which it passed a singular configuration with modified steps.
     """
     strict = not any(_has_kinks(track) for track in tracks)
     first = _run_and_judge(begin(x, times, tolerance), tolerance, strict=strict)
@@ -85,7 +85,7 @@ def run_through(
 
 
 def _pass_pose(begin: Begin, run: Solution, reached: int, tolerance: float) -> Solution | None:
-    """The run extended by some samples past the pose where it ended; None if no steps get past it."""
+    """Extend the run by some samples past the pose where it ended; return None if no steps pass it."""
     for back, looser in zip(_BEFORE, _LOOSER, strict=True):
         at, end = max(reached - 1 - back, 0), min(reached + _PAST, len(run.time))
         loose = max(min(looser * tolerance, _LOOSEST), tolerance)
@@ -101,12 +101,12 @@ def _pass_pose(begin: Begin, run: Solution, reached: int, tolerance: float) -> S
 def _carried_over(
     begin: Begin, run: Solution, reached: int, ahead: int, tolerance: float
 ) -> Solution | None:
-    """The run continued over a pose along its smooth curve; None if that fails.
+    """Continue the run over a pose along its smooth curve; return None if that fails.
 
-    Where two branches of motion meet (two hinges of a loop become collinear, so that the part between them could also
-    swing like a door), every state a little off the curve belongs to neither branch, and no step gets through. The
-    motion itself is smooth there: a polynomial through the motion before continues where momentum takes it. It is
-    accepted only if it closes the loops on the other side and keeps the energy.
+    Where two branches of motion meet (two hinges of a loop become collinear, and the part between them could also swing
+    like a door), every state slightly off the curve belongs to neither branch, and no step succeeds. The motion itself
+    is smooth: a polynomial through the preceding motion extrapolates it. The result is accepted only if it closes the
+    loops on the other side and conserves the energy.
     """
     last, target = reached - 1, reached - 1 + ahead
     width = min(_WIDTH * ahead, last)
@@ -150,7 +150,7 @@ def _carried_over(
 
 
 def _join(run: Solution, part: Solution, at: int) -> Solution:
-    """A run up to the sample ``at``, continued by another one."""
+    """Concatenate a run up to the sample ``at`` and its continuation."""
     states, outputs = (np.full_like(table, np.nan) for table in (run.states, run.outputs))
     states[:, :at], outputs[:, :at] = run.states[:, :at], run.outputs[:, :at]
     end = at + len(part.time)
@@ -170,7 +170,7 @@ def _join(run: Solution, part: Solution, at: int) -> Solution:
 
 
 def _run_and_judge(prepared: PreparedRun, tolerance: float, *, strict: bool) -> Solution:
-    """Run, and end the run where its energy jumps."""
+    """Run, and truncate the result where its energy jumps."""
     solution, facts = prepared.run(), prepared.compiled.facts
     states = solution.states.copy()
     outputs, reached = solution.outputs.copy(), _sample_count(solution)
@@ -182,7 +182,7 @@ def _run_and_judge(prepared: PreparedRun, tolerance: float, *, strict: bool) -> 
             + np.maximum.accumulate(np.abs(taken - taken[0]))
             + _STILL
         )
-        # The balance is integrated like the state; errors of many steps add up to more than the tolerance of one.
+        # The balance is integrated like the state; errors of many steps exceed the tolerance of one step.
         wrong = np.abs(balance - balance[0]) > max(_LOST, 100.0 * tolerance) * size
         if wrong.any():
             states[:, int(np.argmax(wrong)) :] = np.nan
@@ -191,12 +191,12 @@ def _run_and_judge(prepared: PreparedRun, tolerance: float, *, strict: bool) -> 
 
 
 def _sample_count(solution: Solution) -> int:
-    """Number of computed samples."""
+    """Return the number of computed samples."""
     return int(np.sum(np.isfinite(solution.states[0])))
 
 
 def _has_kinks(track: Segments) -> bool:
-    """Whether the rate of a motion jumps somewhere: its mechanism is struck there."""
+    """Whether the rate of a motion jumps at any time, which causes an impact."""
     inner = track.edges[1:-1]
     before, after = track.evaluate(np.nextafter(inner, -np.inf))[1], track.evaluate(inner)[1]
     return bool(np.any(np.abs(after - before) > _KINK * (1.0 + np.abs(after))))

@@ -1,4 +1,4 @@
-"""A run from static equilibrium, before it becomes a recording."""
+"""Runs from static equilibrium, before conversion to a recording."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class RunOutput:
-    """Result of a run before it becomes a recording: sample times (s), channels as for ``recording``, attributes."""
+    """Result of a run before conversion to a recording: sample times (s), channels and attributes."""
 
     time: Array
     channels: dict[str, tuple[Array, str, str]]
     attributes: dict[str, Any]
 
     def recording(self) -> xr.Dataset:
-        """Return it as a recording."""
+        """Convert the result to a recording."""
         return recording_of(self.time, self.channels, attributes=self.attributes)
 
 
@@ -52,7 +52,7 @@ def solve(
     check: bool = True,
     control: AnyControl | None = None,
 ) -> RunOutput:
-    """Like :func:`simulate`, without building a Dataset."""
+    """Run like :func:`simulate`, without building a Dataset."""
     times, method = settings.times(trial.duration), settings.method
     if not (offset or detail or control is not None):
         reduced = _solve_reduced(rig, trial, settings, times)
@@ -109,7 +109,7 @@ def solve(
 
 
 def _solve_reduced(rig: Rig, trial: Trial, settings: RunSettings, times: Array) -> RunOutput | None:
-    """Run corners by one coordinate each; None if that is not possible and the full mechanism has to run."""
+    """Run reduced corners; None if that is not possible and the full mechanism is required."""
     from jounce.simulation.reduced import ReducedCorner, reduction_for
     from jounce.simulation.reduced_car import ReducedCar, car_reduction_for
     from jounce.simulation.sampled import DEGREES
@@ -129,7 +129,7 @@ def _solve_reduced(rig: Rig, trial: Trial, settings: RunSettings, times: Array) 
 
 
 def _output(compiled: Compiled, solution: Solution, reach: int) -> RunOutput:
-    """The first ``reach`` samples of a run."""
+    """Return the first ``reach`` samples of a run."""
     channels = {
         output.name: (solution.outputs[i, :reach], output.unit, output.long_name)
         for i, output in enumerate(compiled.facts.outputs)
@@ -137,13 +137,13 @@ def _output(compiled: Compiled, solution: Solution, reach: int) -> RunOutput:
     times = solution.time
     times = (
         times if reach == len(times) else times[:reach]
-    )  # the whole array: its derived data are cached
+    )  # pass the whole array: its derived data are cached
     how = {"status": solution.status.name.lower(), "method": solution.method}
     return RunOutput(times, channels, {**how, "steps": solution.steps, "events": solution.events})
 
 
 def start_offset(compiled: Compiled, offset: Mapping[str, float] | None) -> Array | None:
-    """Offsets of all states (SI) from those that are given by name; None where there are none."""
+    """Return the offsets of all states (SI) from offsets by name; None if none are given."""
     if not offset:
         return None
     names = compiled.facts.states

@@ -16,29 +16,29 @@ from jounce.mechanics.facts import ModelFacts, is_road
 from jounce.roads.trial import LOADS
 from jounce.simulation.compiled import Compiled
 
-_ITERATIONS = 60  # of Newton's method, at most; rigs of the library take up to 7
+_ITERATIONS = 60  # maximum of Newton steps; rigs of the library need up to 7
 _SAGS = (
     0.0,
     1e-4,
     1e-3,
     1e-2,
     1e-1,
-)  # m: compressions to start from, for springs that are soft at first
-_FAR = 1e3  # m: a step of that length means that nothing holds the weight
-_UNDECIDED = 1e13  # condition of the balance beyond which something turns or slides freely: 1e-3 over rounding
+)  # m: initial compressions, for springs that are soft at first
+_FAR = 1e3  # m: a step of this length means that nothing supports the weight
+_UNDECIDED = 1e13  # condition number of the balance above which a part turns or slides freely: 1e-3 over rounding
 _HEAVE = "sprung.distance"  # the coordinate that lowers a whole rig onto its tyre
 _STRIDE = 0.05  # m or rad: a linkage is nearly linear within it
-_STRIDES = 200  # ten metres in all
-_TOGGLE = 10.0  # ratio by which a strut's lever shrinks near a dead point of the linkage
+_STRIDES = 200  # ten metres in total
+_TOGGLE = 10.0  # factor by which a strut's lever shrinks near a dead point of the linkage
 _SLOWEST, _QUICKEST = 1.0, 1e16  # 1/s^2
 _DRIFT = 1e-6  # 1/s^2: slower growth (by a factor of e in a quarter of an hour) counts as neutral
-_SHARE_OF_FALL = 0.1  # of the fastest speed in a fall: slower ones are not named
-_PROJECTIONS = 3  # Newton steps onto the loops, after a stride
+_SHARE_OF_FALL = 0.1  # share of the fastest speed in a fall: slower speeds are not named
+_PROJECTIONS = 3  # Newton steps that close the loops after a stride
 _UNBALANCED = 1e-6  # m/s^2: a ten-millionth of g
-_ROUNDINGS = 8.0  # roundings of one product that a balance of many terms may err by
+_ROUNDINGS = 8.0  # error of a balance of many terms, in roundings of one product
 _PLACES = 1.0  # m, typical size of a hardpoint's coordinates
 _EPSILON = float(np.finfo(float).eps)
-_EDGE = 1e-12  # SI: a switch this close to zero is on its edge
+_EDGE = 1e-12  # SI: a switch this close to zero is at its edge
 _INDEPENDENT = 1e-9  # smallest singular value of independent constraints, relative to the largest
 
 
@@ -53,18 +53,18 @@ class Equilibrium:
     slope : ndarray, shape (n, n)
         Jacobian of the rates.
     free : ndarray of int, shape (f,)
-        Speeds that can be chosen freely; the loops determine the others.
+        Independent speeds; the loops determine the others.
     lift : ndarray, shape (n, r)
-        States by the reduced ones: displacements and speeds of the free motions, then internal states.
+        Map from reduced states (displacements and speeds of the free motions, then internal states) to states.
     pick : ndarray, shape (r, n)
-        Rates of the reduced states by those of the states.
+        Map from rates of the states to rates of the reduced states.
     reduced : ndarray, shape (r, r)
         Jacobian of the reduced states' rates.
     balance : ndarray, shape (d + k, d)
         Jacobian of the balance (rates that must vanish, loop equations) by the unknowns.
     moved : ndarray, shape (n, d)
-        States by the unknowns: displacements by the speeds, and internal states with a rate of their own at rest (a
-        hysteretic state that changes only with the damper stays at zero).
+        Map from unknowns to states: displacements by the speeds, and internal states that change at rest (a hysteretic
+        state that changes only with the damper stays at zero).
     rows : ndarray of int
         Rates that must vanish.
     """
@@ -97,9 +97,9 @@ class Equilibrium:
 def find_equilibrium(
     compiled: Compiled, p: Array, u: Array, start: Array | None = None
 ) -> Equilibrium:
-    """Static equilibrium for given inputs; recent ones of the model are cached.
+    """Find the static equilibrium for given inputs; recent equilibria of the model are cached.
 
-    Solved by :func:`_solve_equilibrium`; its arrays are read-only.
+    It is solved by :func:`_solve_equilibrium`; its arrays are read-only.
     """
 
     def make() -> Equilibrium:
@@ -113,10 +113,10 @@ def find_equilibrium(
 
 
 def for_small_motions(compiled: Compiled, rest: Equilibrium, p: Array, u: Array) -> Equilibrium:
-    """State of rest for linear models: a switch on its edge counts as the mean of both sides.
+    """Return the state of rest for linear models: a switch at its edge is averaged over its two sides.
 
-    At rest a damper is neither in bump nor in rebound, and over a harmonic motion the mean of both dissipates the
-    energy that the two do; the same holds for a table with a point at zero velocity.
+    At rest a damper is neither in bump nor in rebound. In harmonic motion the mean of its two slopes dissipates the
+    same energy; the same applies to a table with a point at zero velocity.
     """
     still = np.zeros_like(u)
     still[:: compiled.facts.track_order] = u[:: compiled.facts.track_order]
@@ -130,7 +130,7 @@ def for_small_motions(compiled: Compiled, rest: Equilibrium, p: Array, u: Array)
 def in_terms_of(
     compiled: Compiled, rest: Equilibrium, free: NDArray[np.intp]
 ) -> tuple[Array, Array]:
-    """Return ``lift`` and ``pick`` of a state of rest for other ``free`` speeds, such as those of another state."""
+    """Return ``lift`` and ``pick`` of a state of rest for other ``free`` speeds, such as those of a different state."""
     (n_q, n_v), count = compiled.facts.counts, len(rest.free)
     if np.array_equal(free, rest.free):
         return rest.lift, rest.pick
@@ -145,9 +145,9 @@ def in_terms_of(
 
 
 def falling(compiled: Compiled, x: Array, u: Array, p: Array) -> list[str]:
-    """Speeds of all motions in which a mechanism falls from a state of rest; none if it is stable.
+    """Return the speeds of all motions in which a mechanism falls from a state of rest; empty if it is stable.
 
-    Growth is uncertain by the rounding of the stiffest springs' forces: slower growth may be neutral.
+    Growth is uncertain by rounding of the stiffest springs' forces: slower growth may be neutral.
     """
     still = np.zeros_like(u)
     still[:: compiled.facts.track_order] = u[:: compiled.facts.track_order]
@@ -160,16 +160,16 @@ def falling(compiled: Compiled, x: Array, u: Array, p: Array) -> list[str]:
 
 
 Balanced = Callable[[Array, Array, Array, Array], Sequence[Array]]
-"""Rates (members, n, 1), their slopes (members, n, n) and switches (members, k, 1) of many x, u, p and m."""
+"""Function for rates (members, n, 1), slopes (members, n, n) and switches (members, k, 1) of many x, u, p and m."""
 
 
 def rests_for_small_motions(
     compiled: Compiled, balanced: Balanced, p: Array, u: Array
 ) -> tuple[Array, Array]:
-    """States of rest and modes as in :func:`for_small_motions`, of a model without loops, for many parameter sets.
+    """Return states of rest and modes as in :func:`for_small_motions` for many parameter sets, without loops.
 
-    Newton's method runs step by step for all (members, ...) at once; members that do not settle are solved one by one,
-    with an error if there is no equilibrium. ``balanced`` returns the rates that must vanish.
+    Newton's method runs for all (members, ...) at once; members that do not converge are solved one by one, with an
+    error if there is no equilibrium. ``balanced`` returns the rates that must vanish.
     """
     x, modes = (
         np.zeros((len(p), compiled.state_count)),
@@ -190,13 +190,13 @@ def rests_for_small_motions(
     return x, modes
 
 
-_FEW = 12  # steps of Newton for many at once: slower members are solved alone
+_FEW = 12  # Newton steps for many members at once: slower members are solved individually
 
 
 def _newton_side_by_side(
     compiled: Compiled, balanced: Balanced, p: Array, u: Array, guess: Array
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """States, modes, and which of them are at rest; see :func:`_newton`."""
+    """Return states, modes, and which of them are at rest; see :func:`_newton`."""
     n_q, n_v = compiled.facts.counts
     first, count = n_q + n_v, compiled.state_count
     x = np.tile(guess, (len(p), 1))
@@ -226,9 +226,7 @@ def _newton_side_by_side(
         small = _are_small(step[:, :n_v, 0], x[:, :n_q]) & _are_small(
             step[:, n_v:, 0], x[:, first:]
         )
-        lost |= ~np.all(
-            np.abs(step[:, :n_v, 0]) <= _FAR, axis=1
-        )  # and where a step is not a number
+        lost |= ~np.all(np.abs(step[:, :n_v, 0]) <= _FAR, axis=1)  # and if a step is NaN
         settled |= (sides == modes).all(axis=1) & small & ~lost
         if (settled | lost).all():
             break
@@ -249,8 +247,8 @@ def _newton_side_by_side(
 
 
 def _are_small(steps: Array, sizes: Array) -> NDArray[np.bool_]:
-    """Whether each of many steps is rounding beside what it changes; see :func:`_is_small`."""
-    # Rounding: a Newton step near the end loses some digits of the 16.
+    """Whether each of many steps is within rounding; see :func:`_is_small`."""
+    # Near the end, a Newton step loses some of the 16 digits.
     most, size = (np.max(np.abs(values), axis=1, initial=0.0) for values in (steps, sizes))
     return np.asarray(most <= 1e-13 + 1e-11 * size)
 
@@ -267,8 +265,8 @@ def _are_balanced(x: Array, rate: Array, slope: Array, rows: list[int]) -> NDArr
 def _solve_equilibrium(compiled: Compiled, p: Array, u: Array, start: Array | None) -> Equilibrium:
     """Solve the static equilibrium for given inputs (their rates taken as zero) by a semi-smooth Newton method.
 
-    It begins with the coordinates ``start``, by default the design pose. Without an equilibrium it raises an error: a
-    run that starts from a guess would shake.
+    It begins at the coordinates ``start``, by default the design pose. Without an equilibrium it raises an error, since
+    a run from a guess would begin with a transient.
     """
     still = np.zeros_like(u)
     order = compiled.facts.track_order
@@ -332,7 +330,7 @@ def _starts(compiled: Compiled, u: Array, start: Array | None) -> Iterator[Array
 
 @once_per_object
 def _sinking(facts: ModelFacts) -> tuple[Array, Array, Array]:
-    """Which states lower a mechanism, which are heights, and how far each sinks with a sag of 1 m of each spring."""
+    """Return which states lower a mechanism, which are heights, and how far each sinks per 1 m sag of every spring."""
     heave = np.array([name == _HEAVE for name in facts.states], dtype=float)
     heights = np.array([name.endswith(".z") for name in facts.states], dtype=float)
     return (
@@ -343,9 +341,9 @@ def _sinking(facts: ModelFacts) -> tuple[Array, Array, Array]:
 
 
 def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | None:
-    """Newton from ``x``; modes follow the sides of their switches; None if it does not settle on a true balance.
+    """Apply Newton's method from ``x``; modes follow their switches; return None unless it converges to equilibrium.
 
-    A rig at rest past a toggle, its springs pulled instead of pushed, is no suspension any more.
+    A rig at rest past a toggle, with springs in tension instead of compression, is rejected.
     """
     n_q, n_v = compiled.facts.counts
     modes, pace = compiled.sides(x, u, p), _SLOWEST
@@ -360,7 +358,7 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | N
         if step is None or _largest(step[:n_v]) > _FAR:
             return None
         if compiled.facts.projects and (_largest(step[:n_v]) > _STRIDE or now.leaves_open(x, step)):
-            # A mechanism curves: it goes on in short steps, and closes its loops after each.
+            # A mechanism's path is curved: take short steps, and close the loops after each.
             damped_step = _with_inertia(now, n_v, pace)
             if damped_step is None:
                 return None
@@ -382,7 +380,7 @@ def _newton(compiled: Compiled, p: Array, u: Array, x: Array) -> Equilibrium | N
 def _is_past_toggle(
     compiled: Compiled, first: Array, x: Array, u: Array, p: Array, modes: Array
 ) -> bool:
-    """Whether a wheel has travelled far, and its strut is longer instead of shorter, or has hardly a lever."""
+    """Whether a wheel has travelled far, and its strut is extended instead of compressed, or has almost no lever."""
     before, after = (_struts(compiled, at, u, p, modes) for at in (first, x))
     for (lever, *start), (levered, *end) in zip(before, after, strict=True):
         travel, shorter = end[0] - start[0], end[1] - start[1]
@@ -396,7 +394,7 @@ def _is_past_toggle(
 def _struts(
     compiled: Compiled, x: Array, u: Array, p: Array, modes: Array
 ) -> list[tuple[float, float, float]]:
-    """Each strut's shortening by a rise of its wheel against the body [1], that rise, and its deflection (m)."""
+    """Return each strut's shortening per rise of its wheel against the body (1), that rise (m), and deflection (m)."""
     names, now = compiled.output_names, _balance(compiled, x, u, p, modes)
     lift, _ = _lift(now.slope, *compiled.facts.counts, now.free, now.motions)
     along = (
@@ -425,12 +423,12 @@ def _struts(
 
 
 def _with_inertia(now: _Balance, n_v: int, pace: float) -> tuple[Array, float] | None:
-    """A step of an implicit integration from rest, limited to a stride, and its pace, for the next one.
+    """Return an implicit integration step from rest, limited to a stride, and the pace of the next step.
 
-    It follows the mechanism's own motion. Newton's direction alone may lead far away along a weakly held motion to
-    poses that no motion from here reaches, such as a car standing on its nose; up to an unstable equilibrium; or
-    nowhere, if nothing holds a wheel off the road. A pace (1/s^2) is one over the square of the time of a step; steps
-    at the pace at which a motion falls, or quicker, go downhill.
+    It follows the mechanism's own motion. Newton's direction alone may lead far away along a weakly constrained motion
+    to unreachable poses, such as a car standing on its nose; to an unstable equilibrium; or nowhere, if nothing
+    supports a wheel off the road. The pace (1/s^2) is the inverse square of the time step; steps at the pace at
+    which a motion falls, or faster, go downhill.
     """
     rows, least = np.arange(len(now.free)), 2.0 * max(now.growth, 0.0)
     while pace < _QUICKEST:
@@ -444,12 +442,12 @@ def _with_inertia(now: _Balance, n_v: int, pace: float) -> tuple[Array, float] |
 
 
 def _is_small(step: Array, size: Array) -> bool:
-    """Whether a step is rounding beside what it changes."""
+    """Whether a step is within rounding of the quantity that it changes."""
     return _largest(step) <= 1e-13 + 1e-11 * _largest(size)
 
 
 def _largest(values: Array) -> float:
-    """Largest magnitude; a method takes a third of the time of NumPy's function."""
+    """Return the largest magnitude; the methods take a third of the time of NumPy's functions."""
     return float(np.abs(values).max(initial=0.0))
 
 
@@ -461,7 +459,7 @@ def _close_loops(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array)
 
 
 def _solve_square(matrix: Array, rhs: Array) -> Array | None:
-    """Solution if the balance determines every motion, as in lumped models; None if it does not."""
+    """Solve the system if the balance determines every motion, as in lumped models; otherwise return None."""
     try:
         solution: Array = np.asarray(np.linalg.solve(matrix, rhs), dtype=np.float64)
     except np.linalg.LinAlgError:
@@ -470,9 +468,9 @@ def _solve_square(matrix: Array, rhs: Array) -> Array | None:
 
 
 def _solve(matrix: Array, rhs: Array) -> Array | None:
-    """Solution of a square system; the shortest one if loops are redundant or a motion is undetermined.
+    """Solve a square system, with minimum norm if loops are redundant or a motion is undetermined.
 
-    Rows and columns are first scaled to a maximum of one, so that stiff and soft, metres and radians count alike.
+    Rows and columns are first scaled to a maximum of one, to balance stiffnesses and units.
     """
     rows = np.max(np.abs(matrix), axis=1, keepdims=True)
     scaled = matrix / np.where(rows > 0.0, rows, 1.0)
@@ -494,7 +492,7 @@ def _solve(matrix: Array, rhs: Array) -> Array | None:
 
 @dataclass(frozen=True)
 class _Balance:
-    """The balance about a state: slope of the rates, free motions, the unknowns and their equations."""
+    """Balance about a state: slope of the rates, free motions, unknowns and their equations."""
 
     slope: Array
     free: NDArray[np.intp]
@@ -515,15 +513,15 @@ class _Balance:
 
     @property
     def growth(self) -> float:
-        """Square of the largest growth rate of a free motion, 1/s^2; negative if all are held."""
+        """Square of the largest growth rate of a free motion, 1/s^2; negative if all are stable."""
         return float(np.max(np.linalg.eigvals(self.pull).real, initial=-np.inf))
 
     def rounding(self, size: Array) -> float:
-        """Imbalance that rounding alone may leave for coordinates of some sizes, m/s^2."""
+        """Return the imbalance (m/s^2) that rounding alone may cause for coordinates of given sizes."""
         return _ROUNDINGS * _EPSILON * _largest(np.abs(self.slope[self.rows]) @ size)
 
     def leaves_open(self, x: Array, step: Array) -> bool:
-        """Whether a step leaves an imbalance: nothing holds some motion, and something drives it."""
+        """Whether a step leaves an imbalance: a motion without restoring force is driven."""
         left = _largest(self.matrix @ step + self.residual)
         return left > _UNBALANCED * (1.0 + _largest(self.residual)) + self.rounding(
             np.maximum(np.abs(x), _PLACES)
@@ -531,7 +529,7 @@ class _Balance:
 
 
 def _balance(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> _Balance:
-    """Equations of rest: accelerations of the free motions, loops, and rates of internal states must vanish."""
+    """Form the equations of rest: accelerations of free motions, loops, and rates of internal states must vanish."""
     facts, (n_q, n_v) = compiled.facts, compiled.facts.counts
     slopes, first = compiled.slopes("x", x, u, p, modes), n_q + n_v
     slope = slopes["rate"]
@@ -568,7 +566,7 @@ def _rest(compiled: Compiled, x: Array, u: Array, p: Array, modes: Array) -> Equ
 
 
 def free_motions(loops: Array | None, n_v: int) -> tuple[NDArray[np.intp], Array]:
-    """Speeds that can be chosen freely, and the motions (n_v, f) that each of them makes, itself being 1.
+    """Return independent speeds, and the motions (n_v, f) for a unit value of each.
 
     ``loops`` (k, n_v) is the Jacobian of the loop equations by the ``n_v`` speeds.
     """
@@ -579,7 +577,7 @@ def free_motions(loops: Array | None, n_v: int) -> tuple[NDArray[np.intp], Array
     null = rows[rank:].T
     free: list[int] = []
     remainder = null.copy()
-    # The largest rows, each without its projection on the previous ones: the others then follow without large factors.
+    # Select the largest rows orthogonal to the previous ones: the others then follow without large factors.
     for _ in range(null.shape[1]):
         row = int(np.argmax(np.linalg.norm(remainder, axis=1)))
         free.append(row)
@@ -591,7 +589,7 @@ def free_motions(loops: Array | None, n_v: int) -> tuple[NDArray[np.intp], Array
 
 @cache
 def _every_motion(n_v: int) -> tuple[NDArray[np.intp], Array]:
-    """Result of :func:`free_motions` without loops."""
+    """Return the result of :func:`free_motions` without loops."""
     free, motions = np.arange(n_v), np.eye(n_v)
     for part in (free, motions):
         part.setflags(write=False)
@@ -601,9 +599,9 @@ def _every_motion(n_v: int) -> tuple[NDArray[np.intp], Array]:
 def _lift(
     slope: Array, n_q: int, n_v: int, free: NDArray[np.intp], motions: Array
 ) -> tuple[Array, Array]:
-    """States by the reduced ones, and the reduced ones' rates by those of the states.
+    """Return the maps from reduced states to states, and from rates of the states to rates of the reduced states.
 
-    The rate of a reduced displacement is its speed; that of a reduced speed the acceleration of the free motion.
+    The rate of a reduced displacement is its speed; that of a reduced speed is the acceleration of the free motion.
     """
     n, f = len(slope), len(free)
     internal = n - n_q - n_v
@@ -620,7 +618,7 @@ def _lift(
 
 
 def state_scale(rest: Equilibrium, n_q: int, n_v: int, size: float) -> Array:
-    """Typical size of each state for a motion of ``size`` metres: displacements, speeds, internal states."""
+    """Return the typical size of each state for a motion of ``size`` metres: displacements, speeds, internal states."""
     scale = np.ones(len(rest.x))
     f = len(rest.free)
     stiffness = np.abs(np.diag(rest.reduced[f : 2 * f, :f]))

@@ -1,4 +1,4 @@
-"""A run with what belongs to it: rig, trial, and what a reader must know; the extremes of its channels."""
+"""A run with its rig, trial and findings, and the extremes of its channels."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ class TrialRun(Plain):
     Attributes
     ----------
     rig : Rig
-        What was tested.
+        The rig tested.
     trial : Trial
-        What it was driven over.
+        The road or excitation.
     run : RunOutput
-        Times, channels, and how it went.
+        Times, channels and status.
     findings : tuple of Finding
-        What is to be known of road and loads.
+        Findings about road and loads.
     """
 
     rig: Rig
@@ -45,12 +45,12 @@ class TrialRun(Plain):
     findings: tuple[Finding, ...]
 
     def recording(self) -> xr.Dataset:
-        """Return the run as :func:`jounce.simulate` does."""
+        """Return the run as a recording, like :func:`jounce.simulate`."""
         return self.run.recording()
 
     @property
     def at_speed(self) -> str:
-        """Speed in words, with "at" before it; empty for an excitation."""
+        """Speed as text preceded by "at"; empty for an excitation."""
         return "" if self.trial.speed is None else f" at {size(self.trial.speed, 'm/s', 'speed')}"
 
     def extremes(self) -> dict[str, dict[str, Any]]:
@@ -58,7 +58,7 @@ class TrialRun(Plain):
         return extremes(self.run.time, self.run.channels)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return plain values, SI: how the run went, and the extremes of every channel."""
+        """Return plain values, SI: status of the run and extremes of every channel."""
         went = {name: self.run.attributes[name] for name in ("status", "method", "steps", "events")}
         return {
             "speed": self.trial.speed,
@@ -112,7 +112,7 @@ def run_trial(
 ) -> TrialRun:
     """Simulate a rig or vehicle on a road or a shaker, starting from static equilibrium.
 
-    It is what :func:`jounce.simulate` runs, with the trial and what is to be known of it.
+    Like :func:`jounce.simulate`, but the result also includes the trial and its findings.
     """
     rig = as_rig(rig)
     settings = RunSettings(output_step, tolerance, method)

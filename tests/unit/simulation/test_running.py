@@ -60,7 +60,7 @@ def test_a_softer_damper_takes_more_loops() -> None:
 @pytest.mark.parametrize(
     ("start", "road", "changes", "what"),
     [
-        ("periodic", jn.HalfSine(height="10 mm", length="60 mm"), {}, "does not come again"),
+        ("periodic", jn.HalfSine(height="10 mm", length="60 mm"), {}, "the road does not recur"),
         (-1, BELT, {}, "not a start"),
         (10_000, BELT, {}, "not a start"),
         ("soon", BELT, {}, "not a start"),

@@ -224,7 +224,7 @@ def test_slips_in_units_that_no_run_can_follow_are_told_at_once(mass: float, met
         road=jounce.HalfSine(height=0.01, length=0.06, start=0.2), speed=2.0, duration=3.0
     )
     with pytest.raises(
-        SimulationError, match=r"too fast for a run as long as this; found '\S+ Hz for 3 s"
+        SimulationError, match=r"too fast for a run of this length; found '\S+ Hz for 3 s"
     ) as caught:
         jounce.simulate(rig, trial, method=method)
     assert method == "explicit" or caught.value.where == "unsprung.z"
