@@ -26,17 +26,17 @@ def recording(
     *,
     attributes: Mapping[str, object] | None = None,
 ) -> xr.Dataset:
-    """Make a recording of signals.
+    """Create a recording from signals.
 
     Parameters
     ----------
     time : array_like, shape (n,), or DataFrame
-        Time of the samples in s; or, as the only argument, a table of pandas or Polars with columns ``name [unit]``,
-        of which a column or the index is ``time [s]``.
+        Time of the samples in s; or, as the only argument, a pandas or Polars table with columns ``name [unit]``,
+        including ``time [s]`` as a column or index.
     channels : mapping of str to (array_like of shape (n,), str, str)
         Values in SI, SI unit, and label (empty: derived from the name) of each channel. Float arrays are not copied.
     attributes : mapping, optional
-        Facts about the whole recording.
+        Attributes of the whole recording.
 
     Returns
     -------
@@ -46,7 +46,7 @@ def recording(
     Raises
     ------
     RecordingError
-        If a channel has not as many samples as ``time``.
+        If a channel and ``time`` have different numbers of samples.
 
     Examples
     --------
@@ -67,8 +67,8 @@ def is_table(given: object) -> bool:
 def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
     """Return a recording; convert a channel, or a table with columns ``name [unit]``.
 
-    A named index of a pandas table counts as a column. Columns of known quantities are converted to SI; others keep
-    their unit. Durations and instants of a recording become seconds.
+    A named index of a pandas table is treated as a column. Columns of known quantities are converted to SI; others keep
+    their unit. Durations and timestamps of a recording are converted to seconds.
 
     >>> import pandas as pd
     >>> table = pd.DataFrame({"time [ms]": [0.0, 1.0], "strut.force [kN]": [0.2, 0.3]})
@@ -105,7 +105,7 @@ def as_recording(given: Any, *, where: str = "recording") -> xr.Dataset:
 
 
 def _respell(run: xr.Dataset, where: str) -> xr.Dataset:
-    """The recording with durations and instants in seconds, and with SI units in jounce's spelling."""
+    """Convert durations and timestamps to seconds, and rewrite SI units in jounce's spelling."""
     if "time" in run.coords and run["time"].dtype.kind in "mM":
         seconds = as_samples(run["time"], "s", where=f"{where}: time")
         run = run.assign_coords(
@@ -122,7 +122,7 @@ def _respell(run: xr.Dataset, where: str) -> xr.Dataset:
 
 
 def table_columns(table: Any, where: str) -> dict[str, Column]:
-    """Columns of a table of pandas or Polars by their names without units, a named index first."""
+    """Return the columns of a pandas or Polars table by name without unit; a named index comes first."""
     index = getattr(getattr(table, "index", None), "name", None)
     values_of = {} if index is None else {str(index): table.index}
     values_of |= {str(header): table[header] for header in table.columns}
@@ -135,7 +135,7 @@ def table_columns(table: Any, where: str) -> dict[str, Column]:
 
 
 def by_path(given: Any) -> Any:
-    """Columns of a table by name, numbers with a unit in the header as text; anything else unchanged.
+    """Return the columns of a table by name, numbers as text with the header's unit; other objects unchanged.
 
     >>> import pandas as pd
     >>> by_path(pd.DataFrame({"strut.spring.rate [N/mm]": [25.0, 26.0]}))
@@ -161,7 +161,7 @@ def carries_time(given: object) -> bool:
 
 
 def clock_of(given: Sequence[Any], *, where: str) -> xr.DataArray:
-    """Time of channels that were recorded together; None in ``given`` stands for a missing channel.
+    """Return the common time of channels; None in ``given`` denotes a missing channel.
 
     Raises
     ------
@@ -183,7 +183,7 @@ def clock_of(given: Sequence[Any], *, where: str) -> xr.DataArray:
 
 
 def rate_of_channels(given: Sequence[Any], *, where: str) -> float:
-    """Sample rate (Hz) of channels that were recorded together, on uniform time."""
+    """Return the common sample rate (Hz) of channels on uniform time."""
     time = as_samples(clock_of(given, where=where), "s", where=f"{where}: time")
     if check_time(time, where=where)[1]:
         raise RecordingError(
@@ -217,9 +217,9 @@ def carried_channel(given: Any, unit: str, *, where: str) -> xr.DataArray:
 def damper_channels(
     run: xr.Dataset, *, where: str
 ) -> tuple[xr.DataArray, xr.DataArray | None, xr.DataArray]:
-    """Displacement, velocity (or None) and force at the only place of a recording that has displacement and force.
+    """Return displacement, velocity (or None) and force of the only part with displacement and force in a recording.
 
-    Places that also have the velocity take precedence: a strut over a tyre.
+    Parts that also have a velocity take precedence, e.g. a strut over a tyre.
     """
     places: dict[str, dict[str, str]] = {}
     units = {"m": "displacement", "m/s": "velocity", "N": "force"}

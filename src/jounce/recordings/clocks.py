@@ -1,7 +1,7 @@
-"""Tables whose channels are sampled at several rates: each channel at the instants of its samples.
+"""Tables whose channels are sampled at different rates: split into one table per clock.
 
 Loggers write slower channels with blank cells between their samples, or give each group of channels its own time
-column. Both are split as formats with groups (MDF, TDMS) do: one table for each clock.
+column. The tables are split as in formats with groups (MDF, TDMS).
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ Rows = NDArray[np.intp]
 def by_clock(
     signals: SignalTable, time: str, step: float | None, *, bridges_gaps: bool
 ) -> tuple[SignalTable, bool]:
-    """Split the tables of a file by clock; also return whether ``time`` now is the time of every table.
+    """Split the tables of a file by clock; also return whether every table now has the column ``time``.
 
-    ``time`` is the user's name of the time column, empty for none; ``step`` (s) the given step of rows without time.
-    Channels with gaps stay where they are, with a fault that says so, unless the gaps are bridged later.
+    ``time`` is the user's name of the time column (may be empty), ``step`` (s) the given step of rows without time.
+    Channels with gaps remain in their table, with a fault, unless the gaps are bridged later.
     """
     first = _of_table(signals.columns, time, step, bridges_gaps)
     others = [part for table in signals.others for part in _of_table(table, "", None, bridges_gaps)]
@@ -42,7 +42,7 @@ def by_clock(
 
 
 def is_steady(instants: Array) -> bool:
-    """Whether instants (s) are those of a clock without gaps: enough of them, and no step much larger than usual."""
+    """Whether instants (s) form a clock without gaps: enough of them, and no step much larger than the median."""
     if instants.size < FEWEST_SAMPLES or not np.isfinite(instants).all():
         return False
     steps = np.diff(instants)
@@ -50,7 +50,7 @@ def is_steady(instants: Array) -> bool:
 
 
 def rate_of(instants: Array) -> float:
-    """Usual rate of a clock in Hz.
+    """Return the median rate of a clock in Hz.
 
     >>> rate_of(np.arange(9) * 0.01)
     100.0
@@ -60,7 +60,7 @@ def rate_of(instants: Array) -> float:
 
 @dataclass(frozen=True)
 class _Clock:
-    """Rows with a time stamp, their instants in s, and the index of the time column (-1 for a given step)."""
+    """Rows with a timestamp, their instants in s, and the index of the time column (-1 for a given step)."""
 
     rows: Rows
     instants: Array
@@ -96,7 +96,7 @@ def _of_table(
 
 
 def _with_time(table: ColumnTable, clocks: Mapping[int, _Clock], time: str) -> ColumnTable:
-    """The table; its only clock is named ``time`` unless the user named the time column."""
+    """Name the only clock of a table ``time``, unless the user named the time column."""
     if len(clocks) != 1 or time or "time" in table.names:
         return table
     (place,) = clocks
@@ -114,7 +114,7 @@ def _gappy(column: Column) -> bool:
 
 
 def _rows_of(column: Column) -> tuple[Rows, Array] | None:
-    """Rows and numbers of a column with blank cells; None if all cells are numbers, or some cells are invalid."""
+    """Return rows and values of a column with blank cells; None if there are no blank or some invalid cells."""
     if column.part is not None or column.fault is not None:
         return column.part
     missing = np.isnan(column.values)
@@ -125,7 +125,7 @@ def _rows_of(column: Column) -> tuple[Rows, Array] | None:
 
 
 def _clocks(table: ColumnTable, time: str, count: int) -> Iterator[tuple[int, _Clock]]:
-    """Time columns that are followed by channels, by index."""
+    """Yield the time columns that are followed by channels, by index."""
     wanted = (time, name_and_unit(time)[0]) if time else ("time",)
     clocks: list[tuple[int, _Clock]] = []
     for place, column in enumerate(table):
@@ -155,7 +155,7 @@ def _is_called(column: Column, names: Sequence[str]) -> bool:
 
 
 def _clock(column: Column, place: int, count: int, unit: str) -> _Clock | None:
-    """The column as a clock: its stamps start in the first row, leave no row out, and ascend."""
+    """Return the column as a clock if its timestamps start in the first row, have no gaps, and increase."""
     part = _rows_of(column)
     if part is None and column.fault is not None:
         return None
@@ -177,7 +177,7 @@ def _clock(column: Column, place: int, count: int, unit: str) -> _Clock | None:
 
 
 def _is_named_alike(table: ColumnTable, place: int, first: int) -> bool:
-    """Whether two time columns have similar names (``Time 1``, ``Time 2``), or the second that of the next column."""
+    """Whether two time columns have similar names (``Time 1``, ``Time 2``), or one is named after its channel."""
     stems = [_NUMBERED.sub("", table.columns[at].name).casefold() for at in (place, first)]
     behind = table.columns[place + 1].name if place + 1 < len(table) else ""
     return stems[0] == stems[1] or (behind != "" and table.columns[place].name.endswith(behind))
@@ -187,9 +187,9 @@ _NUMBERED = re.compile(r"[\s_.:-]*\d.*$")
 
 
 def _is_other(clock: _Clock, first: _Clock, *, is_named: bool) -> bool:
-    """Whether a clock has its own instants: neither the same instants nor these with another zero (a time of day).
+    """Whether a clock has its own instants: neither the same instants nor shifted ones (a time of day).
 
-    A clock with as many samples must also be named as a second clock (``is_named``); a lap time is none.
+    A clock of equal length must also be named as a second clock (``is_named``), which excludes e.g. lap times.
     """
     if clock.rows.size != first.rows.size:
         return True
@@ -203,7 +203,7 @@ def _is_other(clock: _Clock, first: _Clock, *, is_named: bool) -> bool:
 
 
 def _homes(table: ColumnTable, clocks: Mapping[int, _Clock]) -> list[int]:
-    """Index of the clock of each column: the last one before it, or the first."""
+    """Return the index of the clock of each column: the last clock before it, or else the first."""
     places = sorted(clocks)
     return [
         max([place for place in places if place <= at], default=places[0])
@@ -220,7 +220,7 @@ def _of_group(
     time: str,
     bridges: bool,
 ) -> list[ColumnTable]:
-    """Tables of the columns of one clock: one with a number at each stamp, and one for each lower rate."""
+    """Split the columns of one clock: a table with a value at each timestamp, and a table for each lower rate."""
     place = max(clock.place, 0)
     own = table.columns[place]
     complete: list[Column] = []
@@ -250,7 +250,7 @@ def _of_group(
 
 
 def _is_slower(clock: _Clock, rows: Rows) -> bool:
-    """Whether rows are those of a lower rate: spread over the whole record, without missing samples."""
+    """Whether rows belong to a lower rate: spread over the whole record, without missing samples."""
     return bool(rows[-1] - rows[0] >= rows.size) and is_steady(clock.instants[rows])
 
 
@@ -263,9 +263,9 @@ def _slower(base: ColumnTable, clock: _Clock, rows: Rows, columns: Sequence[Colu
 def lower_rate_finding(
     names: Sequence[str], instants: Array, values: Array, step: float, where: str
 ) -> Finding:
-    """Report the interpolation of channels of a lower rate; a warning if they move too fast for their samples.
+    """Report the interpolation of channels of a lower rate; warn if they vary too fast for their rate.
 
-    ``values`` (a column for each channel) are samples at ``instants`` (s); ``step`` (s) is that of the recording.
+    ``values`` (a column for each channel) are samples at ``instants`` (s); ``step`` (s) is the step of the recording.
     """
     rate = rate_of(instants)
     share = _fast_share(values)
@@ -285,7 +285,7 @@ _FAST = (
 
 
 def _fast_share(values: Array) -> float:
-    """Largest share of power above a quarter of the rate among the columns, without their trends."""
+    """Return the largest fraction of power above a quarter of the rate among the detrended columns."""
     from scipy import signal
 
     if values.shape[0] < 2 * FEWEST_SAMPLES:

@@ -1,4 +1,4 @@
-"""Keys of descriptions for what a measured file does not say: its columns, its clock, its time step."""
+"""Keys of descriptions for information missing in a measured file: columns, clock and time step."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class TableFormat(Description):
     def read_columns(
         self, file: Path, wanted: Mapping[str, str] | Sequence[Mapping[str, str]]
     ) -> tuple[dict[str, Array], list[Finding]]:
-        """Read the wanted columns (name to SI unit) of a file, or the first of several sets that it has."""
+        """Read the wanted columns (name to SI unit) of a file, or the first available of several sets."""
         from jounce.recordings.files import read_columns
 
         return read_columns(file, wanted, columns=self.columns or None, variable=self.variable)
@@ -44,7 +44,7 @@ class RecordingFormat(TableFormat):
     def read(
         self, file: Path, folder: Path, sensors: Mapping[str, Sensor] | None = None
     ) -> tuple[xr.Dataset, list[Finding]]:
-        """Read a recording; a relative database path starts at the folder of the description."""
+        """Read a recording; a relative database path is relative to the folder of the description."""
         from jounce.recordings.files import read_recording
 
         return read_recording(

@@ -17,7 +17,7 @@ _MOST = 5e8  # numbers, 4 GB as doubles: more do not fit a common computer
 
 
 def rows_on_disk(dataset: Any) -> tuple[int, int]:
-    """Longest axis of an h5py dataset, and the number of its rows that were written, apart from gaps within."""
+    """Return the longest axis of an h5py dataset and the number of rows written along it."""
     _check_kind(dataset)
     shape = dataset.shape
     axis = int(np.argmax(shape)) if shape else 0
@@ -53,7 +53,7 @@ def rows_on_disk(dataset: Any) -> tuple[int, int]:
 
 
 def _is_readable(dataset: Any, piece: Any) -> bool:
-    """Whether a listed chunk has a place and is found when read from there: damage can hide it."""
+    """Whether a listed chunk has an address and can be read from there: damage can hide it."""
     if piece.byte_offset is None:
         return False
     try:

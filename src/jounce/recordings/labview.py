@@ -1,7 +1,7 @@
 """LabVIEW measurement files: text with tagged headers, converted to a plain table.
 
-Of the grammar published by National Instruments one segment is read: names, units, start and step of its channels,
-with one column of X values, one for each channel if these are equal, or none. The header of a channel stands in the
+One segment of the format published by National Instruments is read: names, units, start and step of its channels,
+with one column of X values, one for each channel if these are equal, or none. The header of a channel is in the
 column of its samples; it must be empty above a column of X values.
 """
 
@@ -23,9 +23,9 @@ from jounce.core.units import LARGEST
 FIRST = "LabVIEW Measurement"
 _END, _SPECIAL, _SPECIAL_END = "***End_of_Header***", "***Start_Special***", "***End_Special***"
 _OF_CHANNELS = ("Samples", "Date", "Time", "Y_Unit_Label", "X_Dimension", "X0", "Delta_X")
-_DIGITS = 13  # of a count: a longer number is damage
-_SAME_TIME = 1e-3  # of the step: time stamps of a row that differ by less belong to one clock
-_SAME_START = 0.1  # of the step: LabVIEW reads the clock of each channel in turn
+_DIGITS = 13  # maximum digits of a count; a longer number is damaged
+_SAME_TIME = 1e-3  # of the step: timestamps of a row that differ by less belong to one clock
+_SAME_START = 0.1  # of the step: LabVIEW reads the clock of each channel in sequence
 _HALF, _ROUNDING = (
     0.51,
     0.51e-6,
@@ -34,10 +34,10 @@ _ALLOWED = "one segment after the header, with equal steps of all channels"
 
 
 def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
-    r"""Convert a LabVIEW measurement file to a table as text, each row on its line: ``time [s]`` and the channels.
+    r"""Convert a LabVIEW measurement file to a text table with ``time [s]`` and the channels; line numbers are kept.
 
-    Also returns the number of samples of each channel in the header, None without it.
-    Raises RecordingError for a file that was cut off, has several segments, or whose channels differ in their times.
+    Also returns the number of samples stated in the header, or None.
+    Raises RecordingError if the file is truncated, has several segments, or its channels have different times.
 
     >>> head = "LabVIEW Measurement\nSeparator\tTab\nX_Columns\tNo\n***End_of_Header***\n\nChannels\t1\n"
     >>> segment = "Y_Unit_Label\tg\nX0\t0.5\nDelta_X\t0.25\n***End_of_Header***\nX_Value\tbody\tComment\n\t1.5\n\t2.0\n"
@@ -146,7 +146,7 @@ def _check_stamps(stamps: Sequence[tuple[str, str]], step: float, file: Path) ->
 
 
 def _moment(day: str, time: str) -> Fraction | None:
-    """Seconds from day 1 to a moment, exact (floats lose microseconds); None for invalid text."""
+    """Return the exact number of seconds since day 1 (floats lose microseconds); None for invalid text."""
     try:
         hours, minutes, seconds = map(Fraction, time.replace(",", ".").split(":"))
         days = date.fromisoformat(day.replace("/", "-")).toordinal()
@@ -171,7 +171,7 @@ def _number(cell: str, where: str, line: int = 0) -> float:
 
 
 def _common(where: str, cells: Sequence[str]) -> float:
-    """Return the number that the header gives for all channels; 0 without one, an error if they differ."""
+    """Return the common number of all channels in the header; 0 without one, an error if they differ."""
     numbers = {_number(cell, where): cell for cell in cells if cell}
     if len(numbers) > 1:
         raise _apart(where, [f"{cell} s" for cell in numbers.values()])
@@ -199,10 +199,10 @@ def _rows(
     step: float,
     file: Path,
 ) -> tuple[dict[int, str], Array, float]:
-    """Channel cells of each non-empty row by line number, and its time (NaN without one).
+    """Return the channel cells of each non-empty row by line number, and the times of the rows (NaN if missing).
 
-    Also returns the value of the last decimal of the times. Refuses times within a row that differ by more than a
-    thousandth of the step between rows, or of the header's ``step`` if a single row has times.
+    Also returns the resolution of the times as written. Refuses times within a row that differ by more than a
+    thousandth of the step between rows, or of the header's ``step`` if only one row has times.
     """
     rows, times, stamps, last = dict[int, str](), list[float](), dict[int, dict[float, str]](), 0
     for place, line in enumerate(lines[first:], start=first):
@@ -235,16 +235,16 @@ def _rows(
 
 
 def _step_of(written: Array, step: float) -> float:
-    """Step between rows as written, or else that of the header."""
+    """Return the median step between rows as written, or else the step of the header."""
     steps = np.diff(written[np.isfinite(written)])
     return abs(float(np.median(steps)) if steps.size else step)
 
 
 def _times(written: Array, last: float, start: float, step: float) -> Array:
-    """Time of each row (s): as written, or else from start and step.
+    """Return the time of each row (s): as written, or else from start and step.
 
-    Written times may be start and step rounded to the ``last`` decimal, as LabVIEW does; the exact times are used then.
-    A start so far from zero that floats cannot hold the steps after it is dropped.
+    If the written times are start and step rounded to the ``last`` decimal, as in LabVIEW, the exact times are used.
+    A start so large that floats cannot resolve the steps is dropped.
     """
     counted = step * np.arange(written.size, dtype=float)
     rounding = min(_HALF * last, _ROUNDING) + math.ulp(start)

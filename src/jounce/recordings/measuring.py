@@ -1,4 +1,4 @@
-"""What sensors record of a simulated motion."""
+"""Simulation of sensor records from a simulated motion."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 def apply_sensors(
     dataset: xr.Dataset, sensors: Mapping[str, Sensor], *, seed: int | None = None
 ) -> xr.Dataset:
-    """Turn a simulated motion into the record of its sensors.
+    """Simulate the records of sensors from a simulated motion.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        A recording on uniform time (s), at rest at its first sample: the zero of sensors with datum "rest".
+        A recording on uniform time (s), at rest at its first sample, which is the zero of sensors with datum "rest".
     sensors : mapping of str to Sensor
         Sensor of each channel that has one; other channels are not changed.
     seed : int, optional
@@ -41,7 +41,7 @@ def apply_sensors(
     Raises
     ------
     DescriptionError
-        If a sensor's channel is not in the recording, or a bias or noise has a unit of another dimension.
+        If a sensor's channel is not in the recording, or a bias or noise has a unit of a different dimension.
     RecordingError
         If a corner frequency is not below half the sample rate, or steps of time differ by more than 1 %.
 

@@ -38,7 +38,7 @@ class Variable:
         return (long or list(self.dimensions))[0] if is_vector else ""
 
     def values(self, rows: int) -> Array:
-        """Return the first rows of a vector: unpacked, NaN for gaps; times count from the first one."""
+        """Return the first rows of a vector, unpacked, with NaN for gaps; times are relative to the first row."""
         raw = np.asarray(self.raw(rows)).reshape(-1)
         values = np.asarray(_unpack(raw, self.attributes))
         if values.dtype.kind == "f":
@@ -49,7 +49,7 @@ class Variable:
 
     @property
     def unit(self) -> tuple[str, str]:
-        """The unit, and for a time its reference instant (CF 4.4)."""
+        """Unit, and for a time its reference date (CF 4.4)."""
         unit, _, since = str(self.attributes.get("units", "")).partition(" since ")
         return unit.strip(), since.strip()
 
@@ -64,7 +64,7 @@ class VariableGroup:
     findings: tuple[Finding, ...] = ()
 
     def signals(self, path: str = "") -> Iterator[tuple[str, VariableGroup]]:
-        """Yield each group with numbers along a dimension, together with inherited variables along the same."""
+        """Yield each group with numeric vectors, together with inherited variables along the same dimensions."""
         if any(variable.along and name != "time" for name, variable in self.variables.items()):
             yield path, self
         for name, group in self.groups.items():
@@ -117,7 +117,7 @@ def _plain_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def plain_attribute(value: Any) -> Any:
-    """Text as str, however it is stored, and a list of one value as that value.
+    """Convert stored text to str, and a list of one value to that value.
 
     >>> plain_attribute(b"m/s"), plain_attribute(["N"]), plain_attribute(np.array([2.5]))
     ('m/s', 'N', np.float64(2.5))
@@ -147,7 +147,7 @@ def _text(content: bytes) -> str:
 
 
 _FILLED = 9.9692099683868690e36
-"""Fill value of the netCDF library for numbers that were never written, without an attribute."""
+"""Default fill value of the netCDF library for numbers that were never written."""
 _CODES, _GAPS = (
     ("scale_factor", "add_offset", "_Unsigned", "dtype"),
     ("_FillValue", "missing_value"),
@@ -155,7 +155,7 @@ _CODES, _GAPS = (
 
 
 def _unpack(raw: Array, about: Mapping[str, Any]) -> Array:
-    """Values of packed numbers and gaps (CF 8.1 and 2.5.1); most are neither, and need no library."""
+    """Decode packed numbers and gaps (CF 8.1 and 2.5.1); plain numbers are returned without loading xarray."""
     gaps = [np.asarray(about[key]) for key in _GAPS if key in about]
     none = raw.dtype.kind == "f" and all(
         gap.dtype.kind == "f" and bool(np.isnan(gap).all()) for gap in gaps
@@ -192,7 +192,7 @@ _WORD = 4  # bytes: every part begins at a multiple
 
 
 class _Header:
-    """Reads the header item by item; ValueError or struct.error for impossible values."""
+    """Sequential reader of the header; invalid values raise ValueError or struct.error."""
 
     def __init__(self, content: bytes) -> None:
         self.content, self.at = content, _WORD
@@ -243,7 +243,7 @@ class _Header:
 
 @dataclass(frozen=True)
 class _Placed:
-    """A variable of the header with its place in the file; the record dimension has length 0."""
+    """A variable of the header with its offset in the file; the record dimension has length 0."""
 
     name: str
     dimensions: tuple[tuple[str, int], ...]

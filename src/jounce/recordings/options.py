@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from jounce.core.findings import Finding
 
 LONGEST_STEP = 1.0
-"""Sampling interval (s) above which a bare number is taken for milliseconds."""
+"""Sampling interval (s) above which a number without unit is assumed to be in milliseconds."""
 COLUMNS = Columns(
     r'Column that holds a quantity, with its unit if the header gives none: force="F \[kN]". Repeat it.',
     "NAME=COLUMN",
@@ -56,7 +56,7 @@ AnyRecording: TypeAlias = Annotated[
         "jounce.recordings.options:recording_in_python",
     ),
 ]
-"""A recording with what is to be known of it, as `jounce.read_recording` gives both; faces ask for file and columns."""
+"""A recording and its findings, as returned by `jounce.read_recording`; user interfaces request file and columns."""
 
 
 def chosen_recording(
@@ -83,7 +83,7 @@ def chosen_recording(
 
 
 def recording_in_python(record: str, **options: Any) -> str:
-    """Write the recording as Python.
+    """Return a Python expression for the recording.
 
     >>> recording_in_python("lap.csv", sample_time=0.01)
     "jn.read_recording('lap.csv', sample_time=0.01)"
@@ -93,7 +93,7 @@ def recording_in_python(record: str, **options: Any) -> str:
 
 @dataclass(frozen=True)
 class RecordFile(Shown):
-    """A recording with the file that it is from.
+    """A recording with its source file.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ class RecordFile(Shown):
     data : xarray.Dataset
         Its channels over time, SI.
     findings : sequence of Finding
-        What reading found.
+        Findings of the reader.
 
     Examples
     --------
@@ -120,16 +120,16 @@ AnyRecordFile: TypeAlias = Annotated[
     "RecordFile | str | Path",
     MadeBy("jounce.recordings.options:chosen_file", "jounce.recordings.options:file_in_python"),
 ]
-"""A measured file; faces ask for it and for what is needed to read it."""
+"""A measured file; user interfaces request it and the options needed to read it."""
 AnyRecordFiles: TypeAlias = Annotated[
     "Sequence[RecordFile | str | Path]",
     MadeBy("jounce.recordings.options:chosen_files", "jounce.recordings.options:files_in_python"),
 ]
-"""Several measured files, read alike."""
+"""Several measured files, read with the same options."""
 
 
 def as_record_file(record: RecordFile | str | Path) -> RecordFile:
-    """Read a file that is given by its path."""
+    """Read a file given by its path; return a RecordFile unchanged."""
     return (
         record
         if isinstance(record, RecordFile)
@@ -164,7 +164,7 @@ def chosen_files(
     database: Annotated[str | None, DATABASE] = None,
     sensors: Annotated[str | None, SENSORS] = None,
 ) -> list[RecordFile]:
-    """Read several recordings, patterns of names included."""
+    """Read several recordings, given by names or patterns."""
     return [
         chosen_file(str(path), columns, variable, sample_time, resample, database, sensors)
         for path in matching_files(measured, "FILE")
@@ -172,7 +172,7 @@ def chosen_files(
 
 
 def file_in_python(record: str, **options: Any) -> str:
-    """Write the file as Python.
+    """Return a Python expression for the file.
 
     >>> file_in_python("damper.csv"), file_in_python("damper.csv", sample_time=0.01)
     ("'damper.csv'", "jn.RecordFile('damper.csv', *jn.read_recording('damper.csv', sample_time=0.01))")
@@ -185,7 +185,7 @@ def file_in_python(record: str, **options: Any) -> str:
 
 
 def files_in_python(measured: Sequence[str], **options: Any) -> str:
-    """Write the files as Python.
+    """Return a Python expression for the files.
 
     >>> files_in_python(["a.csv", "b.csv"])
     "['a.csv', 'b.csv']"

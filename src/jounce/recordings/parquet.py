@@ -35,9 +35,9 @@ def check_counts(metadata: Any, path: Path) -> None:
 
 
 def check_end(metadata: Any, path: Path) -> list[Finding]:
-    """Warn if the footer does not follow the last data: bytes were added before it, or removed.
+    """Warn if the footer does not directly follow the data, because bytes were added or removed.
 
-    Filters, indexes and padding may lie between columns. Any change of the file's length moves its end.
+    Filters, indexes and padding may occur between columns. Any change of the file's length moves its end.
     """
     size = path.stat().st_size
     start = size - _END - metadata.serialized_size
@@ -70,7 +70,7 @@ _COMPRESSED, _PAGES, _DICTIONARY, _FILTER = 7, 9, 11, 14  # fields of a column's
 
 
 def _ends(content: bytes, footer: dict[int, Any]) -> Iterator[int]:
-    """End of each part of the file that its footer names."""
+    """Yield the end of each part of the file listed in the footer."""
     for chunk in (chunk for group in footer[4] for chunk in group[1]):
         about = chunk[_META]
         end = min(about[_PAGES], about.get(_DICTIONARY) or about[_PAGES]) + about[_COMPRESSED]
@@ -101,11 +101,11 @@ _TRUE, _FALSE, _BYTE, _DOUBLE, _TEXT, _LIST, _SET, _MAP, _STRUCT = (
     11,
     12,
 )  # its types
-_DEEPEST = 20  # structs within each other; only damage nests deeper
+_DEEPEST = 20  # levels of nested structs; only damaged files nest deeper
 
 
 def _struct(content: bytes, at: int, depth: int) -> tuple[dict[int, Any], int]:
-    """Fields of a struct by number, and the offset of its end."""
+    """Parse the fields of a struct by number; also return the offset of its end."""
     if depth > _DEEPEST:
         raise ValueError("structs are nested too deeply")
     fields: dict[int, Any] = {}

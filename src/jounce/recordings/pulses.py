@@ -1,4 +1,4 @@
-"""Speed from the pulses of a photo sensor or a toothed wheel: marks counted, missing and double ones found."""
+"""Speed from the pulses of a photo sensor or toothed wheel, corrected for missing and double pulses."""
 
 from __future__ import annotations
 
@@ -18,39 +18,39 @@ from jounce.core.types import Array
 from jounce.core.units import positive_si
 
 FEWEST_PULSES = 4
-"""Three periods: with fewer a missing pulse cannot be told from a slow turn."""
+"""Minimum number of pulses (three periods): with fewer, a missing pulse looks like a slow revolution."""
 _HYSTERESIS = 0.25
-"""Share of the height of the pulses around their middle within which noise makes no edge."""
+"""Hysteresis around the middle level as a fraction of the pulse height, within which noise triggers no edge."""
 _LEAST_CONTRAST = 4.0
-"""Height of the pulses over the scatter of the signal between them, below which nothing can be counted."""
+"""Minimum ratio of the pulse height to the scatter of the signal between pulses."""
 _NOT_BETWEEN = 0.6
-"""Share of samples around the middle from which on a signal has no marks: of a sine a third, of noise nearly all."""
+"""Maximum fraction of samples around the middle level; a sine has a third, noise nearly all."""
 _PLAUSIBLE = 150.0
-"""Speed (m/s) beyond which no belt and no wheel runs: the same as for channels of speed."""
+"""Maximum plausible speed (m/s) of a belt or wheel, as for channels of speed."""
 
 
 @dataclass(frozen=True)
 class PulseSpeed(Shown):
-    """Speed found from pulses.
+    """Speed calculated from pulses.
 
     Attributes
     ----------
     time : ndarray, shape (n,)
-        Instants of the pulses, s; double ones are left out.
+        Instants of the pulses, s, without double pulses.
     distance : ndarray, shape (n,)
-        Distance travelled at each of them, m, 0 at the first; across a missing pulse it goes on.
+        Distance travelled at each pulse, m, 0 at the first; missing pulses are counted.
     speed : ndarray, shape (n,)
-        Speed at each of them, over one turn, m/s.
+        Speed at each pulse, averaged over one revolution, m/s.
     mean : float
-        Distance over time of the whole record, m/s.
+        Mean speed of the whole record, m/s.
     resolution : float
-        Standard deviation (m/s) that sampling and jitter give ``speed``.
+        Standard deviation (m/s) of ``speed`` due to sampling and jitter.
     variation : float
         Standard deviation (m/s) of ``speed`` around its mean.
     missing, doubled : int
-        Pulses that were not seen, and those that were seen twice.
+        Number of missed pulses, and of pulses detected twice.
     findings : tuple of Finding
-        Missing and double pulses, and a speed that varies.
+        Missing and double pulses, and a varying speed.
     """
 
     time: Array
@@ -72,10 +72,10 @@ def pulse_speed(
     radius: float | str,
     where: str = "pulses",
 ) -> PulseSpeed:
-    """Find the speed of a belt or wheel from a pulse signal.
+    """Calculate the speed of a belt or wheel from a pulse signal.
 
-    Edges are counted, not periods: over one turn of the cylinder, so that marks at uneven distances cancel out and
-    sampling costs little.
+    Edges are counted over one revolution of the cylinder, which cancels uneven spacing of the marks and reduces the
+    effect of sampling.
 
     Parameters
     ----------
@@ -84,11 +84,11 @@ def pulse_speed(
     signal : array_like, shape (n,)
         Voltage of the sensor, or any signal that changes between two levels at each mark.
     per_turn : int
-        Pulses a turn.
+        Pulses per revolution.
     radius : float or str
-        Radius at which the speed counts, m: of the cylinder with half the thickness of the belt on it.
+        Effective radius, m: radius of the cylinder plus half the thickness of the belt.
     where : str
-        Names the signal in errors and findings.
+        Name of the signal in errors and findings.
 
     Returns
     -------
@@ -98,7 +98,7 @@ def pulse_speed(
     Raises
     ------
     RecordingError
-        Where the signal has no two levels, fewer than four pulses, or an implausible speed for a bench.
+        If the signal does not have two levels, has fewer than four pulses, or the speed is implausible for a bench.
 
     Examples
     --------
@@ -143,7 +143,7 @@ def pulse_speed(
 
 
 def edges(time: Array, signal: Array, *, where: str = "pulses") -> Array:
-    """Instants (s) at which a signal rises from its lower to its upper level, along straight lines between samples."""
+    """Find the instants (s) of rising edges of a two-level signal, by linear interpolation between samples."""
     low, high = float(signal.min()), float(signal.max())
     middle, height = 0.5 * (low + high), high - low
     below = signal[signal < middle]
@@ -179,7 +179,7 @@ def edges(time: Array, signal: Array, *, where: str = "pulses") -> Array:
 
 
 def _number_marks(seen: Array) -> tuple[Array, NDArray[np.bool_], int]:
-    """Numbers of the marks that were seen, which of the edges count, and how many were double."""
+    """Number the detected marks; also return which edges are marks, and how many are duplicates."""
     usual = float(np.median(np.diff(seen)))
     is_mark = np.ones(len(seen), dtype=bool)
     last = 0
@@ -208,7 +208,7 @@ def _running_median(values: Array) -> Array:
 
 
 def _over_a_turn(seen: Array, distance: Array, per_turn: int) -> Array:
-    """Speed at each pulse: distance over time from half a turn before it to half a turn behind it."""
+    """Return the speed at each pulse, averaged from half a revolution before it to half a revolution after it."""
     half = max(per_turn // 2, 1)
     index = np.arange(len(seen))
     first, last = np.clip(index - half, 0, None), np.clip(index + half, None, len(seen) - 1)

@@ -12,7 +12,7 @@ from jounce.core.findings import Finding
 
 @dataclass(frozen=True)
 class ReaderOptions:
-    """Facts about a file that it does not contain itself.
+    """Information about a file that it does not contain itself.
 
     Attributes
     ----------
@@ -31,10 +31,10 @@ class ReaderOptions:
 
 @dataclass(frozen=True)
 class SignalTable:
-    """Columns of a file, numbers and units as written, and what else it contains.
+    """Columns of a file with numbers and units as written, and its other contents.
 
-    ``others`` are tables of signals sampled at other instants than the columns, each with its own ``time``;
-    ``left_out`` names data that are no signals over time; ``findings`` are warnings about the file.
+    ``others`` are tables of signals on different clocks, each with its own ``time``; ``left_out`` names data that are
+    not signals over time; ``findings`` are warnings about the file.
     """
 
     columns: ColumnTable
@@ -46,7 +46,7 @@ class SignalTable:
 
     @property
     def tables(self) -> tuple[ColumnTable, ...]:
-        """The columns, and the tables at other instants."""
+        """The columns, followed by the tables on different clocks."""
         return self.columns, *self.others
 
 

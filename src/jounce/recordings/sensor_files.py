@@ -1,4 +1,4 @@
-"""Sensors of the channels of a card as a file says them: one of their own, a campaign, or a laboratory's settings."""
+"""Sensor descriptions read from a sensor file, a campaign, or a laboratory's settings."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _SCHEMAS = ("jounce.sensors/1", "jounce.campaign/1", "jounce.truth/1", "jounce.l
 
 
 def read_sensors(path: Path | str) -> dict[str, Sensor]:
-    r"""Read the sensors of a file, by the channel that each measures.
+    r"""Read sensor descriptions from a file, by measured channel.
 
     Parameters
     ----------
@@ -29,12 +29,12 @@ def read_sensors(path: Path | str) -> dict[str, Sensor]:
     Returns
     -------
     dict of str to Sensor
-        As `read_recording` takes them.
+        Sensors by channel, as accepted by `read_recording`.
 
     Raises
     ------
     DescriptionError
-        With file, line, key, found value and what is allowed; also for a file without sensors.
+        If the file has no sensors or is invalid; the message names file, line, key, value and allowed values.
 
     Examples
     --------
@@ -73,7 +73,7 @@ def read_sensors(path: Path | str) -> dict[str, Sensor]:
 
 
 def _check_chain(name: str, sensor: Sensor, where: str) -> None:
-    """Refuse a sensitivity, a zero and a range that cannot be meant, before a file is read with them."""
+    """Refuse an invalid sensitivity, zero or range before a file is read."""
     if sensor.sensitivity:
         chain = sensitivity_of(
             sensor.sensitivity, channel_unit(name), where=f"{where}: {name}.sensitivity"
@@ -84,7 +84,7 @@ def _check_chain(name: str, sensor: Sensor, where: str) -> None:
 
 
 def _channel_entry(column: str, entry: Any, where: str) -> tuple[str, dict[str, Any]]:
-    """Channel that a column of a laboratory's card measures, and the keys of its sensor."""
+    """Return the channel measured by a column of a laboratory's card, and the keys of its sensor."""
     if not isinstance(entry, Mapping) or not isinstance(entry.get("measures"), str):
         raise DescriptionError(
             "its measured quantity is missing",

@@ -1,4 +1,4 @@
-"""The measuring chain's effect on a signal, so that a simulation can be compared with a record like with like."""
+"""Effect of the measuring chain on a signal, for a fair comparison of simulations with records."""
 
 from __future__ import annotations
 
@@ -69,22 +69,21 @@ class Sensor(Description):
     noise : float or str
         Standard deviation of white noise added to every sample, in the channel's unit; only if a seed is given.
     gain : float
-        Recorded over true size, 1 by default.
+        Ratio of the recorded to the true value, 1 by default.
     gain_doubt : float or None
-        Share (1) by which the gain may be off, as one standard deviation: that of its calibration. None: as `Doubt` has
-        it for all sensors.
+        Relative standard uncertainty (1) of the gain, from its calibration. None: the value of `Doubt` for all sensors.
     orientation : {1, -1}
         -1 for a sensor mounted upside down.
     column : str
-        Its column in the files, with a unit where they give none, e.g. ``"ch0 [V]"``.
+        Column in the files, with a unit if the files give none, e.g. ``"ch0 [V]"``.
     sensitivity : str or tuple of str
-        What is recorded for the quantity, where files hold volts or counts: ``"100 mV/g"``, ``"5 V / 50 mm"``, or links
-        from the sensor to the card, ``["10 pC/(m/s^2)", "1 mV/pC"]``.
+        Sensitivity, if files contain volts or counts: ``"100 mV/g"``, ``"5 V / 50 mm"``, or a chain from the sensor to
+        the card, ``["10 pC/(m/s^2)", "1 mV/pC"]``.
     zero : str
-        What is recorded where the quantity is 0, e.g. ``"2.5 V"``.
+        Recorded value for a quantity of 0, e.g. ``"2.5 V"``.
     range : str
-        Greatest size that can be recorded, of the quantity (``"50 g"``) or of the card (``"10 V"``); beyond it record
-        and model are cut.
+        Maximum absolute value of the quantity (``"50 g"``) or of the card (``"10 V"``); beyond it, record and model are
+        clipped.
     datum : {"rest", "undeformed", "free offset"} or None
         Zero of the record: at rest before the run (a displacement sensor or load cell that was zeroed), the zero of
         the model (undeformed springs, design position, no force), or arbitrary, so that a constant is fitted with the
@@ -132,11 +131,11 @@ class Sensor(Description):
 
 
 _ACQUIRED = ("column", "sensitivity", "zero", "gain_doubt")
-"""How a file is read, which is no part of what the chain does to a signal."""
+"""Fields that affect how a file is read, but not the effect of the chain on a signal."""
 
 
 def sections_of(sensor: Sensor, sample_rate: float, *, where: str = "sensor") -> Array:
-    """The sensor's filters as second-order sections ``b0 b1 b2 a0 a1 a2``, shape (0 to 2, 6), without gain.
+    """Return the sensor's filters as second-order sections ``b0 b1 b2 a0 a1 a2``, shape (n, 6), without gain.
 
     The high pass is a bilinear transform, exact at its corner. The low pass has the poles of the analogue filter, its
     delay at low frequency, and -3 dB at its corner: a bilinear transform would be early by 7 % of the delay at 0.15 of
@@ -281,12 +280,12 @@ def _steady_state(sections: Array) -> Array:
 
 
 def bias_of(sensor: Sensor, unit: str, *, where: str = "bias") -> float:
-    """The sensor's bias in the channel's SI ``unit``; it does not depend on model parameters."""
+    """Return the sensor's bias in the channel's SI ``unit``; it does not depend on model parameters."""
     return to_si(sensor.bias, unit, where=where)
 
 
 def noise_of(sensor: Sensor, unit: str, *, where: str = "noise") -> float:
-    """Standard deviation of the sensor's noise in the channel's SI ``unit``."""
+    """Return the standard deviation of the sensor's noise in the channel's SI ``unit``."""
     return to_si(sensor.noise, unit, where=where)
 
 
