@@ -60,12 +60,12 @@ def test_what_it_is_not_made_for_is_refused() -> None:
     for changes, what in (
         ({"output": "String_output"}, "an output that is no number.*String.*Float64.*UInt64"),
         ({"output": None}, "several outputs"),
-        ({"rate": 1000.0}, "no multiple of the FMU's fixed step.*multiples of 0.1 s"),
+        ({"rate": 1000.0}, "not a multiple of the FMU's fixed step.*multiples of 0.1 s"),
         ({"parameters": {"String_input": 3}}, "not a value of its type.*a text"),
         ({"parameters": {"String_input": "a\0b"}}, "not a value of its type.*a text"),
         ({"parameters": {"Binary_input": "ff"}}, "cannot be set.*Binary"),
-        ({"parameters": {"UInt8_input": 300}}, "beyond what its type holds.*300.*UInt8"),
-        ({"parameters": {"Int32_input": 2**40}}, "beyond what its type holds"),
+        ({"parameters": {"UInt8_input": 300}}, "out of the range of its type.*300.*UInt8"),
+        ({"parameters": {"Int32_input": 2**40}}, "out of the range of its type"),
     ):
         given = {
             "output": "Float64_continuous_output",
@@ -167,7 +167,7 @@ def test_measurements_in_counts_come_out_again(version, kind) -> None:
     if counts:
         with pytest.raises(
             jn.SimulationError,
-            match=r"whole numbers.*allowed: whole numbers from .* Say what a count is",
+            match=r"whole numbers.*allowed: whole numbers from .* Set the size of a count",
         ):
             jn.simulate(rig, TRIAL, control=FmuControl(**fields, actuator=ACTUATOR))
 
@@ -181,7 +181,7 @@ def test_a_measurement_beyond_its_type_is_refused() -> None:
     law = FmuControl(file=str(FILES[3]), actuator=ACTUATOR, rate=10.0, **fields)
     with pytest.raises(
         jn.SimulationError,
-        match=r"tyre.force is beyond what the input UInt8_input holds.*from 0 to 255",
+        match=r"tyre.force exceeds the range of the input UInt8_input.*from 0 to 255",
     ):
         jn.simulate(jn.load("audi-a6-quarter-car"), TRIAL, control=law)
 

@@ -159,9 +159,9 @@ def test_what_cannot_be_written(tmp_path: Path) -> None:
     del tables["strut"]["spring"]
     barred = type(kart).model_validate(tables)
     assert not barred.lacks
-    with pytest.raises(jn.OutputError, match="a torsion bar in place of the strut's spring"):
+    with pytest.raises(jn.OutputError, match="a torsion bar instead of the strut's spring"):
         write_mjcf(barred, tmp_path / "a.xml")
-    with pytest.raises(jn.OutputError, match="a torsion bar in place of the strut's spring"):
+    with pytest.raises(jn.OutputError, match="a torsion bar instead of the strut's spring"):
         write_chrono(barred, tmp_path / "a.json")
     with pytest.raises(jn.OutputError, match="no mechanism in space; found 'quarter-car'"):
         write_mjcf(jn.load("kart-quarter-car"), tmp_path / "a.xml")

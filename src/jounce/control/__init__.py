@@ -1,4 +1,4 @@
-"""Controlled suspensions: actuators, sensors, laws as symbols or Python functions; models and runs are elsewhere."""
+"""Controlled suspensions: actuators, sensors, and control laws as symbols or Python functions."""
 
 import lazy_loader
 

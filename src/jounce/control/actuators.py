@@ -1,4 +1,4 @@
-"""Actuators of controlled suspensions: force, limits and lag of a command, and the command for a demanded force."""
+"""Actuators of controlled suspensions: force, limits and lag of a command, and its inverse, the command for a force."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ from jounce.parts.dampers import BoucWenDamper, SampledPoint, TanhDamper
 from jounce.parts.rig import parameters_of
 
 SOFTEST, FIRMEST = 0.2, 8.0 / 3.0
-"""Default smallest and largest coefficient of a damper, as shares of the corner's own damping coefficient."""
+"""Default minimum and maximum coefficient of a damper, relative to the corner's own damping coefficient."""
 _REVERSAL = 0.02
-"""Velocity (m/s) over which a hysteretic force reverses where its state is not measured."""
+"""Velocity (m/s) over which a hysteretic force reverses if its state is not measured."""
 _Lag = Annotated[float, Unit("s", at_least=0.0)]
 _Voltage = Annotated[float, Unit("V", above=0.0)]
 _Rate = Annotated[float, Unit("N*s/m/s", above=0.0)]
@@ -34,29 +34,29 @@ _ForceLimit = Annotated[float, Unit("N", above=0.0)]
 
 
 Replaced = Literal["spring", "stops", "tyre"]
-"""Elements besides the damper that a force may replace."""
+"""Elements other than the damper that a force may replace."""
 OWN, RATE = "own_force", "velocity"
-"""Channels ``actuator.*`` of such an element: force (N) of the rig's own, and rate (m/s) of the deflection."""
+"""Channels ``actuator.*`` of a replaced element: its original force (N), and its deflection rate (m/s)."""
 
 Lookup = Callable[[str], ca.SX]
-"""Symbol of a channel or a number by its name."""
+"""Function that returns the symbol of a channel or parameter by name."""
 
 
 @dataclass(frozen=True)
 class Instant:
-    """One corner at one control instant, as a law sees it: symbols by name.
+    """Inputs of a law for one corner at one control instant, as symbols.
 
     Attributes
     ----------
     seen : callable
-        Channel without its corner (``"sprung.vz"``) to its symbol, as a change from static equilibrium.
+        Returns the symbol of a channel without its corner (``"sprung.vz"``), as change from static equilibrium.
     number : callable
-        Name to the symbol of a number: those that the law gives, those of the actuator, and the limits of its command
-        (``minimum``, ``maximum``).
+        Returns the symbol of a parameter of the law or the actuator, or of a limit of its command (``minimum``,
+        ``maximum``).
     last : casadi.SX
-        Command of the instant before.
+        Command of the previous instant.
     memory : list of casadi.SX
-        Memory of the law from the instant before.
+        Memory of the law from the previous instant.
     """
 
     seen: Lookup
@@ -66,7 +66,7 @@ class Instant:
 
     @property
     def extension_rate(self) -> ca.SX:
-        """Velocity (m/s) at which body and wheel part, along the strut; positive in rebound."""
+        """Extension rate of the strut (m/s), positive in rebound."""
         return -self.seen("strut.velocity")
 
     def clip(self, command: ca.SX) -> ca.SX:
@@ -74,34 +74,34 @@ class Instant:
         return clip(command, self.number("minimum"), self.number("maximum"))
 
     def between(self, share: ca.SX) -> ca.SX:
-        """Command at a share (0 to 1) of the way from the smallest to the largest; of dampers from soft to firm."""
+        """Interpolate the command from minimum (``share`` 0) to maximum (1); for dampers, from soft to firm."""
         low, high = self.number("minimum"), self.number("maximum")
         return low + (high - low) * share
 
 
 class _Actuator(Description):
-    """Base of all actuators: a command with its unit, and the numbers that the model of the car needs."""
+    """Base of all actuators: a command with its unit, and parameters for the vehicle model."""
 
     unit: ClassVar[str] = ""
 
     @property
     def replaces_damper(self) -> bool:
-        """Whether it replaces the corner's own damper or acts beside it."""
+        """Whether it replaces the corner's own damper instead of acting in parallel."""
         return True
 
     @property
     def structure(self) -> str:
-        """Text that identifies the equations of the actuator, without their numbers."""
+        """Identifier of the actuator's equations, independent of parameter values."""
         raise NotImplementedError
 
     @property
     def plant_numbers(self) -> dict[str, float]:
-        """Numbers of those equations, SI."""
+        """Parameters of the actuator's equations, SI."""
         raise NotImplementedError
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Smallest and largest command, in the unit of the command."""
+        """Minimum and maximum command, in the unit of the command."""
         raise NotImplementedError
 
     @property
@@ -110,36 +110,36 @@ class _Actuator(Description):
         return self.limits[0]
 
     def complete_for(self, corner: CornerModel) -> Self:  # noqa: ARG002 - others need it
-        """Return the same actuator with all missing numbers filled in for a corner."""
+        """Return a copy of the actuator with missing values set for a corner."""
         return self
 
     def force_of(self, command: ca.SX, now: Instant) -> ca.SX:
-        """Strut force (N) that a command gives without lag."""
+        """Return the strut force (N) of a command without lag."""
         raise NotImplementedError
 
     def command_for_force(self, force: ca.SX, now: Instant) -> ca.SX:
-        """Command that comes nearest to a strut force (N, compression positive).
+        """Return the command whose force is closest to a strut force (N, compression positive).
 
-        A damper can only give forces that resist its velocity, within its limits.
+        A damper can only produce forces that oppose its velocity, within its limits.
         """
         raise NotImplementedError
 
     def command_for_coefficient(self, coefficient: ca.SX, now: Instant) -> ca.SX:
-        """Command that comes nearest to a damping coefficient of the strut, N s/m."""
+        """Return the command closest to a damping coefficient of the strut (N s/m)."""
         return self.command_for_force(coefficient * now.seen("strut.velocity"), now)
 
 
 class SemiActiveDamper(_Actuator):
-    """Damper whose coefficient is commanded: ``F = c * velocity``, in place of the corner's own damper.
+    """Damper with a commanded coefficient, ``F = c * velocity``; replaces the corner's own damper.
 
     Attributes
     ----------
     minimum, maximum : float or None
-        Bounds of the coefficient, N s/m; left out: 0.2 and 8/3 of the corner's own damping coefficient.
+        Bounds of the coefficient, N s/m; default: 0.2 and 8/3 of the corner's own damping coefficient.
     lag : float
-        Time constant of the first-order lag of the coefficient, s; 0: none.
+        Time constant of the first-order lag of the coefficient, s; 0 means no lag.
     rate_limit : float or None
-        Fastest change of the commanded coefficient, N s/m per s.
+        Maximum rate of change of the commanded coefficient, N s/m per s.
     """
 
     kind: Literal["semi-active"] = "semi-active"
@@ -154,8 +154,8 @@ class SemiActiveDamper(_Actuator):
         if self.minimum is not None and self.maximum is not None and self.maximum <= self.minimum:
             raise ValueError(
                 Phrase(
-                    "maximum = {maximum:g} N*s/m does not lie above minimum = {minimum:g} N*s/m; swap them, "
-                    "or give the damper a range to work in",
+                    "maximum = {maximum:g} N*s/m is not above minimum = {minimum:g} N*s/m; swap them, "
+                    "or widen the range of the damper",
                     maximum=self.maximum,
                     minimum=self.minimum,
                 )
@@ -164,63 +164,63 @@ class SemiActiveDamper(_Actuator):
 
     @property
     def structure(self) -> str:
-        """Its equations."""
+        """Identifier of the actuator's equations."""
         return f"semi-active, lag {self.lag > 0.0}"
 
     @property
     def plant_numbers(self) -> dict[str, float]:
-        """Numbers of those equations, SI."""
+        """Parameters of the actuator's equations, SI."""
         return {"lag": self.lag} if self.lag > 0.0 else {}
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Smallest and largest coefficient, N s/m."""
+        """Minimum and maximum coefficient, N s/m."""
         if self.minimum is None or self.maximum is None:
             raise AssertionError("the damper is resolved first")
         return self.minimum, self.maximum
 
     def complete_for(self, corner: CornerModel) -> Self:
-        """Return the same damper with both bounds."""
+        """Return a copy of the damper with ``minimum`` and ``maximum`` set."""
         low = SOFTEST * corner.reference_damping if self.minimum is None else self.minimum
         high = FIRMEST * corner.reference_damping if self.maximum is None else self.maximum
         table = {**self.model_dump(exclude_none=True), "minimum": low, "maximum": high}
         return type(self).from_table(table, where="actuator")
 
     def force_of(self, command: ca.SX, now: Instant) -> ca.SX:
-        """Strut force, N."""
+        """Return the strut force, N."""
         return command * now.seen("strut.velocity")
 
     def command_for_force(self, force: ca.SX, now: Instant) -> ca.SX:
-        """Coefficient, N s/m; the softest where the force would drive the motion."""
+        """Return the coefficient, N s/m; the minimum if the force would drive the motion."""
         velocity = now.seen("strut.velocity")
         wanted = force * velocity / ca.fmax(velocity * velocity, 1e-12)
         return ca.if_else(force * velocity > 0.0, now.clip(wanted), now.number("minimum"))
 
     def command_for_coefficient(self, coefficient: ca.SX, now: Instant) -> ca.SX:
-        """The coefficient itself within the limits, N s/m."""
+        """Return the coefficient clipped to the limits, N s/m."""
         return now.clip(coefficient)
 
 
 class ActiveActuator(_Actuator):
-    """Force actuator beside spring and damper, or in place of the damper; positive pushes body and wheel apart.
+    """Force actuator in parallel with spring and damper, or instead of the damper; a positive force extends the strut.
 
     Attributes
     ----------
     force_limit : float or None
-        Largest force, N; left out: half of the corner's static load.
+        Maximum force, N; default: half of the corner's static load.
     lag : float
-        Time constant of a first-order lag, s; 0: none.
+        Time constant of a first-order lag, s; 0 means no lag.
     bandwidth : float or None
         Natural frequency of a second-order actuator instead of the lag, Hz (hydraulic ones: 20 to 25 Hz).
     damping_ratio : float
-        Of the second-order actuator; below 1 the force overshoots its command, and its limit, for a moment.
+        Damping ratio of the second-order actuator; below 1 the force briefly overshoots its command and its limit.
     rate_limit : float or None
-        Fastest change of the commanded force, N/s.
+        Maximum rate of change of the commanded force, N/s.
     in_place_of_damper : bool
-        Whether the corner's own damper is taken out: the command is the damper's force, too.
+        Whether the actuator replaces the corner's own damper; the command then includes the damper's force.
     in_place_of : {"spring", "stops", "tyre"} or None
-        Another element whose force comes from an FMU. The rig's own element stays and bridges the time between two
-        instants: the command is the difference between the FMU's force and its own. It has neither lag nor limits.
+        A different element whose force an FMU computes. The rig's own element remains active between two instants; the
+        command is the difference between the FMU's force and its own. It has neither lag nor limits.
     """
 
     kind: Literal["active"] = "active"
@@ -235,7 +235,7 @@ class ActiveActuator(_Actuator):
 
     @property
     def replaces_damper(self) -> bool:
-        """Whether the corner's own damper is taken out."""
+        """Whether the actuator replaces the corner's own damper."""
         return self.in_place_of_damper
 
     @model_validator(mode="before")
@@ -256,7 +256,7 @@ class ActiveActuator(_Actuator):
         if self.in_place_of is not None and given:
             raise ValueError(
                 Phrase(
-                    "a force in place of the {in_place_of} has no {given}; leave it out, or leave out in_place_of",
+                    "a force that replaces the {in_place_of} has no {given}; omit it, or omit in_place_of",
                     in_place_of=self.in_place_of,
                     given=given[0],
                 )
@@ -271,7 +271,7 @@ class ActiveActuator(_Actuator):
 
     @property
     def structure(self) -> str:
-        """Its equations."""
+        """Identifier of the actuator's equations."""
         if self.in_place_of is not None:
             return f"active, in place of the {self.in_place_of}"
         order = "second order" if self.bandwidth is not None else f"lag {self.lag > 0.0}"
@@ -279,19 +279,19 @@ class ActiveActuator(_Actuator):
 
     @property
     def plant_numbers(self) -> dict[str, float]:
-        """Numbers of those equations, SI."""
+        """Parameters of the actuator's equations, SI."""
         if self.bandwidth is not None:
             return {"bandwidth": self.bandwidth, "damping_ratio": self.damping_ratio}
         return {"lag": self.lag} if self.lag > 0.0 else {}
 
     @property
     def order(self) -> int:
-        """States between command and force: 0, 1 or 2."""
+        """Number of states between command and force: 0, 1 or 2."""
         return 2 if self.bandwidth is not None else int(self.lag > 0.0)
 
     @property
     def equations(self) -> tuple[Array, Array]:
-        """Matrices of the force's own states (force first), and how the command drives them, SI."""
+        """State and input matrix of the actuator's force (first state is the force), SI."""
         if self.bandwidth is None:
             return np.array([[-1.0 / self.lag]]), np.array([[1.0 / self.lag]])
         w = 2.0 * math.pi * self.bandwidth
@@ -301,22 +301,22 @@ class ActiveActuator(_Actuator):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Smallest and largest force, N."""
+        """Minimum and maximum force, N."""
         if self.force_limit is None:
             raise AssertionError("the actuator is resolved first")
         return -self.force_limit, self.force_limit
 
     @property
     def rest(self) -> float:
-        """No force, N."""
+        """Zero force, N."""
         return 0.0
 
     def complete_for(self, corner: CornerModel) -> Self:
-        """Return the same actuator with its limit."""
+        """Return a copy of the actuator with ``force_limit`` set."""
         if self.in_place_of is not None:
             return BaseModel.model_copy(
                 self, update={"force_limit": math.inf}
-            )  # none, which no description may give
+            )  # no limit; descriptions must be finite
         limit = (
             0.5 * corner.sprung_mass * corner.gravity
             if self.force_limit is None
@@ -325,30 +325,30 @@ class ActiveActuator(_Actuator):
         return self.model_copy(update={"force_limit": limit})
 
     def force_of(self, command: ca.SX, now: Instant) -> ca.SX:  # noqa: ARG002
-        """The command itself, N."""
+        """Return the command itself, N."""
         return command
 
     def command_for_force(self, force: ca.SX, now: Instant) -> ca.SX:
-        """The force within its limits, N."""
+        """Return the force clipped to the limits, N."""
         return now.clip(force)
 
 
 class MagnetorheologicalDamper(_Actuator):
-    """Magneto-rheological damper in place of the corner's own: a hysteretic law that moves with the voltage.
+    """Magnetorheological damper with a hysteretic law that depends on voltage; replaces the corner's own damper.
 
-    Both laws come from measurements (:func:`jounce.fit_damper` gives their tables); every number is interpolated
-    between them by the voltage that has arrived, a first-order lag behind the command.
+    Identify the laws at zero and maximum voltage from measurements with :func:`jounce.fit_damper`. Parameters are
+    interpolated between them by the actual voltage, which follows the command with a first-order lag.
 
     Attributes
     ----------
     off, on : TanhDamper or BoucWenDamper
-        Law at 0 V and at ``maximum``; both of the same kind.
+        Law at 0 V and at ``maximum``; the two must be of the same kind.
     maximum : float
-        Largest voltage, V.
+        Maximum voltage, V.
     lag : float
-        Time constant of the voltage, s; 0: none.
+        Time constant of the voltage, s; 0 means no lag.
     rate_limit : float or None
-        Fastest change of the commanded voltage, V/s.
+        Maximum rate of change of the commanded voltage, V/s.
 
     Examples
     --------
@@ -391,7 +391,7 @@ class MagnetorheologicalDamper(_Actuator):
         if self.off.kind != self.on.kind:
             raise ValueError(
                 Phrase(
-                    "off is a {kind!r} law and on a {second_kind!r} one; give two of one kind",
+                    "off is a {kind!r} law, on is a {second_kind!r} law; give two laws of the same kind",
                     kind=self.off.kind,
                     second_kind=self.on.kind,
                 )
@@ -400,12 +400,12 @@ class MagnetorheologicalDamper(_Actuator):
 
     @property
     def structure(self) -> str:
-        """Its equations."""
+        """Identifier of the actuator's equations."""
         return f"magnetorheological, {self.off.kind}, lag {self.lag > 0.0}"
 
     @property
     def plant_numbers(self) -> dict[str, float]:
-        """Numbers of those equations, SI."""
+        """Parameters of the actuator's equations, SI."""
         numbers = {
             **parameters_of(self.off, "off."),
             **parameters_of(self.on, "on."),
@@ -415,23 +415,23 @@ class MagnetorheologicalDamper(_Actuator):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Smallest and largest voltage, 0 and ``maximum``, SI."""
+        """Minimum and maximum voltage: 0 and ``maximum``, V."""
         return 0.0, self.maximum
 
     def force_of(self, command: ca.SX, now: Instant) -> ca.SX:
-        """Strut force, N."""
+        """Return the strut force, N."""
         off, on = self._force("off", now), self._force("on", now)
         low, high = now.number("minimum"), now.number("maximum")
         return off + (on - off) * (command - low) / (high - low)
 
     def command_for_force(self, force: ca.SX, now: Instant) -> ca.SX:
-        """Voltage, V, by the share of the force between the two laws."""
+        """Return the voltage, V, by linear interpolation of the force between the two laws."""
         off, on = self._force("off", now), self._force("on", now)
         share = (force - off) * (on - off) / ca.fmax((on - off) ** 2, 1e-12)
         return now.between(clip(share, 0.0, 1.0))
 
     def _force(self, end: str, now: Instant) -> ca.SX:
-        """Force (N) at one end of the voltage."""
+        """Return the force (N) at minimum (``"off"``) or maximum (``"on"``) voltage."""
         deflection = now.seen("strut.deflection") + now.number("static_deflection")
         law: TanhDamper | BoucWenDamper = getattr(self, end)
         return law.evaluate(
@@ -442,10 +442,10 @@ class MagnetorheologicalDamper(_Actuator):
 
 
 class _ControllerPoint(SampledPoint):
-    """Operating point of a damper law as a controller sees it: only the side of the hysteresis is known."""
+    """Operating point of a damper law in a controller, which cannot measure the hysteresis state."""
 
     def state(self, name: str, rate: Callable[[Any], Any]) -> Any:  # noqa: ARG002
-        """Return the state that a motion in this direction leads to."""
+        """Return the limit of the state for a motion in this direction."""
         return ca.tanh(self.velocity / _REVERSAL)
 
 

@@ -1,4 +1,4 @@
-"""Controllers: their base class, the catalogue of names, and controllers that run in Python."""
+"""Base class and catalogue of controllers, and controllers that run in Python."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ SCHEMA = "jounce.control/1"
 
 @dataclass(frozen=True)
 class Kind:
-    """Named controller: its class, a one-line summary, and the fields that differ from the defaults of the class."""
+    """Named controller: class, one-line summary, and fields that differ from the class defaults."""
 
     law: type[Controller]
     summary: str
@@ -45,7 +45,7 @@ class Kind:
 
 
 class _Controls(Rows[Kind]):
-    """Controllers in the order of their modules and classes."""
+    """Controllers, ordered by module and class."""
 
     def _order(self, item: tuple[str, Kind]) -> str:
         return item[1].law.__module__
@@ -54,11 +54,11 @@ class _Controls(Rows[Kind]):
 CONTROLS = _Controls("jounce.control")
 """Controllers by name."""
 FILE_CONTROLS = _Controls("jounce.control")
-"""Controllers that need more than a name, by the ``law`` of their files."""
+"""Controllers that require a file, by its ``law``."""
 
 
 def _read_noise(value: object) -> object:
-    """Standard deviations by channel, text with units or SI."""
+    """Read standard deviations by channel, given as text with units or in SI."""
     if not isinstance(value, Mapping):
         return value
     try:
@@ -94,21 +94,21 @@ class Decision:
 
 
 class Controller(Description):
-    """Base of all controllers: each corner is controlled separately, from the measurements of that corner.
+    """Base of all controllers: each corner is controlled separately, from measurements of that corner.
 
-    A subclass is known by the names in its ``catalogue`` as soon as it is defined.
+    Defining a subclass registers the names in its ``catalogue``.
 
     Attributes
     ----------
     actuator : SemiActiveDamper, ActiveActuator or MagnetorheologicalDamper
         Actuator that receives the commands.
     rate : float
-        Control instants per second, Hz; a command holds until the next one.
+        Control rate, Hz; a command is held until the next instant.
     noise : dict
-        Standard deviation of the sensors by channel (SI or text): ``{"sprung.az": "0.05 m/s^2"}``; white, at every
-        corner.
+        Standard deviation of white sensor noise by channel (SI or text): ``{"sprung.az": "0.05 m/s^2"}``; applies to
+        every corner.
     seed : int
-        Of the noise.
+        Seed of the noise.
     """
 
     schema_: Literal["jounce.control/1"] = Field(default="jounce.control/1", alias="schema")
@@ -118,15 +118,15 @@ class Controller(Description):
     seed: Seed = 0
 
     catalogue: ClassVar[Mapping[str, tuple[str, AnyActuator | None]]] = {}
-    """Name to a line about it, and its actuator."""
+    """Name to (one-line summary, actuator)."""
     from_file: ClassVar[str] = ""
     """One-line summary of a controller that needs a file; the file selects it by its ``law``."""
     needs_wheel: ClassVar[bool] = False
-    """Whether the gains need a wheel with mass and tyre."""
+    """Whether the gains require a wheel with mass and tyre."""
     is_element: ClassVar[bool] = False
     """Whether it may replace the force of a spring, of stops or of a tyre."""
     memory_size: ClassVar[int] = 0
-    """Length of the memory of one corner from one instant to the next."""
+    """Size of the memory of one corner between instants."""
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -143,7 +143,7 @@ class Controller(Description):
         if place is not None and not self.is_element:
             raise ValueError(
                 Phrase(
-                    "actuator: the law {name!r} cannot stand in place of the {place}; only an FMU can",
+                    "actuator: the law {name!r} cannot replace the {place}; only an FMU can",
                     name=self.name,
                     place=place,
                 )
@@ -156,26 +156,26 @@ class Controller(Description):
         return str(getattr(self, "law", "control"))
 
     def decide(self, now: Instant) -> Decision:
-        """Write the law of one corner at one instant, as symbols."""
+        """Return the law's decision for one corner at one instant, as symbols."""
         raise NotImplementedError
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:  # noqa: ARG002 - others need it
-        """Parameters of the law for a corner, SI; none by default."""
+        """Return the parameters of the law for a corner, SI; none by default."""
         return {}
 
     def resolve_paths(self, folder: Path) -> Self:  # noqa: ARG002 - others need it
-        """Return the same controller with its file names resolved against a folder."""
+        """Return a copy of the controller with file names resolved against a folder."""
         return self
 
     def with_rate_for(self, fastest: float) -> Self:  # noqa: ARG002 - others need it
-        """Return the same controller with its rate set, where the rig's fastest mode (rad/s) determines it."""
+        """Return a copy of the controller with its rate set, if it depends on the rig's fastest mode (rad/s)."""
         return self
 
     def complete_for(self, corner: CornerModel) -> Self:
-        """Return the same controller with the missing numbers of its actuator filled in for a corner."""
+        """Return a copy of the controller with missing values of its actuator set for a corner."""
         return BaseModel.model_copy(
             self, update={"actuator": self.actuator.complete_for(corner)}
-        )  # checked before
+        )  # already validated
 
     beside: ClassVar[Any] = old_method("Controller.beside", "resolve_paths")
     paced: ClassVar[Any] = old_method("Controller.paced", "with_rate_for")
@@ -183,28 +183,28 @@ class Controller(Description):
 
 
 class ForceLaw(Controller):
-    """A law that demands a force; a damper provides as much of it as it can."""
+    """Law that demands a force; a damper provides the part that it can produce."""
 
     def force(self, now: Instant) -> ca.SX:
-        """Demanded force (N) on the body at the wheel, up positive; the wheel feels the opposite."""
+        """Return the demanded force (N) on the body at the wheel, positive up; the opposite force acts on the wheel."""
         raise NotImplementedError
 
     def decide(self, now: Instant) -> Decision:
-        """The command for that force."""
+        """Return the command for that force."""
         return Decision(
             self.actuator.command_for_force(self.force(now) / now.number("motion_ratio"), now)
         )
 
 
 class TwoStateLaw(Controller):
-    """A law that switches a damper between soft and firm; a force actuator is refused."""
+    """Law that switches a damper between soft and firm; it accepts no force actuator."""
 
     def product(self, now: Instant) -> ca.SX:
-        """Switching function: the damper is firm where it is zero or above."""
+        """Return the switching function: the damper is firm if it is zero or positive."""
         raise NotImplementedError
 
     def decide(self, now: Instant) -> Decision:
-        """Firm or soft."""
+        """Return the firm or the soft command."""
         return Decision(now.between(ca.if_else(self.product(now) >= 0.0, 1.0, 0.0)))
 
     @model_validator(mode="after")
@@ -224,29 +224,29 @@ __getattr__ = with_old_names(__name__, {"DamperLaw": "TwoStateLaw"})
 
 
 def or_default(value: float | None, default: float) -> float:
-    """Return the value, or the default where it is None."""
+    """Return the value, or the default if it is None."""
     return default if value is None else value
 
 
 def controller(name: str | Path, **changes: Any) -> Controller:
-    """Return a controller by its name, or from a TOML file.
+    """Return a controller by name, or from a TOML file.
 
     Parameters
     ----------
     name : str or Path
-        One of :data:`CONTROLS`, or a path to a file of the schema ``jounce.control/1``.
+        A name from :data:`CONTROLS`, or the path of a file with schema ``jounce.control/1``.
     **changes
-        Fields that differ from those of the name or the file.
+        Fields that override those of the name or the file.
 
     Returns
     -------
     Controller
-        The frozen description.
+        The immutable description.
 
     Raises
     ------
     DescriptionError
-        For an unknown name (with the nearest one) or a file that cannot be understood.
+        For an unknown name (with the nearest match) or an invalid file.
 
     Examples
     --------
@@ -279,12 +279,13 @@ def _load(path: Path) -> Controller:
 
 
 def as_controller(value: Controller | str | Path | Callable[..., Any]) -> Controller:
-    """Return a controller from a controller, its name, its file, or a Python function.
+    """Convert a name, a file or a Python function to a controller.
 
     Parameters
     ----------
     value : Controller, str, Path or callable
-        A function takes ``(measurement, t)`` and returns the command (see :class:`PythonControl`).
+        Controller, its name or file, or a function of ``(measurement, t)`` that returns the command (see
+        :class:`PythonControl`).
     """
     if isinstance(value, Controller):
         return value
@@ -310,32 +311,32 @@ class Regulator(Protocol):
 
     @property
     def findings(self) -> Sequence[Finding]:
-        """Findings for the reader of the run."""
+        """Findings to report with the run."""
 
     def start(self) -> None:
-        """Reset everything at the start of a run."""
+        """Reset the state at the start of a run."""
 
     def __call__(self, values: list[float]) -> list[float]:
-        """Commands from measurements, of which the last is the time (s)."""
+        """Return commands from measurements; the last measurement is time (s)."""
 
     def answer(self, rest: Array) -> tuple[Array, Array] | None:
-        """Return the slopes at rest of (commands, memory) along memory and measurements; None where unknown."""
+        """Return derivatives of (commands, memory) at rest by memory and measurements, or None if unknown."""
 
 
 @dataclass(frozen=True)
 class RunSetting:
-    """The run as a controller in Python sees it.
+    """Data of a run for controllers in Python.
 
     Attributes
     ----------
     controllers, models : mapping
-        Corner to its resolved controller, and to its model.
+        Resolved controller and corner model by corner.
     units : mapping
-        All channels of the model, with their SI units.
+        SI units of all channels of the model.
     instants : int
-        Control instants of the run.
+        Number of control instants.
     road : callable
-        Corner and times (s) to the road's height (m) under its wheel.
+        Function of corner and times (s) that returns the road height (m) under its wheel.
     """
 
     controllers: Mapping[str, Controller]
@@ -346,11 +347,11 @@ class RunSetting:
 
 
 class CallbackController(Controller):
-    """A controller that runs in Python."""
+    """Controller that runs in Python."""
 
     @property
     def place(self) -> str:
-        """Place of the controller, for messages."""
+        """Location of the controller in messages."""
         return f"control: {self.name}"
 
     def regulator(self, setting: RunSetting) -> Regulator:
@@ -361,14 +362,14 @@ class CallbackController(Controller):
 class PythonControl(CallbackController):
     """Controller that calls a Python function: ``function(measurement, t) -> command``.
 
-    ``measurement`` is a dict of all channels of the model (SI, with noise where there is some), ``t`` the time in s.
-    The command is a number for a quarter car; for a vehicle a dict of corners or a sequence in the order of its
-    corners. It is clipped to the limits of the actuator.
+    ``measurement`` is a dict of all channels of the model (SI, including sensor noise), ``t`` is time in s. The
+    command is a number for a quarter car; for a vehicle it is a dict by corner or a sequence in the order of corners.
+    It is clipped to the limits of the actuator.
 
     Attributes
     ----------
     function : callable
-        Called once a control period.
+        Function called once per control period.
 
     Examples
     --------
@@ -395,7 +396,7 @@ class _Measurement(dict[str, float]):
 
 
 class _OwnFunction:
-    """A user's function; its answer is checked, clipped and limited in rate."""
+    """User function; its result is validated, clipped and rate-limited."""
 
     from_rest = False
     findings = ()
@@ -409,17 +410,17 @@ class _OwnFunction:
         self._limits = CommandLimits(setting.controllers)
 
     def start(self) -> None:
-        """Begin a run."""
+        """Start a run."""
         self._limits.start()
 
     def answer(self, rest: Array) -> None:
-        """Return None: the slopes of a user's function are unknown."""
+        """Return None: the derivatives of a user function are unknown."""
 
     def __call__(self, values: list[float]) -> list[float]:
-        """Commands from measurements."""
+        """Return commands from measurements."""
         measurement = _Measurement(
             zip(self.channels, values, strict=False)
-        )  # the time follows the channels
+        )  # the last value is the time
         answer = self._function(measurement, values[-1])
         if type(answer) is float and len(self._corners) == 1:
             return self._limits.apply([answer])
@@ -477,7 +478,7 @@ class CommandLimits:
         self.last = list(self._rest)
 
     def apply(self, commands: list[float]) -> list[float]:
-        """Return the commands clipped and limited in rate; NaN for commands that are not finite."""
+        """Return the commands clipped and rate-limited; NaN for commands that are not finite."""
         limited = []
         for command, before, step, (low, high) in zip(
             commands, self.last, self._steps, self._limits, strict=True

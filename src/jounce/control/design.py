@@ -1,4 +1,4 @@
-"""The corner model for the design of controllers, and regulator, Kalman filter and H-infinity design from it."""
+"""Corner model for controller design, with design of regulators, Kalman filters and H-infinity controllers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from jounce.core.optional import require
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 
-_TYPICAL_RATIO = 0.3  # damping ratio of a body on a damper where the corner has none
+_TYPICAL_RATIO = 0.3  # default damping ratio of the body for a corner without a damper
 
 
 @dataclass(frozen=True)
@@ -26,19 +26,19 @@ class CornerModel(Shown):
     Attributes
     ----------
     sprung_mass : float
-        Share of the body that rests on this corner, kg.
+        Sprung mass carried by this corner, kg.
     unsprung_mass : float
-        kg; 0 for a massless axle.
+        Unsprung mass, kg; 0 for a massless axle.
     spring_rate : float
         Wheel rate (spring at the wheel), N/m.
     tyre_stiffness : float
-        N/m; 0 for a massless axle.
+        Tyre stiffness, N/m; 0 for a massless axle.
     damping_coefficient : float
-        Of the corner's own damper, at the wheel, N s/m.
+        Coefficient of the corner's own damper at the wheel, N s/m.
     motion_ratio : float
         Strut travel over wheel travel, 1.
     gravity : float
-        m/s^2.
+        Gravity, m/s^2.
     static_deflection : float
         Strut deflection at rest, m.
     """
@@ -54,7 +54,7 @@ class CornerModel(Shown):
 
     @property
     def reference_damping(self) -> float:
-        """Coefficient (N s/m, at the strut) from which default bounds and gains follow."""
+        """Coefficient (N s/m, at the strut) from which default bounds and gains are derived."""
         wheel = self.damping_coefficient
         if wheel <= 0.0:
             wheel = 2.0 * _TYPICAL_RATIO * math.sqrt(self.spring_rate * self.sprung_mass)
@@ -64,10 +64,10 @@ class CornerModel(Shown):
 def corner_equations(
     corner: CornerModel, damping_coefficient: float | None = None
 ) -> tuple[Array, Array, Array]:
-    """Matrices ``A``, ``B``, ``G`` of ``dx/dt = A x + B u + G w``: ``u`` lifts the body (N), ``w`` is road.vz (m/s).
+    """Return matrices ``A``, ``B``, ``G`` of ``dx/dt = A x + B u + G w``: ``u`` lifts the body (N), ``w`` is road.vz.
 
     States: sprung.z - unsprung.z (m), sprung.vz (m/s), unsprung.z - road.z (m), unsprung.vz (m/s). In all functions
-    here ``damping_coefficient`` (N s/m at the wheel) takes the place of the corner's own damper.
+    of this module, ``damping_coefficient`` (N s/m at the wheel) replaces the corner's own damper.
     """
     m_s, m_u, k, k_t = (
         corner.sprung_mass,
@@ -92,7 +92,7 @@ def corner_equations(
 def corner_outputs(
     corner: CornerModel, channels: tuple[str, ...], damping_coefficient: float | None = None
 ) -> tuple[Array, Array]:
-    """Matrices ``C``, ``D`` of channels (changes from static equilibrium, SI) from states and force (N)."""
+    """Return matrices ``C``, ``D`` of channels (changes from static equilibrium, SI) from states and force (N)."""
     A, B, _ = corner_equations(corner, damping_coefficient)
     r, eye = corner.motion_ratio, np.eye(4)
     zero = np.zeros(1)
@@ -117,9 +117,9 @@ class Weights:
     Attributes
     ----------
     deflection, tyre : float
-        On suspension and tyre deflection, 1/s^4.
+        Weights of suspension and tyre deflection, 1/s^4.
     force : float
-        On the force, 1/kg^2.
+        Weight of the force, 1/kg^2.
     """
 
     deflection: float
@@ -130,7 +130,7 @@ class Weights:
 def cost_matrices(
     corner: CornerModel, weights: Weights, damping_coefficient: float | None = None
 ) -> tuple[Array, Array, Array]:
-    """Matrices ``Q``, ``R``, ``S`` of the cost ``x'Qx + u'Ru + 2 x'Su``."""
+    """Return matrices ``Q``, ``R``, ``S`` of the cost ``x'Qx + u'Ru + 2 x'Su``."""
     C, D = corner_outputs(corner, ("sprung.az",), damping_coefficient)
     Q = C.T @ C + np.diag([weights.deflection, 0.0, weights.tyre, 0.0])
     R = D.T @ D + weights.force
@@ -140,7 +140,7 @@ def cost_matrices(
 def regulator_gains(
     corner: CornerModel, weights: Weights, damping_coefficient: float | None = None
 ) -> Array:
-    """Gains ``K`` (N/m, N s/m, N/m, N s/m) of the force ``u = -K x`` on the body that is optimal [hrovat1997]."""
+    """Return gains ``K`` (N/m, N s/m, N/m, N s/m) of the optimal force ``u = -K x`` on the body [hrovat1997]."""
     from scipy.linalg import solve_continuous_are
 
     A, B, _ = corner_equations(corner, damping_coefficient)
@@ -178,11 +178,11 @@ def observer(
     period: float,
     damping_coefficient: float | None = None,
 ) -> Observer:
-    """Steady Kalman filter of the corner on a road whose velocity is white noise.
+    """Return the steady-state Kalman filter of the corner on a road whose velocity is white noise.
 
     ``deviations`` are the standard deviations of the measured ``channels`` (SI), ``roughness`` is the intensity of the
-    road's velocity (m^2/s), ``disturbance`` that of accelerations of body and wheel that the corner does not explain
-    (m^2/s^3), ``period`` the control period (s).
+    road's velocity (m^2/s), ``disturbance`` that of unmodelled accelerations of body and wheel (m^2/s^3),
+    ``period`` the control period (s).
     """
     from scipy.linalg import solve_discrete_are
 
@@ -200,7 +200,7 @@ def observer(
 
 
 def discretise(A: Array, B: Array, intensity: Array, period: float) -> tuple[Array, Array, Array]:
-    """Discretise with a held input: state and input matrix and noise covariance of a period (s) [vanloan1978]."""
+    """Discretise with a held input; return state matrix, input matrix and noise covariance [vanloan1978]."""
     from scipy.linalg import expm
 
     n, m = B.shape
@@ -224,23 +224,23 @@ class Dynamic:
 
 
 H_INFINITY_CHANNELS = ("strut.deflection", "sprung.az")
-H_INFINITY_ORDER = 6  # four states of the corner, the actuator's force, and one of its weight
+H_INFINITY_ORDER = 6  # four corner states, actuator force, and one state of the force weight
 
 
 @dataclass(frozen=True)
 class Targets:
-    """Disturbances of an H-infinity controller, and the outputs that it keeps small.
+    """Disturbances of an H-infinity controller, and scales of the outputs that it minimises.
 
     Attributes
     ----------
     road : float
         Height of the road's disturbance, m.
     acceleration, deflection : float
-        Body acceleration (m/s^2) and suspension deflection (m) for that road that count as much as each other.
+        Body acceleration (m/s^2) and suspension deflection (m) that are weighted equally.
     force : float
-        Force (N) at low frequency that counts as much.
+        Force (N) at low frequency with the same weight.
     noise : tuple of float
-        Of the two measurements, m and m/s^2.
+        Noise of the two measurements, m and m/s^2.
     """
 
     road: float
@@ -258,10 +258,10 @@ def h_infinity(
     period: float,
     damping_coefficient: float | None = None,
 ) -> tuple[Dynamic, float]:
-    """H-infinity controller from suspension deflection and body acceleration to force, with a bound of its norm (1).
+    """Return an H-infinity controller from suspension deflection and body acceleration to force, and its norm.
 
-    SLICOT synthesises it. ``actuator_rate`` is the corner of the actuator's first-order lag (rad/s); the controller is
-    made discrete by Tustin's rule with the control ``period`` (s).
+    SLICOT does the synthesis. ``actuator_rate`` is the corner frequency of the actuator's first-order lag (rad/s). The
+    controller is discretised by Tustin's method with the control ``period`` (s).
     """
     from scipy.signal import cont2discrete
 
@@ -275,7 +275,7 @@ def h_infinity(
         except (slycot.exceptions.SlycotError, ValueError):
             return None
         controller = tuple(np.asarray(part) for part in synthesis[:4])
-        # SLICOT may return a controller that misses its bound; 1 % is how well the least bound is known.
+        # SLICOT may return a controller that misses its bound; 1 % is the tolerance of the minimum bound.
         return (
             controller if _norm(slycot, *_close_loop(plant, controller)) <= 1.01 * bound else None
         )
@@ -296,7 +296,7 @@ def h_infinity(
 def _close_loop(
     plant: tuple[Array, ...], controller: tuple[Array, ...]
 ) -> tuple[Array, Array, Array, Array]:
-    """Close the loop of the generalised plant from its two measurements to its last input."""
+    """Close the loop of the generalised plant from its last two outputs to its last input."""
     (a, b, c, d), (A, B, C, D) = plant, controller
     b_w, b_u, c_z, c_y = b[:, :-1], b[:, -1:], c[:-2], c[-2:]
     d_zw, d_zu, d_yw = d[:-2, :-1], d[:-2, -1:], d[-2:, :-1]
@@ -306,7 +306,7 @@ def _close_loop(
 
 
 def _norm(slycot: Any, A: Array, B: Array, C: Array, D: Array) -> float:
-    """H-infinity norm of a system; infinite where it is unstable."""
+    """Return the H-infinity norm of a system; infinite if it is unstable."""
     if np.max(np.linalg.eigvals(A).real) >= 0.0:
         return float("inf")
     n = len(A)
@@ -319,18 +319,18 @@ def _norm(slycot: Any, A: Array, B: Array, C: Array, D: Array) -> float:
     return float(peak)
 
 
-_RELAXED = 1.1  # times the least norm, at which the equations are ill conditioned
-_BOUNDS = 1e-2, 1e4  # times what the weights ask for, a choice: weights that need more are far off
+_RELAXED = 1.1  # relative to the minimum norm, at which the equations are ill-conditioned
+_BOUNDS = 1e-2, 1e4  # search range of the norm, chosen: weights that need more are unreasonable
 
 
 def _find_least_bound(synthesise: Callable[[float], tuple[Array, ...] | None]) -> float:
-    """Find the smallest bound, to 1 %, for which a controller exists; infinite where none does."""
+    """Find the minimum bound for which a controller exists, to 1 %; infinite if there is none."""
     low, high = _BOUNDS[0], 1.0
     while synthesise(high) is None:
         low, high = high, 2.0 * high
         if high > _BOUNDS[1]:
             return float("inf")
-    while high > 1.01 * low:  # the controller itself is computed at 1.1 times the least
+    while high > 1.01 * low:  # the controller itself is computed at 1.1 times the minimum
         middle = float(np.sqrt(low * high))
         low, high = (low, middle) if synthesise(middle) is not None else (middle, high)
     return high
@@ -341,8 +341,8 @@ def _build_plant(
 ) -> tuple[tuple[Array, Array, Array, Array], tuple[Array, float]]:
     """Build the generalised plant: (road, two noises, command) to (force, deflection, acceleration, two measurements).
 
-    The road is a height here, so ``x3`` is the wheel's height; ``x5`` is the force, ``x6`` belongs to its weight
-    ``(s + 50) / (s + 500)``. All signals are scaled to about 1; the scales of measurements and force are returned, too.
+    The road input is a height, so ``x3`` is the wheel height. ``x5`` is the force, ``x6`` the state of its weight
+    ``(s + 50) / (s + 500)``. Signals are scaled to about 1; the scales of measurements and force are also returned.
     """
     A4, B4, _ = corner_equations(corner, damping_coefficient)
     C, D = corner_outputs(corner, H_INFINITY_CHANNELS, damping_coefficient)

@@ -1,6 +1,6 @@
-"""Control laws: formulas (skyhook, groundhook, ADD, PID), and gains from the corner model (LQR, LQG, H-infinity).
+"""Control laws: formulas (skyhook, groundhook, ADD, PID), and designs from the corner model (LQR, LQG, H-infinity).
 
-With a damper, a demanded force is clipped to the forces that the damper can give.
+With a damper, a demanded force is clipped to the range of the damper.
 """
 
 from __future__ import annotations
@@ -52,37 +52,37 @@ _Disturbance = Annotated[float, Unit("m^2/s^3", at_least=0.0)]
 _Roughness = Annotated[float, Unit("m^2/s", above=0.0)]
 _Acceleration = Annotated[float, Unit("m/s^2", above=0.0)]
 _Force = Annotated[float, Unit("N", above=0.0)]
-_ACCELERATION_NOISE, _DEFLECTION_NOISE = 0.05, 5e-4  # m/s^2, m: of sensors whose noise is not given
+_ACCELERATION_NOISE, _DEFLECTION_NOISE = 0.05, 5e-4  # m/s^2, m: default sensor noise
 _DAMPER, _FORCE = SemiActiveDamper(), ActiveActuator()
 
 
 class Passive(Controller):
-    """No control: the rig as it is, or with ``damping_coefficient`` (N s/m) a damper of that constant setting."""
+    """No control: the unchanged rig, or a constant ``damping_coefficient`` (N s/m)."""
 
     law: Literal["passive"] = "passive"
     damping_coefficient: NonNegativeDampingCoefficient | None = None
     catalogue: ClassVar = {"passive": ("the rig as it is", None)}
 
     def decide(self, now: Instant) -> Decision:
-        """The same setting at every instant."""
+        """Return the same command at every instant."""
         return Decision(
             self.actuator.command_for_coefficient(now.number("damping_coefficient"), now)
         )
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Coefficient, N s/m."""
+        """Return the coefficient, N s/m."""
         return {
             "damping_coefficient": or_default(self.damping_coefficient, corner.reference_damping)
         }
 
 
 class _Hook(ForceLaw):
-    """A damper between the body or the wheel and a fixed point, as far as the actuator can act as one."""
+    """Emulates a damper between body or wheel and a fixed point, within the limits of the actuator."""
 
     damping_coefficient: NonNegativeDampingCoefficient | None = None
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Coefficient (N s/m) at the wheel, and the motion ratio."""
+        """Return the coefficient at the wheel (N s/m) and the motion ratio."""
         r = corner.motion_ratio
         coefficient = or_default(
             self.damping_coefficient, FIRMEST * corner.reference_damping * r**2
@@ -93,12 +93,12 @@ class _Hook(ForceLaw):
 class Skyhook(_Hook):
     """Damper between body and sky: force ``-damping_coefficient * sprung.vz`` [karnopp1974].
 
-    With a damper the force is clipped to what the damper can give; an active actuator gives it in full.
+    A damper provides the force within its range; an active actuator provides it fully.
 
     Attributes
     ----------
     damping_coefficient : float or None
-        N s/m; left out: 8/3 of the corner's own.
+        Coefficient, N s/m; default: 8/3 of the corner's own.
 
     Examples
     --------
@@ -113,12 +113,12 @@ class Skyhook(_Hook):
     }
 
     def force(self, now: Instant) -> ca.SX:
-        """Force on the body, N."""
+        """Return the force on the body, N."""
         return -now.number("damping_coefficient") * now.seen("sprung.vz")
 
 
 class TwoStateSkyhook(TwoStateLaw):
-    """Firm where a damper to the sky would pull the same way: ``sprung.vz * extension rate >= 0``."""
+    """Firm if a damper to the sky would act in the same direction: ``sprung.vz * extension rate >= 0``."""
 
     law: Literal["skyhook-two-state"] = "skyhook-two-state"
     catalogue: ClassVar = {
@@ -126,7 +126,7 @@ class TwoStateSkyhook(TwoStateLaw):
     }
 
     def product(self, now: Instant) -> ca.SX:
-        """Body velocity times extension rate."""
+        """Return body velocity times extension rate."""
         return now.seen("sprung.vz") * now.extension_rate
 
 
@@ -136,7 +136,7 @@ class Groundhook(_Hook):
     Attributes
     ----------
     damping_coefficient : float or None
-        N s/m; left out: 8/3 of the corner's own.
+        Coefficient, N s/m; default: 8/3 of the corner's own.
     """
 
     law: Literal["groundhook"] = "groundhook"
@@ -145,12 +145,12 @@ class Groundhook(_Hook):
     }
 
     def force(self, now: Instant) -> ca.SX:
-        """Force on the body, N."""
+        """Return the force on the body, N."""
         return now.number("damping_coefficient") * now.seen("unsprung.vz")
 
 
 class TwoStateGroundhook(TwoStateLaw):
-    """Firm where a damper to the ground would pull the wheel the same way."""
+    """Firm if a damper to the ground would act on the wheel in the same direction."""
 
     law: Literal["groundhook-two-state"] = "groundhook-two-state"
     catalogue: ClassVar = {
@@ -161,19 +161,19 @@ class TwoStateGroundhook(TwoStateLaw):
     }
 
     def product(self, now: Instant) -> ca.SX:
-        """Wheel velocity times extension rate, reversed."""
+        """Return the negative of wheel velocity times extension rate."""
         return -now.seen("unsprung.vz") * now.extension_rate
 
 
 class Hybrid(_Hook):
-    """Mixture of skyhook and groundhook, each clipped to what a damper can do [goncalves2003].
+    """Weighted sum of skyhook and groundhook, each clipped to the range of a damper [goncalves2003].
 
     Attributes
     ----------
     damping_coefficient : float or None
-        N s/m; left out: 8/3 of the corner's own.
+        Coefficient, N s/m; default: 8/3 of the corner's own.
     skyhook_share : float
-        1: skyhook only, 0: groundhook only.
+        Weight of skyhook: 1 is skyhook only, 0 groundhook only.
     """
 
     law: Literal["hybrid"] = "hybrid"
@@ -181,7 +181,7 @@ class Hybrid(_Hook):
     catalogue: ClassVar = {"hybrid": ("skyhook and groundhook mixed", _DAMPER)}
 
     def force(self, now: Instant) -> ca.SX:
-        """Force on the body, N."""
+        """Return the force on the body, N."""
         body, wheel, parting = now.seen("sprung.vz"), now.seen("unsprung.vz"), now.extension_rate
         sky, ground = body, -wheel
         if not isinstance(self.actuator, ActiveActuator):
@@ -191,18 +191,18 @@ class Hybrid(_Hook):
         return -now.number("damping_coefficient") * (share * sky + (1.0 - share) * ground)
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Coefficient (N s/m), motion ratio and share."""
+        """Return coefficient (N s/m), motion ratio and skyhook share."""
         return {**super().numbers(corner), "skyhook_share": self.skyhook_share}
 
 
 class ADD(TwoStateLaw):
-    """Acceleration driven damping: firm where body acceleration and extension rate agree [savaresi2005]."""
+    """Acceleration driven damping: firm if body acceleration and extension rate have the same sign [savaresi2005]."""
 
     law: Literal["add"] = "add"
     catalogue: ClassVar = {"add": ("acceleration driven damping", _DAMPER)}
 
     def product(self, now: Instant) -> ca.SX:
-        """Body acceleration times extension rate."""
+        """Return body acceleration times extension rate."""
         return now.seen("sprung.az") * now.extension_rate
 
 
@@ -212,7 +212,7 @@ class SHADD(TwoStateLaw):
     Attributes
     ----------
     crossover : float
-        Hz; usually 1.7 to 2.
+        Crossover frequency, Hz; usually 1.7 to 2.
     """
 
     law: Literal["sh-add"] = "sh-add"
@@ -222,33 +222,34 @@ class SHADD(TwoStateLaw):
     }
 
     def product(self, now: Instant) -> ca.SX:
-        """Body velocity or acceleration, whichever dominates, times extension rate."""
+        """Return body velocity or acceleration, whichever dominates, times extension rate."""
         velocity, acceleration = now.seen("sprung.vz"), now.seen("sprung.az")
         slow = acceleration**2 - (now.number("crossover") * velocity) ** 2 <= 0.0
         return ca.if_else(slow, velocity, acceleration) * now.extension_rate
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:  # noqa: ARG002
-        """Crossover, rad/s."""
+        """Return the crossover frequency, rad/s."""
         return {"crossover": 2.0 * math.pi * self.crossover}
 
 
 class PID(Controller):
-    """PID on the body's velocity, with a filtered derivative and back-calculation against windup [astrom2006].
+    """PID control of body velocity, with filtered derivative and back-calculation anti-windup [astrom2006].
 
-    The proportional part is a damper to the sky, the integral one a spring to it, the derivative one added mass.
+    The proportional part acts as a damper to the sky, the integral part as a spring to the sky, and the derivative part
+    as added mass.
 
     Attributes
     ----------
     proportional : float or None
-        N s/m; left out: 4/3 of the corner's own damping coefficient.
+        Proportional gain, N s/m; default: 4/3 of the corner's own damping coefficient.
     integral : float or None
-        N/m; left out: a tenth of the wheel rate.
+        Integral gain, N/m; default: a tenth of the wheel rate.
     derivative : float
-        kg.
+        Derivative gain, kg.
     filter_time : float
         Time constant of the derivative's filter, s.
     tracking_time : float
-        Time constant with which the integral follows the force that the actuator could not give, s.
+        Anti-windup time constant: how quickly the integral follows the force missing at the actuator, s.
     """
 
     law: Literal["pid"] = "pid"
@@ -259,10 +260,10 @@ class PID(Controller):
     tracking_time: _Tracking = 0.2
     actuator: Actuator = ActiveActuator()
     catalogue: ClassVar = {"pid": ("PID on the body's velocity, active", _FORCE)}
-    memory_size: ClassVar[int] = 3  # integral, filtered derivative, error before
+    memory_size: ClassVar[int] = 3  # integral, filtered derivative, previous error
 
     def decide(self, now: Instant) -> Decision:
-        """The command; the force that the actuator cannot give is fed back to the integral."""
+        """Return the command; the force missing at the actuator is fed back to the integral."""
         integral, slope, before = now.memory
         error, r = -now.seen("sprung.vz"), now.number("motion_ratio")
         slope = now.number("filter_keep") * slope + now.number("filter_gain") * (error - before)
@@ -273,7 +274,7 @@ class PID(Controller):
         return Decision(command, [following, slope, error])
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Gains for the control rate, SI, and the motion ratio."""
+        """Return the gains for the control rate, SI, and the motion ratio."""
         period, r = 1.0 / self.rate, corner.motion_ratio
         keep = self.filter_time / (self.filter_time + period)
         return {
@@ -290,7 +291,7 @@ class PID(Controller):
 
 
 class _Quadratic(Controller):
-    """Cost of the regulator: integral of ``az^2 + deflection_weight x1^2 + tyre_weight x3^2 + force_weight u^2``."""
+    """Cost of a regulator: integral of ``az^2 + deflection_weight x1^2 + tyre_weight x3^2 + force_weight u^2``."""
 
     deflection_weight: Weight | None = None
     tyre_weight: Weight | None = None
@@ -300,11 +301,11 @@ class _Quadratic(Controller):
 
     @property
     def _base(self) -> float | None:
-        """Damping to which the force is added: the corner's own (None) with an actuator beside it, else 0."""
+        """Damping in parallel with the force: the corner's own (None), or 0 if the actuator replaces the damper."""
         return 0.0 if self.actuator.replaces_damper else None
 
     def gains(self, corner: CornerModel) -> Array:
-        """Gains of deflection, body velocity, tyre, wheel velocity: N/m, N s/m, N/m, N s/m."""
+        """Return gains of deflection, body velocity, tyre deflection, wheel velocity: N/m, N s/m, N/m, N s/m."""
         square = (corner.spring_rate / corner.sprung_mass) ** 2
         weights = Weights(
             or_default(self.deflection_weight, square),
@@ -315,15 +316,15 @@ class _Quadratic(Controller):
 
 
 class LQR(_Quadratic):
-    """Linear quadratic regulator with all states measured; with a damper it is clipped-optimal [butsuen1989].
+    """Linear quadratic regulator with full state measurement; clipped-optimal with a damper [butsuen1989].
 
     Attributes
     ----------
     deflection_weight, tyre_weight : float or None
-        Of suspension and tyre deflection against body acceleration, 1/s^4; left out: 1 and 10 times the fourth power of
-        the body's natural angular frequency.
+        Weights of suspension and tyre deflection relative to body acceleration, 1/s^4; default: 1 and 10 times the
+        fourth power of the body's natural angular frequency.
     force_weight : float
-        Of the force, 1/kg^2.
+        Weight of the force, 1/kg^2.
 
     Examples
     --------
@@ -340,7 +341,7 @@ class LQR(_Quadratic):
     }
 
     def decide(self, now: Instant) -> Decision:
-        """The command for the optimal force."""
+        """Return the command for the optimal force."""
         r = now.number("motion_ratio")
         parting, tyre = -now.seen("strut.deflection") / r, -now.seen("tyre.deflection")
         states = ca.vertcat(parting, now.seen("sprung.vz"), tyre, now.seen("unsprung.vz"))
@@ -348,7 +349,7 @@ class LQR(_Quadratic):
         return Decision(self.actuator.command_for_force(force / r, now))
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Gains, SI, and motion ratio."""
+        """Return gains, SI, and motion ratio."""
         return {**_flatten("gain", self.gains(corner)), "motion_ratio": corner.motion_ratio}
 
 
@@ -356,19 +357,19 @@ LQG_CHANNELS = ("sprung.az", "unsprung.az", "strut.deflection")
 
 
 class LQG(_Quadratic):
-    """The regulator on states that a Kalman filter estimates from two accelerometers and the stroke.
+    """Regulator with a Kalman filter that estimates the states from two accelerometers and the stroke.
 
-    With a damper its force is clipped to what the damper can give.
+    With a damper, the force is clipped to the range of the damper.
 
     Attributes
     ----------
     deflection_weight, tyre_weight, force_weight : float
         As for :class:`LQR`.
     roughness : float
-        Intensity of the road's velocity that the filter expects, m^2/s; class C at 20 m/s: 1.01e-3.
+        Intensity of the road's velocity assumed by the filter, m^2/s; class C at 20 m/s: 1.01e-3.
     disturbance : float
-        Intensity of accelerations that the corner model does not explain, m^2/s^3. It lets the filter forget: without
-        it, the filter takes half a minute, and the difference between a 3-D corner and its model makes it drift.
+        Intensity of unmodelled accelerations, m^2/s^3. It shortens the memory of the filter: without it, the filter
+        needs half a minute to settle, and differences between a 3-D corner and its model make it drift.
     """
 
     law: Literal["lqg"] = "lqg"
@@ -378,12 +379,10 @@ class LQG(_Quadratic):
         "lqg": ("regulator on a Kalman filter, active", _FORCE),
         "clipped-lqg": ("clipped-optimal regulator on a Kalman filter, with a damper", _DAMPER),
     }
-    memory_size: ClassVar[int] = (
-        5  # estimated states, and the command that has arrived behind the actuator's lag
-    )
+    memory_size: ClassVar[int] = 5  # estimated states, and the command after the actuator's lag
 
     def decide(self, now: Instant) -> Decision:
-        """The command for the states estimated from the measurements and the command behind the actuator's lag."""
+        """Return the command for the states, estimated from measurements and from the command after the lag."""
         number, r = now.number, now.number("motion_ratio")
         missing = now.memory[4] - now.last
         arrived, mean = (
@@ -406,7 +405,7 @@ class LQG(_Quadratic):
         return Decision(command, [*ca.vertsplit(states), arrived])
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """Gains and filter, SI."""
+        """Return gains and filter matrices, SI."""
         lag = _lag(self.actuator)
         periods = 1.0 / (self.rate * lag) if lag > 0.0 else math.inf
         late = {"late": math.exp(-periods), "mean_late": -math.expm1(-periods) / periods}
@@ -435,18 +434,18 @@ class LQG(_Quadratic):
 class HInfinity(Controller):
     """H-infinity output feedback from stroke and body acceleration, synthesised by SLICOT (extra ``control``).
 
-    The force is added to the corner's own damping; with a damper the sum is clipped to what the damper can give.
+    The force is added to the corner's own damping; with a damper, the sum is clipped to the range of the damper.
 
     Attributes
     ----------
     road : float
         Height of the road's disturbance, m.
     acceleration : float or None
-        Body acceleration, m/s^2, that this road may cause; left out: 2.56 wheel rate / sprung mass times ``road``.
+        Body acceleration, m/s^2, allowed on this road; default: 2.56 wheel rate / sprung mass times ``road``.
     deflection : float or None
-        Suspension deflection, m, that counts as much; left out: 0.8 ``road``.
+        Suspension deflection, m, with the same weight; default: 0.8 ``road``.
     force : float or None
-        Force, N, that counts as much; left out: the static load.
+        Force, N, with the same weight; default: the static load.
     """
 
     law: Literal["h-infinity"] = "h-infinity"
@@ -463,7 +462,7 @@ class HInfinity(Controller):
     memory_size: ClassVar[int] = H_INFINITY_ORDER
 
     def decide(self, now: Instant) -> Decision:
-        """The command of the linear controller, and its next states."""
+        """Return the command of the linear controller, and its next states."""
         n, channels, states = H_INFINITY_ORDER, H_INFINITY_CHANNELS, ca.vertcat(*now.memory)
         number, r = now.number, now.number("motion_ratio")
         measured = ca.vertcat(*(now.seen(channel) for channel in channels))
@@ -478,7 +477,7 @@ class HInfinity(Controller):
         return Decision(self.actuator.command_for_force(force / r, now), ca.vertsplit(following))
 
     def numbers(self, corner: CornerModel) -> dict[str, float]:
-        """The controller's matrices, SI."""
+        """Return the matrices of the controller, SI."""
         r = corner.motion_ratio
         acceleration = or_default(
             self.acceleration, 2.56 * corner.spring_rate / corner.sprung_mass * self.road
@@ -499,18 +498,18 @@ class HInfinity(Controller):
         return {**matrices, "motion_ratio": r, "damping_coefficient": damping}
 
 
-_QUICKEST = 300.0  # rad/s: beyond wheel hop (some 75 rad/s) an actuator counts as immediate
+_QUICKEST = 300.0  # rad/s: far above wheel hop (some 75 rad/s), an actuator has no effective lag
 
 
 def _lag(actuator: AnyActuator) -> float:
-    """Time constant of an actuator, s; for a second-order actuator that of its slow motion."""
+    """Return the time constant of an actuator, s; at low frequency for a second-order actuator."""
     if isinstance(actuator, ActiveActuator) and actuator.bandwidth is not None:
         return actuator.damping_ratio / (math.pi * actuator.bandwidth)
     return actuator.lag
 
 
 def _flatten(name: str, values: Array | Sequence[float]) -> dict[str, float]:
-    """Flatten an array into numbers by path: ``gain[0]``, ``F[1][2]``."""
+    """Flatten an array to values by path: ``gain[0]``, ``F[1][2]``."""
     array = np.asarray(values, dtype=np.float64)
     return {
         name + "".join(f"[{i}]" for i in index): float(value)

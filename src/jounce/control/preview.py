@@ -1,4 +1,4 @@
-"""Model predictive control with preview of the road: one quadratic programme an instant and corner."""
+"""Model predictive control with road preview: one quadratic programme per instant and corner."""
 
 from __future__ import annotations
 
@@ -39,33 +39,32 @@ _QUIET: dict[str, dict[str, Any]] = {
 _SOFT = (
     1e6,
     3.0,
-)  # weights of exceeded stroke and of lost load, relative to those of the deflections
-_LONGEST = 200  # steps of a plan
-_SLACK = 1e-2  # m: unit of the slacks
-_CHEAP = 1e-3  # weight of a force behind a lag, relative to that of the acceleration it causes
+)  # weights of stroke and contact violations, relative to those of the deflections
+_LONGEST = 200  # maximum number of steps of a plan
+_SLACK = 1e-2  # m: scale of the slack variables
+_CHEAP = 1e-3  # weight of a lagged force, relative to the weight of the acceleration it causes
 
 
 class PreviewMPC(CallbackController):
-    """Model predictive control that sees the road ahead; a library (casadi's QP interface) does the optimisation.
+    """Model predictive control with road preview; CasADi's QP interface solves the optimisation.
 
-    The cost is that of the regulator over ``preview``, with the regulator's own cost-to-go from there on. A damper's
-    force is bounded by its limits at the velocities that the previous plan predicts, so the problem stays a quadratic
-    programme. Stroke and tyre load are soft constraints. The lag of an active actuator is part of the prediction, that
-    of a damper is not.
+    The cost is that of the regulator over ``preview``, plus the regulator's cost-to-go. A damper's force is bounded by
+    its limits at the velocities predicted by the previous plan, so the problem remains a quadratic programme. Stroke
+    and tyre load are soft constraints. The prediction includes the lag of an active actuator, but not that of a damper.
 
     Attributes
     ----------
     preview : float
-        Time the road is known ahead, and horizon, s.
+        Preview time of the road and prediction horizon, s.
     stroke : float or None
-        Largest suspension deflection from equilibrium at the wheel, m; left out: no limit.
+        Maximum suspension deflection from equilibrium at the wheel, m; default: no limit.
     keep_contact : bool
-        Whether the tyre's load is kept above zero.
+        Whether to keep the tyre load above zero.
     deflection_weight, tyre_weight : float or None
-        Of suspension and tyre deflection against body acceleration, 1/s^4; left out: 1 and 10 times the fourth power of
-        the body's natural angular frequency.
+        Weights of suspension and tyre deflection relative to body acceleration, 1/s^4; default: 1 and 10 times the
+        fourth power of the body's natural angular frequency.
     force_weight : float
-        Of the force, 1/kg^2.
+        Weight of the force, 1/kg^2.
     """
 
     law: Literal["mpc"] = "mpc"
@@ -96,9 +95,10 @@ class PreviewMPC(CallbackController):
 
 @dataclass(frozen=True)
 class _Horizon:
-    """Predictions over the horizon: states ``X = Fx x + Fu U + Fw W`` (all instants, one after another), and the QP.
+    """Prediction ``X = Fx x + Fu U + Fw W`` of the stacked states over the horizon, and matrices of the QP.
 
-    Each instant has ``states`` of them: the corner's four, then those of a force actuator, which ``own`` advances.
+    Each instant has ``states`` states: the corner's four, then those of a force actuator. ``own`` are the actuator's
+    matrices.
     """
 
     states: int
@@ -115,7 +115,7 @@ class _Horizon:
 
 
 def _horizon(mpc: PreviewMPC, corner: CornerModel, steps: int) -> _Horizon:
-    """Condense the problem of a corner: forces and two slacks are its variables."""
+    """Condense the problem of a corner; its variables are the forces and two slacks."""
     from scipy.linalg import block_diag, solve_discrete_are
 
     base = 0.0 if mpc.actuator.replaces_damper else None
@@ -163,7 +163,7 @@ def _horizon(mpc: PreviewMPC, corner: CornerModel, steps: int) -> _Horizon:
 def _add_lag(
     actuator: AnyActuator, A: Array, B: Array, G: Array, C: Array, D: Array
 ) -> tuple[Array, Array, Array, Array, Array]:
-    """Add the lag of a force actuator to the corner; a damper's lag is neglected."""
+    """Add the states of a force actuator to the corner model; the lag of a damper is neglected."""
     if not isinstance(actuator, ActiveActuator) or not actuator.order:
         return A, B, G, C, D
     own, drive = actuator.equations
@@ -181,7 +181,7 @@ def _add_lag(
 
 
 def _limits(mpc: PreviewMPC, corner: CornerModel, steps: int, states: int) -> tuple[Array, Array]:
-    """Rows that select the limited states from all states, and their limits (m)."""
+    """Return rows that select the limited states, and their limits (m)."""
     limited: list[tuple[int, float, float]] = []  # state, sign, limit
     if mpc.stroke is not None:
         limited += [(0, 1.0, mpc.stroke), (0, -1.0, mpc.stroke)]
@@ -200,7 +200,7 @@ def _limits(mpc: PreviewMPC, corner: CornerModel, steps: int, states: int) -> tu
 
 
 class _Planner:
-    """Plans for all corners."""
+    """Regulator with one plan per corner."""
 
     from_rest = True
     findings = ()
@@ -232,17 +232,17 @@ class _Planner:
         self._instant = 0
 
     def start(self) -> None:
-        """Begin a run."""
+        """Start a run."""
         self._instant = 0
         self._limits.start()
         for plan in self._plans:
             plan.forget()
 
     def answer(self, rest: Array) -> None:
-        """Return None: a plan has no closed form."""
+        """Return None: a plan has no closed-form derivatives."""
 
     def __call__(self, values: list[float]) -> list[float]:
-        """Commands from measurements."""
+        """Return commands from measurements."""
         count = len(_CHANNELS)
         commands = []
         for i, (plan, last) in enumerate(zip(self._plans, self._limits.last, strict=True)):
@@ -254,7 +254,7 @@ class _Planner:
 
 
 class _Plan:
-    """The problem of one corner, solved again at every instant."""
+    """Optimisation problem of one corner, solved at every instant."""
 
     def __init__(
         self, mpc: PreviewMPC, actuator: AnyActuator, corner: CornerModel, steps: int, road: Array
@@ -264,7 +264,7 @@ class _Plan:
         self._bumps = np.diff(road) * mpc.rate  # mean velocity of the road in each period
         self._bounds, self._command = _actuator_functions(actuator, corner, steps)
         horizon = self._horizon
-        self._unit = 0.1 * corner.sprung_mass * corner.gravity  # N: of the forces
+        self._unit = 0.1 * corner.sprung_mass * corner.gravity  # N: scale of the forces
         self._units = np.append(np.full(steps, self._unit), [_SLACK, _SLACK])
         columns = np.vstack(
             [np.hstack([horizon.Fu, np.zeros((len(horizon.Fu), 2))]), np.zeros((2, steps + 2))]
@@ -279,7 +279,7 @@ class _Plan:
         name = next((name for name in _SOLVERS if ca.has_conic(name)), None)
         if name is None:
             raise SimulationError(
-                "this build of casadi has no solver of quadratic programmes",
+                "this build of CasADi has no solver for quadratic programmes",
                 allowed=", ".join(_SOLVERS),
             )
         self._solver = ca.conic("plan", name, shape, {**_QUIET[name], "error_on_fail": False})
@@ -292,17 +292,17 @@ class _Plan:
         self.forget()
 
     def forget(self) -> None:
-        """Forget the last plan."""
+        """Reset the previous plan."""
         self._forces = np.zeros(self._steps)
         self._own = np.zeros(self._horizon.states - 4)
 
     def follow(self, command: float) -> None:
-        """Advance the actuator's force by one period under its last command."""
+        """Advance the actuator's force by one period with its last command."""
         F, H = self._horizon.own
         self._own = F @ self._own + H * command * self._corner.motion_ratio
 
     def command(self, values: list[float], instant: int) -> float:
-        """Command of an instant from its measurements."""
+        """Return the command at an instant from its measurements."""
         r, horizon, n = self._corner.motion_ratio, self._horizon, self._steps
         deflection, body, tyre, wheel, velocity = values
         x = np.array([-deflection / r, body, -tyre, wheel, *self._own])
@@ -321,7 +321,7 @@ class _Plan:
         return float(self._command(float(forces[0]) / r, velocity, deflection))
 
     def _solve(self, gradient: Array, low: Array, high: Array, room: Array) -> Array:
-        """Solve for the forces of the plan (N, at the wheel); without a solution, clip those of the last plan."""
+        """Solve for the planned forces (N, at the wheel); without a solution, clip those of the previous plan."""
         none = np.zeros(2)
         solution = self._solver(
             h=self._h,
@@ -339,7 +339,7 @@ class _Plan:
 
 
 def _actuator_functions(actuator: AnyActuator, corner: CornerModel, steps: int) -> tuple[Any, Any]:
-    """Functions of an actuator: force bounds (N) at velocities and deflections, and the command for a force."""
+    """Return two functions: force bounds (N) at velocities and deflections, and the command for a force."""
     low, high = actuator.limits
     if isinstance(actuator, ActiveActuator):
         return (lambda v, _: (np.full(len(v), low), np.full(len(v), high))), (lambda f, _v, _x: f)

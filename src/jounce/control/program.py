@@ -18,18 +18,18 @@ from jounce.parts.rig import structure_of
 
 @dataclass(frozen=True)
 class Program:
-    """The law of all corners as a graph, and the names of its numbers.
+    """Law of all corners as a CasADi function, and the names of its parameters.
 
     Attributes
     ----------
     function : casadi.Function
-        Of (memory, measurements and time, numbers, nothing); gives the commands, then the next memory.
+        Function of (memory, measurements and time, parameters, empty) that returns commands, then the next memory.
     channels : tuple of str
         Measured channels.
     numbers : tuple of str
-        Names: those of the law, after the corner's name.
+        Names of parameters, prefixed by the corner.
     memory : int
-        Length of the memory; its last elements are the commands of the instant before.
+        Size of the memory; its last elements are the previous commands.
     """
 
     function: ca.Function
@@ -42,7 +42,7 @@ _programs: Recent[Program] = Recent()
 
 
 def program(controller: Controller, corners: tuple[str, ...]) -> Program:
-    """Write a controller out for its corners (``("",)`` for a quarter car); those of one structure share a program."""
+    """Compile a controller for its corners (``("",)`` for a quarter car); cached by structure."""
     key = (type(controller), structure_of(controller), corners)
     return _programs.of(key, lambda: _write_program(controller, corners))
 
@@ -52,7 +52,7 @@ def _write_program(controller: Controller, corners: tuple[str, ...]) -> Program:
     numbers: dict[str, ca.SX] = {}
 
     def symbols(known: dict[str, ca.SX], corner: str) -> Lookup:
-        """Symbols by name, created at their first use."""
+        """Return a lookup that creates symbols at first use."""
         prefix = f"{corner}." if corner else ""
         return lambda name: known.setdefault(prefix + name, ca.SX.sym(prefix + name))
 
@@ -82,7 +82,7 @@ def _write_program(controller: Controller, corners: tuple[str, ...]) -> Program:
 def values(
     controllers: Mapping[str, Controller], models: Mapping[str, CornerModel], names: tuple[str, ...]
 ) -> Array:
-    """Numbers of a program by their names, SI, from each corner's resolved controller and model."""
+    """Return the parameters of a program in the order of ``names``, SI, from resolved controllers and corner models."""
     known: dict[str, float] = {}
     for corner, controller in controllers.items():
         prefix = f"{corner}." if corner else ""
@@ -104,7 +104,7 @@ def values(
 def sensor_noise(
     noise: Mapping[str, float], seed: int, channels: tuple[str, ...], instants: int
 ) -> Array:
-    """White noise of the sensors, shape (instants, channels), SI; no rows without noise.
+    """Return white sensor noise, shape (instants, channels), SI; shape (0, channels) without noise.
 
     ``noise`` is the standard deviation by channel; a channel without its corner applies to every corner.
     """

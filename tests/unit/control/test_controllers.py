@@ -263,7 +263,7 @@ def test_bad_files_are_refused(tmp_path: Path, text: str, message: str) -> None:
         (lambda: controller("skyhok"), r"unknown controller 'skyhok'.*Did you mean 'skyhook'"),
         (
             lambda: SemiActiveDamper(minimum=4000.0, maximum=300.0),
-            "maximum = 300 N.s/m does not lie above",
+            "maximum = 300 N.s/m is not above",
         ),
         (lambda: SemiActiveDamper(lag=-0.01), "lag: out of range; found -0.01"),
         (lambda: SemiActiveDamper(rate_limit=0.0), "rate_limit"),
@@ -296,7 +296,7 @@ def test_two_laws_of_one_damper_must_be_of_one_kind() -> None:
         "sigma": 1.0,
         "exponent": 1.0,
     }
-    with pytest.raises(DescriptionError, match="give two of one kind"):
+    with pytest.raises(DescriptionError, match="give two laws of the same kind"):
         MagnetorheologicalDamper(off=TANH, on=bouc_wen, maximum=5.0)
 
 

@@ -1,7 +1,7 @@
-"""Component FMUs of other tools as controllers and force elements.
+"""FMUs of other tools as controllers and force elements.
 
-``component`` reads what an FMU says of itself and unpacks it, ``caller`` calls its C functions, in this process or in
-one of its own, ``controller`` connects it to the corners of a car.
+``component`` reads the description of an FMU and unpacks it, ``caller`` calls its C functions in this process or in a
+child process, and ``controller`` connects it to the corners of a car.
 """
 
 from jounce.control.fmu.component import FmuComponent, FmuVariable, read_fmu

@@ -1,6 +1,6 @@
-"""The C functions of co-simulation FMUs, called in this process or in a child.
+"""Calls of C functions of co-simulation FMUs, in this process or in a child process.
 
-A child runs this very file, without jounce: it starts at once, and where the FMU crashes the child ends, not the run.
+The child executes this file without importing jounce, so it starts quickly. A crash of the FMU ends only the child.
 """
 
 from __future__ import annotations
@@ -15,17 +15,17 @@ import sys
 from collections import deque
 from typing import Any
 
-_WORST = 1  # statuses above a warning: discard, error, fatal
+_WORST = 1  # highest accepted status, a warning; above: discard, error, fatal
 _FATAL = 4  # status of FMI, after which an instance may not be called
 _STATUS = ("OK", "warning", "discard", "error", "fatal error", "pending")
-_MESSAGES = 5  # last ones, that an error quotes
-_MUCH = 1000  # messages without an error, after which logging is switched off
+_MESSAGES = 5  # number of last messages quoted in an error
+_MUCH = 1000  # number of messages without an error after which logging is switched off
 _POINTER, _SIZE, _DOUBLE, _TEXT = ctypes.c_void_p, ctypes.c_size_t, ctypes.c_double, ctypes.c_char_p
-_MORE = 3  # variable arguments that are read
+_MORE = 3  # number of variadic arguments read
 _LOGGER_2 = ctypes.CFUNCTYPE(
     None, _POINTER, _TEXT, ctypes.c_int, _TEXT, _TEXT, *(_POINTER,) * _MORE
 )
-"""It is variadic: its first arguments lie where those of a fixed number would."""
+"""The C logger is variadic; its first arguments are passed like those of a fixed signature."""
 _LOGGER_3 = ctypes.CFUNCTYPE(None, _POINTER, ctypes.c_int, _TEXT, _TEXT)
 _TYPES: dict[str, Any] = {
     "Real": _DOUBLE, "Integer": ctypes.c_int, "Boolean2": ctypes.c_int,
@@ -34,13 +34,13 @@ _TYPES: dict[str, Any] = {
     "UInt8": ctypes.c_uint8, "UInt16": ctypes.c_uint16, "UInt32": ctypes.c_uint32, "UInt64": ctypes.c_uint64,
     "String": _TEXT,
 }  # fmt: skip
-"""C types of values by those of FMI; a Boolean of FMI 2 is an integer."""
+"""C types by FMI type; a Boolean of FMI 2 is an integer."""
 _DOUBLES = ("Real", "Float64")
 _REALS = (*_DOUBLES, "Float32")
 
 
 def _c_type(kind: str, version: int) -> Any:
-    """The C type of values of a type."""
+    """Return the C type of values of an FMI type."""
     return _TYPES["Boolean2" if (kind, version) == ("Boolean", 2) else kind]
 
 
@@ -48,16 +48,16 @@ _time = _DOUBLE.from_param
 
 
 def _place(of: Any) -> Any:
-    """Address of an instance or of an array, as an argument."""
+    """Convert the address of an instance or an array to a C argument."""
     return _POINTER.from_param(of if of is None or isinstance(of, int) else ctypes.addressof(of))
 
 
 class FmuFailedError(Exception):
-    """An FMU refused a call; the message quotes the FMU where it logged one."""
+    """Failed call of an FMU; the message quotes the FMU's log."""
 
 
 class _Callbacks(ctypes.Structure):
-    """Callbacks that FMI 2.0 passes to an instance."""
+    """Callbacks passed to an instance of FMI 2.0."""
 
     _fields_ = (
         ("logger", _LOGGER_2),
@@ -69,7 +69,7 @@ class _Callbacks(ctypes.Structure):
 
 
 class _Group:
-    """Variables of one type that are set or read together: their values, and where the numbers of a step go."""
+    """Variables of one type that are set or read together: values, and positions of a step's numbers."""
 
     def __init__(self, kind: str, version: int) -> None:
         self.kind = kind
@@ -80,7 +80,7 @@ class _Group:
         self._first: list[float] = []
 
     def add(self, number: int, reference: int, at: int, values: list[float]) -> None:
-        """Assign a number of a step to an element of a variable with these values."""
+        """Map a number of a step to an element of a variable; ``values`` are its initial elements."""
         if reference not in self._begins:
             self._begins[reference] = len(self._first)
             self._first += values
@@ -103,18 +103,18 @@ def _groups(ports: list[tuple[str, int, int, list[float]]], version: int) -> lis
 
 
 def _are_reals(groups: list[_Group], count: int) -> bool:
-    """Whether a step's numbers are doubles in their order, and nothing else is set or read with them."""
+    """Whether a step's numbers are all doubles, in order, without other elements."""
     if len(groups) != 1 or groups[0].kind not in _DOUBLES:
         return False
     return groups[0].places == [(i, i) for i in range(count)] and len(groups[0].values) == count
 
 
 class _Instance:
-    """One instance of an FMU, its connections, and the number of its steps.
+    """Instance of an FMU with its connections and step count.
 
-    ``spec`` holds ``library``, ``version``, ``token``, ``resources``, ``period`` (s); for every number of ``inputs``
-    and ``outputs`` the type, the value reference, which element of it, and all elements before they are set; and
-    ``starts`` (type, reference and values).
+    ``spec`` contains ``library``, ``version``, ``token``, ``resources`` and ``period`` (s); ``inputs`` and ``outputs``
+    as (type, value reference, element index, initial values of all elements); and ``starts`` as (type, value reference,
+    values).
     """
 
     def __init__(self, spec: dict[str, Any], library: ctypes.CDLL, name: str) -> None:
@@ -135,7 +135,7 @@ class _Instance:
         self._sets = [self._bind_unchecked(f"Set{group.kind}") for group in self._in]
         self._gets = [self._bind_unchecked(f"Get{group.kind}") for group in self._out]
         self._counts = len(spec["inputs"]), len(spec["outputs"])
-        self._flag_bytes = bytearray(3)  # read faster than the C values that lie on it
+        self._flag_bytes = bytearray(3)  # faster to read than the C values that share its memory
         self._flags = (ctypes.c_bool * 3).from_buffer(self._flag_bytes)
         self._last = _DOUBLE()
         self._logger: Any = _LOGGER_2(self._log_2) if self._version == 2 else _LOGGER_3(self._log_3)
@@ -149,16 +149,16 @@ class _Instance:
         return function
 
     def _bind_unchecked(self, name: str) -> Any:
-        """Bind a function whose arguments are C values already: constant arguments are converted once per run."""
+        """Bind a function without argument conversion: constant arguments are converted once per run."""
         self._bind(name)
         function = self._library[f"fmi{self._version}{name}"]
         function.restype = ctypes.c_int
         return function
 
     def _values(self, group: _Group) -> tuple[Any, ...]:
-        """Arguments that get or set the values of a group."""
+        """Return the C arguments to get or set the values of a group."""
         many = _SIZE.from_param(len(group.references))
-        # FMI 3.0 also takes the number of values: an array has several.
+        # FMI 3.0 also requires the number of values: arrays have several.
         more = () if self._version == 2 else (_SIZE.from_param(len(group.values)),)
         return (
             _place(self._component),
@@ -173,7 +173,7 @@ class _Instance:
         inputs, outputs = self._counts
         if _are_reals(
             self._in, inputs
-        ):  # the usual case, and the fastest: C takes the step's numbers as they are
+        ):  # fast path for the usual case: C reads the step's numbers directly
             self._x, self._fill = self._in[0].values, struct.Struct(f"{inputs}d").pack_into
             self._set, self._put = self._sets[0], self._values(self._in[0])
         else:
@@ -210,7 +210,7 @@ class _Instance:
             raise FmuFailedError(f"{what} gave {word}" + (f": {said}" if said else ""))
 
     def start(self) -> None:
-        """Begin at time 0, with a new instance."""
+        """Create a new instance and initialise it at time 0."""
         self.close()
         self._messages.clear()
         self._steps = self._logged = 0
@@ -246,7 +246,7 @@ class _Instance:
         self._check("the end of initialisation", self._bind("ExitInitializationMode", _POINTER)(c))
 
     def _hush(self) -> None:
-        """Switch off its logging."""
+        """Switch off logging of the instance."""
         self._logged = 0
         truth = ctypes.c_int if self._version == 2 else ctypes.c_bool
         with contextlib.suppress(FmuFailedError):
@@ -312,18 +312,18 @@ class _Instance:
         return self._y[:]  # type: ignore[no-any-return]
 
     def _fill_groups(self, _: None, _begin: int, *values: float) -> None:
-        """Write the numbers of a step where C reads them, converted to their types."""
+        """Convert the numbers of a step to their types and store them in the C arrays."""
         for group in self._in:
             for at, number in group.places:
                 group.values[at] = group.cast(values[number])
 
     def _set_all(self, *arguments: Any) -> int:
-        """Set the inputs of each type; return the status of the first refused one."""
+        """Set the inputs of each type; return the status of the first failure, or 0."""
         statuses = (put(*words) for put, words in zip(self._sets, arguments, strict=True))
         return next((status for status in statuses if status > _WORST), 0)
 
     def _get_all(self, *arguments: Any) -> int:
-        """Read the outputs of each type; return the status of the first refused one."""
+        """Read the outputs of each type; return the status of the first failure, or 0."""
         for group, take, words in zip(self._out, self._gets, arguments, strict=True):
             if (status := take(*words)) > _WORST:
                 return int(status)
@@ -345,7 +345,7 @@ _PLACE = re.compile(rb"%(?:[-+ #0-9.]*(?:hh|h|ll|l|z)?[a-zA-Z]|%)")
 
 
 def _format_message(text: bytes, values: list[int | None]) -> bytes:
-    """Format a message of C that contains only texts and integers; others are returned as they are.
+    """Format a C message with only string and integer placeholders; return other messages unchanged.
 
     >>> _format_message(b"step %d of 100 %%", [7, None, None]), _format_message(b"at %g s", [0, 0, 0])
     (b'step 7 of 100 %', b'at %g s')
@@ -353,7 +353,7 @@ def _format_message(text: bytes, values: list[int | None]) -> bytes:
     places = [place for place in _PLACE.findall(text) if place != b"%%"]
     is_elsewhere = (
         sys.platform == "darwin" and os.uname().machine == "arm64"
-    )  # such arguments lie on the stack there
+    )  # variadic arguments are passed on the stack there
     if (
         is_elsewhere
         or len(places) > len(values)
@@ -392,7 +392,7 @@ class Instances:
         self._counts = [len(spec["inputs"]) for spec in specs]
 
     def start(self) -> None:
-        """Begin a run."""
+        """Start a run."""
         for instance in self._all:
             instance.start()
 
@@ -407,16 +407,16 @@ class Instances:
         return outputs
 
     def close(self) -> None:
-        """Free all."""
+        """Free all instances."""
         for instance in self._all:
             instance.close()
 
 
 def serve() -> None:
-    """Run the instances in a child process that takes requests on standard input; output of the FMU is discarded.
+    """Run instances in a child process, controlled through standard input; output of the FMU is discarded.
 
-    The first line is JSON: the specifications of the instances. ``s`` begins a run, ``x`` and the inputs request a
-    step. An answer is ``+`` and the outputs, or ``-``, a length and a text.
+    The first line contains the specifications of the instances as JSON. ``s`` starts a run; ``x`` followed by the
+    inputs requests a step. A response is ``+`` and the outputs, or ``-``, a length and an error message.
     """
     answers, questions = os.fdopen(os.dup(1), "wb", 0), os.fdopen(os.dup(0), "rb")
     nowhere = os.open(os.devnull, os.O_RDWR)

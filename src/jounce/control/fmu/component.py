@@ -1,4 +1,4 @@
-"""Read the description of an FMU of another tool, and unpack its files within limits."""
+"""Reading of FMU descriptions of other tools, and unpacking with size limits."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ _MOST_FILES, _MOST_BYTES, _LONGEST_DESCRIPTION = (
     20_000,
     1_000_000_000,
     50_000_000,
-)  # bytes: no archive fills the disk
-_BASES = ("kg", "m", "s", "A", "K", "mol", "cd")  # an angle is one whether it says so or not
+)  # bytes: limits so that no archive fills the disk
+_BASES = ("kg", "m", "s", "A", "K", "mol", "cd")  # rad is ignored: FMUs may omit it
 REALS = ("Real", "Float64", "Float32")
 """Types of real numbers."""
 WHOLE = (
     "Boolean", "Integer", "Enumeration", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64", "UInt64",
 )  # fmt: skip
-"""Types of whole numbers, of which a Boolean has two."""
-_CHUNK = 1 << 20  # bytes read at once
+"""Types of whole numbers; a Boolean is 0 or 1."""
+_CHUNK = 1 << 20  # bytes per read
 
 
 @dataclass(frozen=True)
@@ -49,22 +49,22 @@ class FmuVariable(Plain):
     Attributes
     ----------
     name : str
-        As the FMU has it.
+        Name in the FMU.
     kind : str
         Type: ``Real``, ``Float64``, ``Boolean`` and so on.
     causality, variability : str
-        As FMI has them.
+        As defined by FMI.
     unit : str
-        Of the FMU's values; empty where it has none.
+        Unit of the FMU's values, or empty.
     start : str
-        Value before anyone sets it, as written; empty where there is none.
+        Start value as written in the file, or empty.
     text : str
-        What it is.
+        Description.
     reference : int
         Value reference.
     dimensions : tuple of int
-        Elements along each dimension of an array (FMI 3.0), with its structural parameters at their starts; empty for
-        a single value.
+        Number of elements along each dimension of an array (FMI 3.0), for the start values of structural parameters;
+        empty for a scalar.
     """
 
     left_out = ("reference",)
@@ -80,30 +80,30 @@ class FmuVariable(Plain):
 
     @property
     def size(self) -> int:
-        """How many values it has."""
+        """Number of values."""
         return math.prod(self.dimensions)
 
     @property
     def shape(self) -> str:
-        """Its type in a message, with the dimensions of an array."""
+        """Type with array dimensions, for messages."""
         return (
             f"{self.kind}[{', '.join(map(str, self.dimensions))}]" if self.dimensions else self.kind
         )
 
     @property
     def is_number(self) -> bool:
-        """Whether its values are numbers: real, whole, of an enumeration, or 0 and 1."""
+        """Whether its values are numbers: real, integer, enumeration or Boolean."""
         return self.is_whole or self.kind in REALS
 
     @property
     def is_whole(self) -> bool:
-        """Whether its values are whole numbers, or 0 and 1."""
+        """Whether its values are integers, enumerations or Booleans."""
         return self.kind in WHOLE
 
 
 @dataclass(frozen=True)
 class _Unit:
-    """What one unit is in SI: ``si = factor * value + offset``, of these powers; none where the FMU does not say."""
+    """Conversion of a unit, ``si = factor * value + offset``, with its base powers, or None if the FMU omits them."""
 
     factor: float
     offset: float
@@ -112,36 +112,36 @@ class _Unit:
 
 @dataclass(frozen=True)
 class FmuComponent(Plain):
-    """Description of an FMU, as its file states it.
+    """Description of an FMU, read from its file.
 
     Attributes
     ----------
     path : Path
         The FMU.
     version : int
-        Of FMI, 2 or 3.
+        Version of FMI, 2 or 3.
     name, tool : str
-        Of the model, and what made it.
+        Name of the model, and of the tool that generated it.
     inputs, outputs, parameters : tuple of FmuVariable
-        What can be connected, and what can be set before a run.
+        Variables to connect, and parameters to set before a run.
     structural_parameters : tuple of FmuVariable
-        What sizes its arrays, and keeps its start here.
+        Parameters that define array sizes; they keep their start values.
     platforms : tuple of str
         Platforms with a binary, as FMI 3.0 names them.
     can_step, can_be_integrated : bool
-        Whether it is made for co-simulation, and for model exchange.
+        Whether it supports co-simulation, and model exchange.
     findings : tuple of Finding
-        What stands in the way of a run here.
+        Problems that prevent a run on this machine.
     token, identifier : str
-        What ties description and binary together, and the binary's name.
+        Instantiation token (GUID), and name of the binary.
     units : mapping
-        What the FMU's units are in SI.
+        SI conversions of the FMU's units.
     is_once : bool
-        Whether a process can have one instance only.
+        Whether a process can have only one instance.
     fixed_step : float or None
-        Step inside, s, of which the control period is a multiple; None where it has none.
+        Internal step, s, or None; the control period must be a multiple of it.
     needs_tool : bool
-        Whether what made it must be installed where it runs.
+        Whether it requires its tool on the machine that runs it.
 
     Examples
     --------
@@ -181,9 +181,9 @@ class FmuComponent(Plain):
     needs_tool: bool = False
 
     def conversion(self, variable: FmuVariable, si: str) -> tuple[float, float]:
-        """Factor and offset from SI values in ``si`` to the FMU's own: ``own = factor * value + offset``.
+        """Return factor and offset from SI values in ``si`` to the FMU's unit: ``own = factor * value + offset``.
 
-        Where the variable has no unit its values are SI. A DescriptionError refuses a unit of something else.
+        A variable without a unit is in SI. Raises a DescriptionError for an incompatible unit.
         """
         if not variable.unit:
             return 1.0, 0.0
@@ -199,19 +199,19 @@ class FmuComponent(Plain):
                 where=f"{self.path}: {variable.name}",
                 found=variable.unit,
                 allowed=Phrase("a unit that converts to {si}", si=si),
-                hint="Connect it to another channel.",
+                hint="Connect it to a different channel.",
             )
         return 1.0 / unit.factor, -unit.offset / unit.factor
 
     def si_unit(self, variable: FmuVariable) -> str:
-        """The SI unit that values of a variable are given in; ``"1"`` where the FMU does not say."""
+        """Return the SI unit of a variable, or ``"1"`` if the FMU does not define it."""
         unit = self.units.get(variable.unit)
         if unit is None or unit.powers is None:
             return variable.unit if is_unit(variable.unit) else "1"
         return "*".join(f"{base}^{power}" for base, power in unit.powers.items() if power) or "1"
 
     def binary(self) -> str:
-        """Place of this machine's binary in the archive; a DescriptionError says why it cannot be run here."""
+        """Return the path of this machine's binary in the archive, or raise a DescriptionError if it cannot be run."""
         where = str(self.path)
         if not self.can_step:
             raise DescriptionError(
@@ -232,7 +232,7 @@ _ALLOWED = "FMUs for co-simulation with a binary for this machine"
 
 
 def read_fmu(path: Path | str) -> FmuComponent:
-    """Read the description of a Functional Mock-up Unit of any tool; nothing of it is run.
+    """Read the description of a Functional Mock-up Unit of any tool, without running it.
 
     Parameters
     ----------
@@ -242,12 +242,12 @@ def read_fmu(path: Path | str) -> FmuComponent:
     Returns
     -------
     FmuComponent
-        Inputs, outputs and parameters with their units, platforms, and what stands in the way of a run here.
+        Inputs, outputs and parameters with units, platforms, and problems that prevent a run on this machine.
 
     Raises
     ------
     DescriptionError
-        For what is no FMU, a damaged archive, names that lead out of it, sizes beyond all limits, and other versions.
+        For a file that is not an FMU, a damaged archive, paths outside it, excessive sizes, or an unsupported version.
 
     Examples
     --------
@@ -263,7 +263,7 @@ def read_fmu(path: Path | str) -> FmuComponent:
         members = _members(archive, str(file))
         if "modelDescription.xml" not in members:
             raise DescriptionError(
-                "no modelDescription.xml is in it", where=str(file), allowed="an FMU"
+                "it contains no modelDescription.xml", where=str(file), allowed="an FMU"
             )
         info = members["modelDescription.xml"]
         if info.file_size > _LONGEST_DESCRIPTION:
@@ -278,30 +278,32 @@ def read_fmu(path: Path | str) -> FmuComponent:
 
 @contextmanager
 def _refuse_damaged(file: Path) -> Iterator[None]:
-    """Turn any error of an archive into one refusal: each compression method raises its own."""
+    """Convert all archive errors to a DescriptionError; each compression method raises its own."""
     try:
         yield
     except DescriptionError:
         raise
-    except Exception as error:  # of lzma, bz2, zlib, struct, or of encrypted and unknown archives
+    except (
+        Exception
+    ) as error:  # from lzma, bz2, zlib, struct, or for encrypted and unknown archives
         if isinstance(error, OSError) and error.errno in (
             errno.ENOSPC,
             errno.EDQUOT,
             errno.EROFS,
             errno.EACCES,
         ):
-            raise  # of the disk that receives the files
+            raise  # an error of the disk that receives the files
         text = " ".join(str(error).split()) or type(error).__name__
         allowed = "an FMU (a ZIP file)"
         raise DescriptionError(
-            Phrase("not an archive that can be read: {text}", text=text),
+            Phrase("not a readable archive: {text}", text=text),
             where=str(file),
             allowed=allowed,
         ) from None
 
 
 def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]:
-    """Files of an archive by name; refuse links, paths that lead out of it, and too many or too large files."""
+    """Return the files of an archive by name; refuse links, paths outside it, and too many or too large files."""
     files = [info for info in archive.infolist() if not info.orig_filename.endswith("/")]
     size = sum(info.file_size for info in files)
     if len(files) > _MOST_FILES or size > _MOST_BYTES:
@@ -321,12 +323,12 @@ def _members(archive: zipfile.ZipFile, where: str) -> dict[str, zipfile.ZipInfo]
         parts = name.split("/")
         is_link = stat.S_ISLNK(info.external_attr >> 16)
         if is_link or ".." in parts or "" in parts or any(sign in name for sign in "\\:\0"):
-            what = "a link in the archive" if is_link else "a path that leads out of the archive"
+            what = "a link in the archive" if is_link else "a path outside the archive"
             raise DescriptionError(
                 what, where=where, found=name, allowed="plain files within the FMU"
             )
         if name in members:
-            raise DescriptionError("a file is twice in the archive", where=where, found=name)
+            raise DescriptionError("the archive contains a file twice", where=where, found=name)
         members[name] = info
     return members
 
@@ -349,7 +351,7 @@ def _component(
     version = {"2.0": 2, "3.0": 3}.get(said[:3])
     if root.tag != "fmiModelDescription" or version is None:
         raise DescriptionError(
-            "another version of FMI",
+            "unsupported version of FMI",
             where=where,
             found=said or root.tag,
             allowed="2.0, 3.0",
@@ -455,7 +457,7 @@ def _variables(root: ET.Element, version: int, where: str) -> list[FmuVariable]:
 
 
 def _elements(dimension: ET.Element, sizes: Mapping[str, str], where: str) -> int:
-    """Number of elements along a dimension: as written, or the start of the structural parameter that it names."""
+    """Return the number of elements along a dimension: fixed, or the start value of its structural parameter."""
     said = dimension.get("start") or sizes.get(dimension.get("valueReference", ""), "")
     if not re.fullmatch("[0-9]{1,18}", said):
         raise DescriptionError(
@@ -465,7 +467,7 @@ def _elements(dimension: ET.Element, sizes: Mapping[str, str], where: str) -> in
 
 
 def _start(typed: ET.Element) -> str:
-    """Start value as it is written; a text of FMI 3.0 has it in a child element."""
+    """Return the start value as written; strings of FMI 3.0 have it in a child element."""
     row = typed.find("Start")
     return typed.get("start", "") if row is None else row.get("value", "")
 
@@ -529,7 +531,7 @@ def _extract(file: Path, folder: Path, binaries: str) -> None:
             target.parent.mkdir(parents=True, exist_ok=True)
             with archive.open(info) as content, target.open("wb") as out:
                 while piece := content.read(min(_CHUNK, left + 1)):
-                    left -= len(piece)  # the sizes that an archive states may be wrong
+                    left -= len(piece)  # sizes stated in an archive may be wrong
                     if left < 0:
                         raise DescriptionError("too large for an FMU", where=str(file))
                     out.write(piece)

@@ -1,4 +1,4 @@
-"""A component FMU in the loop: connected by names, units converted, in a process of its own unless it is trusted."""
+"""FMUs in the control loop: connected by names, with unit conversion, in a child process unless trusted."""
 
 from __future__ import annotations
 
@@ -31,60 +31,60 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.core.writing import working_folder
 
-_PATIENCE = 60.0  # s that one instant may take
-_NAMED = 5  # files
-_TURN = 0.05  # rad of a rig's fastest mode in a period, where nobody says
-_USUAL, _MOST = 1000.0, 10  # Hz, and how many times that
+_PATIENCE = 60.0  # s: time limit of one instant
+_NAMED = 5  # maximum number of names in a list
+_TURN = 0.05  # rad: default phase of the rig's fastest mode per period
+_USUAL, _MOST = 1000.0, 10  # default rate in Hz, and maximum multiple of it
 _PROBES = {
     "m": 1e-3,
     "rad": 1e-3,
-}  # changes of a measurement that show what follows at once; of others:
+}  # perturbations of a measurement to probe the direct feedthrough; default:
 _PROBE = 1e-2
-_SHALLOW = 0.01  # of a tyre's deflection at rest
-_MUCH = 0.02  # share of a force's work that holding it may make
-_ROUND = 1e-6  # share of a step that rates may be off by rounding
+_SHALLOW = 0.01  # maximum perturbation relative to the tyre deflection at rest
+_MUCH = 0.02  # tolerated work of holding a force, relative to the force's work
+_ROUND = 1e-6  # relative rounding tolerance of a step
 
 
 class FmuControl(CallbackController):
-    """A co-simulation FMU of any tool, asked at every control instant: a controller, a damper, an actuator.
+    """Co-simulation FMU of any tool as a controller, a damper or an actuator, stepped at every control instant.
 
-    At an instant it is given the measurements, steps one control period on, and its outputs are the commands of this
-    instant: what follows from its inputs at once is not late, and states inside are one period ahead. With an active
-    actuator without lag its output is a force in the strut (compression positive), which is held for a period; where
-    ``rate`` is left out then, the rig's fastest mode at rest turns by at most 0.05 rad in one (1 to 10 kHz). Such an
-    actuator may stand ``in_place_of`` a spring, stops or a tyre: the run starts where the FMU's force and the rig are
-    in balance, and between instants the force changes as that of the rig's own element.
+    At each instant the FMU receives the measurements and advances by one control period; its outputs are the commands
+    of this instant. Direct feedthrough therefore has no delay, and internal states are one period ahead. With an active
+    actuator without lag, the output is a strut force (compression positive), held for a period. In this case ``rate``
+    defaults to a value at which the phase of the rig's fastest mode at rest changes by at most 0.05 rad per period (1
+    to 10 kHz). Such an actuator may replace a spring, stops or a tyre (``in_place_of``): the run starts in equilibrium
+    with the FMU's force, and between instants the force changes like that of the rig's own element.
 
     Attributes
     ----------
     file : str
-        The ``.fmu``; in a file of this schema relative to its folder.
+        The ``.fmu`` file; in a control file, relative to its folder.
     inputs : dict
-        The FMU's input to the channel that it gets, without the corner (``{"v_body": "sprung.vz"}``); an element of an
-        array is ``u[1]``, of a table ``u[1,2]``, counted from 1. Inputs that are named like a channel need not be
-        written; what is left keeps its start value.
+        Channel (without the corner) for each input of the FMU: ``{"v_body": "sprung.vz"}``. Array elements are ``u[1]``
+        or ``u[1,2]``, counted from 1. Inputs with the name of a channel are connected automatically; all others keep
+        their start values.
     output : str or None
-        Output that is the command of a corner, in the actuator's unit; left out: ``command``, or the only one. Every
+        Output that is the command of a corner, in the actuator's unit; default: ``command``, or the only output. Each
         corner has its own instance.
     outputs : dict or None
-        Instead of ``output``, for one instance that controls the whole vehicle: corner to output. Channels have their
-        corner then.
+        Outputs by corner, instead of ``output``, for one instance that controls the whole vehicle. Channels then
+        include the corner.
     parameters : dict
-        Start values of its parameters and of inputs that nothing is connected to, by name: numbers in SI or text with a
-        unit, texts for those that are texts, lists for arrays; a table of axles or corners where these differ
+        Start values of parameters and unconnected inputs by name: numbers in SI or text with a unit, strings for string
+        variables, lists for arrays; a table of axles or corners if their values differ
         (``{"gain": {"front": "4 kN*s/m", "rear": "3 kN*s/m"}}``).
     counts : dict
-        What one count of an input or output of whole numbers is, by name (``{"adc": "0.1 mm"}``): an input is rounded
-        to the nearest count. Where nothing is given a count is 1 SI, and a measurement between two is refused.
+        Size of one count of integer inputs and outputs, by name (``{"adc": "0.1 mm"}``); inputs are rounded to the
+        nearest count. By default a count is 1 in SI, and measurements that are not whole numbers are refused.
     from_rest : bool
         Whether channels are changes from static equilibrium instead of values.
     hold : {"zero", "first"}
-        What a command is in a period: its value at the instant, or (``first``) the mean of the line through it and
-        the one before, which takes out the half period that a held force is late.
+        Command within a period: its value at the instant (``zero``), or the mean of the linear extrapolation from the
+        previous value (``first``), which removes the half-period delay of a held force.
     trusted : bool
-        Run in this process: an instant takes microseconds, and an FMU that crashes takes Python with it. Otherwise it
-        runs in a child, as it does in commands without ``--trust``, whatever a file says. Neither is a protection
-        against evil: run only what you would start as a program.
+        Run in this process: an instant takes microseconds, but a crash of the FMU also ends Python. Otherwise the FMU
+        runs in a child process, as always in commands without ``--trust``. Neither protects against malicious code: run
+        only FMUs that you would start as a program.
 
     Examples
     --------
@@ -115,12 +115,12 @@ class FmuControl(CallbackController):
         return self
 
     def resolve_paths(self, folder: Path) -> Self:
-        """Return the same with its file resolved against a folder."""
+        """Return a copy with its file resolved against a folder."""
         return self.model_copy(update={"file": str(folder / self.file)})
 
     @property
     def place(self) -> str:
-        """Its file."""
+        """File of the FMU."""
         return self.file
 
     @property
@@ -129,14 +129,16 @@ class FmuControl(CallbackController):
         return isinstance(self.actuator, ActiveActuator) and self.actuator.order == 0
 
     def with_rate_for(self, fastest: float) -> Self:
-        """Return the same with a rate that suits the rig's fastest mode (rad/s), where a force has no rate."""
+        """Return a copy with a rate suited to the rig's fastest mode (rad/s), for forces without a given rate."""
         if "rate" in self.model_fields_set or not self.is_force:
             return self
         rate = _USUAL * min(max(math.ceil(fastest / _TURN / _USUAL), 1), _MOST)
         fixed = read_fmu(self.file).fixed_step
         if fixed:
             rate = 1.0 / (fixed * max(math.floor(1.0 / (rate * fixed) + _ROUND), 1))
-        return BaseModel.model_copy(self, update={"rate": rate})  # its actuator may be resolved
+        return BaseModel.model_copy(
+            self, update={"rate": rate}
+        )  # the actuator may already be resolved
 
     def regulator(self, setting: RunSetting) -> Regulator:
         """Return the object that the loop calls."""
@@ -145,10 +147,10 @@ class FmuControl(CallbackController):
 
 @dataclass(frozen=True)
 class _Wires:
-    """Connections of one instance: channels, and conversions from SI and back to SI.
+    """Connections of one instance: channels, and conversions from and to SI.
 
-    ``starts`` are type, reference and values of variables set before a run; ``inputs`` and ``outputs`` are type,
-    reference, element, and all elements before they are set. ``wholes`` are the integer inputs, by their place.
+    ``starts`` are (type, reference, values) of variables set before a run; ``inputs`` and ``outputs`` are (type,
+    reference, element, initial values of all elements). ``wholes`` are the integer inputs by index.
     """
 
     starts: list[tuple[str, int, list[Any]]]
@@ -162,7 +164,7 @@ class _Wires:
 
 @dataclass(frozen=True)
 class _VariablePlace:
-    """A variable or an element of it, by the user's name; ``at`` is None where a whole array is meant."""
+    """Variable or array element with the user's name for it; ``at`` is None for a whole array."""
 
     name: str
     variable: FmuVariable
@@ -171,7 +173,7 @@ class _VariablePlace:
 
 @dataclass(frozen=True)
 class _Whole:
-    """An integer input: the SI size of a count and the limits; rounded where the user gives the size of a count."""
+    """Integer input: SI size of a count, and limits; values are rounded if the user gives the size of a count."""
 
     name: str
     channel: str
@@ -181,25 +183,25 @@ class _Whole:
     is_rounded: bool
 
     def apply(self, value: float, where: str) -> float:
-        """Return a measurement, given in counts, as a whole number; refuse fractions and counts beyond the limits."""
+        """Convert a measurement in counts to a whole number; refuse fractions and counts beyond the limits."""
         if self.is_rounded and math.isfinite(value):
             value = float(round(value))
         if value % 1.0 == 0.0 and self.least <= value <= self.most:
             return value
         is_between = not self.is_rounded and value % 1.0 != 0.0
         hint = Phrase(
-            "Say what a count is, counts = {{ {name!r} = ... }}, or connect another channel.",
+            "Set the size of a count, counts = {{ {name!r} = ... }}, or connect a different channel.",
             name=self.name,
         )
         raise SimulationError(
             Phrase(
-                "the input {name} takes whole numbers, and {channel} is none",
+                "the input {name} requires whole numbers, but {channel} is not one",
                 name=self.name,
                 channel=self.channel,
             )
             if is_between
             else Phrase(
-                "{channel} is beyond what the input {name} holds",
+                "{channel} exceeds the range of the input {name}",
                 channel=self.channel,
                 name=self.name,
             ),
@@ -210,7 +212,7 @@ class _Whole:
             else Phrase("whole numbers from {least} to {most}", least=self.least, most=self.most),
             hint=hint
             if is_between and self.most > 1
-            else "Connect another channel, or change its count.",
+            else "Connect a different channel, or change its count.",
         )
 
 
@@ -224,7 +226,7 @@ class _Connection:
     findings: list[Finding] = field(default_factory=list)
 
     def wires(self) -> list[_Wires]:
-        """Connections of every instance."""
+        """Return the connections of each instance."""
         corners = tuple(self.setting.controllers)
         central = self._central(corners)
         if central is not None:
@@ -237,12 +239,12 @@ class _Connection:
                 "the FMU can be instantiated only once in a process, and every corner has its own instance",
                 where=str(self.component.path),
                 found=f"{len(wires)} corners",
-                hint="Use one with an output for every corner (outputs).",
+                hint="Use an FMU with an output for every corner (outputs).",
             )
         return wires
 
     def _central(self, corners: tuple[str, ...]) -> Mapping[str, str] | None:
-        """Corner to output of an FMU for the whole vehicle."""
+        """Return outputs by corner of an FMU for the whole vehicle, or None."""
         if self.law.outputs is not None:
             for corner in (*self.law.outputs, *corners):
                 if corner not in corners or corner not in self.law.outputs:
@@ -294,16 +296,16 @@ class _Connection:
             v.name in (name, element and element[1]) for v in self.component.structural_parameters
         ):
             raise DescriptionError(
-                "a structural parameter, which sizes the FMU's arrays, keeps its start",
+                "a structural parameter defines array sizes and cannot be changed",
                 where=f"{where}: {name}",
                 allowed="parameters and inputs",
-                hint="Set it in the tool that makes the FMU.",
+                hint="Set it in the tool that exports the FMU.",
             )
         else:
             raise unknown(name, [_elements(v) for v in variables], what=what, where=where)
         if variable.size > _LARGEST:
             raise DescriptionError(
-                "an array too large",
+                "the array is too large",
                 where=f"{where}: {name}",
                 found=variable.shape,
                 allowed=Phrase("{largest} elements", largest=_LARGEST),
@@ -372,7 +374,7 @@ class _Connection:
     def _port(
         self, place: _VariablePlace, starts: Mapping[str, tuple[FmuVariable, list[Any]]]
     ) -> tuple[str, int, int, list[Any]]:
-        """Specification of a wire for the caller; it has all elements of an array, since they are set together."""
+        """Return the caller's specification of a connection, with all elements of an array: they are set together."""
         variable = place.variable
         values = [0] * variable.size
         if variable.name in starts:
@@ -382,7 +384,7 @@ class _Connection:
         return self._kind(variable), variable.reference, place.at or 0, values
 
     def _report_unconnected(self, places: list[_VariablePlace]) -> None:
-        """Report inputs, and elements of them, that are neither connected nor set."""
+        """Report inputs and array elements that are neither connected nor set."""
         taken = {(place.variable.name, place.at or 0) for place in places}
         for name in self.law.parameters:
             place = self._find_variable(
@@ -416,11 +418,11 @@ class _Connection:
                 raise DescriptionError(
                     "counts are for connected inputs and outputs of whole numbers",
                     where=f"control: counts: {name}",
-                    allowed=", ".join(wholes) or "none of this FMU's",
+                    allowed=", ".join(wholes) or "none in this FMU",
                 )
 
     def _kind(self, variable: FmuVariable) -> str:
-        """Type as the functions that set and read it name it."""
+        """Return the type as in the names of the FMI functions that set and get it."""
         if variable.kind != "Enumeration":
             return variable.kind
         return "Int64" if self.component.version == 3 else "Integer"
@@ -432,7 +434,7 @@ class _Connection:
             count = to_si(self.law.counts[place.name], si, where=where)
             if not (math.isfinite(count) and count > 0.0 and math.isfinite(1.0 / count)):
                 raise DescriptionError(
-                    "a count without a size",
+                    "invalid size of a count",
                     where=where,
                     found=count,
                     allowed=Phrase("more than 0 {si}", si=si),
@@ -457,7 +459,7 @@ class _Connection:
         raise unknown(name, short, what="channel", where="control: inputs")
 
     def _starts(self, corner: str) -> dict[str, tuple[FmuVariable, list[Any]]]:
-        """Variables that are set before a run, by name, with all their values."""
+        """Return the variables set before a run by name, with all their values."""
         starts: dict[str, tuple[FmuVariable, list[Any]]] = {}
         for name, given in self.law.parameters.items():
             place = self._find_variable(
@@ -497,7 +499,7 @@ class _Connection:
         return starts
 
     def _value(self, variable: FmuVariable, value: object, where: str) -> Any:
-        """Convert a value to the variable's type; a DescriptionError where the type cannot hold it."""
+        """Convert a value to the variable's type; raise a DescriptionError if the type cannot represent it."""
         kind = self._kind(variable)
         if kind == "String":
             if not isinstance(value, str) or not _is_text(value):
@@ -526,12 +528,12 @@ class _Connection:
         if not least <= value <= most:
             allowed = Phrase("{kind}, {least} to {most}", kind=kind, least=least, most=most)
             raise DescriptionError(
-                "beyond what its type holds", where=where, found=value, allowed=allowed
+                "out of the range of its type", where=where, found=value, allowed=allowed
             )
         return int(value)
 
     def _start_elements(self, variable: FmuVariable) -> list[Any]:
-        """Start values of all elements of an array."""
+        """Return the start values of all elements of an array."""
         words = {"true": 1, "false": 0}
         texts = variable.start.split() if variable.is_number else []
         try:
@@ -543,7 +545,7 @@ class _Connection:
             elements *= variable.size
         if len(elements) != variable.size:
             raise DescriptionError(
-                "an array whose elements have no start, so that none can be set alone",
+                "elements of an array without start values cannot be set individually",
                 where=f"{self.component.path}: {variable.name}",
                 found=variable.start,
                 allowed=Phrase(
@@ -556,7 +558,7 @@ class _Connection:
         return elements
 
     def _own_value(self, given: Mapping[str, Any], corner: str, where: str) -> Any:
-        """The value of a corner, where a parameter has one for every corner or axle."""
+        """Return the value for a corner from a table by corner or axle."""
         corners = tuple(self.setting.controllers)
         known = {*corners, *(name.partition("_")[0] for name in corners)} - {""}
         if (
@@ -565,7 +567,7 @@ class _Connection:
             or not any(name in given for name in (corner, corner.partition("_")[0]))
         ):
             raise DescriptionError(
-                "values by corner do not fit the corners that have an instance of their own",
+                "values by corner do not match the corners with separate instances",
                 where=where,
                 found=", ".join(map(str, given)),
                 allowed=", ".join(sorted(known)) if corner else "one value",
@@ -574,12 +576,12 @@ class _Connection:
 
 
 _ELEMENT = re.compile(r"(.+)\[([0-9]{1,9}(?: *, *[0-9]{1,9})*)\]", re.DOTALL)
-_LARGEST = 1_000_000  # elements
-_LONGEST = 60  # characters of a start
+_LARGEST = 1_000_000  # maximum number of elements
+_LONGEST = 60  # maximum number of characters of a start value
 
 
 def _elements(variable: FmuVariable) -> str:
-    """Names of a variable's elements, as a range."""
+    """Return the names of a variable's elements as a range."""
     if not variable.dimensions:
         return variable.name
     first = ",".join("1" for _ in variable.dimensions)
@@ -587,12 +589,12 @@ def _elements(variable: FmuVariable) -> str:
 
 
 def _index(variable: FmuVariable, at: int) -> str:
-    """Name of an element."""
+    """Return the name of an element."""
     return f"{variable.name}[{','.join(str(int(i) + 1) for i in np.unravel_index(at, variable.dimensions))}]"
 
 
 def _element(variable: FmuVariable, indices: list[int], where: str) -> int:
-    """Place of an element among all of an array, the last index fastest."""
+    """Return the flat index of an array element in row-major order."""
     sizes = variable.dimensions
     if len(indices) != len(sizes) or any(
         not 1 <= i <= n for i, n in zip(indices, sizes, strict=True)
@@ -607,7 +609,7 @@ def _element(variable: FmuVariable, indices: list[int], where: str) -> int:
 
 
 def _flatten(value: object, dimensions: tuple[int, ...]) -> list[Any] | None:
-    """Flatten nested lists of these dimensions into the values of an array; None where they do not fit."""
+    """Flatten nested lists to the values of an array, or return None if the dimensions do not match."""
     if not dimensions:
         return [value]
     if not isinstance(value, (list, tuple)) or len(value) != dimensions[0]:
@@ -622,13 +624,13 @@ def _flatten(value: object, dimensions: tuple[int, ...]) -> list[Any] | None:
 
 
 def _c_type(variable: FmuVariable, version: int) -> Any:
-    """The C type of a variable's values."""
+    """Return the C type of a variable's values."""
     kind = "Int64" if variable.kind == "Enumeration" else variable.kind
     return caller._c_type("Integer" if version == 2 and kind == "Int64" else kind, version)
 
 
 def _range(variable: FmuVariable, version: int) -> tuple[int, int]:
-    """Smallest and largest value of an integer type."""
+    """Return minimum and maximum of an integer type."""
     if variable.kind == "Boolean":
         return 0, 1
     held = _c_type(variable, version)
@@ -637,7 +639,7 @@ def _range(variable: FmuVariable, version: int) -> tuple[int, int]:
 
 
 def _is_text(value: str) -> bool:
-    """Whether a text can be a C string: UTF-8 without a zero byte."""
+    """Whether a text is valid as a C string: UTF-8 without null bytes."""
     try:
         return b"\0" not in value.encode()
     except UnicodeEncodeError:
@@ -704,7 +706,7 @@ class _FmuRegulator:
 
     @property
     def findings(self) -> list[Finding]:
-        """Findings on inputs without connection or unit, on cut forces, and on files that the FMU wrote."""
+        """Findings on inputs without connection or unit, on clipped forces, and on files written by the FMU."""
         written = (
             self._instances.written_files() if isinstance(self._instances, _FmuProcess) else []
         )
@@ -718,7 +720,7 @@ class _FmuRegulator:
         return [*findings, finding("control.files_written", self._file, files=", ".join(written))]
 
     def start(self) -> None:
-        """Begin a run."""
+        """Start a run."""
         self._limits.start()
         self._before = []
         if self._work is not None:
@@ -740,9 +742,9 @@ class _FmuRegulator:
         )
 
     def __call__(self, values: list[float]) -> list[float]:
-        """Commands from measurements."""
+        """Return commands from measurements."""
         rest = values[self._count : -1]
-        del values[self._count :]  # the time, too
+        del values[self._count :]  # including the time
         demands = forces = self._step(values)
         self._instant += 1
         if self._own:
@@ -764,16 +766,16 @@ class _FmuRegulator:
         return commands
 
     def _excess(self, force: float, own: float, rate: float) -> float:
-        """Difference of a force (N) from that of the rig's own element, which is compressed at a rate (m/s)."""
+        """Return a force minus that of the rig's own element (N); ``rate`` is the element's compression rate (m/s)."""
         if (
             self._place == "tyre" and own == 0.0
-        ):  # off the ground: its own force begins where they meet
+        ):  # off the ground: the force of the rig's tyre starts at contact
             self._pushed = self._pushed or (rate <= 0.0 and force > _TOUCH)
             return 0.0
         return force - own
 
     def _step(self, values: list[float]) -> list[float]:
-        """Step the instances: commands (SI) from measurements."""
+        """Step the instances; return commands (SI) from measurements."""
         assert self._instances is not None
         if self._to_own is not None:
             values = [a * value + b for value, (a, b) in zip(values, self._to_own, strict=True)]
@@ -789,14 +791,14 @@ class _FmuRegulator:
         return commands
 
     def answer(self, rest: Array) -> tuple[Array, Array]:
-        """Slopes at rest of (commands, memory) along memory and measurements, of the immediate response only."""
+        """Return derivatives of (commands, memory) at rest by memory and measurements, for feedthrough only."""
         columns = []
         for i, usual in enumerate(self._probes):
             ends = []
             stays = self._place == "tyre" and rest[i]  # on the road
             probe = min(usual, _SHALLOW * abs(float(rest[i]))) if stays else usual
             if whole := self._wholes.get(i):
-                if not whole.is_rounded:  # it answers to no small change
+                if not whole.is_rounded:  # it does not respond to small changes
                     columns.append(np.zeros(len(self._limits.last)))
                     continue
                 probe = whole.count * math.ceil(probe / whole.count)
@@ -829,32 +831,32 @@ class _FmuRegulator:
 
 
 _SPEED = "strut.velocity"
-_TOUCH = 1e-6  # N that a tyre off the ground may give by rounding
+_TOUCH = 1e-6  # N: rounding tolerance of the force of a tyre off the ground
 
 
 def _channels(setting: RunSetting, name: str) -> list[str]:
-    """Names of a channel at all corners."""
+    """Return the names of a channel at all corners."""
     return [qualify(corner, name) for corner in setting.controllers]
 
 
 class _HeldWork:
-    """Work (J) of forces that are held for a period, wholly or in part, compared with that of the forces themselves."""
+    """Compares the work (J) of held (or partly held) forces with the work of the forces themselves."""
 
     def __init__(self, period: float, count: int, what: str = "force") -> None:
         self._period, self._zeros, self._what = period, [0.0] * count, what
         self.start()
 
     def start(self) -> None:
-        """Begin a run."""
+        """Start a run."""
         self._through = self._made = 0.0
         self._last = (self._zeros,) * 4
 
     def add(
         self, forces: list[float], demands: list[float], held: list[float], speeds: list[float]
     ) -> None:
-        """Add a period that ends with these ``forces`` (N) of the FMU and speeds (m/s).
+        """Add a period that ends with ``forces`` (N) of the FMU and ``speeds`` (m/s).
 
-        ``demands`` is the part of the forces that is held, ``held`` its value in the next period.
+        ``demands`` is the held part of the forces, ``held`` its value in the next period.
         """
         half = 0.5 * self._period
         for whole, force, speed, w, f, h, v in zip(
@@ -865,7 +867,7 @@ class _HeldWork:
         self._last = (forces, demands, held, speeds)
 
     def findings(self, where: str) -> list[Finding]:
-        """Findings on the work that holding adds or removes."""
+        """Return findings on the work added or removed by holding."""
         if not self._through:
             return []
         share = abs(self._made) / self._through
@@ -883,12 +885,12 @@ class _HeldWork:
 
 
 def _along_lines(f: float, v: float, force: float, speed: float) -> float:
-    """Twice the mean power (W) of a force (N) and a speed (m/s) on straight lines from the first two values."""
+    """Return twice the mean power (W) of a linearly varying force (N) and speed (m/s)."""
     return (2.0 * (f * v + force * speed) + f * speed + force * v) / 3.0
 
 
 def _conversions(pairs: list[tuple[float, float]]) -> list[tuple[float, float]] | None:
-    """Conversions, or None where all of them are identities."""
+    """Return the conversions, or None if all are identities."""
     return None if all(pair == (1.0, 0.0) for pair in pairs) else pairs
 
 
@@ -896,31 +898,31 @@ def _check_period(component: FmuComponent, period: float) -> None:
     fixed = component.fixed_step
     if fixed and abs(period / fixed - round(period / fixed)) > _ROUND * period / fixed:
         raise DescriptionError(
-            "the control period is no multiple of the FMU's fixed step",
+            "the control period is not a multiple of the FMU's fixed step",
             where=f"{component.path}",
             found=f"{period:g} s",
             allowed=Phrase("multiples of {fixed:g} s", fixed=fixed),
-            hint="Give another control rate.",
+            hint="Change the control rate.",
         )
 
 
 class _Instances(Protocol):
-    """Instances of an FMU, in this process or in another."""
+    """Instances of an FMU, in this process or in a child process."""
 
     def start(self) -> None:
-        """Begin a run."""
+        """Start a run."""
 
     def step(self, values: list[float]) -> list[float]:
-        """Outputs from inputs."""
+        """Return outputs from inputs."""
 
     def close(self) -> None:
-        """Free all."""
+        """Free all instances."""
 
 
 class _FmuProcess:
-    """Instances in a child process with its own working folder, which is removed with it.
+    """Instances in a child process with a temporary working folder.
 
-    A ``whole`` Python can import its site packages: FMUs that are written in Python need them.
+    With ``whole``, the child's Python can import site packages, as FMUs written in Python require.
     """
 
     def __init__(self, specs: list[dict[str, Any]], *, whole: bool = False) -> None:
@@ -941,15 +943,15 @@ class _FmuProcess:
         self._send(json.dumps(specs).encode() + b"\n")
 
     def start(self) -> None:
-        """Begin a run."""
+        """Start a run."""
         self._ask(b"s")
 
     def step(self, values: list[float]) -> list[float]:
-        """Outputs from inputs."""
+        """Return outputs from inputs."""
         return self._ask(b"x" + self._inputs.pack(*values))
 
     def written_files(self) -> list[str]:
-        """Names of the first files that the FMU wrote into its working folder."""
+        """Return names of files that the FMU wrote to its working folder, up to a maximum."""
         return (
             sorted(file.name for file in self._folder.iterdir())[:_NAMED]
             if self._folder.is_dir()
@@ -978,7 +980,9 @@ class _FmuProcess:
         except TimeoutError:
             self._process.kill()
             raise caller.FmuFailedError(
-                Phrase("it has not answered for {patience:g} s, and was ended", patience=patience)
+                Phrase(
+                    "no response for {patience:g} s: the process was terminated", patience=patience
+                )
             ) from None
         except EOFError:
             raise self._crash() from None
@@ -987,7 +991,7 @@ class _FmuProcess:
         code = self._process.process.wait()
         how = f"signal {-code}" if code < 0 else f"exit code {code}"
         return caller.FmuFailedError(
-            Phrase("the FMU crashed ({how}); what it ran in was a process of its own", how=how)
+            Phrase("the FMU crashed ({how}) in its child process", how=how)
         )
 
     def close(self) -> None:

@@ -1,4 +1,4 @@
-"""Platforms that binaries of FMUs run on."""
+"""Platforms of FMU binaries."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class BinaryPlatform:
-    """Where an FMU's binary runs: the folder's name in FMI 2.0, the compiler's target, the suffix."""
+    """Platform of an FMU's binary: folder name in FMI 2.0, compiler target, and file suffix."""
 
     fmi2: str
     target: str
@@ -26,7 +26,7 @@ PLATFORMS = {
 
 
 def this_platform() -> str:
-    """FMI 3.0's name of the current platform.
+    """Return the name of the current platform in FMI 3.0.
 
     >>> this_platform().count("-")
     1
