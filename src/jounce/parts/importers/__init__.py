@@ -1,4 +1,4 @@
-"""Descriptions of other programs, read into jounce's names, units and signs."""
+"""Import of descriptions from other programs, converted to jounce's names, units and signs."""
 
 from jounce.parts.importers.adams import import_adams
 from jounce.parts.importers.chrono import import_chrono

@@ -1,4 +1,4 @@
-"""Subsystems of Adams Car (``.sub``) as 3-D rigs: hardpoints, bodies, and the property files of springs and dampers."""
+"""Import of Adams Car subsystems (``.sub``) as 3-D rigs: hardpoints, bodies, and property files."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ from jounce.parts.importers.points import PointRow, PointTable
 from jounce.parts.importers.teim_orbit import Block, TeimOrbit, number, read_teim_orbit
 
 _OURS = np.diag([-1.0, -1.0, 1.0])
-"""From Adams Car's axes (x to the rear, y to the right, z up) to ours."""
+"""Rotation from Adams Car's axes (x rearward, y to the right, z up) to jounce's."""
 _BODIES = {
     "lower_arm": ("lower_control_arm", "lca", "lower_arm"),
     "upper_arm": ("upper_control_arm", "uca", "upper_arm"),
@@ -55,7 +55,7 @@ _BODIES = {
     "arm": ("trailing_arm", "control_arm"),
     "rocker": ("bell_crank", "bellcrank", "rocker"),
 }
-"""Parts of Adams' templates by the body of ours that they belong to; several are one body there."""
+"""Parts of Adams templates for each jounce body; several parts may form one body."""
 _CORNERS = {
     "lower_arm": ("lower_arm_front", "lower_arm_rear", "lower_ball_joint"),
     "upper_arm": ("upper_arm_front", "upper_arm_rear", "upper_ball_joint"),
@@ -70,12 +70,12 @@ _CORNERS = {
     "rocker": ("rocker_pivot", "pushrod_inner", "strut_bottom"),
 }
 _MASSES = {"lower_arm": 4.0, "upper_arm": 2.0, "upright": 8.0, "arm": 12.0, "rocker": 1.0}
-"""Estimates for bodies that the file does not hold, kg: those of a passenger car."""
-_SPRING_RATE, _DAMPING = 30e3, 2000.0  # N/m, N s/m: estimates for property files that are not there
+"""Default masses of bodies missing in the file, kg, for a passenger car."""
+_SPRING_RATE, _DAMPING = 30e3, 2000.0  # N/m, N s/m: defaults for missing property files
 _SYMMETRIES = ("left/right", "left", "right", "single")
 _STOPS = {"bump_stop": ("jounce", "bump"), "rebound_stop": ("rebound",)}
 _SIX = ("FX", "FY", "FZ", "TX", "TY", "TZ")
-_LINEAR = 1e-3  # share of the largest force within which a spring is one rate
+_LINEAR = 1e-3  # tolerance for a constant spring rate, relative to the largest force
 _POINT = re.compile(r"(?i)x,\s*y,\s*z\s+location\s*=\s*(.+)")
 _VECTOR = re.compile(r"(?i)([zx])p\s+vector\s*=\s*(.+)")
 
@@ -104,43 +104,43 @@ def import_adams(
 ) -> ImportedRig:
     """Convert a suspension subsystem of Adams Car, with its property files, to the left corner of a 3-D rig.
 
-    Hardpoints, parts with mass, and camber and toe are in the ``.sub``; springs, dampers, stops and bushings in
-    property files of its database (``springs.tbl``, ``dampers.tbl``, ``bumpstops.tbl``, ``bushings.tbl``), which are
-    looked for beside it. Adams Car's axes are x to the rear and y to the right.
+    The ``.sub`` contains hardpoints, parts with mass, camber and toe. Springs, dampers, stops and bushings are in the
+    property files of its database (``springs.tbl``, ``dampers.tbl``, ``bumpstops.tbl``, ``bushings.tbl``) next to
+    it. Adams Car's axes are x rearward and y to the right.
 
     Parameters
     ----------
     path : Path or str
         The ``.sub`` file.
     names : mapping, optional
-        Name of a hardpoint in the file to ours, where the template has names of its own.
+        jounce's name for each hardpoint name in the file, for templates with custom names.
     wheel_radius : float, optional
         Undeformed radius of the tyre [m]; estimated 0.33 m.
     wheel_mass : float, optional
-        Rim and tyre [kg]; estimated 20 kg.
+        Mass of rim and tyre [kg]; estimated 20 kg.
     tyre_stiffness : float, optional
         Radial stiffness [N/m]; estimated 250 kN/m.
     sprung_mass : float, optional
-        Share of the body on this wheel [kg]; estimated as what spring and stops carry at design position.
+        Sprung mass on this wheel [kg]; estimated from the load of spring and stops at design position.
     rigid : bool
-        Leave the bushings out, as Adams Car's kinematic mode does: the joints are ideal.
+        Ignore bushings, as Adams Car does in kinematic mode: joints are ideal.
     source : str, optional
         Text for ``source`` of the rig; by default the name of the file.
 
     Returns
     -------
     rig : Corner
-        ``DoubleWishbone``, ``McPherson`` or another with these points.
+        ``DoubleWishbone``, ``McPherson`` or another suspension with these points.
     findings : list of Finding
-        What was assumed, left out or estimated.
+        Assumptions, omissions and estimates.
     text : str
-        The rig file that describes it.
+        Text of the rig file.
 
     Raises
     ------
     DescriptionError
-        For a file that is missing or has another grammar, a subsystem that is no suspension, points that are unknown,
-        missing or on the other side, units that are missing, and values that are no numbers.
+        For a missing file or a different format, a subsystem that is not a suspension, unknown or missing points,
+        points on the other side, missing units, or values that are not numbers.
 
     Examples
     --------
@@ -177,7 +177,7 @@ def import_adams(
 
 @dataclass
 class _Subsystem:
-    """A subsystem while it becomes a rig."""
+    """Converts a subsystem to a rig."""
 
     file: TeimOrbit
     names: dict[str, str]
@@ -200,7 +200,7 @@ class _Subsystem:
         *,
         rigid: bool = False,
     ) -> dict[str, Any]:
-        """The rig's table, standing on the road."""
+        """Return the table of the rig, with the wheel on the road."""
         reading = PointReading(self._hardpoints(), "left", None, self.names)
         model = reading.model_of(None)
         reading.complete(model)
@@ -241,7 +241,7 @@ class _Subsystem:
         return table
 
     def _of_points(self, model: str, strut: dict[str, Any], radius: float | None) -> dict[str, Any]:
-        """Table of a rig for kinematics alone: without a strut nothing carries the car."""
+        """Return the table of a rig for kinematics only: without a strut, nothing carries the car."""
         self.draft.note("parts.import_kinematics_only", self.draft.at("HARDPOINT"))
         if radius is None:
             self.draft.estimated.append("wheel.radius")
@@ -285,7 +285,7 @@ class _Subsystem:
         return table
 
     def _angles(self) -> dict[str, float]:
-        """Camber and toe in rad: of the left side, where both differ."""
+        """Return camber and toe in rad; of the left side if the sides differ."""
         unit = self.file.unit("ANGLE")
         angles = {"camber": 0.0, "toe": 0.0}
         for block in self.file.blocks_of("PARAMETER"):
@@ -296,7 +296,7 @@ class _Subsystem:
         return angles
 
     def _bodies(self, names: tuple[str, ...], model: str) -> dict[str, dict[str, Any]]:
-        """Tables of the bodies that the file holds; parts that are one body here are joined."""
+        """Return the tables of bodies in the file; parts that form one jounce body are joined."""
         bodies: dict[str, dict[str, Any]] = {}
         left: list[str] = []
         seen: dict[str, str] = {}
@@ -328,7 +328,7 @@ class _Subsystem:
         return bodies
 
     def _body(self, name: str, part: Block) -> dict[str, Any]:
-        """Mass, centre and inertia of a part in our axes; dependent frames are given in comments."""
+        """Return mass, centre and inertia of a part in jounce's axes; comments contain dependent frames."""
         texts = {}
         for comment in part.comments:
             if match := _POINT.search(comment):
@@ -381,7 +381,7 @@ class _Subsystem:
         return as_table(mass, _OURS @ centre, 0.5 * (tensor + tensor.T))
 
     def _estimate_body(self, name: str, mass: float | None = None) -> dict[str, Any]:
-        """Table of a body with estimated inertia (and mass): a ball around the middle of its points."""
+        """Return the table of a body with estimated inertia (and mass): a ball at the mean of its points."""
         places = np.array(
             [self.points[point] for point in _CORNERS.get(name, ()) if point in self.points]
         )
@@ -407,7 +407,7 @@ class _Subsystem:
     # --- springs, dampers and stops
 
     def _element(self, name: str, *words: str) -> Block | None:
-        """The first force element whose usage has one of some words, or the first of all."""
+        """Return the first force element whose usage contains one of ``words``, or else the first one."""
         blocks = [
             block
             for block in self.file.blocks_of(name)
@@ -421,7 +421,7 @@ class _Subsystem:
         return chosen
 
     def _property(self, block: Block | None) -> Path | None:
-        """Property file of an element, next to the subsystem or in the tables of its database; None if missing."""
+        """Find the property file of an element, next to the subsystem or in its database; None if missing."""
         text = "" if block is None else block.values.get("PROPERTY_FILE", "")
         parts = [
             part
@@ -499,7 +499,7 @@ class _Subsystem:
             "kind": "table",
             "velocity": -velocity[::-1],
             "force": -force[::-1],
-        }  # rebound is positive there
+        }  # Adams: rebound is positive
 
     def _stops(self) -> dict[str, Any]:
         stops = {}
@@ -529,7 +529,7 @@ class _Subsystem:
         return stops
 
     def _bushings(self, allowed: tuple[str, ...]) -> dict[str, dict[str, Any]]:
-        """Bushings at the hardpoints that may have one, where their property files are."""
+        """Return bushings at the allowed hardpoints, if their property files exist."""
         bushings: dict[str, dict[str, Any]] = {}
         known = names_of_points()
         for block in self.file.blocks_of("BUSHING_ASSEMBLY"):
@@ -557,7 +557,7 @@ class _Subsystem:
         return bushings
 
     def _note_rest(self) -> None:
-        """Note what the file contains and the rig does not use."""
+        """Add findings on parts of the file that the rig does not use."""
         bushings = {
             block.usage
             for block in self.file.blocks_of("BUSHING_ASSEMBLY")
@@ -583,7 +583,7 @@ class _Subsystem:
 
 
 def _frame(x: Array, z: Array, where: str) -> Array:
-    """Axes of a part as columns, from its z axis and a vector in its x-z plane."""
+    """Return the axes of a part as columns, from its z axis and a vector in its x-z plane."""
     along = np.linalg.norm(z)
     across = np.cross(z, x)
     if along < 1e-9 or np.linalg.norm(across) < 1e-9:
@@ -593,7 +593,7 @@ def _frame(x: Array, z: Array, where: str) -> Array:
 
 
 def _spring_file(file: Path) -> tuple[float, Array, Array]:
-    """Free length (m), deflection (m) and force (N), both positive in compression, of a ``.spr``, text or XML."""
+    """Read free length (m), deflection (m) and force (N), compression positive, from a ``.spr`` in text or XML."""
     if file.suffix.lower() == ".xml":
         return _xml_spring(file)
     properties = read_teim_orbit(file)
@@ -603,7 +603,7 @@ def _spring_file(file: Path) -> tuple[float, Array, Array]:
 
 
 def _bushing_file(file: Path, scales: list[float]) -> tuple[dict[str, Any], float]:
-    """Table of a bushing from a ``.bus``, and how far its curves are from straight lines (share of their largest)."""
+    """Return the table of a bushing from a ``.bus``, and the relative deviation of its curves from straight lines."""
     properties = read_teim_orbit(file)
     length, force, angle, time = (
         properties.unit(name) for name in ("LENGTH", "FORCE", "ANGLE", "TIME")
@@ -659,7 +659,7 @@ def _xml_spring(file: Path) -> tuple[float, Array, Array]:
 
 
 def _stop_law(depth: Array, force: Array, file: Path) -> tuple[dict[str, float], float]:
-    """Rate and progression of a stop nearest to its points, and how far off it is, as a share of the largest force."""
+    """Fit rate and progression of a stop to points; return them and the error relative to the largest force."""
     from scipy.optimize import nnls
 
     here = depth > 0.0

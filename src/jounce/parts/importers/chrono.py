@@ -1,4 +1,4 @@
-"""Suspensions of Project Chrono as 3-D rigs: double wishbone, MacPherson strut and multi-link."""
+"""Import of Project Chrono suspensions as 3-D rigs: double wishbone, MacPherson strut and multi-link."""
 
 from __future__ import annotations
 
@@ -36,21 +36,21 @@ DESIGN = np.eye(3)
 
 
 def arm_frame(front: Array, rear: Array, outer: Array, where: str) -> Array:
-    """Axes of Chrono's A-arms as columns: x along the axis to the front, z normal to the arm."""
+    """Return the axes of Chrono's A-arms as columns: x along the axis to the front, z normal to the arm."""
     normal = _unit(np.cross(rear - outer, front - outer), where)
     along = _unit(front - rear, where)
     return np.column_stack([along, np.cross(normal, along), normal])
 
 
 def rod_frame(start: Array, end: Array, across: Array, where: str) -> Array:
-    """Axes of Chrono's links as columns: z from ``start`` to ``end``, y along ``across`` made perpendicular to it."""
+    """Return the axes of Chrono's links as columns: z from ``start`` to ``end``, y along ``across`` orthogonalised."""
     along = _unit(end - start, where)
     side = _unit(across - along * (along @ across), where)
     return np.column_stack([np.cross(side, along), side, along])
 
 
 def about_axis(table: dict[str, Any], start: Array, end: Array) -> float:
-    """Moment of inertia of a body's table about the line through two points in kg m^2."""
+    """Return the moment of inertia of a body about the line through two points, kg m^2."""
     axis = (end - start) / np.linalg.norm(end - start)
     away = np.linalg.norm(np.cross(axis, np.array(table["centre_of_mass"]) - start))
     return float(axis @ tensor_of(table) @ axis + table["mass"] * away**2)
@@ -66,11 +66,11 @@ def _unit(vector: Array, where: str) -> Array:
 
 
 STOP_RATE, STOP_PROGRESSION = 1.0e5, 6.0e7
-"""Stop in N/m and N/m^3 within 8 % of the points that Chrono uses for every vehicle, from 2 mm to 50 mm of depth."""
+"""Stop law (N/m, N/m^3) within 8 % of the points that Chrono uses for all vehicles, from 2 mm to 50 mm of depth."""
 
 
 def spring_table(file: ChronoFile) -> dict[str, Any]:
-    """Table of ``strut.spring``: rate or curve, with its free length in m."""
+    """Return the table of ``strut.spring``: rate or curve, with free length in m."""
     free, preload = file.positive("Spring", "Free Length"), file.number("Spring", "Preload", 0.0)
     if file.has("Spring", "Spring Coefficient"):
         rate = file.positive("Spring", "Spring Coefficient")
@@ -82,7 +82,7 @@ def spring_table(file: ChronoFile) -> dict[str, Any]:
 
 
 def damper_table(file: ChronoFile) -> dict[str, Any]:
-    """Table of ``strut.damper``: linear, through points of velocity, or a map over length and velocity."""
+    """Return the table of ``strut.damper``: linear, a table over velocity, or a map over length and velocity."""
     if file.has("Shock", "Map Data"):
         grid = damper_map(file)
         return {
@@ -107,7 +107,7 @@ def damper_table(file: ChronoFile) -> dict[str, Any]:
         )
     speeds = np.array(
         [0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0]
-    )  # of c v / (1 + share |v|), bump positive
+    )  # c v / (1 + share |v|), bump positive
     bump = coefficient * speeds / (1.0 + compression * speeds)
     rebound = coefficient * speeds / (1.0 + expansion * speeds)
     return {
@@ -149,7 +149,7 @@ _MULTI_LINK = {
 
 
 class ChronoReading(Draft):
-    """One file while it is read: its points as written there, and the findings so far."""
+    """Reading state of one file: its points as written, and findings."""
 
     def __init__(self, file: ChronoFile, points: dict[str, Array]) -> None:
         super().__init__(file.path)
@@ -158,10 +158,10 @@ class ChronoReading(Draft):
     def body(
         self, name: str, section: str, frame: Array, centre: Array | None = None
     ) -> dict[str, Any]:
-        """Table of a body; ``frame`` holds the axes of the file's inertia as columns.
+        """Return the table of a body; ``frame`` contains the axes of the inertia in the file as columns.
 
-        No body has a principal moment above the sum of the others: such a moment is cut to that sum, and the inertia
-        is estimated.
+        A principal moment cannot exceed the sum of the others: such a moment is reduced to the sum, and the inertia
+        is marked as estimated.
         """
         part, where = self.file.part(section, centre=centre), self.file.at(section)
         xy, xz, yz = part.products
@@ -193,12 +193,12 @@ class ChronoReading(Draft):
         return as_table(part.mass, part.centre, tensor)
 
     def arm(self, name: str, section: str, front: str, rear: str, outer: str) -> dict[str, Any]:
-        """Table of an A-arm in Chrono's frame of it."""
+        """Return the table of an A-arm, whose inertia is in Chrono's arm frame."""
         corners = self.points[front], self.points[rear], self.points[outer]
         return self.body(name, section, arm_frame(*corners, self.file.at(section)))
 
     def add_tie_rod(self, bodies: dict[str, Any], name: str = "tie_rod") -> None:
-        """Add the tie rod to the bodies, where it has a mass."""
+        """Add the tie rod to the bodies if it has mass."""
         if self.file.has("Tierod", "Mass"):
             inner, outer = self.points[f"{name}_inner"], self.points[f"{name}_outer"]
             frame = rod_frame(
@@ -210,7 +210,7 @@ class ChronoReading(Draft):
 def _head(
     reading: ChronoReading, model: str, bodies: dict[str, Any], on: str, **more: Any
 ) -> dict[str, Any]:
-    """Table of a rig without its wheel; the strut's points are the spring's, and a damper may have others."""
+    """Return the table of a rig without its wheel; strut points are those of the spring, a damper may have its own."""
     points = dict(reading.points)
     points["strut_bottom"], points["strut_top"] = (
         points.pop("spring_bottom"),
@@ -333,8 +333,8 @@ def import_chrono(
 ) -> ImportedRig:
     """Convert a Project Chrono suspension to the left corner of a 3-D rig.
 
-    Chrono places a suspension relative to its axle; here the road becomes z = 0, and the wheel centre is above it
-    by the tyre's radius less its deflection under the corner's weight.
+    Chrono positions a suspension relative to its axle. Here the road is z = 0, and the height of the wheel centre is
+    the tyre radius minus its deflection under the weight of the corner.
 
     Parameters
     ----------
@@ -343,11 +343,11 @@ def import_chrono(
     wheel_radius : float, optional
         Undeformed radius of the tyre [m]; estimated 0.33 m.
     wheel_mass : float, optional
-        Rim and tyre [kg], which are in other files; estimated 20 kg.
+        Mass of rim and tyre [kg], which are in other files; estimated 20 kg.
     tyre_stiffness : float, optional
         Radial stiffness [N/m]; estimated 250 kN/m.
     sprung_mass : float, optional
-        Share of the body on this wheel [kg]; estimated as what spring and stops carry at design position, 350 kg where
+        Sprung mass on this wheel [kg]; estimated from the load of spring and stops at design position, or 350 kg if
         they carry less than 20 kg.
     source : str, optional
         Text for ``source`` of the rig; by default the names of suspension and file.
@@ -357,15 +357,15 @@ def import_chrono(
     rig : Corner
         ``DoubleWishbone``, ``McPherson`` or ``FiveLink``.
     findings : list of Finding
-        What was assumed, changed or left out.
+        Assumptions, changes and omissions.
     text : str
-        The rig file that describes it.
+        Text of the rig file.
 
     Raises
     ------
     DescriptionError
-        For a file that is missing, no JSON (with the line), of another template, or with values that are missing, no
-        numbers, of the wrong shape, or no mechanism.
+        For a missing file, invalid JSON (with the line), a different template, values that are missing, not numbers or
+        of the wrong shape, or points that do not form a mechanism.
 
     Examples
     --------
@@ -402,7 +402,7 @@ def import_chrono(
 
 
 def _add_elements(reading: ChronoReading, table: dict[str, Any]) -> None:
-    """Spring, damper and stops of the strut."""
+    """Add spring, damper and stops of the strut."""
     file, points = reading.file, table["hardpoints"]
     table["strut"] |= {"spring": spring_table(file), "damper": damper_table(file)}
     if file.has("Spring", "Minimum Length", "Maximum Length"):
@@ -423,7 +423,7 @@ def _add_elements(reading: ChronoReading, table: dict[str, Any]) -> None:
 
 
 def _note_what_differs(reading: ChronoReading, names: dict[str, tuple[str, str]]) -> None:
-    """Note what the file contains and the rig does not, and what is assumed about every file."""
+    """Add findings on unused parts of the file, and on general assumptions."""
     file = reading.file
     read = {*_READ, *(section for section, _ in names.values()), "Upright", "Strut", "Spindle"}
     unread = [section for section in file.table if section not in read]

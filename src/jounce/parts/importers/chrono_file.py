@@ -1,6 +1,6 @@
 """Files of Project Chrono.
 
-Values by section and key, with errors that say where they are; a double wishbone as it is written.
+Access to values by section and key with error locations, and reading of double wishbones without conversion.
 """
 
 from __future__ import annotations
@@ -24,17 +24,17 @@ from jounce.core.types import Array
 from jounce.core.units import LARGEST
 
 _COMMENT = re.compile(r'("(?:\\.|[^"\\])*(?:"|$))|//[^\n]*|/\*(?:.*?\*/|.*)', re.DOTALL)
-"""What has no end goes to the end of the file, so that nothing is looked at twice."""
+"""Unterminated strings and comments extend to the end of the file: this avoids repeated scans."""
 
 
 @dataclass(frozen=True)
 class RigidPart:
-    """Mass and where it is.
+    """Mass properties of a body.
 
     Attributes
     ----------
     mass : float
-        [kg].
+        Mass [kg].
     centre : array (3,)
         Centre of mass [m], x forward, y left, z up.
     moments : array (3,)
@@ -50,16 +50,16 @@ class RigidPart:
 
 
 class ChronoFile:
-    """Values of one suspension file.
+    """Values of a suspension file.
 
     Parameters
     ----------
     path : Path
-        JSON file in SI; comments are allowed, as Chrono allows them.
+        JSON file in SI; comments are allowed, as in Chrono.
     templates : sequence of str
-        Kinds of suspension that the reader understands.
+        Supported kinds of suspension.
     advice : str
-        Hint where a value is missing.
+        Hint for missing values.
     """
 
     def __init__(self, path: Path, templates: Sequence[str], advice: str) -> None:
@@ -80,23 +80,23 @@ class ChronoFile:
 
     @property
     def name(self) -> str:
-        """Name in the file, or the file's own."""
+        """Name given in the file, or the name of the file."""
         name = self.table.get("Name", self.path.stem)
         if not isinstance(name, str):
             raise DescriptionError("not a name", where=self.at("Name"), found=name, allowed="text")
         return name
 
     def at(self, *keys: str) -> str:
-        """Place of a value, for messages."""
+        """Return the location of a value for messages."""
         return ": ".join((str(self.path), *keys))
 
     def has(self, section: str, *keys: str) -> bool:
-        """Whether a section holds all the keys."""
+        """Whether a section contains all keys."""
         here = self.table.get(section)
         return isinstance(here, dict) and all(key in here for key in keys)
 
     def value(self, section: str, key: str) -> Any:
-        """Value as it is written."""
+        """Return a value as written."""
         here: Any = self.table
         for i, part in enumerate((section, key)):
             if not isinstance(here, dict) or part not in here:
@@ -111,11 +111,11 @@ class ChronoFile:
         return here
 
     def numbers(self, section: str, key: str, shape: tuple[int, ...]) -> Array:
-        """Finite numbers of a shape; -1 in it means any number."""
+        """Return finite numbers of a shape; -1 in the shape means any size."""
         return self._check_numbers(self.value(section, key), self.at(section, key), shape)
 
     def positive(self, section: str, key: str) -> float:
-        """One number above zero."""
+        """Return a number above zero."""
         value = float(self.numbers(section, key, ()))
         if not value > 0.0:
             raise DescriptionError(
@@ -124,15 +124,15 @@ class ChronoFile:
         return value
 
     def number(self, section: str, key: str, default: float) -> float:
-        """One number that may be left out."""
+        """Return an optional number."""
         return float(self.numbers(section, key, ())) if self.has(section, key) else default
 
     def angle(self, key: str) -> float:
-        """Angle of the top level, written in degrees, in rad; 0 when it is left out."""
+        """Return a top-level angle (written in degrees) in rad; 0 if omitted."""
         return float(np.radians(self._check_numbers(self.table.get(key, 0.0), self.at(key), ())))
 
     def part(self, section: str, *, centre: Array | None = None) -> RigidPart:
-        """Mass properties of a body; ``centre`` (m) where the file does not give it."""
+        """Return mass properties of a body; ``centre`` (m) is used if the file does not give it."""
         key = "Moments of Inertia" if self.has(section, "Moments of Inertia") else "Inertia"
         products = "Products of Inertia"
         return RigidPart(
@@ -143,7 +143,7 @@ class ChronoFile:
         )
 
     def curve(self, section: str, key: str) -> tuple[Array, Array]:
-        """Points of a curve: the first of each pair, ascending, and the second."""
+        """Return the points of a curve as two arrays; the first must ascend."""
         points = self.numbers(section, key, (-1, 2))
         ascending(points[:, 0], self.at(section, key))
         return points[:, 0], points[:, 1]
@@ -175,7 +175,7 @@ class ChronoFile:
 
 
 def ascending(values: Array, where: str) -> None:
-    """Refuse values that are fewer than two or do not ascend."""
+    """Refuse fewer than two values, or values that are not ascending."""
     if len(values) < 2 or not bool(np.all(np.diff(values) > 0.0)):
         raise DescriptionError("not at least two ascending values", where=where)
 
@@ -187,7 +187,7 @@ def _has_truth(value: object) -> bool:
 
 
 def read_json(path: Path) -> dict[str, Any]:
-    """Read one JSON object with comments; give its table."""
+    """Read a JSON object with comments."""
     try:
         text = description_text(path)
     except UnicodeDecodeError:
@@ -226,7 +226,7 @@ HARDPOINTS = {
     "damper_top": ("Shock", "Location Chassis"),
     "damper_bottom": ("Shock", "Location Arm"),
 }
-"""Jounce's name of each point: section and key of the file."""
+"""Section and key of each point in the file, by jounce's name."""
 _BODIES = {
     "spindle": "Spindle",
     "upright": "Upright",
@@ -245,7 +245,7 @@ class DamperMap:
     length : array (n,)
         Length between the damper's ends, ascending [m].
     velocity : array (m,)
-        Rate of that length, ascending: positive in rebound [m/s].
+        Rate of change of the length, ascending: positive in rebound [m/s].
     force : array (m, n)
         Force that resists the velocity, positive in tension [N].
     """
@@ -255,7 +255,7 @@ class DamperMap:
     force: Array
 
     def coefficients_at(self, length: float) -> tuple[float, float]:
-        """Return the bump and the rebound coefficient (N s/m) between the velocities next to zero, at a length in m."""
+        """Return bump and rebound coefficient (N s/m) at a length in m, from the velocities adjacent to zero."""
         zero = int(np.argmin(np.abs(self.velocity)))
         column = np.array([np.interp(length, self.length, row) for row in self.force])
         slopes = np.diff(column) / np.diff(self.velocity)
@@ -264,24 +264,24 @@ class DamperMap:
 
 @dataclass(frozen=True)
 class ChronoCorner(Shown):
-    """A left corner as the file describes it, at design position.
+    """Left corner as described by the file, at design position.
 
     Attributes
     ----------
     name : str
-        As in the file.
+        Name in the file.
     points : mapping of str to array (3,)
         Hardpoints [m], x forward, y left, z up.
     parts : mapping of str to RigidPart
         ``spindle``, ``upright``, ``upper_arm``, ``lower_arm``.
     tie_rod_mass : float
-        [kg].
+        Mass of the tie rod [kg].
     spring_rate, spring_free_length : float
-        [N/m], [m].
+        Rate [N/m] and free length [m] of the spring.
     spring_shortest, spring_longest : float
-        Lengths between which the spring works [m].
+        Working range of the spring length [m].
     damper : DamperMap
-        Its force.
+        Force of the damper.
     """
 
     name: str
@@ -317,18 +317,18 @@ def read_chrono_corner(path: Path | str) -> ChronoCorner:
     Parameters
     ----------
     path : Path or str
-        JSON file in SI, as Chrono writes it: comments are allowed, as they are there.
+        JSON file of Chrono in SI; comments are allowed.
 
     Returns
     -------
     ChronoCorner
-        The left corner in jounce's names; nothing is computed.
+        The left corner with jounce's names; values are not converted.
 
     Raises
     ------
     DescriptionError
-        For a file that is missing, no JSON (with the line), of another template, without a linear spring or a damper
-        map, or with values that are missing, no finite numbers, or of the wrong shape.
+        For a missing file, invalid JSON (with the line), a different template, no linear spring or damper map, or
+        values that are missing, not finite or of the wrong shape.
 
     Examples
     --------
@@ -362,7 +362,7 @@ def read_chrono_corner(path: Path | str) -> ChronoCorner:
 
 
 def damper_map(file: ChronoFile) -> DamperMap:
-    """Read the map; each of its rows begins with its velocity."""
+    """Read the damper map; each row starts with its velocity."""
     length = file.numbers("Shock", "Deformation", (-1,))
     rows = file.numbers("Shock", "Map Data", (-1, len(length) + 1))
     velocity = rows[:, 0]

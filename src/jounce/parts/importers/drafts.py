@@ -1,4 +1,4 @@
-"""Rigs being assembled from files of other programs; missing values are estimated and listed."""
+"""Assembly of rigs from files of other programs; missing values are estimated and listed."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ from jounce.parts.leverage import (
 )
 
 WHEEL_RADIUS, WHEEL_MASS, TYRE_STIFFNESS, SPRUNG_MASS = 0.33, 20.0, 250e3, 350.0
-"""Estimates for what suspension files do not hold: m, kg (rim and tyre), N/m, kg; those of a passenger car."""
+"""Defaults of a passenger car for values missing in suspension files: m, kg (rim and tyre), N/m, kg."""
 
 
 def length_of_tyre(default: str) -> Number:
-    """Ask for the radius of the tyre, and say what it is otherwise."""
+    """Return the option for the tyre radius; ``default`` describes its default."""
     return Number(
         f"Undeformed tyre radius. Default: {default}.", unit="m", is_positive=True, most=LONGEST
     )
 
 
 def sprung_mass_of(default: str) -> Number:
-    """Ask for the sprung mass, and say what it is otherwise."""
+    """Return the option for the sprung mass; ``default`` describes its default."""
     return Number(f"Sprung mass on this wheel. Default: {default}.", unit="kg", is_positive=True)
 
 
@@ -54,7 +54,7 @@ NAMES_IN_FILE = Names("A name in the file and the hardpoint it is.", "THEIRS=OUR
 
 
 class ImportedRig(NamedTuple):
-    """A rig read from a file of another program: the rig, what was assumed or left out, and its rig file as text."""
+    """Rig read from a file of a different program, with findings and the text of its rig file."""
 
     rig: Corner
     findings: list[Finding]
@@ -65,15 +65,15 @@ class ImportedRig(NamedTuple):
 
     @property
     def printed(self) -> str:
-        """What a terminal shows where no file is written."""
+        """Text for the terminal if no file is written."""
         return self.text
 
     def advice(self, where: str = "") -> list[Finding]:
-        """Return all findings: of the import, and of the rig in the file ``where``."""
+        """Return findings of the import, and of the rig in the file ``where``."""
         return [*self.findings, *rig_findings(self.rig, where)]
 
     def to_dict(self, where: str = "") -> dict[str, Any]:
-        """Return what was imported as plain data, with the text of the rig file."""
+        """Return the import as plain data, with the text of the rig file."""
         rig = self.rig
         about = {
             "model": getattr(rig, "model", ""),
@@ -85,23 +85,23 @@ class ImportedRig(NamedTuple):
 
 @dataclass
 class Draft:
-    """Notes on a rig being assembled: findings, and the paths of estimated values."""
+    """Findings and paths of estimated values of a rig during assembly."""
 
     path: Path
     findings: list[Finding] = field(default_factory=list)
     estimated: list[str] = field(default_factory=list)
 
     def note(self, code: str, place: str, value: float | None = None, /, **numbers: Any) -> None:
-        """Add a finding about a place, of a row of the catalogue."""
+        """Add a finding from the catalogue for a path."""
         self.findings.append(finding(code, place, value, **numbers))
 
     def at(self, *keys: str) -> str:
-        """Place of a value, for messages."""
+        """Return the location of a value for messages."""
         return ": ".join((str(self.path), *keys))
 
 
 def as_table(mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
-    """Table of a body in the names of rig files."""
+    """Return the table of a body as in rig files."""
     size = float(np.abs(tensor).max())
     inertia = {
         name: float(tensor[at])
@@ -112,7 +112,7 @@ def as_table(mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
 
 
 def join_bodies(body: dict[str, Any], mass: float, centre: Array, tensor: Array) -> dict[str, Any]:
-    """Join a body and another mass fixed to it into one table (kg, m, kg m^2)."""
+    """Combine a body and a mass fixed to it into one table (kg, m, kg m^2)."""
     masses, centres = (body["mass"], mass), (np.array(body["centre_of_mass"]), centre)
     whole = masses[0] + masses[1]
     middle = (masses[0] * centres[0] + masses[1] * centres[1]) / whole
@@ -124,7 +124,7 @@ def join_bodies(body: dict[str, Any], mass: float, centre: Array, tensor: Array)
 
 
 def tensor_of(table: dict[str, Any]) -> Array:
-    """Inertia tensor of a body's table, shape (3, 3), kg m^2."""
+    """Return the inertia tensor of a body's table, shape (3, 3), kg m^2."""
     xx, yy, zz, xy, xz, yz = (table["inertia"].get(name, 0.0) for name in INERTIA_ELEMENTS)
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
@@ -136,9 +136,9 @@ def add_wheel(
     angles: dict[str, float],
     given: tuple[float | None, float | None, float | None],
 ) -> None:
-    """Add wheel, tyre and the body that turns with them; estimate missing values (radius, mass, stiffness).
+    """Add wheel, tyre and the body that rotates with them; estimate missing values (radius, mass, stiffness).
 
-    ``spindle`` is the table of what turns beside rim and tyre, ``angles`` holds camber and toe (rad).
+    ``spindle`` is the table of other rotating parts, ``angles`` contains camber and toe (rad).
     """
     radius, mass, stiffness = given
     named = {"wheel.radius": radius, "bodies.wheel.mass": mass, "tyre.stiffness": stiffness}
@@ -164,7 +164,7 @@ def add_wheel(
 
 
 def set_on_the_road(draft: Draft, table: dict[str, Any], sprung_mass: float | None) -> None:
-    """Find the sprung mass, then move everything up until the tyre carries the corner."""
+    """Determine the sprung mass, then raise the rig until the tyre carries the corner."""
     raise_rig(table, table["wheel"]["radius"] - table["hardpoints"]["wheel_centre"][2])
     table["sprung"] = {"mass": SPRUNG_MASS if sprung_mass is None else sprung_mass}
     rig = rig_of(draft, table)
@@ -176,7 +176,7 @@ def set_on_the_road(draft: Draft, table: dict[str, Any], sprung_mass: float | No
 
 
 def _estimate_sprung_mass(draft: Draft, rig: Corner) -> float:
-    """Estimate the sprung mass (kg) that spring and stops carry at design; else take the default."""
+    """Estimate the sprung mass (kg) that spring and stops carry at design, or return the default."""
     try:
         ratio = motion_ratio(rig)
         mass = SPRUNG_MASS + (spring_force(rig) - static_spring_force(rig)) * ratio / rig.gravity
@@ -184,7 +184,7 @@ def _estimate_sprung_mass(draft: Draft, rig: Corner) -> float:
         raise DescriptionError(
             "the joints do not let the wheel rise, or not in one way only", where=str(draft.path)
         ) from None
-    # kg, a choice: lower counts a spring drawn all but unloaded; higher overrides the spring of a light kart.
+    # kg, chosen: a lower limit would accept a nearly unloaded spring, a higher one reject that of a light kart.
     if mass > 20.0:
         draft.note("parts.import_mass_carried", draft.at("sprung mass"), mass, mass=mass)
     else:
@@ -194,7 +194,7 @@ def _estimate_sprung_mass(draft: Draft, rig: Corner) -> float:
 
 
 def rig_of(draft: Draft, table: dict[str, Any]) -> Corner:
-    """The rig that a table with arrays describes."""
+    """Build a rig from a table with arrays."""
 
     def plain(value: Any) -> Any:
         if isinstance(value, dict):

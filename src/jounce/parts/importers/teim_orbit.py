@@ -1,4 +1,4 @@
-"""The grammar of Adams' text files (TeimOrbit): blocks of keys and tables, and the units that they declare."""
+"""Reader of Adams text files (TeimOrbit): blocks of keys and tables, and their units."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ UNITS = {
     "ANGLE": {"radians radian rad": "rad", "degrees degree deg": "deg"},
 }  # fmt: skip
 SI = {"LENGTH": "m", "FORCE": "N", "TIME": "s", "PRESSURE": "Pa", "MASS": "kg", "ANGLE": "rad"}
-"""Words of units in the file by quantity, and the SI unit of each."""
+"""Unit names in files by quantity, with their SI-convertible units."""
 _BLOCK = re.compile(r"\[\s*([A-Za-z0-9_ \t-]+?)\s*\]")
 _VALUE = re.compile(r"([A-Za-z_]\w*)\s*=\s*(.*)")
-_BEFORE_COMMENT = re.compile(r"(?:[^'$!]|'[^']*')*")  # $ and ! begin one, but not within quotes
+_BEFORE_COMMENT = re.compile(r"(?:[^'$!]|'[^']*')*")  # $ and ! start a comment, except in quotes
 _CELL = re.compile(r"'([^']*)'|(\S+)")
-_LARGEST = 20_000_000  # bytes: far more than such files have; a larger one is refused before it fills the memory
+_LARGEST = 20_000_000  # bytes: far above the size of real files; protects memory
 
 
 @dataclass
 class Block:
-    """One block: its keys, the rows of its table, and the comments in it, where Adams writes what depends on others."""
+    """Block of a file: keys, table rows, and comments, which contain Adams' dependent values."""
 
     name: str
     where: str
@@ -47,11 +47,11 @@ class Block:
 
     @property
     def usage(self) -> str:
-        """What the block is for."""
+        """Usage of the block, in lower case."""
         return self.values.get("USAGE", "").lower()
 
     def number(self, key: str, default: float | None = None) -> float:
-        """Number of a key, in the units of the file; one that is missing without a default is refused."""
+        """Return the number of a key in file units; without a default, a missing key is an error."""
         text = self.values.get(key)
         if text is None:
             if default is None:
@@ -62,7 +62,7 @@ class Block:
         return number(text, f"{self.where}: {key}")
 
     def curve(self, length: float, force: float) -> tuple[Array, Array]:
-        """Two columns of a table in SI, ascending in the first."""
+        """Return two columns of a table in SI; the first must ascend."""
         rows = [
             [number(cell, where) for cell in cells[:2]]
             for cells, where in self.rows
@@ -89,25 +89,25 @@ def number(text: str, where: str) -> float:
 
 @dataclass
 class TeimOrbit:
-    """A file in the grammar: its blocks in their order.
+    """Parsed TeimOrbit file with its blocks in order.
 
     Attributes
     ----------
     path : Path
         The file.
     blocks : list of Block
-        All of them; those of one name may come several times.
+        All blocks; names may occur several times.
     """
 
     path: Path
     blocks: list[Block]
 
     def blocks_of(self, name: str) -> list[Block]:
-        """All blocks of a name."""
+        """Return all blocks of a name."""
         return [block for block in self.blocks if block.name == name]
 
     def first(self, name: str) -> Block:
-        """The first block of a name; refused where there is none."""
+        """Return the first block of a name; raise an error if there is none."""
         blocks = self.blocks_of(name)
         if not blocks:
             raise DescriptionError(
@@ -116,7 +116,7 @@ class TeimOrbit:
         return blocks[0]
 
     def unit(self, quantity: str) -> float:
-        """What one unit of a quantity (LENGTH, FORCE, TIME, MASS, ANGLE) of the file is in SI."""
+        """Return the SI value of the file's unit of a quantity (LENGTH, FORCE, TIME, MASS, ANGLE)."""
         block = self.first("UNITS")
         text = block.values.get(quantity, "").lower()
         for words, unit in UNITS[quantity].items():
@@ -132,7 +132,7 @@ class TeimOrbit:
 
 
 def read_teim_orbit(path: Path | str) -> TeimOrbit:
-    """Read the blocks of a text file of Adams; a missing, large or binary one is refused, and one without blocks."""
+    """Read the blocks of an Adams text file; refuse missing, large or binary files, and files without blocks."""
     file = existing_file(path)
     if file.stat().st_size > _LARGEST:
         raise DescriptionError(
@@ -154,7 +154,7 @@ def read_teim_orbit(path: Path | str) -> TeimOrbit:
         bare = text[0].strip() if text else ""
         if match := _BLOCK.fullmatch(bare):
             blocks.append(Block(match[1].strip().upper(), where))
-        elif bare.startswith("(") and blocks:  # a part of the block with a table of its own
+        elif bare.startswith("(") and blocks:  # part of the block with a separate table
             blocks.append(
                 Block(f"{blocks[-1].name.partition('/')[0]}/{bare.strip('()').upper()}", where)
             )

@@ -1,4 +1,4 @@
-"""Tyre property files (``.tir``): radial stiffness, damping and radius, in the units that the file declares."""
+"""Reader of tyre property files (``.tir``): radial stiffness, damping and radius, with the units of the file."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from jounce.parts.importers.teim_orbit import SI, UNITS
 
 _SECTION = re.compile(r"\[([A-Za-z0-9_ \t]+)\]")
 _VALUE = re.compile(r"([A-Za-z_]\w*)\s*=\s*(.*)")
-_BEFORE_COMMENT = re.compile(r"(?:[^'$!]|'[^']*')*")  # $ and ! begin one, but not within quotes
-_LARGEST = 20_000_000  # bytes: far more than such files have; a larger one is refused before it fills the memory
-_POINTS = 9  # of a curve that is no table
+_BEFORE_COMMENT = re.compile(r"(?:[^'$!]|'[^']*')*")  # $ and ! start a comment, except in quotes
+_LARGEST = 20_000_000  # bytes: far above the size of real files; protects memory
+_POINTS = 9  # number of samples of a curve that is not a table
 _USUAL = {
     "stiffness": (5e3, 5e6, "N/m"),
     "radius": (0.05, 2.0, "m"),
@@ -43,7 +43,7 @@ class TyreProperties(Shown):
     stiffness : float
         Radial stiffness in N/m at the nominal pressure, the scale factor LCZ included.
     damping_coefficient : float
-        Radial damping in N*s/m; 0 where the file has none.
+        Radial damping in N*s/m; 0 if the file has none.
     radius : float
         Undeformed radius in m.
     nominal_load : float or None
@@ -51,22 +51,21 @@ class TyreProperties(Shown):
     load_scale : float
         LFZO (1).
     pressure, nominal_pressure : float or None
-        Inflation pressure of the file and the one the stiffness is for, in Pa.
+        Inflation pressure of the file, and nominal pressure of the stiffness, in Pa.
     pressure_slope : float
-        PFZ1 (1): share by which the stiffness rises when the pressure rises by the nominal pressure; 0 where the
-        file has none.
+        PFZ1 (1): relative stiffness increase per relative pressure increase; 0 if the file has none.
     deflection, load : tuple of float
-        Measured curve of the radial force (N) over the deflection (m); empty where the file has none.
+        Measured curve of radial force (N) over deflection (m); empty if the file has none.
     load_curvature : float
-        Q_FZ2 (1): share of the load that rises with the square of deflection over radius; 0 where there is none.
+        Q_FZ2 (1): coefficient of the squared ratio of deflection to radius in the load; 0 if the file has none.
     bottoming_radius, bottoming_stiffness : float or None
-        Radius in m below which the rim hits the road, and its stiffness in N/m; None where the file has none, or 0.
+        Radius in m below which the rim hits the road, and rim stiffness in N/m; None if absent or 0.
     bottoming_penetration, bottoming_load : tuple of float
-        Curve of the rim's force (N), which adds to the tyre's, over what the radius is below ``bottoming_radius``
-        (m); empty where the file has none.
+        Curve of the additional rim force (N) over the depth below ``bottoming_radius`` (m); empty if the file has
+        none.
     findings : tuple of Finding
-        Values that are unusual, so that a wrong unit is seen, and a note where the rim's bottoming is dropped by
-        `tyre`, with the deflection (m) from which on.
+        Unusual values, which may reveal a wrong unit, and a note with the deflection (m) of rim contact if `tyre` omits
+        the rim.
     """
 
     name: str
@@ -89,15 +88,14 @@ class TyreProperties(Shown):
     findings: tuple[Finding, ...] = field(default=(), compare=False)
 
     def stiffness_at(self, pressure: float | None = None) -> float:
-        """Radial stiffness in N/m at an inflation pressure in Pa, by default at that of the file.
+        """Return the radial stiffness in N/m at an inflation pressure in Pa, by default that of the file.
 
         The stiffness is linear in the pressure: k (1 + PFZ1 (p - p_nominal) / p_nominal).
 
         Raises
         ------
         DescriptionError
-            When the pressure is not above 0, the file does not say how the stiffness depends on it, or the line has
-            fallen to 0.
+            If the pressure is not above 0, the file lacks the pressure dependence, or the stiffness is not positive.
         """
         return self.stiffness * self._pressure_factor(pressure)
 
@@ -139,9 +137,9 @@ class TyreProperties(Shown):
     def tyre(self, pressure: float | None = None, *, rim: bool = False) -> dict[str, Any]:
         """Return a tyre table for rigs: ``stiffness`` or ``curve``, ``damping_coefficient`` and ``undeformed_radius``.
 
-        A curve is given where the file has a measured one or one with Q_FZ2; ``pressure`` is in Pa, by default that
-        of the file. ``undeformed_radius`` (m) is not a field of lumped tyres: take it out for them. With ``rim`` the
-        curve holds the rim, too, which hits the road below ``bottoming_radius``.
+        The table has a curve if the file has a measured curve or Q_FZ2. ``pressure`` is in Pa, by default that of the
+        file. Lumped tyres have no ``undeformed_radius`` (m): remove it for them. With ``rim``, the curve includes rim
+        contact below ``bottoming_radius``.
         """
         factor = self._pressure_factor(pressure)
         tyre: dict[str, Any] = {"stiffness": self.stiffness * factor}
@@ -174,7 +172,7 @@ class TyreProperties(Shown):
         }
 
     def _with_rim(self, tyre: dict[str, Any], free: float) -> dict[str, Any]:
-        """Table of a tyre whose rim hits the road at a deflection (m)."""
+        """Return the table of a tyre whose rim hits the road at a deflection ``free`` (m)."""
         depth, load = self.bottoming_penetration, self.bottoming_load
         if not depth:
             depth, load = (0.0, 0.1 * free), (0.0, 0.1 * free * (self.bottoming_stiffness or 0.0))
@@ -203,13 +201,13 @@ def read_tir(path: Path | str) -> TyreProperties:
     Parameters
     ----------
     path : Path or str
-        Text file with ``[SECTIONS]`` and ``KEY = value`` lines, of PAC2002, MF-Tyre 5 or 6 and their relatives.
+        Text file with ``[SECTIONS]`` and ``KEY = value`` lines, from PAC2002, MF-Tyre 5 or 6 and similar models.
 
     Returns
     -------
     TyreProperties
-        Stiffness (N/m), damping (N*s/m), radius (m) and what belongs to them, converted from the units in the
-        section [UNITS]; the scale factor LCZ is applied to the stiffness.
+        Stiffness (N/m), damping (N*s/m), radius (m) and related values, converted from the units in section [UNITS];
+        the scale factor LCZ is applied to the stiffness.
 
     Raises
     ------
@@ -293,7 +291,7 @@ def read_tir(path: Path | str) -> TyreProperties:
 def _note_rim(
     name: str, radius: float, rim_radius: float | None, *, has_rim: bool
 ) -> tuple[Finding, ...]:
-    """A note where the file knows when the rim hits the road, which a rig's tyre does not."""
+    """Return a note if the file describes rim contact, which a rig's tyre omits by default."""
     if not has_rim:
         return ()
     if rim_radius is None:
@@ -322,7 +320,7 @@ def tyre_from_tir(
     pressure : float, optional
         Inflation pressure in Pa; by default that of the file.
     rim : bool
-        Let the curve hold the rim, too, which hits the road where the file has its bottoming.
+        Include rim contact in the curve, if the file describes bottoming.
 
     Returns
     -------
@@ -332,7 +330,7 @@ def tyre_from_tir(
     Raises
     ------
     DescriptionError
-        As `read_tir`, and when the file does not say how the stiffness depends on the pressure.
+        As `read_tir`, and if the file lacks the pressure dependence of the stiffness.
 
     Examples
     --------
@@ -349,7 +347,7 @@ def tyre_from_tir(
 
 
 class _Entries:
-    """Keys and tables of a file by section, with their lines."""
+    """Keys and tables of a file by section, with line numbers."""
 
     def __init__(self, file: Path) -> None:
         self.file = file
@@ -403,7 +401,7 @@ class _Entries:
         return entry[0] if entry else None
 
     def unit(self, quantity: str) -> float:
-        """SI value of the unit that [UNITS] declares for a quantity."""
+        """Return the SI value of the unit declared in [UNITS] for a quantity."""
         entry = self.values.get(("UNITS", quantity))
         if entry is None:
             raise DescriptionError(
@@ -432,7 +430,7 @@ class _Entries:
         above: float | None = None,
         at_least: float | None = None,
     ) -> float | None:
-        """Value in SI from the first section that has the key; None where none has it."""
+        """Return the SI value from the first section that has the key, or None."""
         for section in sections:
             if (section, key) in self.values:
                 text, line = self.values[section, key]
@@ -459,7 +457,7 @@ class _Entries:
         return None
 
     def pressure(self, sections: tuple[str, ...], keys: tuple[str, ...]) -> float | None:
-        """Pressure in Pa under any of its names; 0 means not stated."""
+        """Return the pressure in Pa under any of its names, or None; 0 means not stated."""
         for key in keys:
             if any((section, key) in self.values for section in sections):
                 declared = ("UNITS", "PRESSURE") in self.values
@@ -479,7 +477,7 @@ class _Entries:
     def curve(
         self, section: str, length: float, force: float
     ) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """Deflections (m) and loads (N) of a table, which must ascend."""
+        """Return ascending deflections (m) and loads (N) of a table."""
         pairs = []
         for cells, line in self.rows.get(section, []):
             where = below(at_line(self.file, line), f"[{section}]")
