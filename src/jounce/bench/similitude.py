@@ -25,9 +25,9 @@ from jounce.core.units import (
 
 Density = Annotated[float, Unit("kg/m^3", above=0.0)]
 _MISSED = 0.05
-"""Share by which a rule is violated: the density of steel that is assumed (7579 to 7850 kg/m^3) moves masses by 4 %.
+"""Relative deviation above which a rule is violated: the density of steel (7579 to 7850 kg/m^3) changes masses by 4 %.
 
-The published prototype misses each of the four rules by 67 % or more.
+The published prototype deviates from each of the four rules by 67 % or more.
 """
 
 
@@ -127,7 +127,7 @@ class SimilitudeReport(Plain):
     violations : tuple of str
         Violations of similitude, one sentence each.
     findings : tuple of Finding
-        The same as findings, and the estimated values used.
+        Violations as findings, and the estimated values used.
     """
 
     mass_same_density: float
@@ -153,8 +153,8 @@ def similitude_report(
 ) -> SimilitudeReport:
     """Assess the similitude of a prototype: its mass by Eq. 1 of the paper, the scale factors, and its violations.
 
-    Lengths are reduced by ``geometry_factor``; with the same gravity the times go with its square root; the masses
-    relate as they were built; stiffness = mass / time^2, damping coefficient = mass / time, force = mass.
+    Lengths scale with ``geometry_factor`` and, for the same gravity, times with its square root. The mass ratio is that
+    of the built prototype; stiffness = mass / time^2, damping coefficient = mass / time, force = mass.
 
     Parameters
     ----------
@@ -164,7 +164,7 @@ def similitude_report(
     Returns
     -------
     SimilitudeReport
-        SI.
+        Masses, scale factors and violations, SI.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Which of several springs suits the prototype."""
+"""Selection of a spring for the prototype."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ from jounce.core.units import (
 
 PUBLISHED = {"bicycle": 52775.0, "scooter": 22730.0}  # N/m
 _AT_REST = 0.5
-"""Share of the travel that a spring may use at rest: as much is left for bump as for rebound."""
+"""Maximum fraction of the travel used at rest, which leaves equal travel for bump and rebound."""
 _STIFF = 1.5
-"""Times the target frequency: the wheel rate is then 2.25 times what it should be."""
+"""Maximum ratio to the target frequency: the wheel rate is then 2.25 times too large."""
 CANDIDATES = Pairs(
     "Candidates. Default: bicycle=52775 N/m, scooter=22730 N/m.", "NAME=RATE", 'soft="22.73 N/mm"'
 )
@@ -93,13 +93,13 @@ class SpringRow:
     damping_ratio : float
         Damping ratio on the spring alone: damping at the wheel / (2 sqrt(wheel_rate * mass)) [1].
     static_deflection : float
-        Of the suspension at the wheel [m].
+        Static deflection of the suspension at the wheel [m].
     travel_share : float
         Static deflection over available travel [1].
     suspension_share : float
-        Part of a deflection of the whole that the suspension takes, the rest being the tyre's [1].
+        Suspension's fraction of the total deflection of suspension and tyre [1].
     friction_deflection : float
-        Friction over wheel rate: how far from its equilibrium the mass may rest [m].
+        Friction divided by wheel rate: maximum distance from equilibrium at which the mass may rest [m].
     """
 
     name: str
@@ -130,7 +130,7 @@ class SpringComparison(Plain):
     reasons : tuple of str
         Reason for each rejected candidate.
     findings : tuple of Finding
-        The reasons, and what is doubtful about the recommended spring.
+        The reasons, and concerns about the recommended spring.
     """
 
     rows: tuple[SpringRow, ...]
@@ -152,7 +152,7 @@ def compare_springs(
     ] = None,
     choice: Annotated[SpringChoice | None, MadeBy("jounce.bench.springs:SpringChoice")] = None,
 ) -> SpringComparison:
-    """Compare candidate springs: static deflection, natural frequency, damping ratio, and which to choose.
+    """Compare candidate springs by static deflection, natural frequency and damping ratio, and recommend one.
 
     Parameters
     ----------
@@ -164,14 +164,14 @@ def compare_springs(
     Returns
     -------
     SpringComparison
-        SI.
+        Candidates and recommendation, SI.
 
     Raises
     ------
     DescriptionError
-        For a text that is no rate.
+        If a text is not a spring rate.
     FitError
-        For no springs, a rate that is not positive, springs of the same name, and a strut that lies nearly flat.
+        If there are no springs, a rate is not positive, names are not unique, or the strut is nearly horizontal.
 
     Examples
     --------
@@ -192,7 +192,7 @@ def compare_springs(
         math.cos(choice.strut_angle) < 0.1
     ):  # the wheel rate is then less than a hundredth of the spring rate
         raise FitError(
-            "the strut lies nearly flat",
+            "the strut is nearly horizontal",
             found=f"{math.degrees(choice.strut_angle):g} deg",
             allowed="below 84 deg",
         )
@@ -209,7 +209,7 @@ def compare_springs(
 
 
 def _rate(name: str, given: float | str) -> float:
-    """Rate in N/m; a number is SI whatever its size, a text that is typed must be plausible."""
+    """Convert a rate to N/m; numbers are SI and may have any magnitude, text must be plausible."""
     if isinstance(given, str):
         return positive_quantity(given, "N/m", name)
     if not given > 0.0:

@@ -686,7 +686,10 @@ def check_stiffness(*, rig: Any, part: str | None, out: Path | None, **_others: 
         )
     if part is not None and rig is None:
         raise OutputError(
-            "a part of no rig", where="--part", found=part, allowed="--part with --rig and --out"
+            "a part without a rig",
+            where="--part",
+            found=part,
+            allowed="--part with --rig and --out",
         )
 
 

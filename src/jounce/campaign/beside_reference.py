@@ -1,4 +1,4 @@
-"""Our results compared with published ones: what is reproduced, what is not, and what follows."""
+"""Comparison of a campaign's results with published ones: verdicts and their interpretation."""
 
 from __future__ import annotations
 
@@ -15,26 +15,26 @@ from jounce.parts.rig import unit_of
 
 Verdict = Literal["reproduced", "not reproduced", "not comparable"]
 REDUCTION_APART = 0.10
-"""Percentage points by which a reduction may differ and count as reproduced: it is counted from each one's own start,
-and 10 points are what starts within 10 % of the optimum change it by (strategies of the shipped virtual bench)."""
+"""Difference up to which a reduction counts as reproduced. It depends on the start values: starts within 10 % of the
+optimum change it by 10 percentage points (strategies of the shipped virtual bench)."""
 REPRESENTED = 0.95
-"""R2 from which on a channel counts as represented: the bound of the verdict `holds`."""
+"""Minimum R2 of a represented channel: the bound of the verdict `holds`."""
 
 
 @dataclass(frozen=True)
 class ReferenceComparison(Shown):
-    """One published statement and our result.
+    """A published statement compared with our result.
 
     Attributes
     ----------
     what : str
-        What it is about.
+        Subject of the statement.
     published, ours : str
-        Both, as text with units.
+        Published value and our value, as text with units.
     verdict : {"reproduced", "not reproduced", "not comparable"}
-        Whether ours agrees.
+        Whether our result agrees.
     follows : str
-        What follows from it.
+        Interpretation of the verdict.
     """
 
     what: str
@@ -47,7 +47,7 @@ class ReferenceComparison(Shown):
 def beside_reference(
     reference: Reference | None, strategies: Sequence[StrategyResult], trials: Sequence[TrialResult]
 ) -> list[ReferenceComparison]:
-    """Compare a campaign's results with the published ones that it states; empty without a table ``[reference]``."""
+    """Compare a campaign's results with the published results in its table ``[reference]``; empty without one."""
     if reference is None:
         return []
     rows: list[ReferenceComparison] = []
@@ -166,7 +166,7 @@ def _interval(strategy: StrategyResult, path: str) -> tuple[float, float]:
 
 
 def _represented_channels(strategy: StrategyResult) -> set[str]:
-    """Channels with a high R2 on all trials that the update was fitted on."""
+    """Return the channels with a high R2 in all fitted trials of the update."""
     fitted = [
         trial.after for trial in strategy.trials if trial.is_fitted and trial.after is not None
     ]
@@ -177,7 +177,7 @@ def _represented_channels(strategy: StrategyResult) -> set[str]:
 
 
 def _of_speeds(published: tuple[float, ...], trials: Sequence[TrialResult]) -> ReferenceComparison:
-    """The trials of a single obstacle that the model predicts best, as many as were published."""
+    """Compare the best predicted single-obstacle trials with the published speeds."""
     usable = [trial for trial in trials if trial.after is not None and trial.obstacle_pitch is None]
     usable = [trial for trial in usable if trial.entry.speed is not None]
     ranked = sorted(usable, key=_worst)
@@ -195,7 +195,7 @@ def _of_speeds(published: tuple[float, ...], trials: Sequence[TrialResult]) -> R
     return _comparison("best speeds", said, ours, len(near) == len(published), follows)
 
 
-_SPEEDS_APART = 0.1  # m/s: how far repeated settings of the published bench lie apart
+_SPEEDS_APART = 0.1  # m/s: spread of repeated settings of the published bench
 
 
 def _worst(trial: TrialResult) -> float:

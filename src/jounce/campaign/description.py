@@ -1,4 +1,4 @@
-"""Campaign files: what was measured on the bench, which trials were run, what is to be updated."""
+"""Campaign files: bench measurements, trials, and updates."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ class StiffnessBench(TableFormat):
 class DecayBench(RecordingFormat):
     """Free decays of the sprung mass. ``support``: the wheel stands on its tyre, or the hub is blocked.
 
-    ``method`` decides what becomes the damper's coefficient: the viscous part beside dry friction, or the logarithmic
-    decrement of the paper, which takes all losses for viscous.
+    ``method`` selects the source of the damper's coefficient: the viscous part separated from dry friction, or the
+    logarithmic decrement of the paper, which treats all losses as viscous.
     """
 
     files: tuple[str, ...] = Field(min_length=1)
@@ -81,13 +81,13 @@ def _as_file_entry(value: object) -> object:
 
 
 class InputFile(RecordingFormat):
-    """A measured input of a trial: a file with ``time`` and one channel; a text stands for ``{file = text}``."""
+    """A measured input of a trial: a file with ``time`` and one channel; a string is short for ``{file = string}``."""
 
     file: str
 
 
 class ExcitationFile(InputFile):
-    """The measured height of the support; ``datum`` says where it counts from, as in `Excitation`."""
+    """The measured height of the support; ``datum`` is its zero, as in `Excitation`."""
 
     datum: ExcitationDatum = "undeformed"
 
@@ -133,7 +133,7 @@ class TrialEntry(RecordingFormat):
 
 
 class UpdateEntry(Description):
-    """One updating strategy: which parameters are free, within which bounds, on which trials."""
+    """One updating strategy: free parameters, their bounds, and the trials to fit."""
 
     name: str
     free: dict[str, Any]
@@ -216,16 +216,16 @@ class Campaign(Description):
 
 
 def load_campaign(path: Path | str) -> tuple[Campaign, str]:
-    """Read a campaign file; give it with its text.
+    """Read a campaign file; return the campaign and the text of the file.
 
     Parameters
     ----------
     path : path
-        TOML file; the files it names are relative to its folder.
+        TOML file; file names in it are relative to its folder.
 
     Raises
     ------
     DescriptionError
-        With file, line, path, found value and what is allowed.
+        If the file is invalid; the message names file, line, path, value and allowed values.
     """
     return read_description(Campaign, path, "jounce.campaign/1")

@@ -11,25 +11,25 @@ from jounce.core.findings import Finding, finding
 from jounce.identify.fit_problem import FitTrial
 
 _MOST = 8
-"""Trials that are held against each other's conditions: those that the model explains worst."""
+"""Maximum number of trials to compare with each other's conditions, starting with the worst explained."""
 _HALF = 0.5
-"""Share of what is left under a trial's own conditions, below which those of the other trial explain it better: other
-conditions leave several times as much, and other values of the rig change both alike."""
+"""Fraction of a trial's own residual below which the conditions of the other trial explain it better: wrong conditions
+leave a several times larger residual, and errors of the rig affect both residuals alike."""
 
 
 def better_exchanged(
     doubtful: Sequence[int], same: Callable[[int, int], bool], under: Callable[[int, int], FitTrial]
 ) -> list[Finding]:
-    """Name pairs of trials whose records the model explains much better with their conditions exchanged.
+    """Find pairs of trials whose records the model explains much better with their conditions exchanged.
 
     Parameters
     ----------
     doubtful : sequence of int
-        Numbers of the trials that the model does not explain, the worst first.
+        Numbers of the trials that the model does not explain, worst first.
     same : callable
         Whether two trials have the same conditions.
     under : callable
-        Gives the record of one trial under the conditions of another.
+        Returns the record of one trial under the conditions of another.
     """
     left: dict[tuple[int, int], float] = {}
 
@@ -57,7 +57,7 @@ def better_exchanged(
 
 
 def _largest_residual(trial: Callable[[], FitTrial]) -> float:
-    """Largest share (1) of a channel's variance that the model leaves; infinite where it cannot be compared."""
+    """Return the largest unexplained fraction (1) of a channel's variance; infinite if the comparison fails."""
     try:
         comparison = compare_trial(trial(), None)[0]
     except JounceError:

@@ -1,8 +1,8 @@
 """A first look at a campaign's records: statistics of channels, transfer functions between them, and modes.
 
-Trials of one set-up are taken together. Each passes an obstacle from rest to rest, or is one loop of the belt, so the
-whole record is one segment without a window; the coherence tells how far the trials agree. What the model reads in the
-same trials goes the same way, so that resolution, window and dry friction act on both alike.
+Trials of one set-up are combined. Each passes an obstacle from rest to rest, or is one loop of the belt, so the whole
+record is one segment without a window; the coherence shows how well the trials agree. The model's readings of the same
+trials are analysed in the same way, so resolution, window and dry friction affect measurement and model alike.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _Result = TypeVar("_Result")
 
 @dataclass(frozen=True)
 class TrialStatistics(Plain):
-    """Statistics of a trial's channels as they were recorded, and the share (1) of each that lies at its limits."""
+    """Statistics of a trial's recorded channels, and the fraction (1) of clipped samples of each channel."""
 
     number: int
     channels: tuple[ChannelStatistics, ...]
@@ -53,11 +53,11 @@ class TrialStatistics(Plain):
 
 @dataclass(frozen=True)
 class ComparedMode(Plain):
-    """A mode of the records, beside that of the linear model and, for trials, the same fit to the model's readings.
+    """A mode of the records, compared with the linear model and, for trials, the same fit to the model's readings.
 
-    ``trials`` are the numbers of one set-up; ``decay`` names a free decay by its place among the files. Undamped
-    natural frequencies are in Hz, damping ratios in 1. The linear model is without dry friction, and so is
-    the damping of a decay; that of trials counts it. None where the model, or the fit to its readings, has no such
+    ``trials`` are the numbers of one set-up; ``decay`` names a free decay by its position among the files. Undamped
+    natural frequencies are in Hz, damping ratios in 1. The linear model and the damping of a decay exclude dry
+    friction; the damping of trials includes it. Values are None if the model, or the fit to its readings, has no such
     mode.
     """
 
@@ -73,9 +73,9 @@ class ComparedMode(Plain):
 
 @dataclass(frozen=True)
 class ComparedSpectra(Plain):
-    """Spectra and transfer function of the trials of one set-up, measured and of the model's readings.
+    """Spectra and transfer functions of the trials of one set-up, for the measurement and the model's readings.
 
-    The transfer functions are None where there is one trial only, whose coherence would be 1 whatever it holds.
+    The transfer functions are None for a single trial, whose coherence would always be 1.
     """
 
     left_out = ("measured", "simulated", "transfer", "model_transfer")
@@ -105,10 +105,9 @@ def first_look(
     records: Mapping[int, xr.Dataset],
     trials: Sequence[TrialResult],
 ) -> FirstLook:
-    """Look at the records of a campaign: decays beside a rig, trials beside the model they were compared with.
+    """Analyse the records of a campaign, and compare decays with a rig and trials with their model.
 
-    ``records`` are the trials as they were read, by number. What cannot be analysed, such as a record with gaps, is
-    left out.
+    ``records`` are the trials as read, by number. Records that cannot be analysed, e.g. because of gaps, are left out.
     """
     set_ups = _set_ups(trials)
     statistics = [_try_analysis(_statistics, number, run) for number, run in records.items()]
@@ -145,7 +144,7 @@ def _statistics(number: int, run: xr.Dataset) -> TrialStatistics:
 
 
 def _set_ups(trials: Sequence[TrialResult]) -> list[list[TrialResult]]:
-    """Compared trials of the same rig, road kind and sample rate together; those with most trials first."""
+    """Group compared trials by rig, channels and sample rate; the largest groups come first."""
     by_rig: dict[tuple[str, tuple[str, ...], int], list[TrialResult]] = {}
     for trial in trials:
         if trial.motion is None or not trial.signals or trial.motion.trial.road is None:
@@ -200,7 +199,7 @@ def _spectra(shared: Sequence[TrialResult]) -> ComparedSpectra:
 def _end_to_end(
     shared: Sequence[TrialResult], names: Sequence[str], which: Callable[[Signals], Array]
 ) -> Measured:
-    """Readings of trials one after the other, each cut to the shortest."""
+    """Concatenate readings of trials, each cut to the length of the shortest."""
     samples = min(len(trial.signals[names[0]].time) for trial in shared)
     joined = {
         name: np.concatenate([which(trial.signals[name])[:samples] for trial in shared])
@@ -223,7 +222,7 @@ def _step(shared: Sequence[TrialResult]) -> float:
 
 
 def _free_modes(shared: Sequence[TrialResult]) -> list[ComparedMode]:
-    """Modes that all trials of a set-up have in common where they ring freely."""
+    """Fit the common modes of all trials of a set-up to their free vibrations."""
     assert shared[0].motion is not None
     numbers = tuple(trial.entry.number for trial in shared)
     rig = shared[0].motion.rig
@@ -253,7 +252,7 @@ def _fit_modes(run: Measured, rig: Rig) -> FittedModes | None:
 
 
 def _free_parts(shared: Sequence[TrialResult], which: Callable[[Signals], Array]) -> Measured:
-    """Readings of each trial after its last obstacle and the last contact lost, as channels of one record."""
+    """Collect the readings of each trial after its last obstacle and last loss of contact as channels of one record."""
     parts: dict[str, Array] = {}
     for trial in shared:
         begin = _set_free(trial)
@@ -268,7 +267,7 @@ def _free_parts(shared: Sequence[TrialResult], which: Callable[[Signals], Array]
 
 
 def _set_free(trial: TrialResult) -> float:
-    """Instant (s) from which nothing drives a trial and its tyre stays on the road."""
+    """Return the instant (s) after which a trial is not excited and its tyre stays on the road."""
     motion = trial.motion
     assert motion is not None
     begin = motion.trial.obstacle_end()
@@ -281,14 +280,14 @@ def _set_free(trial: TrialResult) -> float:
 def _nearest(
     frequency: float, modes: Sequence[tuple[float, float]]
 ) -> tuple[float | None, float | None]:
-    """Frequency (Hz) and damping ratio (1) of the mode nearest to a frequency; None where none is near."""
+    """Return frequency (Hz) and damping ratio (1) of the mode nearest to a frequency; None if no mode is near."""
     nearest = min(modes, key=lambda mode: abs(math.log(mode[0] / frequency)), default=None)
     near = nearest is not None and 1.0 / _NEAR < nearest[0] / frequency < _NEAR
     return nearest if near and nearest is not None else (None, None)
 
 
 def _decay_modes(campaign: Campaign, bench: Characterisation, rig: Rig) -> list[ComparedMode]:
-    """The mode of each free decay as the bench found it, beside that of the rig where the wheel stands on its tyre."""
+    """Return the mode of each free decay, with the rig's mode for comparison if the wheel is on its tyre."""
     table = campaign.bench.decay
     if table is None or not bench.decays:
         return []

@@ -324,7 +324,7 @@ def _trial(cells: dict[str, str], units: dict[str, str], where: str) -> TrialRow
             values[name] = _size(cells[name], units[name], si, f"{where}: {name}")
     number = re.fullmatch(r"\D*?(\d+)(?:\.0*)?\D*", cells["number"])
     if number is None:
-        raise RecordingError("not a number of a trial", where=where, found=cells["number"])
+        raise RecordingError("not a trial number", where=where, found=cells["number"])
     values["number"] = int(number[1])
     profile = cells.get("profile", "A")
     train = re.match(_TRAINS, profile, re.IGNORECASE)

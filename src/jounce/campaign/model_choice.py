@@ -1,4 +1,4 @@
-"""Which model do the data support? An update repeated with simpler and richer models, judged on held-out trials."""
+"""Model selection: an update is repeated with simpler and richer models, which are assessed on held-out trials."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from jounce.parts import Corner
 TYRE = ("tyre.stiffness", "tyre.curve")
 _CUBIC = ("tyre.curve.coefficients[0]", "tyre.curve.coefficients[1]", "tyre.curve.coefficients[2]")
 CARRIED = 2.0
-"""Units of AIC within which two models are carried alike (Burnham and Anderson 2002, section 2.6)."""
+"""AIC difference within which the data support two models equally (Burnham and Anderson 2002, section 2.6)."""
 
 
 @dataclass(frozen=True)
@@ -37,20 +37,19 @@ class ModelRow(Shown):
     Attributes
     ----------
     model : str
-        What it has: the rig, the law of its tyre, friction.
+        Description of the model: rig, tyre law, friction.
     parameters : int
-        Free parameters.
+        Number of free parameters.
     aic, bic : float
-        Information criteria (1), above those of the best model; from weighted residuals, whose number is that of
-        independent ones.
+        Information criteria (1) relative to the best model, from the effective number of independent residuals.
     objective : float
-        Weighted sum of squared residuals over that of the measured signals (1).
+        Weighted sum of squared residuals relative to that of the measured signals (1).
     fitted, held_out : float or None
-        Least R2 (1) of a channel over the trials that it was fitted on, and over the others.
+        Minimum R2 (1) of a channel over the fitted trials, and over the held-out trials.
     holds : int
-        Held-out trials that hold.
+        Number of held-out trials with the verdict `holds`.
     trials : int
-        Held-out trials that were compared.
+        Number of held-out trials that were compared.
     """
 
     model: str
@@ -66,16 +65,16 @@ class ModelRow(Shown):
 
 @dataclass(frozen=True)
 class ModelChoice(Plain):
-    """Models of one update beside each other, the one with the least AIC first.
+    """Comparison of models of one update, in order of increasing AIC.
 
     Attributes
     ----------
     update : str
-        The update whose trials and settings they share.
+        Update whose trials and settings the models share.
     models : tuple of ModelRow
-        In the order of AIC.
+        Models in order of increasing AIC.
     findings : tuple of Finding
-        What follows, and models that could not be fitted.
+        Conclusions, and models that could not be fitted.
     """
 
     update: str
@@ -85,7 +84,7 @@ class ModelChoice(Plain):
 
 @dataclass(frozen=True)
 class _Model:
-    """A variant of an update: how it is called, what is known before it, and its entry."""
+    """A variant of an update: its name, the knowledge before it, and its entry."""
 
     name: str
     knowledge: Knowledge
@@ -106,29 +105,29 @@ def compare_campaign_models(
     *,
     progress: Callable[[str], None] = lambda _text: None,
 ) -> ModelChoice:
-    """Fit an update with other models, and report which of them the data support.
+    """Fit an update with different models, and report which models the data support.
 
-    The rig as it is and, of a 3-D one, the quarter car equivalent to it; the tyre with one stiffness and with its
-    measured cubic curve; with and without the frictions that the update frees.
+    The models are the rig as described and, for a 3-D rig, its equivalent quarter car; with a linear tyre and with the
+    measured cubic tyre curve; with and without the friction forces that the update estimates.
 
     Parameters
     ----------
     path : path
         Campaign TOML.
     strategy : str
-        Name of the update, the last one by default.
+        Name of the update; default: the last one.
     progress : callable
-        Is told in one line of text what is being done.
+        Called with one line of text that describes the current step.
 
     Returns
     -------
     ModelChoice
-        Information criteria beside what each model predicts of trials that it never saw.
+        Information criteria, and the prediction of held-out trials by each model.
 
     Raises
     ------
     DescriptionError, FitError
-        As :func:`jounce.run_campaign`, and for an update that the campaign does not have.
+        As :func:`jounce.run_campaign`, and if the campaign does not have the update.
 
     Examples
     --------
@@ -172,7 +171,7 @@ def compare_campaign_models(
 
 
 def _models(runner: Runner, knowledge: Knowledge, entry: UpdateEntry) -> Iterator[_Model]:
-    """Variants of an update, the rig as it is first."""
+    """Yield the variants of an update, starting with the rig as described."""
     rigs = [("", knowledge)]
     if isinstance(knowledge.rig, Corner) and knowledge.rig.guide != "fixed":
         rigs.append(("quarter car, ", replace(knowledge, rig=lumped_from(knowledge.rig))))
@@ -208,11 +207,11 @@ def _models(runner: Runner, knowledge: Knowledge, entry: UpdateEntry) -> Iterato
 
 
 _RELATIVE = "20 %"
-"""Bounds of each coefficient of the measured tyre curve: what rolling and standing tyres differ by."""
+"""Bounds of each coefficient of the measured tyre curve: the difference between rolling and standing tyres."""
 
 
 def _fit_model(runner: Runner, model: _Model) -> tuple[ModelRow, float, float]:
-    """Fit one model on the trials of its update and hold it against the others; also AIC and BIC themselves."""
+    """Fit a model to the trials of its update and compare it with the others; also return absolute AIC and BIC."""
     knowledge, chosen, trials, settings = runner.set_up(model.entry, model.knowledge, {})
     if not trials:
         raise FitError(
@@ -255,7 +254,7 @@ def _fit_model(runner: Runner, model: _Model) -> tuple[ModelRow, float, float]:
 def _criteria(
     residuals: list[np.ndarray], parameters: int, result: UpdateResult
 ) -> tuple[float, float]:
-    """AIC and BIC of residuals by channel: each has a variance of its own, and counts its independent samples."""
+    """Compute AIC and BIC of residuals by channel, each with its own variance and number of independent samples."""
     likelihood = count = 0.0
     for residual in residuals:
         independent = len(residual) / correlation_time(residual)
@@ -298,4 +297,4 @@ def _conclusion(models: list[ModelRow]) -> Iterator[Finding]:
 
 
 _BETTER = 0.01
-"""R2 by which another model has to predict held-out trials better to be named: a fifth of what `holds` allows."""
+"""Minimum gain in R2 on held-out trials for another model to be reported: a fifth of the margin of `holds`."""

@@ -1,4 +1,4 @@
-"""A new campaign: a commented one to start from, or one made from a folder of measured files."""
+"""Creation of campaigns: from a commented template, or from a folder of measured files."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class NewCampaign(Shown):
     files : tuple of str
         All files in the folder.
     made : FolderCampaign or None
-        What measured files were taken for, where it was made of them.
+        Recognised kinds of the measured files, if the campaign was created from files.
     """
 
     folder: Path
@@ -54,12 +54,12 @@ def start_campaign(
     folder: Annotated[Path | str, Mark("Folder to create.", "DIR")],
     source: Annotated[
         Path | str | None,
-        File("Folder of measured files: recognised, and made into a campaign.", "FOLDER"),
+        File("Folder of measured files from which to create the campaign.", "FOLDER"),
     ] = None,
     *,
     settings: Annotated[
         Path | str | None,
-        File("Settings of the laboratory; by default the file of that kind in --from.", "FILE"),
+        File("Settings of the laboratory; default: the settings file in --from.", "FILE"),
     ] = None,
     strategies: Annotated[
         Strategies,
@@ -70,18 +70,18 @@ def start_campaign(
     ] = "default",
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
 ) -> NewCampaign:
-    """Write a commented campaign to start from, or one made from a folder of measured files.
+    """Write a commented template campaign, or create a campaign from a folder of measured files.
 
     Parameters
     ----------
     folder : Path or str
-        Where to; it is made.
+        Folder to write to; created if necessary.
     source : Path or str, optional
-        Folder of a laboratory's files, as for :func:`jounce.campaign_from_folder`; they stay where they are.
+        Folder of a laboratory's files, as for :func:`jounce.campaign_from_folder`; they are not moved.
     settings : Path or str, optional
         Settings of the laboratory, for files of ``source``.
     strategies : {"default", "paper"}
-        Updates of a campaign that is made of ``source``.
+        Updates of a campaign created from ``source``.
     force : bool
         Overwrite existing files.
 
@@ -93,11 +93,11 @@ def start_campaign(
     Raises
     ------
     DescriptionError
-        For settings or strategies without ``source``, and settings that cannot be understood.
+        If settings or strategies are given without ``source``, or the settings are invalid.
     RecordingError
-        Where ``source`` is no folder, or holds no table of trials.
+        If ``source`` is not a folder, or contains no table of trials.
     OutputError
-        When a file exists, without ``force``; then nothing is written.
+        If a file exists and ``force`` is not set; nothing is written.
 
     Examples
     --------

@@ -13,20 +13,20 @@ Share = Annotated[float, Unit("1", at_least=-10.0, at_most=1.0)]
 
 
 class ReferenceUpdate(Description):
-    """What was published of one update.
+    """Published results of one update.
 
     Attributes
     ----------
     update : str
-        Name of the update of this campaign that stands for it.
+        Name of the corresponding update of this campaign.
     reduction : float or None
-        Reduction of its objective (1), from its own start.
+        Reduction of the objective (1) from the published start values.
     iterations : int or None
-        Iterations of its search.
+        Number of iterations.
     represents : tuple of str or None
-        Channels that its model is said to represent.
+        Channels that the published model is said to represent.
     parameters : dict
-        Path to the value found, with its unit.
+        Published value with its unit, by parameter path.
     """
 
     update: str
@@ -42,9 +42,9 @@ class Reference(Description):
     Attributes
     ----------
     source : str
-        Where it was published.
+        Publication.
     update : tuple of ReferenceUpdate
-        What was published of each update.
+        Published results of each update.
     best_speeds : tuple of float
         Speeds (m/s) at which the published model is said to be best.
     """

@@ -33,7 +33,7 @@ class CampaignResult(Shown):
     Attributes
     ----------
     campaign : Campaign
-        What was asked for.
+        Campaign that was run.
     folder : Path
         Folder of the campaign file.
     rig, start : Rig
@@ -45,16 +45,16 @@ class CampaignResult(Shown):
     trials : tuple of TrialResult
         Every trial, fitted and held out.
     findings : tuple of Finding
-        What the reader must know; ``problem`` marks what failed.
+        Findings for the reader; failures have the severity ``problem``.
     lumped : ModelComparison or None
-        For a 3-D rig: where the equivalent quarter car differs from it, with the values of the last update.
+        For a 3-D rig: differences from its equivalent quarter car, with the values of the last update.
     poses : dict
-        For a 3-D rig: strut angle of its trials (rad; None where they give none) to poses over the wheel's travel, as
-        :func:`jounce.sweep_travel` gives them with ``points``.
+        For a 3-D rig: poses over the wheel travel by strut angle of the trials (rad; None if not given), as returned by
+        :func:`jounce.sweep_travel` with ``points``.
     look : FirstLook
-        Statistics, spectra and modes of the records, beside those of the model's readings.
+        Statistics, spectra and modes of the records, compared with those of the model's readings.
     sought : dict
-        Number of a trial whose obstacle was not found to what was looked for.
+        Details of the unsuccessful obstacle search by trial number.
     """
 
     campaign: Campaign
@@ -93,7 +93,7 @@ class CampaignResult(Shown):
         return not any(finding.severity == "problem" for finding in self.findings)
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain data of ``results.json``; SI, no curves."""
+        """Return the plain data of ``results.json``, SI, without curves."""
         bench = self.characterisation
         return {
             "schema": "jounce.results/1",

@@ -404,7 +404,7 @@ def _check_length(trial: Trial, measured: xr.Dataset) -> None:
             where="time",
             found=f"a sample every {step:.4g} s",
             allowed=Phrase("steps up to {slowest_step:g} s", slowest_step=SLOWEST_STEP),
-            hint="Is its time in ms, or another unit than its header says?",
+            hint="Is its time in ms, or in a unit other than its header states?",
         )
     if last < trial.obstacle_end():
         raise FitError(

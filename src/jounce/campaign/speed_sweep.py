@@ -1,4 +1,4 @@
-"""Where does a misfit at some speeds come from? Response and sensitivity over speed, and residuals by speed."""
+"""Analysis of misfits over speed: response, sensitivity and residuals."""
 
 from __future__ import annotations
 
@@ -44,17 +44,17 @@ def speed_sweep(
     Parameters
     ----------
     rig : Rig
-        What is tested; it must have a tyre force.
+        Rig with a tyre force.
     road : Road
         An obstacle or a train.
     speeds : array_like, shape (n,)
-        m/s, or texts with unit; above 0.
+        Speeds in m/s, or text with units; above 0.
     duration : float or str
-        Length of each run, s.
+        Duration of each run, s.
     parameters : sequence of str
-        Paths whose influence is wanted; none may be zero.
+        Paths of the parameters to examine; their values must not be zero.
     output_step : float
-        Distance of the samples, s.
+        Time step of the samples, s.
 
     Returns
     -------
@@ -70,9 +70,9 @@ def speed_sweep(
     Raises
     ------
     DescriptionError
-        For speeds that are not above 0.
+        If a speed is not above 0.
     FitError
-        For a parameter whose value is zero.
+        If the value of a parameter is zero.
 
     Examples
     --------
@@ -168,9 +168,9 @@ def _logarithmic(rig: Rig, parameters: Sequence[str]) -> tuple[FreeParameter, ..
 def _sweep_point(
     rig: Rig, trial: Trial, free: tuple[FreeParameter, ...], output_step: float
 ) -> tuple[dict[str, float], Array]:
-    """Numbers of one run, and sensitivities by channel and parameter (absolute, relative).
+    """Return key values of one run, and sensitivities by channel and parameter (absolute, relative).
 
-    Against a record of zeros the residuals are the signals and their Jacobian the sensitivities, both with a minus.
+    For a record of zeros, the residuals are the negative signals and their Jacobian the negative sensitivities.
     """
     times = RunSettings(output_step).times(trial.duration)
     zeros = recording_of(

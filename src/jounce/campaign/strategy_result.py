@@ -12,7 +12,7 @@ from jounce.identify.update import UpdateResult
 
 @dataclass(frozen=True)
 class StrategyTrial:
-    """One trial before and after one update, fitted on it or not (``is_fitted``); None if it did not run."""
+    """One trial before and after one update, fitted or held out (``is_fitted``); None if the simulation failed."""
 
     number: int
     is_fitted: bool
@@ -24,11 +24,11 @@ class StrategyTrial:
 
 @dataclass(frozen=True)
 class StrategyResult(Shown):
-    """One update: the knowledge before (``start``) and after it, the trials it was fitted on, and all comparisons.
+    """One update: the knowledge before (``start``) and after it, the fitted trials, and all comparisons.
 
-    ``rig_texts`` are its rig files, one for each tyre pressure by its name; the name is empty where there is only one.
-    ``truth`` has the values behind synthetic recordings, as a test machine would find them, by path (SI), where they
-    stand beside the campaign.
+    ``rig_texts`` are its rig files by name of the tyre pressure; the name is empty if there is only one. ``truth`` has
+    the true values of synthetic recordings by path (SI), as a test machine would measure them, if the campaign's folder
+    contains them.
     """
 
     update: UpdateResult
@@ -40,11 +40,11 @@ class StrategyResult(Shown):
     truth: dict[str, float] = field(default_factory=dict)
 
     def trial(self, number: int) -> StrategyTrial:
-        """Give a trial before and after this update, by its number."""
+        """Return a trial before and after this update, by its number."""
         return next(trial for trial in self.trials if trial.number == number)
 
     def objective_by_channel(self) -> dict[str, tuple[float, float]]:
-        """Split Eq. 2 over the trials it was fitted on, unweighted.
+        """Split Eq. 2 over the fitted trials by channel, unweighted.
 
         Returns
         -------

@@ -1,4 +1,4 @@
-"""A commented campaign to start from."""
+"""Commented template of a campaign."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from jounce.core.writing import write_files
 
 
 def new_campaign(folder: Path | str, *, force: bool = False) -> Path:
-    """Write a small commented campaign that runs as it is, with synthetic example recordings.
+    """Write a small commented campaign with synthetic example recordings, which runs without changes.
 
     Parameters
     ----------
     folder : path
-        Where to; it is made.
+        Folder to write to; created if necessary.
     force : bool
         Overwrite existing files.
 
@@ -26,7 +26,7 @@ def new_campaign(folder: Path | str, *, force: bool = False) -> Path:
     Raises
     ------
     OutputError
-        When one of the files exists, without ``force``; then nothing is written.
+        If one of the files exists and ``force`` is not set; nothing is written.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Before measuring: what each trial of a table should show, what it would teach, and what is to be noted."""
+"""Test sheets: expected results and information of planned trials, with space for notes."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from jounce.simulation import modes
 from jounce.simulation.derivatives import sensitivities
 
 CHANNELS = {"sprung.az": 0.2, "unsprung.az": 1.0}
-"""Channels that are predicted, and the noise (m/s^2) of a usual accelerometer on each: that of the virtual bench."""
+"""Predicted channels, and the noise (m/s^2) of a typical accelerometer, as on the virtual bench."""
 TAUGHT = (
     "strut.spring.rate",
     "strut.damper.bump_coefficient",
@@ -35,7 +35,7 @@ TAUGHT = (
     "tyre.stiffness",
     "guide.friction.force",
 )
-"""Numbers of a quarter car that trials are to find."""
+"""Parameters of a quarter car that trials can determine."""
 _STEP, _AFTER = 1e-3, 1.0  # s; of the prediction, and behind a single obstacle
 
 
@@ -46,17 +46,17 @@ class SheetTrial(Shown):
     Attributes
     ----------
     number : int
-        As the table has it.
+        Trial number in the table.
     speed, angle, pressure, pitch : float or None
-        Settings: m/s, rad, Pa, and the distance of the obstacles of a train, m.
+        Settings: m/s, rad, Pa, and the pitch of the obstacles of a train, m.
     obstacles : int
-        How many lie on the belt.
+        Number of obstacles on the belt.
     returns : float or None
-        Time (s) after which the obstacle comes again.
+        Time (s) after which the obstacle returns.
     peaks : dict
-        Channel to its greatest absolute value expected, SI.
+        Expected maximum absolute value by channel, SI.
     teaches : dict
-        Parameter to the standard error, as a share of it (1), that noise alone leaves where nothing else is unknown.
+        Relative standard error (1) by parameter, due to noise alone and with all other parameters known.
     """
 
     number: int
@@ -72,22 +72,22 @@ class SheetTrial(Shown):
 
 @dataclass(frozen=True)
 class TestSheet(Plain):
-    """A test sheet: trials in the order in which the least has to be set up anew.
+    """A test sheet with trials in the order that needs the least set-up work.
 
     Attributes
     ----------
     title : str
-        Of the laboratory.
+        Title of the laboratory.
     trials : tuple of SheetTrial
-        In order of running.
+        Trials in running order.
     frequencies : tuple of float
-        Natural frequencies of the rig as it is expected, Hz.
+        Expected natural frequencies of the rig, Hz.
     masses : tuple of float
         Sprung and unsprung mass, kg.
     channels : tuple of (str, str, str)
-        Columns of the card, what each measures, and its sensitivity.
+        Column of the card, measured channel and sensitivity.
     for_students : bool
-        Whether the sheet leaves room for predictions and conclusions.
+        Whether the sheet has space for predictions and conclusions.
     """
 
     __test__ = False  # no test of pytest
@@ -112,27 +112,27 @@ def plan_test(
     settings: Annotated[Path | str, File("Settings of the laboratory.", "SETTINGS.toml")],
     *,
     students: Annotated[
-        bool, Switch("Leave room to predict, measure and compare, as a laboratory exercise.")
+        bool, Switch("Add space to predict, measure and compare, for a laboratory exercise.")
     ] = False,
 ) -> TestSheet:
-    """Predict the trials of a laboratory before they are run, and lay out what is to be noted.
+    """Predict the planned trials of a laboratory, and prepare a sheet for notes.
 
     Parameters
     ----------
     settings : path
         Settings of the laboratory (schema ``jounce.laboratory/1``) that name the table of trials.
     students : bool
-        Leave room for predictions, measurements and conclusions.
+        Add space for predictions, measurements and conclusions.
 
     Returns
     -------
     TestSheet
-        Trials in the order in which the least has to be set up anew, with expected peaks and what each would teach.
+        Trials in the order that needs the least set-up work, with expected peaks and information.
 
     Raises
     ------
     DescriptionError
-        For settings without a table of trials, or that cannot be understood.
+        If the settings are invalid or have no table of trials.
 
     Examples
     --------
@@ -186,7 +186,7 @@ def _rig_of(laboratory: Laboratory, rows: list[TrialRow], file: Path) -> Rig:
 
 
 def _predict(rig: Rig, laboratory: Laboratory, row: TrialRow) -> SheetTrial:
-    """What one trial should show, on a belt that has been running, and what it would teach."""
+    """Predict peaks and information of one trial on a running belt."""
     rig = rig if row.angle is None else with_strut_angle(rig, row.angle)
     road = _road_of(laboratory, row)
     peaks: dict[str, float] = {}

@@ -1,4 +1,4 @@
-"""Trials against the model: numbers of each channel, the verdict, and the curves behind them."""
+"""Comparison of trials with the model: metrics of each channel, verdict, and curves."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ CLOSE, LOOSE = 0.95, 0.75  # R2: a residual of 22 % and 50 % of the signal
 
 @dataclass(frozen=True)
 class ChannelComparison:
-    """One channel of one trial: ``nrmse`` relative to the measured standard deviation, ``peak_error`` to its peak.
+    """Metrics of one channel: ``nrmse`` relative to the measured standard deviation, ``peak_error`` to the peak.
 
-    ``objective`` is its part of Eq. 2: the sum of squared differences, in the square of the channel's unit.
+    ``objective`` is the channel's part of Eq. 2: the sum of squared differences, in the square of the channel's unit.
     """
 
     nrmse: Annotated[float, Shows("NRMSE", "1", 2)]
@@ -44,7 +44,7 @@ class ChannelComparison:
 
 @dataclass(frozen=True)
 class Signals:
-    """Curves behind a comparison: time (s), measured and simulated reading (SI)."""
+    """Curves of a comparison: time (s), measured and simulated signal (SI)."""
 
     time: Array
     measured: Array
@@ -53,7 +53,7 @@ class Signals:
 
 @dataclass(frozen=True)
 class TrialComparison:
-    """One trial against the model: numbers and verdict (by its worst channel's ISO/TS 18571 rating and R2)."""
+    """Comparison of one trial with the model: metrics and verdict (worst ISO/TS 18571 rating and R2 of a channel)."""
 
     channels: dict[str, ChannelComparison]
     verdict: str
@@ -62,7 +62,7 @@ class TrialComparison:
 
 @dataclass(frozen=True)
 class TrialMotion:
-    """The model's run of a trial: the rig as set up, and every output (SI) over time (s)."""
+    """Simulation of a trial: the rig as set up, and all outputs (SI) over time (s)."""
 
     rig: Rig
     trial: Trial
@@ -112,8 +112,8 @@ def verdict_of(channels: dict[str, ChannelComparison]) -> str:
     """Judge by the worst channel.
 
     ``holds``: ISO/TS 18571 above 0.80 (good) and R2 above 0.95; ``holds partly``: above 0.58 (fair) and 0.75. The
-    rating alone forgives too much here: a record that is mostly at rest scores near 0.9 with a third of its motion
-    missed.
+    rating alone is too lenient: a record that is mostly at rest scores near 0.9 even if a third of the motion is
+    missing.
     """
     rating = min(channel.iso18571 for channel in channels.values())
     explained = min(channel.r2 for channel in channels.values())
@@ -123,17 +123,17 @@ def verdict_of(channels: dict[str, ChannelComparison]) -> str:
 
 
 def _lag(curves: dict[str, tuple[Array, Array, Array]]) -> float:
-    """Lag of the recording from its channel with the largest standard deviation in SI, an acceleration as a rule."""
+    """Estimate the lag of the recording from its channel with the largest standard deviation in SI."""
     time, measured, simulated = max(curves.values(), key=lambda curve: float(np.std(curve[1])))
     return float(estimate_lag(simulated, measured, 1.0 / float(np.median(np.diff(time)))))
 
 
 @dataclass(frozen=True)
 class TrialResult(Shown):
-    """One trial: before (characterised model) and after (last update); None where a recording could not be used.
+    """One trial before (characterised model) and after (last update); None if the recording is not usable.
 
-    ``obstacle_pitch`` is the distance of the obstacles of a train in m, None for a single one. ``motion`` is that of
-    the model after the last update, ``belt`` what was found of belt and passages where the record begins in motion.
+    ``obstacle_pitch`` is the pitch of a train of obstacles in m, None for a single obstacle. ``motion`` is the
+    simulation after the last update, ``belt`` the belt speed and passages if the record starts in motion.
     """
 
     entry: TrialEntry

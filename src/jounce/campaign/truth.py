@@ -1,4 +1,4 @@
-"""The truth of a virtual bench: the rig with the values that a campaign should find, its belt, its sensors."""
+"""True values of a virtual bench, which a campaign should find: rig, belt and sensors."""
 
 from __future__ import annotations
 
@@ -41,14 +41,14 @@ _Force = Annotated[float, Unit("N", above=0.0)]
 
 
 class StandingTyre(Description):
-    """How the tyre on the test machine differs from the rolling one.
+    """Differences between the tyre on the test machine and the rolling tyre.
 
     Attributes
     ----------
     settling, settling_force : float
-        m and N: how far it settles on its support, and the force over which it does so.
+        Settling on the support, m, and the force over which it occurs, N.
     loss : float
-        Share of the force that is missing when it is unloaded.
+        Fraction of the force lost during unloading.
     """
 
     settling: NonNegativeLength = 0.0
@@ -57,18 +57,18 @@ class StandingTyre(Description):
 
 
 class BeltImperfections(Description):
-    """What the wheel meets in addition to the obstacle's shape.
+    """Imperfections of the belt in addition to the obstacle's shape.
 
     Attributes
     ----------
     contact_length : float
-        m; the contact patch that smooths the obstacle.
+        Length of the contact patch, which smooths the obstacle, m.
     speed_drop : float
-        Share of the belt's speed that each obstacle takes.
+        Relative speed loss of the belt at each obstacle.
     recovery_time : float
-        s in which the motor makes up for it (time constant).
+        Time constant of the recovery of the speed, s.
     speed_error, lag : float
-        m/s and s: largest error of the speed that is noted, and of the start of a recording; drawn for each pass.
+        Maximum error of the stated speed, m/s, and of the start of a recording, s; drawn for each pass.
     """
 
     contact_length: NonNegativeLength = 0.0
@@ -79,7 +79,7 @@ class BeltImperfections(Description):
 
 
 class TruePass(Description):
-    """The truth of a pass: its exact speed (m/s), and how late its recording started (s)."""
+    """True values of a pass: its exact speed (m/s), and the delay of the start of its recording (s)."""
 
     speed: PositiveSpeed
     lag: Annotated[float, Unit("s")] = 0.0
@@ -91,27 +91,27 @@ class BenchTruth(Description):
     Attributes
     ----------
     rig : str or dict
-        A quarter car or a corner in 3-D: a shipped rig's name, a rig file, or its table; a rig object is taken, too.
+        A quarter car or a 3-D corner: a shipped rig's name, a rig file, its table, or a rig object.
     changes : dict
-        What is otherwise in it, by path: numbers, and whole elements such as
+        Changes of the rig by path: numbers, and whole elements such as
         ``{"strut.damper": {"velocity": [-1, 0, 1], "force": [-190, 0, 130]}}``.
     tyre : dict
         The rolling tyre by pressure, as in ``{"0.31 MPa": [128.8e3, 0.6e6, 30e6]}``: coefficients of
-        ``F = c[0] x + c[1] x^2 + ...``, SI. Without an entry the rig's own tyre is ridden at that pressure.
+        ``F = c[0] x + c[1] x^2 + ...``, SI. Without an entry the rig's own tyre applies at that pressure.
     standing_tyre : StandingTyre
-        What the test machine adds to the tyre.
+        Effects of the test machine on the tyre.
     obstacle : Road
-        The obstacle as it is; of a train each one. Its ``start`` is where the first stands.
+        The true obstacle, or each obstacle of a train; ``start`` is the position of the first.
     belt : BeltImperfections
         Contact patch, slowing belt, errors of speed and trigger.
     sensors : dict of str to Sensor
-        The channels that are recorded, each through its measuring chain.
+        Recorded channels with their measuring chains.
     passes : dict of str to TruePass
-        Speed and lag of trials, by their number; those of the others are drawn from the seed.
+        Speed and lag by trial number; values of other trials are drawn at random from the seed.
     source : str
-        Where the values are from.
+        Source of the values.
     estimated : tuple of str
-        Paths that no source gives.
+        Paths of values without a source.
 
     Examples
     --------
@@ -167,7 +167,7 @@ class BenchTruth(Description):
         rig = described.with_changes(whole_first) if self.changes else described
         if not isinstance(rig, QuarterCar | Corner):
             raise DescriptionError(
-                "this rig does not stand on the bench",
+                "this rig cannot be used on the bench",
                 where="rig",
                 found=type(rig).__name__,
                 allowed="a quarter car or a corner",
@@ -190,12 +190,12 @@ class BenchTruth(Description):
         return by_pressure.get(next(iter(by_pressure), None) if pressure is None else pressure)  # type: ignore[arg-type]
 
     def with_changes(self, changes: dict[str, Any]) -> Self:
-        """Give a copy with other values by path: of the truth itself, or of its rig behind ``rig.``.
+        """Return a copy with changed values by path; paths that start with ``rig.`` refer to the rig.
 
         Raises
         ------
         DescriptionError
-            For an unknown path or a value out of range.
+            If a path is unknown or a value is out of range.
 
         Examples
         --------
@@ -231,7 +231,7 @@ def load_truth(path: Path | str) -> BenchTruth:
     Returns
     -------
     BenchTruth
-        What the virtual bench is.
+        True values of the virtual bench.
 
     Raises
     ------
@@ -265,11 +265,11 @@ def load_truth(path: Path | str) -> BenchTruth:
 def true_values(
     truth: BenchTruth, paths: Sequence[str], trials: Sequence[FitTrial], first: TrialEntry
 ) -> dict[str, float]:
-    """Give the values behind synthetic recordings as a test machine would find them, by path, SI.
+    """Return the true values behind synthetic recordings as a test machine would measure them, by path, SI.
 
-    Stiffnesses are tangents at the static load, the damper's coefficient is the one nearest to its force over the
-    velocities ridden in the ``trials``; ``first`` is the entry of the first, which says pressure and strut angle. Paths
-    that the truth has nothing of are left out.
+    Stiffnesses are tangents at the static load; the damper's coefficient is a least-squares fit to its force over the
+    velocities in the ``trials``; ``first`` is the entry of the first trial, which states pressure and strut angle.
+    Paths without a true value are left out.
     """
     from jounce.simulation import simulate
 
@@ -294,7 +294,7 @@ def true_values(
 
 
 def _tangent(curve: Curve, at: float) -> float:
-    """Slope of a curve (N/m) at a deflection (m)."""
+    """Return the slope of a curve (N/m) at a deflection (m)."""
     if isinstance(curve, PolynomialCurve):
         return float(sum((i + 1) * c * at**i for i, c in enumerate(curve.coefficients)))
     if isinstance(curve, PowerCurve):

@@ -21,7 +21,7 @@ _OF_THE_PART = "Intervals of the part count what the model lacks; a fitted value
 
 
 def pressures_of(campaign: Campaign) -> dict[str, float | None]:
-    """Give the tyre pressures at which trials were run (Pa) by name; without one, or only one, the name is empty."""
+    """Return the tyre pressures of the trials (Pa) by name; the name is empty for a single or unknown pressure."""
     names = {to_si(name, "Pa"): name for name in campaign.bench.tyre}
     run_at = dict.fromkeys(entry.tyre_pressure for entry in campaign.trial)
     if len(run_at) == 1:
@@ -32,10 +32,10 @@ def pressures_of(campaign: Campaign) -> dict[str, float | None]:
 def updated_rigs(
     campaign: Campaign, text: str, bench: Characterisation, chain: Sequence[StrategyResult]
 ) -> dict[str, str]:
-    """Return a rig file for each tyre pressure, after the last of several consecutive updates.
+    """Return the text of a rig file for each tyre pressure, after the last of several consecutive updates.
 
-    ``text`` is the campaign's rig file. Values that were measured or fitted say so in a comment, with their 95 %
-    interval; ``source`` and ``estimated`` are rewritten, and comments on values that changed are dropped.
+    ``text`` is the campaign's rig file. Measured and fitted values get a comment with their 95 % interval; ``source``
+    and ``estimated`` are rewritten, and existing comments on changed values are dropped.
     """
     return {
         label: _rig_text(campaign, text, bench, chain, pressure)
@@ -90,7 +90,7 @@ def _rig_text(
 
 
 def _is_replaced(name: str, origins: Sequence[str], rig: Rig) -> bool:
-    """Whether every number that an entry of ``estimated`` stands for was measured or fitted."""
+    """Whether every number covered by an entry of ``estimated`` was measured or fitted."""
     below = [
         path
         for path in rig.parameters()
@@ -109,7 +109,7 @@ def _origins(
     pressure: float | None,
     rig: Rig,
 ) -> dict[str, str]:
-    """Where values are from, by path: the bench, and over it one update after the other."""
+    """Return the origin of values by path: the bench, overridden by each update in sequence."""
     words = dict(_bench_origins(bench, pressure, rig))
     at = {entry.number: entry.tyre_pressure for entry in campaign.trial}
     laws = {entry.name: entry.tyre_law for entry in campaign.update}
@@ -142,7 +142,7 @@ def _origins(
 
 
 def _range(interval: tuple[float, float], factor: float) -> str:
-    """Both ends of an interval, scaled; people read 118173 more easily than 1.1817e+05."""
+    """Format the scaled ends of an interval; 118173 is easier to read than 1.1817e+05."""
     return " to ".join(f"{factor * end:.6g}" for end in interval)
 
 
@@ -163,7 +163,7 @@ def _bench_origins(
 
 
 def _unit(rig: Rig, path: str) -> str:
-    """Unit of a parameter behind a space; nothing for a plain number and for what the rig writes as a curve."""
+    """Return a space and the unit of a parameter; empty for dimensionless values and curves."""
     unit = unit_of(rig, path) if path in rig.parameters() else "1"
     return "" if unit == "1" else f" {unit}"
 
