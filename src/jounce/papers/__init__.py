@@ -1,4 +1,4 @@
-"""The two papers rebuilt with the public interface only: their rigs, benches and figures, with the correct values."""
+"""Two papers reproduced with the public interface only: their rigs, benches and figures, with corrected values."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ Progress: TypeAlias = Callable[[str], None]
 
 
 class Counted(str):
-    """Progress of a number of things: its text, the share that is done, and the phase that both belong to."""
+    """Progress through several items: its text, the completed fraction, and the phase it belongs to."""
 
     share: float
     phase: str
 
     def __new__(cls, phase: str, which: int, count: int, name: object) -> Counted:
-        """Say which of so many things is worked on."""
+        """Make the text for item ``which`` of ``count``."""
         progress = super().__new__(cls, f"{phase} {which} of {count}: {name}")
         progress.phase, progress.share = phase, (which - 1) / max(1, count)
         return progress

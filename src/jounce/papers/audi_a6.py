@@ -27,19 +27,19 @@ VARIANTS = ("simulink", "sign-corrected", "physical")
 SPEED, RAMP = 10.0, 0.5
 """Driving speed (m/s) and length of the raised-cosine ramps (m) of the physical variant; estimated."""
 DRIVING, ON, OFF, DURATION = 3.0, 6.0, 8.0, 10.0
-"""Times at which the moment begins, the front axle meets and leaves the obstacle, and the run ends, s."""
+"""Times at which the moment begins, the front axle reaches and leaves the obstacle, and the run ends, s."""
 WINDOWS = ((DRIVING, ON), (ON, OFF), (OFF, DURATION))
 DEMO_MOMENT = 100.0
-"""Step of the pitch moment in the demo that the paper started from, N m."""
+"""Step of the pitch moment in the demo on which the paper is based, N m."""
 DECELERATION, CENTRE_HEIGHT = 3.0, 0.55
-"""Origin of a second pitch moment: m/s^2 and the height of the centre of gravity in m; estimated."""
-_TOLERANCE = 1e-9  # far below the three digits that the paper prints
-_FINE = 1e-4  # s: the channels have no derivative of accelerations for interpolation
+"""Deceleration (m/s^2) and height of the centre of gravity (m) for a second pitch moment; estimated."""
+_TOLERANCE = 1e-9  # far below the three digits printed in the paper
+_FINE = 1e-4  # s: the channels have no time derivative of accelerations for interpolation
 
 
 @dataclass(frozen=True)
 class Window:
-    """Extremes of a signal (SI unit) within a closed window of time, and when (s) they occur first."""
+    """Extremes of a signal (SI unit) within a closed time window, and the times (s) of their first occurrence."""
 
     start: float
     end: float
@@ -50,10 +50,10 @@ class Window:
 
 
 def extremes_within(time: Array, value: Array, rate: Array, start: float, end: float) -> Window:
-    """Find the extremes in a window (s) of a signal of which samples and their time derivatives are known (SI).
+    """Find the extremes within a window (s) of a signal with known samples and time derivatives (SI).
 
-    Between samples the signal is the cubic that has both: exact to the fourth power of the sample distance. The rate
-    has no jumps; the ends of the window count.
+    Between samples the signal is interpolated by a cubic Hermite polynomial, with an error of fourth order in the
+    sample distance. The rate must not jump; the ends of the window are included.
 
     Examples
     --------
@@ -72,7 +72,7 @@ def extremes_within(time: Array, value: Array, rate: Array, start: float, end: f
             allowed=f"within {time[0]:g} to {time[-1]:g} s",
         )
     signal = CubicHermiteSpline(time, value, rate)
-    level = signal.derivative().roots(extrapolate=False)  # NaN for a piece that is level throughout
+    level = signal.derivative().roots(extrapolate=False)  # NaN for a constant piece
     at = np.sort([start, end, *level[(level >= start) & (level <= end)]])
     values = signal(at)
     low, high = int(np.argmin(values)), int(np.argmax(values))
@@ -112,7 +112,7 @@ class AxleStatics:
 
 @dataclass(frozen=True)
 class StaticEquilibrium:
-    """Static equilibrium: height ``z`` (m) of the centre of gravity, ``theta`` (rad, nose down positive), axles."""
+    """Static equilibrium: height ``z`` (m) of the centre of gravity, pitch ``theta`` (rad, nose down), and axles."""
 
     z: float
     theta: float
@@ -125,8 +125,8 @@ class CaseRun(jn.Plain):
     """One pitch moment (N m from 3 s on, nose down positive) in one of the `VARIANTS`.
 
     ``outputs`` has the extremes of ``z`` (m, up) and ``theta`` (rad, nose down) as changes from the ``statics``;
-    ``peak_acceleration`` is that of the body's centre of gravity from 6 s to 8 s (m/s^2, up or down);
-    ``least_wheel_force`` (N, on one wheel) is negative where the model pulls at the road.
+    ``peak_acceleration`` is the maximum magnitude at the body's centre of gravity from 6 s to 8 s (m/s^2);
+    ``least_wheel_force`` is the minimum force on one wheel (N), negative if the model pulls at the road.
     """
 
     moment: float
@@ -153,24 +153,24 @@ class CaseRun(jn.Plain):
 
 @dataclass(frozen=True)
 class AudiCase(jn.Plain):
-    """Results of a case of the paper.
+    """Results of one case of the paper.
 
     Attributes
     ----------
     case : Case
-        Which one.
+        The case.
     vehicle : HalfCar
-        The paper's Table 2.
+        The vehicle of the paper's Table 2.
     runs : tuple of CaseRun
-        Each moment in all variants.
+        Runs of each moment in all variants.
     modes : tuple of Mode
-        Bounce and pitch; the same in all variants.
+        Bounce and pitch modes; the same in all variants.
     printed : PrintedSign
         Consequences of the printed sign of eq. (9).
     start_up : StartUp
         Consequences of the demo's initial height.
     errata : tuple of Erratum
-        The paper's numbers with the correct ones.
+        Values printed in the paper with the corrected ones.
     findings : tuple of Finding
         Warnings about the results.
     """
@@ -210,24 +210,24 @@ def run_audi_a6(name: str, *, progress: Progress = no_progress) -> AudiCase:
     Parameters
     ----------
     name : {"case-a", "case-b"}
-        Which case.
+        Name of the case.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with one line of text at each step of the work.
 
     Returns
     -------
     AudiCase
-        Windows of extremes, statics, modes, signals, and the paper's values with the correct ones.
+        Extremes, statics, modes, signals, and the paper's values with the corrected ones.
 
     Raises
     ------
     JounceError
-        For another name.
+        For an unknown case.
 
     Examples
     --------
     >>> run = run_audi_a6("case-a").runs[0]
-    >>> run.variant, run.moment, round(1e3 * run.outputs["z"][1].min, 2)    # mm: the demo counts a bump downwards
+    >>> run.variant, run.moment, round(1e3 * run.outputs["z"][1].min, 2)    # mm: the demo has the road sign reversed
     ('simulink', 100.0, -60.93)
     """
     if name not in CASES:
@@ -245,12 +245,12 @@ def run_audi_a6(name: str, *, progress: Progress = no_progress) -> AudiCase:
 
 
 def moments(case: Case, vehicle: jn.HalfCar) -> tuple[float, float]:
-    """Pitch moments of a case in N m: that of the demo, and that of 3 m/s^2 at a height of 0.55 m."""
+    """Return the pitch moments of a case in N m: that of the demo, and that of 3 m/s^2 at a height of 0.55 m."""
     return case.sign * DEMO_MOMENT, case.sign * vehicle.body.mass * DECELERATION * CENTRE_HEIGHT
 
 
 def course(case: Case, variant: str) -> jn.Road:
-    """Road of a case: upright steps; in the physical variant ramps that the front axle meets at 6 s and 8 s."""
+    """Return the road of a case: steps, or ramps in the physical variant; the front axle reaches them at 6 and 8 s."""
     start, length = SPEED * ON, SPEED * (OFF - ON)
     if variant == "physical":
         return jn.Trapezoid(
@@ -283,7 +283,7 @@ def case_run(vehicle: jn.HalfCar, case: Case, moment: float, variant: str) -> Ca
 
 
 def half_car_statics(vehicle: jn.HalfCar) -> StaticEquilibrium:
-    """Static equilibrium of a half car on a level road."""
+    """Compute the static equilibrium of a half car on a level road."""
     rest = jn.equilibrium(vehicle)
     axles = (
         AxleStatics(
@@ -297,7 +297,7 @@ def half_car_statics(vehicle: jn.HalfCar) -> StaticEquilibrium:
 
 
 def _signals(run: xr.Dataset, statics: StaticEquilibrium) -> xr.Dataset:
-    """Collect what the paper's oscilloscopes show: changes of bounce and pitch, forces of the axles, road, moment."""
+    """Collect the signals of the paper's scopes: changes of bounce and pitch, axle forces, road and moment."""
     value = {str(name): run[name].to_numpy() for name in run.data_vars}
     channels = {
         "bounce.displacement": (

@@ -1,4 +1,4 @@
-"""Paper 2's front corner on an eccentric exciter (section 4), rebuilt: springs summed, in series, and in full."""
+"""Paper 2's front corner on an eccentric exciter (section 4), reproduced with three models of spring and tyre."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ if TYPE_CHECKING:
 
 RIG = "audi-a6-quarter-car"
 VARIANTS = ("summed", "series", "two-mass")
-"""Spring and tyre merged into one by adding their constants; one behind the other without a wheel's mass; with it."""
+"""Models: spring and tyre constants summed; spring and tyre in series without wheel mass; and with wheel mass."""
 AMPLITUDE, PLATE_MASS = 0.003, 20.0
-"""Of the exciter (m) and of the plate (kg); neither is in the paper, both are estimated."""
+"""Amplitude of the exciter (m) and mass of the plate (kg), both estimated because the paper does not state them."""
 LARGEST = 0.095
 """Amplitude in m at which the spring of the summed model, 341 mm long, is compressed to zero length."""
 DURATION, STEADY = 12.0, 1.0
-"""Length of a run, and of its steady last part, s."""
+"""Duration of a run, and of its steady final part, s."""
 TOP = 25.0
 """Start frequency of a EUSAMA sweep, Hz."""
-_STEP, _TOLERANCE = 1e-3, 1e-9  # s; far below the three digits that the paper prints
+_STEP, _TOLERANCE = 1e-3, 1e-9  # s; far below the three digits printed in the paper
 _TURNING = 2.0 * np.pi * FREQUENCY  # rad/s
 
 
 @dataclass(frozen=True)
 class Range:
-    """Least, mean and greatest value of a steady signal, in its SI unit."""
+    """Minimum, mean and maximum of a steady signal, in its SI unit."""
 
     min: float
     mean: float
@@ -49,7 +49,7 @@ class Range:
 
 @dataclass(frozen=True)
 class Oscillation:
-    """One mode of small motions: ``frequency_hz`` (undamped, Hz) and ``damping_ratio`` (1)."""
+    """One linear mode: ``frequency_hz`` (undamped, Hz) and ``damping_ratio`` (1)."""
 
     frequency_hz: float
     damping_ratio: float
@@ -57,7 +57,7 @@ class Oscillation:
 
 @dataclass(frozen=True)
 class ExciterDrive:
-    """The exciter's drive in steady motion: torque (N m), mean power, and mean heat of the dampers (W)."""
+    """The exciter's drive in steady motion: torque (N m), mean power, and mean power dissipated by the dampers (W)."""
 
     torque: Range
     power: float
@@ -66,11 +66,11 @@ class ExciterDrive:
 
 @dataclass(frozen=True)
 class PlateRun(jn.Plain):
-    """One model on the plate, SI.
+    """Results of one model on the plate, SI.
 
-    ``statics`` hold at the plate's mean height. ``amplitudes`` (from the simulation) and ``closed_form`` are those at
-    the exciter's frequency for one metre of the plate. ``spring_length`` and ``spring_force`` are those of the steady
-    motion, ``shortest`` is the least length while the spring takes up the load.
+    ``statics`` is for the plate's mean height. ``amplitudes`` (simulated) and ``closed_form`` are amplitudes at the
+    exciter's frequency per metre of plate amplitude. ``spring_length`` and ``spring_force`` are for the steady motion,
+    ``shortest`` is the minimum length during the initial transient.
     """
 
     left_out = ("signals",)
@@ -89,7 +89,7 @@ class PlateRun(jn.Plain):
 
 @dataclass(frozen=True)
 class Eusama:
-    """Least contact force over the static one (1) in a sweep down from 25 Hz, and where (Hz)."""
+    """Minimum contact force over the static one (1) in a sweep down from 25 Hz, and its frequency (Hz)."""
 
     tyre_damping_coefficient: float
     adhesion: float
@@ -103,21 +103,21 @@ class EccentricExciter(jn.Plain):
     Attributes
     ----------
     rig : QuarterCar
-        The paper's Table 1.
+        The corner of the paper's Table 1.
     amplitude, plate_mass : float
-        Of the exciter (m) and the plate (kg); estimated.
+        Amplitude of the exciter (m) and mass of the plate (kg); estimated.
     runs : tuple of PlateRun
-        The three models.
+        Runs of the three models.
     torque : float
-        Of eq. (5) in the right units, N m.
+        Torque of eq. (5) in the correct units, N m.
     printed_torque : float
-        As the paper computed it, N m.
+        Torque as computed in the paper, N m.
     fitting_amplitude : float
-        Amplitude at which the summed spring's least compression would be the paper's 12.2 mm, m.
+        Amplitude at which the minimum compression of the summed spring would be the paper's 12.2 mm, m.
     eusama : tuple of Eusama
-        With the printed tyre damping and without.
+        Results with the printed tyre damping and without it.
     errata : tuple of Erratum
-        The paper's numbers with the correct ones.
+        Values printed in the paper with the corrected ones.
     findings : tuple of Finding
         Warnings about the results.
     """
@@ -134,7 +134,7 @@ class EccentricExciter(jn.Plain):
     findings: tuple[jn.Finding, ...]
 
     def run(self, variant: str) -> PlateRun:
-        """Return the run of one model."""
+        """Return the run of a model."""
         return next(run for run in self.runs if run.variant == variant)
 
     def to_dict(self) -> dict[str, Any]:
@@ -166,29 +166,29 @@ def run_eccentric_exciter(
     *,
     progress: Progress = no_progress,
 ) -> EccentricExciter:
-    """Drive the paper's quarter car on its plate at 5 Hz, in three models.
+    """Excite the paper's quarter car on its plate at 5 Hz, with three models.
 
-    The spring is uncompressed (341 mm long) and the plate at its lowest when the exciter begins to turn steadily; the
-    load of 460 kg then compresses the spring.
+    Initially the spring is uncompressed (341 mm long), the plate is at its lowest point, and the exciter turns at
+    constant speed; the load of 460 kg then compresses the spring.
 
     Parameters
     ----------
     amplitude : float
-        Of the exciter, m: half the plate's stroke.
+        Amplitude of the exciter, m: half the plate's stroke.
     plate_mass : float
-        kg.
+        Mass of the plate, kg.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with one line of text at each step of the work.
 
     Returns
     -------
     EccentricExciter
-        Statics, modes, steady response, spring length and force over time, torque of the drive.
+        Statics, modes, steady response, spring length and force over time, and drive torque.
 
     Raises
     ------
     DescriptionError
-        For an amplitude that is not above 0 or leaves the spring no length, or a negative mass.
+        For an amplitude that is not above 0 or would compress the spring completely, or a negative mass.
 
     Examples
     --------
@@ -201,7 +201,7 @@ def run_eccentric_exciter(
             "not an amplitude of this exciter",
             where="amplitude",
             found=f"{amplitude:g} m",
-            allowed=f"above 0 m, at most {LARGEST:g} m; more would compress the spring to nothing",
+            allowed=f"above 0 m, at most {LARGEST:g} m; a larger one would compress the spring completely",
         )
     if not (np.isfinite(plate_mass) and plate_mass >= 0.0):
         raise jn.DescriptionError(
@@ -279,14 +279,14 @@ _Found = tuple[dict[str, Array], dict[str, float], tuple[Oscillation, ...]]
 
 
 def _plate(amplitude: float, time: Array) -> tuple[Array, Array, Array]:
-    """Height (m) of the plate over time, its rate and acceleration; a steady turn that begins at the lowest place."""
+    """Height (m) of the plate over time, its rate and acceleration; a steady rotation from the lowest point."""
     angle = _TURNING * time - 0.5 * np.pi
     height, rate = amplitude * np.sin(angle), amplitude * _TURNING * np.cos(angle)
     return height, rate, -(_TURNING**2) * height
 
 
 def _quarter_car(rig: jn.QuarterCar, amplitude: float, time: Array) -> _Found:
-    """Two masses, the tyre may leave the plate: the quarter car on waves of 1 m, driven over 5 of them a second."""
+    """Simulate the two-mass model with lift-off: the quarter car on waves of 1 m length at 5 m/s."""
     road = jn.Sine(
         amplitude=amplitude, wavelength=1.0, length=FREQUENCY * (DURATION + 1.0), phase=-0.5 * np.pi
     )
@@ -323,10 +323,10 @@ def _quarter_car(rig: jn.QuarterCar, amplitude: float, time: Array) -> _Found:
 
 
 def _linear(variant: str, values: dict[str, float], amplitude: float, time: Array) -> _Found:
-    """One mass on springs and dampers that may pull, solved exactly: every quantity is a row over the states.
+    """Solve one mass on bilateral springs and dampers exactly: each quantity is a row vector over the states.
 
-    States are height and velocity of the body, in series the height of the point between spring and tyre (it has no
-    mass, so its two forces are equal), then sine and cosine of the exciter's angle, and 1.
+    The states are height and velocity of the body, for the series model the height of the massless point between spring
+    and tyre (whose forces are equal), then sine and cosine of the exciter's angle, and 1.
     """
     from scipy.linalg import expm
 
@@ -394,7 +394,7 @@ def _linear(variant: str, values: dict[str, float], amplitude: float, time: Arra
 def _signals(
     output: dict[str, Array], gravity: float, amplitude: float, plate_mass: float, time: Array
 ) -> xr.Dataset:
-    """All channels; the plate is guided without friction, the exciter works on it as a Scotch yoke."""
+    """Return all channels; the plate is guided without friction and driven by the exciter as a Scotch yoke."""
     height, velocity, acceleration = _plate(amplitude, time)
     force = output["tyre.force"] + plate_mass * (gravity + acceleration)
     channels = {
@@ -437,7 +437,7 @@ def _statics(spring: float, every: float, contact: float) -> dict[str, float]:
 
 
 def _amplitude(time: Array, values: Array) -> float:
-    """Amplitude of the motion at the exciter's frequency; the samples are whole turns."""
+    """Amplitude of the motion at the exciter's frequency; the samples must cover whole turns."""
     return float(abs(2.0 * np.mean(values * np.exp(-2j * np.pi * FREQUENCY * time))))
 
 
@@ -446,10 +446,10 @@ def _range(values: Array) -> Range:
 
 
 def closed_form(variant: str, values: dict[str, float]) -> dict[str, float]:
-    """Amplitudes at the exciter's frequency for one metre of the plate, by complex stiffnesses.
+    """Compute amplitudes at the exciter's frequency per metre of plate amplitude, from complex stiffnesses.
 
-    ``values`` are the parameters (SI); gives ``body``, ``spring`` (m/m), ``contact`` (N/m), and ``wheel`` where there
-    is one.
+    ``values`` are the parameters (SI); the result has ``body``, ``spring`` (m/m), ``contact`` (N/m), and ``wheel`` if
+    the model has one.
     """
     omega = 2.0 * np.pi * FREQUENCY
     inertia = values["sprung.mass"] * omega**2
@@ -472,7 +472,7 @@ def _sizes(**values: complex) -> dict[str, float]:
 
 
 def eusama(rig: jn.QuarterCar, amplitude: float, tyre_damping: float) -> Eusama:
-    """Adhesion in a slow sweep-down from 25 Hz by the linear model (no lift-off); plate in m, tyre in N s/m."""
+    """Compute the adhesion in a slow sweep down from 25 Hz (linear, without lift-off); plate in m, tyre in N s/m."""
     model = jn.linearise(rig.with_changes({"tyre.damping_coefficient": tyre_damping}))
     frequency = np.linspace(0.01, TOP, 2500)
     size = np.abs(model.frequency_response(frequency, "tyre.force"))

@@ -16,19 +16,19 @@ if TYPE_CHECKING:
     import xarray as xr
 
 POWER, FREQUENCY, LOAD = 2200.0, 5.0, 4512.6
-"""Of the drive (W), of the exciter (Hz), and on the quarter car (N): Table 1."""
+"""Drive power (W), exciter frequency (Hz), and load on the quarter car (N): Table 1."""
 FREE_LENGTH, READ_LENGTH, CALCULATED = 0.341, 0.3288, 0.130
-"""Spring before and in the paper's simulation, and the compression its manual calculation took, m."""
+"""Spring length before and in the paper's simulation, and the compression in its manual calculation, m."""
 DEMO_HEIGHT, DEMO_PITCH = -0.12, 0.0
 """Initial pose of the demo's car: height of the body in m, pitch in rad."""
 PRINTED_RATE = 38.0
-"""Front spring rate as printed, N/m."""
-_START_UP = 3.0  # s: until the moment begins
+"""Printed front spring rate, N/m."""
+_START_UP = 3.0  # s: time until the moment begins
 
 
 @dataclass(frozen=True)
 class Erratum:
-    """One error of the paper, its evidence, and both numbers in the SI ``unit``."""
+    """One error in the paper, with evidence, and the printed and corrected value in the SI ``unit``."""
 
     place: str
     printed: str
@@ -43,8 +43,8 @@ class Erratum:
 class PrintedSign:
     """The half car with the printed sign of eq. (9), M_rear = -L_r F_rear.
 
-    The largest real part of the eigenvalues (1/s; above zero, pitch runs away), the pitch of the printed equations'
-    equilibrium (rad), and the eigenvalues (real and imaginary part, 1/s) with the printed and with the correct sign.
+    It has the largest real part of the eigenvalues (1/s; pitch is unstable above zero), the equilibrium pitch of the
+    printed equations (rad), and the eigenvalues (real and imaginary part, 1/s) with the printed and the correct sign.
     """
 
     growth_rate: float
@@ -57,8 +57,8 @@ class PrintedSign:
 class StartUp(jn.Plain):
     """The paper's vehicle with the demo's initial height, m.
 
-    Height of the body where the demo starts and where the vehicle is in balance, the difference of both
-    (``transient``), and the lowest height on the way; ``signals`` over time.
+    It has the initial height of the body in the demo, the equilibrium height, their difference (``transient``), the
+    minimum height in between, and ``signals`` over time.
     """
 
     left_out = ("signals",)
@@ -71,10 +71,10 @@ class StartUp(jn.Plain):
 
 
 def half_car_matrices(vehicle: jn.HalfCar, rear_sign: float = 1.0) -> tuple[Array, Array, Array]:
-    """Mass, damping and stiffness matrix (SI) of a half car by eqs. (6) to (11), coordinates height and pitch.
+    """Return mass, damping and stiffness matrix (SI) of a half car by eqs. (6) to (11), coordinates height and pitch.
 
-    ``rear_sign`` is that of the rear axle's moment, M_rear = rear_sign L_r F_rear: 1 is correct, -1 as eq. (9) is
-    printed.
+    ``rear_sign`` is the sign of the rear axle's moment, M_rear = rear_sign L_r F_rear: 1 is correct, -1 is printed in
+    eq. (9).
     """
     front, rear = vehicle.front, vehicle.rear
     seen = np.array(
@@ -93,7 +93,7 @@ def half_car_matrices(vehicle: jn.HalfCar, rear_sign: float = 1.0) -> tuple[Arra
 
 
 def eigenvalues(mass: Array, damping: Array, stiffness: Array) -> NDArray[np.complex128]:
-    """Eigenvalues (1/s) of a system of second order, each matrix (n, n) in SI, by falling real part."""
+    """Return the eigenvalues (1/s) of a second-order system with matrices (n, n) in SI, by falling real part."""
     n = len(mass)
     lower = -np.linalg.solve(mass, np.hstack([stiffness, damping]))
     values = np.linalg.eigvals(np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), lower]))
@@ -101,7 +101,7 @@ def eigenvalues(mass: Array, damping: Array, stiffness: Array) -> NDArray[np.com
 
 
 def printed_sign(vehicle: jn.HalfCar) -> PrintedSign:
-    """Solve a half car with the sign of eq. (9) as it is printed, and with the correct one."""
+    """Solve a half car with the printed sign of eq. (9), and with the correct one."""
     printed, correct = (half_car_matrices(vehicle, sign) for sign in (-1.0, 1.0))
     weight = np.array([-vehicle.body.mass * vehicle.gravity, 0.0])
     values = eigenvalues(*printed)
@@ -118,7 +118,7 @@ def _pairs(values: NDArray[np.complex128]) -> tuple[tuple[float, float], ...]:
 
 
 def start_up(vehicle: jn.HalfCar) -> StartUp:
-    """Start a half car where the demo starts its own, on a level road."""
+    """Simulate a half car on a level road from the initial state of the demo."""
     rest = jn.equilibrium(vehicle)
     offset = {"body.z": DEMO_HEIGHT - rest["body.z"], "body.pitch": DEMO_PITCH - rest["body.pitch"]}
     run = jn.simulate(
@@ -134,7 +134,7 @@ def start_up(vehicle: jn.HalfCar) -> StartUp:
 
 
 def exciter_torque(power: float, frequency: float) -> float:
-    """Torque in N m of a drive of a power in W that turns at a frequency in Hz: eq. (5) in the right units.
+    """Return the torque in N m of a drive with a power in W at a frequency in Hz: eq. (5) in the correct units.
 
     Examples
     --------
@@ -145,12 +145,12 @@ def exciter_torque(power: float, frequency: float) -> float:
 
 
 def series(*stiffnesses: float) -> float:
-    """Stiffness (N/m) of springs in series."""
+    """Return the stiffness (N/m) of springs in series."""
     return 1.0 / sum(1.0 / stiffness for stiffness in stiffnesses)
 
 
 def series_at(rig: jn.QuarterCar, frequency: float) -> tuple[float, float]:
-    """Stiffness (N/m) and damping coefficient (N s/m) of suspension and tyre in series at a frequency in Hz."""
+    """Return stiffness (N/m) and damping coefficient (N s/m) of suspension and tyre in series at a frequency in Hz."""
     omega = 2.0 * np.pi * frequency
     suspension = complex(rig.strut.spring.rate or np.nan, omega * _damping(rig))
     tyre = complex(rig.tyre.stiffness or np.nan, omega * rig.tyre.damping_coefficient)
@@ -163,7 +163,7 @@ def _damping(rig: jn.QuarterCar) -> float:
 
 
 def paper_errata() -> tuple[Erratum, ...]:
-    """Compare the paper's numbers and equations with the correct ones; all are computed from its tables."""
+    """Compare the paper's values and equations with the correct ones, which are computed from its tables."""
     car, demo, corner = (
         jn.load(name) for name in ("audi-a6-half-car", "sldemo-half-car", "audi-a6-quarter-car")
     )
@@ -181,7 +181,7 @@ def paper_errata() -> tuple[Erratum, ...]:
 
 
 def _stand(corner: jn.QuarterCar) -> tuple[Erratum, ...]:
-    """Section 4: the Inventor model on its exciter."""
+    """Errata of section 4: the Inventor model on its exciter."""
     spring, tyre = corner.strut.spring.rate or np.nan, corner.tyre.stiffness or np.nan
     damper, pneumatic = _damping(corner), corner.tyre.damping_coefficient
     torque, both = exciter_torque(POWER, FREQUENCY), series(spring, tyre)
@@ -201,7 +201,7 @@ def _stand(corner: jn.QuarterCar) -> tuple[Erratum, ...]:
             "section 4, spring constant",
             f"sum of tyre and spring: {1e-3 * (spring + tyre):.0f} N/mm",
             f"in series: {1e-3 * both:.3f} N/mm",
-            "wheel and body move against each other: one load goes through both springs, their compressions add up",
+            "one load passes through both springs, and their compressions add up",
             spring + tyre,
             both,
             "N/m",
@@ -236,7 +236,7 @@ def _stand(corner: jn.QuarterCar) -> tuple[Erratum, ...]:
 
 
 def _stand_results(corner: jn.QuarterCar) -> tuple[Erratum, ...]:
-    """Section 4: how far the spring is compressed."""
+    """Errata of section 4: compression of the spring."""
     spring, tyre = corner.strut.spring.rate or np.nan, corner.tyre.stiffness or np.nan
     both = series(spring, tyre)
     merged, chain, alone = LOAD / (spring + tyre), LOAD / both, LOAD / spring
@@ -268,7 +268,7 @@ def _with_sign(value: float) -> str:
 
 
 def _loads(car: jn.HalfCar, corner: jn.QuarterCar) -> tuple[Erratum, ...]:
-    """Masses and rates that contradict each other."""
+    """Errata of masses and rates that contradict each other."""
     wheel = jn.equilibrium(car)["front.strut.force"]
     quarter = 0.25 * car.body.mass * car.gravity
     rate = PRINTED_RATE
@@ -287,7 +287,7 @@ def _loads(car: jn.HalfCar, corner: jn.QuarterCar) -> tuple[Erratum, ...]:
             "section 5, front spring rate",
             "'modified from 38 N/m to 28 N/m'",
             "38 N/mm to 28 N/mm",
-            f"with {rate:g} N/m the springs would have to be compressed by {wheel / rate:.0f} m to carry the car",
+            f"with {rate:g} N/m the springs would be compressed by {wheel / rate:.0f} m to carry the car",
             rate,
             1e3 * rate,
             "N/m",
@@ -296,7 +296,7 @@ def _loads(car: jn.HalfCar, corner: jn.QuarterCar) -> tuple[Erratum, ...]:
 
 
 def _equations(car: jn.HalfCar) -> tuple[Erratum, ...]:
-    """Section 5: the half car's equations."""
+    """Errata of section 5: the half car's equations."""
     printed = printed_sign(car)
     slowest = max(real for real, _ in printed.correct_eigenvalues)
     return (
@@ -310,7 +310,7 @@ def _equations(car: jn.HalfCar) -> tuple[Erratum, ...]:
             "eqs. (6) and (8)",
             "no road height",
             "F_front = 2 K_f (h + L_f θ − z) + ..., F_rear = 2 K_r (h − L_r θ − z) + ...",
-            "without h no obstacle could be felt; the text describes it as an input",
+            "without h obstacles have no effect; the text describes it as an input",
         ),
         Erratum(
             "eq. (7), text",
@@ -345,8 +345,8 @@ def _demo(car: jn.HalfCar, demo: jn.HalfCar) -> tuple[Erratum, ...]:
             "section 5, road in the demo",
             "F = 2 K (... − (z + h)): an obstacle lowers the body",
             "F = 2 K (... − (z − h))",
-            "variant sign-corrected; the road also meets both axles at once and is not felt by the dampers, which only "
-            "the variant physical mends",
+            "variant sign-corrected; the road also reaches both axles at once and has no effect on the dampers; "
+            "only the variant physical corrects this",
         ),
         Erratum(
             "table 2, K_f and K_r",

@@ -1,4 +1,4 @@
-"""The shipped campaign in a folder of its own: files written, measured on the virtual bench, evaluated."""
+"""Set up the shipped campaign in a new folder: write its files, simulate its measurements and evaluate it."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ def prepare_demo(
 ) -> Path:
     """Write the shipped campaign with its synthetic measurements; return its ``campaign.toml``.
 
-    Without ``out`` it goes into the first free of the folders ``demo-1``, ``demo-2``, ... in the current one. If a
-    file exists nothing is written, unless ``force`` allows it.
+    Without ``out``, the first unused folder ``demo-1``, ``demo-2``, ... in the current one is created. If a file
+    exists, nothing is written unless ``force`` is set.
     """
     folder = (_next_folder() if out is None else Path(out)) / "campaign"
     return virtual_bench(folder, force=force, progress=progress)
@@ -34,14 +34,14 @@ def run_demo(
 ) -> tuple[Path, jn.CampaignResult]:
     """Prepare and evaluate the shipped campaign, ``quick`` with a quarter car instead of the double wishbone in 3-D.
 
-    Returns the demo's folder, for report and results, and what the campaign found; the caller writes the report.
+    Returns the demo's folder, for report and results, and the campaign's result; the caller writes the report.
     """
     file = prepare_demo(out, force=force, progress=progress).with_name(QUICK if quick else FULL)
     return file.parent.parent, jn.run_campaign(file, progress=progress)
 
 
 def _next_folder() -> Path:
-    """Make the first free numbered folder."""
+    """Create the first unused numbered folder."""
     for number in count(1):
         folder = Path(f"demo-{number}")
         try:

@@ -1,7 +1,7 @@
-"""Measured damper, real vehicle, measured course: ride figures of a quarter car against speed.
+"""Ride figures of a quarter car over speed, with a measured damper, a real vehicle and a measured course.
 
-A damper of laboratory size is fitted, scaled by similitude and referred to the wheel; a real double wishbone becomes a
-quarter car in which every number has its origin; both drive over a measured proving-ground course.
+A laboratory-scale damper is fitted, scaled by similitude and referred to the wheel. A real double wishbone is reduced
+to a quarter car with documented values. The model is driven over a measured proving-ground course.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 COURSE = "detrended_rms_course_1in"
 BEGIN, END = 100.0, 404.8
-"""Undulated part of the course, m; it is driven from end to end, starting at rest on the springs."""
+"""Undulated part of the course, m; it is driven from end to end, starting in static equilibrium."""
 SPEEDS = tuple(kmh / 3.6 for kmh in (10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0))
-SHOWN_SPEED = 20.0 / 3.6  # m/s, of the figures over time
+SHOWN_SPEED = 20.0 / 3.6  # m/s, for figures over time
 LAW = "tanh-hysteretic"
 AMPLITUDE, DAMPING_RATIO = (
     0.0254,
@@ -32,7 +32,9 @@ AMPLITUDE, DAMPING_RATIO = (
 )  # m, the r.m.s. height of the course (1 inch); 1, an estimate
 OWN = "own damper"
 TYRE_RADIUS = 0.4699  # m: 37 inches across
-_OFTEN = 0.05  # of the time beyond the record of a damper, from which on it is a warning; a choice
+_OFTEN = (
+    0.05  # fraction of time beyond the damper's record above which a warning is given; a choice
+)
 _GRID = 0.025  # m
 FIGURES: dict[str, tuple[str, str]] = {
     "body_acceleration": ("m/s^2", "body r.m.s."),
@@ -49,7 +51,7 @@ FIGURES: dict[str, tuple[str, str]] = {
 """Ride figures over the undulated part: SI unit and name.
 
 Body acceleration is unweighted; travel utilisation is the largest deflection from design over the available travel;
-wheel load r.m.s. is that of the dynamic part over the static load; powers are means; times are shares of the time.
+wheel load r.m.s. is that of the dynamic part over the static load; powers are means; times are fractions.
 """
 RECORDS = {"0 V": "shaking_table_0v.csv", "0.88 V": "shaking_table_088v.csv"}
 LAWS: tuple[Literal["linear", "tanh-hysteretic", "bouc-wen"], ...] = (
@@ -68,13 +70,13 @@ _UNSPRUNG = (
     "spindle, upright; arms as I/lever² about their axes; a third of the tie rod; wheel 18.8 kg and tyre 37.6 kg of "
     "the same vehicle"
 )
-_TYRE = "a tyre file of the same vehicle; other files of it say 411 121 and 441 900 N/m"
-_TYRE_DAMPING = "a tyre file of the same vehicle, scaled by its author from another tyre"
+_TYRE = "a tyre file of the same vehicle; other files of the vehicle have 411 121 and 441 900 N/m"
+_TYRE_DAMPING = "a tyre file of the same vehicle, scaled by its author from a different tyre"
 
 
 @dataclass(frozen=True)
 class Derived:
-    """One number of the model (``value`` in the SI ``unit``) and its origin: a source, or a formula."""
+    """One value of the model (``value`` in the SI ``unit``) and its origin: a source, or a formula."""
 
     name: str
     value: float
@@ -87,9 +89,10 @@ class Derived:
 class VehicleCorner:
     """A corner with its spring and damper referred to vertical motion of the wheel centre.
 
-    The rig has the vehicle's own damper; its strut deflection is 0 at the design position. Motion ratios are shortening
-    of the element over rise of the wheel centre (1); travels are those of the wheel from design to the shortest and
-    longest length of the spring, both positive (m); ``damper_stroke`` is the range of lengths of the damper map (m).
+    The rig has the vehicle's own damper; its strut deflection is 0 at the design position. Motion ratios are the
+    shortening of the element over the rise of the wheel centre (1). Travels are those of the wheel from design to the
+    minimum and maximum length of the spring, each positive (m); ``damper_stroke`` is the length range of the damper
+    map (m).
     """
 
     rig: jn.QuarterCar
@@ -102,10 +105,10 @@ class VehicleCorner:
 
 
 class FrontView:
-    """Motion of a double wishbone in front view, steering and the slant of the upper arm's axis left out.
+    """Front-view motion of a double wishbone, without steering and the inclination of the upper arm's axis.
 
-    The lower arm turns in space about its axis; upright and upper arm are then a four-bar linkage in the y-z plane, its
-    fixed upper pivot being where the upper arm's axis passes the x of its ball joint.
+    The lower arm rotates in space about its axis; upright and upper arm form a four-bar linkage in the y-z plane. Its
+    fixed upper pivot is the point of the upper arm's axis at the x of the upper ball joint.
     """
 
     def __init__(self, corner: jn.ChronoCorner) -> None:
@@ -120,7 +123,7 @@ class FrontView:
         self.design = self.points["lower_ball_joint"][1:], self.points["upper_ball_joint"][1:]
 
     def on_lower_arm(self, name: str, angle: float) -> Array:
-        """Place of a point of the lower arm, shape (3,) in m, for an arm angle in rad, bump positive."""
+        """Position of a point of the lower arm, shape (3,) in m, for an arm angle in rad, bump positive."""
         away = self.points[name] - self.axis_point
         cosine, sine = np.cos(angle), np.sin(angle)
         along = self.axis * (self.axis @ away)
@@ -160,7 +163,7 @@ class FrontView:
         return self.wheel_height(angle) - self.wheel_height(0.0)
 
     def _upper_ball_joint(self, lower: Array) -> Array:
-        """Intersection of two circles, about the upper pivot and the lower ball joint; the outer of both points."""
+        """Outer intersection of two circles, about the upper pivot and the lower ball joint."""
         upright = float(np.linalg.norm(self.design[1] - self.design[0]))
         arm = float(np.linalg.norm(self.design[1] - self.upper_pivot))
         between = lower - self.upper_pivot
@@ -178,7 +181,7 @@ def hmmwv_corner() -> jn.ChronoCorner:
 
 
 def lumped_corner(corner: jn.ChronoCorner) -> VehicleCorner:
-    """Refer a double wishbone to the vertical motion of its wheel centre.
+    """Reduce a double wishbone to the vertical motion of its wheel centre.
 
     Examples
     --------
@@ -267,7 +270,7 @@ def _rig(
 
 
 def _unsprung_mass(corner: jn.ChronoCorner, view: FrontView) -> float:
-    """Mass at the wheel centre with the kinetic energy of the parts in kg."""
+    """Equivalent mass at the wheel centre with the kinetic energy of the parts, kg."""
     parts, points = corner.parts, corner.points
     lower = _about_axis(corner, "lower_arm", view.axis, view.axis_point)
     upper_axis = points["upper_arm_front"] - points["upper_arm_rear"]
@@ -306,11 +309,11 @@ class StudyDamper:
 
 @dataclass(frozen=True)
 class ForceScaling:
-    """How a small damper becomes a large one on a vehicle.
+    """Scaling of a small damper to a large one on a vehicle.
 
     With r = motion_ratio / stroke_scale, the force at the wheel is
     ``motion_ratio * force_scale * law(r * wheel displacement, r * wheel velocity)``: time is not scaled. The scales are
-    those of the large damper over the small one (1).
+    ratios of the large damper to the small one (1).
     """
 
     stroke_scale: float
@@ -319,7 +322,7 @@ class ForceScaling:
 
     @property
     def speed_ratio(self) -> float:
-        """Velocity of the small damper for one m/s of the wheel [1]."""
+        """Ratio of the velocities of the small damper and the wheel [1]."""
         return self.motion_ratio / self.stroke_scale
 
 
@@ -348,12 +351,12 @@ def measured_dampers() -> tuple[tuple[StudyDamper, ...], tuple[jn.Finding, ...]]
 
 
 def referred_to_wheel(table: Mapping[str, Any], similitude: ForceScaling) -> dict[str, Any]:
-    """Damper table of a rig with its strut at the wheel, from the table of the measured damper.
+    """Return the damper table of a rig with its strut at the wheel, from the table of the measured damper.
 
-    What multiplies velocity or displacement changes with motion_ratio * force_scale * r, forces with
-    motion_ratio * force_scale, and what stands beside them inside the law (the tanh's ``slope`` in s/m, Bouc-Wen's
-    ``rate`` in 1/m) with r = motion_ratio / stroke_scale; ``displacement_coupling`` (1/s), ``sigma`` and ``exponent``
-    stay. The static ``offset`` is left out: the spring's preload carries the vehicle.
+    Coefficients of velocity or displacement are scaled by motion_ratio * force_scale * r, forces by
+    motion_ratio * force_scale, and arguments inside the law (``slope`` of tanh in s/m, ``rate`` of Bouc-Wen in 1/m) by
+    r = motion_ratio / stroke_scale; ``displacement_coupling`` (1/s), ``sigma`` and ``exponent`` are not scaled. The
+    static ``offset`` is omitted: the spring's preload carries the vehicle.
 
     Examples
     --------
@@ -382,7 +385,7 @@ def referred_to_wheel(table: Mapping[str, Any], similitude: ForceScaling) -> dic
 
 
 def equivalent_coefficient(table: Mapping[str, Any], amplitude: float, frequency: float) -> float:
-    """Linear damping coefficient (N s/m) that takes up as much per cycle; ``amplitude`` in m, ``frequency`` in Hz."""
+    """Return the linear damping coefficient (N s/m) of equal energy per cycle (``amplitude`` m, ``frequency`` Hz)."""
     return jn.harmonic_energy(table, amplitude, frequency) / (
         2.0 * np.pi**2 * frequency * amplitude**2
     )
@@ -390,12 +393,12 @@ def equivalent_coefficient(table: Mapping[str, Any], amplitude: float, frequency
 
 @dataclass(frozen=True)
 class ProvingGround:
-    """Results of the study: records and laws, the vehicle, scaling of the damper, ride figures and signals.
+    """Results of the study: records and laws, vehicle, scaling of the damper, ride figures and signals.
 
-    ``equivalent`` has the equivalent linear damping ratio (1) of each damper at the stated amplitude, ``damping`` over
-    the amplitude of wheel travel; ``derived`` every number of the model with its origin; ``figures`` the ride figures
-    over ``damper`` and ``speed``; ``runs`` the signals at the shown speed; ``point_contact`` the r.m.s. body
-    acceleration (m/s^2) of the first damper there without the tyre's envelope.
+    ``equivalent`` has the equivalent linear damping ratio (1) of each damper at the stated amplitude, ``damping`` the
+    same over the amplitude of wheel travel. ``derived`` has all values of the model with their origin, ``figures`` the
+    ride figures over ``damper`` and ``speed``, ``runs`` the signals at the shown speed, and ``point_contact`` the
+    r.m.s. body acceleration (m/s^2) of the first damper at that speed without the tyre's envelope.
     """
 
     dampers: tuple[StudyDamper, ...]
@@ -450,10 +453,10 @@ class ProvingGround:
 def run_proving_ground(
     speeds: tuple[float, ...] = SPEEDS, *, progress: Progress = no_progress
 ) -> ProvingGround:
-    """Drive a real vehicle with a measured damper over a measured course, at ``speeds`` in m/s.
+    """Simulate a real vehicle with a measured damper on a measured course, at ``speeds`` in m/s.
 
     The measured magneto-rheological damper (0 V and 0.88 V) is fitted, scaled to the vehicle, referred to the wheel and
-    compared with the vehicle's own damper. The quarter car is the lumped one; body accelerations are not weighted.
+    compared with the vehicle's own damper. The model is the lumped quarter car; body accelerations are unweighted.
     """
     progress("fit: damper laws")
     dampers, findings = measured_dampers()
@@ -503,19 +506,19 @@ def drive(rig: jn.QuarterCar, course: jn.Road, speed: float) -> xr.Dataset:
 
 
 def from_begin(course: jn.Road) -> jn.Road:
-    """Let the drive begin where the undulated part begins."""
+    """Shift the course to begin at its undulated part."""
     return course.model_copy(update={"start": -BEGIN})
 
 
 def contact_length(rig: jn.QuarterCar) -> float:
-    """Length of the tyre's contact in m under static load (square root and linear term of the Magic Formula tyre)."""
+    """Return the tyre's contact length in m under static load (square-root and linear term of the Magic Formula)."""
     weight = (rig.sprung.mass + rig.unsprung.mass) * rig.gravity
     share = weight / (float(rig.tyre.stiffness or np.nan) * TYRE_RADIUS)
     return float(2.0 * TYRE_RADIUS * (0.671 * np.sqrt(share) + 0.733 * share))
 
 
 def envelope(course: jn.Road, length: float) -> jn.Table:
-    """Average a course over a contact ``length`` in m: what a tyre passes on of steps shorter than its contact."""
+    """Average a course over a contact ``length`` in m: the enveloping of short obstacles by a tyre."""
     end = course.end()
     edges = course.segments(end).edges
     height = course.height_at(np.minimum(edges, end - 1e-9))
@@ -526,7 +529,7 @@ def envelope(course: jn.Road, length: float) -> jn.Table:
 
 
 def _integral(x: Array, edges: Array, height: Array, area: Array) -> Array:
-    """Integral (m^2) of straight lines through points up to ``x`` in m."""
+    """Integral (m^2) of a piecewise linear height up to ``x`` in m."""
     piece = np.clip(np.searchsorted(edges, x, side="right") - 1, 0, len(edges) - 2)
     way = x - edges[piece]
     slope = np.diff(height) / np.diff(edges)
@@ -536,7 +539,7 @@ def _integral(x: Array, edges: Array, height: Array, area: Array) -> Array:
 def _choose_scales(
     dampers: tuple[StudyDamper, ...], corner: VehicleCorner
 ) -> tuple[ForceScaling, dict[str, float]]:
-    """Choose the scales; return them with the damping ratios, also of the vehicle's own damper."""
+    """Choose the scales; return them with the damping ratios, including that of the vehicle's own damper."""
     rig = corner.rig
     stroke = corner.damper_stroke / max(damper.stroke for damper in dampers)
     unit = ForceScaling(stroke, 1.0, corner.damper_motion_ratio)
@@ -550,7 +553,7 @@ def _choose_scales(
         for damper in dampers
     }
     scale = DAMPING_RATIO / shares[dampers[0].name]
-    damper: Any = rig.strut.damper  # with two coefficients, as that of the paper
+    damper: Any = rig.strut.damper  # with two coefficients, as in the paper
     own = 0.5 * (damper.bump_coefficient + damper.rebound_coefficient) / critical
     return replace(unit, force_scale=scale), {
         name: scale * share for name, share in shares.items()
@@ -558,7 +561,7 @@ def _choose_scales(
 
 
 def body_frequency(rig: jn.QuarterCar) -> float:
-    """Frequency of body bounce in Hz."""
+    """Return the body bounce frequency in Hz."""
     return float(jn.modes(rig)[0].frequency_hz)
 
 
@@ -639,9 +642,9 @@ def _derived_values(
 def ride_figures(
     run: xr.Dataset, rig: jn.QuarterCar, corner: VehicleCorner, fastest: float = np.inf
 ) -> dict[str, float]:
-    """Ride figures (see `FIGURES`, SI) of one drive over the undulated part.
+    """Compute the ride figures (see `FIGURES`, SI) of one run over the undulated part.
 
-    ``fastest`` is the wheel speed against the body (m/s) that the damper's record covers.
+    ``fastest`` is the maximum wheel speed relative to the body (m/s) covered by the damper's record.
     """
     time = run["time"].to_numpy()
     signal = {str(name): run[name].to_numpy() for name in run.data_vars}
@@ -677,12 +680,12 @@ def ride_figures(
 
 
 def work(force: Array, way: Array) -> float:
-    """Integral (J) of a force (N) over a displacement (m), both sampled, shape (n,): exact for piecewise lines."""
+    """Integrate a sampled force (N) over a displacement (m), shape (n,), to J: exact for piecewise linear signals."""
     return float(0.5 * (force[1:] + force[:-1]) @ np.diff(way))
 
 
 def _energy(rig: jn.QuarterCar, signal: dict[str, Array]) -> Array:
-    """Energy in masses, springs and height in J; a tyre without contact stores none."""
+    """Kinetic, elastic and potential energy in J; a tyre without contact stores none."""
     rate, preload = rig.strut.spring.rate or 0.0, rig.strut.spring.preload
     deflection = signal["strut.deflection"]
     energy = 0.5 * rate * deflection**2 + preload * deflection

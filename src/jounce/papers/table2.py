@@ -1,14 +1,15 @@
-"""The sixteen trials of the quarter-car prototype paper (its Table 2), in both readings.
+"""The sixteen trials of the quarter-car prototype paper (its Table 2), in two readings.
 
-The table survives as text whose merged cells slipped. Read as printed (``literal``), the cells of angle, pressure and
-obstacle stand one row below the speed they belong to from trial 4 on, the rows come in the order 1-11, 14, 15, 16, 12,
-13, and one row more than there are speeds is left at the end.
+The table is only available as text in which merged cells are shifted. As printed (``literal``), the cells of angle,
+pressure and obstacle are one row below their speed from trial 4 on, the rows are in the order 1-11, 14, 15, 16, 12,
+13, and there is one row more than there are speeds.
 
-``reconstructed`` moves those three columns up by one row. For it speak: the text says that trials 9-16 were run at
-0.25 MPa, and shows trial 9 as the example of that pressure; the trials then form two equal blocks of eight, one for
-each pressure (the single obstacle at three speeds, three trains, the single obstacle at 16 and 10 degrees), and so does
-the odd order of print. What remains ambiguous: the print has "0.25" beside the first "16 degrees" cell, which taken
-literally would put trials 7 and 8 at 0.25 MPa, against the text; ``reconstructed`` follows the text.
+``reconstructed`` moves those three columns up by one row. Evidence: the text states that trials 9-16 were run at
+0.25 MPa, and shows trial 9 as the example of that pressure. The trials then form two equal blocks of eight, one for
+each pressure (the single obstacle at three speeds, three trains, the single obstacle at 16 and 10 degrees), which is
+also consistent with the unusual order of rows. One ambiguity remains: "0.25" is printed next to the first "16 degrees"
+cell, which taken literally would put trials 7 and 8 at 0.25 MPa, contrary to the text; ``reconstructed`` follows the
+text.
 """
 
 from __future__ import annotations
@@ -25,10 +26,10 @@ _HIGH, _LOW = 310e3, 250e3  # Pa, as printed
 
 @dataclass(frozen=True)
 class Table2Row:
-    """One trial: its passage speed (m/s, printed with two decimals) and how the rig was set up.
+    """One trial: its passage speed (m/s, printed with two decimals) and the settings of the rig.
 
-    The strut's angle to the vertical is in rad, the tyre's pressure in Pa; the obstacle is a single one (A) or a series
-    of five (B), whose ``pitch`` from start to start is in m.
+    The strut's angle to the vertical is in rad, the tyre pressure in Pa. The obstacle is a single one (A) or a series
+    of five (B) with a ``pitch`` from start to start in m.
     """
 
     number: int
@@ -70,7 +71,7 @@ _SETTINGS: dict[str, dict[int, _Setting]] = {
 def table2(variant: Variant = "reconstructed") -> tuple[Table2Row, ...]:
     """Return the sixteen trials of Table 2 by rising number, in the consistent reading or with the cells as printed.
 
-    As printed, an empty cell repeats the one above; the last row, 10 degrees NaN and speed, is no trial.
+    As printed, an empty cell repeats the one above; the last row, which has no speed, is not a trial.
 
     Examples
     --------

@@ -1,12 +1,12 @@
-"""The virtual bench: all measurement files of a campaign, simulated from a model with known values.
+"""The virtual bench: simulate all measurement files of a campaign from a model with known values.
 
-It writes the files of a laboratory: force against deflection of spring and tyre, free decays, obstacle passes
-recorded by accelerometers. The same truth, plan and seed always give the same files; ``truth.toml`` beside them holds
-the values.
+It writes the files of a laboratory: force over deflection of spring and tyre, free decays, and obstacle passes
+recorded by accelerometers. The same truth, plan and seed always give the same files; ``truth.toml`` next to them
+contains the true values.
 
-The paper's recordings were not published, so the bench stands in for its laboratory. What it is, is a
-:class:`~jounce.campaign.truth.BenchTruth`: a rig with its laws, the rolling and the standing tyre, the belt, the
-sensors. Those of the shipped campaigns stand beside them as ``truth.toml``; any other can be given.
+The paper's recordings were not published; the bench replaces its laboratory. It is described by a
+:class:`~jounce.campaign.truth.BenchTruth`: a rig with its laws, the rolling and the standing tyre, the belt and the
+sensors. The shipped campaigns include theirs as ``truth.toml``; a different one can be passed.
 """
 
 from __future__ import annotations
@@ -24,18 +24,18 @@ from jounce.papers import Array, Counted, Progress, no_progress
 from jounce.papers.table2 import Table2Row, table2
 
 SYNTHETIC = "Synthetic: made by jounce's virtual bench from a richer model (truth.toml); not a laboratory record."
-_OBSTACLES_IN_TRAIN = 5  # of profile B in the paper
+_OBSTACLES_IN_TRAIN = 5  # number of obstacles in the paper's profile B
 _WEIGHT = 2.5  # kg; weights on the sprung mass before a free decay
 _LEVEL = 24
-"""Samples of level belt next to an obstacle, after which a spline deviates by less than a nanometre."""
+"""Number of samples of level belt next to an obstacle at which the error of a spline is below a nanometre."""
 
 
 @dataclass(frozen=True)
 class BenchPlan:
-    """Measurements: cycles of the spring, and of the tyre at each pressure (Pa), free decays, obstacle passes.
+    """Plan of the measurements: spring cycles, tyre cycles at each pressure (Pa), free decays and obstacle passes.
 
-    ``duration`` is that of each recording (s), ``sample_rate`` that of decays and passes (Hz), ``seed`` that of all
-    scatter and noise.
+    ``duration`` is the length of each recording (s), ``sample_rate`` that of decays and passes (Hz), ``seed`` the seed
+    of all scatter and noise.
     """
 
     spring_trials: int = 5
@@ -63,7 +63,7 @@ def campaign_texts() -> dict[str, str]:
 
 
 def shipped_truth() -> jn.BenchTruth:
-    """Return what the virtual bench of the shipped campaign is.
+    """Return the truth behind the virtual bench of the shipped campaign.
 
     Examples
     --------
@@ -75,7 +75,7 @@ def shipped_truth() -> jn.BenchTruth:
 
 @dataclass(frozen=True)
 class SimulatedPass:
-    """Truth of a pass: exact speed (m/s), and delay of its recording (s)."""
+    """True values of a pass: exact speed (m/s), and delay of its recording (s)."""
 
     speed: float
     lag: float
@@ -91,9 +91,9 @@ def virtual_bench(
     force: bool = False,
     progress: Progress = no_progress,
 ) -> Path:
-    """Make the recordings of a bench whose truth is known, with the shipped campaign that evaluates them.
+    """Simulate the recordings of a bench with known truth, and write them with the shipped campaign.
 
-    The plan is everything that the quarter-car prototype paper did: five spring trials of 15 mm, three tyre trials of
+    The measurements are those of the quarter-car prototype paper: five spring trials of 15 mm, three tyre trials of
     10 mm at each of two pressures, free decays, and the sixteen obstacle passes of its Table 2 at 1 kHz.
 
     Parameters
@@ -101,33 +101,33 @@ def virtual_bench(
     folder : Path or str
         Folder; created if missing.
     truth : BenchTruth, Path, str or None
-        True bench: a description, the file of one, or a shipped name (``"kart-low-friction"``); None:
+        True values of the bench: a description, its file, or a shipped name (``"kart-low-friction"``); None means
         ``"kart-prototype"``.
     changes : dict or None
-        Other values by path, of the truth (``"belt.speed_drop"``) or its rig (``"rig.strut.friction.force"``); whole
-        elements may be given, such as ``{"rig.strut.damper": {"coefficient": "104 N*s/m"}}``.
+        Changed values by path, in the truth (``"belt.speed_drop"``) or its rig (``"rig.strut.friction.force"``); whole
+        elements can be replaced, e.g. ``{"rig.strut.damper": {"coefficient": "104 N*s/m"}}``.
     seed : int
-        Of all scatter and noise, and of what differs from pass to pass; 0 or more.
+        Seed of all scatter and noise, including differences between passes; 0 or more.
     duration : float
         Length of each recording, s.
     force : bool
         Overwrite existing files.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with one line of text at each step of the work.
 
     Returns
     -------
     Path
-        The new ``campaign.toml``, for :func:`jounce.run_campaign`. Beside it: ``quick-look.toml`` (the same with a
-        quarter car), their rigs, ``bench/`` and ``trials/`` as CSV with ``name [unit]`` headers under a first line that
-        says they are synthetic, and ``truth.toml``, which makes the same files again with the same seed.
+        The new ``campaign.toml``, for :func:`jounce.run_campaign`. Next to it are ``quick-look.toml`` (the same with a
+        quarter car), their rigs, ``bench/`` and ``trials/`` as CSV with ``name [unit]`` headers below a line that marks
+        them as synthetic, and ``truth.toml``, which reproduces the files with the same seed.
 
     Raises
     ------
     DescriptionError
-        For a truth that cannot be understood, and a duration in which not every obstacle is passed.
+        For an invalid truth, and a duration too short to pass all obstacles.
     OutputError
-        If one of the files exists, without ``force``; then nothing is written.
+        If one of the files exists, without ``force``; nothing is written then.
 
     Examples
     --------
@@ -183,7 +183,7 @@ def make_measurements(
 def measurement_texts(
     plan: BenchPlan, truth: jn.BenchTruth | None = None, *, progress: Progress = no_progress
 ) -> dict[str, str]:
-    """Return the measurement files of a plan: name below the campaign's folder to text."""
+    """Return the texts of a plan's measurement files, by name relative to the campaign's folder."""
     truth = truth or shipped_truth()
     progress("virtual bench: spring and tyre on the test machine")
     texts = _springs(plan, truth) | _tyres(plan, truth)
@@ -196,10 +196,10 @@ def measurement_texts(
 
 
 def spring_cycle(stroke: float, points: int, rate: float, friction: float) -> tuple[Array, Array]:
-    """Load spring and strut on the test machine to a ``stroke`` (m) and unload them: deflections (m) and forces (N).
+    """Simulate loading spring and strut to a ``stroke`` (m) and unloading: return deflections (m) and forces (N).
 
-    The load cell was zeroed with the strut sliding, so its ``friction`` (N) shows as a drop of twice its force on the
-    way back; ``rate`` is the spring's (N/m).
+    The load cell was zeroed with the strut sliding. Therefore its ``friction`` (N) appears as a drop of twice its force
+    during unloading; ``rate`` is that of the spring (N/m).
     """
     deflection, direction = _triangle(stroke, points)
     reversed_friction = 2.0 * friction * (1.0 - np.exp(-(stroke - deflection) / 0.1e-3))
@@ -209,11 +209,11 @@ def spring_cycle(stroke: float, points: int, rate: float, friction: float) -> tu
 def tyre_cycle(
     stroke: float, points: int, pressure: float, scale: float, truth: jn.BenchTruth | None = None
 ) -> tuple[Array, Array]:
-    """Load the standing tyre on the test machine to a ``stroke`` (m) and unload it: deflections (m) and forces (N).
+    """Simulate loading the standing tyre to a ``stroke`` (m) and unloading: return deflections (m) and forces (N).
 
-    The deflection is that of the machine, tyre and settling together: the standing tyre is softer than the rolling one
-    at first, and lower when it is unloaded. ``scale`` is the stiffness of this trial over that of the true curve at the
-    ``pressure`` (Pa).
+    The deflection is measured by the machine and includes settling: the standing tyre is softer than the rolling one at
+    first, and has less force during unloading. ``scale`` is the ratio of this trial's stiffness to the true curve at
+    the ``pressure`` (Pa).
     """
     truth = truth or shipped_truth()
     standing = truth.standing_tyre
@@ -227,7 +227,7 @@ def tyre_cycle(
 
 
 def _tyre_coefficients(truth: jn.BenchTruth, pressure: float) -> tuple[float, ...]:
-    """Coefficients of the tyre's force over deflection, from the truth's curve or from the rig's own tyre."""
+    """Coefficients of the tyre's force over deflection, from the truth's curve or from the rig's tyre."""
     curve = truth.curve_at(pressure)
     if curve is not None:
         return curve
@@ -245,7 +245,7 @@ def _tyre_coefficients(truth: jn.BenchTruth, pressure: float) -> tuple[float, ..
 
 
 def _triangle(stroke: float, points: int) -> tuple[Array, Array]:
-    """Deflections up and down again, and +1 or -1 for the direction."""
+    """Deflections of loading and unloading, and +1 or -1 for the direction."""
     up = np.linspace(0.0, stroke, points)
     return np.concatenate([up, up[-2::-1]]), np.concatenate([np.ones(points), -np.ones(points - 1)])
 
@@ -258,11 +258,11 @@ def wheel_path(
     *,
     points: int = 60,
 ) -> jn.Excitation:
-    """Height (m) that the wheel really meets against time (s) while the belt carries obstacles past it.
+    """Return the true height (m) below the wheel over time (s) while the belt carries obstacles past it.
 
-    It is the mean of the obstacle's height over the contact patch, which begins half a patch before the foot, at the
-    distance that the slowed belt has reached; ``speed`` (m/s) is that before the first obstacle. Each obstacle has that
-    many ``points``; before the first and after the last the belt is level.
+    It is the mean height over the contact patch, which begins half a patch before the foot of the obstacle, at the
+    distance travelled by the slowed belt. ``speed`` (m/s) is the speed before the first obstacle. Each obstacle has
+    ``points`` samples; before the first and after the last the belt is level.
     """
     belt = (truth or shipped_truth()).belt
     single = road.of if isinstance(road, jn.Train) else road
@@ -289,13 +289,13 @@ def wheel_path(
     return jn.Excitation(
         time=np.concatenate([ends[0], time, ends[1]]),
         height=np.concatenate([np.zeros(2), height, np.zeros(2)]),
-        # A cubic needs some samples on the ramps that the contact patch makes of edges.
+        # A cubic needs several samples on the ramps into which the contact patch turns edges.
         interpolation="cubic" if belt.contact_length > 4.0 * spacing else "linear",
     )
 
 
 def _patch_mean(road: jn.Road, distance: Array, length: float) -> Array:
-    """Mean height over a contact patch, from the integral of the height on a fine grid."""
+    """Mean height over a contact patch, from the height integrated on a fine grid."""
     if length == 0.0:
         return np.asarray(road.height_at(distance), dtype=float)
     grid = np.arange(distance[0] - length, distance[-1] + length, min(5e-5, 0.05 * length))
@@ -308,9 +308,9 @@ def _patch_mean(road: jn.Road, distance: Array, length: float) -> Array:
 
 
 def _time_at(distance: Array, road: jn.Road, speed: float, belt: Any) -> Array:
-    """Time at which the belt has moved by ``distance``: each foot of an obstacle takes a share of the speed.
+    """Time at which the belt has moved by ``distance``: each foot of an obstacle reduces the speed by a fraction.
 
-    The missing speed decays exponentially in time; over the few centimetres concerned, time is distance over speed.
+    The speed loss decays exponentially in time, which is approximated by distance over speed for these short distances.
     """
     feet = (
         [road.start]
@@ -338,7 +338,7 @@ def course(row: Table2Row, truth: jn.BenchTruth | None = None, *, shift: float =
 def true_pass(
     row: Table2Row, seed: int = BenchPlan.seed, truth: jn.BenchTruth | None = None
 ) -> SimulatedPass:
-    """Return what the bench hides: the speed that rounds to the printed one, and the lag of the recording."""
+    """Return the true values of a pass: the exact speed, which rounds to the printed one, and the recording's delay."""
     truth = truth or shipped_truth()
     stated = truth.passes.get(str(row.number))
     if stated is not None:
@@ -406,7 +406,7 @@ def _cycle(deflection: Array, force: Array, generator: np.random.Generator) -> s
 
 
 def _decays(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
-    """Load the sprung mass with weights, remove them suddenly, and record its height above rest."""
+    """Simulate free decays: load the sprung mass with weights, remove them suddenly, record its height above rest."""
     texts = {}
     level = jn.Trial(
         excitation=jn.Excitation(time=[0.0, 0.7, 1.4, 2.0], height=[0.0] * 4), duration=2.0
@@ -440,7 +440,7 @@ def _decays(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
 
 
 def _csv(columns: dict[str, tuple[Array, int]]) -> str:
-    """Text of a file: header to (values, decimals)."""
+    """Text of a CSV file from columns: header to (values, decimals)."""
     rows = zip(
         *(np.char.mod(f"%.{digits}f", values) for values, digits in columns.values()), strict=True
     )
@@ -448,12 +448,12 @@ def _csv(columns: dict[str, tuple[Array, int]]) -> str:
 
 
 def _generator(seed: int, name: str) -> np.random.Generator:
-    """Random numbers that depend on the seed and the name only."""
+    """Random generator that depends on the seed and the name only."""
     return np.random.default_rng([seed, zlib.crc32(name.encode())])
 
 
 def truth_text(plan: BenchPlan, truth: jn.BenchTruth) -> str:
-    """Return the truth behind a plan's files as a truth file, SI, with the random values of each pass."""
+    """Return the true values of a plan's files as a truth file, SI, with the random values of each pass."""
     import tomlkit
 
     passes = {row.number: true_pass(row, plan.seed, truth) for row in plan.trials}
@@ -463,7 +463,7 @@ def truth_text(plan: BenchPlan, truth: jn.BenchTruth) -> str:
     document.add(tomlkit.comment(SYNTHETIC))
     document.add(
         tomlkit.comment(
-            f"The values behind the files, SI; seed {plan.seed}. A campaign is not told them."
+            f"The values behind the files, SI; seed {plan.seed}. Campaigns do not read them."
         )
     )
     for name, value in table.items():
