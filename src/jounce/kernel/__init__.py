@@ -2,9 +2,9 @@
 
 - ``lowering``, ``packing``, ``native``: expression graphs become native functions; ``machine``: by LLVM, for this
   processor; ``cache``: kept on disk;
-- ``engine``: what a run is computed from and into; ``arrays``: how its arrays lie in memory;
+- ``engine``: inputs and outputs of a run; ``arrays``: memory layout of its arrays;
 - ``methods``: ``explicit`` and ``implicit`` steps, ``exact`` propagation; ``poses``: a mechanism along given motions;
-- ``loops``: what these run through, compiled when jounce is built; ``call``: how that code is found and called.
+- ``loops``: the loops of these methods, compiled when jounce is built; ``call``: lookup and calls of that code.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Compile in a child process, whose memory, a hundred megabytes and more, is released when it ends.
 
-A process that lives long and compiles again and again (a server) keeps its size, and answers meanwhile.
+A long-running process that compiles repeatedly (a server) does not grow, and stays responsive meanwhile.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from jounce.core.child_processes import bytes_from_fork
 from jounce.kernel.machine import IN_LLVM
 
 SPLITS = sys.platform.startswith("linux")
-"""Whether a process can split: macOS ends those that do once its libraries are loaded, and Windows cannot."""
+"""Whether a process can fork: macOS kills forked processes once its libraries are loaded, and Windows has no fork."""
 _LONGEST = 300.0  # s: a child that takes longer hangs, and is given up
 _wanted: list[bool] = []
 
@@ -36,6 +36,6 @@ def compiling_apart() -> Iterator[None]:
 def compile_in_child(make: Callable[[], bytes]) -> bytes | None:
     """Return the result of ``make`` in a child; None if children are off or the child failed.
 
-    Errors stay in the child: whoever gets None calls ``make`` and sees them.
+    Errors stay in the child: on None, the caller calls ``make`` itself and receives them.
     """
     return bytes_from_fork(make, IN_LLVM, _LONGEST) if _wanted and SPLITS else None

@@ -1,7 +1,7 @@
 """A builder of LLVM IR that writes the instructions of long functions as text at once.
 
-A car's functions are thirty thousand instructions. As objects of llvmlite, each with a name that is searched for, and
-turned into text in the end, they take three times as long as this.
+A car's functions have thirty thousand instructions. As llvmlite objects, each with a name lookup and a final conversion
+to text, they take three times as long.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ _NUMBERS = count()  # one for all functions: names need only be different
 
 
 class _Line(ir.Value):  # type: ignore[misc]
-    """An instruction as text, and its result where it has one."""
+    """An instruction as text, with its result if it has one."""
 
     __slots__ = ("reference", "text", "type")
 
@@ -24,7 +24,7 @@ class _Line(ir.Value):  # type: ignore[misc]
         self.type, self.reference, self.text = kind, reference, text
 
     def get_reference(self) -> str:
-        """Name of the result in other instructions."""
+        """Return the name of the result for use in other instructions."""
         return self.reference
 
     def __str__(self) -> str:
@@ -32,7 +32,7 @@ class _Line(ir.Value):  # type: ignore[misc]
 
 
 class Builder(ir.IRBuilder):  # type: ignore[misc]
-    """Emits the instructions that lowering uses most; the others stay llvmlite's."""
+    """Emits the most frequent instructions of lowering; llvmlite emits the others."""
 
     def _write(self, kind: ir.Type, text: str) -> ir.Value:
         reference = f"%v{next(_NUMBERS)}"
@@ -49,29 +49,29 @@ class Builder(ir.IRBuilder):  # type: ignore[misc]
     def fadd(
         self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()
     ) -> ir.Value:
-        """Sum."""
+        """Emit a sum."""
         return self._binary("fadd", lhs, rhs, flags)
 
     def fsub(
         self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()
     ) -> ir.Value:
-        """Difference."""
+        """Emit a difference."""
         return self._binary("fsub", lhs, rhs, flags)
 
     def fmul(
         self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()
     ) -> ir.Value:
-        """Product."""
+        """Emit a product."""
         return self._binary("fmul", lhs, rhs, flags)
 
     def fdiv(
         self, lhs: ir.Value, rhs: ir.Value, name: str = "", flags: Sequence[str] = ()
     ) -> ir.Value:
-        """Quotient."""
+        """Emit a quotient."""
         return self._binary("fdiv", lhs, rhs, flags)
 
     def fneg(self, arg: ir.Value, name: str = "", flags: Sequence[str] = ()) -> ir.Value:
-        """Negative."""
+        """Emit a negation."""
         return self._write(
             arg.type, f"{' '.join(('fneg', *flags))} {arg.type} {arg.get_reference()}"
         )
@@ -79,7 +79,7 @@ class Builder(ir.IRBuilder):  # type: ignore[misc]
     def gep(
         self, ptr: ir.Value, indices: Sequence[ir.Value], *more: Any, **options: Any
     ) -> ir.Value:
-        """Address offset by a number of elements."""
+        """Emit an address offset by a number of elements."""
         if len(indices) != 1 or more or options:
             return super().gep(ptr, indices, *more, **options)
         (index,) = indices
@@ -87,7 +87,7 @@ class Builder(ir.IRBuilder):  # type: ignore[misc]
         return self._write(ptr.type, f"getelementptr {ptr.type.pointee}, {text}")
 
     def bitcast(self, value: ir.Value, typ: ir.Type, name: str = "") -> ir.Value:
-        """Value reinterpreted as another type."""
+        """Emit a bitcast to another type."""
         if value.type == typ:
             return value
         return self._write(typ, f"bitcast {value.type} {value.get_reference()} to {typ}")

@@ -1,6 +1,6 @@
-"""Sine, cosine and inverse tangent of vectors as plain operations: library functions take one number per call.
+"""Sine, cosine and inverse tangent of vectors by basic operations: library functions take one number per call.
 
-Each is within two units in the last place of the library's, for angles up to a million radians.
+Each result is within two units in the last place of the library's, for angles up to a million radians.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from llvmlite import ir
 
 Call = Callable[[str, Sequence[ir.Value]], ir.Value]
-"""Calls an LLVM intrinsic on vectors by its short name."""
+"""Function that calls an LLVM intrinsic on vectors by its short name."""
 
 _FUSED = (
     "contract",
@@ -57,7 +57,7 @@ _HALF, _EIGHTH, _LACKS = math.pi / 2.0, math.pi / 4.0, 3.061616997868383e-17
 
 
 class _Arithmetic:
-    """Operations on vectors of one type, with numbers among their operands."""
+    """Operations on vectors of one type; operands may also be numbers."""
 
     def __init__(self, builder: ir.IRBuilder, kind: ir.VectorType) -> None:
         self._b, self._kind = builder, kind
@@ -80,7 +80,7 @@ class _Arithmetic:
         return self._b.fmul(self.of(x), self.of(y), flags=_FUSED)
 
     def polynomial(self, x: ir.Value, coefficients: Sequence[float]) -> ir.Value:
-        """Value of a polynomial by Horner's rule."""
+        """Emit a polynomial by Horner's rule."""
         value: ir.Value | float = coefficients[0]
         for coefficient in coefficients[1:]:
             value = self.add(self.multiply(value, x), coefficient)
@@ -88,7 +88,7 @@ class _Arithmetic:
 
 
 def sine_and_cosine(b: ir.IRBuilder, call: Call, x: ir.Value) -> tuple[ir.Value, ir.Value]:
-    """Sine and cosine of angles (rad)."""
+    """Emit sine and cosine of angles (rad)."""
     of = _Arithmetic(b, x.type)
     quarters = call("rint", [of.multiply(x, 2.0 / math.pi)])
     angle = x
@@ -111,7 +111,7 @@ def sine_and_cosine(b: ir.IRBuilder, call: Call, x: ir.Value) -> tuple[ir.Value,
 
 
 def angle_of(b: ir.IRBuilder, call: Call, y: ir.Value, x: ir.Value) -> ir.Value:
-    """Angle (rad) from the first axis to the points (x, y), as ``atan2`` counts it."""
+    """Emit the angle (rad) from the x axis to the points (x, y), like ``atan2``."""
     of, zero = _Arithmetic(b, x.type), ir.Constant(x.type, None)
     across, along = call("fabs", [y]), call("fabs", [x])
     steep = b.fcmp_ordered(">", across, along)

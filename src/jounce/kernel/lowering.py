@@ -1,7 +1,7 @@
 """Lower CasADi SX functions to LLVM IR: one native function each, without branches.
 
-A function may also compute tangents: some of its inputs and outputs are *lanes*, several numbers side by side that all
-get the same operations. A value that depends on no lane stays a scalar, and is broadcast only where it meets a vector.
+A function may also compute tangents: some of its inputs and outputs are *lanes*, several adjacent numbers that undergo
+the same operations. A value that depends on no lane stays a scalar, and is broadcast only where it meets a vector.
 """
 
 from __future__ import annotations
@@ -571,7 +571,7 @@ class Lowering:
         return x if x.type == kind else self._once("spread", x, lambda: _spread(b, x, kind))
 
     def _once(self, what: str, x: ir.Value, make: Callable[[], Any]) -> Any:
-        """Return what ``make`` gave for this value in this function; the value is stored, so its id stays unique."""
+        """Return the cached result of ``make`` for a value in this function; storing the value keeps its id unique."""
         key = (id(x), what)
         if key not in self._cache:
             self._cache[key] = x, make()
@@ -590,7 +590,7 @@ def _count_of(function: object) -> int:
 _SMALL = 300  # instructions; chosen with the double wishbone (0.79 s to compile instead of 0.93 s), limit not scanned
 """Largest function whose loop over samples LLVM vectorises; for larger ones the vectors are emitted here."""
 _FEW = 8
-"""Inlined functions of so few samples stay scalar: a vector load right after scalar stores stalls the processor."""
+"""Inlined functions of at most this many samples stay scalar: vector loads right after scalar stores stall."""
 
 
 @contextmanager

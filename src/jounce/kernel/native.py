@@ -44,7 +44,7 @@ class AnyStep(Protocol):
 
 
 SINGLE = {"project": "project_many"}
-"""Functions of one sample, made from the function of many samples if a module has that."""
+"""Functions of one sample, derived from the function of many samples if the module has one."""
 
 
 @dataclass(frozen=True)
@@ -138,7 +138,7 @@ def _compile_entry(make: Callable[[], Source]) -> bytes:
 
 @contextlib.contextmanager
 def _without_garbage_collection() -> Iterator[None]:
-    """Stop the garbage collector: compiling makes a million small objects, of which hardly any is garbage.
+    """Stop the garbage collector: compiling creates a million small objects, hardly any of them garbage.
 
     They are released inside this context; otherwise the first collection after it would visit each of them.
     """

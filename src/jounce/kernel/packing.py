@@ -1,4 +1,4 @@
-"""Equal parts side by side: operations that several parts of a model share are vectorised, one lane per part.
+"""Vectorisation of equal parts: operations that several parts of a model share use one lane per part.
 
 The corners of a car are equal expressions of different symbols. Every node of an expression graph gets a *shape*
 (its operation and the shapes of its operands; for symbols the name without the part's) and the parts it belongs to.
@@ -18,7 +18,7 @@ import numpy as np
 
 _OPCODES = {getattr(ca, name): name for name in dir(ca) if name.startswith("OP_")}
 SHARED = -1
-"""Mask of nodes that belong to no part in particular: every bit is set."""
+"""Mask of nodes that belong to no specific part: all bits set."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class Parts:
 
     @cached_property
     def assemblies(self) -> frozenset[int]:
-        """Masks of the parts of each assembly."""
+        """Return the masks of the parts of each assembly."""
         masks: dict[str, int] = {}
         for i, prefixes in enumerate(self.prefixes):
             for prefix in prefixes[1:]:

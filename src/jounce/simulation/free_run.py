@@ -546,7 +546,8 @@ def _at_rest(
         matrix, residual = slope[rows] @ lift, rate
         closing: Array = np.zeros(lift.shape[1])
         directions: Array = np.eye(lift.shape[1])
-        if facts.constraints:  # first the smallest step that closes the loops, then one along the motions they allow
+        if facts.constraints:
+            # First the smallest step that closes the loops, then one along the motions that they allow.
             across = slopes["constraint"] @ lift
             left = compiled.evaluate("constraint", x, still, p, modes)
             closing = np.asarray(-np.linalg.lstsq(across, left, rcond=1e-12)[0], dtype=np.float64)

@@ -166,7 +166,7 @@ def test_a_structure_that_cannot_move_says_so():
     mechanism.watch_body(body)
     assert mechanism.mobility().degrees_of_freedom == 0
     (said,) = jn.simulate_mechanism(mechanism, 0.1, output_step=0.05).attrs["findings"]
-    assert said.startswith("warning: degrees of freedom: the joints leave none")
+    assert said.startswith("warning: degrees of freedom: the joints allow no motion")
 
 
 @pytest.mark.parametrize(
