@@ -1,6 +1,6 @@
 """Instructions for PyInstaller: the files that jounce needs, and the child processes of a frozen application.
 
-PyInstaller asks by itself wherever jounce is installed (entry point ``pyinstaller40``).
+PyInstaller finds them automatically if jounce is installed (entry point ``pyinstaller40``).
 """
 
 from __future__ import annotations
@@ -9,5 +9,5 @@ from pathlib import Path
 
 
 def hook_folders() -> list[str]:
-    """Give the folders with hooks for PyInstaller."""
+    """Return the folders with hooks for PyInstaller."""
     return [str(Path(__file__).parent / "hooks")]

@@ -1,7 +1,7 @@
-"""Interactive results and rigs in the cells of a notebook.
+"""Interactive results and rigs in notebook cells.
 
-:func:`viewer` shows recordings, runs and sweeps with the viewer of the reports; :func:`live` draws a rig's response
-anew whenever one of its numbers is moved (extra ``notebook``). Tables of results need neither.
+:func:`viewer` shows recordings, runs and sweeps with the report viewer. :func:`live` recomputes a rig's response
+whenever a slider is moved (extra ``notebook``). Tables of results need neither.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A rig with sliders for its numbers: its response is computed and drawn anew whenever one of them is moved."""
+"""Sliders for the parameters of a rig, whose response is recomputed and redrawn whenever one is moved."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
     from jounce.parts import Rig
 
-_SHARE = 0.5  # of a number, to both sides, where no range is given
-_COLUMNS = 400  # of a curve
+_SHARE = 0.5  # default range: this fraction of the value to each side
+_COLUMNS = 400  # samples of a curve
 _MOST_CURVES = 6
 
 
@@ -36,30 +36,30 @@ def live(
     *,
     channels: Sequence[str] | None = None,
 ) -> Any:
-    """Return a rig sliders for some of its numbers; its curves follow them, beside those of the rig as it was.
+    """Return sliders for parameters of a rig, with curves of the changed and the original rig.
 
     Parameters
     ----------
     rig : Rig
-        Where it starts; it is not changed.
+        Initial rig; it is not modified.
     numbers : sequence of str, or mapping of str to (least, greatest)
-        Paths of numbers as in ``rig.parameters()``, with the ends of their sliders in SI or with units; without them
-        half of the value to both sides. A number that is 0 needs its ends.
+        Paths as in ``rig.parameters()``, with slider limits in SI or with units. The default range is ± 50 % of the
+        value; a parameter that is 0 requires limits.
     run : callable
         Computes a recording or a sweep of a rig: ``lambda rig: jn.simulate(rig, trial)``.
     channels : sequence of str, optional
-        What is drawn, six at most; by default what a figure of it shows.
+        Channels to draw, at most six; by default those of the result's figure.
 
     Returns
     -------
     anywidget.AnyWidget
-        A notebook shows it, with a picture in its place where no kernel answers, as in exported pages.
-        ``widget.rig()`` is the rig as the sliders stand, ``widget.values`` their values (SI).
+        Widget displayed by the notebook, replaced by a static image without a kernel, as in exported pages.
+        ``widget.rig()`` returns the rig at the current slider values, ``widget.values`` contains these values (SI).
 
     Raises
     ------
     DescriptionError
-        For an unknown path, ends that are no range, or a number without ends that is 0.
+        For an unknown path, invalid limits, or a parameter that is 0 without limits.
     MissingPackageError
         Without anywidget (extra ``notebook``).
 
@@ -91,7 +91,7 @@ def _ranges(
 
 
 def _slider(rig: Rig, path: str, ends: tuple[float | str, float | str] | None) -> dict[str, Any]:
-    """One number with its range, in the unit that it is shown in."""
+    """Return a slider: parameter and range, in display units."""
     known = rig.parameters()
     if path not in known:
         raise unknown(path, known, what="number", where="numbers")
@@ -130,7 +130,7 @@ def _unit(data: xr.Dataset, name: str) -> DisplayUnit:
 def curves_of(
     data: xr.Dataset, names: Sequence[str], units: Mapping[str, DisplayUnit]
 ) -> list[dict[str, Any]]:
-    """Curves over the first of the names, thinned to the visible detail, in the given units; gaps are None."""
+    """Return curves over the first name, thinned to the visible detail, in the given units; gaps are ``None``."""
     axis, *channels = names
     x = data[axis].to_numpy().astype(float) * units[axis].factor
     curves = []
@@ -154,7 +154,7 @@ _ALIVE = (
 def still_html(
     sliders: Sequence[Mapping[str, Any]], first: xr.Dataset, names: Sequence[str]
 ) -> str:
-    """Static replacement of sliders and curves without a kernel: the values, their curves, and how to activate them."""
+    """Return the static replacement shown without a kernel: values, curves, and how to activate the sliders."""
     import base64
 
     from jounce.core.shown import html_table, number
@@ -182,14 +182,14 @@ def still_html(
 
 @cache
 def _widget_class() -> Any:
-    """The class of the widget; its package is loaded on first use."""
+    """Return the class of the widget; its package is imported on first use."""
     import anywidget
     import traitlets
 
     folder = resources.files("jounce.notebook")
 
     class LiveRig(anywidget.AnyWidget):  # type: ignore[misc]
-        """Sliders and curves; the page sends values, this sends curves."""
+        """Widget of sliders and curves: the page sends values and receives curves."""
 
         _esm = folder.joinpath("live.js").read_text(encoding="utf-8")
         _css = folder.joinpath("live.css").read_text(encoding="utf-8")
@@ -223,7 +223,7 @@ def _widget_class() -> Any:
                 self.send({"alive": True})
 
         def _ipython_display_(self, **_options: object) -> None:
-            """Show the widget, and a picture that the widget hides as soon as it is heard."""
+            """Show the widget, and an image that is hidden as soon as the widget is active."""
             from IPython.display import display
 
             bundle = self._repr_mimebundle_()
@@ -233,7 +233,7 @@ def _widget_class() -> Any:
             display({"text/html": still, "text/plain": _ALIVE}, raw=True)
 
         def rig(self) -> Rig:
-            """The rig at the current slider values."""
+            """Return the rig at the current slider values."""
             known = {slider["path"] for slider in self.sliders}
             return self._rig.with_changes(
                 {path: float(value) for path, value in self.values.items() if path in known}
@@ -242,7 +242,7 @@ def _widget_class() -> Any:
         def _redraw(self, _change: object) -> None:
             try:
                 curves = curves_of(self._run(self.rig()), self._names, self._units)
-            except JounceError as error:  # the curves of before stay, and the reason is said
+            except JounceError as error:  # the previous curves are kept, and the reason is shown
                 self.problem = str(error)
             else:
                 self.curves, self.problem = curves, ""

@@ -1,4 +1,4 @@
-"""The viewer of the reports as the output of a cell: linked curves, and the mechanism that moves with them."""
+"""The report viewer as the output of a notebook cell: linked curves with the animated mechanism."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class EmbeddedPage:
-    """A page within a cell, isolated from its surroundings.
+    """A page embedded in a cell, isolated from the notebook.
 
     Attributes
     ----------
     page : str
-        HTML text, complete in itself.
+        Self-contained HTML.
     height : int
-        Of the cell, in points of the screen [1].
+        Height of the cell in CSS pixels [1].
     """
 
     page: str
@@ -52,25 +52,25 @@ def viewer(
     Parameters
     ----------
     runs : xarray.Dataset, or mapping or sequence of them
-        Over the same axis: ``time`` (s), or what was swept; channels in SI. Several are compared.
+        Data over a common axis: ``time`` (s), or the swept variable; channels in SI units. Several runs are compared.
     rig : Rig, optional
-        The 3-D rig that moves with the first of them; its run needs ``detail=True``, its sweep ``points=True``.
+        3-D rig animated with the first run. A run requires ``detail=True``, a sweep ``points=True``.
     trial : Trial, optional
-        What its run was driven over.
+        Trial of that run, which gives its road.
     channels : sequence of str, optional
-        What is shown first; all others can be chosen.
+        Channels shown initially; all others can be selected.
     height : int
-        Of the cell, in points of the screen [1].
+        Height of the cell in CSS pixels [1].
 
     Returns
     -------
     EmbeddedPage
-        A notebook shows it when it is the last line of a cell; nothing is fetched from a network.
+        Page displayed by the notebook if it is the last expression of a cell; no network access is needed.
 
     Raises
     ------
     RecordingError
-        For nothing to show, different axes, or a channel that one of them does not hold.
+        If there is nothing to show, the axes differ, or a run lacks a requested channel.
 
     Examples
     --------

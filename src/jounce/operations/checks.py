@@ -1,4 +1,4 @@
-"""Checks of files: the kind of a file, and everything wrong with it, without running it."""
+"""Checks of files: the kind of a file, and all its problems, without running it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class FileCheck:
-    """Outcome for one file: what it is, in words, everything wrong with it, and the numbers that ``--set`` changes."""
+    """Result for one file: kind, description, problems, and the parameters that ``--set`` can change."""
 
     file: Path
     kind: str = "unknown"
@@ -35,7 +35,7 @@ class FileCheck:
 
     @contextmanager
     def step(self) -> Iterator[None]:
-        """Note the error of one step and let the next one run."""
+        """Record the error of one step and continue with the next one."""
         try:
             yield
         except JounceError as error:
@@ -46,12 +46,12 @@ class FileCheck:
 
 @dataclass(frozen=True)
 class CheckedFiles(Shown):
-    """Files that were checked.
+    """Checked files.
 
     Attributes
     ----------
     files : tuple of FileCheck
-        Each with what it is, everything wrong with it, and what is worth knowing.
+        Each file with its kind, problems and notes.
     lists_parameters : bool
         Whether the numbers of rigs, vehicles and testers are listed by their paths.
     """
@@ -61,11 +61,11 @@ class CheckedFiles(Shown):
 
     @property
     def problems(self) -> tuple[str, ...]:
-        """Everything that is wrong, file by file."""
+        """Return all problems, file by file."""
         return tuple(problem for item in self.files for problem in item.problems)
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the outcome of each file as plain data; numbers are SI."""
+        """Return the result of each file as plain data; numbers are in SI units."""
         files = [
             {
                 "file": str(item.file),
@@ -112,17 +112,17 @@ def check_files(
     parameters : bool
         List the numbers of rigs, vehicles and testers by their paths.
     progress : callable
-        Called with one line of text as the work goes on.
+        Called with a one-line message at each stage.
 
     Returns
     -------
     CheckedFiles
-        What each file is, and everything wrong with it. Nothing is run.
+        Kind and problems of each file. Nothing is run.
 
     Raises
     ------
     RecordingError
-        For a pattern that no file matches.
+        If no file matches a pattern.
 
     Examples
     --------
@@ -143,7 +143,7 @@ def check_files(
 
 
 def checked_page(checked: CheckedFiles, *, title: str) -> Page:
-    """Put the kinds and checks of files on a page, with notes and parameters."""
+    """Create a page of the kinds and checks of files, with notes and parameters."""
     from jounce.report.page import Page, PageTable, Paragraph, Section
 
     rows = tuple(
@@ -166,14 +166,14 @@ def _verdict(problems: int) -> str:
 
 
 def _in_chosen_unit(path: str, given: Mapping[str, Any]) -> tuple[str, str, str]:
-    """Write a number of a rig in the unit that is chosen."""
+    """Format a parameter of a rig in the selected unit."""
     value = float(given["value"])
     shown = display_unit_for(given["unit"], path, abs(value))
     return path, f"{value * shown.factor:.6g}", shown.name
 
 
 def check_file(file: Path) -> FileCheck:
-    """Check one file by what it is: a description (TOML), the header of a record, a road, a table or a recording."""
+    """Check one file by its kind: a description (TOML), the header of a record, a road, a table or a recording."""
     check = FileCheck(file)
     with check.step():
         checks: dict[str, Callable[[FileCheck], None]] = {
@@ -229,7 +229,7 @@ def _check_rig(check: FileCheck) -> None:
 
 
 def _parameters(description: Any) -> dict[str, dict[str, float | str]]:
-    """Every number of a description by its path, SI, with its unit."""
+    """Return all parameters of a description by path, SI, with their units."""
     from jounce.parts.rig import parameters_of, unit_of
 
     parameters = parameters_of(description)
@@ -254,7 +254,7 @@ def _check_control(check: FileCheck) -> None:
 
     control = controller(check.file)
     check.what = str(getattr(control, "law", type(control).__name__))
-    if check.what == "fmu":  # which is read, and not run
+    if check.what == "fmu":  # it is read, but not run
         from jounce.control import read_fmu
 
         component = read_fmu(str(getattr(control, "file", "")))
@@ -265,7 +265,7 @@ def _check_control(check: FileCheck) -> None:
 
 
 def _check_fmu(check: FileCheck) -> None:
-    """An FMU: what can be connected, and whether it runs here as a controller or force element."""
+    """Check an FMU: its connectable variables, and whether it runs here as a controller or force element."""
     from jounce.control import read_fmu
 
     component = read_fmu(check.file)
@@ -291,12 +291,12 @@ def _check_fmu(check: FileCheck) -> None:
 
 
 def _connectable(v: FmuVariable) -> str:
-    """A variable of an FMU with its unit; the type, too, of what is no single real number."""
+    """Describe a variable of an FMU with its unit, and its type if it is not a real scalar."""
     of = "" if v.kind in ("Real", "Float64") and not v.dimensions else f" ({v.shape})"
     return f"{v.name}{f' [{v.unit}]' if v.unit else ''}{of}"
 
 
-_MANY = 20  # variables of an FMU in a line
+_MANY = 20  # variables of an FMU per line
 
 
 def _check_tester(check: FileCheck) -> None:
@@ -317,7 +317,7 @@ def _check_limits(check: FileCheck) -> None:
 
 
 def _check_header(check: FileCheck, facts: dict[str, Any], text: str) -> None:
-    """Facts about the car in the file beside a record; each mistake is reported with its line."""
+    """Check the header file of a record, with facts about the car; each error is reported with its line."""
     from jounce.core.description import line_of
     from jounce.inspection.record import read_facts
 
@@ -330,7 +330,7 @@ def _check_header(check: FileCheck, facts: dict[str, Any], text: str) -> None:
 
 
 def _check_measured(check: FileCheck) -> None:
-    """A recording, a force-deflection trial or a road table: the first whose columns the file has."""
+    """Check a recording, a force-deflection trial or a road table: the first whose columns the file contains."""
     from jounce.recordings import read_columns
 
     tables = {
@@ -350,7 +350,7 @@ def _check_measured(check: FileCheck) -> None:
         except RecordingError as error:
             if not error.what.startswith(
                 ("no column", "no channel")
-            ):  # what readers say of a file of another kind
+            ):  # errors of readers on a different kind of file
                 raise
             missing.append(error)
         else:
@@ -376,7 +376,7 @@ def _check_recording(check: FileCheck) -> None:
 
 
 def _check_campaign(check: FileCheck) -> None:
-    """The campaign, its rig and roads, and every file of bench and trials."""
+    """Check a campaign, its rig and roads, and all files of bench and trials."""
     from jounce.campaign import load_campaign
     from jounce.campaign.characterise import files_of, read_force_deflection
     from jounce.campaign.run import checks_of, load_trial
@@ -408,7 +408,7 @@ def _check_campaign(check: FileCheck) -> None:
         with check.step():
             try:
                 if entry.road is not None and roads.get(entry.road) is None:
-                    entry.read(folder / entry.recording, folder)  # that of its road is said
+                    entry.read(folder / entry.recording, folder)  # errors of its road are already reported
                 else:
                     load_trial(entry, roads, folder, campaign)
             except JounceError as error:
@@ -435,7 +435,7 @@ def _check_campaign(check: FileCheck) -> None:
 
 
 def _check_laboratory(check: FileCheck) -> None:
-    """Settings of a laboratory, with the rig and the table of trials that they name."""
+    """Check the settings of a laboratory, with the rig and the table of trials they refer to."""
     from jounce.campaign.laboratory import load_laboratory, read_trials
     from jounce.parts import load
     from jounce.parts.files import rig_named_in

@@ -74,7 +74,7 @@ MODULES = (
 )
 """Modules whose functions are operations, in the order of their commands in the help."""
 PROGRESS, EACH = "progress", "each"
-"""Parameters that take functions: one shows a text, the other a part of the result."""
+"""Callback parameters: one shows a text, the other a part of the result."""
 
 
 def describe_operations() -> list[dict[str, Any]]:
@@ -165,7 +165,7 @@ def _default_of(field: FieldInfo, unit: str) -> str:
 
 
 def _marks(function: Callable[..., Any]) -> dict[str, Mark | MadeBy]:
-    """Give the mark of each parameter; whole numbers and switches need none."""
+    """Return the mark of each parameter; integers and switches need none."""
     hints = _hints(function, include_extras=True)
     marked: dict[str, Mark | MadeBy] = {}
     for name in inspect.signature(function).parameters:
@@ -180,7 +180,7 @@ def _marks(function: Callable[..., Any]) -> dict[str, Mark | MadeBy]:
 
 
 class _Names(dict[str, Any]):
-    """Names of a module, with those that it imports for type checkers only."""
+    """Return the names of a module, including those imported for type checkers only."""
 
     def __missing__(self, name: str) -> Any:
         return getattr(builtins, name, Any)
@@ -198,7 +198,7 @@ def _members(hint: Any) -> set[Any]:
 
 
 def parameter_texts(function: Callable[..., Any]) -> dict[str, str]:
-    """Give what a numpydoc docstring says of each parameter, or field of a description."""
+    """Return the numpydoc text of each parameter, or of each field of a description."""
     part = re.search(
         r"(?:Parameters|Attributes)\n-+\n(.*?)(?=^\w+\n-+$|\Z)",
         inspect.getdoc(function) or "",
@@ -213,7 +213,7 @@ def parameter_texts(function: Callable[..., Any]) -> dict[str, str]:
 
 
 def _plain(operation: Operation) -> dict[str, Any]:
-    """Leave out what has its usual value."""
+    """Omit entries with default values."""
     plain = asdict(operation)
     plain["parameters"] = [_plain_parameter(parameter) for parameter in operation.parameters]
     return plain

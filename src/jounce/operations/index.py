@@ -14,24 +14,24 @@ from jounce.core.operation import MARKS, MadeBy, Mark
 
 @dataclass(frozen=True)
 class Parameter:
-    """One parameter as faces ask for it.
+    """One parameter as presented by front ends.
 
     Attributes
     ----------
     name : str
-        Of the function, or of the maker of one of its parameters.
+        Name in the function, or in the maker of one of its parameters.
     option : str
-        As commands and jobs call it, with underscores.
+        Name in commands and jobs, with underscores.
     mark : Mark
-        How it is given.
+        Form in which the value is given.
     default : object
-        Of the option, as people type it; None without one.
+        Default of the option, as typed; ``None`` without one.
     is_required, is_positional : bool
-        Whether it must be given, and whether a command takes it without its name.
+        Whether it is required, and whether a command accepts it without its name.
     made : str
-        Parameter of the function that it helps to make; empty where it is one itself.
+        Parameter of the function that it is part of; empty if it is a parameter itself.
     takes_text : bool
-        Whether the function reads what people type by itself.
+        Whether the function parses typed text itself.
     source : str
         ``module:function`` whose signature and docstring describe it.
     """
@@ -48,7 +48,7 @@ class Parameter:
 
     @property
     def flag(self) -> str:
-        """Give the option as it is written on a command line.
+        """Return the option as written on a command line.
 
         >>> Parameter("damping_ratio", "damping_ratio", Mark()).flag
         '--damping-ratio'
@@ -57,7 +57,7 @@ class Parameter:
 
     @property
     def place(self) -> str:
-        """Name of the value in messages: its option, or what stands for it in the help where it has none."""
+        """Return the name of the value in messages: its option, or its placeholder in the help if it has none."""
         word = self.mark.metavar.removesuffix("...") or self.option.upper()
         return word if self.is_positional else self.flag
 
@@ -75,15 +75,15 @@ class Operation:
     parameters : tuple of Parameter
         In the order of the command.
     makers : dict
-        Parameter of the function to what makes it of options.
+        Functions that create parameters from options, by parameter.
     has_progress : bool
-        Whether the function takes ``progress``, which shows a text while it runs.
+        Whether the function accepts ``progress``, which shows a text while it runs.
     has_each : bool
-        Whether it takes ``each``, which shows each part of the result as soon as it is done.
+        Whether it accepts ``each``, which shows each part of the result as soon as it is available.
     command, echo, offers, required, names_files, check, python, page, terminal, figure
-        As :func:`jounce.core.operation.operation` takes them.
+        Arguments of :func:`jounce.core.operation.operation`.
     title, comment, doing, example, note
-        Texts, as it takes them.
+        Text arguments of the same function.
     """
 
     command: str
@@ -110,7 +110,7 @@ class Operation:
 
     @property
     def options(self) -> tuple[Parameter, ...]:
-        """Parameters whose option no earlier one has: several makers may take the same option."""
+        """Return parameters with distinct options: several makers may use the same option."""
         first = {parameter.option: parameter for parameter in reversed(self.parameters)}
         return tuple(
             parameter for parameter in self.parameters if first[parameter.option] is parameter
@@ -118,7 +118,7 @@ class Operation:
 
     @property
     def subject(self) -> str:
-        """Option of the subject: the one that a command takes without its name; empty without one."""
+        """Return the option of the subject, which a command accepts without its name; empty if there is none."""
         return next(
             (parameter.option for parameter in self.parameters if parameter.is_positional), ""
         )

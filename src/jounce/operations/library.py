@@ -21,10 +21,10 @@ class ShippedFiles(Shown):
     Attributes
     ----------
     groups : dict of str to list of dict
-        Name, kind, source and file of each, by group: rigs, vehicles, roads, testers, limits, truths. Empty where
-        one was asked for.
+        Name, kind, source and file of each, by group: rigs, vehicles, roads, testers, limits, truths. Empty if a
+        single file was requested.
     file : dict, optional
-        The same of that one, with its ``text``; a road has its length and heights (m) instead.
+        The same fields of the requested file, with its ``text``; a road has its length and heights (m) instead.
     """
 
     groups: Mapping[str, list[dict[str, Any]]]
@@ -32,14 +32,14 @@ class ShippedFiles(Shown):
 
     @property
     def printed(self) -> str:
-        """The text of a file, or what a road is."""
+        """Return the text of a file, or the description of a road."""
         if self.file is None:
             return ""
         about = "{name}: {what}\nfile: {file}\n\n{source}\n".format_map(self.file)
         return str(self.file.get("text", about))
 
     def to_dict(self) -> dict[str, Any]:
-        """Give the list, or what is known of the one file."""
+        """Return the list, or the fields of the requested file."""
         return dict(self.groups if self.file is None else self.file)
 
 
@@ -58,17 +58,17 @@ def shipped_files(
     Parameters
     ----------
     name : str, optional
-        Name of one of them.
+        Name of a single file or road.
 
     Returns
     -------
     ShippedFiles
-        What each is, its source and its file; of the named one, its text.
+        Kind, source and file of each; for a named file also its text.
 
     Raises
     ------
     DescriptionError
-        For a name that is not in the library.
+        If the name is not in the library.
 
     Examples
     --------
@@ -99,7 +99,7 @@ def shipped_files(
 
 
 def _groups() -> dict[str, tuple[Mapping[str, Path], Callable[[str, Path], dict[str, Any]]]]:
-    """Files by group, each with what describes one; a rig comes before a road of the same name."""
+    """Return files by group, each with a function that describes it; a rig precedes a road of the same name."""
     from jounce.campaign.shipped import truth_library
     from jounce.inspection.shipped import SHIPPED, shipped_limits
     from jounce.parts import library
@@ -115,7 +115,7 @@ def _groups() -> dict[str, tuple[Mapping[str, Path], Callable[[str, Path], dict[
     }
 
 
-# Files that are shipped are read and not loaded: they are known to be right, and checking them all takes longest.
+# Shipped files are parsed but not validated: they are known to be correct, and validating all of them is slow.
 def _rig(name: str, file: Path) -> dict[str, Any]:
     table = read_toml(file)[0]
     kind = "vehicle" if table["schema"].startswith("jounce.vehicle/") else "rig"
@@ -177,7 +177,7 @@ def _road(name: str, file: Path) -> dict[str, Any]:
 
 
 def library_page(found: ShippedFiles, *, title: str) -> Page:
-    """List the shipped files on a page."""
+    """Create a page that lists the shipped files."""
     tables = tuple(
         table_of(
             group.capitalize(),

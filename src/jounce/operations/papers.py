@@ -17,7 +17,7 @@ from jounce.report.page import Bullets, Page, Paragraph, Section
 
 @dataclass(frozen=True)
 class SyntheticCampaign(Plain):
-    """Synthetic recordings with the campaign that evaluates them: its file, and all files of its folder."""
+    """Synthetic recordings with the campaign that evaluates them: campaign file, and all files of its folder."""
 
     left_out = ("campaign",)
 
@@ -43,7 +43,7 @@ def synthesise_campaign(
     truth: Annotated[
         str,
         File(
-            "What the bench really is: a file, or a shipped name (kart-prototype, kart-low-friction).",
+            "True parameters of the bench: a file, or a shipped name (kart-prototype, kart-low-friction).",
             "TRUTH",
         ),
     ] = "kart-prototype",
@@ -57,17 +57,16 @@ def synthesise_campaign(
             'strut.spring.rate="25 N/mm"',
         ),
     ] = None,
-    seed: Annotated[int, Count("Of all scatter and noise.", least=0)] = 2008,
+    seed: Annotated[int, Count("Random seed of all scatter and noise.", least=0)] = 2008,
     duration: Annotated[
         float, Number("Length of each recording.", "TIME", "s", is_positive=True)
     ] = 3.0,
     force: Annotated[bool, Switch("Overwrite existing output.")] = False,
     progress: Callable[[str], None] = lambda _: None,
 ) -> SyntheticCampaign:
-    """Make synthetic recordings of a bench whose truth is known, with the campaign that evaluates them.
+    """Generate synthetic recordings of a bench with known parameters, and the campaign that evaluates them.
 
-    Whether a method finds values that one has chosen oneself shows what it is worth. It is what
-    :func:`jounce.virtual_bench` does.
+    A method can be tested by whether it recovers the chosen values. Equivalent to :func:`jounce.virtual_bench`.
     """
     check_folder(folder, force=force)
     given = dict(changes or {})
@@ -80,7 +79,7 @@ def synthesise_campaign(
 
 
 def synthetic_page(campaign: SyntheticCampaign, *, title: str) -> Page:
-    """Put a synthetic campaign on a page: how many files there are, and how to go on."""
+    """Create a page of a synthetic campaign: number of files, and next steps."""
     run = command_line(["jounce", "campaign", "run", str(campaign.campaign), "--out", "results"])
     text = f"{len(campaign.files)} files, synthetic; the values behind them are in truth.toml"
     return Page(title, (Section("Files", (Paragraph(text), Paragraph("Next:"), Bullets((run,)))),))

@@ -1,4 +1,4 @@
-"""A request: an operation with the given values of its parameters."""
+"""Requests: an operation with the given values of its parameters."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ class Request:
     Attributes
     ----------
     operation : Operation
-        What is asked for.
+        Requested operation.
     given : dict
-        Values by option, as they were given: text, numbers and switches.
+        Values by option, as given: text, numbers and switches.
     """
 
     operation: Operation
     given: Mapping[str, Any]
 
     def values(self) -> Iterator[tuple[Parameter, Any]]:
-        """Give each parameter that has a value, with the value as it was given, or the default."""
+        """Yield each parameter with a value, either as given or the default."""
         for parameter in self.operation.parameters:
             value = self.given.get(parameter.option)
             value = parameter.default if value in _NOTHING and not parameter.is_required else value
@@ -39,12 +39,12 @@ class Request:
                 yield parameter, value
 
     def read(self) -> Values:
-        """Convert all values, so that a wrong one is refused before anything is made.
+        """Convert all values, so that an invalid one raises an error before anything is created.
 
         Raises
         ------
         DescriptionError
-            For a value that cannot be read, with the option.
+            If a value cannot be parsed; the message names the option.
         """
         return [
             (parameter, parameter.mark.read(value, parameter.place))
@@ -71,7 +71,7 @@ class Request:
         say: Callable[[str], None] = lambda _: None,
         show: Callable[[object], None] = lambda _: None,
     ) -> Any:
-        """Call the function with the converted values; ``say`` shows a text while it runs, ``show`` what is done."""
+        """Call the function with the converted values; ``say`` shows progress, ``show`` finished parts."""
         arguments = {
             **made,
             **{parameter.name: value for parameter, value in values if not parameter.made},
@@ -116,7 +116,7 @@ class Request:
         for parameter, value in self.values():
             if (
                 parameter.made or value is False
-            ):  # a switch that is off, which the function may not have
+            ):  # a switch that is off, which the function may lack
                 continue
             is_text = parameter.takes_text and isinstance(value, str)
             written = repr(value) if is_text else parameter.mark.python(value, parameter.place)
@@ -126,7 +126,7 @@ class Request:
 
 
 def _in_python(maker: Callable[..., Any], options: Mapping[str, Any]) -> str:
-    """Write what a maker makes as Python: a description by its fields, anything else as the value itself."""
+    """Format the result of a maker as Python: a description by its fields, anything else as the value itself."""
     if not isinstance(maker, type):
         return repr(maker(**options))
     fields = ", ".join(f"{name}={value!r}" for name, value in options.items())
@@ -135,7 +135,7 @@ def _in_python(maker: Callable[..., Any], options: Mapping[str, Any]) -> str:
 
 @contextmanager
 def naming_options(parameters: Iterable[Parameter]) -> Iterator[None]:
-    """Let errors about a parameter name its option."""
+    """Replace a parameter's name by its option in errors."""
     try:
         yield
     except JounceError as error:
