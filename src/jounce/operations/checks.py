@@ -408,7 +408,9 @@ def _check_campaign(check: FileCheck) -> None:
         with check.step():
             try:
                 if entry.road is not None and roads.get(entry.road) is None:
-                    entry.read(folder / entry.recording, folder)  # errors of its road are already reported
+                    entry.read(
+                        folder / entry.recording, folder
+                    )  # errors of its road are already reported
                 else:
                     load_trial(entry, roads, folder, campaign)
             except JounceError as error:

@@ -23,4 +23,7 @@ _sources = [file.read_text(encoding="utf-8") for file in Path(__file__).parents[
 hiddenimports += sorted(
     {name for text in _sources for name in _asked.findall(text) if find_spec(name)}
 )
-excludedimports = ["IPython", "numba"]  # IPython is only used inside notebooks, and the loops are precompiled
+excludedimports = [
+    "IPython",
+    "numba",
+]  # IPython is only used inside notebooks, and the loops are precompiled
