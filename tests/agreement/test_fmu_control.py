@@ -257,9 +257,7 @@ def test_an_element_without_equilibrium_or_stability_is_refused(stiff_and_soft, 
             numbers={"stiffness": 100.0 * rig.tyre.stiffness, "pulls": 0.0},
             rate=200.0,
         )
-    with pytest.raises(
-        jn.SimulationError, match="the rig has no tyre that a force could replace"
-    ):
+    with pytest.raises(jn.SimulationError, match="the rig has no tyre that a force could replace"):
         element(jn.load("audi-a6-half-car"), "tyre")
 
 

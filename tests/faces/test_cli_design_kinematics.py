@@ -343,7 +343,7 @@ def test_targets_that_fight_are_told_once_a_pair(cli, study) -> None:
     file = study(HEAD + arms + GAIN + GAIN.replace("-25", "-30"))
     found = cli("design", "kinematics", file)
     assert found.exit_code == 1
-    lines = [line for line in found.out.splitlines() if " fights " in line]
+    lines = [line for line in found.out.splitlines() if " conflicts with " in line]
     assert len(lines) == 1
     fights = cli("design", "kinematics", file, "--json").json["fights"]
     assert {(one["missed"], one["other"]) for one in fights} == {(0, 1), (1, 0)}

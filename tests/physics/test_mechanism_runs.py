@@ -143,9 +143,7 @@ def _told_of_a_top(mechanism, **options) -> list[str]:
     mechanism.watch_coordinates()
     run = jn.simulate_mechanism(mechanism, 0.1, at_rest=True, output_step=0.1, **options)
     return [
-        text.split(": ")[1]
-        for text in run.attrs["findings"]
-        if "in unstable equilibrium" in text
+        text.split(": ")[1] for text in run.attrs["findings"] if "in unstable equilibrium" in text
     ]
 
 
