@@ -1,4 +1,4 @@
-"""Tables of hardpoints as every program writes them: names, unit, axes and side found or given, then a 3-D rig."""
+"""Import of hardpoint tables of any program as 3-D rigs; detects names, unit, axes and side."""
 
 from __future__ import annotations
 
@@ -164,26 +164,26 @@ def import_hardpoints(
     """Convert a table of hardpoints to the left corner of a 3-D rig, for its kinematics.
 
     Reads ``name, x, y, z`` with any separator, point lists of Lotus Shark, tables of OptimumKinematics and Adams, text
-    or ``.xlsx`` (extra ``io``). Masses, springs and dampers are in no such table: the rig leaves them out.
+    or ``.xlsx`` (extra ``io``). Such tables have no masses, springs or dampers: the rig omits them.
 
     Parameters
     ----------
     path : Path or str
         The table.
     unit : str, optional
-        Unit of the coordinates, such as ``"mm"``; by default what the file says, else metres or millimetres where half
-        the track can only be meant so.
+        Unit of the coordinates, such as ``"mm"``; by default that of the file, else metres or millimetres if the half
+        track is plausible in only one of them.
     axes : str, optional
-        What in the table is our x (forward), y (left) and z (up), such as ``"-x,-y,z"``; by default x, y and z, with x
-        turned round where the arm's front lies behind its rear.
+        Table axes that correspond to x (forward), y (left) and z (up), such as ``"-x,-y,z"``. By default x, y and z; x
+        is reversed if the front point of an arm is behind its rear point.
     side : {"left", "right"}
-        Which corner is read where the table holds both. Right ones are mirrored.
+        Corner to read if the table contains two sides. Right corners are mirrored.
     axle : {"front", "rear"}, optional
-        Which axle is read where the table holds both.
+        Axle to read if the table contains two.
     model : str, optional
-        Suspension; by default the one that has these points.
+        Suspension model; by default the one with these points.
     names : mapping, optional
-        Name in the table to ours.
+        jounce's name for each name in the table.
     wheel_radius : float, optional
         Undeformed radius of the tyre [m]; by default the height of the wheel centre.
     source : str, optional
@@ -192,17 +192,17 @@ def import_hardpoints(
     Returns
     -------
     rig : Corner
-        The left corner, without what the table does not hold.
+        The left corner, without parts missing in the table.
     findings : list of Finding
-        What was assumed, turned round or left out.
+        Assumptions, reversed axes and omissions.
     text : str
-        The rig file that describes it.
+        Text of the rig file.
 
     Raises
     ------
     DescriptionError
-        For what is no table, names that are unknown, points that are missing or given twice, a unit that cannot be
-        meant, sides that are not opposite, and points that are no mechanism.
+        For a file that is not a table, unknown names, missing or duplicate points, an implausible unit, sides that are
+        not opposite, or points that do not form a mechanism.
 
     Examples
     --------
@@ -293,7 +293,7 @@ def _read(file: Path) -> PointTable:
 
 
 def _keep_unit(table: PointTable, unit: str, where: str) -> None:
-    """Keep the unit that a line names; a second one that differs is refused."""
+    """Store the unit given on a line; refuse a second, different unit."""
     if unit and table.unit not in ("", unit):
         raise DescriptionError(
             "two units", where=where, found=f"{unit} after {table.unit}", allowed="one"
@@ -302,7 +302,7 @@ def _keep_unit(table: PointTable, unit: str, where: str) -> None:
 
 
 def _text(file: Path) -> str:
-    """The text of a file, in UTF-8 or as spreadsheets write "Unicode text"."""
+    """Return the text of a file, in UTF-8 or in UTF-16 as spreadsheets export "Unicode text"."""
     content = content_of(file)
     if content.startswith((b"\xff\xfe", b"\xfe\xff")):
         return content.decode("utf-16", errors="replace")
@@ -333,7 +333,7 @@ def _lines(file: Path) -> Iterator[tuple[str, list[str]]]:
 
 
 def _cells(line: str) -> list[str]:
-    """Cells of a line: between semicolons, tabs or commas, else words; decimal commas become points.
+    """Split a line into cells at semicolons, tabs or commas, else at blanks; decimal commas become points.
 
     >>> _cells("lca front; 1,5; 2; 3"), _cells("'a, b', 1, 2, 3"), _cells("1 2 3 POINT:1 Lower pivot")
     (['lca front', '1.5', '2', '3'], ['a, b', '1', '2', '3'], ['1', '2', '3', 'POINT:1', 'Lower', 'pivot'])
@@ -361,7 +361,7 @@ def _cells(line: str) -> list[str]:
 
 
 def _entry(line: str) -> tuple[str, str] | None:
-    """Name and coordinates of a point of YAML or JSON: ``name: [1, 2, 3]`` or ``name: {x: 1, y: 2, z: 3}``."""
+    """Return name and coordinates of a point in YAML or JSON: ``name: [1, 2, 3]`` or ``name: {x: 1, y: 2, z: 3}``."""
     name, _, rest = line.partition(":")
     name, rest = re.sub(r"^\W+", "", name).rstrip(" \t\"'"), rest.strip()
     end = max(rest.rfind("]"), rest.rfind("}"))
@@ -376,7 +376,7 @@ def _entry(line: str) -> tuple[str, str] | None:
 
 
 def _sheet(file: Path) -> Iterator[tuple[str, list[str]]]:
-    """Rows of all sheets of an Excel file."""
+    """Yield the rows of all sheets of an Excel file."""
     limits = {"most_bytes": 10 * _LARGEST, "most_rows": _ROWS, "most_columns": _COLUMNS}
     try:
         for title, rows in sheets_of(file, DescriptionError, **limits):
@@ -397,7 +397,7 @@ def _is_number(text: str) -> bool:
 
 
 def _header(cells: list[str]) -> tuple[list[int], str] | None:
-    """Columns of x, y and z with their unit, where these cells name them."""
+    """Return the columns of x, y and z and their unit, if the cells are a header."""
     columns: dict[str, int] = {}
     units = set()
     for index, cell in enumerate(cells):
@@ -425,7 +425,7 @@ def _resolve_unit(text: str, where: str) -> str:
 
 
 def _row(cells: list[str], columns: list[int], where: str) -> PointRow | None:
-    """A name and three numbers; None where these cells are something else."""
+    """Return a name with three numbers, or None for other cells."""
     if columns and max(columns) < len(cells) and all(_is_number(cells[i]) for i in columns):
         words = [
             cell for i, cell in enumerate(cells[: min(columns)]) if cell and not _is_number(cell)
@@ -470,7 +470,7 @@ def _numbers(texts: list[str]) -> Array:
 
 
 def _plain(name: str) -> str:
-    """A name in small words: ``LowerWishboneFrontPivot`` and ``lower_wishbone-front pivot`` are one.
+    """Return a name as lower-case words: ``LowerWishboneFrontPivot`` and ``lower_wishbone-front pivot`` are one.
 
     >>> _plain("CHAS_LowFor_L"), _plain("hpl_lca_front"), _plain("LowerWishboneFrontPivot FL")
     ('chas low for l', 'hpl lca front', 'lower wishbone front pivot fl')
@@ -501,7 +501,7 @@ def _sort_out(name: str) -> tuple[str, str, str]:
 
 
 def names_of_points() -> dict[str, str]:
-    """Plain name of a point to ours: those of all rig files, and those of other programs."""
+    """Return jounce's names by plain name, for rig files and other programs."""
     names: dict[str, str] = {}
     for kind in Corner.__subclasses__():
         points = kind.model_fields["hardpoints"].annotation
@@ -512,19 +512,19 @@ def names_of_points() -> dict[str, str]:
 
 
 def _required_points(model: str) -> list[str]:
-    """Required points of a suspension model."""
+    """Return the required points of a suspension model."""
     points: Any = RIGS[model].model_fields["hardpoints"].annotation
     return [name for name, info in points.model_fields.items() if info.is_required()]
 
 
 def _missing(model: str, points: Mapping[str, Array]) -> list[str]:
-    """Required points that are missing; a strut needs both ends or neither."""
+    """Return missing required points; a strut needs two ends or none."""
     needed = [*_required_points(model), *(_STRUT if any(end in points for end in _STRUT) else ())]
     return [name for name in dict.fromkeys(needed) if name not in points]
 
 
 class PointReading:
-    """A table while it becomes a rig."""
+    """Converts a table of points to a rig."""
 
     def __init__(
         self, table: PointTable, side: str, axle: str | None, names: dict[str, str]
@@ -539,11 +539,11 @@ class PointReading:
         self.points = self._choose(side, axle, names)
 
     def note(self, code: str, value: float | None = None, /, **numbers: Any) -> None:
-        """Add a finding, of a row of the catalogue."""
+        """Add a finding from the catalogue."""
         self.findings.append(finding(code, str(self.file), value, **numbers))
 
     def _choose(self, side: str, axle: str | None, names: dict[str, str]) -> dict[str, Array]:
-        """Points of the wanted corner by our names."""
+        """Return the points of the requested corner by jounce's names."""
         own = {_plain(theirs): ours for theirs, ours in names.items()}
         known = names_of_points()
         for theirs, ours in names.items():
@@ -619,7 +619,7 @@ class PointReading:
             )
 
     def _refuse_one_side(self, across: Array) -> None:
-        """Refuse left and right points on one side of the car; ``across`` is our y in the table's axes."""
+        """Refuse left and right points on one side of the car; ``across`` is jounce's y in table axes."""
         for name, row in self._both.get("left", {}).items():
             other = self._both["right"].get(name)
             if other is None or row is other:
@@ -641,7 +641,7 @@ class PointReading:
         wheel_radius: float | None,
         source: str | None,
     ) -> ImportedRig:
-        """The rig, its findings, and its file."""
+        """Return the rig, its findings, and the text of its file."""
         if wheel_radius is not None and not wheel_radius > 0.0:
             raise DescriptionError(
                 "out of range", where="wheel_radius", found=wheel_radius, allowed="above 0"
@@ -676,7 +676,7 @@ class PointReading:
         return ImportedRig(rig, self.findings, text)
 
     def model_of(self, model: str | None) -> str:
-        """The suspension that has these points, or the one that was asked for."""
+        """Return the suspension model with these points, or the requested model."""
         corners = {name: kind for name, kind in RIGS.items() if issubclass(kind, Corner)}
         if model is not None:
             if model not in corners:
@@ -707,7 +707,7 @@ class PointReading:
         )
 
     def complete(self, model: str) -> None:
-        """Refuse points that are missing, and leave out those that the suspension does not have."""
+        """Refuse missing points, and drop points that the suspension does not have."""
         points: Any = RIGS[model].model_fields["hardpoints"].annotation
         if model == "five-link":  # where the toe link is called as in other suspensions
             self.points |= {
@@ -738,7 +738,7 @@ class PointReading:
             self.note("parts.import_no_strut")
 
     def turn(self, axes: str | None) -> None:
-        """Our axes from those of the table."""
+        """Rotate from table axes to jounce's axes."""
         turn = np.eye(3) if axes is None else _rotation(axes)
         self._refuse_one_side(turn[1])
         if axes is not None:
@@ -769,7 +769,7 @@ class PointReading:
         self.axle_end = None if self.axle_end is None else matrix @ self.axle_end
 
     def _outboard(self) -> Array:
-        """Direction of the left wheel's axis, of length 1; across the car where the table has none."""
+        """Return the unit direction of the left wheel's axis; lateral if the table has none."""
         if self.axle_end is None:
             return np.array([0.0, 1.0, 0.0])
         along = self.axle_end - self.points["wheel_centre"]
@@ -778,7 +778,7 @@ class PointReading:
         return along / (np.linalg.norm(along) * (-1.0 if along[1] < 0.0 else 1.0))
 
     def _wheel_angles(self) -> dict[str, float]:
-        """Camber and toe (rad), where the table has the wheel's axis."""
+        """Return camber and toe (rad), if the table has the wheel's axis."""
         x, y, z = self._outboard()
         return (
             {}
@@ -787,7 +787,7 @@ class PointReading:
         )
 
     def scale(self, unit: str | None) -> None:
-        """Metres from the table's unit."""
+        """Convert from the table's unit to metres."""
         said = self.table.unit
         if unit is not None:
             conversion_factor(unit, "m", where="unit")
@@ -828,7 +828,7 @@ class PointReading:
         self._map(factor * np.eye(3))
 
     def _stand(self, wheel_radius: float | None) -> float:
-        """Put the wheel on the road, z = 0; give its radius in m."""
+        """Move the points so that the wheel is on the road, z = 0; return its radius in m."""
         height = float(self.points["wheel_centre"][2])
         if self.contact is None and self.radius is not None:
             axle = self._outboard()
@@ -843,7 +843,7 @@ class PointReading:
             self._raise(-float(self.contact[2]))
         elif wheel_radius is not None:
             radius = wheel_radius
-            # A wheel stands lower by its tyre's deflection, at most a quarter, and higher by rounding only.
+            # A wheel centre is lower by the tyre deflection, at most a quarter, and higher only by rounding.
             if not 0.75 * radius <= height <= 1.02 * radius:
                 self.note("parts.import_moved_up", height=height)
                 self._raise(radius - height)
@@ -873,7 +873,7 @@ class PointReading:
         }
 
     def strut(self, model: str) -> dict[str, str]:
-        """Body that carries the strut or push rod: the arm nearest to its end."""
+        """Choose the body that carries the strut or push rod: the arm nearest to its end."""
         end = "pushrod_outer" if "pushrod_outer" in self.points else "strut_bottom"
         if end not in self.points:
             return {}
@@ -894,7 +894,7 @@ class PointReading:
         return {key: f"{arm}_arm"} | rocker
 
     def _reach(self, arm: str, end: str) -> float:
-        """Distance of a point from an arm: from the line of its middle to the ball joint."""
+        """Return the distance of a point from the line between the arm's middle and its ball joint."""
         middle = 0.5 * (self.points[f"{arm}_arm_front"] + self.points[f"{arm}_arm_rear"])
         joint = self.points[f"{arm}_ball_joint"]
         return (
@@ -903,7 +903,7 @@ class PointReading:
 
 
 def _rotation(axes: str) -> Array:
-    """Matrix of ``"-x,-y,z"``: what in the table is our x, y and z."""
+    """Return the rotation matrix for axes such as ``"-x,-y,z"``."""
     words = [word.strip().lower() for word in axes.split(",")]
     matches = [re.fullmatch(r"([+-]?)([xyz])", word) for word in words]
     if (

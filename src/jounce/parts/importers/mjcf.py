@@ -1,4 +1,4 @@
-"""Files of MuJoCo (MJCF) whose tree of bodies is a suspension, as 3-D rigs: points by name and by structure."""
+"""Import of MuJoCo models (MJCF) of suspensions as 3-D rigs: points by name and by structure."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ from jounce.parts.importers.drafts import (
 from jounce.parts.importers.hardpoints import PointReading, names_of_points
 from jounce.parts.importers.points import AXLE_END, PointRow, PointTable
 
-_LARGEST = 20_000_000  # bytes: far more than such files have; a larger one is refused before it fills the memory
-_DEEPEST = 200  # bodies
-_ARM = 0.1  # m: from a hinge to the points of its axis, where the file names none
-_FAR = 100.0  # m: a tendon's length that means none
+_LARGEST = 20_000_000  # bytes: far above the size of real files; protects memory
+_DEEPEST = 200  # maximum nesting of bodies
+_ARM = 0.1  # m: distance of generated axis points from a hinge
+_FAR = 100.0  # m: tendon lengths above it mean no limit
 _LENGTHS = 2  # a pair: two ends of a tendon, two lengths of its dead band
 _CARRIERS = {
     body for kind in Corner.__subclasses__() for body in (*kind.strut_on, *kind.pushrod_on)
@@ -55,7 +55,7 @@ _Ball = tuple[str, str, Array]
 
 @dataclass
 class _Body:
-    """A body in the world's axes: place, axes as columns, mass properties, and the body it hangs on."""
+    """Body in world axes: position, axes as columns, mass properties, and parent body."""
 
     name: str
     parent: str
@@ -91,23 +91,23 @@ def import_mjcf(
 ) -> ImportedRig:
     """Convert a model of MuJoCo (MJCF) whose bodies are a suspension to the left corner of a 3-D rig.
 
-    Points are sites, joints and constraints with names that tables of hardpoints have, too; what is not named follows
-    from the structure: two arms on hinges that share an upright by ball joints, a tie rod, a spring. Bodies with mass
-    that are named like ours, the springs and dampers of spatial tendons and a tyre as this program writes it make a rig
-    that can be simulated; without them it is complete for kinematics. x must be forward or to the rear, z up.
+    Points are sites, joints and constraints with the names of hardpoint tables. Unnamed points follow from the
+    structure: two arms on hinges, connected to an upright by ball joints, a tie rod and a spring. With bodies named as
+    in rigs, springs and dampers as spatial tendons, and a tyre as exported by jounce, the rig can be simulated;
+    otherwise it supports only kinematics. x must point forward or rearward, z up.
 
     Parameters
     ----------
     path : Path or str
-        The ``.xml`` file, whole (without ``include``).
+        The complete ``.xml`` file (without ``include``).
     names : mapping, optional
-        Name in the file to ours.
+        jounce's name for each name in the file.
     model : str, optional
-        Suspension; by default the one that has these points.
+        Suspension model; by default the one with these points.
     wheel_radius : float, optional
         Undeformed radius of the tyre [m]; by default that of the tyre, or the height of the wheel centre.
     sprung_mass : float, optional
-        Share of the body on this wheel [kg]; by default that of the body on which the arms are.
+        Sprung mass on this wheel [kg]; by default that of the body that carries the arms.
     source : str, optional
         Text for ``source`` of the rig; by default the name of the file.
 
@@ -116,15 +116,15 @@ def import_mjcf(
     rig : Corner
         The left corner.
     findings : list of Finding
-        What was assumed, left out or estimated.
+        Assumptions, omissions and estimates.
     text : str
-        The rig file that describes it.
+        Text of the rig file.
 
     Raises
     ------
     DescriptionError
-        For a file that is missing or no MJCF, places that are given in ways that are not read, a tree that is no
-        suspension, and points that are missing or given twice.
+        For a missing file, a file that is not MJCF, unsupported definitions of positions, a tree that is not a
+        suspension, or missing or duplicate points.
 
     Examples
     --------
@@ -140,7 +140,7 @@ def import_mjcf(
 
 
 class _Tree:
-    """A file while it becomes a rig."""
+    """Converts a file to a rig."""
 
     def __init__(self, file: Path, names: dict[str, str]) -> None:
         if file.stat().st_size > _LARGEST:
@@ -215,7 +215,7 @@ class _Tree:
             self._keep_defaults(child, name, depth + 1)
 
     def _attributes_of(self, element: ET.Element, tag: str, inherited: str = "") -> dict[str, str]:
-        """Attributes of an element with those of its class."""
+        """Return the attributes of an element, including those of its class."""
         name = element.get("class", inherited)
         if name not in self._defaults:
             raise self._refusal(
@@ -255,13 +255,13 @@ class _Tree:
                 )
 
     def _ours(self, name: str) -> str:
-        """Our name of a point; empty if unknown."""
+        """Return jounce's name of a point; empty if unknown."""
         return self.names.get(
             name, self._known.get(" ".join(name.lower().replace("_", " ").split()), "")
         )
 
     def _add_site(self, child: ET.Element, here: _Body, inherited: str) -> None:
-        """Keep a site; that of the wheel centre, where it is turned, has the wheel's axis along its own z."""
+        """Store a site; a rotated site of the wheel centre defines the wheel's axis by its z axis."""
         given = self._attributes_of(child, "site", inherited)
         name = child.get("name", "")
         if name in self.sites:
@@ -314,7 +314,7 @@ class _Tree:
         return numbers
 
     def _several(self, given: Mapping[str, str], key: str, where: str) -> list[float]:
-        """Numbers of an attribute, at least one; 0 where it is left out, -1 for lengths."""
+        """Return the numbers of an attribute, at least one; default 0, or -1 for lengths."""
         text = given.get(key, "-1" if key == "springlength" else "0")
         return [float(x) for x in self._numbers(text, max(len(text.split()), 1), f"{where}: {key}")]
 
@@ -324,7 +324,7 @@ class _Tree:
         )
 
     def _axes(self, element: ET.Element) -> Array:
-        """Axes of a frame as columns, from a quaternion, angles, an axis and an angle, or two axes."""
+        """Return the axes of a frame as columns, from a quaternion, angles, an axis and an angle, or two axes."""
         from scipy.spatial.transform import Rotation
 
         where = f"{element.tag} {element.get('name', '')}"
@@ -379,7 +379,7 @@ class _Tree:
     # --- points
 
     def _balls(self) -> Iterator[_Ball]:
-        """Pairs of bodies with the point that joins them: ball joints and connections."""
+        """Yield pairs of bodies and their common point: ball joints and connections."""
         for body in self.bodies.values():
             for _, kind, place, _ in body.joints:
                 if kind == "ball":
@@ -394,7 +394,7 @@ class _Tree:
                 yield names[0], names[1], here.place + here.axes @ self._three(connection, "anchor")
 
     def _tendons(self) -> dict[str, tuple[dict[str, str], list[str]]]:
-        """Spatial tendons between two sites: attributes and the sites' names."""
+        """Return spatial tendons between two sites: attributes and site names."""
         tendons: dict[str, tuple[dict[str, str], list[str]]] = {}
         for tendon in self.root.iter("spatial"):
             sites = [site.get("site", "") for site in tendon if site.tag == "site"]
@@ -406,7 +406,7 @@ class _Tree:
         return tendons
 
     def table(self) -> PointTable:
-        """Points by name, and those that follow from the structure."""
+        """Return named points, and points derived from the structure."""
         table = PointTable(self.file, unit="m")
         named = {}
         for name, (place, _) in self.sites.items():
@@ -437,7 +437,7 @@ class _Tree:
         return table
 
     def _by_structure(self) -> Iterator[tuple[str, Array]]:
-        """Two arms on hinges that share an upright, its tie rod, its wheel; a spring between them and the body."""
+        """Yield points of two arms on hinges with a common upright, its tie rod and wheel, and of the spring."""
         balls = list(self._balls())
         hinges = {
             b.name: b.joints[0]
@@ -483,7 +483,7 @@ class _Tree:
                 return
 
     def _rods(self) -> Iterator[tuple[tuple[Array, str], tuple[Array, str]]]:
-        """Tendons of constant length."""
+        """Yield tendons of constant length."""
         tendons = self._tendons()
         for equality in self.root.iter("equality"):
             for held in equality.iter("tendon"):
@@ -495,7 +495,7 @@ class _Tree:
     def _links(
         balls: list[_Ball], upright: str
     ) -> Iterator[tuple[tuple[Array, str], tuple[Array, str]]]:
-        """Bodies between two ball joints, one of them on the upright."""
+        """Yield bodies between two ball joints, one of them on the upright."""
         for first, second, outer in balls:
             if upright not in (first, second):
                 continue
@@ -514,7 +514,7 @@ class _Tree:
         sprung_mass: float | None,
         source: str | None,
     ) -> ImportedRig:
-        """The rig, its findings, and its file."""
+        """Return the rig, its findings, and the text of its file."""
         table = self.table()
         if not table.rows:
             raise self._refusal(
@@ -559,7 +559,7 @@ class _Tree:
         tyre: dict[str, Any] | None,
         sprung_mass: float | None,
     ) -> dict[str, Any] | None:
-        """Masses, strut and tyre; None if the file lacks them."""
+        """Return masses, strut and tyre, or None if the file lacks them."""
         kind = RIGS[rig.model]  # type: ignore[attr-defined]
         assert issubclass(kind, Corner)
         masses = {name: body.mass for name, body in self.bodies.items() if body.mass is not None}
@@ -610,7 +610,7 @@ class _Tree:
         }
 
     def _spring(self) -> dict[str, Any] | None:
-        """Spring, damper, friction and stops of the tendons with a stiffness or a damping; None without a spring."""
+        """Return spring, damper, friction and stops from tendons with stiffness or damping; None without a spring."""
         spring: dict[str, Any] | None = None
         stops: dict[str, Any] = {}
         damping = friction = 0.0
@@ -641,7 +641,7 @@ class _Tree:
         return {"spring": spring, "damper": {"coefficient": damping}, **further, **stops}
 
     def _tyre(self) -> dict[str, Any] | None:
-        """A tyre as an actuator between the road and the wheel that pushes along z; None where there is none."""
+        """Return the tyre from an actuator between road and wheel that acts along z, or None."""
         for actuator in self.root.iter("general"):
             given = self._attributes_of(actuator, "general")
             if (
@@ -649,7 +649,7 @@ class _Tree:
                 and given.get("refsite")
                 and given.get("gear", "").split()[:3] == ["0", "0", "1"]
             ):
-                # MuJoCo leaves zeros at the end out when it saves a model.
+                # MuJoCo omits trailing zeros when it saves a model.
                 force, rate, damping = [*self._several(given, "biasprm", "actuator"), 0.0, 0.0][:3]
                 if force > 0.0 > rate:
                     return {
@@ -661,13 +661,13 @@ class _Tree:
 
 
 def _sign(before: Mapping[str, Array], after: Mapping[str, Array], axis: int) -> float:
-    """-1 where the table was turned round along an axis."""
+    """Return -1 if the table was reversed along an axis, else 1."""
     products = [before[name][axis] * after[name][axis] for name in before if name in after]
     return -1.0 if min(products, default=0.0) < 0.0 else 1.0
 
 
 def _is_zero(text: str) -> bool:
-    """Whether a text is a number that is not above 0, which means none."""
+    """Whether a text is a number not above 0, which means none."""
     try:
         return float(text) <= 0.0
     except ValueError:

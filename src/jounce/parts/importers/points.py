@@ -1,4 +1,4 @@
-"""Points as files hold them: rows of tables, nested keys of YAML and JSON, and the front view of VSUSP."""
+"""Readers of points: table rows, nested keys of YAML and JSON, and the front view of VSUSP."""
 
 from __future__ import annotations
 
@@ -18,24 +18,24 @@ from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 
-_DEEPEST = 20  # levels of keys
+_DEEPEST = 20  # maximum nesting of keys
 _KEY = re.compile(r"""(?:"([^"]*)"\s*|'([^']*)'\s*|([^:#{}\[\]]++)):(?:\s+(.*))?$""")
 _ITEM = re.compile(r"(\s*)-\s+(.*)$")
 _COMMENT = re.compile(r"(?<!\s)\s+#.*$")
 LONGEST_LINE = 2000  # characters: on hostile lines the patterns take 0.1 s here, and 13 s on lines ten times as long
 _FLOW = re.compile(r"\{(.*)\}|\[(.*)\]")
 _VSUSP = re.compile(r"\b(front|rear)\{([^{}]*)\}")
-_MICRONS = 1e-6  # m: all numbers of VSUSP
+_MICRONS = 1e-6  # m: unit of all numbers in VSUSP
 _ARM_SPAN = 0.3  # of the lower arm's length: from the middle of an arm to its pivots, which a front view does not show
 AXLE_END = "axle end"
-"""Name of rows for a point on the wheel's axis beside its centre, from which camber and toe follow."""
+"""Row name of a second point on the wheel's axis, which defines camber and toe."""
 _SIZES = ("rim_diameter", "aspect_ratio", "section_width")
 _MOUNTS = {"lower_wishbone": "lower_arm", "upper_wishbone": "upper_arm", "upright": "upright"}
 
 
 @dataclass(frozen=True)
 class PointRow:
-    """One point as written: its name, its coordinates, and where."""
+    """Point as written: name, coordinates and location in the file."""
 
     name: str
     place: Array
@@ -46,9 +46,9 @@ class PointRow:
 class PointTable:
     """Contents of a file: rows, the unit it names, and lines with numbers that are not points.
 
-    A row named `AXLE_END` lies on the wheel's axis; ``radius`` is that of a tyre that ends at the road (m), by axle
-    where the file has two; ``carrier`` the body that carries strut or push rod; ``estimated`` are hardpoints that were
-    made up, and ``notes`` says so.
+    A row named `AXLE_END` is a point on the wheel's axis. ``radius`` is the distance from wheel centre to road (m), by
+    axle if the file has two; ``carrier`` is the body that carries strut or push rod. ``estimated`` are hardpoints not
+    in the file, explained in ``notes``.
     """
 
     file: Path
@@ -67,7 +67,7 @@ class PointTable:
 
 
 class _TwiceError(Exception):
-    """A key that is given twice."""
+    """Duplicate key."""
 
 
 def _require_unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -80,7 +80,7 @@ def _require_unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def parse_nested(text: str) -> dict[str, Any] | None:
-    r"""Keys of a JSON object or of plain YAML (no anchors, no texts of several lines); None for what is neither.
+    r"""Parse a JSON object or plain YAML (no anchors, no multi-line strings); return None for other text.
 
     >>> parse_nested("a:\n  b: {x: 1, y: 2}\n  c:\n    - 3\n    - 4  # four\n")
     {'a': {'b': {'x': '1', 'y': '2'}, 'c': ['3', '4']}}
@@ -128,7 +128,7 @@ def parse_nested(text: str) -> dict[str, Any] | None:
 
 
 def _value(text: str) -> Any:
-    """A flow of numbers or keys, or text without its quotes."""
+    """Parse a flow sequence or mapping, or text without its quotes."""
     if flow := _FLOW.fullmatch(text):
         parts = [
             part.strip()
@@ -143,9 +143,9 @@ def _value(text: str) -> Any:
 
 
 def from_nested(file: Path, text: str) -> PointTable | None:
-    """Points of a file of nested keys: of every key with x, y and z, or with three numbers; None where there are none.
+    """Return the points of nested keys: all keys with x, y and z, or with three numbers; None without points.
 
-    A file of suspension-explorer also tells unit, side, the wheel's axis and its tyre.
+    A file of suspension-explorer also defines unit, side, the wheel's axis and its tyre.
     """
     try:
         keys = parse_nested(text)
@@ -206,7 +206,7 @@ def _text(value: Any) -> str:
 
 
 def _deep(keys: dict[str, Any], name: str) -> Any:
-    """The first value of a key at any level."""
+    """Return the first value of a key at any level."""
     if name in keys:
         return keys[name]
     return next(
@@ -220,7 +220,7 @@ def _deep(keys: dict[str, Any], name: str) -> Any:
 
 
 def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None:
-    """Wheel centre and axle from two points, and the tyre's size."""
+    """Add wheel centre and axle from two points, and the tyre radius."""
     begin = outer.name.removesuffix("axle_outboard")
     inner = next((row for row in table.rows if row.name == f"{begin}axle_inboard"), None)
     if inner is None:
@@ -244,7 +244,7 @@ def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None
 
 
 def _read_size(file: Path, keys: dict[str, Any], word: str) -> float | None:
-    """A number of the wheel; None where it is not in the file."""
+    """Return a dimension of the wheel, or None if it is not in the file."""
     value = _deep(keys, word)
     if value is not None and not _is_number(value):
         raise DescriptionError(
@@ -257,10 +257,10 @@ def _read_size(file: Path, keys: dict[str, Any], word: str) -> float | None:
 
 
 def from_vsusp(file: Path, text: str) -> PointTable | None:
-    """Points of a double wishbone drawn in VSUSP, from the address of the project; None for what is no such address.
+    """Return the points of a VSUSP double wishbone from the project URL, or None for other text.
 
-    VSUSP draws the front view alone: the knuckle is turned until the tyre stands on the road. Pivots of the arms lie
-    before and behind their places, and a tie rod that steers nowhere is made up.
+    VSUSP describes only the front view: the knuckle is rotated until the tyre touches the road. Arm pivots are placed
+    in front of and behind their drawn positions, and a tie rod without bump steer is added.
     """
     blocks = {
         name: dict(pair.partition(":")[::2] for pair in body.split("|"))
@@ -307,7 +307,7 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
     reach = float(np.linalg.norm(between))
 
     def pose(angle: float) -> tuple[Array, Array, Array] | None:
-        """Lower and upper ball joint and hub at an angle of the lower arm; None where the knuckle does not reach."""
+        """Return lower and upper ball joint and hub at a lower arm angle; None if the knuckle does not reach."""
         low = inner["lower"] + length["lower"] * np.array([np.cos(angle), np.sin(angle)])
         apart = inner["upper"] - low
         distance = float(np.linalg.norm(apart))
@@ -317,7 +317,7 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
         unit = apart / distance
         outward = np.array(
             [unit[1], -unit[0]]
-        )  # the upper ball joint lies outside of the line to its pivot
+        )  # the upper ball joint is outboard of the line to its pivot
         high = low + along * unit + np.sqrt(reach**2 - along**2) * outward
         turn = np.arctan2(*(high - low)[::-1]) - np.arctan2(*between[::-1])
         turned = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
@@ -360,7 +360,7 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
             for end, s in (("front", 1.0), ("rear", -1.0))
         }
     places |= {"tie_rod_inner": (-0.5 * span, inner["lower"]), "tie_rod_outer": (-0.5 * span, low)}
-    # The tie rod is the lower arm once more, behind it, so that it steers nowhere.
+    # The tie rod is a copy of the lower arm, behind it: it causes no bump steer.
     table.rows += [
         PointRow(f"{axle} {name}", np.array([x, *place]), f"{table.file}: {axle}")
         for name, (x, place) in places.items()
