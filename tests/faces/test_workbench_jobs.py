@@ -413,9 +413,9 @@ def test_jobs_keep_to_the_folder(tmp_path, path):
 
 
 def test_bad_requests_of_jobs_are_told(tmp_path):
-    with pytest.raises(DescriptionError, match="nothing of a job"):
+    with pytest.raises(DescriptionError, match="not describe a job"):
         task_of({"kind": "shell", "command": "ls"})
-    with pytest.raises(DescriptionError, match="nothing of a job"):
+    with pytest.raises(DescriptionError, match="not describe a job"):
         task_of({**SWEEP, "more": 1})
     with pytest.raises(DescriptionError, match=r"decay\.mass"):
         task_of({"kind": "decay", "files": ["a.csv"]})
@@ -515,7 +515,7 @@ def test_a_job_whose_process_is_gone_is_stopped_not_running(tmp_path):
     (folder / "alive").touch()
     (state,) = _jobs(tmp_path).all()
     assert (state["state"], state["share"], state["ended"]) == ("stopped", 0.25, 5.0)
-    assert "was ended" in state["error"]
+    assert "was killed" in state["error"]
     (folder / "progress.json").write_text("half a f")  # nothing on the disk is trusted to be whole
     (folder / "end.json").write_text("[1, 2]")
     (state,) = _jobs(tmp_path).all()
