@@ -154,7 +154,7 @@ def test_travel_beyond_reach_keeps_the_rest(cli, tmp_path: Path) -> None:
         (("--axle",), "nothing to sweep"),
         (
             ("--roll", "-2 deg:2 deg:1 deg", "--travel", "0 mm"),
-            "a roll sweep sets the wheel travel itself",
+            "wheel travel cannot be set: it follows from the roll angle",
         ),
         (("--roll", "-2 deg:2 deg:1 deg", "--rack", "-1 mm:1 mm:1 mm"), "only a single value"),
         (("--roll", "80 deg"), "too steep"),
@@ -230,8 +230,8 @@ def test_an_axle_pose_by_pose_with_a_right_corner_of_its_own(cli, tmp_path) -> N
     ("arguments", "message"),
     [
         (["--heave", "0 mm", "--travel", "0 mm"], "--left-travel"),
-        (["--heave", "0 mm", "--left-travel", "1 mm"], "an attitude of the body at once"),
-        (["--handwheel", "90 deg"], "no handwheel moves this rack"),
+        (["--heave", "0 mm", "--left-travel", "1 mm"], "a body attitude are both given"),
+        (["--handwheel", "90 deg"], "the rack has no handwheel"),
         (["--pitch", "0 mm"], "rad"),
         (["--heave", "0 mm", "--right", "formula-student-front"], "not a right corner"),
     ],
@@ -273,4 +273,4 @@ def test_poses_of_a_log_are_swept_one_by_one(cli, tmp_path) -> None:
         assert refused.exit_code == 2
         assert message in refused.err, text
     both = cli("kinematics", "formula-student-front", "--poses", str(log), "--travel", "0 mm")
-    assert "poses one by one do not take it" in both.err
+    assert "not available for individual poses" in both.err

@@ -242,7 +242,10 @@ def test_excitation_and_right_road_contradict_each_other(cli, tmp_path: Path) ->
             ("kinematics", "formula-student-car", "--travel", "0"),
             "only one corner can be swept at a time",
         ),
-        (("adjust", HALF, "--set", "spring_preload=1 N"), "only a rig with hardpoints is adjusted"),
+        (
+            ("adjust", HALF, "--set", "spring_preload=1 N"),
+            "only a rig with hardpoints can be adjusted",
+        ),
     ],
 )
 def test_commands_for_corners_refuse_vehicles(cli, words: tuple[str, ...], message: str) -> None:

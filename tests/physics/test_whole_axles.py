@@ -116,11 +116,11 @@ def test_an_axle_of_a_corner_and_its_mirror_is_that_of_one_file(rig) -> None:
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ({"left_travel": 0.01, "roll": 0.01}, "an attitude of the body at once"),
+        ({"left_travel": 0.01, "roll": 0.01}, "a body attitude are both given"),
         ({"heave": [0.0, 0.01], "roll": [0.0, 0.01, 0.02]}, "different numbers of values"),
         ({"left_travel": 20.0}, "Millimetres meant"),
         ({"roll": 2.0}, "too steep"),
-        ({"handwheel": "30 deg"}, "no handwheel moves this rack"),
+        ({"handwheel": "30 deg"}, "the rack has no handwheel"),
         ({"rack": 0.0, "handwheel": 0.0}, "Give one"),
     ],
 )

@@ -1,7 +1,7 @@
 """Connections of both wheels of an axle, anti-roll bar and third spring, at any pair of wheel travels.
 
-Everything follows from one energy: forces at the wheels are its slopes by their travel, and forces of links hold the
-bar in balance.
+All forces follow from one energy: forces at the wheels are its derivatives by their travel, and forces of links keep
+the bar in equilibrium.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from jounce.parts import Corner
 
 @dataclass(frozen=True)
 class Ends:
-    """Ends of the connections on one wheel's side: places (m) and slopes by travel, ground axes, shape (n, 3)."""
+    """Ends of the connections on one wheel's side: positions (m), slopes by travel, ground axes, shape (n, 3)."""
 
     bar: tuple[Array, Array] | None
     third: tuple[Array, Array] | None
@@ -27,7 +27,7 @@ class Ends:
     def of(
         cls, model: KinematicModel, rig: Corner, states: tuple[Array, Array, Array], side: float
     ) -> Ends:
-        """Ends on a side (1 left, -1 right) at poses, inputs and numbers; NaN without a pose."""
+        """Compute ends on a side (1 left, -1 right) for poses, inputs and parameters; NaN without a pose."""
         poses, inputs, numbers = states
         count = poses.shape[1]
         each = np.tile(numbers[:, None], (1, count))
@@ -64,9 +64,9 @@ class Connection:
 
 @dataclass(frozen=True)
 class ConnectedWheel:
-    """A wheel as its connections need it: its rows (axes of a left wheel), the ends, its numbers by path.
+    """Wheel data for its connections: rows (axes of a left wheel), ends, and parameters by path.
 
-    ``turned`` is -1 if it stands on the other side than its numbers say.
+    ``turned`` is -1 if the wheel is on the opposite side from its description.
     """
 
     rows: dict[str, Array]
@@ -83,7 +83,7 @@ class ConnectedWheel:
 def connect(
     rig: Corner, model: KinematicModel, numbers: Array, left: ConnectedWheel, right: ConnectedWheel
 ) -> Connection:
-    """Forces of anti-roll bar and third spring on both wheels, by the law of the left corner."""
+    """Compute forces of anti-roll bar and third spring on both wheels, by the law of the left corner."""
     count = len(left.rows["wheel_travel"])
     connection = Connection([np.zeros(count), np.zeros(count)])
     if rig.anti_roll_bar is not None:
@@ -113,7 +113,7 @@ def _bar(
     right: ConnectedWheel,
     way: float,
 ) -> None:
-    """U-bar (way -1) or Z-bar (1): it twists by the difference, or by the sum, of both ends."""
+    """Add a U-bar (way -1) or Z-bar (1), twisted by the difference, or by the sum, of both ends."""
     angles = [wheel.rows["anti_roll_bar_angle"] for wheel in (left, right)]
     twist = angles[1] + way * angles[0]
     torque = stiffness * twist
@@ -134,7 +134,7 @@ def _add_bar(connection: Connection, twist: Array, torque: Array) -> None:
 def _t_bar(
     connection: Connection, stiffness: Array, left: ConnectedWheel, right: ConnectedWheel
 ) -> None:
-    """T-bar: both ends hinge it alike; their difference twists its stem."""
+    """Add a T-bar: equal motion of both ends rotates it about its hinge; their difference twists its stem."""
     pivot, sides = left.point("arb_pivot"), (left, right)
     stem = left.point("arb_axis") - pivot
     arms, link_ends = (

@@ -25,15 +25,15 @@ BLOCK_MASS = 2.6
 """Mass of the block that carries a short upper arm, kg."""
 C = TypeVar("C", bound=Corner)
 ROUNDING = 1e-12
-"""What a value in degrees or millimetres may lie beyond its range, SI."""
+"""Tolerance on ranges given in degrees or millimetres, SI."""
 
 
 @dataclass(frozen=True)
 class Adjustable:
-    """One adjustment: range in the SI ``unit``, what it is, and where the range comes from.
+    """An adjustment: range in the SI ``unit``, description, and source of the range.
 
-    ``base`` gives the value that a rig has as it is; ``ends`` the range for a rig where it depends on it; ``fits``
-    whether a rig has what is set.
+    ``base`` returns the present value of a rig; ``ends`` the range if it depends on the rig; ``fits`` whether a rig has
+    the adjustable part.
     """
 
     name: str
@@ -65,7 +65,7 @@ def _always(_rig: Corner) -> bool:
 
 
 def _has(point: str) -> Callable[[Corner], bool]:
-    """Make a test of a rig for a hardpoint."""
+    """Return a predicate for rigs that have a hardpoint."""
     return lambda rig: hasattr(rig.hardpoints, point)
 
 
@@ -99,12 +99,12 @@ def arm_length(rig: Corner, arm: str) -> float:
 
 
 def _preloads(rig: Corner) -> tuple[float, float]:
-    """From no load to twice what the spring carries at rest, N."""
+    """Return the range of preload: from zero to twice the static spring force, N."""
     return 0.0, 2.0 * static_spring_force(rig)
 
 
 def _short_arms(rig: Corner) -> tuple[float, float]:
-    """From half of the upper arm's length to all of it, m."""
+    """Return the range of a short arm: from half of the upper arm's length to its full length, m."""
     return 0.5 * arm_length(rig, "upper"), arm_length(rig, "upper")
 
 
@@ -251,7 +251,9 @@ def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
         setting = SETTINGS[name]
         if not setting.fits(corner):
             allowed = ", ".join(adjustables(corner))
-            raise DescriptionError("this rig has no such adjustment", where=name, allowed=allowed)
+            raise DescriptionError(
+                "the rig does not have this adjustment", where=name, allowed=allowed
+            )
         value = to_si(given, setting.unit, where=name)
         low, high = setting.allowed_for(corner)
         if not low - ROUNDING <= value <= high + ROUNDING:
@@ -271,7 +273,7 @@ def read_settings(rig: Rig, settings: Mapping[str, Value]) -> dict[str, float]:
 
 
 def adjustables(rig: Rig) -> dict[str, Adjustable]:
-    """Adjustments that a rig has, by name; none without hardpoints."""
+    """Return the adjustments of a rig by name; empty without hardpoints."""
     return (
         {item.name: item for item in SETTINGS.values() if item.fits(rig)}
         if isinstance(rig, Corner)
@@ -280,7 +282,7 @@ def adjustables(rig: Rig) -> dict[str, Adjustable]:
 
 
 def write_setting(value: float, unit: str) -> str:
-    """Write a value in the unit that people use for it: mm, deg."""
+    """Write a value in its usual unit: mm, deg."""
     factor, name = {"m": (1e3, "mm"), "rad": (180.0 / np.pi, "deg")}.get(unit, (1.0, unit))
     return f"{value * factor:.4g} {name}"
 
@@ -298,17 +300,17 @@ def apply_adjustments(rig: Rig, settings: Mapping[str, Value]) -> Corner:
     Returns
     -------
     Corner
-        Its design is the newly assembled pose: the height of the wheel centre is kept, the upright moved as a rigid
-        body, arms (with the foot of the strut) turned about their inner axes; camber and toe are those of the moved
-        upright. The spring keeps its free length, a torsion bar and a third spring what they are; push rod and link of
-        the anti-roll bar keep their lengths; a Z-bar is set without torque. A preload of the spring is set last.
+        Rig with the newly assembled pose as its design. The wheel centre keeps its height, the upright moves as a rigid
+        body, and arms (with the lower end of the strut) rotate about their inner axes; camber and toe are those of the
+        moved upright. The spring keeps its free length; torsion bar and third spring are unchanged; push rod and link
+        of the anti-roll bar keep their lengths; a Z-bar is set without torque. A preload of the spring is set last.
 
     Raises
     ------
     DescriptionError
         For a rig without hardpoints, a setting that it does not have, or a value out of its range.
     AssemblyError
-        When arms, upright and rods do not go together.
+        If the linkage cannot be assembled.
 
     Examples
     --------
@@ -333,10 +335,10 @@ def apply_adjustments(rig: Rig, settings: Mapping[str, Value]) -> Corner:
 
 
 def corner_of(rig: Rig) -> Corner:
-    """Refuse a rig without hardpoints."""
+    """Return the rig as a corner; raise an error without hardpoints."""
     if not isinstance(rig, Corner):
         raise DescriptionError(
-            "only a rig with hardpoints is adjusted",
+            "only a rig with hardpoints can be adjusted",
             where="rig",
             found=f'model = "{getattr(rig, "model", "")}"',
             allowed="double-wishbone, mcpherson, five-link, trailing-arm; such as kart-double-wishbone of the library",
@@ -345,7 +347,7 @@ def corner_of(rig: Rig) -> Corner:
 
 
 def _set_preload(rig: C, force: float) -> C:
-    """Turn the spring's seat until its force at design length is ``force`` (N)."""
+    """Adjust the spring seat to give the force ``force`` (N) at design length."""
     spring = rig.strut.spring
     if spring.free_length is None:
         return rig.with_changes({"strut.spring.preload": force})
@@ -361,7 +363,7 @@ def _arm(rig: Corner, arm: str) -> tuple[Array, Array, Array]:
 
 
 def _foot(front: Array, rear: Array, ball: Array) -> tuple[Array, Array, Array]:
-    """Foot of the ball joint on the arm's axis, the way from there to the ball joint, direction of the axis."""
+    """Return the foot of the ball joint on the arm's axis, the vector from there to the ball joint, and the axis."""
     axis = (front - rear) / np.linalg.norm(front - rear)
     foot = front + axis * ((ball - front) @ axis)
     return foot, ball - foot, axis
@@ -410,12 +412,12 @@ def _change_linkage(rig: C, values: Mapping[str, float]) -> C:
 
 
 def _arms(rig: Corner) -> list[str]:
-    """Arms that hang on an axis: ``"lower"`` and ``"upper"``, as many as the suspension has."""
+    """Return the arms hinged on an axis: ``"lower"`` and ``"upper"``, if the suspension has them."""
     return [arm for arm in ("lower", "upper") if hasattr(rig.hardpoints, f"{arm}_arm_front")]
 
 
 def _shim_joints(rig: Corner) -> list[str]:
-    """Joints of the upright above the wheel centre, but for the tie rod's, where shims change the camber."""
+    """Return the joints of the upright above the wheel centre, except the tie rod's, where shims change camber."""
     height, points = rig.hardpoints.wheel_centre[2], rig.hardpoints.given()
     joints = [name for name in dict.fromkeys(rods(rig).values()) if name not in _TIE_RODS]
     above = [name for name in joints if points[name][2] > height]

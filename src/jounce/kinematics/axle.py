@@ -1,6 +1,6 @@
 """An axle of a corner and its mirror image: both wheels while the body rolls, and while the rack steers.
 
-The right wheel is the left corner's mirror image: at a rack travel it stands as the left one at the opposite travel.
+The right wheel is the mirror image of the left: its pose is that of the left wheel at the opposite rack travel.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 
 
 _ITERATIONS, _LEVEL = 40, 1e-13  # m: rounding of a height
-_STEEPEST = 1.2  # rad: 69 degrees; a car rolls over earlier
+_STEEPEST = 1.2  # rad: 69 degrees, beyond the rollover of any car
 _STRAIGHT = 1e-6  # rad: Ackermann shares of smaller steer angles are rounding
 _ODD = {  # rows that change sign when mirrored in y
     "rack_travel",
@@ -59,15 +59,15 @@ _INNER_MORE = "positive: inner wheel steers more"
 _OUTER_MORE = (
     "positive: outer wheel steers more than Ackermann geometry asks, towards parallel steering"
 )
-_BEND = 1e-4  # rad: step of the only difference, taken of an exact slope: 1e-8 of truncation, 1e-12 of rounding
+_BEND = 1e-4  # rad: step of the only finite difference, of an exact derivative: truncation 1e-8, rounding 1e-12
 
 
 @dataclass(frozen=True)
 class WheelRows:
     """Catalogue of one wheel of the axle at the poses of a sweep, in the axes of a left wheel.
 
-    ``rows`` has each quantity, shape (n,), NaN out of reach; ``radius`` is in m. ``ends`` are those of connections to
-    the other wheel, if there are any.
+    ``rows`` has each quantity, shape (n,), NaN out of reach; ``radius`` is in m. ``ends`` has the ends of connections
+    to the other wheel, if any.
     """
 
     rows: dict[str, Array]
@@ -105,8 +105,8 @@ class WheelRows:
     def turn_slope(self) -> Array:
         """Rotation of the upright for a unit rate of travel, rad/m, shape (n, 3).
 
-        Its component across the wheel's axis turns that axis; that along it follows from the motion of the contact
-        patch.
+        The component perpendicular to the wheel's axis rotates that axis; the component along it follows from the
+        motion of the contact patch.
         """
         axis, recession = self.axis, self.rows["contact_patch_recession"]
         across = np.cross(axis, self.axis_slope)
@@ -114,7 +114,7 @@ class WheelRows:
         reach = contact - self.centre
 
         def lag(turn: Array) -> Array:
-            """Lag of the patch of a turning wheel behind its recession."""
+            """Return the difference between the patch motion due to a rotation and its recession."""
             velocity = np.cross(turn, reach)
             return np.asarray(velocity[:, 0] - recession * velocity[:, 2])
 
@@ -210,7 +210,7 @@ def _dot(a: Array, b: Array) -> Array:
 
 
 def _by_side(values: Array | tuple[Array, Array] | None) -> dict[float, Array]:
-    """Values by side: 1 left, -1 right."""
+    """Return values by side: 1 left, -1 right."""
     both = values if isinstance(values, tuple) else (values, values)
     return {side: own for side, own in zip((1.0, -1.0), both, strict=True) if own is not None}
 
@@ -219,8 +219,8 @@ class TwoWheelAxle:
     """Both wheels of an axle, from the description of one of them, or of each if ``right`` is given.
 
     ``numbers`` replace the values of the model's ``parameters`` in the description. With ``directions`` (tracks and
-    parameters, n; see ``tangents``) each wheel stores the slopes of its rows along them in ``slopes``. With a right
-    corner both are pairs.
+    parameters, n; see ``tangents``) each wheel stores the derivatives of its rows along them in ``slopes``. With a
+    right corner, ``numbers`` and ``directions`` are pairs.
     """
 
     def __init__(
@@ -246,11 +246,11 @@ class TwoWheelAxle:
         return float(self._values[1.0][path])
 
     def of(self, side: float) -> Corner:
-        """Description of the wheel on a side: 1 left, -1 right."""
+        """Return the description of the corner on a side: 1 left, -1 right."""
         return self.rig if side > 0.0 else self.right
 
     def wheel(self, side: float, travel: Array | float, rack: Array | float) -> WheelRows:
-        """One wheel at pairs of travel and rack travel (m); either may be one value for all."""
+        """Compute one wheel at pairs of travel and rack travel (m); either may be a single value."""
         rig = self.of(side)
         rack_of_wheel = side * rig.sign * np.asarray(rack, dtype=float)
         travel, numbers = np.asarray(travel, dtype=float), self._numbers.get(side)
@@ -348,7 +348,7 @@ class TwoWheelAxle:
         return kinematic_model(self.of(side)).rows
 
     def level(self, roll: Array, rack: float) -> tuple[Ground, Ground]:
-        """Both wheels, moved by the same travel in opposite directions until they stand on one plane road."""
+        """Move both wheels by the same travel in opposite directions until they touch one plane road."""
         away = np.abs(self.number("hardpoints.wheel_centre[1]")) * np.tan(roll)
         for _ in range(_ITERATIONS):
             left = Ground(self.wheel(1.0, -away, rack), roll, 1.0)
@@ -364,7 +364,7 @@ class TwoWheelAxle:
 
 
 def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
-    """Roll the body over an axle of a corner and its mirror image, both wheels on one plane road.
+    """Sweep the roll angle of the body on an axle, a corner and its mirror image, on a plane road.
 
     The wheels travel by the same amount in opposite directions, so that both contact points stay on the road. Tyre
     deflections are neglected.
@@ -422,7 +422,7 @@ def roll_axle(axle: TwoWheelAxle, angles: Array, rack: float) -> AxleVariables:
 
 
 def check_roll(angles: Array, name: str) -> None:
-    """Refuse roll angles at which wheels cannot stand on a road."""
+    """Raise an error for roll angles at which the wheels cannot touch a road."""
     if np.max(np.abs(angles)) > _STEEPEST:
         raise DescriptionError(
             "too steep", where=name, found=f"{np.max(np.abs(angles)):g} rad", allowed="1.2 rad"
@@ -430,7 +430,7 @@ def check_roll(angles: Array, name: str) -> None:
 
 
 def roll_rows(axle: TwoWheelAxle, left: Ground, right: Ground, bend: Array) -> AxleVariables:
-    """Rows of a rolled axle; ``bend`` is the second derivative of the right wheel's travel by roll, m/rad^2."""
+    """Return rows of a rolled axle; ``bend`` is the second derivative of the right wheel's travel by roll, m/rad^2."""
     gain = _gain(left, right)
     sign = "positive: about +x, left side up"
     variables = AxleVariables("roll_angle", left.roll, "rad", "roll angle of the body", sign)
@@ -694,7 +694,7 @@ def add_steering(
     vehicle: AxleLayout | None,
     axle: TwoWheelAxle,
 ) -> None:
-    """Add steer angles of both wheels and, with a vehicle, those of the turn."""
+    """Add steer angles of both wheels and, with a vehicle, the rows of the turn."""
     left_steer, right_steer = left.rows["steer"], -right.rows["steer"]
     mean = 0.5 * (left_steer + right_steer)
     difference = (
@@ -761,8 +761,8 @@ def _add_turn(
 ) -> None:
     """Ackermann and turning circle, from the normals through the contact points and the line of the rear axle.
 
-    A turn to the right is viewed in a mirror, so that the inner wheel always is the left one of a left turn: places
-    from the middle of the rear axle, forward (m) and to the inner side (m); angles into the turn.
+    A right turn is mirrored: the inner wheel is always the left wheel of a left turn. Positions are measured from the
+    middle of the rear axle, forward (m) and towards the inner side (m); angles are positive into the turn.
     """
     rear = axle.number("hardpoints.wheel_centre[0]") - vehicle.wheelbase
     to_left = variables.values["mean_steer"] > 0.0

@@ -1,4 +1,4 @@
-"""Load cases of an axle as commands and pages give them: cases by name in one line each, forces as plain data."""
+"""Load cases of an axle for commands and pages: one line per named case, forces as plain data."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class AxleLoads(Plain):
     data : xarray.Dataset
         Every force by case and wheel, SI.
     findings : tuple of Finding
-        What weakens the numbers.
+        Findings that limit the validity of the results.
     """
 
     rig: Corner
@@ -42,7 +42,7 @@ class AxleLoads(Plain):
     findings: tuple[Finding, ...]
 
     def to_dict(self) -> dict[str, Any]:
-        """Give every force with its unit, by case and wheel, SI."""
+        """Return every force with its unit, by case and wheel, SI."""
         forces = {
             str(name): {
                 "units": str(variable.attrs["units"]),
@@ -56,7 +56,7 @@ class AxleLoads(Plain):
         return {**names, "forces": forces, "findings": to_plain(self.findings)}
 
     def table(self) -> str:
-        """Give every force as CSV, a row for each case and wheel, SI."""
+        """Return every force as CSV, a row for each case and wheel, SI."""
         return load_case_table(self.data)
 
 
@@ -72,7 +72,7 @@ def named_cases(
         ),
     ] = None,
 ) -> dict[str, LoadCase] | None:
-    """Read load cases by name; None where none is given."""
+    """Read load cases by name; None if none is given."""
     cases: dict[str, LoadCase] = {}
     for text in case or ():
         name, colon, rest = text.partition(":")
@@ -138,21 +138,21 @@ def load_axle(
         ),
     ] = None,
 ) -> AxleLoads:
-    """Give the forces in links, joints and pickup points of both wheels of an axle for load cases of the car.
+    """Compute forces in links, joints and pickup points of both wheels of an axle for load cases of the car.
 
     Parameters
     ----------
     rig : Rig, str or Path
         The corner, its file or its name in the library; the other side is its mirror image.
     car : LoadedAxle
-        The car around the axle.
+        Vehicle data of the axle.
     cases : mapping, optional
         Accelerations of the car in g, as for :func:`jounce.load_cases`; common cases by default.
 
     Returns
     -------
     AxleLoads
-        As :func:`jounce.load_cases` gives them, with rig and findings.
+        Forces as returned by :func:`jounce.load_cases`, with rig and findings.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""An axle at any pair of wheel travels, or any attitude of the body over a plane road, with independent sides."""
+"""An axle at any pair of wheel travels, or any attitude of the body over a plane road; the sides may differ."""
 
 from __future__ import annotations
 
@@ -46,11 +46,11 @@ def sweep_axle(
     handwheel: Values | None = None,
     vehicle: AxleLayout | None = None,
 ) -> xr.Dataset:
-    """Both wheels of an axle pose by pose, for pairs of their travels or for attitudes of the body.
+    """Sweep both wheels of an axle pose by pose, for pairs of travels or for attitudes of the body.
 
     The road is a plane under both contact points; tyre deflections are neglected. Given travels determine the attitude
-    of the body; with ``heave`` and ``roll`` each wheel travels until it stands on the road. Values are given pose by
-    pose; a single value holds for all poses.
+    of the body; with ``heave`` and ``roll`` each wheel travels until it touches the road. Values are given pose by
+    pose; a single value applies to all poses.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def sweep_axle(
     rack : float, str or array_like, shape (n,), optional
         Travel of the rack, m, positive to the left; 0 by default.
     handwheel : float, str or array_like, shape (n,), optional
-        Angle of the handwheel, rad, positive to the left, in place of ``rack``; needs ``steering.column`` and
+        Angle of the handwheel, rad, positive to the left, instead of ``rack``; needs ``steering.column`` and
         ``steering.rack_ratio`` of the left corner.
     vehicle : AxleLayout, optional
         Adds Ackermann and turn diameters as in :func:`sweep_steering`.
@@ -116,14 +116,16 @@ def sweep_axle(
     travelled, placed = ({name for name in names if name in read} for names in (_TRAVELS, _PLACES))
     if travelled and placed:
         raise DescriptionError(
-            "wheel travels and an attitude of the body at once",
+            "wheel travels and a body attitude are both given",
             where="jounce sweep of an axle",
             found=", ".join(sorted(travelled | placed)),
             allowed="left and right travel, or heave and roll",
         )
     if "rack travel" in read and "handwheel" in read:
         raise DescriptionError(
-            "a rack travel and an angle of the handwheel", where="handwheel", hint="Give one."
+            "a rack travel and a handwheel angle are both given",
+            where="handwheel",
+            hint="Give one.",
         )
     check_roll(read.get("roll", np.zeros(1)), "roll")
     check_roll(read.get("pitch", np.zeros(1)), "pitch")
@@ -149,7 +151,7 @@ _PLACES = ("heave", "roll")
 
 
 def _pair(rig: Rig, right: Rig | None) -> tuple[Corner, Corner | None]:
-    """Left corner, and the right one if it is another."""
+    """Return the left corner, and the right one if it is different."""
     corner = check_corner(rig)
     corner = corner if corner.side == "left" else corner.mirrored()
     if right is None:
@@ -160,7 +162,7 @@ def _pair(rig: Rig, right: Rig | None) -> tuple[Corner, Corner | None]:
 
 
 def check_pair_of_corners(left: Corner, right: Corner, where: str = "right") -> None:
-    """Refuse corners that are not the two sides of one axle."""
+    """Raise an error for corners that are not the two sides of one axle."""
     if right.side != "right":
         raise DescriptionError(
             "not a right corner", where=where, found=f'side = "{right.side}"', allowed='"right"'
@@ -171,7 +173,7 @@ def check_pair_of_corners(left: Corner, right: Corner, where: str = "right") -> 
             right_end, "kind", ""
         ):
             raise DescriptionError(
-                "both corners of an axle need their end of it",
+                "both corners of an axle need this table",
                 where=name,
                 allowed="a table in both files, or in none",
             )
@@ -201,7 +203,7 @@ class _Middle:
 
 
 def _on_road(axle: TwoWheelAxle, at: dict[str, Array]) -> _Pose:
-    """Move each wheel until it stands on the road given by heave, roll and pitch of the body."""
+    """Move each wheel until it touches the road given by heave, roll and pitch of the body."""
     middle = _Middle(axle)
     grounds = []
     for side in (1.0, -1.0):

@@ -1,4 +1,4 @@
-"""Clearances as commands and pages request them: pairs of bodies in one line each, the least distance of each pair."""
+"""Clearances for commands and pages: one line per pair of bodies, and the minimum distance of each pair."""
 
 from __future__ import annotations
 
@@ -51,13 +51,13 @@ class ClearanceStudy(Plain):
 
     @property
     def stopped(self) -> str:
-        """Why the sweep ended early; empty for a whole one."""
+        """Reason for the early end of the sweep; empty if it is complete."""
         why = "" if self.data is None else str(self.data.attrs["stopped"])
         return f"{why}. The poses before that are kept" if why else ""
 
     @property
     def least(self) -> dict[str, dict[str, float]]:
-        """Least distance of each pair, and travel and rack travel at which it is, m."""
+        """Minimum distance of each pair, and travel and rack travel where it occurs, m."""
         return (
             {}
             if self.data is None
@@ -76,7 +76,7 @@ class ClearanceStudy(Plain):
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """Give plain values, SI."""
+        """Return plain values, SI."""
         return {
             "lengths": self.lengths,
             "least": self.least,
@@ -128,12 +128,12 @@ def pairs_in_python(between: Sequence[str] | None = None) -> str:
 
 
 def check_between(between: Sequence[str] | None, **given: object) -> None:
-    """Refuse options of distances if none is requested."""
+    """Raise an error for distance options if no distance is requested."""
     for option in () if between else ("out", "figure", "travel", "rack"):
         if given[option] is not None:
             allowed = f"--between {_ALLOWED}"
             raise DescriptionError(
-                "no distances are asked for", where=f"--{option}", allowed=allowed
+                "no distances are requested", where=f"--{option}", allowed=allowed
             )
 
 
@@ -161,7 +161,7 @@ def study_clearances(
     travel: Annotated[Values | None, TRAVEL] = None,
     rack: Annotated[Values | None, RACK] = None,
 ) -> ClearanceStudy:
-    """Give the least distances of bodies of a corner over travel and rack, and the lengths of its links.
+    """Compute minimum distances of bodies of a corner over travel and rack, and the lengths of its links.
 
     Parameters
     ----------
@@ -170,7 +170,7 @@ def study_clearances(
     pairs : mapping, optional
         Name to two bodies, as for :func:`jounce.clearances`.
     travel, rack : values, optional
-        Wheel travel (bump positive) and rack travel (to the left positive), m.
+        Wheel travel (bump positive) and rack travel (positive to the left), m.
 
     Returns
     -------
@@ -214,7 +214,7 @@ def _body(text: str, where: str) -> Solid | Rim:
 
 
 def _least(data: xr.Dataset, name: str) -> dict[str, float]:
-    """Least distance and where it is, m."""
+    """Return the minimum distance and where it occurs, m."""
     values = data[name]
     at = np.unravel_index(int(np.nanargmin(values.to_numpy())), values.shape)
     place = values[dict(zip(values.dims, at, strict=True))]

@@ -36,8 +36,8 @@ if TYPE_CHECKING:
 class Solid(Description):
     """A sphere at one hardpoint, or a round bar along several, of this ``radius`` (m); it moves with its hardpoints.
 
-    With ``places`` (m, ground axes) instead of ``points`` it is fixed to the body: a frame tube, an engine, or a space
-    to keep free.
+    With positions ``places`` (m, ground axes) instead of ``points`` it is fixed to the body: a frame tube, an engine,
+    or a keep-out zone.
 
     Examples
     --------
@@ -53,7 +53,7 @@ class Solid(Description):
     def _has_points(self) -> Self:
         if bool(self.points) == bool(self.places):
             raise ValueError(
-                "give points (one hardpoint, or several along a bar), or places on the body"
+                "give points (one hardpoint, or several along a bar), or positions (places) on the body"
             )
         return self
 
@@ -61,7 +61,7 @@ class Solid(Description):
 class Rim(Description):
     """The inside of a rim: a cylinder of this ``radius`` (m) about the wheel's axis, between two offsets (m).
 
-    Offsets count from the wheel centre along its axis, outboard positive.
+    Offsets are measured from the wheel centre along its axis, outboard positive.
 
     Examples
     --------
@@ -78,7 +78,7 @@ class Rim(Description):
         if self.inner >= self.outer:
             raise ValueError(
                 Phrase(
-                    "inner = {inner:g} m does not lie inboard of outer = {outer:g} m",
+                    "inner = {inner:g} m is not inboard of outer = {outer:g} m",
                     inner=self.inner,
                     outer=self.outer,
                 )
@@ -90,7 +90,7 @@ Shape: TypeAlias = Solid | Rim
 _SAMPLES, _ROUNDS = (
     33,
     7,
-)  # each round narrows 16 times, to 1e-9 of a length: slopes need the exact place
+)  # each round narrows 16 times, to 1e-9 of a length: slopes need the exact position
 _ANGLES = ("camber", "steer")
 _POINT = 1e-12  # m: a shorter bar is a sphere
 
@@ -98,7 +98,7 @@ _POINT = 1e-12  # m: a shorter bar is a sphere
 def clearances(
     rig: Rig, pairs: Mapping[str, Sequence[Shape]], travel: Values = 0.0, rack: Values | None = None
 ) -> xr.Dataset:
-    """Distances between bodies of a corner over travel and rack.
+    """Compute distances between bodies of a corner over travel and rack.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def clearances(
 
 
 def check_pair(rig: Corner, pair: Sequence[Shape], where: str) -> None:
-    """Refuse anything but a pair of bodies of this corner."""
+    """Raise an error unless the argument is a pair of bodies of this corner."""
     given = rig.hardpoints.given()
     if len(pair) != 2 or all(isinstance(shape, Rim) for shape in pair):
         raise DescriptionError(
@@ -180,10 +180,10 @@ def check_pair(rig: Corner, pair: Sequence[Shape], where: str) -> None:
 
 @dataclass(frozen=True)
 class PosedCorner:
-    """Places of points (poses, 3) and the wheel's axis at pairs of travel and rack; NaN out of reach, m.
+    """Positions of points (poses, 3) and the wheel's axis at pairs of travel and rack; NaN out of reach, m.
 
-    ``moved`` are the slopes of each place and ``turned`` that of the axis along some directions, (directions, poses,
-    3), if they were computed.
+    ``moved`` has the derivatives of each position and ``turned`` those of the axis along directions, (directions,
+    poses, 3), if they were computed.
     """
 
     places: dict[str, Array]
@@ -200,10 +200,10 @@ class PosedCorner:
         numbers: Array,
         directions: Array | None = None,
     ) -> PosedCorner:
-        """Pose a corner at pairs of travel and rack, with given numbers of its model.
+        """Compute poses of a corner at pairs of travel and rack, for given parameters of its model.
 
-        ``names`` are the required hardpoints; ``directions`` (tracks and parameters, n) are those of the slopes (see
-        ``tangents``).
+        ``names`` are the required hardpoints; ``directions`` (tracks and parameters, n) are the directions of
+        derivatives (see ``tangents``).
         """
         sweep, values = path_sweep(rig, *poses, numbers)
         rows = {
@@ -225,9 +225,9 @@ class PosedCorner:
         return cls(places, axis, positions, _axis_slope(rig, rows, ordered[-2], ordered[-1]))
 
     def distance(self, first: Shape, second: Shape) -> tuple[Array, Array | None]:
-        """Shortest distance of two bodies at each pose, m, and its slopes (directions, poses) if directions are set.
+        """Return the shortest distance of two bodies at each pose, m, and its slopes (directions, poses) if requested.
 
-        If two places are equally near, the slope is that of one of them.
+        If two positions are equally close, the slope is that of one of them.
         """
         if isinstance(second, Rim):
             first, second = second, first
@@ -251,7 +251,7 @@ class PosedCorner:
         )
 
     def _bars(self, solid: Solid) -> list[_Bar]:
-        """Straight pieces of a bar; a single piece without length for a sphere."""
+        """Return the straight segments of a bar; a single segment of zero length for a sphere."""
         if solid.places:
             like = next(iter(self.places.values()))
             ends = [
@@ -268,7 +268,7 @@ class PosedCorner:
         ]
 
     def _between(self, first: _Bar, second: _Bar) -> _Gap:
-        """Distance of two pieces: between the feet of the common normal, or at ends."""
+        """Return the distance of two segments: along the common normal, or at ends."""
         s, t = _feet(first, second)
         gap = first.at(s) - second.at(t)
         distance = np.linalg.norm(gap, axis=1)
@@ -277,7 +277,7 @@ class PosedCorner:
         )
 
     def _to_rim(self, rim: Rim, bar: _Bar) -> _Gap:
-        """Distance of a piece from the rim's cylinder."""
+        """Return the distance of a segment from the rim's cylinder."""
         centre, axis = self.places["wheel_centre"], self.axis
         share = _nearest_to_rim(rim, bar, centre, axis)
         place = bar.at(share) - centre
@@ -301,12 +301,12 @@ class PosedCorner:
 
 
 _Gap: TypeAlias = "tuple[Array, Callable[[], Array]]"
-"""Distance of two pieces at each pose, m, and a function that returns its slopes (directions, poses)."""
+"""Distance of two segments at each pose, m, and a function that returns its slopes (directions, poses)."""
 
 
 @dataclass(frozen=True)
 class _Bar:
-    """A straight piece from ``a`` to ``b`` (poses, 3), and the slopes of its ends (directions, poses, 3)."""
+    """A straight segment from ``a`` to ``b`` (poses, 3), and the slopes of its ends (directions, poses, 3)."""
 
     a: Array
     b: Array
@@ -314,11 +314,11 @@ class _Bar:
     b_moved: Array
 
     def at(self, share: Array) -> Array:
-        """Places at shares (poses,) of its length."""
+        """Return positions at shares (poses,) of its length."""
         return np.asarray(self.a + share[:, None] * (self.b - self.a))
 
     def slopes_at(self, share: Array) -> Array:
-        """Slopes of those places."""
+        """Return the slopes of these positions."""
         return np.asarray(self.a_moved + share[:, None] * (self.b_moved - self.a_moved))
 
 
@@ -328,7 +328,7 @@ def _over(values: Array, size: Array) -> Array:
 
 
 def link_lengths(rig: Rig) -> dict[str, float]:
-    """Lengths of the links of a corner at design.
+    """Return the lengths of the links of a corner at design.
 
     Parameters
     ----------
@@ -367,7 +367,7 @@ def link_lengths(rig: Rig) -> dict[str, float]:
 
 
 def _places(sweep: PreparedSweep, names: Collection[str]) -> dict[str, Array]:
-    """Places of points, shape (poses, 3), m."""
+    """Return positions of points, shape (poses, 3), m."""
     coordinates = sweep.points()
     return {
         name: np.stack([coordinates[f"{name}.{axis}"].ravel() for axis in "xyz"], axis=1)
@@ -401,7 +401,7 @@ def _axis_slope(
 
 
 def _feet(first: _Bar, second: _Bar) -> tuple[Array, Array]:
-    """Positions on two pieces, as shares of their lengths, at which they are nearest."""
+    """Find the closest points of two segments, as shares of their lengths."""
     u, v, w = first.b - first.a, second.b - second.a, first.a - second.a
     uu, uv, vv, uw, vw = (
         np.sum(x * y, axis=1) for x, y in ((u, u), (u, v), (v, v), (u, w), (v, w))
@@ -418,7 +418,7 @@ def _feet(first: _Bar, second: _Bar) -> tuple[Array, Array]:
 
 
 def _nearest_to_rim(rim: Rim, bar: _Bar, centre: Array, axis: Array) -> Array:
-    """Position on a piece, as a share of its length, nearest to the rim's cylinder, by successively finer grids."""
+    """Find the point of a segment closest to the rim's cylinder, as a share of its length, by refined grids."""
     share = np.linspace(0.0, 1.0, _SAMPLES)[None, :] * np.ones((len(bar.a), 1))
     step = 1.0 / (_SAMPLES - 1)
     for _ in range(_ROUNDS):

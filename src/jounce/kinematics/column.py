@@ -27,7 +27,7 @@ class _Joint:
     pin: float
 
     def angle_behind(self, angle: Array) -> tuple[Array, Array]:
-        """Rotation of the second shaft for one of the first (rad), and its slope."""
+        """Return the rotation of the second shaft for a rotation of the first (rad), and its slope."""
         start = _behind(np.asarray(self.pin), self.bend)
         at = angle + self.pin
         slope = np.cos(self.bend) / (np.cos(at) ** 2 + np.cos(self.bend) ** 2 * np.sin(at) ** 2)
@@ -54,7 +54,7 @@ def _joints(column: SteeringColumn) -> list[_Joint]:
         size = float(np.linalg.norm(normal))
         if size > _STRAIGHT:
             normal = normal / size
-        else:  # no plane: any direction across will do
+        else:  # no plane: any perpendicular direction
             normal = np.cross(first, np.eye(3)[int(np.argmin(np.abs(first)))])
             normal = normal / np.linalg.norm(normal)
         if (
@@ -74,11 +74,11 @@ def _joints(column: SteeringColumn) -> list[_Joint]:
 
 
 def steering_of(rig: Corner) -> Steering:
-    """Steering of a corner whose handwheel moves the rack; refuse a corner without one."""
+    """Return the steering of a corner; raise an error if no handwheel moves the rack."""
     steering = getattr(rig, "steering", None)
     if steering is None or steering.rack_ratio is None:
         raise DescriptionError(
-            "no handwheel moves this rack",
+            "the rack has no handwheel",
             where="steering.rack_ratio",
             allowed='a table [steering] with rack_ratio = "13 mm/rad", the rack\'s travel over the turn of the pinion',
         )

@@ -1,8 +1,8 @@
 """Compliance: displacement of a wheel on bushings under loads at the contact patch.
 
-The body is fixed, the rack is locked, and the ground holds the wheel at the height of the contact point for ideal
-joints at that travel, as a test rig with locked pads does. Spring and stops follow their laws. Equilibrium includes all
-large motions; compliances are its exact derivatives.
+The body is fixed, the rack is locked, and the ground holds the wheel at the contact height that ideal joints would give
+at that travel, like a test rig with locked pads. Spring and stops follow their laws. Equilibrium includes all large
+motions; compliances are its exact derivatives.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ _models: Recent[ElasticModel] = Recent()
 def compliance(
     rig: Rig, travel: Values = 0.0, *, rack: float | None = None, load: ContactLoad | None = None
 ) -> xr.Dataset:
-    """Change of toe, camber and position of a wheel on bushings per unit of each load at the contact patch.
+    """Compute changes of toe, camber and position of a wheel on bushings per unit load at the contact patch.
 
     The body and the rack are fixed, the ground holds the height of the contact point; spring and stops follow their
     laws, and so do a torsion bar and the gas of a damper; third spring and Z-bar act as if the other wheel carries the
@@ -100,7 +100,7 @@ def compliance(
         On ``wheel_travel`` (m): ``<load>.<quantity>`` for the loads braking, driving, lateral (N) and aligning (N m)
         and the quantities toe, camber, steer (rad), wheel_centre_x, wheel_centre_y, patch_x, patch_y (m); and the
         state: ``toe``, ``camber``, ``steer`` (rad). A newton of ``braking`` pushes the patch rearward, one of
-        ``driving`` the wheel centre forward; lateral forces (to the left), torques and places are in ground axes.
+        ``driving`` the wheel centre forward; lateral forces (to the left), torques and positions are in ground axes.
 
     Raises
     ------
@@ -116,7 +116,7 @@ def compliance(
     >>> arms = ("lower_arm_front", "lower_arm_rear", "upper_arm_front", "upper_arm_rear")
     >>> rig = jn.load("reference-double-wishbone").with_changes({"bushings": dict.fromkeys(arms, soft)})
     >>> yielding = jn.compliance(rig)
-    >>> bool(yielding["lateral.patch_y"][0] > 0.0)  # it gives way to the force
+    >>> bool(yielding["lateral.patch_y"][0] > 0.0)  # yields to the force
     True
     """
     corner = check_corner(rig)
@@ -130,7 +130,9 @@ def compliance(
     load = load or ContactLoad()
     if load.vertical_force:
         raise DescriptionError(
-            "the ground gives the vertical force", where="vertical_force", found=load.vertical_force
+            "the vertical force follows from the ground",
+            where="vertical_force",
+            found=load.vertical_force,
         )
     travels = sweep_values(travel, "wheel travel")
     ground = _ground(corner, travels, rack)
@@ -227,7 +229,7 @@ def _yields(rig: Corner, ground: float, rack: float, load: ContactLoad) -> tuple
 
 
 def _equilibrium(model: ElasticModel, p: Array) -> tuple[Array, Array]:
-    """Coordinates and multipliers in equilibrium, by Newton from the design pose."""
+    """Find coordinates and multipliers in equilibrium by Newton's method from the design pose."""
     q, multipliers = model.start, np.zeros(model.sizes[1])
     for _ in range(_ITERATIONS):
         residual, matrix, _ = (part.full() for part in model.equations(q, multipliers, p))
@@ -249,7 +251,7 @@ def _equilibrium(model: ElasticModel, p: Array) -> tuple[Array, Array]:
 
 
 def _solve(matrix: Array, right: Array) -> Array:
-    """Solve the equilibrium equations, scaled so that newtons and metres compare; refuse free motions."""
+    """Solve the scaled equilibrium equations; raise an error for unconstrained motions."""
     rows = 1.0 / np.maximum(np.max(np.abs(matrix), axis=1), 1e-300)
     scaled = matrix * rows[:, None]
     columns = 1.0 / np.maximum(np.max(np.abs(scaled), axis=0), 1e-300)

@@ -1,4 +1,4 @@
-"""Steering effort: from the road's forces on both wheels to rack, pinion and handwheel."""
+"""Steering effort: rack force, pinion and handwheel torque from the road's forces on both wheels."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 def steering_effort(
     rig: Rig, left: ContactLoad, right: ContactLoad, rack: Values = 0.0, travel: float | str = 0.0
 ) -> xr.Dataset:
-    """Force on the rack and torque at the handwheel for loads of the road on both wheels.
+    """Compute rack force and handwheel torque for loads of the road on both wheels.
 
     Parts are rigid and massless; joints, rack and column have no friction; anti-roll bar and third spring are
     neglected. Springs have the force that the loads require.

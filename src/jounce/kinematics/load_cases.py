@@ -1,4 +1,4 @@
-"""Load cases of an axle: from the car's accelerations to forces in all links, joints and pickup points."""
+"""Load cases of an axle: forces in all links, joints and pickup points from the car's accelerations."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _TRAVELS = np.linspace(-0.1, 0.1, 41)  # m: range in which the spring's equilibr
 
 
 class LoadedAxle(Description):
-    """The car around an axle, for the wheel loads.
+    """Vehicle data of an axle, for the wheel loads.
 
     ``axle``; ``mass`` (kg) of the whole car, ``wheelbase`` (m), ``centre_of_mass_height`` (m, above the ground);
     ``weight_share`` of this axle at rest, ``brake_share`` and ``drive_share`` of it in longitudinal forces, and
@@ -81,22 +81,22 @@ LOAD_CASES: dict[str, LoadCase] = {
 def load_cases(
     rig: Rig, car: LoadedAxle, cases: Mapping[str, LoadCase | Mapping[str, float]] | None = None
 ) -> xr.Dataset:
-    """Forces in every link, joint and pickup point of both wheels of an axle for load cases of the car.
+    """Compute forces in every link, joint and pickup point of both wheels of an axle for load cases of the car.
 
     Wheel loads follow from weight and load transfer of a rigid car, between the axles over the wheelbase, between the
-    wheels over the track of the contact points at design; a wheel or an axle that would lift off carries nothing, and
-    the other one everything. The wheels share longitudinal and lateral forces of the axle in proportion to their loads;
-    brakes are outboard, and the body reacts drive torque. Each wheel stands where its spring, stops and the gas of its
-    damper carry its load, with anti-roll bar and third spring between both wheels (at design if the rig has no spring).
-    Parts are massless. ``attrs["findings"]`` names cases that the springs cannot carry, and those in which the car
-    would tip over an axle.
+    wheels over the track of the contact points at design; a wheel or an axle that would lift off carries no load, and
+    the other one the total. The wheels share longitudinal and lateral forces of the axle in proportion to their loads;
+    brakes are outboard, and the body reacts drive torque. Each wheel is at the travel at which its spring, stops and
+    damper gas carry its load, with anti-roll bar and third spring between both wheels (at design if the rig has no
+    spring). Parts are massless. ``attrs["findings"]`` names cases that the springs cannot carry, and those in which the
+    car would tip over an axle.
 
     Parameters
     ----------
     rig : Rig
         A corner with hardpoints; the other side is its mirror image.
     car : LoadedAxle
-        The car around it.
+        Vehicle data of the axle.
     cases : mapping of str to LoadCase, optional
         Cases by name, accelerations in g; `LOAD_CASES` by default.
 
@@ -104,7 +104,7 @@ def load_cases(
     -------
     xarray.Dataset
         On ``case`` and ``wheel`` (left, right): ``longitudinal_force``, ``lateral_force``, ``vertical_force`` at the
-        contact point (N), ``wheel_travel`` (m), what :func:`pickup_loads` gives at each hardpoint (N), and the
+        contact point (N), ``wheel_travel`` (m), the forces of :func:`pickup_loads` at each hardpoint (N), and the
         forces of anti-roll bar and third spring (``anti_roll_bar_link.axial_force``, ``third_spring.force``).
 
     Raises
@@ -129,7 +129,7 @@ def load_cases(
 def solved_cases(
     rig: Rig, car: LoadedAxle, cases: Mapping[str, LoadCase | Mapping[str, float]] | None = None
 ) -> tuple[xr.Dataset, list[Finding]]:
-    """Like :func:`load_cases`, together with the findings."""
+    """Solve load cases as :func:`load_cases`, and return the findings as well."""
     import xarray as xr
 
     corner = check_corner(rig)
@@ -188,7 +188,7 @@ def solved_cases(
 
 
 def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLoad, ContactLoad]:
-    """Loads of the road on the left and the right wheel (N, ground axes) in a case."""
+    """Return the road loads on the left and the right wheel (N, ground axes) in a case."""
     weight = car.mass * GRAVITY
     axle = min(max(_axle_load(car, case), 0.0), max(case.vertical * weight, 0.0))
     share = car.weight_share if car.roll_share is None else car.roll_share
@@ -216,14 +216,14 @@ def wheel_loads(car: LoadedAxle, case: LoadCase, rig: Corner) -> tuple[ContactLo
 
 
 def _axle_load(car: LoadedAxle, case: LoadCase) -> float:
-    """Load of the axle (N) from the balance of moments; negative if it would lift off."""
+    """Return the axle load (N) from moment equilibrium; negative if the axle would lift off."""
     weight = car.mass * GRAVITY
     ahead = weight * case.longitudinal * car.centre_of_mass_height / car.wheelbase
     return case.vertical * weight * car.weight_share + (-ahead if car.axle == "front" else ahead)
 
 
 def _tips(car: LoadedAxle, case: LoadCase, name: str) -> list[Finding]:
-    """Report braking or driving that would lift an axle off the road: the car cannot be balanced then."""
+    """Report braking or driving that would lift an axle off the road, so no equilibrium exists."""
     axle, total = _axle_load(car, case), case.vertical * car.mass * GRAVITY
     if total <= 0.0 or 0.0 <= axle <= total:
         return []
@@ -287,7 +287,7 @@ def _rack_travel(rig: Corner) -> float:
 def _of_wheel(
     rig: Corner, load: ContactLoad, travel: float, across: FromAcross | None
 ) -> dict[str, tuple[float, str, str]]:
-    """Every force of one wheel: value, unit and label."""
+    """Return every force of one wheel: value, unit and label."""
     _, joints = balance_poses(prepare_sweep(rig, travel), load)
     if across is not None:
         _put_across(joints, across)
@@ -358,7 +358,7 @@ _DIFFERENCE = 1e-6  # m: of slopes that only set the direction of steps
 def _together(
     rig: Corner, loads: tuple[ContactLoad, ContactLoad], name: str
 ) -> tuple[tuple[float, float], list[Finding]]:
-    """Travels (m) of both wheels at which all springs carry both loads, or come nearest."""
+    """Find the travels (m) of both wheels at which all springs carry both loads, or come closest."""
     axle, rack = TwoWheelAxle(rig), np.full(3, _rack_travel(rig))
     size = sum(
         abs(load.vertical_force) + abs(load.lateral_force) + abs(load.longitudinal_force)
@@ -377,7 +377,7 @@ def _together(
             ]
         )
         worst = float(np.max(np.abs(off[:, 0])))
-        if not worst < least:  # out of reach, or no improvement: go half as far from the best pose
+        if not worst < least:  # out of reach, or no improvement: halve the step from the best pose
             share *= 0.5
             if share < _CLOSE:
                 break
@@ -403,7 +403,7 @@ def _together(
 
 
 def _equivalent_force(load: ContactLoad, rows: dict[str, Array], side: float) -> Array:
-    """Force at the wheel centre (N, up) with the same work along the travel as a load (without aligning torque)."""
+    """Return the wheel-centre force (N, up) that does the same work along travel as a load (no aligning torque)."""
     rise = rows["motion_ratio"] / rows["motion_ratio_contact"]  # of the contact patch
     ahead = rows["contact_patch_recession"] * rise
     if load.through == "wheel_centre":
@@ -413,7 +413,7 @@ def _equivalent_force(load: ContactLoad, rows: dict[str, Array], side: float) ->
 
 
 def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, list[Finding]]:
-    """Travel (m) at which spring and stops have the force that the load requires, or come nearest."""
+    """Find the travel (m) at which spring and stops provide the force that the load requires, or come closest."""
     if "spring" in rig.lacks:
         return 0.0, []
     sweep = prepare_sweep(rig, _TRAVELS)
@@ -425,7 +425,9 @@ def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, lis
         """Force (or torque) of the springs over the required one."""
         own = prepare_sweep(rig, travel).quantities()
         required = pickup_loads(rig, load, travel)
-        if "spring" in rig.without:  # a torsion bar carries it; along the strut only stops push
+        if (
+            "spring" in rig.without
+        ):  # a torsion bar carries the load; only stops act along the strut
             strut = own["stop_force"] * own["motion_ratio"] / own["torsion_bar_motion_ratio"]
             return np.asarray(
                 (own["torsion_bar_torque"] + strut)[:, 0] - required["torsion_bar.torque"]
@@ -454,12 +456,12 @@ def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, lis
 
 
 def load_case_table(loads: xr.Dataset, quantities: Sequence[str] | None = None) -> str:
-    """Load cases as CSV, one row for each case and wheel, SI.
+    """Return load cases as CSV, one row for each case and wheel, SI.
 
     Parameters
     ----------
     loads : xarray.Dataset
-        As :func:`load_cases` gives it.
+        As returned by :func:`load_cases`.
     quantities : sequence of str, optional
         Columns; all by default.
 
@@ -479,7 +481,7 @@ def load_case_table(loads: xr.Dataset, quantities: Sequence[str] | None = None) 
     """
     if not {"case", "wheel"} <= set(loads.coords):
         raise DescriptionError(
-            "no load cases", where="found", allowed="what jn.load_cases(...) gives"
+            "no load cases", where="found", allowed="the result of jn.load_cases(...)"
         )
     names = list(map(str, quantities or loads.data_vars))
     for name in names:

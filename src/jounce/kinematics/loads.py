@@ -1,7 +1,7 @@
 """Loads of pickup points and joints for a load at the contact patch: rigid parts and the spring in equilibrium.
 
-The spring's force is the one that the load requires, not that of its law at the travel, so that forces and virtual
-work agree. Parts are massless; effects of the other wheel are included only in load cases.
+The spring's force is the one that the load requires, not that of its law at the travel; forces therefore agree with
+virtual work. Parts are massless; effects of the other wheel are included only in load cases.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ if TYPE_CHECKING:
 
 
 BODY = ""
-"""The reference of all parts: the car's body with the rack. It is not one of the parts in balance."""
+"""The reference body: the car's body with the rack. It is not among the parts in equilibrium."""
 
 
 @dataclass
 class PartBalance:
-    """Parts in balance at n poses; unknowns: forces of the part nearer to the wheel on the one nearer to the body."""
+    """Equilibrium of parts at n poses; unknowns are forces of the wheel-side part on the body-side part."""
 
     parts: tuple[str, ...]
     poses: int
@@ -63,7 +63,7 @@ class PartBalance:
         return len(self._columns) - 1
 
     def share(self, axis: Array, first: list[int], second: list[int]) -> None:
-        """Let two joints share the force along an axis equally; otherwise a shaft in two bearings is indeterminate."""
+        """Let two joints share the force along an axis equally, since a shaft in two bearings is indeterminate."""
         self._shared.append((axis, first, second))
 
     def solve(self) -> Array:
@@ -123,9 +123,9 @@ class ContactLoad(Description):
 
 @dataclass
 class Joints:
-    """Unknowns of a corner with their names, collected while its parts are balanced.
+    """Unknown forces of a corner with their names, collected while its equilibrium equations are set up.
 
-    ``points`` has the place of every hardpoint, m, shape (n, 3); ``forces`` the hardpoints at which vectors are
+    ``points`` has the position of every hardpoint, m, shape (n, 3); ``forces`` the hardpoints at which vectors are
     reported, each with (direction, unknown) terms; ``known`` given vectors; ``scalars`` single forces and torques.
     """
 
@@ -165,7 +165,7 @@ class Joints:
         )
 
     def torsion_bar(self, torque: Array) -> None:
-        """Torsion bar on its axis: it carries the load without a coil spring, else it has its law's torque (N m)."""
+        """Add the torsion bar: without a coil spring it carries the load, otherwise ``torque`` is given (N m)."""
         bar = self.rig.torsion_bar
         assert bar is not None
         along = np.tile(bump_axis(self.rig, bar.on), (self.balance.poses, 1))
@@ -180,7 +180,7 @@ class Joints:
         self.given["torsion_bar.torque"] = torque, f"{text}: of its law"
 
     def push(self, part: str, force: Array, points: Sequence[str]) -> None:
-        """Apply a known force (N, (n, 3)) to a part at the first of some hardpoints; its line passes through all."""
+        """Apply a known force (N, (n, 3)) to a part at the first of several hardpoints on its line of action."""
         self.balance.load(part, force, self.points[points[0]], np.zeros_like(force))
         for name in points:
             self.known[name] = -force
@@ -194,7 +194,7 @@ class Joints:
         ]
 
     def still_damper(self, force: Array) -> None:
-        """Damper with a force at rest (N), from its gas."""
+        """Add a damper with a force at rest (N) from its gas."""
         bottom, top = self.ends("damper")
         along = _unit(self.points[top] - self.points[bottom])
         self.push(self.rig.strut.on, -force[:, None] * along, (bottom, top))
@@ -204,7 +204,7 @@ class Joints:
         )
 
     def spring(self) -> None:
-        """Spring between the body and the part with the strut's lower end."""
+        """Add the spring between the body and the part with the strut's lower end."""
         if "spring" in self.rig.without and self.rig.torsion_bar is not None:
             return
         names = self.ends("spring")
@@ -218,7 +218,7 @@ class Joints:
         )
 
     def rocker(self) -> None:
-        """Rocker on its pivot, pushed by its rod; its bearing carries three forces and two torques."""
+        """Add the rocker on its pivot with its push rod; its bearing carries three forces and two torques."""
         if getattr(self.rig.hardpoints, "rocker_pivot", None) is None:
             return
         pivot, end = self.points["rocker_pivot"], self.points["rocker_axis"]
@@ -236,7 +236,7 @@ class Joints:
 def pickup_loads(
     rig: Rig, load: ContactLoad, travel: Values = 0.0, *, rack: float | None = None
 ) -> xr.Dataset:
-    """Forces at all hardpoints of a corner for a load at its contact patch.
+    """Compute forces at all hardpoints of a corner for a load at its contact patch.
 
     Parts are rigid and massless, joints frictionless. The force of the spring follows from the load. Two pickups on one
     axis are reported as sharing the force along it equally: rigid parts do not determine it.
@@ -257,7 +257,7 @@ def pickup_loads(
     xarray.Dataset
         On ``wheel_travel`` (m): ``<hardpoint>.fx``, ``.fy``, ``.fz`` (N, ground axes): force of the part nearer to the
         wheel on the one nearer to the body. ``spring.force`` (N, compression positive), or ``torsion_bar.torque``
-        (N m, against bump) in its place, ``<rod>.axial_force`` (N, tension positive), and ``damper.force`` (N,
+        (N m, against bump) instead, ``<rod>.axial_force`` (N, tension positive), and ``damper.force`` (N,
         compression positive) of a damper with a force at rest. Forces of anti-roll bar and third spring from the other
         wheel are not included (see :func:`load_cases`).
 
@@ -284,7 +284,7 @@ def pickup_loads(
 
 
 def balance_poses(sweep: PreparedSweep, load: ContactLoad) -> tuple[dict[str, Array], Joints]:
-    """Rows of all reached poses, and the parts in balance there; more loads may be added."""
+    """Return the rows of all reached poses, and the parts in equilibrium; further loads may be added."""
     rows = {name: value.ravel() for name, value in sweep.quantities().items()}
     reached = np.flatnonzero(np.isfinite(rows["wheel_travel"]))
     if not len(reached):
@@ -302,7 +302,7 @@ def balance_poses(sweep: PreparedSweep, load: ContactLoad) -> tuple[dict[str, Ar
 def _balance_corner(
     rig: Corner, points: dict[str, Array], load: ContactLoad, rows: dict[str, Array]
 ) -> Joints:
-    """Balance the parts of a corner."""
+    """Set up the equilibrium of the parts of a corner."""
     rig.require("strut", what="what the joints carry")
     model = str(getattr(rig, "model", ""))
     parts, build = _TEMPLATES[model]
@@ -331,7 +331,7 @@ def _balance_corner(
 
 
 def bump_axis(rig: Corner, body: str) -> Array:
-    """Unit vector about which bump turns an arm, or the rocker, at design, ground axes, shape (3,)."""
+    """Return the unit vector about which bump rotates an arm or the rocker at design, ground axes, shape (3,)."""
     first, second, tip = (np.array(rig.hardpoints.at(name)) for name in AXES[body])
     axis = (second - first) / np.linalg.norm(second - first)
     motion = np.cross(axis, tip - first)
@@ -371,7 +371,7 @@ def _five_link(joints: Joints) -> None:
 
 
 def _cross_torque(joints: Joints, inner: str, outer: str) -> Array:
-    """Direction of the torque in the universal joint of a link: across both of its axes."""
+    """Return the direction of the torque in the universal joint of a link: perpendicular to both of its axes."""
     design = np.array(getattr(joints.rig.hardpoints, outer)) - getattr(joints.rig.hardpoints, inner)
     on_the_body = ca.evalf(normals(unit(ca.SX(design)))[0]).full()[:, 0]
     first = np.tile(on_the_body, (joints.balance.poses, 1))
@@ -397,7 +397,7 @@ def _unit(vectors: Array) -> Array:
 
 
 def _across(axis: Array) -> tuple[Array, Array]:
-    """Two directions across an axis and each other."""
+    """Return two directions perpendicular to an axis and to each other."""
     reference = np.eye(3)[np.argmin(np.abs(axis), axis=1)]
     first = _unit(np.cross(axis, reference))
     return first, np.cross(axis, first)
@@ -442,7 +442,7 @@ def vector_forces(joints: Joints, unknowns: Array) -> dict[str, Array]:
 
 
 def single_forces(joints: Joints, unknowns: Array) -> list[tuple[str, Array, str]]:
-    """Forces (N) and torques (N m) that are one number: name, value, text."""
+    """Return scalar forces (N) and torques (N m): name, value, text."""
     unknown_forces = [(name, unknowns[:, i], text) for name, (i, text) in joints.scalars.items()]
     return [*unknown_forces, *((name, value, text) for name, (value, text) in joints.given.items())]
 

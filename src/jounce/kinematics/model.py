@@ -39,8 +39,8 @@ class KinematicModel:
     the contact point) and the ``gradient`` of the loop equations by the speeds; ``joints`` names the joint of each
     equation; ``closure`` is the violation of the loops, and ``yielding`` the slopes of the coordinates by it (its last
     argument). ``across`` returns the ends of connections to the other wheel, if the corner has some; ``third_force`` is
-    the law of the third spring. All take the numbers of the description at ``parameters``; ``start`` is the design
-    pose.
+    the law of the third spring. All take the values of the description in the order of ``parameters``; ``start`` is the
+    design pose.
     """
 
     rows: tuple[Quantity, ...]
@@ -53,7 +53,7 @@ class KinematicModel:
     point_names: tuple[str, ...]
 
     def parameter_values(self, rig: Corner) -> Array:
-        """Numbers of a description in the order of ``parameters``."""
+        """Return the values of a description in the order of ``parameters``."""
         values = rig.parameters()
         return np.array([values[path] for path in self.parameters])
 
@@ -73,7 +73,7 @@ class KinematicModel:
 
     @once
     def place_tangents(self) -> Native:
-        """The same for ``points``, followed by camber and steer, which give the rotation of the wheel's axis."""
+        """Machine code of the slopes of ``points``, camber and steer (rotation of the wheel's axis)."""
         angles = [
             next(i for i, row in enumerate(self.rows) if row.name == name)
             for name in ("camber", "steer")
@@ -107,19 +107,19 @@ _models: Recent[KinematicModel] = Recent()
 
 
 def kinematic_model(rig: Rig) -> KinematicModel:
-    """Kinematic model of a corner with hardpoints; corners that differ in numbers only share one."""
+    """Return the kinematic model of a corner; corners of the same structure share one model."""
     corner = check_corner(rig)
     return _models.of(structure_of(corner), lambda: _build(_rigid(corner)))
 
 
 def _rigid(rig: Corner) -> Corner:
-    """The corner with ideal joints in place of its bushings."""
+    """Return the corner with ideal joints instead of bushings."""
     bushings = getattr(rig, "bushings", None)
     return rig if bushings is None else rig.model_copy(update={"bushings": type(bushings)()})
 
 
 def check_corner(rig: Rig) -> Corner:
-    """Refuse a rig that has no hardpoints."""
+    """Return the rig as a corner; raise an error without hardpoints."""
     if isinstance(rig, Corner):
         return rig
     is_car = isinstance(rig, FullCar3D)
@@ -143,7 +143,7 @@ def has_rack(rig: Corner) -> bool:
 
 
 def check_rack(rig: Corner, allowed: str = "a corner with a tie rod") -> None:
-    """Refuse a corner whose wheel is not moved by a rack."""
+    """Raise an error if no rack moves the wheel of a corner."""
     if not has_rack(rig):
         model = f'model = "{getattr(rig, "model", "")}"'
         raise DescriptionError(
@@ -208,7 +208,7 @@ def _build(rig: Corner) -> KinematicModel:
 
 
 def _occurring(mechanism: Quasistatic, expressions: dict[str, ca.SX]) -> dict[str, ca.SX]:
-    """Parameters of the description that occur in the expressions, so no masses."""
+    """Return the parameters of the description that occur in the expressions (no masses)."""
     used = {
         symbol.name()
         for symbol in ca.symvar(ca.vertcat(*(ca.vec(part) for part in expressions.values())))
@@ -217,7 +217,7 @@ def _occurring(mechanism: Quasistatic, expressions: dict[str, ca.SX]) -> dict[st
 
 
 def _places(view: CornerView) -> list[tuple[str, ca.SX]]:
-    """Places of all hardpoints of the description and of the contact point, ground axes, m."""
+    """Return the positions of all hardpoints and of the contact point, ground axes, m."""
     linkage = view.linkage
     names = [
         name

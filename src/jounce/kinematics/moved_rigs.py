@@ -1,4 +1,4 @@
-"""A corner in another pose as a description of its own: points moved, bodies with them, spring and stops kept."""
+"""A corner in a different pose as a new description: points and bodies moved, spring and stops unchanged."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _STRAIGHT = 1e-6
 
 
 def rigs_along(rig: Corner, travels: Sequence[float]) -> list[Corner]:
-    """Give the rig as it stands at each wheel travel (m, ascending, body fixed), that pose being its new design."""
+    """Return the rig at each wheel travel (m, ascending, body fixed), with that pose as its new design."""
     sweep = sweep_travel(rig, list(travels), points=True)
     if sweep.sizes["wheel_travel"] < len(travels):
         raise DescriptionError("out of reach", where="wheel travel", found=sweep.attrs["stopped"])
@@ -43,7 +43,7 @@ Motion = tuple[Array, Array]
 
 
 def rig_with_hardpoints(rig: C, places: Mapping[str, Triple], upright: Motion | None = None) -> C:
-    """Give the rig with hardpoints in other ``places`` (m; the others stay), as it would be described there.
+    """Return the rig with some hardpoints moved to ``places`` (m), as it would be described there.
 
     Bodies follow their hardpoints as rigid ones, but for an ``upright`` whose motion is given because its points move
     on it; the wheel's camber and toe follow the body that carries it. The springs keep their free length, as do dampers
@@ -92,12 +92,12 @@ def spin_axis(rig: Corner) -> Array:
 
 
 def wheel_angles(rig: Corner, axis: Array) -> tuple[float, float]:
-    """Camber (top outward) and toe (toe-in) in rad of a wheel whose axis points that way."""
+    """Return camber (top outward) and toe (toe-in) in rad of a wheel with a given axis."""
     return float(-np.arcsin(axis[2])), float(np.arctan2(axis[0], rig.sign * axis[1]))
 
 
 def rigid_motion(before: Array, after: Array) -> tuple[Array, Array]:
-    """Rotation (3, 3) and shift (3,) that bring points (n, 3) nearest to others; about a line, the least turn."""
+    """Fit rotation (3, 3) and shift (3,) between point sets (n, 3); for collinear points, the smallest rotation."""
     centre, target = before.mean(axis=0), after.mean(axis=0)
     first, second = before - centre, after - target
     sizes = np.linalg.svd(first, compute_uv=False)
@@ -143,7 +143,7 @@ def _body_motion(
 def _turn_about_axis(
     rig: Corner, body: str, before: Mapping[str, Triple], after: Mapping[str, Triple]
 ) -> float:
-    """Turn (rad) of an arm, or the rocker, about its axis, positive in bump."""
+    """Return the rotation (rad) of an arm or the rocker about its axis, positive in bump."""
     levers = []
     for points in (before, after):
         start, end, tip = (np.array(points[name]) for name in AXES[body])
@@ -170,7 +170,7 @@ def _keep_spring(strut: dict[str, Any], before: float, after: float) -> None:
             spring["free_length"] = before
         elif after != before:
             raise DescriptionError(
-                "a curved spring with a preload cannot be taken to another length",
+                "a nonlinear spring with a preload cannot be moved to a different length",
                 where="strut.spring",
                 hint="Give free_length instead of preload.",
             )

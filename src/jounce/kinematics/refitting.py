@@ -1,7 +1,7 @@
-"""Linkages reassembled with rods of other lengths, moved supports and shims; everything else follows.
+"""Linkages reassembled with changed rod lengths, supports and shims; all other parts follow.
 
-The wheel centre keeps its height. The upright moves as a rigid body, arms, links and the rocker turn about what holds
-them, and the links of push rod and anti-roll bar keep their lengths.
+The wheel centre keeps its height. The upright moves as a rigid body, arms, links and the rocker rotate about their
+supports, and the links of push rod and anti-roll bar keep their lengths.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ C = TypeVar("C", bound=Corner)
 
 @dataclass(frozen=True)
 class Changes:
-    """What changes: places of points on the car's body (m), lengths of rods (m) by their inner points, shims (m).
+    """Changes: positions of points on the car's body (m), lengths of rods (m) by their inner points, shims (m).
 
-    ``shims`` says by how much points of the upright move on it; ``pushrod`` by how much that rod becomes longer (m).
+    ``shims`` has displacements of points relative to the upright; ``pushrod`` is the lengthening of the push rod (m).
     """
 
     inner: Mapping[str, Triple] = field(default_factory=dict)
@@ -68,7 +68,7 @@ def refit(rig: C, changes: Changes) -> C:
 
 
 def has_rocker(rig: Corner) -> bool:
-    """Tell whether a push rod and a rocker move the strut."""
+    """Return whether a push rod and a rocker actuate the strut."""
     return getattr(rig.hardpoints, "rocker_pivot", None) is not None
 
 
@@ -104,7 +104,7 @@ def points_on(rig: Corner, body: str) -> list[str]:
 
 
 def triple(place: Array) -> Triple:
-    """A place (m, shape (3,)) as descriptions hold it."""
+    """Return a position (m, shape (3,)) in the form used by descriptions."""
     x, y, z = (float(value) for value in place)
     return x, y, z
 
@@ -119,7 +119,7 @@ def _outer(rig: Corner) -> tuple[str, ...]:
 
 @cache
 def _upright_on_rods(kind: type[Hardpoints]) -> tuple[Model, ca.Function, dict[str, float]]:
-    """Upright that flies, held by its rods, its wheel centre at one height; places of its points; values of it all.
+    """Return the model of a free upright on its rods with fixed wheel-centre height, its points, and its values.
 
     The line of a McPherson strut is fixed to it and passes the strut's top.
     """
@@ -146,7 +146,7 @@ def _upright_on_rods(kind: type[Hardpoints]) -> tuple[Model, ca.Function, dict[s
 def _upright_places(
     rig: Corner, places: Mapping[str, Triple], lengths: Mapping[str, float]
 ) -> dict[str, Triple]:
-    """Places of the upright's points where all rods fit and the wheel centre keeps its height."""
+    """Return positions of the upright's points with all rods assembled and the wheel centre at its height."""
     model, function, known = _upright_on_rods(type(rig.hardpoints))
     values = {**known, "height": places["wheel_centre"][2]}
     for name, length in {**rod_lengths(rig), **lengths}.items():
@@ -177,7 +177,7 @@ def _upright_places(
 
 
 def _arm_motion(before: Mapping[str, Triple], after: Mapping[str, Triple]) -> tuple[Array, Array]:
-    """Rotation and shift of an arm with the wheel whose axis goes elsewhere; the wheel centre keeps its height."""
+    """Return rotation and shift of a trailing arm with a moved axis; the wheel centre keeps its height."""
     pivots = [np.array([points["arm_inner"], points["arm_outer"]]) for points in (before, after)]
     turn, shift = rigid_motion(*pivots)
     middle, axis = pivots[1].mean(axis=0), pivots[1][1] - pivots[1][0]
@@ -194,7 +194,7 @@ def _arm_motion(before: Mapping[str, Triple], after: Mapping[str, Triple]) -> tu
     return about @ turn, middle + about @ (shift - middle)
 
 
-# what hangs on it -----------------------------------------------------------------------------------------------------
+# parts attached to the upright ----------------------------------------------------------------------------------------
 
 
 def _carry_points(
@@ -204,7 +204,7 @@ def _carry_points(
     before: Mapping[str, Triple],
     after: Mapping[str, Triple],
 ) -> dict[str, Triple]:
-    """Points on an arm or a link: they turn with it and keep their distance from its outer end."""
+    """Move points on an arm or link with it, keeping their distance from its outer end."""
     own = points_on(rig, body)
     if not own:
         return {}
@@ -218,7 +218,7 @@ def _carry_points(
 def _rocker_places(
     rig: Corner, before: Mapping[str, Triple], after: Mapping[str, Triple], longer: float
 ) -> dict[str, Triple]:
-    """Places of the rocker's points where the push rod fits."""
+    """Return positions of the rocker's points for which the push rod fits."""
     pivot, end, inner = (
         np.array(before[name]) for name in ("rocker_pivot", "rocker_axis", "pushrod_inner")
     )
@@ -239,7 +239,7 @@ def _rocker_places(
 def _bar_places(
     rig: Corner, before: Mapping[str, Triple], after: Mapping[str, Triple]
 ) -> dict[str, Triple]:
-    """Places of the anti-roll bar's arm (and a T-bar's stem) where its link keeps its length."""
+    """Return positions of the anti-roll bar's arm (and a T-bar's stem) for which its link keeps its length."""
     bar = rig.anti_roll_bar
     pivot, arm_end, link_end = (
         np.array(before[f"arb_{name}"]) for name in ("pivot", "arm_end", "link_end")
@@ -261,7 +261,7 @@ def _bar_places(
 
 
 def _turn_to(arm: Array, axis: Array, end: Array, length: float) -> float | None:
-    """Least turn (rad) of an arm about an axis that brings it to a distance from another point; None without."""
+    """Find the smallest rotation (rad) that brings an arm to a given distance from a point; None if impossible."""
     axis = axis / np.linalg.norm(axis)
     along = (arm @ axis) * axis
     flat = arm - along
@@ -272,7 +272,7 @@ def _turn_to(arm: Array, axis: Array, end: Array, length: float) -> float | None
 
 
 def _least_angle(a: float, b: float, needed: float) -> float | None:
-    """Least angle (rad) where a cos + b sin is what is needed; None without."""
+    """Find the smallest angle (rad) with a cos + b sin = needed; None if there is no solution."""
     size = float(np.hypot(a, b))
     if abs(needed) > size:
         return None
@@ -282,7 +282,7 @@ def _least_angle(a: float, b: float, needed: float) -> float | None:
 
 
 def _turn(away: Array, axis: Array, turn: float) -> Array:
-    """A vector turned about an axis (rad)."""
+    """Rotate a vector about an axis (rad)."""
     axis = axis / np.linalg.norm(axis)
     along = (away @ axis) * axis
     rest = away - along

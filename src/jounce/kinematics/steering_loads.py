@@ -1,4 +1,4 @@
-"""Steering effort as commands and pages request it: loads of the road on each wheel, and the sweep as plain data."""
+"""Steering effort for commands and pages: loads of the road on each wheel, and the sweep as plain data."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def sweep_steering_effort(
         float | str, Number("Travel of both wheels, bump positive.", "TRAVEL", "m")
     ] = 0.0,
 ) -> Swept:
-    """Give the force on the rack and the torque at the handwheel that loads of the road on both wheels ask for.
+    """Compute the rack force and handwheel torque for loads of the road on both wheels.
 
     Parameters
     ----------
@@ -107,14 +107,14 @@ def sweep_steering_effort(
     loads : tuple of ContactLoad
         Loads of the road on the left and the right wheel, N and N m, ground axes.
     rack : values
-        Rack travel, m, to the left positive.
+        Rack travel, m, positive to the left.
     travel : float or str
         Travel of both wheels, m, bump positive.
 
     Returns
     -------
     Swept
-        As :func:`jounce.steering_effort` gives it.
+        The result of :func:`jounce.steering_effort`, with the rig.
 
     Examples
     --------

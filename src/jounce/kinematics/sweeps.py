@@ -36,16 +36,16 @@ if TYPE_CHECKING:
 Values = float | str | Sequence[float | str] | Array
 """Values to sweep over: numbers in SI, or text such as "-80 mm:80 mm:4 mm" (first, last, step)."""
 _MOST_POSES = 1_000_000  # with 70 quantities 0.6 GB
-_FARTHEST = 2.0  # m: no wheel or rack travels that far
-_WHOLE = 1e-9  # share of a step by which the end of a range may miss it: rounding of decimal steps
+_FARTHEST = 2.0  # m: largest plausible travel of a wheel or rack
+_WHOLE = 1e-9  # tolerance on the end of a range, as a share of the step: rounding of decimal steps
 
 
 @dataclass(frozen=True)
 class Grid:
-    """Pairs of travel and rack travel in the order of the walk, which starts at the one nearest to design.
+    """Pairs of travel and rack travel in traversal order, starting at the pair closest to design.
 
     ``targets`` has the pairs (m), ``place`` the index of each in the flattened grid of ``shape``, and ``before`` the
-    target from which each continues, -1 for the design pose.
+    index of the target from which each continues, -1 for the design pose.
     """
 
     shape: tuple[int, int]
@@ -55,7 +55,7 @@ class Grid:
 
 
 def text_range(text: str, unit: str, where: str) -> Array:
-    """Read ``"first:last:step"``, or one value, into SI; the last value is included if the steps meet it."""
+    """Convert ``"first:last:step"``, or one value, to SI; the last value is included if the steps reach it exactly."""
     parts = [part.strip() for part in text.split(":")]
     if len(parts) not in (1, 3) or not all(parts):
         raise DescriptionError(
@@ -92,7 +92,7 @@ def text_range(text: str, unit: str, where: str) -> Array:
 
 
 def refuse_metres(values: Array, where: str, unit: str, text: object = None) -> None:
-    """Refuse travels (m) beyond any suspension: millimetres given as metres."""
+    """Raise an error for implausible travels (m), such as millimetres given as metres."""
     far = float(np.max(np.abs(values), initial=0.0))
     if unit == "m" and far >= _FARTHEST:
         raise DescriptionError(
@@ -131,10 +131,10 @@ def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
     if len(turns):
         i = int(turns[0])
         raise DescriptionError(
-            "the values neither ascend nor descend",
+            "the values are not monotonic",
             where=f"{name}[{i + 1}]",
             found=f"{checked[i + 1]:g} after {checked[i]:g}",
-            allowed="ascending or descending values, each once",
+            allowed="strictly ascending or descending values",
             hint="Sort them.",
         )
     if len(checked) > _MOST_POSES:
@@ -148,7 +148,7 @@ def sweep_values(values: Values, name: str, unit: str = "m") -> Array:
 
 
 def grid(travel: Array, rack: Array) -> Grid:
-    """Plan a walk: along the rack at the travel nearest to design, and from each of those along the travel."""
+    """Plan the traversal: along the rack at the travel closest to design, then from each of these along the travel."""
     if len(travel) * len(rack) > _MOST_POSES:
         raise DescriptionError(
             "too many poses",
@@ -161,7 +161,7 @@ def grid(travel: Array, rack: Array) -> Grid:
     place = [rows[0] * len(rack) + column for column in columns]
     before = list(starts)
     for c, column in enumerate(columns):
-        first = len(place) - 1  # target k > 0 of this column lies at first + k
+        first = len(place) - 1  # target k > 0 of this column has the index first + k
         place += [row * len(rack) + column for row in rows[1:]]
         before += [c if parent == 0 else first + parent for parent in parents[1:]]
     pairs = np.array(np.meshgrid(travel, rack, indexing="ij")).reshape(2, -1).T
@@ -175,7 +175,7 @@ def grid(travel: Array, rack: Array) -> Grid:
 
 
 def path_grid(travel: Array, rack: Array, *, chained: bool = True) -> Grid:
-    """Plan a walk along pairs of travel and rack, each from the previous one, or all from the design pose."""
+    """Plan a traversal of pairs of travel and rack, each from the previous one, or all from the design pose."""
     count = len(travel)
     before = (
         np.arange(-1, count - 1, dtype=np.int64) if chained else np.full(count, -1, dtype=np.int64)
@@ -185,18 +185,18 @@ def path_grid(travel: Array, rack: Array, *, chained: bool = True) -> Grid:
 
 
 def _middle(values: Array) -> int:
-    """Index of the value nearest to zero; the lower of two, so that a sweep and its reverse walk alike."""
+    """Return the index of the value closest to zero, the lower of two, to make a sweep and its reverse equal."""
     return min(range(len(values)), key=lambda i: (abs(values[i]), values[i]))
 
 
 def _chain(values: Array) -> list[int]:
-    """Indices from the value nearest to zero to the end, then to the beginning."""
+    """Return the indices from the value closest to zero to the end, then back to the beginning."""
     middle = _middle(values)
     return [middle, *range(middle + 1, len(values)), *range(middle - 1, -1, -1)]
 
 
 def _parents(values: Array) -> list[int]:
-    """Index in the chain from which each index continues."""
+    """Return the predecessor of each index in the chain."""
     middle = _middle(values)
     up, down = len(values) - 1 - middle, middle
     return [-1, *range(up), *([0, *range(up + 1, up + down)] if down else [])]
@@ -207,16 +207,16 @@ def _parents(values: Array) -> list[int]:
 
 _Share = Annotated[float, Unit("1", at_least=0.0, at_most=1.0)]
 CarLength = Annotated[float, Unit("m", above=0.0, at_most=30.0)]
-"""A size of a car, m: none is longer; millimetres mistaken for metres are."""
+"""A dimension of a car, m; the upper limit detects millimetres given as metres."""
 
 
 class AxleLayout(Description):
-    """The car around a corner, for the shares of load transfer carried by the suspension's geometry.
+    """Vehicle data of an axle, for the shares of load transfer carried by the suspension's geometry.
 
     ``axle`` is the axle of the corner; ``wheelbase`` (m), ``centre_of_mass_height`` (m, above the ground);
-    ``brake_share`` is this axle's share of the braking force, with ``brakes`` on the wheels (outboard) or at the body's
-    end of their shafts (inboard). ``drive_share`` is its share of the driving force (default: 1 for a rear axle, 0 for
-    a front axle), through shafts from a motor on the body or, with ``drive = "hub"``, from motors on the wheels.
+    ``brake_share`` is this axle's share of the braking force, with ``brakes`` on the wheels (outboard) or at the
+    inboard end of the shafts (inboard). ``drive_share`` is its share of the driving force (default: 1 for a rear axle,
+    0 for a front axle), through shafts from a motor on the body or, with ``drive = "hub"``, from motors on the wheels.
     ``mass`` (kg, of the car) adds dive, lift and squat in m at 1 g. ``front_overhang`` (m, of the body ahead of the
     front wheel centres) and ``body_width`` (m) add the turn diameter between walls.
 
@@ -239,12 +239,12 @@ class AxleLayout(Description):
 
     @property
     def driven(self) -> float:
-        """Share of the driving force that the axle has [1]."""
+        """Share of the axle in the driving force [1]."""
         return float(self.axle == "rear") if self.drive_share is None else self.drive_share
 
     @property
     def effects(self) -> tuple[str, ...]:
-        """Names of its shares: in braking, then in driving if it is driven."""
+        """Names of the anti-effects: in braking and, for a driven axle, in driving."""
         names = ("anti_dive", "anti_lift") if self.axle == "front" else ("anti_lift", "anti_squat")
         return names if self.driven > 0.0 else names[:1]
 
@@ -284,17 +284,17 @@ def moves_per_g(
         return {}
     transfer = (
         0.5 * vehicle.mass * GRAVITY * vehicle.centre_of_mass_height / vehicle.wheelbase
-    )  # N, of a wheel
+    )  # N, per wheel
     rate = rows["wheel_rate_contact"]
     if (
         "heave_rate" in rows
-    ):  # springs that act when both wheels move alike are known at the wheel centre
+    ):  # springs that act in parallel wheel travel are given at the wheel centre
         force, at_centre = (
             rows[f"heave_{name}"] - rows[f"wheel_{name}"] for name in ("force", "rate")
         )
         rise = (
             rows["motion_ratio"] / rows["motion_ratio_contact"]
-        )  # of the patch for one of the wheel centre
+        )  # rise of the patch per rise of the wheel centre
         growth = rows["motion_ratio_gradient"] - rise**2 * rows["motion_ratio_contact_gradient"]
         rate = rate + (at_centre - force * growth / rows["motion_ratio"]) / rise**2
     tyre = transfer / rows["tyre_stiffness"] if "tyre_stiffness" in rows else 0.0
@@ -310,14 +310,14 @@ def moves_per_g(
 # ends of travel -------------------------------------------------------------------------------------------------------
 
 
-_MOST_ENDS = 4  # ends of travel that are listed one by one; more make no message readable
+_MOST_ENDS = 4  # ends of travel listed individually, to keep messages readable
 _JUST_BEFORE = 0.999  # share of the last step at which the forces of the joints are compared
-_HOLDS = 0.25  # share of the largest constraint force from which a joint is named
+_HOLDS = 0.25  # share of the largest constraint force above which a joint is named
 
 
 @dataclass(frozen=True)
 class End:
-    """An end of travel: the last reachable pose, the requested one (m), and the joints stretched there."""
+    """An end of travel: the last reachable pose, the requested pose (m), and the joints stretched there."""
 
     travel: float
     rack: float
@@ -340,7 +340,7 @@ class End:
 
 
 def ends_text(ends: Sequence[End]) -> str:
-    """Describe where a sweep had to stop; only the first of many ends."""
+    """Describe where a sweep stopped, listing only the first ends."""
     more = f"; and {len(ends) - _MOST_ENDS} more ends of travel" if len(ends) > _MOST_ENDS else ""
     return "; ".join(map(str, ends[:_MOST_ENDS])) + more
 
@@ -354,7 +354,7 @@ def no_pose(ends: Sequence[End]) -> SimulationError:
 
 
 def ends_of_travel(model: KinematicModel, walk: Walk, layout: Grid, poses: Found) -> list[End]:
-    """Places where a walk had to stop, the first of them with the joints that block it."""
+    """Return the ends of travel of a sweep, the first one with the joints that block it."""
     ends: list[End] = []
     for i in np.flatnonzero(poses.outcome == END_OF_TRAVEL):
         j = int(layout.before[i])
@@ -394,7 +394,7 @@ def _holding(
 
 
 def _to_target(walk: Walk, poses: Found, j: int, target: Array) -> Walk:
-    """The walk from target ``j`` of another walk to a given target."""
+    """Return the walk from target ``j`` of a different walk to a given target."""
     start, origin = (poses.poses[:, j], walk.targets[j]) if j >= 0 else (walk.start, walk.origin)
     return walk._replace(
         start=np.ascontiguousarray(start),
@@ -411,7 +411,7 @@ _TRACKS = ("wheel travel", "rack travel")
 
 
 def toggle_findings(sweep: PreparedSweep) -> list[Finding]:
-    """Report where the last run of a sweep came near a toggle: the first pose of each side with runaway speed.
+    """Report where the last run came close to a toggle: on each side, the first pose with excessive speeds.
 
     Near a toggle the loops are ill conditioned: parts move many times as fast for the same travel (or rack) as at the
     start of the sweep, and beyond it the mechanism locks. The same holds for the spring.
@@ -450,7 +450,7 @@ def toggle_findings(sweep: PreparedSweep) -> list[Finding]:
 
 @dataclass(frozen=True)
 class PreparedSweep:
-    """A prepared sweep of a corner: ``run`` only computes, any number of times."""
+    """A prepared sweep of a corner; ``run`` can be called any number of times."""
 
     rig: Corner
     model: KinematicModel
@@ -469,7 +469,7 @@ class PreparedSweep:
         return {row.name: value for row, value in zip(self.model.rows, self.run(), strict=True)}
 
     def in_place(self, values: Array, reached: NDArray[np.bool_]) -> Array:
-        """Reorder values of the walk, shape (rows, targets), to the order of the grid."""
+        """Reorder values from traversal order, shape (rows, targets), to grid order."""
         ordered = np.full((len(values), len(self.layout.place)), np.nan)
         ordered[:, self.layout.place[reached]] = values[:, reached]
         return ordered.reshape(len(values), *self.layout.shape)
@@ -493,7 +493,7 @@ class PreparedSweep:
 def prepare_sweep(rig: Rig, travel: Values, rack: Values | None = None) -> PreparedSweep:
     """Prepare a sweep of a corner over travel (m, bump positive) and rack travel (m, positive to the left), in order.
 
-    The rack is at the description's position by default.
+    By default the rack is at the position given in the description.
 
     >>> import jounce as jn
     >>> sweep = prepare_sweep(jn.load("reference-double-wishbone"), [-0.04, 0.0, 0.04])
@@ -539,10 +539,10 @@ def sweep_travel(
     vehicle: AxleLayout | None = None,
     points: bool = False,
 ) -> xr.Dataset:
-    """Sweep the wheel of a corner up and down: all kinematic quantities of the catalogue at each pose.
+    """Sweep a corner over wheel travel; return all kinematic quantities of the catalogue at each pose.
 
-    Poses are exact to rounding, and derivatives come from the joints' equations, not from differences. Masses, gravity
-    and tyres have no effect: travel is that of the wheel centre against the body, from the hardpoints as given.
+    Poses are exact to rounding; derivatives are computed from the loop equations, not from differences. Masses, gravity
+    and tyres have no effect: travel is that of the wheel centre relative to the body, from the hardpoints as given.
 
     Parameters
     ----------
@@ -557,16 +557,17 @@ def sweep_travel(
         Adds ``anti_dive`` (front; of a driven one also ``anti_lift``), or ``anti_lift`` and ``anti_squat`` (rear) [1];
         with its mass also ``dive_per_g``, ``lift_per_g``, ``squat_per_g`` (m).
     points : bool
-        Adds the place of every hardpoint and of the contact point as ``<name>.x``, ``.y``, ``.z`` (m, ground axes).
+        Whether to add the position of every hardpoint and of the contact point as ``<name>.x``, ``.y``, ``.z`` (m,
+        ground axes).
 
     Returns
     -------
     xarray.Dataset
         One variable for each quantity on ``wheel_travel`` (m), and ``rack_travel`` (m) if several were given; each with
         ``units``, ``long_name``, ``sign`` and ``clause``. ``attrs["status"]`` is "completed", or "end_of_travel" if the
-        mechanism could not go on: poses beyond are left out (NaN for a pair out of reach), and ``attrs["stopped"]``
-        says where and why. ``attrs["findings"]`` reports toggles: parts or spring that move three times as fast as at
-        the start of the sweep.
+        mechanism could not move further: poses beyond are omitted (NaN for a pair out of reach), and
+        ``attrs["stopped"]`` describes where and why. ``attrs["findings"]`` reports toggles: parts or spring that move
+        three times as fast as at the start of the sweep.
 
     Raises
     ------
@@ -613,7 +614,7 @@ def sweep_rack(
     vehicle : AxleLayout, optional
         Adds anti-dive, or anti-lift and anti-squat.
     points : bool
-        Adds the places of all hardpoints, m.
+        Whether to add the positions of all hardpoints, m.
 
     Returns
     -------
@@ -631,7 +632,7 @@ def sweep_rack(
     --------
     >>> import jounce as jn
     >>> steered = jn.sweep_rack(jn.load("reference-double-wishbone"), [-0.01, 0.0, 0.01])
-    >>> bool(steered["steer"][0] > 0.0)  # its tie rod lies behind the axle: a rack to the right turns it to the left
+    >>> bool(steered["steer"][0] > 0.0)  # tie rod behind the axle: rack to the right, wheel to the left
     True
     """
     check_rack(check_corner(rig))
@@ -664,7 +665,7 @@ def sweep_path(
     vehicle : AxleLayout, optional
         Adds anti-dive, or anti-lift and anti-squat.
     points : bool
-        Adds the places of all hardpoints, m.
+        Whether to add the positions of all hardpoints, m.
 
     Returns
     -------
@@ -697,7 +698,9 @@ def sweep_path(
         check_rack(corner, "0, or a corner with a tie rod")
     if len({len(values) for values in pair if len(values) > 1}) > 1:
         counts = [len(values) for values in pair]
-        raise DescriptionError("not as many racks as travels", where="rack travel", found=counts)
+        raise DescriptionError(
+            "rack travel and wheel travel have different lengths", where="rack travel", found=counts
+        )
     both = np.broadcast_arrays(*pair)
     sweep, quantities = path_sweep(corner, *both)
     ends = sweep.ends() if np.any(sweep.found.outcome != REACHED) else []
@@ -731,7 +734,7 @@ def path_sweep(
     corner: Corner, travel: Array, rack: Array, numbers: Array | None = None
 ) -> tuple[PreparedSweep, Array]:
     """Run a sweep along pairs (m); return it with its quantities, shape (rows, n, 1); ``numbers`` as in the model."""
-    for chained in (True, False):  # pairs after one out of reach are reached from design
+    for chained in (True, False):  # then from design, to reach pairs after an unreachable one
         sweep = _prepare(corner, path_grid(travel, rack, chained=chained))
         if numbers is not None:
             sweep.walk.p[:] = numbers
@@ -742,7 +745,7 @@ def path_sweep(
 
 
 def path_values(values: Values, name: str, unit: str = "m") -> Array:
-    """Values pose by pose, in any order."""
+    """Check values given pose by pose, in any order."""
     if isinstance(values, str):
         return text_range(values, unit, name)
     checked = as_values(values, unit, where=name)
@@ -796,7 +799,7 @@ def _swept(
     vehicle: AxleLayout | None,
     points: bool,
 ) -> xr.Dataset:
-    """Run a sweep and put its quantities on their grid; a fixed dimension becomes a scalar coordinate."""
+    """Run a sweep and arrange its quantities on their grid; a fixed dimension becomes a scalar coordinate."""
     import xarray as xr
 
     values = sweep.run()
@@ -865,7 +868,7 @@ class SweepVariables:
 
 
 def facts_of(rig: Corner, side: str, swept: Array, ends: Sequence[End]) -> dict[str, Any]:
-    """Attributes of a sweep: its corner, its range, and where it had to stop."""
+    """Return the attributes of a sweep: its corner, its range, and where it stopped."""
     return {
         "model": str(getattr(rig, "model", "")),
         "side": side,
@@ -898,7 +901,7 @@ def write_sweep(sweep: xr.Dataset, path: Path | str, *, force: bool = False) -> 
     Raises
     ------
     OutputError
-        If a file exists and ``force`` is not set, a folder is missing, or the suffix is another.
+        If a file exists and ``force`` is not set, a folder is missing, or the suffix is not supported.
 
     Examples
     --------
@@ -925,7 +928,7 @@ def _write_netcdf(sweep: xr.Dataset, file: Path) -> None:
 
 
 def _write_csv(sweep: xr.Dataset, file: Path) -> None:
-    """One row per pose; missing values (out of reach, at infinity) stay empty."""
+    """Write one row per pose; missing values (out of reach, at infinity) stay empty."""
     names = [*map(str, sweep.coords), *map(str, sweep.data_vars)]
     sizes = {str(name): size for name, size in sweep.sizes.items()}
     columns = [_on_grid(sweep[name].variable, sizes) for name in names]

@@ -1,4 +1,4 @@
-"""A sweep with its rig, as commands and pages request it: the kind of sweep, and the values as plain data."""
+"""Sweeps for commands and pages: choice of the kind of sweep, and values as plain data."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ OF_AXLE = {
     "left_travel": "m", "right_travel": "m", "heave": "m", "roll": "rad", "pitch": "rad", "rack": "m",
     "handwheel": "rad",
 }  # fmt: skip
-"""Columns of poses one by one, with their units."""
+"""Columns of a table of poses, with their units."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Swept(Plain):
     Attributes
     ----------
     rig : Rig
-        What was swept.
+        The swept rig.
     data : xarray.Dataset
         Every quantity, SI.
     """
@@ -56,7 +56,7 @@ class Swept(Plain):
 
     @property
     def stopped(self) -> str:
-        """Why the sweep ended early; empty for a whole one."""
+        """Reason for the early end of the sweep; empty if it is complete."""
         why = str(self.data.attrs["stopped"])
         return f"{why}. The poses before that are kept" if why else ""
 
@@ -66,12 +66,12 @@ class Swept(Plain):
         return str(self.data.attrs.get("findings", ""))
 
     def to_dict(self) -> dict[str, Any]:
-        """Give every quantity with its unit and its values, SI; None where there is no finite value."""
+        """Return every quantity with its unit and its values, SI; None where there is no finite value."""
         return plain_sweep(self.data)
 
 
 def plain_sweep(sweep: xr.Dataset) -> dict[str, Any]:
-    """Give every quantity with its unit and values in SI; None where there is no finite value."""
+    """Return every quantity with its unit and values in SI; None where there is no finite value."""
     shape = tuple(sweep.sizes.values())
     quantities = {}
     for name in map(str, (*sweep.coords, *sweep.data_vars)):
@@ -167,7 +167,7 @@ def sweep_kinematics(  # noqa: PLR0913 - each is a coordinate of its own
 ) -> Swept:
     """Sweep a suspension and list its kinematic quantities: camber, toe, roll centre, wheel rate and more.
 
-    What is given decides which sweep it is: :func:`jounce.sweep_travel`, ``sweep_rack``, ``sweep_roll``,
+    The arguments determine the kind of sweep: :func:`jounce.sweep_travel`, ``sweep_rack``, ``sweep_roll``,
     ``sweep_steering``, ``sweep_axle`` or ``sweep_path``. Values are numbers in SI, or text such as
     ``"-80 mm:80 mm:4 mm"``.
 
@@ -176,21 +176,21 @@ def sweep_kinematics(  # noqa: PLR0913 - each is a coordinate of its own
     rig : Rig, str or Path
         Rig, its file or its name in the library.
     travel, rack : values, optional
-        Wheel travel (bump positive) and rack travel (to the left positive), m.
+        Wheel travel (bump positive) and rack travel (positive to the left), m.
     roll : values, optional
         Body roll over an axle, rad.
     axle : bool
         Whether both wheels of an axle are steered by the rack.
     right : Rig, str or Path, optional
-        The right corner, where it is no mirror image of the left one.
+        The right corner, if it is not the mirror image of the left one.
     left_travel, right_travel, heave : values, optional
         Travel of both wheels, and rise of the body above the road, pose by pose, m.
     pitch : values, optional
         Pitch of the body, nose down positive, pose by pose, rad.
     handwheel : values, optional
-        Angle of the handwheel, to the left positive, rad.
+        Angle of the handwheel, positive to the left, rad.
     poses : path, optional
-        Table of poses one by one.
+        Table of individual poses.
     vehicle : AxleLayout, optional
         Layout for anti-dive, anti-lift and anti-squat.
     points : bool
@@ -204,7 +204,7 @@ def sweep_kinematics(  # noqa: PLR0913 - each is a coordinate of its own
     Raises
     ------
     DescriptionError
-        For nothing to sweep, and values that do not belong together.
+        If there is nothing to sweep, or for incompatible arguments.
 
     Examples
     --------
@@ -238,7 +238,9 @@ def sweep_kinematics(  # noqa: PLR0913 - each is a coordinate of its own
     if roll is not None or axle:
         if points:
             raise DescriptionError(
-                "a sweep of an axle has no hardpoints", where="points", hint="Leave it out."
+                "hardpoints are not available for a sweep of an axle",
+                where="points",
+                hint="Leave it out.",
             )
         return Swept(rig, _sweep_axle(rig, travel, rack, roll, vehicle))
     return Swept(rig, _sweep_wheel(rig, travel, rack, vehicle, points=points))
@@ -266,21 +268,21 @@ def _sweep_wheel(
 
 
 def _refuse_beside(given: Mapping[str, bool]) -> None:
-    """Refuse arguments that single poses do not take."""
+    """Raise an error for arguments that do not apply to individual poses."""
     for name, is_given in given.items():
         if is_given:
             hint = (
-                "Of an axle use --left-travel and --right-travel."
+                "For an axle, use --left-travel and --right-travel."
                 if name == "travel"
                 else "Leave it out."
             )
-            raise DescriptionError("poses one by one do not take it", where=name, hint=hint)
+            raise DescriptionError("not available for individual poses", where=name, hint=hint)
 
 
 def _sweep_poses(
     rig: Rig, right: Rig | None, file: Path, vehicle: AxleLayout | None, *, points: bool
 ) -> xr.Dataset:
-    """Sweep the poses of a file, of a wheel or of an axle."""
+    """Sweep the poses of a file, for a wheel or an axle."""
     table = read_columns_csv(file)
     names = set(table.names)
     of_axle = right is not None or bool(names & (OF_AXLE.keys() - OF_WHEEL.keys()))
@@ -317,7 +319,7 @@ def _sweep_axle(
         return sweep_steering(rig, sweep_values(rack, "rack"), lifted, vehicle=vehicle)
     if travel is not None:
         raise DescriptionError(
-            "a roll sweep sets the wheel travel itself",
+            "wheel travel cannot be set: it follows from the roll angle",
             where="travel",
             hint="Leave out --travel or --roll.",
         )

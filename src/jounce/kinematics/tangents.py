@@ -1,4 +1,4 @@
-"""Slopes of all rows of the catalogue, or of places, along changes of the description: exact, at all poses at once."""
+"""Exact derivatives of all catalogue rows, or of positions, along changes of the description, at all poses at once."""
 
 from __future__ import annotations
 

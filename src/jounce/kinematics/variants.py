@@ -1,4 +1,4 @@
-"""Many variants of a corner over the same sweep: of one wheel in one native loop, of an axle one after the other."""
+"""Many variants of a corner over the same sweep: for a wheel in one native loop, for an axle one by one."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 _MOST_RESULTS = 200_000_000  # numbers in one result, 1.6 GB
 Changes = Mapping[str, Sequence[float | str] | Sequence[Sequence[float | str]] | Array]
-"""Value of a parameter, or place of a point, in each variant, by path."""
+"""Value of a parameter, or position of a point, in each variant, by path."""
 
 
 def sweep_variants(
@@ -44,15 +44,15 @@ def sweep_variants(
 ) -> xr.Dataset:
     """Sweep many variants of a corner over the same travel, rack, or both; or of an axle over roll or rack.
 
-    Those of one wheel are swept in one native loop, those of an axle one after the other.
+    Variants of a single wheel are swept in one native loop, variants of an axle one by one.
 
     Parameters
     ----------
     rig : Rig
-        The corner that all variants start from.
+        The base of all variants.
     changes : mapping of str to array_like, shape (k,) or (k, 3), or DataFrame
         Value of a parameter of the description in each variant by path, or of a point
-        (``"hardpoints.tie_rod_inner"``) its places; SI or texts with units; all of one length.
+        (``"hardpoints.tie_rod_inner"``) its positions; SI or texts with units; all of the same length.
     travel : float, str or array_like, shape (n,), optional
         Vertical travel of the wheel centre from design, m, bump positive, monotonic; 0 by default.
     rack : float, str or array_like, shape (m,), optional
@@ -94,7 +94,9 @@ def sweep_variants(
     corner = check_corner(rig)
     if roll is not None and (travel is not None or axle):
         raise DescriptionError(
-            "a roll sweep sets the wheel travel itself", where="roll", hint="Leave out the others."
+            "wheel travel cannot be set: it follows from the roll angle",
+            where="roll",
+            hint="Leave out the others.",
         )
     if vehicle is not None and not axle:
         raise DescriptionError(
@@ -244,7 +246,7 @@ def _refuse_many(count: int) -> None:
 def _parameters(
     sweep: PreparedSweep, rig: Corner, changes: Changes
 ) -> tuple[Array, dict[str, Array]]:
-    """Numbers of all variants, shape (k, parameters), and the changed columns by path."""
+    """Return the parameters of all variants, shape (k, parameters), and the changed columns by path."""
     columns = _read_changes(sweep.model, rig, changes)
     parameters = np.tile(sweep.walk.p, (len(next(iter(columns.values()))), 1))
     for path, column in columns.items():
@@ -256,7 +258,7 @@ def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[
     changes = by_path(changes)
     if not changes:
         raise DescriptionError(
-            "no variants", where="changes", allowed="path of a number to its values"
+            "no variants", where="changes", allowed="path of a parameter to its values"
         )
     known = rig.parameters()
     columns: dict[str, Array] = {}
@@ -266,7 +268,7 @@ def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[
             raise unknown_path(path, known)
         if parts[0] not in model.parameters:
             raise DescriptionError(
-                "does not enter the kinematics",
+                "has no effect on the kinematics",
                 where=path,
                 hint=nearest(path, model.parameters) or "Leave it out.",
             )
@@ -291,7 +293,8 @@ def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[
                 )
             if part in columns:
                 raise DescriptionError(
-                    "given twice, as a point and as one of its numbers", where=f"changes: {part}"
+                    "given twice, as a point and as one of its coordinates",
+                    where=f"changes: {part}",
                 )
             columns[part] = column
     lengths = {len(column) for column in columns.values()}
@@ -303,14 +306,17 @@ def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[
 
 
 def _places(given: object, where: str) -> list[Array]:
-    """Columns x, y, z (m) of places, one for each variant."""
+    """Return columns x, y, z (m) of positions, one per variant."""
     if isinstance(given, Sequence) and not isinstance(given, str):
         rows = [as_values(row, "m", where=f"{where}[{i}]") for i, row in enumerate(given)]
     else:
         rows = list(np.atleast_2d(as_samples(given, "m", where=where, error=DescriptionError)))
     if not rows or {row.shape for row in rows} != {(3,)}:
         raise DescriptionError(
-            "not a list of places", where=where, found=str(given)[:60], allowed="[[x, y, z], ...]"
+            "not a list of positions",
+            where=where,
+            found=str(given)[:60],
+            allowed="[[x, y, z], ...]",
         )
     return list(np.array(rows).T)
 

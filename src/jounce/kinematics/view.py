@@ -1,6 +1,6 @@
-"""A corner for computing its quantities: positions and velocities in the axes of a left wheel, derivatives by travel.
+"""Symbolic view of a corner: positions and velocities in the axes of a left wheel, derivatives by travel.
 
-Right-hand corners are mirrored in y first, so that every formula is written once, for a left wheel; ``side`` converts
+Right-hand corners are mirrored in y first; every formula is written once, for a left wheel; ``side`` converts
 back to ground axes. All expressions are functions of the pose alone once the model is bound.
 """
 
@@ -51,7 +51,7 @@ class Axis:
         return self.point + self.along * ((z - self.point[2]) / self.along[2])
 
     def leads(self, point: ca.SX) -> ca.SX:
-        """Lead of the line ahead of (x), and inboard of (-y), a point at its height; horizontal, shape (2,)."""
+        """Horizontal offset of the line from a point at its height: ahead (x) and inboard (-y), shape (2,)."""
         return (self.at_height(point[2]) - point)[:2]
 
 
@@ -63,7 +63,7 @@ class ScrewMotion:
     speed: ca.SX
 
     def with_share(self, share: ca.SX, other: ScrewMotion) -> ScrewMotion:
-        """The motion plus a share of another one."""
+        """Return the motion plus a share of a different one."""
         return ScrewMotion(self.turn + share * other.turn, self.speed + share * other.speed)
 
     @property
@@ -86,11 +86,11 @@ class Elastic:
 
 
 def steering_screw(rack: ScrewMotion, travel: ScrewMotion) -> ScrewMotion:
-    """Combine rack and travel to a pure turn, of two the one with less travel; otherwise to a screw of least pitch.
+    """Combine rack and travel to a pure rotation (of two, the one with less travel), or else a screw of least pitch.
 
-    With a share t of travel, the numerator of the pitch is a t^2 + b t + c. Its root of smaller size is the turn about
-    the ball joints, if there are some; without a root the pitch is least at one of its extremes, which are the roots of
-    (aB - bA) t^2 + 2 (aC - cA) t + (bC - cB), with the denominator A t^2 + B t + C.
+    With a share t of travel, the numerator of the pitch is a t^2 + b t + c. Its root of smaller magnitude is the
+    rotation about the ball joints, if the corner has them. Without a real root, the pitch is minimal at one of its
+    extrema, which are the roots of (aB - bA) t^2 + 2 (aC - cA) t + (bC - cB), with the denominator A t^2 + B t + C.
     """
 
     def turn(screw: ScrewMotion) -> ca.SX:
@@ -123,7 +123,7 @@ def caster_of(axis: Axis) -> ca.SX:
 
 
 def _slope_at_rest(force: ca.SX, velocity: ca.SX) -> ca.SX:
-    """Slope of a damper's force at rest, the mean of both directions."""
+    """Return the slope of a damper's force at rest, the mean of both directions."""
     slope = ca.jacobian(force, velocity)
     return 0.5 * (
         ca.substitute(slope, velocity, ca.SX(-_TINY)) + ca.substitute(slope, velocity, ca.SX(_TINY))
@@ -137,7 +137,7 @@ def _angle(first: ca.SX, second: ca.SX) -> ca.SX:
 
 
 def _smaller_root(b: ca.SX, c: ca.SX, discriminant: ca.SX) -> ca.SX:
-    """Root of smaller size of a quadratic whose last two coefficients are b and c; free of cancellation."""
+    """Return the root of smaller magnitude of a quadratic with the last coefficients b and c, free of cancellation."""
     half = b + ca.copysign(ca.sqrt(discriminant), b)
     return ca.if_else(c == 0.0, 0.0, -2.0 * c / half)
 
@@ -145,8 +145,8 @@ def _smaller_root(b: ca.SX, c: ca.SX, discriminant: ca.SX) -> ca.SX:
 class CornerView:
     """Positions (m) and their rates for a unit rate of travel, in the axes of a left wheel.
 
-    The suspension's body is fixed. ``steered`` replaces the speeds in an expression by those of a unit rate of the
-    rack; it and the rack are None without a rack.
+    The suspension's body is fixed. ``steered`` replaces the speeds in an expression by those for a unit rate of the
+    rack; ``steered`` and ``rack`` are None without a rack.
     """
 
     def __init__(
@@ -236,7 +236,7 @@ class CornerView:
 
     @cached_property
     def steering_axis(self) -> Axis:
-        """Axis between ball joints; without them, that of the turn that rack and travel combine to."""
+        """Axis through the ball joints; without them, that of the rotation by combined rack and travel."""
         if hasattr(self.linkage, "steering_axis"):
             lower, upper = (self._mirror * point.value for point in self.linkage.steering_axis)
             return Axis(lower, upper - lower)
@@ -249,7 +249,7 @@ class CornerView:
 
     @cached_property
     def held_axis(self) -> Axis:
-        """Axis of the screw that a motion of the rack makes at constant spring length."""
+        """Screw axis of the motion due to the rack at constant spring length."""
         share = self.by_rack(self.spring.length) / self.motion_ratio
         return self._by_rack.with_share(share, self._by_travel).axis(self.centre.value)
 
@@ -332,7 +332,7 @@ class CornerView:
 
     @property
     def has_tyre_stiffness(self) -> bool:
-        """Whether the tyre has one stiffness, or a curve and a known deflection on it."""
+        """Whether the tyre has a constant stiffness, or a curve and a known deflection."""
         tyre = self.linkage.rig.tyre
         return tyre.curve is None or tyre.undeformed_radius is not None
 
@@ -445,7 +445,7 @@ class CornerView:
 
     @property
     def across(self) -> ca.SX:
-        """Place, and slope by travel, of the end of a T-bar's link and of the third spring, if there are some.
+        """Position, and derivative by travel, of the ends of a T-bar's link and of the third spring, if any.
 
         In the axes of a left wheel, shape (6,) or (12,).
         """

@@ -411,7 +411,7 @@ def test_shims_and_rods_of_a_car_with_rockers_change_their_length_alone():
 
 
 def test_a_rig_without_rocker_has_no_push_rod_to_set():
-    with pytest.raises(jn.DescriptionError, match="no such adjustment"):
+    with pytest.raises(jn.DescriptionError, match="does not have this adjustment"):
         apply_adjustments(KART, {"pushrod_length": "2 mm"})
     in_line = {
         "hardpoints.rocker_pivot": [0.0, 0.2361, 0.4569],

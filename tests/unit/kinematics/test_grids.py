@@ -45,10 +45,10 @@ def test_the_walk_starts_nearest_to_design() -> None:
         (np.zeros((1, 2)), "not a list of values"),
         ([0.0, np.nan], "not a finite number"),
         ([0.0, np.inf], "not a finite number"),
-        ([0.0, 0.02, 0.01], "neither ascend nor descend"),
-        ([0.0, 0.0], "neither ascend nor descend"),
-        ([0.02, 0.0, 0.01], "neither ascend nor descend"),
-        ([0.02, 0.0, 0.0], "neither ascend nor descend"),
+        ([0.0, 0.02, 0.01], "are not monotonic"),
+        ([0.0, 0.0], "are not monotonic"),
+        ([0.02, 0.0, 0.01], "are not monotonic"),
+        ([0.02, 0.0, 0.0], "are not monotonic"),
         (["x"], "not a number with a unit"),
     ],
 )
@@ -104,5 +104,7 @@ def test_pairs_behind_one_out_of_reach_are_found() -> None:
 
 
 def test_paths_of_different_lengths_are_refused() -> None:
-    with pytest.raises(jn.DescriptionError, match="not as many racks as travels"):
+    with pytest.raises(
+        jn.DescriptionError, match="rack travel and wheel travel have different lengths"
+    ):
         jn.sweep_path(jn.load("formula-student-front"), [0.0, 0.01], [0.0, 0.01, 0.02])
