@@ -73,7 +73,7 @@ def test_without_options_a_gas_force_tells_the_turned_column(stroke, force):
         assert values(result) == pytest.approx(truth, rel=0.01, abs=1.5)
         turned = {(1, 1): None, (-1, 1): "stroke", (1, -1): "force"}[stroke, force]
         assert [
-            f"the {turned} was recorded with the other sign" in f.message for f in loud(result)
+            f"the {turned} was recorded with the opposite sign" in f.message for f in loud(result)
         ] == [True] * bool(turned)
 
 
@@ -101,7 +101,7 @@ def test_one_stated_sign_tells_the_other(stated, column, gas):
     stroke, force = (1, -1) if stated == "stroke_positive" else (-1, 1)
     result = fit_damper(*record(stroke, force, gas=gas), law="bilinear", **{stated: "compression"})
     assert values(result)["bump_coefficient"] == pytest.approx(500.0, rel=0.01)
-    assert f"the {column} was recorded with the other sign" in loud(result)[0].message
+    assert f"the {column} was recorded with the opposite sign" in loud(result)[0].message
 
 
 @pytest.mark.parametrize(("stroke", "force"), COMBINATIONS)

@@ -1387,7 +1387,7 @@ def _law_estimate(
     elif drawn_by:
         why = f"{drawn_by} leaves its prior"
     elif rest > MOST_LEFT:
-        why = f"nothing explains {100.0 * rest:.0f} % of the residual"
+        why = f"{100.0 * rest:.0f} % of the residual is unexplained"
     return LawEstimate(value, (low, high), component, effective, not why, why, shares)
 
 

@@ -411,7 +411,7 @@ def fit_stiffness(
     Parameters
     ----------
     trials : sequence of ForceDeflectionTrial
-        Deflection [m] and force [N], compression positive (records with the other sign are reversed, with a finding);
+        Deflection [m] and force [N], compression positive (opposite signs are reversed, with a finding);
         or angle [rad] and torque [N m], with ``motion="rotation"``.
     law : {"linear", "polynomial", "power", "monotone-spline"}
         F = k x + b; F = sum of a_i x^i for i = 1...``degree`` (no constant); F = a x^b; or a monotone cubic through bin

@@ -269,7 +269,7 @@ def test_wrong_unit_or_sign_of_the_velocity_is_a_problem():
 def test_force_of_the_other_sign_is_turned():
     result = fit_damper(X, V, -1500.0 * V, TIME)
     assert result.parameters["coefficient"].value == pytest.approx(1500.0)
-    assert "recorded with the other sign" in messages(result)
+    assert "recorded with the opposite sign" in messages(result)
 
 
 def test_quantised_velocity_is_reported():

@@ -128,7 +128,7 @@ def test_torque_over_angle_is_a_stiffness():
 @pytest.mark.parametrize(
     ("trial", "words"),
     [
-        (twist(0.5), "0.5 N m/rad is no bar, bush or frame"),
+        (twist(0.5), "0.5 N m/rad is implausible for a bar, bush or frame"),
         (
             ForceDeflectionTrial(30.0 * twist().deflection, twist().force, motion="rotation"),
             "angle reaches 240 deg",

@@ -46,7 +46,7 @@ def test_a_column_that_is_turned_is_named_with_the_reason(
     by_gas = "stroke" if gas > 0 else "force"
     column = {(True, False): "force", (False, True): "stroke"}.get((stroke, force), by_gas)
     assert signs == (Signs(-1, 1) if column == "stroke" else Signs(1, -1))
-    assert f"the {column} was recorded with the other sign" in text
+    assert f"the {column} was recorded with the opposite sign" in text
     rest = gas * 60.0 * (-1.0 if column == "force" else 1.0)
     assert value == (rest if gas else None)
     reasons = {
