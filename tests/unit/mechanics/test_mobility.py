@@ -51,7 +51,7 @@ def test_four_rods_and_a_panhard_rod_leave_one_freedom_which_a_run_names():
     run = jn.simulate_mechanism(converging(), 0.1, output_step=0.05)
     assert run.attrs["degrees_of_freedom"] == 1
     (said,) = run.attrs["findings"]
-    text = "the joints leave 1: axle turns about the line through (8.8, 0, 1.08) m along (0, 1, 0)"
+    text = "the joints allow 1: axle turns about the line through (8.8, 0, 1.08) m along (0, 1, 0)"
     assert said == f"note: degrees of freedom: {text}"
     lower, upper = (0.05 / 0.5), (0.03 / 0.4)  # slopes of the rods
     x = (0.42 - 0.2) / (lower - upper)
@@ -68,7 +68,7 @@ def test_a_redundant_rod_does_not_hide_the_second_freedom():
     assert all(motion.is_loaded for motion in found.motions)
     assert found.redundant == (("rod 0", "rod 1", "rod 2", "rod 3"),)
     run = jn.simulate_mechanism(parallel(), 0.1, redundant="remove", output_step=0.05)
-    assert any(text.startswith("note: degrees of freedom: redundant equations, left out: rod") for text in
+    assert any(text.startswith("note: degrees of freedom: redundant equations, removed: rod") for text in
                run.attrs["findings"])  # fmt: skip
     assert run.attrs["degrees_of_freedom"] == 2
 

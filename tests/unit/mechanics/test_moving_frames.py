@@ -259,7 +259,7 @@ def test_heights_and_directions_are_those_of_the_ground() -> None:
     upright = mechanism.bodies["left.upright"]
     for other in (body, mechanism.ground):
         with pytest.raises(
-            jn.AssemblyError, match=r"in different moving frames; found 'left\.upright, "
+            jn.AssemblyError, match=r"to different moving frames; found 'left\.upright, "
         ):
             mechanism.rod("rod", upright, other, (0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
     mechanism.track("go")
