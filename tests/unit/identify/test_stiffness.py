@@ -711,7 +711,9 @@ def test_a_spring_that_is_no_line_did_not_slip(share, kind):
 def test_a_rate_of_no_spring_is_questioned(rate, told):
     way = np.linspace(0.0, 0.01, 30)
     result = fit_stiffness([ForceDeflectionTrial(way, rate * way)])
-    assert told == any("is implausible for a spring, tyre or bush" in one.message for one in result.findings)
+    assert told == any(
+        "is implausible for a spring, tyre or bush" in one.message for one in result.findings
+    )
 
 
 def test_a_zero_that_falls_is_no_hysteresis():
