@@ -237,7 +237,7 @@ def find_passages(
             raise FitError(
                 "each loop of the belt contains an obstacle that the road does not describe",
                 where=name,
-                found=f"a further obstacle {behind:.3g} m after the start of the first",
+                found=f"another obstacle {behind:.3g} m after the start of the first",
                 allowed=_describe(road),
                 hint="Describe all obstacles, as a train or a profile of the whole loop, or remove the extra one.",
             )
