@@ -65,7 +65,7 @@ _CYCLES = (
 
 @dataclass(frozen=True)
 class MeasuredMode(Plain):
-    """A measured mode.
+    """A vibration mode identified from a record.
 
     Attributes
     ----------

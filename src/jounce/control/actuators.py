@@ -415,7 +415,7 @@ class MagnetorheologicalDamper(_Actuator):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Minimum and maximum voltage: 0 and ``maximum``, V."""
+        """Minimum and maximum voltage, SI: 0 and ``maximum``."""
         return 0.0, self.maximum
 
     def force_of(self, command: ca.SX, now: Instant) -> ca.SX:

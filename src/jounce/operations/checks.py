@@ -46,7 +46,7 @@ class FileCheck:
 
 @dataclass(frozen=True)
 class CheckedFiles(Shown):
-    """Checked files.
+    """Result of checking files.
 
     Attributes
     ----------

@@ -190,7 +190,7 @@ def ride_environment(
     observed : sequence of str
         Channel names without the corner.
     cost : mapping, optional
-        Weight of the mean square by channel name without the corner, per squared unit.
+        Weight of the mean square by channel name without the corner, 1 over its unit squared.
 
     Returns
     -------

@@ -31,7 +31,7 @@ class Route(APIRoute):
     """A route that receives such requests."""
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """Return the handler of the route."""
+        """Return what answers requests, given their plain bodies."""
         handler = super().get_route_handler()
 
         async def answer(request: Request) -> Response:
