@@ -467,7 +467,7 @@ def _transient(used: Measured, name: str, values: Array, density: float) -> Inte
     velocity = velocity - offset * time - drift * time**2 / 2.0
     displacement = displacement - offset * time**2 / 2.0 - drift * time**3 / 6.0
     line = offset * time**2 / 2.0 + drift * time**3 / 6.0
-    # Variance of the motion due to noise of this density, with both ends at rest, averaged over the record.
+    # Standard deviation of the motion due to noise of this density, with both ends at rest, averaged over the record.
     errors = (0.5 * density * whole / 15.0) ** 0.5, (0.5 * density * whole**3 / 420.0) ** 0.5
     return _channel(
         used,

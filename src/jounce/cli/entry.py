@@ -128,7 +128,7 @@ def application() -> typer.Typer:
     @app.callback()
     def above(  # the options before a command
         shows_version: Annotated[
-            bool, typer.Option("--version", help="Print versions, as the command version does.")
+            bool, typer.Option("--version", help="Print versions (same as `jounce version`).")
         ] = False,
     ) -> None:
         """Declare the options; the function does nothing."""

@@ -228,7 +228,7 @@ def _memory_told(column: int) -> float:
     return float(pages * os.sysconf("SC_PAGE_SIZE"))
 
 
-# forked processes, without pipes -----------------------------------------------------------------------------------
+# forked processes -------------------------------------------------------------------------------------------------
 
 _PIECE = 1 << 20
 

@@ -335,10 +335,11 @@ def test_settings_that_cannot_be_made_are_refused(settings, message):
 def test_other_rigs_are_refused():
     with pytest.raises(DescriptionError, match="only a rig with hardpoints"):
         adjust_report(jn.load("kart-quarter-car"))
-    with pytest.raises(DescriptionError, match=r"no length of it sets camber.*wedges"):
+    with pytest.raises(DescriptionError, match=r"none of its lengths sets camber.*wedges"):
         lengths_for(jn.load("semi-trailing-arm"), camber="-1 deg")
     with pytest.raises(
-        DescriptionError, match=r"no such adjustment.*allowed: lower_arm_length, tie_rod_length"
+        DescriptionError,
+        match=r"the rig does not have this adjustment.*allowed: lower_arm_length, tie_rod_length",
     ):
         apply_adjustments(jn.load("generic-mcpherson"), {"pushrod_length": "1 mm"})
 

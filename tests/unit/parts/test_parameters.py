@@ -221,7 +221,7 @@ def test_refused_dampers(damper, expected):
         ({"kind": "polynomial", "coefficients": []}, "coefficients"),
         ({"kind": "power", "coefficient": 1.0, "exponent": 0.0}, "exponent.*above 0"),
         ({"kind": "spline"}, "'spline'; allowed: polynomial, power, table"),
-        ({"coefficients": [1.0]}, "the key 'kind' is missing"),
+        ({"coefficients": [1.0]}, "the key 'kind', which selects the kind, is missing"),
     ],
     ids=str,
 )

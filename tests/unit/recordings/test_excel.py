@@ -232,8 +232,8 @@ def test_cells_of_a_clock_that_are_of_another_kind(tmp_path: Path, kind: str) ->
         jn.read_recording(book(tmp_path / "a.xlsx", run=[["time [s]", "tyre.force [N]"], *table]))
 
 
-def _second_of_a_day(second):
-    return datetime(2026, 5, 3, second=second)  # noqa: DTZ001 - as Excel has it
+def _second_of_a_day(seconds):
+    return datetime(2026, 5, 3, second=seconds)  # noqa: DTZ001 - as Excel has it
 
 
 @pytest.mark.parametrize("instant", [timedelta, _second_of_a_day])
