@@ -325,7 +325,8 @@ def test_workers_that_are_ended_again_and_again_are_told(monkeypatch) -> None:
 
     monkeypatch.setattr(workers, "_run_pool", broken)
     with pytest.raises(
-        jn.JounceError, match="again and again; found '3 times in a row, 1 shards left'"
+        jn.JounceError,
+        match="repeatedly killed from outside; found '3 times in a row, 1 shards left'",
     ):
         list(workers.on_processes(2, None, [workers.Task(0, 0, {}, "")]))
 

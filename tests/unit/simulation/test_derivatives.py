@@ -168,7 +168,7 @@ def test_recordings_that_are_refused():
         (lambda run: run.assign_coords(time=("time", run["time"].values)), "time has no unit"),
         (
             lambda run: run.assign({"sprung.az": run["sprung.az"] + 1j * run["sprung.az"]}),
-            "no real numbers",
+            "not real numbers",
         ),
     ],
 )
