@@ -80,7 +80,7 @@ def test_residuals_of_one_kind_have_the_whole_width(trials) -> None:
     nowhere = replace(
         trials[0], entry=type(entry).model_construct(**{**dict(entry), "speed": None})
     )
-    with pytest.raises(FitError, match="speed or a pitch"):
+    with pytest.raises(FitError, match="speed or an obstacle pitch"):
         residual_against_speed_and_pitch([nowhere])
 
 
