@@ -118,5 +118,5 @@ def test_unusable_springs_are_refused(springs, text):
 
 @pytest.mark.no_source
 def test_a_strut_that_lies_flat_is_refused():
-    with pytest.raises(FitError, match="flat"):
+    with pytest.raises(FitError, match="nearly horizontal"):
         compare_springs(PAPER, SpringChoice(strut_angle="89 deg"))

@@ -96,7 +96,9 @@ def is_clear(message: str, *places: str) -> bool:
     return (
         len(message) <= LONGEST
         and any(place in message for place in places)
-        and not any(text in message for text in ("internal error", "not foreseen", "Traceback"))
+        and not any(
+            text in message for text in ("internal error", "an unexpected reason", "Traceback")
+        )
     )
 
 

@@ -127,7 +127,11 @@ def test_results_are_channels_of_the_same_place() -> None:
     [
         ({"channels": "body.z"}, RecordingError, "only accelerations are integrated"),
         ({"above": 0.01}, RecordingError, "the corner frequency does not suit the record"),
-        ({"above": 1.0, "motion": "periodic"}, DescriptionError, "it belongs to random motion"),
+        (
+            {"above": 1.0, "motion": "periodic"},
+            DescriptionError,
+            "this option is for random motion",
+        ),
         ({"period": 50.0, "motion": "periodic"}, RecordingError, "no whole period"),
         ({"motion": "shock"}, DescriptionError, "unknown motion"),
         ({}, RecordingError, "drift hides the motion"),

@@ -68,7 +68,7 @@ def test_sweeps_are_compared_over_travel() -> None:
             None,
             "different axes.*a: time, b: travel",
         ),
-        ({"a": xr.Dataset({"x": (("p", "q"), [[1.0]])})}, None, "over one axis are needed.*p x q"),
+        ({"a": xr.Dataset({"x": (("p", "q"), [[1.0]])})}, None, "a curve over one axis.*p x q"),
     ],
 )
 def test_what_cannot_be_compared_is_said(runs, channels, message: str) -> None:
