@@ -163,7 +163,7 @@ def test_what_cannot_be_written(tmp_path: Path) -> None:
         write_mjcf(barred, tmp_path / "a.xml")
     with pytest.raises(jn.OutputError, match="a torsion bar instead of the strut's spring"):
         write_chrono(barred, tmp_path / "a.json")
-    with pytest.raises(jn.OutputError, match="no mechanism in space; found 'quarter-car'"):
+    with pytest.raises(jn.OutputError, match="not a 3-D mechanism; found 'quarter-car'"):
         write_mjcf(jn.load("kart-quarter-car"), tmp_path / "a.xml")
     with pytest.raises(jn.OutputError, match="format"):
         write_mjcf(jn.load("kart-double-wishbone"), tmp_path / "a.json")

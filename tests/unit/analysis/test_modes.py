@@ -98,7 +98,7 @@ def test_a_mode_of_the_model_outside_the_band_is_named() -> None:
         _run(), given="road.z", rig=jn.load("audi-a6-quarter-car"), band=(4.0, 40.0)
     )
     (one,) = [one for one in found.findings if one.code == "analysis.mode_outside_band"]
-    assert "lies outside the band from 4 to 40 Hz" in one.message
+    assert "is outside the band from 4 to 40 Hz" in one.message
 
 
 def test_a_mode_at_the_edge_of_the_band_is_named() -> None:
