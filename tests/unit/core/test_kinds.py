@@ -72,7 +72,7 @@ def test_a_variant_of_a_class_does_not_take_its_place():
 
 
 def test_a_word_is_given_once():
-    with pytest.raises(TypeError, match="Rod: the kind 'bar' is that of Bar already"):
+    with pytest.raises(TypeError, match="Rod: the kind 'bar' is already used by Bar"):
 
         class Rod(Shape):
             kind: Literal["bar"] = "bar"
@@ -92,7 +92,10 @@ def test_a_word_is_given_once():
             {"kind": "pair", "of": {"kind": "baar"}},
             r"shape\.of: unknown kind 'baar'; allowed: bar, .*'bar'",
         ),
-        ({"kind": "pair", "of": {}}, r"shape\.of: the key 'kind' is missing"),
+        (
+            {"kind": "pair", "of": {}},
+            r"shape\.of: the key 'kind', which selects the kind, is missing",
+        ),
         ({"kind": "bar", "length": "3 kg"}, r"shape\.length: wrong unit; found '3 kg'"),
         (3, r"shape: .*found 3"),
     ],
