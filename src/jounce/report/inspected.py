@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import closing, nullcontext
+from contextlib import AbstractContextManager, closing, nullcontext
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from jounce.core.errors import DescriptionError, RecordingError, is_of_system, unknown
 from jounce.core.files import existing_file
@@ -17,6 +17,7 @@ from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.inspection.archive.entries import Grading, RecordEntry, pack
 from jounce.inspection.archive.lane import (
+    LIMITS,
     InspectedRecord,
     check_methods,
     entry_of,
@@ -24,8 +25,6 @@ from jounce.inspection.archive.lane import (
     inspect_record,
     refusal_of,
 )
-from jounce.inspection.archive.store import Store
-from jounce.inspection.archive.storing import LIMITS
 from jounce.inspection.grading import VehicleGrade, grade_vehicle
 from jounce.inspection.limits import load_limits
 from jounce.inspection.quantities import LANGUAGES, Language
@@ -35,6 +34,9 @@ from jounce.parts.testers import Tester, as_tester
 from jounce.report.inspection import inspection_page
 from jounce.report.page import Page, Paragraph, Section
 from jounce.report.protocol import check_protocol, facts_of, write_protocol
+
+if TYPE_CHECKING:
+    from jounce.inspection.archive.store import Store
 
 _AXLES = ("front", "rear")
 
@@ -271,7 +273,7 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
         {key: text for key, text in facts.items() if text is not None}, name,
     )  # fmt: skip
     inspected, numbers = [], []
-    with nullcontext() if store is None else closing(Store(store)) as opened:
+    with _opened(store) as opened:
         for file in paths:
             progress(Phrase("evaluating {name}", name=file.name))
             found, number = _inspected(file, asked, opened)
@@ -349,6 +351,15 @@ def _inspected(
         return found, None
     entry = entry_of(file, {"vehicle": asked.vehicle, **asked.facts, **found.facts}, **task)
     return found, _store(store, replace(entry, signals=pack(*read)), grading_of(found.graded))
+
+
+def _opened(store: str | None) -> AbstractContextManager[Store | None]:
+    """Return a store that is closed after use; none needs no database package."""
+    if store is None:
+        return nullcontext()
+    from jounce.inspection.archive.store import Store
+
+    return closing(Store(store))
 
 
 def _store(store: Store, entry: RecordEntry, grading: Grading) -> int:

@@ -22,6 +22,7 @@ from jounce.core.errors import (
     unknown,
 )
 from jounce.core.files import content_of
+from jounce.core.operation import Mark
 from jounce.core.writing import working_folder
 from jounce.inspection.archive.entries import Grading, RecordEntry, pack
 from jounce.inspection.evaluation import evaluate
@@ -40,6 +41,8 @@ if TYPE_CHECKING:
     from jounce.inspection.result import Inspection
 
 _HEADER_BYTES = 65536  # far more than any header
+
+LIMITS = Mark("A limits file instead of the shipped limits.")
 
 
 @dataclass(frozen=True)

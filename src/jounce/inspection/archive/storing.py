@@ -16,7 +16,7 @@ from jounce.core.operation import Mark, Number, Switch, Texts, operation
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import to_plain
 from jounce.core.shown import Shown
-from jounce.inspection.archive.lane import ImportedRecord, check_methods, import_record
+from jounce.inspection.archive.lane import LIMITS, ImportedRecord, check_methods, import_record
 from jounce.inspection.archive.questions import STORE
 from jounce.inspection.archive.store import Store
 from jounce.inspection.archive.watching import FolderWatch, check_folder
@@ -26,7 +26,6 @@ from jounce.parts.testers import Tester, as_tester
 TESTER = Mark(
     "A tester file, or the name of a shipped one; by default the one named in the header."
 )
-LIMITS = Mark("A limits file instead of the shipped limits.")
 
 
 @dataclass(frozen=True)
