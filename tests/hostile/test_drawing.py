@@ -212,7 +212,7 @@ def test_a_protocol_that_fails_leaves_its_values(
     def fails(*_: object, **__: object) -> None:
         raise RuntimeError("no fonts")
 
-    monkeypatch.setattr(protocol, "filled", fails)
+    monkeypatch.setattr(protocol, "fill_template", fails)
     wheels = [
         WheelResult(side, static_load=4e3, phase_angle_min_deg=51.0) for side in ("left", "right")
     ]
