@@ -125,7 +125,7 @@ async function search(pages: Record<string, string>): Promise<void> {
   let goals = onThisPage(),
     found: Goal[] = [],
     at = 0;
-  const whole = dialog(tr("Search"), field, list);
+  const whole = dialog(tr("Go to"), field, list);
   const choose = (k: number) => {
     const goal = found[k];
     if (!goal) return;
@@ -221,7 +221,7 @@ export const searchButton = (pages: Record<string, string>): HTMLButtonElement =
       type: "button",
       class: "search",
       title: `${tr("Search pages, files, curves and actions")} (Ctrl K)`,
-      "aria-label": tr("Search"),
+      "aria-label": tr("Go to"), // pages have a button "Search" of their own
       click: () => void search(pages),
     },
     "⌕",
