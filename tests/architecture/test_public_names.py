@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import importlib
+import inspect
 import subprocess
 import sys
 import types
+from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -101,6 +105,7 @@ def test_everything_below_the_plots_needs_no_faces() -> None:
         ("plots", "integrated", "integrated_motion"),
         ("plots", "rendered", "render_figure"),
         ("plots", "styled", "in_style"),
+        ("ride.weighting", "weighted", "weight"),
     ],
 )
 def test_old_names_work_and_say_the_new_one(package: str, old: str, new: str) -> None:
@@ -131,6 +136,45 @@ def test_old_names_of_methods_work_and_say_the_new_one() -> None:
     control = jounce.controller("skyhook")
     with pytest.warns(DeprecationWarning, match="Controller.paced is called with_rate_for now"):
         assert control.paced(10.0) == control.with_rate_for(10.0)
+    corner = SimpleNamespace(reference_damping=500.0)
+    with pytest.warns(DeprecationWarning, match="Controller.resolved is called complete_for now"):
+        assert control.resolved(corner) == control.complete_for(corner)
+    with pytest.warns(DeprecationWarning, match="Controller.beside is called resolve_paths now"):
+        assert control.beside(Path()) == control.resolve_paths(Path())
+    actuator = jounce.SemiActiveDamper(minimum=100.0, maximum=1000.0)
+    with pytest.warns(DeprecationWarning, match="Actuator.resolved is called complete_for now"):
+        assert actuator.resolved(corner) == actuator
     study = BestDesign(None)  # type: ignore[arg-type]
     with pytest.warns(DeprecationWarning, match="BestDesign.found is called outcome now"):
         assert study.found is study.outcome
+
+
+OLD_ARGUMENTS = {
+    "plots": ("channel_spectra", "channel_statistics", "measured_modes", "modes", "posterior_bands",
+              "posterior_draws", "profile_likelihood", "transfer_estimate"),
+    "report": ("damper_page", "decay_page", "hardpoints_page", "integration_page", "kinematic_design_page",
+               "load_cases_page", "measured_modes_page", "model_comparison_page", "modes_page", "optimisation_page",
+               "posterior_page", "roughness_page", "spectra_page", "statistics_page", "stiffness_page", "sweep_page",
+               "transfer_page"),
+    "kinematics": ("load_case_table",),
+}  # fmt: skip
+"""Functions whose first result was called ``found`` until version 0.1."""
+
+
+@pytest.mark.parametrize(
+    ("package", "name"),
+    [(package, name) for package, names in OLD_ARGUMENTS.items() for name in names],
+)
+def test_arguments_keep_their_old_names(package: str, name: str) -> None:
+    function = getattr(importlib.import_module(f"jounce.{package}"), name)
+    parameters = inspect.signature(function).parameters
+    given = {p.name: object() for p in parameters.values() if p.default is p.empty}
+    assert "found" not in given
+    with (
+        pytest.warns(DeprecationWarning, match=f"the argument found of {name} is called") as told,
+        contextlib.suppress(Exception),  # of the nonsense that it is given
+    ):
+        function(found=object(), **given)
+    new = str(told[0].message).split()[-2]
+    assert new in given
+    assert parameters[new].kind is inspect.Parameter.POSITIONAL_OR_KEYWORD

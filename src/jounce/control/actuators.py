@@ -15,6 +15,7 @@ from jounce.control.design import CornerModel
 from jounce.core.description import Description
 from jounce.core.errors import show_value
 from jounce.core.misplaced import error_at
+from jounce.core.old_names import old_method
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import Frequency, NonNegativeDampingCoefficient, PositiveNumber, Unit
@@ -108,6 +109,8 @@ class _Actuator(Description):
     def rest(self) -> float:
         """Command before the first control instant."""
         return self.limits[0]
+
+    resolved: ClassVar[Any] = old_method("Actuator.resolved", "complete_for")
 
     def complete_for(self, corner: CornerModel) -> Self:  # noqa: ARG002 - others need it
         """Return a copy of the actuator with missing values set for a corner."""

@@ -5,7 +5,11 @@ from __future__ import annotations
 import sys
 import warnings
 from collections.abc import Callable, Mapping
-from typing import Any
+from functools import wraps
+from typing import Any, ParamSpec, TypeVar
+
+P = ParamSpec("P")
+R = TypeVar("R")
 
 
 def with_old_names(
@@ -56,3 +60,28 @@ def old_property(old: str, new: str) -> Any:
 
     get.__doc__ = f"The attribute ``{new}`` under its old name, with a warning."
     return property(get)
+
+
+def old_argument(old: str, new: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """Let callers of a function still name an argument by its ``old`` name, with a warning.
+
+    >>> @old_argument("stretch", "deflection")
+    ... def force(deflection):
+    ...     return 2.0 * deflection
+    >>> with warnings.catch_warnings(action="ignore"):
+    ...     force(stretch=3.0)
+    6.0
+    """
+
+    def decorate(function: Callable[P, R]) -> Callable[P, R]:
+        @wraps(function)
+        def call(*arguments: P.args, **options: P.kwargs) -> R:
+            if old in options:
+                message = f"the argument {old} of {function.__qualname__} is called {new} now"
+                warnings.warn(message, DeprecationWarning, stacklevel=2)
+                options[new] = options.pop(old)
+            return function(*arguments, **options)
+
+        return call
+
+    return decorate

@@ -13,6 +13,7 @@ from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.findings import Finding, finding
+from jounce.core.old_names import old_argument
 from jounce.core.text import guard_formula
 from jounce.core.types import Array
 from jounce.core.units import Mass, Unit
@@ -455,6 +456,7 @@ def _equilibrium(rig: Corner, load: ContactLoad, where: str) -> tuple[float, lis
     return 0.5 * (low + high), []
 
 
+@old_argument("found", "loads")
 def load_case_table(loads: xr.Dataset, quantities: Sequence[str] | None = None) -> str:
     """Return load cases as CSV, one row for each case and wheel, SI.
 

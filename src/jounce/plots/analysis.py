@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.display import display_unit
+from jounce.core.old_names import old_argument
 from jounce.core.types import Array
 from jounce.plots.display import number, ratio_unit
 from jounce.plots.figures import (
@@ -44,6 +45,7 @@ _CLASSES = 60
 
 
 @in_style
+@old_argument("found", "statistics")
 def channel_statistics(statistics: RecordStatistics) -> Figure:
     r"""Draw each channel over time with a histogram of its values; dashed: the distribution of Gaussian noise.
 
@@ -108,6 +110,7 @@ def _occurrences(axes: Axes, values: Array, mean: float, deviation: float) -> No
 
 
 @in_style
+@old_argument("found", "spectra")
 def channel_spectra(spectra: RecordSpectra) -> Figure:
     """Draw the power spectral density of each channel, with its interval and significant peaks.
 
@@ -184,6 +187,7 @@ def _spectrum(axes: Axes, row: ChannelSpectrum, interval: tuple[float, float]) -
 
 
 @in_style
+@old_argument("found", "transfer")
 def transfer_estimate(transfer: TransferEstimate) -> Figure:
     """Draw gain with its interval, phase and coherence of two measured channels, compared with a linear model.
 
@@ -271,6 +275,7 @@ def _unbroken(angle: Array) -> Array:
 
 
 @in_style
+@old_argument("found", "modes")
 def measured_modes(modes: FittedModes) -> Figure:
     """Draw the measured lines with the fitted modes, and below them the poles of denominators of rising order.
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.errors import FitError, unknown
+from jounce.core.old_names import old_argument
 from jounce.plots.figures import (
     INK,
     MUTED,
@@ -32,6 +33,7 @@ _MOST_POINTS, _BINS = 4000, 60
 
 
 @in_style
+@old_argument("found", "posterior")
 def posterior_draws(posterior: Posterior) -> Figure:
     """Draw the distribution of each parameter and of each pair.
 
@@ -132,6 +134,7 @@ def _histogram(
 
 
 @in_style
+@old_argument("found", "posterior")
 def profile_likelihood(posterior: Posterior) -> Figure:
     """Draw the profile log likelihood of each parameter, with the others refitted, and a Gaussian for comparison.
 
@@ -181,6 +184,7 @@ def _curvature(x: Array, y: Array, top: int) -> float:
 
 
 @in_style
+@old_argument("found", "posterior")
 def posterior_bands(posterior: Posterior, trial: str | None = None) -> Figure:
     """Draw the prediction of a posterior for a trial, with the measured signals.
 

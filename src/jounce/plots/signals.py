@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.display import display_unit, display_unit_for
 from jounce.core.errors import RecordingError, SimulationError, nearest
+from jounce.core.old_names import old_argument
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.plots.display import number, words_of
@@ -439,6 +440,7 @@ _MODES_ACROSS = 4
 
 
 @in_style
+@old_argument("found", "natural_modes")
 def modes(natural_modes: Sequence[Mode]) -> Figure:
     """Draw the mode shapes of a rig as bars: real part of each coordinate, scaled to a maximum of 1.
 

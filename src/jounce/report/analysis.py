@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.display import display_unit
+from jounce.core.old_names import old_argument
 from jounce.plots import figure_of
 from jounce.plots.display import number, percent, quantity, ratio_unit, with_half
 from jounce.report.page import (
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from jounce.analysis.transfer import TransferEstimate
 
 
+@old_argument("found", "statistics")
 def statistics_page(statistics: RecordStatistics, *, title: str) -> Page:
     """Create a page of the statistics of each channel.
 
@@ -90,6 +92,7 @@ def _levels(channel: ChannelStatistics) -> tuple[str, ...]:
     )
 
 
+@old_argument("found", "spectra")
 def spectra_page(spectra: RecordSpectra, *, title: str) -> Page:
     """Create a page of the spectra of a record, with their significant peaks.
 
@@ -165,6 +168,7 @@ def _peaks(peaks: Sequence[SpectralPeak]) -> str:
     return f"{', '.join(texts)} Hz" if texts else "–"
 
 
+@old_argument("found", "transfer")
 def transfer_page(transfer: TransferEstimate, *, title: str) -> Page:
     """Create a page of a transfer function: estimation settings, gain, phase and coherence.
 
@@ -264,6 +268,7 @@ def _finite(value: float) -> float | None:
     return float(value) if value < 10.0 else None  # an error of ten times the value is meaningless
 
 
+@old_argument("found", "fitted")
 def measured_modes_page(fitted: FittedModes, *, title: str) -> Page:
     """Create a page of measured modes, compared with those of a model if given.
 
@@ -314,6 +319,7 @@ def _mode(mode: MeasuredMode, *, has_model: bool) -> tuple[str, ...]:
     return (*cells, str(mode.orders))
 
 
+@old_argument("found", "integration")
 def integration_page(integration: Integration, *, title: str) -> Page:
     """Create a page of integrated accelerations, with their valid band and errors.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
+from jounce.core.old_names import old_argument
 from jounce.plots.display import number, percent, quantity, raise_exponents
 from jounce.report.page import (
     Block,
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from jounce.design.springs import SpringDesign
 
 
+@old_argument("found", "optimum")
 def optimisation_page(optimum: Optimisation, *, title: str) -> Page:
     """Create a page of the best design of a search: improvement, design variables, and active limits.
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from jounce.core.display import display_unit
 from jounce.core.numbers import estimate_cells, number
+from jounce.core.old_names import old_argument
 from jounce.core.results import fields_of, fields_table, group_table
 from jounce.identify.estimate import Estimate
 from jounce.plots import figure_of
@@ -52,6 +53,7 @@ def measured_damper_page(measured: MeasuredDamper, *, title: str) -> Page:
     return damper_page(measured.fit, measured.curve, measured.findings, title=title)
 
 
+@old_argument("found", "fit")
 def stiffness_page(
     fit: StiffnessResult,
     trials: Sequence[ForceDeflectionTrial],
@@ -83,6 +85,7 @@ def stiffness_page(
     )
 
 
+@old_argument("found", "fit")
 def decay_page(
     fit: DecayResult | CombinedDecay,
     decays: Mapping[str, tuple[DecayResult, Array, Array]],
@@ -128,6 +131,7 @@ def decay_page(
     return answer_page(title, blocks, "Damping from free decay")
 
 
+@old_argument("found", "fit")
 def damper_page(
     fit: DamperResult,
     curve: DamperCurve,
@@ -186,6 +190,7 @@ def _toml(table: dict[str, Any]) -> str:
     return inline.as_string()
 
 
+@old_argument("found", "fit")
 def hardpoints_page(fit: HardpointFit, *, title: str) -> Page:
     """Create a page of hardpoints fitted to measured poses, with the residual of each measured quantity.
 

@@ -353,7 +353,7 @@ def _inspected(
     return found, _store(store, replace(entry, signals=pack(*read)), grading_of(found.graded))
 
 
-def _opened(store: str | None) -> AbstractContextManager[Store | None]:
+def _opened(store: Path | str | None) -> AbstractContextManager[Store | None]:
     """Return a store that is closed after use; none needs no database package."""
     if store is None:
         return nullcontext()

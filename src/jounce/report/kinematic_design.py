@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.display import display_unit
+from jounce.core.old_names import old_argument
 from jounce.kinematics import sweep_travel
 from jounce.plots.display import number
 from jounce.plots.kinematic_design import design_pictures
@@ -39,6 +40,7 @@ _FINE = 1e-6  # of a tolerance: below this, a value is rounding error
 _SMALLEST = 0.02  # minimum travel shown, m
 
 
+@old_argument("found", "design")
 def kinematic_design_page(
     design: KinematicDesign, *, title: str, pictures: Mapping[str, Figure] | None = None
 ) -> Page:

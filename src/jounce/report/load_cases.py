@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.display import display_unit
+from jounce.core.old_names import old_argument
 from jounce.core.text import slug
 from jounce.plots.display import number
 from jounce.report.page import Block, Findings, Page, PageTable, Picture, Section, Subsection
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from jounce.parts.corners import Corner
 
 
+@old_argument("found", "loads")
 def load_cases_page(
     rig: Corner, loads: xr.Dataset, findings: Sequence[Finding], *, title: str
 ) -> Page:

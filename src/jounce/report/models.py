@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from jounce.core.display import display_unit, display_unit_for
+from jounce.core.old_names import old_argument
 from jounce.plots.display import SMALLEST, number, percent
 from jounce.recordings.schema import state_unit
 from jounce.report.page import (
@@ -49,6 +50,7 @@ def curve_blocks(*runs: Any, **options: Any) -> tuple[Block, ...]:
     return blocks(*runs, **options)
 
 
+@old_argument("found", "modes")
 def modes_page(
     modes: Sequence[Mode],
     equilibrium: Mapping[str, float],
@@ -144,6 +146,7 @@ def _largest(mode: Mode) -> str:
     return max(mode.shape, key=lambda name: abs(complex(*mode.shape[name])))
 
 
+@old_argument("found", "roughness")
 def roughness_page(
     roughness: Roughness, distance: Array, height: Array, findings: Sequence[Finding], *, title: str
 ) -> Page:
@@ -248,6 +251,7 @@ def profile_page(profile: ProfileRoughness, *, title: str) -> Page:
     )
 
 
+@old_argument("found", "comparison")
 def model_comparison_page(
     comparison: ModelComparison, *, title: str, rig: Rig | None = None
 ) -> Page:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
+from jounce.core.old_names import old_argument
 from jounce.core.text import slug
 from jounce.plots.display import number
 from jounce.plots.posterior import posterior_bands, posterior_draws, profile_likelihood
@@ -53,6 +54,7 @@ _COUNTED = {
 }
 
 
+@old_argument("found", "posterior")
 def posterior_page(posterior: Posterior, *, title: str, synthetic: str = "") -> Page:
     """Create a page of a posterior.
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from jounce.core.display import display_unit
+from jounce.core.old_names import old_argument
 from jounce.plots.display import number
 from jounce.plots.variants import parallel_coordinates, scatter_matrix, tornado, variant_bands
 from jounce.report.page import (
@@ -53,6 +54,7 @@ _WORDS = {
 _IN_UNITS = ("mean_absolute_effect", "mean_effect", "effect_spread")
 
 
+@old_argument("found", "sweep")
 def sweep_page(
     sweep: SweepResult,
     *,

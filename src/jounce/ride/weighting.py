@@ -10,10 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from jounce.core.errors import DescriptionError, RecordingError, unknown
+from jounce.core.old_names import with_old_names
 from jounce.core.phrases import Phrase
 from jounce.core.samples import as_samples
 from jounce.core.types import Array
 from jounce.core.units import as_number
+
+__getattr__ = with_old_names(__name__, {"weighted": "weight"})
 
 Start = Literal["rest", "first", "mean"]
 STARTS: tuple[Start, ...] = ("rest", "first", "mean")
