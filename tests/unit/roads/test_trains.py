@@ -120,7 +120,9 @@ def test_of_may_be_a_table_with_errors_at_its_path() -> None:
         DescriptionError, match=r"^of: unknown kind 'rectangel'; .*Did you mean 'rectangle'\?$"
     ):
         Train(of={"kind": "rectangel"}, count=1, pitch=1)
-    with pytest.raises(DescriptionError, match=r"^of: the key 'kind' is missing"):
+    with pytest.raises(
+        DescriptionError, match=r"^of: the key 'kind', which selects the kind, is missing"
+    ):
         Train(of={"height": 1}, count=1, pitch=1)
 
 
