@@ -30,7 +30,7 @@ FILES = {
     str(file.relative_to(SOURCE)): file.read_text(encoding="utf-8")
     for file in sorted(SOURCE.rglob("*.py"))
 }
-_ASKED = re.compile(rf'\("([\w.]+)", "({"|".join(EXTRAS)})"\)')
+_ASKED = re.compile(rf'(?<!old_argument)\("([\w.]+)", "({"|".join(EXTRAS)})"\)')
 
 
 def imported(source: str) -> set[str]:

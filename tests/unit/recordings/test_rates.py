@@ -313,7 +313,8 @@ def test_marks_that_may_separate_thousands_are_refused(tmp_path: Path) -> None:
         )
         (tmp_path / "a.csv").write_text(text)
         with pytest.raises(
-            RecordingError, match=rf"line \d+\): all marks are followed by three digits|'1\{mark}000'"
+            RecordingError,
+            match=rf"line \d+\): all marks are followed by three digits|'1\{mark}000'",
         ):
             read_recording(tmp_path / "a.csv")
         decimals = text.replace(

@@ -189,7 +189,7 @@ const KEYS: [string, string][] = [
 
 function keys(): void {
   const rows = KEYS.flatMap(([key, words]) => [
-    make("dt", {}, make("kbd", {}, key)),
+    make("dt", {}, make("kbd", {}, tr(key))),
     make("dd", {}, tr(words)),
   ]);
   const close = make("button", { type: "button" }, tr("Close"));

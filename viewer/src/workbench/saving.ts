@@ -97,7 +97,7 @@ function menu(label: string, entries: [string, () => Promise<unknown>][]): HTMLE
       ),
     );
   whole.addEventListener("keydown", (event) => {
-    event.stopPropagation(); // keys of the curves around it
+    if (!event.ctrlKey && !event.metaKey && event.key !== "?") event.stopPropagation(); // keys of the curves around it
     if (event.key !== "Escape" || !whole.open) return;
     whole.open = false;
     whole.querySelector("summary")!.focus();
