@@ -24,6 +24,13 @@ export interface Centres {
 
 const NEAR = 16; // px to a point that is meant
 const SMALL = matchMedia("(max-width: 40rem)");
+const ARROWS: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+const [TURN, STEP] = [Math.PI / 36, 20]; // rad and px of one press
 const LINE = 13; // px from one name to the next
 type View = "space" | "front" | "side" | "top";
 /** Azimuth and elevation of the viewer of a left corner. */
@@ -37,7 +44,12 @@ const MARKS: Record<keyof Centres, string> = { front: "other-1", side: "other-3"
 
 export class MechanismView {
   readonly element = make("div", { class: "mechanism" });
-  private readonly canvas = make("canvas", { tabindex: "0", "aria-label": say("mechanism") });
+  private readonly canvas = make("canvas", {
+    tabindex: "0",
+    role: "application", // its keys are its own, also for screen readers
+    "aria-label": say("mechanism"),
+    "aria-keyshortcuts": "ArrowLeft ArrowRight ArrowUp ArrowDown + - 0",
+  });
   private readonly stage: HTMLElement;
   private context: CanvasRenderingContext2D | null = null;
   private readonly state = make("div", { class: "state" });
@@ -87,7 +99,8 @@ export class MechanismView {
     });
     this.names.hidden = !isNamed;
     this.hasPaths = large;
-    this.stage = make("div", { class: "stage" }, this.canvas, this.names, this.state);
+    const keys = make("p", { class: "keys", "aria-hidden": "true" }, say("mechanismKeys"));
+    this.stage = make("div", { class: "stage" }, this.canvas, keys, this.names, this.state);
     this.element.append(
       make("div", { class: "bar" }, views, make("div", { class: "group" }, wheel, paths, words)),
       this.stage,
@@ -104,6 +117,7 @@ export class MechanismView {
       },
       { passive: false },
     );
+    this.canvas.addEventListener("keydown", (event) => this.key(event));
     this.turned();
     this.stage.addEventListener("pointerdown", (event) => this.take(event), { capture: true });
     new ResizeObserver(() => this.resize()).observe(this.stage);
@@ -226,6 +240,28 @@ export class MechanismView {
     });
     this.canvas.addEventListener("pointerup", lift);
     this.canvas.addEventListener("pointercancel", lift);
+  }
+
+  /** Arrow keys turn it as the pointer does, with Shift move it; + and − zoom, 0 shows everything. */
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const { camera } = this,
+      [x, y] = ARROWS[event.key] ?? [0, 0];
+    if (x || y) {
+      if (event.shiftKey)
+        camera.target = add(
+          add(camera.target, camera.right, (-x * STEP) / camera.scale),
+          camera.up,
+          (-y * STEP) / camera.scale,
+        );
+      else camera.turn(camera.azimuth - x * TURN, camera.elevation - y * TURN);
+      this.stale();
+    } else if (event.key === "+" || event.key === "=") this.enlarge(1.15);
+    else if (event.key === "-") this.enlarge(1 / 1.15);
+    else if (event.key === "0") this.look("space");
+    else return;
+    event.preventDefault();
+    event.stopPropagation(); // the curves around it have the same keys
   }
 
   private enlarge(by: number): void {

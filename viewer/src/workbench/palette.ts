@@ -181,6 +181,7 @@ const KEYS: [string, string][] = [
   ["Space", "play the curves that have the focus"],
   ["← →", "step through the curves, with Shift in large steps; pan a record"],
   ["+ − 0", "zoom in, zoom out, show everything"],
+  ["← ↑ → ↓", "turn the mechanism that has the focus, with Shift move it; + − 0 zoom it"],
   ["[ ]", "previous and next trial"],
   ["9", "zoom to the event"],
   ["f", "fill the window with the curves"],
